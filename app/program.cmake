@@ -1,0 +1,7 @@
+# Level 8: the program. One file per subcommand, one table of them.
+file(GLOB sources CONFIGURE_DEPENDS app/*.cpp)
+if(sources)
+    add_executable(pointclay ${sources})
+    target_include_directories(pointclay PRIVATE ${CMAKE_SOURCE_DIR})
+    target_link_libraries(pointclay PRIVATE pointclay_ui Qt6::Widgets CLI11::CLI11 nlohmann_json::nlohmann_json)
+endif()

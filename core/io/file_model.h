@@ -1,0 +1,31 @@
+// What a file holds, before anything is estimated: points relative to an origin, and all that came along with them.
+#pragma once
+
+#include "core/surface/definition.h"
+#include "core/surfel/surfel.h"
+
+#include <optional>
+#include <string>
+
+namespace io {
+
+/// An element of a PLY file that is not ours to understand: kept byte for byte and written back.
+struct OpaqueElement {
+    std::string declaration; ///< its header lines, "element NAME N" and its properties, each ended by \n
+    std::string body;        ///< its records in little-endian binary
+};
+
+struct FileModel {
+    surfel::SurfelList points;
+    base::Vec3d origin; ///< add to a position to have the file's coordinates; zero unless they are large
+    std::optional<surface::SurfaceDefinition> definition; ///< from `comment pointclay ...` lines
+    bool hasSupports = false;                             ///< every point brought a support radius > 0
+    std::size_t faces = 0;                                ///< in the file, ignored
+    std::size_t dropped = 0;                              ///< points that were not finite
+    std::string format;                ///< as `info` prints it: "ply binary_little_endian", "xyz", "obj", ...
+    std::vector<std::string> comments; ///< of the file, without ours
+    std::vector<OpaqueElement> elements;
+    std::vector<std::string> messages; ///< one sentence each, for the person
+};
+
+} // namespace io

@@ -1,0 +1,28 @@
+// The table of file formats; open and save dialogs, `convert`, help and tests are loops over it.
+//
+// Reading throws base::Error with one sentence (what, where, what to do) and never trusts a header's counts before the
+// bytes are there. Writing goes beside the target and is renamed when complete, so that no partial file is ever seen.
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/io/file_model.h"
+
+#include <filesystem>
+
+namespace io {
+
+struct FormatRow {
+    const char* id;         ///< "ply"
+    const char* label;      ///< "Polygon File Format"
+    const char* extensions; ///< "ply" or "xyz txt csv pts asc pwn", separated by blanks, lower case
+    FileModel (*read)(const std::filesystem::path&, const base::Progress&);               ///< null: cannot be read
+    void (*write)(const std::filesystem::path&, const FileModel&, const base::Progress&); ///< null: cannot be written
+};
+
+std::span<const FormatRow> formatTable();
+
+/// By extension first, then by content where the extension lies.
+FileModel read(const std::filesystem::path& path, const base::Progress& progress = {});
+void write(const std::filesystem::path& path, const FileModel& model, const base::Progress& progress = {});
+
+} // namespace io

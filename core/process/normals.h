@@ -1,0 +1,16 @@
+// Normals of raw points: estimated from the k nearest by weighted covariance, then oriented consistently.
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/surfel/surfel.h"
+
+namespace process {
+
+/// Unit normals without a meaningful sign; sets layout->normals. In parallel, deterministic.
+void estimateNormals(surfel::SurfelList& points, int neighbours = 18, const base::Progress& progress = {});
+
+/// Flips normals so that neighbours agree (spanning tree by likeness, seeded by the outermost point of each component,
+/// which must look outward); sets layout->oriented. Deterministic.
+void orientNormals(surfel::SurfelList& points, int neighbours = 18, const base::Progress& progress = {});
+
+} // namespace process

@@ -1,0 +1,25 @@
+// From loaded points to a surface: everything a raw scan lacks is estimated, everything it brings is kept.
+//
+//     normals absent            estimated from 18 neighbours, then oriented consistently   normals.h
+//     supports absent or asked  from neighbours or one radius, by the definition           supports.h
+//     Boundary::Auto            limit from the model's own off-centre values               boundary_limit.h
+//     tree                      built                                                      tree/surfel_tree.h
+#pragma once
+
+#include "core/surface/surface.h"
+
+namespace process {
+
+struct PrepareOptions {
+    surface::SurfaceDefinition definition;
+    bool keepSupports = true; ///< supports > 0 that came with the points stay as they are
+};
+
+/// Throws base::Error where fewer than 4 distinct points are left to make a surface of, base::Cancelled.
+surface::Surface prepare(surfel::SurfelList points, const PrepareOptions& options, const base::Progress& progress = {});
+
+/// The same surfels under another definition: supports and boundary limit are made anew, in the tree's own version.
+surface::Surface redefine(const surface::Surface& surface, const surface::SurfaceDefinition& definition,
+                          const base::Progress& progress = {});
+
+} // namespace process

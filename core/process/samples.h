@@ -1,0 +1,23 @@
+// Sample models made by code, so that the program ships nobody's data: one table that menus, command line, tests and
+// pictures loop over. All have outward normals unless they simulate a raw scan. Same bits for the same parameters.
+#pragma once
+
+#include "core/surfel/surfel.h"
+
+#include <string_view>
+
+namespace process {
+
+struct SampleRow {
+    const char* id;    ///< "sphere", "torus", "knot", "clay", "scan"
+    const char* label; ///< as a menu shows it
+    const char* tip;
+    surfel::SurfelList (*make)(std::size_t count, std::uint64_t seed);
+    std::size_t count; ///< surfels where nobody asks for another number
+};
+
+std::span<const SampleRow> sampleTable();
+/// Throws base::Error naming the known samples.
+const SampleRow& sample(std::string_view id);
+
+} // namespace process

@@ -1,0 +1,15 @@
+// Support radii: one for all, or per surfel h = s sqrt(K / pi) from the local spacing, graded so that neighbours' radii
+// differ by at most half their distance (alg. 8.2.1), because ungraded supports ripple.
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/surface/definition.h"
+#include "core/surfel/surfel.h"
+
+namespace process {
+
+/// Sets every surfel's support (its reach, see definition.h).
+void assignSupports(surfel::SurfelList& points, const surface::SurfaceDefinition& definition,
+                    const base::Progress& progress = {});
+
+} // namespace process

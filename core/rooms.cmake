@@ -1,0 +1,21 @@
+# The level list of core/README.md, as the build sees it: each room names the rooms above it that it may use.
+# Third-party libraries are linked privately where their one wrapper lives.
+pointclay_room(base core/base)
+pointclay_link(base TBB::tbb Threads::Threads)
+
+pointclay_room(surfel core/surfel base)
+
+pointclay_room(tree core/tree surfel)
+
+pointclay_room(surface core/surface tree)
+pointclay_link(surface PkgConfig::HWY)
+
+pointclay_room(process core/process surface)
+pointclay_link(process nanoflann::nanoflann Eigen3::Eigen CGAL::CGAL)
+
+pointclay_room(sculpt core/sculpt process)
+
+pointclay_room(io core/io process)
+
+pointclay_room(session core/session sculpt io)
+pointclay_link(session nlohmann_json::nlohmann_json)

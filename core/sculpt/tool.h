@@ -1,0 +1,61 @@
+// A tool is one row of a table (tool_table.cpp): its name, its parameters, and a function from a version and a dab to
+// an edit. It asks the interface nothing, and nothing outside the table knows it by name.
+//
+//     Stroke --ray--> contact --Dab--> ToolRow::apply(version, dab) --Edit--> SurfelTree::apply --> next version
+#pragma once
+
+#include "core/sculpt/falloff.h"
+#include "core/surface/surface.h"
+
+#include <map>
+#include <string>
+#include <string_view>
+
+namespace sculpt {
+
+/// One application of a tool at an exact contact. Lengths in model units; directions of unit length.
+struct Dab {
+    base::Vec3f centre;     ///< on the surface of the version that the stroke works on
+    base::Vec3f normal;     ///< unit gradient there, facing the viewer
+    base::Vec3f areaNormal; ///< mean of the surfels' normals under the brush, facing the viewer
+    base::Vec3f view;       ///< direction of the ray
+    base::Vec3f move;       ///< from the previous dab's place to this one (grab); zero for the first
+    float radius = 0;
+    float strength = 0; ///< 0 to 1, pressure included; negative when inverted
+    Falloff falloff = Falloff::Smooth;
+    std::map<std::string, double> parameters; ///< the tool's own, complete with defaults
+};
+
+/// A parameter of a tool as panels, command line and manual show it.
+struct ToolParameter {
+    const char* id;
+    const char* label;
+    const char* unit; ///< "" for a plain number
+    const char* tip;
+    double fallback, min, max;
+};
+
+/// How dabs follow the pointer.
+enum class Motion {
+    Along, ///< a dab at every contact along the stroke, spaced by a part of the radius
+    Drag   ///< the first contact is held and carried in the plane that faces the viewer
+};
+
+struct ToolRow {
+    const char* id;    ///< as sessions name it: "draw"
+    const char* label; ///< "Draw"
+    const char* icon;  ///< icons/tool-draw.svg
+    const char* shortcut;
+    const char* tip; ///< one sentence
+    Motion motion;
+    double strength; ///< where nobody sets another
+    std::span<const ToolParameter> parameters;
+    /// What the dab does to the surfels: positions and normals changed by its formula (told in the tool's header).
+    tree::Edit (*apply)(const surface::Surface& version, const Dab& dab);
+};
+
+std::span<const ToolRow> toolTable();
+/// Throws base::Error naming the known tools.
+const ToolRow& tool(std::string_view id);
+
+} // namespace sculpt

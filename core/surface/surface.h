@@ -1,0 +1,85 @@
+// Surface: a tree with a definition. It answers what the points mean at a position (alg. 2, 7):
+//
+//     f(x) = sum theta_i [(1-mu) n(x) + mu n_i] . (x - p_i) / w      zero on the surface, > 0 where the normals point
+//     c(x) = sum theta_i p_i / w                                     centroid;  o(x) = |x - c(x)| off-centre value
+//     g(x) = grad f                                                  the surface's true normal direction
+//
+// after A. Adamson, Computing Curves and Surfaces from Points (2007), chapters 2 and 7; mu is our symmetric form.
+//
+// Two implementations of the same formulas: `evaluate` in float32, vectorised, relative to the query position, and
+// `evaluateReference` in float64, plain loops. Tests compare them; `--precision double` asks for the second.
+//
+// A Surface is a value, cheap to copy; it holds its version alive. All functions are const and may run on any thread.
+#pragma once
+
+#include "core/base/mat3.h"
+#include "core/surface/definition.h"
+#include "core/tree/surfel_tree.h"
+
+#include <span>
+
+namespace surface {
+
+/// What an answer is worth; INTERFACES names them for `query`. Degenerate covers the cases of alg. 2.4.
+enum class Status : unsigned char { Ok, Outside, Degenerate, NotConverged, BeyondBoundary };
+const char* statusName(Status status);
+
+/// How much to compute: each includes the ones before it.
+enum class Need { Value, Gradient, Hessian };
+
+template <class T>
+struct Evaluation {
+    Status status = Status::Outside;
+    int samples = 0;              ///< surfels with weight
+    T weight = 0;                 ///< w, sum of the weights
+    T value = 0;                  ///< f, signed where the frame is oriented
+    base::Vec3<T> centroid;       ///< c(x)
+    base::Vec3<T> normal;         ///< n(x), the frame's unit normal
+    base::Vec3<T> gradient;       ///< g(x) where asked for
+    base::Mat3<T> hessian;        ///< where asked for
+    base::Mat3<T> normalGradient; ///< dn_a/dx_b where the gradient was asked for (the bias term of resampling needs it)
+    T offCentre = 0;              ///< o(x)
+    T unit = 0;                   ///< h at x: weighted mean of the surfels' unitOf(support)
+    T agreement = 0;              ///< |sum theta_i n_i| / w: 1 one flat sheet, 0 cancelling normals
+
+    bool ok() const { return status == Status::Ok; }
+};
+
+using Evaluationf = Evaluation<float>;
+using Evaluationd = Evaluation<double>;
+
+/// A direction that chooses the sign of unoriented frames and, for near sheets, the sheet; zero for none.
+struct Hint {
+    base::Vec3f direction;
+};
+
+class Surface {
+  public:
+    Surface() = default;
+    Surface(tree::SurfelTree tree, SurfaceDefinition definition) : m_tree(std::move(tree)), m_definition(definition) {}
+
+    const tree::SurfelTree& tree() const { return m_tree; }
+    const SurfaceDefinition& definition() const { return m_definition; }
+
+    /// One position (one contact, one haptic step). Status is Ok, Outside, Degenerate or BeyondBoundary; in the last
+    /// case all numbers are valid. `need` Hessian is answered by the reference alone.
+    Evaluationf evaluate(const base::Vec3f& x, Need need = Need::Gradient, const Hint& hint = {}) const;
+    /// Many positions, in parallel, best when neighbours in the list are neighbours in space. The same bits as one by
+    /// one.
+    void evaluate(std::span<const base::Vec3f> x, Need need, std::span<Evaluationf> out) const;
+    Evaluationd evaluateReference(const base::Vec3d& x, Need need = Need::Gradient, const Hint& hint = {}) const;
+
+  private:
+    tree::SurfelTree m_tree;
+    SurfaceDefinition m_definition;
+};
+
+/// Principal curvatures and directions of the level set through x (alg. 7): k1 >= k2, positive on a sphere with outward
+/// normals. REQUIRES: `e` was evaluated with Need::Hessian and has a gradient.
+struct Curvature {
+    double k1 = 0, k2 = 0;
+    base::Vec3d direction1, direction2;
+};
+Curvature curvature(const Evaluationd& e);
+
+} // namespace surface

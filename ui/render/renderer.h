@@ -1,0 +1,67 @@
+// The renderer: a model and a camera in, an image out. Two implementations give the same picture within tolerance:
+// tiles on the CPU (cpu_splatter.h) and OpenGL 3.3 (gl_splatter.h) in a context of Qt, OSMesa or EGL. It knows no
+// widget.
+//
+// Splats are blended (Botsch et al. 2005, alg. 4.1): nearest layer kept within one splat radius, attributes averaged
+// with exp(-2 r^2), shaded once per pixel. Splats of unoriented models face the viewer.
+#pragma once
+
+#include "core/surface/surface.h"
+#include "ui/render/camera.h"
+
+#include <memory>
+#include <string_view>
+
+namespace render {
+
+enum class Shading { Matcap, Normal, Colour, Mask };
+
+/// One row per shading: menus, command line and help loop over it.
+struct ShadingRow {
+    Shading shading;
+    const char* id; ///< "matcap"
+    const char* label;
+    const char* tip;
+};
+std::span<const ShadingRow> shadingTable();
+/// Throws base::Error naming the known shadings.
+Shading shading(std::string_view id);
+
+struct RenderOptions {
+    Shading shading = Shading::Matcap;
+    bool transparent = false; ///< background with alpha 0
+    float splatScale = 1;     ///< times the usual splat radius
+    bool operator==(const RenderOptions&) const = default;
+};
+
+/// Row 0 is the top. Depth is the distance from the eye along the pixel's ray, +inf where nothing is.
+struct Image {
+    int width = 0, height = 0;
+    std::vector<std::uint32_t> colour; ///< 0xAABBGGRR (surfel::Colour), not premultiplied
+    std::vector<float> depth;
+    void resize(int w, int h) {
+        width = w, height = h;
+        colour.assign(static_cast<std::size_t>(w) * static_cast<std::size_t>(h), 0);
+        depth.assign(colour.size(), std::numeric_limits<float>::infinity());
+    }
+};
+
+class Renderer {
+  public:
+    virtual ~Renderer() = default;
+    virtual const char* name() const = 0;
+    /// Draws a version. Implementations keep what the previous version shares with this one.
+    virtual void render(const tree::SurfelTree& model, const Camera& camera, const RenderOptions& options,
+                        Image& out) = 0;
+};
+
+/// "cpu", "osmesa" or "egl". Throws base::Error where the machine lacks it, telling what to install.
+std::unique_ptr<Renderer> makeRenderer(std::string_view backend);
+
+/// Colour of a shaded pixel from blended attributes: the one place both renderers and the ray caster agree on.
+/// `normal` in camera coordinates (x right, y up, z towards the eye), unit length.
+surfel::Colour shade(Shading shading, const base::Vec3f& normal, surfel::Colour colour, float mask);
+/// The background at height 0 (top) to 1 (bottom) of the image.
+surfel::Colour background(float height);
+
+} // namespace render

@@ -1,0 +1,7 @@
+# Level 7: what draws and what a person touches. The renderers know no widget; the window knows no GL function.
+pointclay_room(render ui/render session)
+pointclay_link(render PkgConfig::HWY Qt6::Gui ${CMAKE_DL_LIBS})
+
+pointclay_room(ui ui render)
+pointclay_link(ui Qt6::Widgets Qt6::OpenGLWidgets Qt6::Svg nlohmann_json::nlohmann_json)
+set_target_properties(pointclay_ui PROPERTIES AUTOMOC ON AUTORCC ON)
