@@ -1,0 +1,89 @@
+#include "core/base/parallel.h"
+
+#include "core/base/hash.h"
+#include "core/base/progress.h"
+#include "support/registry.h"
+
+#include <atomic>
+#include <QtTest>
+#include <stdexcept>
+#include <vector>
+
+using namespace base;
+
+class ParallelTest : public QObject {
+    Q_OBJECT
+  private slots:
+    void everyItemIsVisitedOnce();
+    void chunksDoNotDependOnThreads();
+    void anExceptionReachesTheCaller();
+    void cancelledProgressThrows();
+    void hashOfASetDoesNotDependOnOrder();
+    void hashTellsNeighbouringValuesApart();
+    void cleanup() { setThreadCount(0); }
+};
+
+void ParallelTest::everyItemIsVisitedOnce() {
+    for (std::size_t n : {0, 1, 7, 64, 1000, 4097}) {
+        std::vector<std::atomic<int>> visits(n);
+        parallelFor(n, 16, [&](std::size_t i) { ++visits[i]; });
+        for (const auto& count : visits)
+            QCOMPARE(count.load(), 1);
+    }
+}
+
+void ParallelTest::chunksDoNotDependOnThreads() {
+    const auto sums = [] {
+        std::vector<float> out(chunkCount(10000, 37));
+        parallelChunks(10000, 37, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+            for (std::size_t i = begin; i < end; ++i)
+                out[chunk] += 1.0f / static_cast<float>(i + 1);
+        });
+        return out;
+    };
+    setThreadCount(1);
+    const auto one = sums();
+    setThreadCount(0);
+    QVERIFY(one == sums());
+}
+
+void ParallelTest::anExceptionReachesTheCaller() {
+    QVERIFY_EXCEPTION_THROWN(parallelFor(1000, 1,
+                                         [](std::size_t i) {
+                                             if (i == 777)
+                                                 throw Error("bad item", "item 777");
+                                         }),
+                             Error);
+}
+
+void ParallelTest::cancelledProgressThrows() {
+    std::atomic<bool> cancel{false};
+    double seen = -1;
+    const Progress progress{[&](double done, std::string_view) { seen = done; }, &cancel};
+    progress.step(0.25, "working");
+    QCOMPARE(seen, 0.25);
+    cancel = true;
+    QVERIFY_EXCEPTION_THROWN(progress.step(0.5, "working"), Cancelled);
+    QCOMPARE(seen, 0.25);
+}
+
+void ParallelTest::hashOfASetDoesNotDependOnOrder() {
+    std::vector<Hash128> items;
+    for (std::uint32_t i = 0; i < 100; ++i)
+        items.push_back(hashWords(std::vector<std::uint32_t>{i, i * i}));
+    Hash128 forward, backward;
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        forward += items[i];
+        backward += items[items.size() - 1 - i];
+    }
+    QVERIFY(forward == backward);
+    QCOMPARE(forward.text().size(), std::size_t(32));
+}
+
+void ParallelTest::hashTellsNeighbouringValuesApart() {
+    const std::vector<std::uint32_t> a{1, 2}, b{2, 1}, c{1, 2, 0}, d{1, 3};
+    QVERIFY(!(hashWords(a) == hashWords(b)) && !(hashWords(a) == hashWords(c)) && !(hashWords(a) == hashWords(d)));
+}
+
+static const test::Registered<ParallelTest> registered;
+#include "parallel_test.moc"
