@@ -4,4 +4,6 @@ pointclay_link(render PkgConfig::HWY Qt6::Gui ${CMAKE_DL_LIBS})
 
 pointclay_room(ui ui render)
 pointclay_link(ui Qt6::Widgets Qt6::OpenGLWidgets Qt6::Svg nlohmann_json::nlohmann_json)
-set_target_properties(pointclay_ui PROPERTIES AUTOMOC ON AUTORCC ON)
+# AUTOMOC does not notice a file that the glob has just found unless it depends on it.
+file(GLOB scanned CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/ui/*.h ${CMAKE_SOURCE_DIR}/ui/*.cpp)
+set_target_properties(pointclay_ui PROPERTIES AUTOMOC ON AUTORCC ON AUTOGEN_TARGET_DEPENDS "${scanned}")
