@@ -3,7 +3,11 @@
 //
 // A command line of a session file is {"op": NAME, ...parameters} (INTERFACES, Sessions). `run` checks it against the
 // row (unknown op or parameter, wrong type, out of range: base::Error), executes it and leaves the document unchanged
-// on failure.
+// on failure. What completed and changed the model goes to the context's journal.
+//
+//     window, command line, session file --json--> run --complete json--> CommandRow::run --> Document
+//                                                   |
+//                                                   +--> Journal::record
 #pragma once
 
 #include "core/base/progress.h"
@@ -14,25 +18,30 @@
 
 namespace session {
 
+class Journal;
+
 struct CommandParameter {
     const char* id;
-    const char* type; ///< "path", "number", "integer", "boolean", "choice", "list", "text"
+    /// "path", "number", "integer", "boolean" (true, false, "on" or "off"), "choice", "number or choice", "list" or
+    /// "text". Paths are absolute when the command sees them.
+    const char* type;
     const char* unit;
     const char* tip;
     const char* fallback; ///< as JSON text; "" where the parameter is required, "null" where it may be left out
-    const char* choices;  ///< for "choice": separated by blanks
+    const char* choices;  ///< for choices: separated by blanks
     double min, max;      ///< for numbers
 };
 
 /// What a command may use beside its parameters.
 struct Context {
     Document& document;
-    std::filesystem::path folder; ///< relative paths start here
+    std::filesystem::path folder; ///< relative paths start here; empty: the working folder
     base::Progress progress;
     std::vector<std::string> messages; ///< for the person, appended by commands
     /// Filled by strokes for timings.
     int dabs = 0;
     std::vector<double> dabSeconds;
+    Journal* journal = nullptr; ///< null: nothing is journalled
 };
 
 struct CommandRow {
@@ -41,11 +50,19 @@ struct CommandRow {
     const char* tip;
     std::span<const CommandParameter> parameters;
     bool changesModel; ///< journalled
+    bool startsModel;  ///< replaces the document: the journal begins anew
     void (*run)(Context&, const nlohmann::json& complete);
+    /// Parameters that depend on others (a tool's own): throws base::Error for one that is unknown or out of range.
+    /// Null where there are none.
+    void (*checkFurther)(const nlohmann::json& command, const std::string& key, const nlohmann::json& value);
 };
 
 std::span<const CommandRow> commandTable();
+/// Throws base::Error naming the known commands.
 const CommandRow& command(std::string_view op);
+
+/// The command checked and completed: defaults filled in, booleans as such, paths absolute. Throws base::Error.
+nlohmann::json complete(const nlohmann::json& command, const std::filesystem::path& folder = {});
 
 /// Checks, completes with defaults and executes one command. Debug builds validate the tree afterwards.
 void run(Context& context, const nlohmann::json& command);

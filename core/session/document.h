@@ -4,6 +4,8 @@
 // and leaves the document as it was. History keeps older roots; what they share with the present costs nothing, and the
 // byte budget drops the oldest steps first.
 //
+// A document is a value: a copy shares all roots and costs a few words per step, which is how commands roll back.
+//
 // Threads: one at a time. `surface()` may be handed to other threads; it is a value and never changes.
 #pragma once
 
@@ -30,9 +32,10 @@ class Document {
   public:
     const surface::Surface& surface() const { return m_surface; }
     const Provenance& provenance() const { return m_provenance; }
-    /// Hash of the content: surfels, layout names and origin (base/hash.h); equal after save and open.
+    /// Hash of the content: surfels in any order, names and types of what they carry, and origin (base/hash.h). Equal
+    /// after save and open in a format that holds all of them. In parallel, O(size).
     base::Hash128 hash() const;
-    bool modified() const; ///< since it was opened or saved
+    bool modified() const { return m_revision != m_savedRevision; } ///< since it was opened, made or saved
 
     /// One step forward: `label` is what the undo menu shows. Drops redo steps.
     void commit(surface::Surface next, const std::string& label);
@@ -42,29 +45,38 @@ class Document {
 
     bool canUndo() const { return !m_past.empty(); }
     bool canRedo() const { return !m_future.empty(); }
-    const std::string& undoLabel() const { return m_past.back().label; }
-    const std::string& redoLabel() const { return m_future.back().label; }
-    void undo(); ///< REQUIRES: canUndo()
-    void redo(); ///< REQUIRES: canRedo()
+    const std::string& undoLabel() const { return m_past.back().label; }   ///< REQUIRES: canUndo()
+    const std::string& redoLabel() const { return m_future.back().label; } ///< REQUIRES: canRedo()
+    void undo();                                                           ///< REQUIRES: canUndo()
+    void redo();                                                           ///< REQUIRES: canRedo()
 
     /// Bytes that history may hold beside the present; oldest steps go first. At least one step is always kept.
     void setHistoryBudget(std::size_t bytes);
+    /// Bytes that the steps back and forward hold and the present does not share.
     std::size_t historyBytes() const;
 
     io::FileModel fileModel() const; ///< as a writer wants it
 
   private:
+    /// A version that is not shown now. `label` names the command between it and its neighbour towards the present.
     struct Step {
         surface::Surface surface;
         std::string label;
-        std::size_t bytes = 0;
+        std::size_t bytes = 0; ///< not shared with that neighbour
+        std::uint64_t revision = 0;
     };
+    void shift(std::deque<Step>& from, std::deque<Step>& to);
     void enforceBudget();
+
     surface::Surface m_surface;
     Provenance m_provenance;
     std::deque<Step> m_past, m_future; ///< nearest step at the back
     std::size_t m_budget = std::size_t(1) << 30;
-    tree::SurfelTree m_savedTree;
+    /// Versions by number, never used twice: what was saved is known without holding it.
+    std::uint64_t m_revision = 0, m_savedRevision = 0, m_lastRevision = 0;
 };
+
+/// The hash of a surface's content with its origin, as Document::hash gives it.
+base::Hash128 contentHash(const tree::SurfelTree& tree, const base::Vec3d& origin);
 
 } // namespace session

@@ -1,0 +1,122 @@
+#include "core/session/document.h"
+
+#include <bit>
+#include <cassert>
+
+namespace session {
+
+static void appendWords(std::vector<std::uint32_t>& words, std::string_view text) {
+    words.push_back(static_cast<std::uint32_t>(text.size()));
+    for (const char c : text)
+        words.push_back(static_cast<unsigned char>(c));
+}
+
+static base::Hash128 layoutHash(const surfel::AttributeLayout& layout) {
+    std::vector<std::uint32_t> words;
+    for (const std::string& name : layout.names()) {
+        appendWords(words, name);
+        const surfel::Attribute* attribute = layout.find(name);
+        words.push_back(attribute ? static_cast<std::uint32_t>(attribute->type) : ~0u);
+    }
+    return base::hashWords(words);
+}
+
+static base::Hash128 originHash(const base::Vec3d& origin) {
+    std::vector<std::uint32_t> words;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const auto bits = std::bit_cast<std::uint64_t>(origin[k] + 0.0); // -0 and 0 are the same place
+        words.push_back(static_cast<std::uint32_t>(bits));
+        words.push_back(static_cast<std::uint32_t>(bits >> 32));
+    }
+    return base::hashWords(words);
+}
+
+base::Hash128 contentHash(const tree::SurfelTree& tree, const base::Vec3d& origin) {
+    base::Hash128 out = tree.contentHash();
+    out += layoutHash(*tree.layout());
+    out += originHash(origin);
+    return out;
+}
+
+base::Hash128 Document::hash() const {
+    return contentHash(m_surface.tree(), m_provenance.origin);
+}
+
+void Document::commit(surface::Surface next, const std::string& label) {
+    m_future.clear();
+    const std::size_t bytes = tree::unsharedBytes(m_surface.tree(), next.tree());
+    m_past.push_back({std::move(m_surface), label, bytes, m_revision});
+    m_surface = std::move(next);
+    m_revision = ++m_lastRevision;
+    enforceBudget();
+}
+
+void Document::reset(surface::Surface surface, Provenance provenance) {
+    m_past.clear();
+    m_future.clear();
+    m_surface = std::move(surface);
+    m_provenance = std::move(provenance);
+    m_savedRevision = m_revision = ++m_lastRevision;
+}
+
+void Document::saved(const std::filesystem::path& path) {
+    m_provenance.path = path;
+    m_savedRevision = m_revision;
+}
+
+/// The nearest step of `from` becomes the present, and the present the nearest step of `to`.
+void Document::shift(std::deque<Step>& from, std::deque<Step>& to) {
+    assert(!from.empty());
+    Step step = std::move(from.back());
+    from.pop_back();
+    const std::size_t bytes = tree::unsharedBytes(m_surface.tree(), step.surface.tree());
+    to.push_back({std::move(m_surface), std::move(step.label), bytes, m_revision});
+    m_surface = std::move(step.surface);
+    m_revision = step.revision;
+}
+
+void Document::undo() {
+    shift(m_past, m_future);
+}
+
+void Document::redo() {
+    shift(m_future, m_past);
+}
+
+void Document::setHistoryBudget(std::size_t bytes) {
+    m_budget = bytes;
+    enforceBudget();
+}
+
+std::size_t Document::historyBytes() const {
+    std::size_t sum = 0;
+    for (const auto* steps : {&m_past, &m_future})
+        for (const Step& step : *steps)
+            sum += step.bytes;
+    return sum;
+}
+
+void Document::enforceBudget() {
+    std::size_t held = historyBytes();
+    for (auto* steps : {&m_past, &m_future})
+        while (held > m_budget && !steps->empty() && m_past.size() + m_future.size() > 1) {
+            held -= steps->front().bytes;
+            steps->pop_front();
+        }
+}
+
+io::FileModel Document::fileModel() const {
+    io::FileModel out;
+    out.points = m_surface.tree().surfels();
+    out.origin = m_provenance.origin;
+    out.definition = m_surface.definition();
+    out.hasSupports = true;
+    out.faces = m_provenance.faces;
+    out.dropped = m_provenance.dropped;
+    out.format = m_provenance.format;
+    out.comments = m_provenance.comments;
+    out.elements = m_provenance.elements;
+    return out;
+}
+
+} // namespace session
