@@ -1,0 +1,124 @@
+#include "core/io/safe_file.h"
+
+#include "core/base/error.h"
+
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <vector>
+
+namespace io {
+
+namespace fs = std::filesystem;
+
+static void syncFolder(const fs::path& folder) {
+    const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor < 0)
+        return;
+    ::fsync(descriptor); // best effort: not every file system can sync a folder
+    ::close(descriptor);
+}
+
+/// Permissions that a plain open() would give, or those of the file that is replaced.
+static mode_t wantedMode(const fs::path& final) {
+    struct stat info {};
+    if (::stat(final.c_str(), &info) == 0)
+        return info.st_mode & 07777;
+    const mode_t mask = ::umask(0);
+    ::umask(mask);
+    return 0666 & ~mask;
+}
+
+SafeFile::SafeFile(const fs::path& target) : m_target(target), m_final(target) {
+    std::error_code ignored;
+    if (fs::exists(target, ignored)) {
+        const fs::path resolved = fs::canonical(target, ignored);
+        if (!resolved.empty())
+            m_final = resolved;
+    }
+    if (fs::is_directory(m_final, ignored))
+        throw base::Error("is a folder and cannot be written as a file", target.string(), "name a file inside it");
+    if (fs::exists(m_final, ignored) && !fs::is_regular_file(m_final, ignored)) {
+        m_descriptor = ::open(m_final.c_str(), O_WRONLY | O_CLOEXEC);
+        if (m_descriptor < 0)
+            fail("be opened for writing");
+        return;
+    }
+    openBeside();
+}
+
+void SafeFile::openBeside() {
+    fs::path folder = m_final.parent_path();
+    if (folder.empty())
+        folder = ".";
+    std::error_code ignored;
+    if (!fs::is_directory(folder, ignored))
+        throw base::Error("cannot be written, because the folder " + folder.string() + " does not exist",
+                          m_target.string(), "make the folder or choose another");
+    // The name is kept short of the 255 bytes that file systems allow.
+    const std::string name = m_final.filename().string().substr(0, 200);
+    const std::string pattern = (folder / ("." + name + ".XXXXXX")).string();
+    std::vector<char> buffer(pattern.begin(), pattern.end());
+    buffer.push_back('\0');
+    m_descriptor = ::mkostemp(buffer.data(), O_CLOEXEC);
+    if (m_descriptor < 0)
+        fail("be written in this folder");
+    m_beside = buffer.data();
+    ::fchmod(m_descriptor, wantedMode(m_final));
+}
+
+SafeFile::~SafeFile() {
+    discard();
+}
+
+void SafeFile::discard() noexcept {
+    if (m_descriptor >= 0)
+        ::close(m_descriptor);
+    m_descriptor = -1;
+    if (!m_beside.empty())
+        ::unlink(m_beside.c_str());
+    m_beside.clear();
+}
+
+void SafeFile::fail(const char* doing) const {
+    const int code = errno;
+    throw base::Error(std::string("cannot ") + doing + " (" + std::strerror(code) + ")", m_target.string(),
+                      code == ENOSPC ? "free some space or choose another disk"
+                                     : "check the permissions or choose another place");
+}
+
+void SafeFile::write(std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(m_descriptor, bytes.data(), bytes.size());
+        if (written < 0 && errno == EINTR)
+            continue;
+        if (written < 0)
+            fail("be written");
+        bytes.remove_prefix(static_cast<std::size_t>(written));
+    }
+}
+
+void SafeFile::commit() {
+    if (!m_beside.empty() && ::fsync(m_descriptor) != 0)
+        fail("be brought to the disk");
+    const int descriptor = m_descriptor;
+    m_descriptor = -1;
+    if (::close(descriptor) != 0)
+        fail("be closed");
+    if (m_beside.empty())
+        return;
+    if (::rename(m_beside.c_str(), m_final.c_str()) != 0)
+        fail("take its name");
+    m_beside.clear();
+    syncFolder(m_final.parent_path().empty() ? fs::path(".") : m_final.parent_path());
+}
+
+void writeFile(const fs::path& target, std::string_view bytes) {
+    SafeFile file(target);
+    file.write(bytes);
+    file.commit();
+}
+
+} // namespace io
