@@ -1,5 +1,5 @@
 # Level 7: what draws and what a person touches. The renderers know no widget; the window knows no GL function.
-pointclay_room(render ui/render session)
+pointclay_room(render ui/render session raycast)
 pointclay_link(render PkgConfig::HWY Qt6::Gui ${CMAKE_DL_LIBS})
 
 pointclay_room(ui ui render)

@@ -1,0 +1,102 @@
+#include "ui/render/cpu_splatter.h"
+
+#include "core/base/parallel.h"
+#include "ui/render/shading.h"
+#include "ui/render/splat_style.h"
+
+namespace render {
+
+namespace {
+
+struct Scratch {
+    TileSums sums;
+    std::vector<Splat> splats;
+};
+
+struct Frame {
+    const ViewFrame& view;
+    const SplatStyle& style;
+    const ShadingStyle& shading;
+    bool transparent;
+    Image& out;
+};
+
+/// The normal where none adds up: splats that cancel each other.
+constexpr base::Vec3f towardsEye{0, 0, 1};
+
+void shadeTile(const Frame& frame, const TileArea& area, const TileSums& sums) {
+    for (int y = 0; y < area.height; ++y) {
+        const float dy = frame.view.slopeY(area.top + y);
+        const auto line = static_cast<std::size_t>(area.top + y) * static_cast<std::size_t>(frame.out.width);
+        surfel::Colour* colour = frame.out.colour.data() + line + static_cast<std::size_t>(area.left);
+        float* depth = frame.out.depth.data() + line + static_cast<std::size_t>(area.left);
+        surfel::Colour background[8];
+        backgroundRow(area.top + y, frame.view.height, frame.transparent, background);
+        for (int x = 0; x < area.width; ++x) {
+            const int i = y * tileStride + x;
+            const float weight = sums.weight[i];
+            if (!(weight > 0)) {
+                colour[x] = background[(area.left + x) & 7];
+                depth[x] = std::numeric_limits<float>::infinity();
+                continue;
+            }
+            const float dx = frame.view.slopeX(area.left + x), inverse = 1 / weight;
+            const base::Vec3f n =
+                normalized(base::Vec3f{sums.normal[0][i], -sums.normal[1][i], -sums.normal[2][i]}, towardsEye);
+            surfel::Colour blended = surfel::white;
+            float mask = 0;
+            if (frame.style.colours) {
+                const auto channel = [&](int k) { return static_cast<unsigned>(sums.colour[k][i] * inverse + 0.5f); };
+                blended = surfel::rgba(channel(0), channel(1), channel(2));
+                mask = sums.mask[i] * inverse;
+            }
+            // dy runs down, the shading frame's y runs up.
+            colour[x] = shadePixel(frame.shading, inRayFrame(n, dx, -dy), blended, mask);
+            depth[x] = sums.depth[i] * inverse * std::sqrt(dx * dx + dy * dy + 1);
+        }
+    }
+}
+
+/// Entries between two looks at what the tile already hides.
+constexpr std::size_t entriesPerLook = 8;
+
+void drawTile(const Frame& frame, const TileArea& area, std::span<const BinEntry> entries, Scratch& scratch) {
+    clearTile(area, frame.style.colours, scratch.sums);
+    std::size_t count = 0;
+    for (std::size_t e = 0; e < entries.size(); ++e) {
+        if (e % entriesPerLook == 0 && e > 0 && entries[e].nearest > farthestLimit(area, scratch.sums))
+            break;
+        if (scratch.splats.size() < count + surfel::blockCapacity)
+            scratch.splats.resize(2 * count + surfel::blockCapacity);
+        Splat* next = scratch.splats.data() + count;
+        const auto found = static_cast<std::size_t>(gatherSplats(entries[e], frame.view, frame.style, area, next));
+        splatVisibility({next, found}, frame.view, area, scratch.sums);
+        count += found;
+    }
+    splatAttributes({scratch.splats.data(), count}, frame.view, frame.style, area, scratch.sums);
+    shadeTile(frame, area, scratch.sums);
+}
+
+} // namespace
+
+void CpuSplatter::render(const tree::SurfelTree& model, const Camera& camera, const RenderOptions& options,
+                         Image& out) {
+    const ViewFrame view(camera);
+    const SplatStyle style = splatStyle(model, options);
+    if (out.width != camera.width || out.height != camera.height)
+        out.resize(camera.width, camera.height);
+    visibleBlocks(model, view, style.radiusOfSupport, m_visible);
+    m_bins.fill(m_visible, view, style.radiusOfSupport);
+    const Frame frame{view, style, shadingStyle(options.shading), options.transparent, out};
+    const auto tiles = static_cast<std::size_t>(m_bins.columns()) * static_cast<std::size_t>(m_bins.rows());
+    base::parallelFor(tiles, 1, [&](std::size_t t) {
+        thread_local Scratch scratch;
+        TileArea area{static_cast<int>(t) % m_bins.columns() * tileWidth,
+                      static_cast<int>(t) / m_bins.columns() * tileHeight, 0, 0};
+        area.width = std::min(tileWidth, view.width - area.left);
+        area.height = std::min(tileHeight, view.height - area.top);
+        drawTile(frame, area, m_bins.tile(static_cast<int>(t)), scratch);
+    });
+}
+
+} // namespace render

@@ -1,0 +1,75 @@
+// The inner loops of the CPU splatter, vectorised, chosen at run time for the processor. One tile at a time:
+//
+//     gatherSplats     clusters of surfels -> splats in view coordinates that touch the tile
+//     splatVisibility  pass 1: per pixel, how far behind its nearest splat others still belong to the same layer
+//     splatAttributes  pass 2: sums of normals, depths, colours and masks of that layer, weighted by exp(-2 r^2)
+//
+// after Botsch, Hornung, Zwicker & Kobbelt, High-Quality Surface Splatting on Today's GPUs (2005); alg. 4.1.
+//
+// A splat is a disc. Along the ray of slope d = (x, y, 1), 1/z = (n.d)/(n.p) is linear in x and y, so the exact meeting
+// of ray and plane costs one division. r^2 = |z d - p|^2 / R^2, or the squared distance from the projected centre in
+// units of the filter's pixel where that is less: splats never fall between pixels.
+#pragma once
+
+#include "core/surfel/surfel_block.h"
+#include "ui/render/tile_bins.h"
+
+namespace render {
+
+/// Usual splat radius as a part of the support radius: 1.04 spacings for supports of 38 neighbours (h = 3.48 s), which
+/// closes every hole of a hexagonal layout and of a random one with the gaps of a Poisson-disc sampling.
+constexpr float splatRadiusOfSupport = 0.3f;
+/// Radius of the screen-space filter in pixels.
+constexpr float filterPx = 1;
+/// Splats within this many radii behind the nearest belong to its layer.
+constexpr float layerDepth = 1;
+/// Splats seen from behind need to be this much nearer (in radii): the far side of a thin sheet does not bleed through.
+constexpr float backBias = 0.75f;
+
+/// What of a model the splats show.
+struct SplatStyle {
+    float radiusOfSupport = splatRadiusOfSupport;
+    bool oriented = false; ///< otherwise splats turn to the eye
+    bool colours = false;  ///< sum colours and masks too
+};
+
+/// One splat in view coordinates; 64 bytes.
+struct Splat {
+    float x, y, z;         ///< slopes of the centre, and its depth
+    float gradX, gradY;    ///< of 1/z along the slopes
+    float low, high;       ///< range of 1/z: the disc lies within its radius of its centre
+    float inverseRadiusSq; ///< 1/R^2
+    float reach;           ///< what belongs to its layer may lie this far behind
+    float bias;            ///< > 0 where it is seen from behind
+    float normalX, normalY, normalZ;
+    float mask;
+    surfel::Colour colour;
+    std::uint8_t left, right, top, bottom; ///< pixels of the tile, inclusive
+};
+
+/// Pixels of a tile; rows are longer than the tile so that a vector may run past its end.
+constexpr int tileStride = tileWidth + 8;
+struct TileSums {
+    float limit[tileHeight * tileStride]; ///< depth up to which splats belong to the nearest layer; 0 outside the image
+    float weight[tileHeight * tileStride];
+    float depth[tileHeight * tileStride];
+    float normal[3][tileHeight * tileStride];
+    float colour[3][tileHeight * tileStride]; ///< 0 to 255
+    float mask[tileHeight * tileStride];
+};
+
+struct TileArea {
+    int left = 0, top = 0, width = 0, height = 0;
+};
+
+void clearTile(const TileArea& area, bool colours, TileSums& sums);
+/// Appends the visible splats of the entry; `out` has room for a block. Returns how many.
+int gatherSplats(const BinEntry& entry, const ViewFrame& view, const SplatStyle& style, const TileArea& area,
+                 Splat* out);
+void splatVisibility(std::span<const Splat> splats, const ViewFrame& view, const TileArea& area, TileSums& sums);
+/// Largest limit of the tile: splats all behind it are hidden. +inf while a pixel is empty.
+float farthestLimit(const TileArea& area, const TileSums& sums);
+void splatAttributes(std::span<const Splat> splats, const ViewFrame& view, const SplatStyle& style,
+                     const TileArea& area, TileSums& sums);
+
+} // namespace render

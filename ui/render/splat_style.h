@@ -1,0 +1,18 @@
+// What of a model its splats show, the same for every renderer.
+#pragma once
+
+#include "ui/render/renderer.h"
+#include "ui/render/splat_kernels.h"
+
+namespace render {
+
+inline SplatStyle splatStyle(const tree::SurfelTree& model, const RenderOptions& options) {
+    const surfel::AttributeLayout& layout = *model.layout();
+    SplatStyle style;
+    style.radiusOfSupport = splatRadiusOfSupport * options.splatScale;
+    style.oriented = layout.normals && layout.oriented;
+    style.colours = layout.masks || (layout.colours && options.shading == Shading::Colour);
+    return style;
+}
+
+} // namespace render

@@ -1,0 +1,21 @@
+// Which blocks of a version a camera can see: a walk of the tree that skips what lies outside the view.
+//
+// The place for level of detail: a node that is small in the image can answer with fewer surfels than its blocks have.
+#pragma once
+
+#include "core/tree/surfel_tree.h"
+#include "ui/render/view_frame.h"
+
+namespace render {
+
+struct VisibleBlock {
+    const surfel::SurfelBlock* block = nullptr;
+    ScreenBounds bounds;
+};
+
+/// Blocks with splats in the image, in tree order. `reachOfSupport`: a splat's radius as a part of its support.
+/// The tree must outlive the result.
+void visibleBlocks(const tree::SurfelTree& model, const ViewFrame& view, float reachOfSupport,
+                   std::vector<VisibleBlock>& out);
+
+} // namespace render
