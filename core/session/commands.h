@@ -1,0 +1,37 @@
+// The rows of the command table, one file each; command_table.cpp puts them in order. Inside this room only.
+#pragma once
+
+#include "core/session/command.h"
+
+#include <limits>
+#include <string>
+
+namespace session {
+
+CommandRow openCommand();
+CommandRow newCommand();
+CommandRow saveCommand();
+CommandRow surfaceCommand();
+CommandRow strokeCommand();
+CommandRow undoCommand();
+CommandRow redoCommand();
+CommandRow expectCommand();
+
+/// Ranges that parameters name: any number that float32 holds; those above zero; those of no use as numbers.
+constexpr double largest = std::numeric_limits<float>::max();
+constexpr double positive = std::numeric_limits<float>::min();
+constexpr double largestCount = 1e9;
+
+/// Throws base::Error where no model is open yet.
+void requireModel(const Context& context);
+
+/// The ids of a table's rows, separated by blanks, as CommandParameter::choices wants them.
+template <class Table>
+std::string idsOf(const Table& table) {
+    std::string out;
+    for (const auto& row : table)
+        out += (out.empty() ? "" : " ") + std::string(row.id);
+    return out;
+}
+
+} // namespace session

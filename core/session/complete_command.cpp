@@ -1,0 +1,140 @@
+// Checking and completing a command against its row.
+#include "core/base/error.h"
+#include "core/session/commands.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace session {
+
+using nlohmann::json;
+
+namespace {
+
+/// What a message says about one parameter: its name, quoted, and its command's.
+std::string named(const CommandRow& row, const std::string& id) {
+    return "\"" + id + "\" of \"" + row.op + "\"";
+}
+
+std::string shortly(const json& value) {
+    const std::string text = value.dump(-1, ' ', false, json::error_handler_t::replace);
+    return text.size() > 60 ? text.substr(0, 57) + "..." : text;
+}
+
+std::string number(double value) {
+    std::ostringstream out;
+    out << value;
+    return out.str();
+}
+
+std::string rangeText(const CommandParameter& p) {
+    const std::string unit = *p.unit ? std::string(" ") + p.unit : "";
+    const std::string low = p.min == positive ? "above 0" : "at least " + number(p.min);
+    if (p.max >= largest)
+        return low + unit;
+    return p.min == positive ? low + " and at most " + number(p.max) + unit
+                             : number(p.min) + " to " + number(p.max) + unit;
+}
+
+bool hasChoice(const CommandParameter& p, const std::string& value) {
+    std::istringstream in(p.choices);
+    for (std::string choice; in >> choice;)
+        if (choice == value)
+            return true;
+    return false;
+}
+
+[[noreturn]] void refuse(const CommandRow& row, const CommandParameter& p, const json& value, const std::string& wish) {
+    throw base::Error(named(row, p.id) + " is " + shortly(value) + " but must be " + wish);
+}
+
+void checkNumber(const CommandRow& row, const CommandParameter& p, const json& value) {
+    const double x = value.get<double>();
+    if (!std::isfinite(x) || x < p.min || x > p.max)
+        refuse(row, p, value, rangeText(p));
+}
+
+bool isRange(const json& value) {
+    const auto whole = [](const json& v) { return v.is_number_unsigned(); };
+    return whole(value) || (value.is_array() && value.size() == 2 && whole(value[0]) && whole(value[1]));
+}
+
+/// The value in the form that commands read.
+json checked(const CommandRow& row, const CommandParameter& p, const json& value, const std::filesystem::path& folder) {
+    const std::string_view type = p.type;
+    const bool choice = type == "choice" || type == "number or choice";
+    if (choice && value.is_string() && hasChoice(p, value.get<std::string>()))
+        return value;
+    if (type == "number" || (type == "number or choice" && value.is_number())) {
+        if (!value.is_number())
+            refuse(row, p, value, "a number, " + rangeText(p));
+        checkNumber(row, p, value);
+    } else if (type == "integer") {
+        if (!value.is_number_integer())
+            refuse(row, p, value, "a whole number, " + rangeText(p));
+        checkNumber(row, p, value);
+    } else if (choice) {
+        std::string wish = "one of " + std::string(p.choices);
+        refuse(row, p, value, type == "choice" ? wish : "a number, " + rangeText(p) + ", or " + wish);
+    } else if (type == "boolean") {
+        if (value == "on" || value == "off")
+            return value == "on";
+        if (!value.is_boolean())
+            refuse(row, p, value, "true or false");
+    } else if (type == "list") {
+        if (!value.is_array())
+            refuse(row, p, value, "a list");
+    } else if (type == "range") {
+        if (!isRange(value))
+            refuse(row, p, value, "a whole number or a list of the least and the most");
+    } else { // path, text
+        if (!value.is_string() || value.get_ref<const std::string&>().empty())
+            refuse(row, p, value, "a text in quotation marks");
+        if (type == "path")
+            return std::filesystem::absolute(folder / value.get<std::string>()).lexically_normal().string();
+    }
+    return value;
+}
+
+const CommandParameter* find(const CommandRow& row, const std::string& id) {
+    for (const CommandParameter& p : row.parameters)
+        if (id == p.id)
+            return &p;
+    return nullptr;
+}
+
+[[noreturn]] void refuseUnknown(const CommandRow& row, const std::string& id) {
+    std::string known;
+    for (const CommandParameter& p : row.parameters)
+        known += std::string(known.empty() ? "" : ", ") + p.id;
+    throw base::Error("unknown parameter " + named(row, id), {}, known.empty() ? "it takes none" : "it takes " + known);
+}
+
+} // namespace
+
+json complete(const json& given, const std::filesystem::path& folder) {
+    if (!given.is_object() || !given.contains("op") || !given["op"].is_string())
+        throw base::Error("not a command", {}, R"(a command is an object with a name: {"op":"undo"})");
+    const CommandRow& row = command(given["op"].get_ref<const std::string&>());
+    json out{{"op", row.op}};
+    for (const CommandParameter& p : row.parameters) {
+        if (given.contains(p.id) && !given[p.id].is_null())
+            out[p.id] = checked(row, p, given[p.id], folder);
+        else if (!*p.fallback)
+            throw base::Error("\"" + std::string(row.op) + "\" needs the parameter \"" + p.id + "\"", {}, p.tip);
+        else if (std::string_view(p.fallback) != "null")
+            out[p.id] = json::parse(p.fallback);
+    }
+    for (const auto& [key, value] : given.items()) {
+        if (key == "op" || find(row, key))
+            continue;
+        if (!row.checkFurther)
+            refuseUnknown(row, key);
+        row.checkFurther(out, key, value);
+        out[key] = value;
+    }
+    return out;
+}
+
+} // namespace session

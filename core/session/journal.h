@@ -1,0 +1,59 @@
+// The journal: the session written while it happens, so that a crash loses at most the command in progress.
+//
+// A journal is a session file (session_file.h). A command is written when it has completed, as one whole line that is
+// on the disk before the next command runs; a line torn by a crash has no newline and is ignored. Since `open` and
+// `new` replace the document, each of them begins the file anew; `open` carries an absolute path and the content hash,
+// so that recovery notices a file that has changed meanwhile. Before a save writes over the file that the journal
+// begins with, that file is kept beside the journal (`keptSource`) and the journal reads the copy.
+//
+// While a process lives it holds a lock on its journal, which dies with it, even by kill -9: a journal without a lock
+// is a left one (recover.h).
+//
+// Ownership: the file stays when a Journal is destroyed; `discard` removes it, which is what a normal exit does.
+// Threads: one at a time.
+#pragma once
+
+#include "core/session/command.h"
+
+namespace session {
+
+class Journal {
+  public:
+    /// A journal at `file`, replacing what was there; empty: journal-PID.jsonl in stateFolder(). Throws base::Error
+    /// where it cannot be written or another process holds it.
+    explicit Journal(std::filesystem::path file = {});
+    ~Journal();
+    Journal(const Journal&) = delete;
+    Journal& operator=(const Journal&) = delete;
+
+    const std::filesystem::path& path() const { return m_path; }
+    /// Writes a completed command. A disk that refuses is told once in the context's messages and stops the journal.
+    void record(const nlohmann::json& complete, Context& context);
+    /// To be called before `target` is written over.
+    void keepSource(const std::filesystem::path& target, Context& context);
+    /// Removes the file and what was kept beside it. Nothing is recorded afterwards.
+    void discard();
+
+  private:
+    void begin(const std::string& content);
+    void append(const std::string& line);
+    void keep(const std::filesystem::path& source, nlohmann::json& open);
+    template <class Write>
+    void guarded(Context& context, const Write& write);
+
+    std::filesystem::path m_path;
+    std::filesystem::path m_source; ///< the file that the first line opens; empty for none
+    int m_file = -1;
+    bool m_stopped = false;
+};
+
+/// $XDG_STATE_HOME/pointclay, else ~/.local/state/pointclay.
+std::filesystem::path stateFolder();
+/// Where `journal` keeps a source file with the extension of `source`.
+std::filesystem::path keptSource(const std::filesystem::path& journal, const std::filesystem::path& source);
+/// Removes a journal and what it kept. Nothing happens where there is none.
+void removeJournal(const std::filesystem::path& journal);
+/// True where a living process holds the journal.
+bool isJournalHeld(const std::filesystem::path& journal);
+
+} // namespace session

@@ -1,0 +1,36 @@
+// A stroke while it is drawn: what the window does between press and release. It sculpts what `stroke` in a session
+// would, shows every version on the way, and becomes one step of history and one journal line when it is done.
+//
+//     press:    LiveStroke stroke(context, settings);
+//     move:     if (stroke.add(sample)) show(stroke.surface());
+//     release:  stroke.finish();
+//
+// Dropping it without `finish` takes the stroke back. REQUIRES: the document stays as it is meanwhile.
+#pragma once
+
+#include "core/sculpt/stroke.h"
+#include "core/session/command.h"
+
+namespace session {
+
+class LiveStroke {
+  public:
+    /// Throws base::Error for settings out of range, and where no model is open.
+    LiveStroke(Context& context, sculpt::StrokeSettings settings);
+
+    /// Returns true where at least one dab was made: then `surface()` is a new version.
+    bool add(const sculpt::StrokeSample& sample);
+    /// Last resampling, history, journal. A stroke that never met the model leaves no trace. Returns whether it did.
+    bool finish();
+
+    const surface::Surface& surface() const { return m_stroke.surface(); }
+    int dabs() const { return m_stroke.dabs(); }
+
+  private:
+    Context& m_context;
+    sculpt::StrokeSettings m_settings;
+    sculpt::Stroke m_stroke;
+    std::vector<sculpt::StrokeSample> m_samples;
+};
+
+} // namespace session

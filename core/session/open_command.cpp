@@ -1,0 +1,61 @@
+#include "core/base/error.h"
+#include "core/io/formats.h"
+#include "core/process/part_progress.h"
+#include "core/process/prepare.h"
+#include "core/session/commands.h"
+#include "core/session/surface_options.h"
+
+#include <nlohmann/json.hpp>
+
+namespace session {
+
+using nlohmann::json;
+
+static Provenance provenanceOf(io::FileModel& model, const std::filesystem::path& path) {
+    Provenance out;
+    out.path = path;
+    out.origin = model.origin;
+    out.faces = model.faces;
+    out.dropped = model.dropped;
+    out.format = model.format;
+    out.comments = std::move(model.comments);
+    out.elements = std::move(model.elements);
+    return out;
+}
+
+static void checkHash(const json& complete, const tree::SurfelTree& tree, const base::Vec3d& origin) {
+    const auto wanted = complete.find("hash");
+    if (wanted != complete.end() && *wanted != contentHash(tree, origin).text())
+        throw base::Error("the file is not the one that was opened when this was recorded",
+                          complete.at("path").get<std::string>(), "bring that file back");
+}
+
+static void open(Context& context, const json& complete) {
+    const std::filesystem::path path = complete.at("path").get<std::string>();
+    const std::filesystem::path source = complete.value("source", path.string());
+    io::FileModel model = io::read(source, process::part(context.progress, 0, 0.4));
+    const auto surface = changed(model.definition.value_or(surface::SurfaceDefinition()), complete);
+    Provenance provenance = provenanceOf(model, path);
+    const process::PrepareOptions options{surface.definition, model.hasSupports && !surface.newSupports};
+    surface::Surface made;
+    try {
+        made = process::prepare(std::move(model.points), options, process::part(context.progress, 0.4, 1));
+    } catch (const base::Error& error) {
+        throw base::Error(error.message(), path.string());
+    }
+    checkHash(complete, made.tree(), provenance.origin);
+    context.messages.insert(context.messages.end(), model.messages.begin(), model.messages.end());
+    context.document.reset(std::move(made), std::move(provenance));
+}
+
+CommandRow openCommand() {
+    static const CommandParameter own[] = {
+        {"path", "path", "", "file to open, in any format that can be read", "", "", 0, 0},
+        {"hash", "text", "", "content hash that the opened model must have", "null", "", 0, 0},
+        {"source", "path", "", "file to read in the place of path, which a journal has kept", "null", "", 0, 0},
+    };
+    static const auto parameters = withSurfaceParameters(own);
+    return {"open", "Open", "Opens a model and estimates what it lacks.", parameters, true, true, open, nullptr};
+}
+
+} // namespace session

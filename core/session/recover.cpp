@@ -1,0 +1,65 @@
+#include "core/session/recover.h"
+
+#include "core/base/error.h"
+#include "core/session/journal.h"
+#include "core/session/session_file.h"
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+namespace session {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+static std::string pathOf(const json& first) {
+    const auto path = first.find("path");
+    return path != first.end() && path->is_string() ? path->get<std::string>() : std::string();
+}
+
+/// Reads the first line and counts the whole ones that follow; false where there is no whole line.
+static bool summarise(LeftJournal& journal) {
+    std::ifstream in(journal.path, std::ios::binary);
+    std::string line;
+    int lines = 0;
+    while (std::getline(in, line) && !in.eof())
+        if (lines++ == 0) {
+            const json first = json::parse(line, nullptr, false);
+            if (!first.is_object())
+                return false;
+            journal.model = pathOf(first);
+        }
+    journal.commands = lines - 1;
+    return lines > 0;
+}
+
+std::vector<LeftJournal> findLeftJournals(const fs::path& folder) {
+    std::vector<LeftJournal> out;
+    std::error_code none;
+    for (const auto& entry : fs::directory_iterator(folder, none)) {
+        const std::string name = entry.path().filename().string();
+        if (!name.starts_with("journal-") || entry.path().extension() != ".jsonl" || isJournalHeld(entry.path()))
+            continue;
+        LeftJournal journal{entry.path(), {}, entry.last_write_time(none), 0};
+        if (summarise(journal))
+            out.push_back(std::move(journal));
+    }
+    std::sort(out.begin(), out.end(), [](const LeftJournal& a, const LeftJournal& b) {
+        return a.time != b.time ? a.time > b.time : a.path < b.path;
+    });
+    return out;
+}
+
+std::vector<LeftJournal> findLeftJournals() {
+    return findLeftJournals(stateFolder());
+}
+
+void recover(const fs::path& journal, Context& context) {
+    ReplayOptions options;
+    options.allowTornEnd = true;
+    if (replay(journal, context, options) == 0)
+        throw base::Error("holds no complete command", journal.string(), "there is nothing to recover");
+}
+
+} // namespace session

@@ -1,0 +1,26 @@
+// After a crash: journals whose process has died, and the model as of their last command.
+#pragma once
+
+#include "core/session/command.h"
+
+namespace session {
+
+/// A journal that nobody holds any more.
+struct LeftJournal {
+    std::filesystem::path path;
+    std::filesystem::path model; ///< what it opened; empty for a model made by code
+    std::filesystem::file_time_type time;
+    int commands = 0; ///< after the first, which opened or made the model: 0 means that nothing is lost
+};
+
+/// Left journals of `folder`, newest first. Unreadable and empty ones are left out.
+std::vector<LeftJournal> findLeftJournals(const std::filesystem::path& folder);
+/// Those of stateFolder().
+std::vector<LeftJournal> findLeftJournals();
+
+/// Brings the model of a journal back into `context`, whose own journal, if any, records it anew. The journal itself
+/// stays; remove it with removeJournal once the model is safe. Throws base::Error where it holds no command, or where
+/// the file that it opens is gone or has changed.
+void recover(const std::filesystem::path& journal, Context& context);
+
+} // namespace session

@@ -1,0 +1,36 @@
+#include "core/io/formats.h"
+#include "core/session/commands.h"
+#include "core/session/journal.h"
+
+#include <nlohmann/json.hpp>
+
+namespace session {
+
+using nlohmann::json;
+
+/// PLY is the native format: what it holds is all there is. In other formats the document remains unsaved.
+static bool isNative(const std::filesystem::path& path) {
+    std::string extension = path.extension().string();
+    for (char& c : extension)
+        c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return extension == ".ply";
+}
+
+static void save(Context& context, const json& complete) {
+    requireModel(context);
+    const std::filesystem::path path = complete.at("path").get<std::string>();
+    if (context.journal)
+        context.journal->keepSource(path, context);
+    io::write(path, context.document.fileModel(), context.progress);
+    if (isNative(path))
+        context.document.saved(path);
+}
+
+CommandRow saveCommand() {
+    static const CommandParameter parameters[] = {
+        {"path", "path", "", "file to write; its extension chooses the format, .ply keeps everything", "", "", 0, 0},
+    };
+    return {"save", "Save", "Writes the model to a file.", parameters, false, false, save, nullptr};
+}
+
+} // namespace session

@@ -1,0 +1,92 @@
+#include "core/session/session_file.h"
+
+#include "core/base/error.h"
+
+#include <chrono>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+namespace session {
+
+using nlohmann::json;
+
+namespace {
+
+/// The lines of a file with a look at what follows, so that the last one is known.
+class Lines {
+  public:
+    explicit Lines(const std::filesystem::path& file) : m_in(file, std::ios::binary) {
+        if (std::filesystem::is_directory(file) || !m_in)
+            throw base::Error("cannot be read", file.string(), "name a session file");
+    }
+    bool next() {
+        if (!std::getline(m_in, text))
+            return false;
+        ++number;
+        whole = !m_in.eof();
+        if (!text.empty() && text.back() == '\r')
+            text.pop_back();
+        return true;
+    }
+    bool isLast() { return m_in.peek() == std::ifstream::traits_type::eof(); }
+    bool isCommand() const {
+        const std::size_t first = text.find_first_not_of(" \t");
+        return first != std::string::npos && text[first] != '#';
+    }
+
+    std::string text;
+    int number = 0;
+    bool whole = true; ///< ended by a newline
+
+  private:
+    std::ifstream m_in;
+};
+
+bool isJson(const std::string& text) {
+    return json::accept(text);
+}
+
+json commandOf(const std::string& text) {
+    try {
+        return json::parse(text);
+    } catch (const json::parse_error& error) {
+        const std::string what = error.what();
+        const std::size_t colon = what.find(": ");
+        throw base::Error("not JSON: " + what.substr(colon == std::string::npos ? 0 : colon + 2), {},
+                          R"(a line is an object such as {"op":"undo"})");
+    }
+}
+
+LineReport executed(const json& command, int line, Context& context) {
+    context.dabs = 0;
+    context.dabSeconds.clear();
+    const auto begin = std::chrono::steady_clock::now();
+    run(context, command);
+    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
+    return {line, command["op"], time.count(), context.document.surface().tree().size(), context.dabSeconds};
+}
+
+} // namespace
+
+int replay(const std::filesystem::path& file, Context& context, const ReplayOptions& options) {
+    Lines lines(file);
+    context.folder = std::filesystem::absolute(file).parent_path();
+    int count = 0;
+    while (lines.next()) {
+        if (!lines.isCommand())
+            continue;
+        if (options.allowTornEnd && (!lines.whole || (lines.isLast() && !isJson(lines.text))))
+            break;
+        try {
+            const LineReport report = executed(commandOf(lines.text), lines.number, context);
+            if (options.done)
+                options.done(report);
+        } catch (const base::Error& error) {
+            throw base::Error(error.message(), file.string() + ":" + std::to_string(lines.number));
+        }
+        ++count;
+    }
+    return count;
+}
+
+} // namespace session

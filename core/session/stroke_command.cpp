@@ -1,0 +1,62 @@
+#include "core/base/error.h"
+#include "core/session/commands.h"
+#include "core/session/live_stroke.h"
+#include "core/session/stroke_json.h"
+
+#include <nlohmann/json.hpp>
+
+namespace session {
+
+using nlohmann::json;
+
+/// The same hands as the window's, without a journal: the executor writes the line.
+static void stroke(Context& context, const json& complete) {
+    const auto samples = strokeSamples(complete, context.document.provenance().origin);
+    if (samples.empty())
+        throw base::Error("the stroke has no samples");
+    Context quiet{context.document, context.folder, context.progress, {}, 0, {}, nullptr};
+    LiveStroke live(quiet, strokeSettings(complete));
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        context.progress.step(static_cast<double>(i) / static_cast<double>(samples.size()), "Stroke");
+        live.add(samples[i]);
+    }
+    if (!live.finish())
+        context.messages.push_back("a stroke of " + std::to_string(samples.size()) + " samples did not meet the model");
+    context.dabs += quiet.dabs;
+    context.dabSeconds.insert(context.dabSeconds.end(), quiet.dabSeconds.begin(), quiet.dabSeconds.end());
+}
+
+static void checkToolParameter(const json& command, const std::string& key, const json& value) {
+    const sculpt::ToolRow& tool = sculpt::tool(command.at("tool").get<std::string>());
+    std::string known;
+    for (const sculpt::ToolParameter& p : tool.parameters) {
+        known += (known.empty() ? "" : ", ") + std::string(p.id);
+        if (key != p.id)
+            continue;
+        if (!value.is_number() || !(value.get<double>() >= p.min && value.get<double>() <= p.max))
+            throw base::Error("\"" + key + "\" of the tool \"" + tool.id + "\" is " + value.dump(), {},
+                              "give a number from " + json(p.min).dump() + " to " + json(p.max).dump() + " " + p.unit);
+        return;
+    }
+    throw base::Error("unknown parameter \"" + key + "\" of \"stroke\" with the tool \"" + tool.id + "\"", {},
+                      known.empty() ? "the tool has none of its own" : "the tool's own are " + known);
+}
+
+CommandRow strokeCommand() {
+    static const std::string tools = idsOf(sculpt::toolTable()), falloffs = idsOf(sculpt::falloffTable());
+    static const CommandParameter parameters[] = {
+        {"tool", "choice", "", "what each dab does; the tool's own parameters may stand beside it", "", tools.c_str(),
+         0, 0},
+        {"radius", "number", "model units", "of the brush", "", "", positive, largest},
+        {"strength", "number", "", "how much each dab does; each tool has its own default", "null", "", 0, 1},
+        {"invert", "boolean", "", "does the opposite: push in, carve", "false", "", 0, 0},
+        {"falloff", "choice", "", "how a dab fades from its centre to its rim", "\"smooth\"", falloffs.c_str(), 0, 0},
+        {"symmetry", "list", "", "axes across which the stroke is mirrored: \"x\", \"y\", \"z\"", "[]", "", 0, 0},
+        {"resample", "boolean", "", "lets the sampling follow the deformation", "true", "", 0, 0},
+        {"spacing", "number", "radii", "distance of dabs along the stroke", "0.1", "", 0.01, 2},
+        {"samples", "list", "", "rays with pressure and time: [ox,oy,oz,dx,dy,dz,pressure,seconds]", "", "", 0, 0},
+    };
+    return {"stroke", "Stroke", "Sculpts along a line of rays.", parameters, true, false, stroke, checkToolParameter};
+}
+
+} // namespace session
