@@ -1,0 +1,87 @@
+#include "core/process/samples.h"
+
+#include "core/base/error.h"
+#include "core/process/block_of_clay.h"
+#include "core/process/tube.h"
+
+#include <algorithm>
+#include <numbers>
+#include <string>
+
+namespace process {
+
+namespace {
+
+/// Points on a spiral that turns by the golden angle: equal areas, and no direction in which they line up.
+surfel::SurfelList makeSphere(std::size_t count, std::uint64_t) {
+    surfel::SurfelList out;
+    auto layout = std::make_shared<surfel::AttributeLayout>();
+    layout->normals = layout->oriented = true;
+    out.layout = std::move(layout);
+    out.items.resize(count);
+    const double golden = std::numbers::pi * (3 - std::sqrt(5.0));
+    for (std::size_t i = 0; i < count; ++i) {
+        const double z = 1 - (2 * static_cast<double>(i) + 1) / static_cast<double>(count);
+        const double r = std::sqrt(1 - z * z), angle = std::fmod(golden * static_cast<double>(i), 2 * std::numbers::pi);
+        const base::Vec3f p = base::cast<float>(base::Vec3d{r * std::cos(angle), z, r * std::sin(angle)});
+        out.items[i].position = out.items[i].normal = p;
+    }
+    return out;
+}
+
+surfel::SurfelList makeTorus(std::size_t count, std::uint64_t) {
+    constexpr double radius = 0.7;
+    return sampleTube({[](double t) {
+                           return base::Vec3d{radius * std::cos(t), 0, -radius * std::sin(t)};
+                       },
+                       [](double t) {
+                           return base::Vec3d{-std::sin(t), 0, -std::cos(t)};
+                       },
+                       0.3},
+                      count);
+}
+
+/// Trefoil: twice around the long way and three times the short way of a torus.
+surfel::SurfelList makeKnot(std::size_t count, std::uint64_t) {
+    constexpr double scale = 1 / 3.55;
+    const auto centre = [](double t) {
+        const double r = 2 + std::cos(3 * t);
+        return base::Vec3d{r * std::cos(2 * t), r * std::sin(2 * t), std::sin(3 * t)} * scale;
+    };
+    const auto tangent = [](double t) {
+        const double r = 2 + std::cos(3 * t), dr = -3 * std::sin(3 * t);
+        return base::Vec3d{dr * std::cos(2 * t) - 2 * r * std::sin(2 * t),
+                           dr * std::sin(2 * t) + 2 * r * std::cos(2 * t), 3 * std::cos(3 * t)};
+    };
+    return sampleTube({centre, tangent, 0.55 * scale}, count);
+}
+
+surfel::SurfelList makeClay(std::size_t count, std::uint64_t) {
+    return sampleBlock({}, count);
+}
+
+constexpr SampleRow table[] = {
+    {"sphere", "Sphere", "A ball of clay, evenly sampled", makeSphere, 40000},
+    {"torus", "Torus", "A ring", makeTorus, 40000},
+    {"knot", "Knot", "A trefoil knot", makeKnot, 40000},
+    {"clay", "Block of clay", "A block with rounded edges, to start sculpting from", makeClay, 60000},
+};
+
+} // namespace
+
+std::span<const SampleRow> sampleTable() {
+    return table;
+}
+
+const SampleRow& sample(std::string_view id) {
+    const auto found =
+        std::find_if(std::begin(table), std::end(table), [&](const SampleRow& row) { return id == row.id; });
+    if (found != std::end(table))
+        return *found;
+    std::string known;
+    for (const SampleRow& row : table)
+        known += (known.empty() ? "" : ", ") + std::string(row.id);
+    throw base::Error("there is no sample called '" + std::string(id) + "'", "", "choose one of " + known);
+}
+
+} // namespace process

@@ -1,0 +1,39 @@
+#include "core/process/spacing.h"
+
+#include "core/process/part_progress.h"
+#include "core/process/spacing_of.h"
+
+#include <algorithm>
+
+namespace process {
+
+std::vector<float> spacingsOf(const Cloud& cloud, const base::Progress& progress) {
+    std::vector<float> out(cloud.size());
+    cloud.forEach(6, progress, "Measuring spacing", [&](std::size_t i, const Neighbours& near) {
+        double sum = 0;
+        for (const float distanceSq : near.distanceSq)
+            sum += std::sqrt(static_cast<double>(distanceSq));
+        out[i] = near.size() ? static_cast<float>(spacingOverDistance * sum / static_cast<double>(near.size())) : 0.0f;
+    });
+    return out;
+}
+
+std::vector<float> spacings(std::span<const surfel::Surfel> points, const base::Progress& progress) {
+    const Cloud cloud(points, part(progress, 0, 0.3));
+    const std::vector<float> at = spacingsOf(cloud, part(progress, 0.3, 1));
+    std::vector<float> out(points.size());
+    for (std::size_t i = 0; i < out.size(); ++i)
+        out[i] = at[cloud.places()[i]];
+    return out;
+}
+
+Summary summarise(std::vector<float> values) {
+    if (values.empty())
+        return {};
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    const auto [least, most] = std::minmax_element(values.begin(), values.end());
+    return {*least, *middle, *most};
+}
+
+} // namespace process
