@@ -36,7 +36,7 @@ MutableBlockPtr SurfelBlock::clone() const {
     std::memcpy(copy->m_data, m_data, dataBytes(m_size, m_extraWords));
     copy->m_box = m_box;
     copy->m_maxSupport = m_maxSupport;
-    std::copy(std::begin(m_bounds), std::end(m_bounds), std::begin(copy->m_bounds));
+    copy->m_bounds = m_bounds;
     return copy;
 }
 
@@ -85,13 +85,13 @@ void SurfelBlock::seal() {
     m_box = {};
     m_maxSupport = 0;
     for (int cluster = 0; cluster < clusterCount(); ++cluster) {
-        ClusterBounds& bounds = m_bounds[cluster];
-        bounds = {};
+        ClusterBounds bounds;
         const int lanes = std::min(clusterSize, m_size - cluster * clusterSize);
         for (int lane = 0; lane < lanes; ++lane) {
             bounds.box.extend(position(cluster * clusterSize + lane));
             bounds.maxSupport = std::max(bounds.maxSupport, channel(cluster, Support)[lane]);
         }
+        m_bounds.set(cluster, bounds.box, bounds.maxSupport);
         m_box.extend(bounds.box);
         m_maxSupport = std::max(m_maxSupport, bounds.maxSupport);
     }

@@ -15,19 +15,16 @@
 // it and hands it to a tree. Memory: the header plus 36 bytes per slot (and 4 per extra word), clusters fitted exactly.
 #pragma once
 
-#include "core/base/box.h"
 #include "core/base/hash.h"
 #include "core/base/pointer.h"
+#include "core/surfel/bounds_lanes.h"
 #include "core/surfel/surfel.h"
 
 namespace surfel {
 
 constexpr int clusterSize = 16;
-constexpr int clustersPerBlock = 8;
+constexpr int clustersPerBlock = laneCount;
 constexpr int blockCapacity = clusterSize * clustersPerBlock;
-
-/// How far from a cluster's samples the surface may run, as a part of their support: smaller loses ray hits (TREE.md).
-constexpr float surfaceReach = 0.7f;
 
 /// Arrays of a cluster, in their order.
 enum Channel : int { X, Y, Z, NormalX, NormalY, NormalZ, Support, ColourWord, Mask, Extra };
@@ -58,7 +55,11 @@ class SurfelBlock : public base::Shared {
     /// Bytes of memory that this block takes.
     std::size_t bytes() const;
 
-    const ClusterBounds& bounds(int cluster) const { return m_bounds[cluster]; }
+    ClusterBounds bounds(int cluster) const { return {m_bounds.box(cluster), m_bounds.maxSupport[cluster]}; }
+    /// The bounds of all clusters, one to a lane.
+    const BoundsLanes& boundsLanes() const { return m_bounds; }
+    /// A bit for every cluster.
+    unsigned clusterMask() const { return (1u << clusterCount()) - 1; }
     /// Bounds of the whole block.
     const base::Box3f& box() const { return m_box; }
     float maxSupport() const { return m_maxSupport; }
@@ -109,7 +110,7 @@ class SurfelBlock : public base::Shared {
     std::size_t m_extraWords;
     float m_maxSupport = 0;
     base::Box3f m_box;
-    ClusterBounds m_bounds[clustersPerBlock];
+    BoundsLanes m_bounds;
 };
 
 } // namespace surfel

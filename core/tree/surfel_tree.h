@@ -73,7 +73,7 @@ class SurfelTree {
     SurfelTree apply(const Edit& edit) const;
 
     surfel::BlockPtr block(std::uint32_t number) const;
-    /// Calls fn(blockNumber, block) for every block in tree order.
+    /// Calls fn(blockNumber, block) for every block in tree order; `block` is a const SurfelBlock&.
     template <class Fn>
     void forEachBlock(const Fn& fn) const;
     /// All surfels in tree order.
@@ -83,7 +83,7 @@ class SurfelTree {
     /// Bytes of all blocks and nodes.
     std::size_t bytes() const;
 
-    // --- queries; those that call back visit in tree order unless they say otherwise ---
+    // --- queries; those that call back visit in tree order unless they say otherwise; `block` is a const SurfelBlock&
 
     /// fn(block, cluster) for every cluster that may have weight at `x` (support query, alg. 5.1.2).
     template <class Fn>

@@ -1,0 +1,145 @@
+#include "core/tree/grouping.h"
+
+#include <cassert>
+
+namespace tree {
+
+Child asChild(surfel::BlockPtr block) {
+    Child child{block->box(), block->maxSupport(), static_cast<std::uint32_t>(block->size()), 1, false, {}, {}};
+    child.block = std::move(block);
+    return child;
+}
+
+Child asChild(NodePtr node) {
+    Child child;
+    for (int i = 0; i < node->childCount; ++i) {
+        child.box.extend(node->box(i));
+        child.maxSupport = std::max(child.maxSupport, node->maxSupport[i]);
+    }
+    child.surfels = static_cast<std::uint32_t>(node->surfelCount);
+    child.blocks = node->blockCount;
+    child.deficient = node->childCount < 2;
+    child.node = std::move(node);
+    return child;
+}
+
+Child childOf(const Node& node, int i) {
+    const auto lane = static_cast<std::size_t>(i);
+    return {node.box(i),         node.maxSupport[i], node.surfelsIn[i], node.blocksIn(i),
+            /*deficient*/ false, node.nodes[lane],   node.blocks[lane]};
+}
+
+void appendChildren(const Node& node, Children& out) {
+    for (int i = 0; i < node.childCount; ++i)
+        out.push_back(childOf(node, i));
+}
+
+void requireValid(const surfel::Surfel& surfel, std::size_t index) {
+    if (!base::isFinite(surfel.position))
+        throw base::Error("a point has no finite position", "point " + std::to_string(index));
+    if (!(surfel.support > 0) || !std::isfinite(surfel.support))
+        throw base::Error("a point has no positive, finite support radius", "point " + std::to_string(index));
+}
+
+NodePtr makeNode(int level, std::span<const Child> children) {
+    assert(!children.empty() && children.size() <= fanOut);
+    auto* node = new Node;
+    node->level = static_cast<std::uint8_t>(level);
+    node->childCount = static_cast<std::uint8_t>(children.size());
+    for (std::size_t i = 0; i < children.size(); ++i) {
+        const Child& child = children[i];
+        node->set(static_cast<int>(i), child.box, child.maxSupport);
+        node->surfelsIn[i] = child.surfels;
+        node->firstBlock[i] = node->blockCount;
+        node->surfelCount += child.surfels;
+        node->blockCount += child.blocks;
+        node->nodes[i] = child.node;
+        node->blocks[i] = child.block;
+    }
+    return NodePtr(node);
+}
+
+namespace {
+
+struct Key {
+    base::Vec3f centre;
+    std::uint32_t index;
+};
+
+std::vector<Key> keysOf(const Children& children) {
+    std::vector<Key> keys(children.size());
+    for (std::size_t i = 0; i < keys.size(); ++i)
+        keys[i] = {children[i].box.centre(), static_cast<std::uint32_t>(i)};
+    return keys;
+}
+
+/// Cuts the keys into `parts` runs of nearly equal length, always across the longest side of the centres' box.
+template <class Fn>
+void cut(std::span<Key> keys, std::size_t parts, const Fn& fn) {
+    if (parts == 1)
+        return fn(keys);
+    base::Box3f box;
+    for (const Key& key : keys)
+        box.extend(key.centre);
+    const base::Vec3f size = box.size();
+    const std::size_t axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    const std::size_t left = parts / 2, middle = (keys.size() * left + parts / 2) / parts;
+    std::nth_element(keys.begin(), keys.begin() + static_cast<std::ptrdiff_t>(middle), keys.end(),
+                     [axis](const Key& a, const Key& b) {
+                         return a.centre[axis] != b.centre[axis] ? a.centre[axis] < b.centre[axis] : a.index < b.index;
+                     });
+    cut(keys.first(middle), left, fn);
+    cut(keys.subspan(middle), parts - left, fn);
+}
+
+bool hasChildren(const Node& node, const Children& children) {
+    if (node.childCount != children.size())
+        return false;
+    for (std::size_t i = 0; i < children.size(); ++i)
+        if (!(node.nodes[i] == children[i].node && node.blocks[i] == children[i].block))
+            return false;
+    return true;
+}
+
+NodePtr nodeAbove(int level, std::span<Key> keys, const Children& children, std::span<const NodePtr> old = {}) {
+    std::sort(keys.begin(), keys.end(), [](const Key& a, const Key& b) { return a.index < b.index; });
+    Children chosen;
+    for (const Key& key : keys)
+        chosen.push_back(children[key.index]);
+    for (const NodePtr& node : old)
+        if (node && hasChildren(*node, chosen))
+            return node;
+    return makeNode(level, chosen);
+}
+
+NodePtr subtree(int level, std::span<Key> keys, const Children& blocks) {
+    if (level == 1)
+        return nodeAbove(level, keys, blocks);
+    const std::size_t capacity = std::size_t(1) << (3 * (level - 1));
+    Children children;
+    cut(keys, (keys.size() + capacity - 1) / capacity,
+        [&](std::span<Key> part) { children.push_back(asChild(subtree(level - 1, part, blocks))); });
+    return makeNode(level, children);
+}
+
+} // namespace
+
+Children groupUnder(int level, const Children& children, std::span<const NodePtr> old) {
+    if (children.empty())
+        return {};
+    std::vector<Key> keys = keysOf(children);
+    Children out;
+    cut(std::span(keys), (keys.size() + fanOut - 1) / fanOut,
+        [&](std::span<Key> part) { out.push_back(asChild(nodeAbove(level, part, children, old))); });
+    return out;
+}
+
+NodePtr buildAbove(const Children& blocks) {
+    int level = 1;
+    while (blocks.size() > std::size_t(1) << (3 * level))
+        ++level;
+    std::vector<Key> keys = keysOf(blocks);
+    return subtree(level, keys, blocks);
+}
+
+} // namespace tree
