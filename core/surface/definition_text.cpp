@@ -46,7 +46,7 @@ static E parseIn(std::span<const Named<E>> table, const char* what, std::string_
     for (const auto& row : table) {
         if (name == row.name)
             return row.value;
-        known += (known.empty() ? "" : ", ") + std::string(row.name);
+        known.append(known.empty() ? "" : ", ").append(row.name);
     }
     throw base::Error("unknown " + std::string(what) + " '" + std::string(name) + "'", {}, "known are " + known);
 }
@@ -161,7 +161,7 @@ static const OptionRow& row(std::string_view name) {
     for (const auto& candidate : options) {
         if (name == candidate.name)
             return candidate;
-        known += (known.empty() ? "" : ", ") + std::string(candidate.name);
+        known.append(known.empty() ? "" : ", ").append(candidate.name);
     }
     throw base::Error("unknown surface option '" + std::string(name) + "'", {}, "known are " + known);
 }
@@ -177,7 +177,7 @@ void setOption(SurfaceDefinition& definition, std::string_view name, std::string
 std::string toWords(const SurfaceDefinition& definition) {
     std::string out;
     for (const auto& each : options)
-        out += (out.empty() ? "" : " ") + std::string(each.name) + "=" + each.get(definition);
+        out.append(out.empty() ? "" : " ").append(each.name).append("=").append(each.get(definition));
     return out;
 }
 

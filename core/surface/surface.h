@@ -48,7 +48,8 @@ struct Evaluation {
 using Evaluationf = Evaluation<float>;
 using Evaluationd = Evaluation<double>;
 
-/// A direction that chooses the sign of unoriented frames and, for near sheets, the sheet; zero for none.
+/// A direction that chooses the sign of unoriented frames and, for near sheets, the sheet (its own normal); zero for
+/// none: unoriented frames then keep an arbitrary sign, near sheets go by the nearest surfel.
 struct Hint {
     base::Vec3f direction;
 };
@@ -60,6 +61,10 @@ class Surface {
 
     const tree::SurfelTree& tree() const { return m_tree; }
     const SurfaceDefinition& definition() const { return m_definition; }
+
+    /// The definition's frame, or the nearest that the surfels have normals for: without a common sign hyperplanes
+    /// stand in for summed normals, without normals covariance-at-centroid for both (alg. 2.6, defaults).
+    Frame effectiveFrame() const;
 
     /// One position (one contact, one haptic step). Status is Ok, Outside, Degenerate or BeyondBoundary; in the last
     /// case all numbers are valid. `need` Hessian is answered by the reference alone.

@@ -1,0 +1,51 @@
+#include "core/surface/clusters.h"
+
+namespace surface {
+
+void gather(const tree::SurfelTree& tree, const base::Vec3f& x, ClusterList& out) {
+    tree.forClustersInSupport(
+        x, [&](const surfel::SurfelBlock& block, int cluster) { out.push_back(block.channel(cluster, surfel::X)); });
+}
+
+void gather(const tree::SurfelTree& tree, const base::Vec3d& x, ClusterList& out) {
+    const base::Vec3f nearest = base::cast<float>(x);
+    const float size = std::max({std::abs(nearest.x), std::abs(nearest.y), std::abs(nearest.z)});
+    const base::Box3f box = base::Box3f{nearest, nearest}.inflated(1e-6f * (size + tree.maxSupport()));
+    tree.forClustersInSupport(
+        box, [&](const surfel::SurfelBlock& block, int cluster) { out.push_back(block.channel(cluster, surfel::X)); });
+}
+
+static thread_local std::vector<ClusterList> spare;
+
+ScratchClusters::ScratchClusters() {
+    if (spare.empty())
+        return;
+    m_list.swap(spare.back());
+    spare.pop_back();
+}
+
+ScratchClusters::~ScratchClusters() {
+    m_list.clear();
+    spare.push_back(std::move(m_list));
+}
+
+base::Vec3d nearestNormal(ClusterSpan clusters, const base::Vec3d& x) {
+    constexpr int lanes = surfel::clusterSize;
+    base::Vec3d best;
+    double least = std::numeric_limits<double>::infinity();
+    for (const float* c : clusters)
+        for (int i = 0; i < lanes; ++i) {
+            const double h = c[surfel::Support * lanes + i];
+            const base::Vec3d q = base::Vec3d{c[i], c[lanes + i], c[2 * lanes + i]} - x;
+            const base::Vec3d n{c[surfel::NormalX * lanes + i], c[surfel::NormalY * lanes + i],
+                                c[surfel::NormalZ * lanes + i]};
+            const double height = dot(n, q), metric = lengthSq(q) + 3 * height * height;
+            if (lengthSq(q) < h * h && metric < least) {
+                least = metric;
+                best = n;
+            }
+        }
+    return best;
+}
+
+} // namespace surface

@@ -1,0 +1,158 @@
+// Jets: a value with its derivatives in x up to an order, and arithmetic that carries them along (forward automatic
+// differentiation). Formulas written once with jets give f, its gradient and its Hessian; order 0 costs a plain number.
+#pragma once
+
+#include "core/base/mat3.h"
+
+#include <array>
+
+namespace surface {
+
+/// Place of the (k, l) entry of a symmetric 3x3 matrix among its six: 00 01 02 11 12 22.
+constexpr int sym(int k, int l) {
+    return k <= l ? k * (5 - k) / 2 + l : l * (5 - l) / 2 + k;
+}
+
+template <class T, int Order>
+struct Jet {
+    T v{};
+    std::array<T, Order >= 1 ? 3 : 0> d{};  ///< first derivatives
+    std::array<T, Order >= 2 ? 6 : 0> dd{}; ///< second derivatives, by `sym`
+
+    Jet& operator+=(const Jet& o) {
+        v += o.v;
+        for (std::size_t k = 0; k < d.size(); ++k)
+            d[k] += o.d[k];
+        for (std::size_t k = 0; k < dd.size(); ++k)
+            dd[k] += o.dd[k];
+        return *this;
+    }
+    Jet& operator*=(T s) {
+        v *= s;
+        for (auto& each : d)
+            each *= s;
+        for (auto& each : dd)
+            each *= s;
+        return *this;
+    }
+};
+
+template <class T, int O>
+Jet<T, O> operator+(Jet<T, O> a, const Jet<T, O>& b) {
+    return a += b;
+}
+template <class T, int O>
+Jet<T, O> operator*(Jet<T, O> a, std::type_identity_t<T> s) {
+    return a *= s;
+}
+template <class T, int O>
+Jet<T, O> operator-(const Jet<T, O>& a) {
+    return a * T(-1);
+}
+template <class T, int O>
+Jet<T, O> operator-(const Jet<T, O>& a, const Jet<T, O>& b) {
+    Jet<T, O> out = a;
+    out.v -= b.v;
+    for (std::size_t k = 0; k < out.d.size(); ++k)
+        out.d[k] -= b.d[k];
+    for (std::size_t k = 0; k < out.dd.size(); ++k)
+        out.dd[k] -= b.dd[k];
+    return out;
+}
+
+template <class T, int O>
+Jet<T, O> operator*(const Jet<T, O>& a, const Jet<T, O>& b) {
+    Jet<T, O> out;
+    out.v = a.v * b.v;
+    if constexpr (O >= 1)
+        for (int k = 0; k < 3; ++k)
+            out.d[k] = a.d[k] * b.v + a.v * b.d[k];
+    if constexpr (O >= 2)
+        for (int k = 0; k < 3; ++k)
+            for (int l = k; l < 3; ++l)
+                out.dd[sym(k, l)] = a.dd[sym(k, l)] * b.v + a.d[k] * b.d[l] + a.d[l] * b.d[k] + a.v * b.dd[sym(k, l)];
+    return out;
+}
+
+/// A function of a jet by its value and derivatives at a.v.
+template <class T, int O>
+Jet<T, O> chain(const Jet<T, O>& a, T f0, [[maybe_unused]] T f1, [[maybe_unused]] T f2) {
+    Jet<T, O> out;
+    out.v = f0;
+    if constexpr (O >= 1)
+        for (int k = 0; k < 3; ++k)
+            out.d[k] = f1 * a.d[k];
+    if constexpr (O >= 2)
+        for (int k = 0; k < 3; ++k)
+            for (int l = k; l < 3; ++l)
+                out.dd[sym(k, l)] = f1 * a.dd[sym(k, l)] + f2 * a.d[k] * a.d[l];
+    return out;
+}
+
+/// 1 / a. REQUIRES: a.v != 0.
+template <class T, int O>
+Jet<T, O> inverse(const Jet<T, O>& a) {
+    const T i = T(1) / a.v;
+    return chain(a, i, -i * i, T(2) * i * i * i);
+}
+
+/// 1 / sqrt(a). REQUIRES: a.v > 0.
+template <class T, int O>
+Jet<T, O> inverseSqrt(const Jet<T, O>& a) {
+    const T i = T(1) / a.v, s = std::sqrt(i);
+    return chain(a, s, T(-0.5) * s * i, T(0.75) * s * i * i);
+}
+
+/// a times the coordinate x_axis - x0_axis, at x = x0: the value is zero, the derivatives are not.
+template <class T, int O>
+Jet<T, O> timesCoordinate(int axis, [[maybe_unused]] const Jet<T, O>& a) {
+    Jet<T, O> out;
+    if constexpr (O >= 1)
+        out.d[axis] = a.v;
+    if constexpr (O >= 2)
+        for (int k = 0; k < 3; ++k)
+            out.dd[sym(axis, k)] += a.d[k] * T(k == axis ? 2 : 1);
+    return out;
+}
+
+template <class T, int O>
+using JetVec = std::array<Jet<T, O>, 3>;
+
+template <class T, int O>
+base::Vec3<T> valueOf(const JetVec<T, O>& a) {
+    return {a[0].v, a[1].v, a[2].v};
+}
+template <class T, int O>
+Jet<T, O> dot(const JetVec<T, O>& a, const JetVec<T, O>& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+template <class T, int O>
+JetVec<T, O> operator*(const JetVec<T, O>& a, const Jet<T, O>& s) {
+    return {a[0] * s, a[1] * s, a[2] * s};
+}
+template <class T, int O>
+JetVec<T, O> operator*(const JetVec<T, O>& a, std::type_identity_t<T> s) {
+    return {a[0] * s, a[1] * s, a[2] * s};
+}
+
+/// The jet of x -> a(y(x)), where `a` holds derivatives in y at y(x).
+template <class T, int O>
+Jet<T, O> compose(const Jet<T, O>& a, [[maybe_unused]] const JetVec<T, O>& y) {
+    Jet<T, O> out;
+    out.v = a.v;
+    if constexpr (O >= 1)
+        for (int k = 0; k < 3; ++k)
+            for (int b = 0; b < 3; ++b)
+                out.d[k] += a.d[b] * y[b].d[k];
+    if constexpr (O >= 2)
+        for (int k = 0; k < 3; ++k)
+            for (int l = k; l < 3; ++l)
+                for (int b = 0; b < 3; ++b) {
+                    out.dd[sym(k, l)] += a.d[b] * y[b].dd[sym(k, l)];
+                    for (int c = 0; c < 3; ++c)
+                        out.dd[sym(k, l)] += a.dd[sym(b, c)] * y[b].d[k] * y[c].d[l];
+                }
+    return out;
+}
+
+} // namespace surface

@@ -1,0 +1,51 @@
+#include "core/surface/surface.h"
+
+#include "core/base/parallel.h"
+#include "core/surface/evaluate.h"
+
+#include <cassert>
+
+namespace surface {
+
+const char* statusName(Status status) {
+    switch (status) {
+    case Status::Ok:
+        return "ok";
+    case Status::Outside:
+        return "outside";
+    case Status::Degenerate:
+        return "degenerate";
+    case Status::NotConverged:
+        return "not-converged";
+    case Status::BeyondBoundary:
+        return "beyond-boundary";
+    }
+    return "";
+}
+
+Frame Surface::effectiveFrame() const {
+    const auto& layout = *m_tree.layout();
+    const Frame frame = m_definition.frame;
+    if (frame == Frame::Normals || frame == Frame::Hyperplanes) {
+        if (!layout.normals)
+            return Frame::CovarianceAtCentroid;
+        if (!layout.oriented)
+            return Frame::Hyperplanes;
+    }
+    return frame;
+}
+
+Evaluationf Surface::evaluate(const base::Vec3f& x, Need need, const Hint& hint) const {
+    return evaluateAt(*this, x, need, hint);
+}
+
+Evaluationd Surface::evaluateReference(const base::Vec3d& x, Need need, const Hint& hint) const {
+    return evaluateAt(*this, x, need, hint);
+}
+
+void Surface::evaluate(std::span<const base::Vec3f> x, Need need, std::span<Evaluationf> out) const {
+    assert(x.size() == out.size());
+    base::parallelFor(x.size(), 128, [&](std::size_t i) { out[i] = evaluateAt(*this, x[i], need); });
+}
+
+} // namespace surface
