@@ -36,13 +36,15 @@ class Casting {
         const base::Rayf ray{base::cast<float>(m_origin), base::cast<float>(m_direction)};
         double begin = 0, end = -1;
         const double least = m_options.tMin, most = m_options.tMax;
-        m_surface.tree().alongRay(ray, [&](const surfel::SurfelBlock& block, int cluster, float tEnter, float tExit) {
-            const double slack = mergeSlack * static_cast<double>(block.bounds(cluster).maxSupport);
-            const double from = std::max(tEnter - slack, least), to = std::min(tExit + slack, most);
+        m_surface.tree().alongRay(ray, [&](const surfel::SurfelBlock& block, int cluster, float enter, float leave) {
+            const float support = block.bounds(cluster).maxSupport;
+            const double slack = mergeSlack * static_cast<double>(support);
+            const double from = std::max(enter - slack, least), to = std::min(leave + slack, most);
             if (from > most)
                 return false;
             if (to < from)
                 return true;
+            m_leastUnit = std::min(m_leastUnit, double(unitOf(m_surface.definition().weight, support)));
             if (end < begin) {
                 begin = from, end = to;
             } else if (from <= end) {
