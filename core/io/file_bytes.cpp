@@ -86,7 +86,7 @@ void FileBytes::failAtByte(std::size_t offset, const std::string& what, const st
     throw base::Error(what, m_path.string() + ", byte " + std::to_string(offset), todo);
 }
 
-std::string quoted(std::string_view bytes) {
+std::string inQuotes(std::string_view bytes) {
     constexpr std::size_t most = 40;
     std::string out = "'";
     for (const char c : bytes.substr(0, most))

@@ -39,6 +39,6 @@ class FileBytes {
 };
 
 /// Some bytes of a file as they can stand in a message: at most 40 characters, unprintable ones as '?'.
-std::string quoted(std::string_view bytes);
+std::string inQuotes(std::string_view bytes);
 
 } // namespace io

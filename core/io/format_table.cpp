@@ -1,0 +1,85 @@
+#include "core/io/content_kind.h"
+#include "core/io/formats.h"
+#include "core/io/readers.h"
+
+#include <sstream>
+
+namespace io {
+
+static constexpr FormatRow table[] = {
+    {"ply", "Polygon file", "ply", readPly, nullptr},
+    {"xyz", "Points as text", "xyz txt csv pts asc pwn", readText, nullptr},
+};
+
+std::span<const FormatRow> formatTable() {
+    return table;
+}
+
+static std::string extensionOf(const path& file) {
+    std::string extension = file.extension().string();
+    for (char& c : extension)
+        c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return extension.empty() ? extension : extension.substr(1);
+}
+
+static const FormatRow* rowOfExtension(const std::string& extension) {
+    for (const FormatRow& row : table) {
+        std::istringstream words(row.extensions);
+        for (std::string word; words >> word;)
+            if (word == extension)
+                return &row;
+    }
+    return nullptr;
+}
+
+static const FormatRow* rowOfId(const std::string& id) {
+    for (const FormatRow& row : table)
+        if (id == row.id)
+            return &row;
+    return nullptr;
+}
+
+/// Text begins with a number, a sign, a comment or a name of a column.
+static bool looksLikeText(std::string_view bytes) {
+    const std::string_view start = bytes.substr(0, 4096);
+    const std::size_t first = start.find_first_not_of(" \t\r\n");
+    return first != std::string_view::npos && start.find('\0') == std::string_view::npos &&
+           std::string_view("0123456789+-.#/%xX").find(start[first]) != std::string_view::npos;
+}
+
+static std::string knownExtensions(bool writable) {
+    std::string out;
+    for (const FormatRow& row : table)
+        if (writable ? row.write != nullptr : row.read != nullptr)
+            out.append(out.empty() ? 0 : 1, ' ').append(row.extensions);
+    return out;
+}
+
+static const FormatRow& readerOf(const path& name) {
+    const FileBytes file(name);
+    const std::string extension = extensionOf(name), kind = contentKind(file);
+    refuseUnreadable(file, extension);
+    const FormatRow* row = rowOfExtension(extension);
+    // A content that proves itself is believed more than the name; "stl" proves little, so only without another name.
+    if (!kind.empty() && (!row || kind != "stl"))
+        row = rowOfId(kind);
+    if (!row && looksLikeText(file.bytes()))
+        row = rowOfId("xyz");
+    if (!row || !row->read)
+        file.fail("is in no known format", "readable are: " + knownExtensions(false));
+    return *row;
+}
+
+FileModel read(const path& path, const base::Progress& progress) {
+    return readerOf(path).read(path, progress);
+}
+
+void write(const path& path, const FileModel& model, const base::Progress& progress) {
+    const FormatRow* row = rowOfExtension(extensionOf(path));
+    if (!row || !row->write)
+        throw base::Error("cannot be written in this format", path.string(),
+                          "choose one of the extensions " + knownExtensions(true));
+    row->write(path, model, progress);
+}
+
+} // namespace io

@@ -1,0 +1,140 @@
+#include "core/io/ply_comments.h"
+#include "core/io/ply_elements.h"
+#include "core/io/readers.h"
+#include "core/io/record_points.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace io {
+
+namespace {
+
+constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+const char* const cutOff = "the file is damaged or was cut off; fetch it again";
+
+bool isFace(const PlyElement& element) {
+    return element.name == "face" || element.name == "faces";
+}
+
+/// Whether records name vertices by their number, which means nothing once points were moved, added and removed.
+bool refersToVertices(const PlyElement& element) {
+    static constexpr std::string_view elements[] = {"face", "faces", "tristrips", "trifans", "edge", "range_grid"};
+    static constexpr std::string_view properties[] = {"vertex_indices", "vertex_index", "vertex1", "vertex2"};
+    return std::find(std::begin(elements), std::end(elements), element.name) != std::end(elements) ||
+           std::any_of(element.properties.begin(), element.properties.end(), [](const PlyProperty& property) {
+               return std::find(std::begin(properties), std::end(properties), property.name) != std::end(properties);
+           });
+}
+
+std::size_t vertexElement(const PlyHeader& header) {
+    for (const std::string_view name : {"vertex", "point", "vertices", "points"})
+        for (std::size_t i = 0; i < header.elements.size(); ++i)
+            if (header.elements[i].name == name)
+                return i;
+    return none;
+}
+
+/// One PLY file on its way to a model.
+class PlyReader {
+  public:
+    PlyReader(const path& name, const base::Progress& progress) : m_file(name), m_progress(progress) {}
+    FileModel read();
+
+  private:
+    void readBinary(bool bigEndian);
+    void readAscii();
+    void keepOther(const PlyElement& element, const std::function<std::string()>& body);
+    void finish();
+
+    FileBytes m_file;
+    const base::Progress& m_progress;
+    PlyHeader m_header;
+    std::size_t m_vertex = none;
+    RecordTable m_table;
+    FileModel m_model;
+};
+
+void PlyReader::keepOther(const PlyElement& element, const std::function<std::string()>& body) {
+    if (isFace(element))
+        m_model.faces += element.count;
+    if (!refersToVertices(element))
+        m_model.elements.push_back({element.declaration(), body()});
+    else if (!isFace(element) && element.count > 0)
+        m_model.messages.push_back("The element " + inQuotes(element.name) +
+                                   " refers to points by number; it is not used and will not be written back.");
+}
+
+void PlyReader::readBinary(bool bigEndian) {
+    std::size_t offset = m_header.bodyOffset;
+    for (std::size_t i = 0; i < m_header.elements.size(); ++i) {
+        const PlyElement& element = m_header.elements[i];
+        const std::size_t extent = binaryExtent(m_file, element, offset, bigEndian);
+        if (i == m_vertex)
+            m_table = binaryTable(m_file, element, offset, bigEndian);
+        else
+            keepOther(element, [&] { return littleEndianBody(m_file, element, offset, extent, bigEndian); });
+        offset += extent;
+    }
+}
+
+void PlyReader::readAscii() {
+    const TextRows rows(m_file, m_header.bodyOffset, {}, {m_progress, 0, 0.2});
+    std::size_t row = 0;
+    for (std::size_t i = 0; i < m_header.elements.size(); ++i) {
+        const PlyElement& element = m_header.elements[i];
+        const std::size_t taken = element.properties.empty() ? 0 : element.count;
+        if (taken > rows.count() - row)
+            m_file.fail("the header declares " + std::to_string(taken) + " of element " + inQuotes(element.name) +
+                            ", but the body ends after " + std::to_string(rows.count() - row),
+                        cutOff);
+        if (i == m_vertex)
+            m_table = asciiTable(m_file, rows, row, element, {m_progress, 0.2, 0.7});
+        else
+            keepOther(element, [&] { return littleEndianBody(m_file, rows, row, element); });
+        row += taken;
+    }
+}
+
+void PlyReader::finish() {
+    m_model.comments = m_header.comments;
+    const NativeComments native = takeNativeComments(m_model.comments, m_model.messages);
+    m_model.definition = native.definition;
+    const RecordRoles roles = rolesOf(m_table.fields, native.origin.has_value());
+    if (roles.position[0] == RecordRoles::none || roles.position[1] == RecordRoles::none)
+        m_file.fail("the points have no properties x and y", "choose a file with coordinates");
+    const double begun = m_header.encoding == PlyEncoding::Ascii ? 0.7 : 0.1;
+    makePoints(m_model, m_file, m_table, roles, {native.origin, native.oriented.value_or(true)},
+               {m_progress, begun, 1});
+    for (const PlyProperty& property : m_header.elements[m_vertex].properties)
+        if (property.isList)
+            m_model.messages.push_back("The list property " + inQuotes(property.name) + " of the points was left out.");
+    if (m_model.faces > 0)
+        m_model.messages.push_back("The file's " + std::to_string(m_model.faces) +
+                                   " faces are not used and will not be written back.");
+}
+
+FileModel PlyReader::read() {
+    m_progress.step(0, "Reading");
+    m_header = parsePlyHeader(m_file);
+    m_model.format = std::string("ply ") + nameOf(m_header.encoding);
+    m_vertex = vertexElement(m_header);
+    if (m_vertex == none)
+        m_file.fail("the header declares no element 'vertex'", "choose a file that holds points");
+    if (m_header.elements[m_vertex].count == 0)
+        m_file.fail("holds no points", "choose a file with at least one");
+    if (m_header.encoding == PlyEncoding::Ascii)
+        readAscii();
+    else
+        readBinary(m_header.encoding == PlyEncoding::BigEndian);
+    finish();
+    return std::move(m_model);
+}
+
+} // namespace
+
+FileModel readPly(const path& file, const base::Progress& progress) {
+    return PlyReader(file, progress).read();
+}
+
+} // namespace io

@@ -1,0 +1,20 @@
+// The readers and writers behind the rows of the format table; see formats.h for what they promise.
+#pragma once
+
+#include "core/io/formats.h"
+
+namespace io {
+
+using std::filesystem::path;
+
+FileModel readPly(const path& file, const base::Progress& progress);
+FileModel readText(const path& file, const base::Progress& progress);
+FileModel readObj(const path& file, const base::Progress& progress);
+FileModel readOff(const path& file, const base::Progress& progress);
+FileModel readStl(const path& file, const base::Progress& progress);
+
+void writePly(const path& file, const FileModel& model, const base::Progress& progress);
+void writeText(const path& file, const FileModel& model, const base::Progress& progress);
+void writeObj(const path& file, const FileModel& model, const base::Progress& progress);
+
+} // namespace io

@@ -1,0 +1,106 @@
+#include "core/io/text_columns.h"
+
+#include "core/base/parallel.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace io {
+
+static constexpr std::size_t grain = 1 << 14;
+
+std::vector<ColumnFacts> columnFacts(const double* values, std::size_t n, std::size_t columns) {
+    const std::size_t chunks = base::chunkCount(n, grain);
+    std::vector<ColumnFacts> parts(chunks * columns);
+    base::parallelChunks(n, grain, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+        ColumnFacts* const facts = parts.data() + chunk * columns;
+        for (std::size_t i = begin; i < end; ++i)
+            for (std::size_t c = 0; c < columns; ++c) {
+                const double value = values[i * columns + c];
+                if (!std::isfinite(value))
+                    continue;
+                facts[c].integers = facts[c].integers && value == std::nearbyint(value);
+                facts[c].least = std::min(facts[c].least, value);
+                facts[c].most = std::max(facts[c].most, value);
+            }
+    });
+    std::vector<ColumnFacts> out(columns);
+    for (std::size_t chunk = 0; chunk < chunks; ++chunk)
+        for (std::size_t c = 0; c < columns; ++c) {
+            const ColumnFacts& part = parts[chunk * columns + c];
+            out[c].integers = out[c].integers && part.integers;
+            out[c].least = std::min(out[c].least, part.least);
+            out[c].most = std::max(out[c].most, part.most);
+        }
+    return out;
+}
+
+namespace {
+
+/// Names columns from the left.
+class Guess {
+  public:
+    Guess(const double* values, std::size_t n, std::span<const ColumnFacts> facts)
+        : m_values(values), m_rows(n), m_facts(facts), m_names(facts.size()) {}
+
+    std::vector<std::string> names() {
+        name(0, {"x", "y", "z"});
+        const std::size_t columns = m_facts.size();
+        if (columns == 7 && areColours(4) && !areNormals(3))
+            nameColours(4);
+        for (std::size_t c = 3; c < columns; ++c) {
+            if (!m_names[c].empty())
+                continue;
+            if (!m_hasNormals && isFree(c) && areNormals(c))
+                m_hasNormals = name(c, {"nx", "ny", "nz"});
+            else if (!m_hasColours && isFree(c) && areColours(c))
+                nameColours(c);
+            else
+                nameSingle(c);
+        }
+        return std::move(m_names);
+    }
+
+  private:
+    bool isFree(std::size_t c) const {
+        return c + 3 <= m_names.size() && m_names[c + 1].empty() && m_names[c + 2].empty();
+    }
+    bool name(std::size_t c, std::initializer_list<const char*> names) {
+        std::copy(names.begin(), names.end(), m_names.begin() + static_cast<std::ptrdiff_t>(c));
+        return true;
+    }
+    void nameColours(std::size_t c) { m_hasColours = name(c, {"red", "green", "blue"}); }
+    void nameSingle(std::size_t c) {
+        const bool single = m_names.size() == 4 || m_names.size() == 7;
+        m_names[c] = single ? "intensity" : "column_" + std::to_string(c + 1);
+    }
+    bool areColours(std::size_t c) const {
+        const auto facts = m_facts.subspan(c, 3);
+        return std::all_of(facts.begin(), facts.end(), [](const ColumnFacts& f) { return f.isByte(); }) ||
+               std::all_of(facts.begin(), facts.end(), [](const ColumnFacts& f) { return f.isShare(); });
+    }
+    /// At least 19 of 20 rows have length 1 to the two digits that some programs write.
+    bool areNormals(std::size_t c) const {
+        const std::size_t step = std::max<std::size_t>(1, m_rows / 4096);
+        std::size_t seen = 0, unit = 0;
+        for (std::size_t i = 0; i < m_rows; i += step, ++seen) {
+            const double* v = m_values + i * m_facts.size() + c;
+            unit += std::abs(std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) - 1) < 0.01 ? 1 : 0;
+        }
+        return unit * 20 >= seen * 19;
+    }
+
+    const double* m_values;
+    std::size_t m_rows;
+    std::span<const ColumnFacts> m_facts;
+    std::vector<std::string> m_names;
+    bool m_hasNormals = false, m_hasColours = false;
+};
+
+} // namespace
+
+std::vector<std::string> guessNames(const double* values, std::size_t n, std::span<const ColumnFacts> facts) {
+    return Guess(values, n, facts).names();
+}
+
+} // namespace io

@@ -1,0 +1,27 @@
+// What the unnamed columns of a text file are: there is no header, so the numbers themselves must tell.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace io {
+
+/// What all values of one column have in common.
+struct ColumnFacts {
+    bool integers = true; ///< every value is a whole number
+    double least = 0, most = 0;
+    bool isByte() const { return integers && least >= 0 && most <= 255; }
+    bool isShare() const { return least >= 0 && most <= 1; }
+};
+
+/// Facts about each of `columns` columns of `n` rows of doubles. Values that are not finite are passed over.
+std::vector<ColumnFacts> columnFacts(const double* values, std::size_t n, std::size_t columns);
+
+/// Names for columns: x y z first; then, from the left, three columns are a normal where the rows have unit length,
+/// colours where they are whole numbers of 0..255 or reals of 0..1; any other is "intensity" (the first, in files of 4
+/// or 7 columns) or "column_N", counted from 1. Of four columns after x y z the last three are tried first, because
+/// Leica writes intensity before the colours. REQUIRES: facts.size() >= 3.
+std::vector<std::string> guessNames(const double* values, std::size_t n, std::span<const ColumnFacts> facts);
+
+} // namespace io

@@ -1,0 +1,223 @@
+// Points as text: XYZ, TXT, ASC, CSV, PTS, PWN. One row per point, fields parted by blanks, tabs, commas or semicolons;
+// a line of names before, a line with the number of points before, comments of '#', '%' and '//' anywhere.
+#include "core/io/number_text.h"
+#include "core/io/readers.h"
+#include "core/io/record_points.h"
+#include "core/io/text_columns.h"
+#include "core/io/text_rows.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace io {
+
+namespace {
+
+std::string lower(std::string_view text) {
+    std::string out(text);
+    for (char& c : out)
+        c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return out;
+}
+
+std::string extensionOf(const path& file) {
+    const std::string extension = lower(file.extension().string());
+    return extension.empty() ? "text" : extension.substr(1);
+}
+
+class TextReader {
+  public:
+    TextReader(const path& name, const base::Progress& progress) : m_file(name), m_progress(progress) {}
+    FileModel read();
+
+  private:
+    std::size_t refuseOthers() const;
+    void readHead(const TextRows& rows);
+    void readCommentNames(std::size_t begin);
+    void chooseColumns(const TextRows& rows);
+    void checkClaim(const TextRows& rows);
+    void parse(const TextRows& rows);
+    void joinNormalsBelow();
+    void nameColumns();
+    void typeColumns(const std::vector<ColumnFacts>& facts);
+    double* values() { return reinterpret_cast<double*>(m_table.owned.get()); }
+
+    FileBytes m_file;
+    const base::Progress& m_progress;
+    FileModel m_model;
+    RecordTable m_table;
+    std::vector<std::string> m_names;       ///< of all columns; empty where the file has none
+    std::vector<int> m_targets;             ///< per column, its place in the table or -1
+    std::vector<std::string> m_tableNames;  ///< of the columns in the table; empty where the file has none
+    std::optional<std::uint64_t> m_claimed; ///< the count line
+    std::size_t m_firstRow = 0;
+};
+
+/// Returns where the text begins, behind a byte order mark.
+std::size_t TextReader::refuseOthers() const {
+    const std::string_view start = m_file.bytes().substr(0, 4096);
+    if (start.starts_with("[Expe/PointSet"))
+        m_file.fail("is a binary Expe point set, which cannot be read", "convert it to PLY with MeshLab");
+    if (start.find('\0') != std::string_view::npos)
+        m_file.fail("is binary, not text", "choose a text file or convert it to PLY");
+    return start.starts_with("\xef\xbb\xbf") ? 3 : 0;
+}
+
+/// A comment that names as many columns as the rows have, x, y and z among them: "//X Y Z R G B".
+void TextReader::readCommentNames(std::size_t begin) {
+    std::string_view line = m_file.bytes().substr(begin, 4096);
+    line = line.substr(0, line.find_first_of("\r\n"));
+    const std::size_t marks = line.find_first_not_of("#/% \t");
+    if (marks == 0 || marks == std::string_view::npos)
+        return;
+    std::vector<std::string> names;
+    for (std::string_view rest = line.substr(marks); !rest.empty();) {
+        const std::size_t end = std::min(rest.find_first_of(" ,;\t"), rest.size());
+        if (end > 0)
+            names.push_back(lower(rest.substr(0, end)));
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+    for (const char* wanted : {"x", "y", "z"})
+        if (std::find(names.begin(), names.end(), wanted) == names.end())
+            return;
+    m_names = std::move(names);
+}
+
+/// Names and count before the first row of numbers.
+void TextReader::readHead(const TextRows& rows) {
+    for (; m_firstRow < rows.count(); ++m_firstRow) {
+        const auto fields = rows.fields(rows.row(m_firstRow));
+        if (fields.size() == 1 && m_firstRow == 0 && countOf(fields[0])) {
+            m_claimed = countOf(fields[0]);
+            continue;
+        }
+        if (!fields.empty() && numberOf(fields[0]))
+            return;
+        if (m_firstRow > 1 || fields.size() < 3)
+            m_file.failAt(rows.offset(m_firstRow), inQuotes(fields.empty() ? "" : fields[0]) + " is not a number",
+                          "choose a text file with rows of coordinates");
+        m_names.clear();
+        for (const std::string_view field : fields)
+            m_names.emplace_back(field);
+    }
+    m_file.fail("holds no points", "choose a file with at least one");
+}
+
+/// Columns that hold words in the first row ("status" of our own query tables) are passed over.
+void TextReader::chooseColumns(const TextRows& rows) {
+    const auto fields = rows.fields(rows.row(m_firstRow));
+    if (m_names.size() < fields.size())
+        m_names.clear();
+    const std::size_t columns = std::max(fields.size(), m_names.size());
+    if (columns < 3)
+        m_file.failAt(rows.offset(m_firstRow),
+                      "holds " + std::to_string(columns) + " columns where x, y and z are needed",
+                      "choose a text file with rows of coordinates");
+    if (columns > 1000)
+        m_file.failAt(rows.offset(m_firstRow), "holds more than 1000 columns", "remove those that are not needed");
+    int next = 0;
+    for (std::size_t c = 0; c < columns; ++c) {
+        const bool word = c < fields.size() && !fields[c].empty() && !numberOf(fields[c]);
+        m_targets.push_back(word ? -1 : next++);
+        if (word)
+            m_model.messages.push_back("The column " +
+                                       (m_names.empty() ? std::to_string(c + 1) : inQuotes(m_names[c])) +
+                                       " holds words and was left out.");
+        else if (!m_names.empty())
+            m_tableNames.push_back(m_names[c]);
+    }
+    if (next < 3)
+        m_file.failAt(rows.offset(m_firstRow), "holds fewer than three numbers", "choose a file with coordinates");
+}
+
+void TextReader::parse(const TextRows& rows) {
+    const std::size_t n = rows.count() - m_firstRow;
+    const auto columns = static_cast<std::size_t>(
+        std::count_if(m_targets.begin(), m_targets.end(), [](int target) { return target >= 0; }));
+    rows.checkRoom(n, m_targets.size());
+    double* const out = m_table.allocateDoubles(n, columns);
+    rows.parse(m_firstRow, n, m_targets, columns, out, {m_progress, 0.2, 0.7});
+}
+
+void TextReader::checkClaim(const TextRows& rows) {
+    const std::size_t n = rows.count() - m_firstRow;
+    if (m_claimed && *m_claimed > n)
+        m_file.fail("the first line promises " + std::to_string(*m_claimed) + " points, but " + std::to_string(n) +
+                        " follow",
+                    "the file is damaged or was cut off; fetch it again");
+}
+
+/// The older PWN: the count, all positions, then all normals.
+void TextReader::joinNormalsBelow() {
+    if (!m_claimed || m_targets.size() != 3 || m_table.count != 2 * *m_claimed || m_table.count == 0 ||
+        extensionOf(m_file.path()) != "pwn")
+        return;
+    const std::size_t n = m_table.count / 2;
+    RecordTable joined;
+    double* const out = joined.allocateDoubles(n, 6);
+    for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t k = 0; k < 3; ++k) {
+            out[6 * i + k] = values()[3 * i + k];
+            out[6 * i + 3 + k] = values()[3 * (n + i) + k];
+        }
+    m_table = std::move(joined);
+    m_tableNames = {"x", "y", "z", "nx", "ny", "nz"};
+}
+
+/// Whole numbers are int attributes; reals are float, or double where float would lose the units (GPS times).
+void TextReader::typeColumns(const std::vector<ColumnFacts>& facts) {
+    for (std::size_t c = 0; c < facts.size(); ++c) {
+        const double reach = std::max(-facts[c].least, facts[c].most);
+        ScalarType type = facts[c].integers && reach <= 2147483647.0 ? ScalarType::Int32 : ScalarType::Float32;
+        if (!facts[c].integers && reach > 1e5)
+            type = ScalarType::Float64;
+        m_table.fields.push_back({m_tableNames[c], ScalarType::Float64, type, c * sizeof(double)});
+    }
+}
+
+void TextReader::nameColumns() {
+    const std::size_t columns = m_table.stride / sizeof(double);
+    auto facts = columnFacts(values(), m_table.count, columns);
+    if (m_tableNames.empty())
+        m_tableNames = guessNames(values(), m_table.count, facts);
+    typeColumns(facts);
+    RecordRoles roles = rolesOf(m_table.fields, false);
+    if (std::find(roles.position.begin(), roles.position.end(), RecordRoles::none) == roles.position.end())
+        return;
+    for (std::size_t k = 0; k < 3; ++k) // names that say nothing to us: x y z come first
+        m_table.fields[k].name = std::string(1, "xyz"[k]);
+    m_model.messages.push_back("The names of columns do not tell x, y and z; the first three were taken.");
+}
+
+FileModel TextReader::read() {
+    m_progress.step(0, "Reading");
+    m_model.format = extensionOf(m_file.path());
+    const std::size_t begin = refuseOthers();
+    RowRules rules{.separators = true, .comments = true};
+    TextRows rows(m_file, begin, rules, {m_progress, 0, 0.1});
+    readCommentNames(begin);
+    readHead(rows);
+    if (m_claimed) { // further counts may stand before further scans
+        rules.skipSingles = true;
+        TextRows counted(m_file, begin, rules, {m_progress, 0.1, 0.2});
+        m_firstRow -= 1;
+        checkClaim(counted);
+        chooseColumns(counted);
+        parse(counted);
+    } else {
+        chooseColumns(rows);
+        parse(rows);
+    }
+    joinNormalsBelow();
+    nameColumns();
+    makePoints(m_model, m_file, m_table, rolesOf(m_table.fields, false), {}, {m_progress, 0.7, 1});
+    return std::move(m_model);
+}
+
+} // namespace
+
+FileModel readText(const path& file, const base::Progress& progress) {
+    return TextReader(file, progress).read();
+}
+
+} // namespace io

@@ -1,0 +1,76 @@
+// Lines of numbers, parsed in parallel: the bodies of ascii PLY, XYZ and its relatives, and OFF.
+//
+// A row is a line that holds something: blank lines and comment lines are none. Lines end in LF, CRLF or, where a file
+// has no LF at all, CR. The text is cut into chunks of about a megabyte at line ends; what comes out does not depend on
+// the cuts. Errors name the first wrong line, whatever thread found it.
+#pragma once
+
+#include "core/io/file_bytes.h"
+#include "core/io/record_points.h"
+
+#include <span>
+
+namespace io {
+
+struct RowRules {
+    bool separators = false;  ///< ',' and ';' part fields too, and a field between two of them may be empty: nan
+    bool comments = false;    ///< '#', '%' and '//' begin a comment that runs to the end of the line
+    bool skipSingles = false; ///< lines of one field are no rows (counts before each scan of a PTS file)
+};
+
+class TextRows {
+  public:
+    /// Rows of `file` from the byte `begin` on. The file must outlive the object.
+    TextRows(const FileBytes& file, std::size_t begin, const RowRules& rules, const ProgressSpan& progress);
+
+    std::size_t count() const { return m_count; }
+    /// Byte in the file at which row k starts. REQUIRES: k < count().
+    std::size_t offset(std::size_t k) const;
+    /// Row k without its line end. REQUIRES: k < count().
+    std::string_view row(std::size_t k) const { return lineAt(offset(k)); }
+    /// Rows from the k-th on, in order, until `body(row)` returns false.
+    template <class Body>
+    void forRows(std::size_t k, const Body& body) const;
+
+    /// Fields of a row, without comments; quotes around a field are taken off.
+    std::vector<std::string_view> fields(std::string_view row) const;
+
+    /// Throws where the bytes cannot hold so many values, so that nobody allocates room for them.
+    void checkRoom(std::size_t rows, std::size_t columns) const;
+
+    /// Parses rows [first, first + n) of exactly `targets.size()` fields each. Field c of the r-th goes to
+    /// out[r * width + targets[c]], or is passed over where targets[c] < 0. REQUIRES: first + n <= count().
+    void parse(std::size_t first, std::size_t n, std::span<const int> targets, std::size_t width, double* out,
+               const ProgressSpan& progress) const;
+
+  private:
+    enum class Fault { None, TooFew, TooMany, NotANumber };
+    struct Cursor;
+    std::string_view text() const { return m_file.bytes(); }
+    std::string_view lineAt(std::size_t offset) const;
+    std::size_t nextLine(std::size_t offset) const;
+    std::size_t chunkStart(std::size_t chunk) const;
+    bool isRow(std::string_view line) const;
+    Fault parseRow(std::string_view line, std::span<const int> targets, double* out, std::size_t& found) const;
+    [[noreturn]] void fail(std::size_t offset, std::span<const int> targets) const;
+
+    const FileBytes& m_file;
+    std::size_t m_begin;
+    RowRules m_rules;
+    char m_end = '\n';
+    std::size_t m_count = 0;
+    std::vector<std::size_t> m_firstRow; ///< per chunk
+};
+
+template <class Body>
+void TextRows::forRows(std::size_t k, const Body& body) const {
+    if (k >= m_count)
+        return;
+    for (std::size_t at = offset(k); at < text().size(); at = nextLine(at)) {
+        const std::string_view line = lineAt(at);
+        if (isRow(line) && !body(line))
+            return;
+    }
+}
+
+} // namespace io
