@@ -13,7 +13,7 @@ struct FalloffRow {
     const char* id; ///< as sessions name it: "smooth"
     const char* label;
     float (*weight)(float r); ///< for r in [0, 1]
-    float (*slope)(float r);  ///< its derivative
+    float (*slope)(float r);  ///< its derivative, exact for r in [0, 1 - 1e-6] (Sphere and Root are vertical at 1)
 };
 
 std::span<const FalloffRow> falloffTable();
@@ -23,5 +23,9 @@ Falloff falloff(std::string_view id);
 
 /// Weight at distance r radii; 0 for r >= 1.
 float weight(Falloff falloff, float r);
+
+/// Weights and slopes of many distances r >= 0 at once, the hot loop's form: beyond the rim both are 0. Inside
+/// `plateau` (a part of the radius, below 1) the weight stays 1, and the curve runs from there to the rim.
+void weights(Falloff falloff, float plateau, std::span<const float> r, std::span<float> weight, std::span<float> slope);
 
 } // namespace sculpt

@@ -17,13 +17,15 @@ namespace sculpt {
 struct Dab {
     base::Vec3f centre;     ///< on the surface of the version that the stroke works on
     base::Vec3f normal;     ///< unit gradient there, facing the viewer
-    base::Vec3f areaNormal; ///< mean of the surfels' normals under the brush, facing the viewer
+    base::Vec3f areaNormal; ///< mean of the surfels' normals under the inner half of the brush, facing the viewer
+    base::Vec3f areaCentre; ///< mean of those surfels' positions
     base::Vec3f view;       ///< direction of the ray
-    base::Vec3f move;       ///< from the previous dab's place to this one (grab); zero for the first
+    base::Vec3f move;       ///< from here to the place of the next dab (Motion::Drag); zero otherwise
     float radius = 0;
-    float strength = 0; ///< 0 to 1, pressure included; negative when inverted
+    float strength = 0; ///< 0 to 1, pressure and symmetry included; negative when inverted
     Falloff falloff = Falloff::Smooth;
     std::map<std::string, double> parameters; ///< the tool's own, complete with defaults
+    float parameter(const char* id) const { return static_cast<float>(parameters.at(id)); }
 };
 
 /// A parameter of a tool as panels, command line and manual show it.
@@ -51,6 +53,7 @@ struct ToolRow {
     double strength; ///< where nobody sets another
     std::span<const ToolParameter> parameters;
     /// What the dab does to the surfels: positions and normals changed by its formula (told in the tool's header).
+    /// Blocks in which nothing moves do not appear; what does not move keeps its bits. In parallel, deterministic.
     tree::Edit (*apply)(const surface::Surface& version, const Dab& dab);
 };
 

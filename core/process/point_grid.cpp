@@ -1,0 +1,82 @@
+#include "core/process/point_grid.h"
+
+#include "core/base/random.h"
+
+#include <bit>
+
+namespace process {
+
+const PointGrid::Cell* PointGrid::find(std::uint64_t key) const {
+    if (m_table.empty())
+        return nullptr;
+    const std::size_t mask = m_table.size() - 1;
+    for (std::size_t slot = base::mix(key) & mask; m_table[slot] >= 0; slot = (slot + 1) & mask)
+        if (m_cells[static_cast<std::size_t>(m_table[slot])].key == key)
+            return &m_cells[static_cast<std::size_t>(m_table[slot])];
+    return nullptr;
+}
+
+void PointGrid::grow(std::size_t slots) {
+    m_table.assign(std::bit_ceil(slots), -1);
+    const std::size_t mask = m_table.size() - 1;
+    for (std::size_t c = 0; c < m_cells.size(); ++c) {
+        std::size_t slot = base::mix(m_cells[c].key) & mask;
+        while (m_table[slot] >= 0)
+            slot = (slot + 1) & mask;
+        m_table[slot] = static_cast<std::int32_t>(c);
+    }
+}
+
+std::uint32_t PointGrid::findOrAdd(std::uint64_t key) {
+    if (const Cell* cell = find(key))
+        return static_cast<std::uint32_t>(cell - m_cells.data());
+    if (2 * (m_cells.size() + 1) > m_table.size())
+        grow(4 * (m_cells.size() + 16));
+    m_cells.push_back({key, 0, 0, -1});
+    const std::size_t mask = m_table.size() - 1;
+    std::size_t slot = base::mix(key) & mask;
+    while (m_table[slot] >= 0)
+        slot = (slot + 1) & mask;
+    m_table[slot] = static_cast<std::int32_t>(m_cells.size() - 1);
+    return static_cast<std::uint32_t>(m_cells.size() - 1);
+}
+
+void PointGrid::build(std::span<const Entry> entries) {
+    m_cells.clear();
+    m_added.clear();
+    grow(std::max<std::size_t>(64, entries.size()));
+    std::vector<std::uint32_t> cellOf(entries.size());
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        const std::uint64_t key = keyOf(placeOf(entries[i].position));
+        const bool same = i > 0 && m_cells[cellOf[i - 1]].key == key; // neighbours in the list are neighbours in space
+        cellOf[i] = same ? cellOf[i - 1] : findOrAdd(key);
+        ++m_cells[cellOf[i]].count;
+    }
+    std::uint32_t sum = 0;
+    for (Cell& cell : m_cells)
+        cell.first = sum, sum += cell.count, cell.count = 0;
+    m_entries.resize(entries.size());
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        Cell& cell = m_cells[cellOf[i]];
+        m_entries[cell.first + cell.count++] = entries[i];
+    }
+}
+
+void PointGrid::insert(const Entry& entry) {
+    Cell& cell = m_cells[findOrAdd(keyOf(placeOf(entry.position)))];
+    m_added.push_back({entry, cell.chain});
+    cell.chain = static_cast<std::int32_t>(m_added.size() - 1);
+}
+
+void PointGrid::neighbourhood(std::size_t cell, std::vector<Entry>& out) const {
+    out.clear();
+    const std::uint64_t key = m_cells[cell].key;
+    constexpr std::uint64_t x = std::uint64_t(1) << 42, y = std::uint64_t(1) << 21;
+    for (std::uint64_t cx = key - x; cx != key + 2 * x; cx += x)
+        for (std::uint64_t cy = cx - y; cy != cx + 2 * y; cy += y)
+            for (std::uint64_t cz = cy - 1; cz != cy + 2; ++cz)
+                if (const Cell* near = find(cz))
+                    visit(*near, [&](const Entry& entry) { out.push_back(entry); });
+}
+
+} // namespace process

@@ -1,0 +1,80 @@
+#include "core/base/parallel.h"
+#include "core/process/resample_land.h"
+#include "core/process/resample_set.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace process {
+
+namespace {
+
+/// Landings for a gap are for its place only; settling makes them exact.
+constexpr int steps = 6;
+constexpr float tolerance = 1e-3f; ///< in spacings
+/// Sum of the normals over the sum of the weights below which sheets mix: what grows there grows inside out.
+constexpr float leastAgreement = 0.5f;
+
+/// Does anything that faces as `n` lie within `radius` of x?
+bool occupied(const SampleSet& set, const PointGrid& grid, const base::Vec3f& x, const base::Vec3f& n, float radius) {
+    bool found = false;
+    grid.forNear(x, radius, [&](const PointGrid::Entry& e) {
+        found |= !set.is(e.index, Gone) && distanceSq(e.position, x) < radius * radius &&
+                 set.facing.same(n, set.normal[e.index]);
+    });
+    return found;
+}
+
+bool acceptable(const SampleSet& set, const Gap& gap, const Landing& y) {
+    const base::Vec3f n = set.normal[gap.from];
+    const float stray = fillStray * set.spacing;
+    return y.ok && distanceSq(y.place, gap.place) <= stray * stray && y.at.agreement >= leastAgreement &&
+           set.facing.same(n, y.gradient) && y.at.offCentre <= set.grown * y.at.unit;
+}
+
+/// Takes from `gaps`, in order, a largest set of places that are apart: one answer then serves all around it.
+std::vector<Gap> takeApart(SampleSet& set, std::vector<Gap>& gaps) {
+    std::vector<Gap> taken, left;
+    PointGrid places(set.version.tree().bounds().centre(), fillReach * set.spacing);
+    const float apart = fillClear * set.spacing;
+    for (const Gap& gap : gaps) {
+        bool alone = true;
+        places.forNear(gap.place, apart, [&](const PointGrid::Entry& e) {
+            alone &= distanceSq(e.position, gap.place) >= apart * apart ||
+                     !set.facing.same(set.normal[gap.from], set.normal[e.index]);
+        });
+        if (alone)
+            places.insert({gap.place, gap.from}), taken.push_back(gap);
+        else
+            left.push_back(gap);
+    }
+    gaps = std::move(left);
+    return taken;
+}
+
+} // namespace
+
+std::size_t fill(SampleSet& set, std::vector<Gap> gaps) {
+    const std::size_t first = set.size();
+    while (!gaps.empty()) {
+        std::erase_if(gaps, [&](const Gap& gap) {
+            return set.is(gap.from, Gone) ||
+                   occupied(set, set.grid, gap.place, set.normal[gap.from], fillClear * set.spacing);
+        });
+        const std::vector<Gap> asked = takeApart(set, gaps);
+        std::vector<Landing> found(asked.size());
+        base::parallelFor(asked.size(), 32, [&](std::size_t i) {
+            found[i] = land(set.frozen, asked[i].place, set.normal[asked[i].from], steps, tolerance * set.spacing);
+        });
+        for (std::size_t i = 0; i < asked.size(); ++i) {
+            if (!acceptable(set, asked[i], found[i]))
+                continue;
+            const base::Vec3f n = set.normal[asked[i].from];
+            if (!occupied(set, set.grid, found[i].place, n, fillApart * set.spacing))
+                set.bear(found[i].place, dot(found[i].gradient, n) < 0 ? -found[i].gradient : found[i].gradient);
+        }
+    }
+    return first;
+}
+
+} // namespace process

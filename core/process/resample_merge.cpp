@@ -1,0 +1,35 @@
+#include "core/process/resample_land.h"
+#include "core/process/resample_set.h"
+
+namespace process {
+
+/// Open borders stay where they are, so their surfels go only beside others of the border.
+static bool onBorder(const SampleSet& set, std::uint32_t i) {
+    const surface::Evaluationf e = set.frozen.evaluate(set.position[i], surface::Need::Value, {set.normal[i]});
+    return e.ok() && e.offCentre > set.pinned * e.unit;
+}
+
+/// Of a pair the one that goes, by preference the later; -1 if none may.
+static std::int64_t victim(const SampleSet& set, const ClosePair& pair) {
+    const bool a = set.free(pair.a), b = set.free(pair.b);
+    if (!a || !b)
+        return a ? pair.a : b ? pair.b : -1;
+    return onBorder(set, pair.b) && !onBorder(set, pair.a) ? pair.a : pair.b;
+}
+
+void merge(SampleSet& set, const std::vector<ClosePair>& pairs) {
+    const float limitSq = mergeDistance * mergeDistance * set.spacing * set.spacing;
+    for (const ClosePair& pair : pairs) {
+        if (pair.distanceSq >= limitSq)
+            break;
+        if (set.is(pair.a, Gone) || set.is(pair.b, Gone))
+            continue;
+        const std::int64_t gone = victim(set, pair);
+        if (gone < 0)
+            continue;
+        set.mark(static_cast<std::size_t>(gone), Gone);
+        set.scanAround(static_cast<std::size_t>(gone), (fillReach + closeDistance) * set.spacing);
+    }
+}
+
+} // namespace process
