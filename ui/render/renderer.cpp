@@ -2,12 +2,17 @@
 
 #include "core/base/error.h"
 #include "ui/render/cpu_splatter.h"
+#include "ui/render/offscreen_renderer.h"
 
 namespace render {
 
 std::unique_ptr<Renderer> makeRenderer(std::string_view backend) {
     if (backend == "cpu")
         return std::make_unique<CpuSplatter>();
+    if (backend == "osmesa")
+        return std::make_unique<OffscreenRenderer>(makeOsMesaContext());
+    if (backend == "egl")
+        return std::make_unique<OffscreenRenderer>(makeEglContext());
     throw base::Error("unknown renderer '" + std::string(backend) + "'", "", "use one of: cpu, osmesa, egl");
 }
 

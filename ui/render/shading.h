@@ -26,9 +26,10 @@ struct ShadingStyle {
 /// Made once on first use; safe from any thread.
 const ShadingStyle& shadingStyle(Shading shading);
 
-/// Facing below which a surface counts as seen from inside: between the two it fades, so that splats that turn away
-/// at a silhouette do not draw a dark fringe around the model.
-constexpr float backFadeFrom = 0.1f, backFadeTo = 0.35f;
+/// Facing (cosine) below which an oriented surface counts as seen from inside. Not zero: splats that turn away at a
+/// silhouette reach a pixel past it, and would draw a fringe there in the light of the other side. From the second on
+/// the tint of the inside is full.
+constexpr float backFrom = -0.2f, backTo = -0.4f;
 
 /// `normal` (camera coordinates: x right, y up, z towards the eye) turned by the rotation that takes the direction
 /// towards the eye, (-dx, -dy, 1) normalised, to z. The pixel's ray runs along (dx, dy, -1).
@@ -41,11 +42,11 @@ inline base::Vec3f inRayFrame(const base::Vec3f& n, float dx, float dy) {
 
 /// The formula above. `n` unit length, in the frame of the ray; n.z < 0 where the surface is seen from inside.
 inline surfel::Colour shadePixel(const ShadingStyle& style, base::Vec3f n, surfel::Colour colour, float mask) {
-    float back = 0;
-    if (n.z < 0) {
-        back = std::clamp((-n.z - backFadeFrom) / (backFadeTo - backFadeFrom), 0.0f, 1.0f);
+    const float back = std::clamp((n.z - backFrom) / (backTo - backFrom), 0.0f, 1.0f);
+    if (n.z < backFrom)
         n = -n;
-    }
+    else if (n.z < 0)
+        n *= 1 / std::sqrt(n.x * n.x + n.y * n.y); // the outline of the ball
     constexpr float half = 0.5f * (lightSize - 1);
     const int column = std::clamp(static_cast<int>(half + half * n.x + 0.5f), 0, lightSize - 1);
     const int row = std::clamp(static_cast<int>(half - half * n.y + 0.5f), 0, lightSize - 1);

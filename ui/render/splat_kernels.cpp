@@ -12,9 +12,6 @@ namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 using surfel::clusterSize;
 
-/// The smallest cosine between a splat and its ray: an edge-on disc is drawn as thin as that, not infinitely.
-constexpr float minCosine = 0.02f;
-
 /// A cluster's splats as arrays, before those outside the tile are dropped.
 struct ClusterSplats {
     HWY_ALIGN float x[clusterSize], y[clusterSize], z[clusterSize], gradX[clusterSize], gradY[clusterSize];

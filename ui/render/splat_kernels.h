@@ -25,6 +25,8 @@ constexpr float filterPx = 1;
 constexpr float layerDepth = 1;
 /// Splats seen from behind need to be this much nearer (in radii): the far side of a thin sheet does not bleed through.
 constexpr float backBias = 0.75f;
+/// The smallest cosine between a splat and its ray: an edge-on disc is drawn as thin as that, not infinitely.
+constexpr float minCosine = 0.02f;
 
 /// What of a model the splats show.
 struct SplatStyle {

@@ -1,0 +1,71 @@
+// Blended splats by OpenGL 3.3, in three passes (Botsch et al. 2005, alg. 4.1), into any framebuffer of the current
+// context. The same picture as the CPU splatter's within a mean difference of 1/255.
+//
+//     pass 1  depth alone: how far behind the nearest splat others still belong to its layer
+//     pass 2  normals, colours, masks and depths of that layer, added up with weights, into half floats
+//     pass 3  one triangle: normalise, shade once per pixel, background
+//
+// A window makes its context current, builds one from its own getProcAddress, and calls drawTo when it paints:
+//
+//     splatter = std::make_unique<GlSplatter>(getProcAddress);                     // initializeGL
+//     splatter->drawTo(defaultFramebufferObject(), tree, camera, options);         // paintGL
+//     splatter.reset();                                                            // before the context goes
+//
+// One thread; the same context must be current in every call, the destructor included.
+#pragma once
+
+#include "ui/render/gl_program.h"
+#include "ui/render/gl_shaders.h"
+#include "ui/render/gl_slots.h"
+#include "ui/render/gl_targets.h"
+#include "ui/render/renderer.h"
+#include "ui/render/splat_style.h"
+#include "ui/render/visible_blocks.h"
+
+#include <array>
+
+namespace render {
+
+class GlSplatter {
+  public:
+    /// Throws base::Error where the context is older than 3.3 or lacks something.
+    explicit GlSplatter(const GetProcAddress& address);
+    ~GlSplatter();
+    GlSplatter(const GlSplatter&) = delete;
+    GlSplatter& operator=(const GlSplatter&) = delete;
+
+    /// Draws into the lower left camera.width x camera.height pixels of a framebuffer. Leaves GL's state as a fresh
+    /// context has it, but for bindings.
+    void drawTo(GLuint framebuffer, const tree::SurfelTree& model, const Camera& camera, const RenderOptions& options);
+    /// Draws into its own framebuffer and reads colour and depth back.
+    void drawTo(Image& out, const tree::SurfelTree& model, const Camera& camera, const RenderOptions& options);
+
+    const GlSlots& slots() const { return m_slots; }
+    /// Largest point sprite used; splats that may be larger become quads. For tests.
+    void limitPointSize(float pixels) { m_maxPointSize = std::min(m_maxPointSize, pixels); }
+
+  private:
+    struct Frame;
+    void splats(const Frame& frame);
+    void drawPass(const Frame& frame, SplatPass pass);
+    void shade(const Frame& frame, GLuint framebuffer, bool depth);
+    void setView(const GlProgram& program, const Frame& frame) const;
+    void bindAttributes(GLint firstSurfel, GLuint divisor) const;
+    const GlProgram& program(SplatShape shape, SplatPass pass) const {
+        return *m_programs[static_cast<std::size_t>(shape) * 2 + static_cast<std::size_t>(pass)];
+    }
+
+    GlFunctions m_gl;
+    GlSlots m_slots;
+    GlTargets m_targets;
+    std::array<std::unique_ptr<GlProgram>, 4> m_programs; ///< shape * 2 + pass
+    GlProgram m_shade;
+    GLuint m_vertexArray = 0;
+    float m_maxPointSize = 1;
+    std::vector<VisibleBlock> m_visible;
+    std::vector<GLint> m_firsts; ///< of the blocks drawn as points
+    std::vector<GLsizei> m_counts;
+    std::vector<const surfel::SurfelBlock*> m_large; ///< blocks drawn as quads
+};
+
+} // namespace render

@@ -1,0 +1,45 @@
+#include "ui/render/raycast_image.h"
+
+#include "core/base/parallel.h"
+#include "ui/render/shading.h"
+#include "ui/render/view_frame.h"
+
+namespace render {
+
+using base::Vec3d;
+using base::Vec3f;
+
+static raycast::ImageRays imageRays(const Camera& camera) {
+    const Vec3d right = camera.right(), down = -camera.upright();
+    const Vec3d corner =
+        camera.forward() * camera.focalPx() + right * (0.5 - 0.5 * camera.width) + down * (0.5 - 0.5 * camera.height);
+    return {camera.eye, corner, right, down, camera.width, camera.height};
+}
+
+void rayCast(const surface::Surface& surface, const Camera& camera, const RenderOptions& options, Image& out,
+             raycast::CastCounts& counts, const base::Progress& progress) {
+    const auto samples = raycast::fullCast(surface, imageRays(camera), counts, progress);
+    const ViewFrame view(camera);
+    const ShadingStyle& style = shadingStyle(options.shading);
+    const surfel::AttributeLayout& layout = *surface.tree().layout();
+    const bool oriented = layout.normals && layout.oriented;
+    out.resize(camera.width, camera.height);
+    base::parallelFor(static_cast<std::size_t>(camera.height), 8, [&](std::size_t y) {
+        surfel::Colour background[8];
+        backgroundRow(static_cast<int>(y), camera.height, options.transparent, background);
+        const float dy = -view.slopeY(static_cast<int>(y));
+        for (std::size_t x = 0; x < static_cast<std::size_t>(camera.width); ++x) {
+            const std::size_t i = y * static_cast<std::size_t>(camera.width) + x;
+            const raycast::Sample& sample = samples[i];
+            out.colour[i] = background[x & 7];
+            if (!sample.hit.hit)
+                continue;
+            const Vec3f turned = view.turn(oriented ? sample.hit.outward : sample.hit.normal);
+            const Vec3f normal = inRayFrame({turned.x, -turned.y, -turned.z}, view.slopeX(static_cast<int>(x)), dy);
+            out.colour[i] = shadePixel(style, normal, sample.colour, sample.mask);
+            out.depth[i] = sample.hit.t;
+        }
+    });
+}
+
+} // namespace render

@@ -1,0 +1,13 @@
+// The true surface as an image: every pixel's ray meets it exactly, and the meeting is shaded like a splat.
+#pragma once
+
+#include "core/raycast/full_cast.h"
+#include "ui/render/renderer.h"
+
+namespace render {
+
+/// Throws base::Cancelled. The same bits at any thread count.
+void rayCast(const surface::Surface& surface, const Camera& camera, const RenderOptions& options, Image& out,
+             raycast::CastCounts& counts, const base::Progress& progress = {});
+
+} // namespace render
