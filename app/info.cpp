@@ -1,0 +1,115 @@
+// pointclay info: what is in a model, as text or as JSON (INTERFACES fixes the keys).
+#include "app/open_model.h"
+#include "app/subcommand.h"
+#include "core/base/error.h"
+#include "core/process/part_progress.h"
+#include "core/process/prepare.h"
+#include "core/process/spacing.h"
+#include "core/session/document.h"
+
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+namespace app {
+
+using nlohmann::ordered_json;
+
+namespace {
+
+struct Options {
+    std::string model;
+    bool json = false;
+};
+
+ordered_json vectorOf(const base::Vec3d& v) {
+    return {v.x, v.y, v.z};
+}
+
+ordered_json summaryOf(const std::vector<float>& values) {
+    const process::Summary s = process::summarise(values);
+    return {{"min", s.min}, {"median", s.median}, {"max", s.max}};
+}
+
+base::Box3f boundsOf(const surfel::SurfelList& points) {
+    base::Box3f out;
+    for (const surfel::Surfel& s : points.items)
+        out.extend(s.position);
+    return out;
+}
+
+/// Support radii and hash are those of the surface that `open` makes; null where the points make none.
+void describeSurface(ordered_json& out, io::FileModel model, const base::Progress& progress, Console& console) {
+    try {
+        const surface::Surface surface =
+            process::prepare(std::move(model.points),
+                             {model.definition.value_or(surface::SurfaceDefinition()), model.hasSupports}, progress);
+        std::vector<float> supports;
+        for (const surfel::Surfel& s : surface.tree().surfels().items)
+            supports.push_back(s.support);
+        out["support"] = summaryOf(supports);
+        out["hash"] = session::contentHash(surface.tree(), model.origin).text();
+    } catch (const base::Error& error) {
+        console.tell(error.message());
+        out["support"] = out["hash"] = nullptr;
+    }
+}
+
+ordered_json describe(io::FileModel model, const base::Progress& progress, Console& console) {
+    const base::Box3f box = boundsOf(model.points);
+    ordered_json out;
+    out["surfels"] = model.points.size();
+    out["bounds"] = {{"min", vectorOf(base::cast<double>(box.lo) + model.origin)},
+                     {"max", vectorOf(base::cast<double>(box.hi) + model.origin)}};
+    out["origin"] = vectorOf(model.origin);
+    out["spacing"] = summaryOf(process::spacings(model.points.items, process::part(progress, 0.3, 0.5)));
+    out["support"] = nullptr;
+    out["normals"] = model.points.layout->normals;
+    out["attributes"] = model.points.layout->names();
+    out["faces"] = model.faces;
+    out["dropped"] = model.dropped;
+    out["format"] = model.format;
+    out["hash"] = nullptr;
+    describeSurface(out, std::move(model), process::part(progress, 0.5, 1), console);
+    return out;
+}
+
+std::string asText(const ordered_json& value) {
+    if (value.is_string())
+        return value.get<std::string>();
+    if (value.is_boolean())
+        return value.get<bool>() ? "yes" : "no";
+    if (value.is_null())
+        return "none";
+    if (!value.is_structured())
+        return value.dump();
+    std::string out;
+    for (const auto& [key, part] : value.items())
+        out += (out.empty() ? "" : value.is_array() ? " " : ", ") + (value.is_object() ? key + " " : "") + asText(part);
+    return out;
+}
+
+void print(const ordered_json& info) {
+    for (const auto& [key, value] : info.items())
+        std::cout << key << std::string(12 - key.size(), ' ') << asText(value) << "\n";
+}
+
+} // namespace
+
+Action addInfo(CLI::App& command) {
+    auto options = std::make_shared<Options>();
+    command.add_option("MODEL", options->model, modelHelp)->required();
+    command.add_flag("--json", options->json, "print a JSON object, lengths in model units");
+    return [options](Console& console) {
+        const base::Progress progress = console.progress();
+        io::FileModel model = readModel(options->model, process::part(progress, 0, 0.3));
+        console.tell(model.messages);
+        const ordered_json info = describe(std::move(model), progress, console);
+        console.clear();
+        if (options->json)
+            std::cout << info.dump(2, ' ', false, ordered_json::error_handler_t::replace) << "\n";
+        else
+            print(info);
+    };
+}
+
+} // namespace app

@@ -1,0 +1,30 @@
+#include "app/open_model.h"
+
+#include "core/io/formats.h"
+#include "core/process/samples.h"
+#include "core/session/model_argument.h"
+
+#include <nlohmann/json.hpp>
+
+namespace app {
+
+io::FileModel readModel(const std::string& model, const base::Progress& progress) {
+    const nlohmann::json command = session::complete(session::modelCommand(model));
+    if (command.at("op") == "open")
+        return io::read(command.at("path").get<std::string>(), progress);
+    const process::SampleRow& sample = process::sample(command.at("sample").get<std::string>());
+    io::FileModel out;
+    out.points = sample.make(command.value("count", sample.count), command.at("seed").get<std::uint64_t>());
+    out.format = std::string("sample ") + sample.id;
+    return out;
+}
+
+void openModel(session::Context& context, const std::string& model, const nlohmann::json& surface, Console& console) {
+    nlohmann::json command = session::modelCommand(model);
+    command.update(surface);
+    session::run(context, command);
+    console.tell(context.messages);
+    context.messages.clear();
+}
+
+} // namespace app

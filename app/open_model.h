@@ -1,0 +1,20 @@
+// A MODEL argument becomes a document, by the same commands that sessions use (session/model_argument.h).
+#pragma once
+
+#include "app/console.h"
+#include "core/session/command.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace app {
+
+/// What --help says about MODEL.
+constexpr const char* modelHelp = "model file, or sample:NAME[:COUNT[:SEED]] for one made by code";
+
+/// The points of the file or sample as they are, before anything is estimated.
+io::FileModel readModel(const std::string& model, const base::Progress& progress);
+
+/// Opens or makes the model. `surface`: parameters of the surface, may be empty. Messages go to the console.
+void openModel(session::Context& context, const std::string& model, const nlohmann::json& surface, Console& console);
+
+} // namespace app

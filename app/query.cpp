@@ -1,0 +1,151 @@
+// pointclay query: f, its derivatives and projections at positions, as CSV rows in their order.
+#include "app/number_table.h"
+#include "app/open_model.h"
+#include "app/query_columns.h"
+#include "app/subcommand.h"
+#include "app/surface_options.h"
+#include "core/base/parallel.h"
+#include "core/io/safe_file.h"
+
+#include <nlohmann/json.hpp>
+
+namespace app {
+
+using base::Vec3d;
+using base::Vec3f;
+using surface::Need;
+using surface::Surface;
+
+namespace {
+
+/// Rows answered, written and let go together.
+constexpr std::size_t batchSize = 32768;
+
+surface::Evaluationd widened(const surface::Evaluationf& e) {
+    surface::Evaluationd out;
+    out.status = e.status;
+    out.value = e.value;
+    out.centroid = base::cast<double>(e.centroid);
+    out.normal = base::cast<double>(e.normal);
+    out.gradient = base::cast<double>(e.gradient);
+    out.offCentre = e.offCentre;
+    return out;
+}
+
+void answerInDouble(const Surface& surface, const Question& question, std::span<const Vec3d> x, std::span<Answer> out) {
+    base::parallelFor(x.size(), 16, [&](std::size_t i) {
+        if (question.evaluates)
+            out[i].at = surface.evaluateReference(x[i], question.need);
+        if (question.projector)
+            out[i].projection = projectReference(surface, x[i], {*question.projector});
+    });
+}
+
+void answerInFloat(const Surface& surface, const Question& question, std::span<const Vec3d> x, std::span<Answer> out) {
+    std::vector<Vec3f> near(x.size());
+    for (std::size_t i = 0; i < x.size(); ++i)
+        near[i] = base::cast<float>(x[i]);
+    if (question.evaluates) {
+        std::vector<surface::Evaluationf> at(x.size());
+        surface.evaluate(near, std::min(question.need, Need::Gradient), at);
+        for (std::size_t i = 0; i < x.size(); ++i)
+            out[i].at = widened(at[i]);
+    }
+    if (question.projector) {
+        std::vector<surface::Projection<float>> feet(x.size());
+        project(surface, near, {*question.projector}, feet);
+        for (std::size_t i = 0; i < x.size(); ++i) {
+            out[i].projection.status = feet[i].status;
+            out[i].projection.foot = base::cast<double>(feet[i].foot);
+            out[i].projection.iterations = feet[i].iterations;
+        }
+    }
+}
+
+/// Second derivatives are the reference's alone.
+void addCurvature(const Surface& surface, std::span<const Vec3d> x, std::span<Answer> out) {
+    base::parallelFor(x.size(), 16, [&](std::size_t i) {
+        const surface::Evaluationd e = surface.evaluateReference(x[i], Need::Hessian);
+        if (e.ok() || e.status == surface::Status::BeyondBoundary)
+            out[i].curvature = curvature(e);
+    });
+}
+
+/// Answers at positions relative to the origin. What is not finite is nowhere: Status::Outside.
+std::vector<Answer> answer(const Surface& surface, const Question& question, std::span<const Vec3d> x, bool inDouble) {
+    std::vector<std::size_t> places;
+    std::vector<Vec3d> finite;
+    for (std::size_t i = 0; i < x.size(); ++i)
+        if (base::isFinite(base::cast<float>(x[i]))) {
+            places.push_back(i);
+            finite.push_back(x[i]);
+        }
+    std::vector<Answer> found(finite.size()), out(x.size());
+    (inDouble ? answerInDouble : answerInFloat)(surface, question, finite, found);
+    if (question.curvature)
+        addCurvature(surface, finite, found);
+    for (std::size_t k = 0; k < places.size(); ++k)
+        out[places[k]] = found[k];
+    return out;
+}
+
+struct Options {
+    std::string model, points, what, out;
+    std::shared_ptr<SurfaceOptions> surface;
+};
+
+void query(const Options& options, Console& console) {
+    const Question question = parseQuestion(options.what);
+    session::Document document;
+    const base::Progress progress = console.progress();
+    session::Context context{document, {}, progress, {}, 0, {}, nullptr};
+    const std::vector<Vec3d> points = readPoints(options.points, progress);
+    openModel(context, options.model, options.surface->parameters(), console);
+    const Vec3d origin = document.provenance().origin;
+
+    io::SafeFile file(options.out);
+    CsvWriter csv(options.surface->inDouble() ? 17 : 9);
+    file.write(question.header());
+    for (std::size_t begin = 0; begin < points.size(); begin += batchSize) {
+        progress.step(static_cast<double>(begin) / static_cast<double>(points.size()), "Evaluating");
+        const std::size_t end = std::min(points.size(), begin + batchSize);
+        std::vector<Vec3d> x(points.begin() + static_cast<std::ptrdiff_t>(begin),
+                             points.begin() + static_cast<std::ptrdiff_t>(end));
+        for (Vec3d& p : x)
+            p -= origin;
+        const std::vector<Answer> answers = answer(document.surface(), question, x, options.surface->inDouble());
+        for (std::size_t i = 0; i < answers.size(); ++i) {
+            csv.vector(points[begin + i]).word(surface::statusName(question.status(answers[i])));
+            for (const WhatRow* row : question.rows)
+                row->write(csv, answers[i], origin);
+            csv.endRow();
+        }
+        file.write(csv.take());
+    }
+    file.commit();
+}
+
+std::string whatHelp() {
+    std::string out = "comma list of what to compute; the CSV has x,y,z,status and then, in this order,";
+    for (const WhatRow& row : whatTable())
+        out += std::string("\n  ") + row.id + ": " + row.tip + " (" + row.columns + ")";
+    return out +
+           "\n  status: that of the position, or of the projection where the position's is ok; columns without an "
+           "answer hold nan";
+}
+
+} // namespace
+
+Action addQuery(CLI::App& command) {
+    auto options = std::make_shared<Options>();
+    command.add_option("MODEL", options->model, modelHelp)->required();
+    command.add_option("--at", options->points, "positions: text with x y z per line, or any readable model")
+        ->type_name("POINTS")
+        ->required();
+    command.add_option("--what", options->what, whatHelp())->type_name("LIST")->required();
+    command.add_option("-o,--output", options->out, "CSV file to write")->type_name("OUT.csv")->required();
+    options->surface = addSurfaceOptions(command, true);
+    return [options](Console& console) { query(*options, console); };
+}
+
+} // namespace app

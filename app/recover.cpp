@@ -1,0 +1,27 @@
+// pointclay recover: the model as of the last command that a journal holds.
+#include "core/session/recover.h"
+
+#include "app/subcommand.h"
+
+#include <nlohmann/json.hpp>
+
+namespace app {
+
+Action addRecover(CLI::App& command) {
+    struct Options {
+        std::string journal, out;
+    };
+    auto options = std::make_shared<Options>();
+    command.add_option("JOURNAL", options->journal, "journal that a crash has left; it stays")->required();
+    command.add_option("-o,--output", options->out, "model to write")->type_name("OUT")->required();
+    return [options](Console& console) {
+        session::Document document;
+        session::Context context{document, {}, console.progress(), {}, 0, {}, nullptr};
+        session::recover(options->journal, context);
+        context.folder.clear();
+        session::run(context, {{"op", "save"}, {"path", options->out}});
+        console.tell(context.messages);
+    };
+}
+
+} // namespace app

@@ -1,0 +1,119 @@
+// pointclay run: executes a session, with a journal beside it.
+#include "app/open_model.h"
+#include "app/picture.h"
+#include "app/subcommand.h"
+#include "core/base/error.h"
+#include "core/io/safe_file.h"
+#include "core/session/journal.h"
+#include "core/session/session_file.h"
+#include "ui/render/image_io.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+namespace app {
+
+using nlohmann::ordered_json;
+
+namespace {
+
+struct Options {
+    std::string session, model, out, image, timings, journal;
+};
+
+/// The journal of one run: a named one stays, the default one goes with the process's normal end.
+class RunJournal {
+  public:
+    RunJournal(const std::string& path, Console& console) : m_named(!path.empty()) {
+        try {
+            m_journal = std::make_unique<session::Journal>(path);
+        } catch (const base::Error& error) {
+            if (m_named)
+                throw;
+            console.tell(error.message() + "; going on without a journal");
+        }
+    }
+    ~RunJournal() {
+        if (m_journal && !m_named)
+            m_journal->discard();
+    }
+    session::Journal* get() { return m_journal.get(); }
+
+  private:
+    bool m_named;
+    std::unique_ptr<session::Journal> m_journal;
+};
+
+/// The value that a share `q` of the sorted ones does not exceed (nearest rank); 0 for none.
+double quantile(const std::vector<double>& sorted, double q) {
+    if (sorted.empty())
+        return 0;
+    const double rank = std::ceil(q * static_cast<double>(sorted.size()));
+    return sorted[static_cast<std::size_t>(std::max(rank, 1.0)) - 1];
+}
+
+ordered_json timingOf(const session::LineReport& report) {
+    std::vector<double> ms;
+    for (const double seconds : report.dabSeconds)
+        ms.push_back(1000 * seconds);
+    std::sort(ms.begin(), ms.end());
+    return {{"line", report.line},
+            {"op", report.op},
+            {"seconds", report.seconds},
+            {"surfels", report.surfels},
+            {"dabs", ms.size()},
+            {"dab_ms", {{"p50", quantile(ms, 0.5)}, {"p99", quantile(ms, 0.99)}, {"max", quantile(ms, 1)}}}};
+}
+
+void savePicture(const session::Document& document, const std::string& path, const base::Progress& progress) {
+    const surface::Surface& surface = document.surface();
+    PictureStats stats;
+    const render::Camera camera = render::Camera::looking(surface.tree().bounds(), 1280, 720);
+    render::savePng(draw(surface, camera, {}, stats, progress), path);
+}
+
+void run(const Options& options, Console& console) {
+    session::Document document;
+    const base::Progress progress = console.progress();
+    RunJournal journal(options.journal, console);
+    session::Context context{document, {}, progress, {}, 0, {}, journal.get()};
+    if (!options.model.empty())
+        openModel(context, options.model, nlohmann::json::object(), console);
+    ordered_json timings = ordered_json::array();
+    session::ReplayOptions replay;
+    replay.done = [&](const session::LineReport& report) {
+        timings.push_back(timingOf(report));
+        console.tell(context.messages);
+        context.messages.clear();
+    };
+    session::replay(options.session, context, replay);
+    context.folder.clear();
+    if (!options.out.empty())
+        session::run(context, {{"op", "save"}, {"path", options.out}});
+    if (!options.image.empty())
+        savePicture(document, options.image, progress);
+    if (!options.timings.empty())
+        io::writeFile(options.timings, timings.dump(1) + "\n");
+}
+
+} // namespace
+
+Action addRun(CLI::App& command) {
+    auto options = std::make_shared<Options>();
+    command.add_option("SESSION", options->session, "one command as a JSON object per line, such as {\"op\":\"undo\"}")
+        ->type_name("SESSION.jsonl")
+        ->required();
+    command.add_option("--model", options->model, std::string("opened before the first line: ") + modelHelp)
+        ->type_name("MODEL");
+    command.add_option("-o,--output", options->out, "model to write afterwards")->type_name("OUT");
+    command.add_option("--render", options->image, "picture of the result")->type_name("IMAGE.png");
+    command.add_option("--timings", options->timings, "seconds of each line and milliseconds of its dabs, as JSON")
+        ->type_name("OUT.json");
+    command
+        .add_option("--journal", options->journal,
+                    "where to write what was done, for `recover`; default: the XDG state folder, removed at the end")
+        ->type_name("FILE");
+    return [options](Console& console) { run(*options, console); };
+}
+
+} // namespace app

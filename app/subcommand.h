@@ -1,0 +1,39 @@
+// A subcommand is one row of a table (subcommand_table.cpp): name, what it does, an example, and a function that adds
+// its options and returns what runs once they are parsed. One file per subcommand; `--help` and tests loop over the
+// table.
+#pragma once
+
+#include "app/console.h"
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <span>
+
+namespace app {
+
+/// The work of a subcommand. Throws base::Error (exit code 1), UsageError (2), base::Cancelled (1).
+using Action = std::function<void(Console&)>;
+
+struct SubcommandRow {
+    const char* name;
+    const char* tip;
+    const char* example;
+    Action (*add)(CLI::App& command);
+};
+
+std::span<const SubcommandRow> subcommandTable();
+
+/// Options that do not go together: wrong usage, exit code 2.
+struct UsageError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+Action addInfo(CLI::App& command);
+Action addConvert(CLI::App& command);
+Action addQuery(CLI::App& command);
+Action addIntersect(CLI::App& command);
+Action addRender(CLI::App& command);
+Action addRun(CLI::App& command);
+Action addRecover(CLI::App& command);
+
+} // namespace app

@@ -1,0 +1,22 @@
+#include "app/subcommand.h"
+
+namespace app {
+
+std::span<const SubcommandRow> subcommandTable() {
+    static constexpr SubcommandRow rows[] = {
+        {"info", "Tell what is in a model", "pointclay info bunny.ply --json", addInfo},
+        {"convert", "Write a model in another format", "pointclay convert scan.xyz scan.ply", addConvert},
+        {"query", "Evaluate, differentiate and project at positions, into a CSV file",
+         "pointclay query bunny.ply --at points.xyz --what value,normal,project-orthogonal -o out.csv", addQuery},
+        {"intersect", "Meet rays with the surface, into a CSV file",
+         "pointclay intersect bunny.ply --rays rays.csv -o hits.csv", addIntersect},
+        {"render", "Draw a model into an image file, without a window",
+         "pointclay render bunny.ply -o bunny.png --size 800x600 --mode raycast", addRender},
+        {"run", "Execute a session file", "pointclay run session.jsonl --model bunny.ply -o out.ply", addRun},
+        {"recover", "Bring back the model of a journal that a crash has left",
+         "pointclay recover ~/.local/state/pointclay/journal-4711.jsonl -o rescued.ply", addRecover},
+    };
+    return rows;
+}
+
+} // namespace app

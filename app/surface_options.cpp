@@ -1,0 +1,79 @@
+#include "app/surface_options.h"
+
+#include "core/base/error.h"
+#include "core/session/surface_options.h"
+#include "core/surface/definition_text.h"
+
+#include <nlohmann/json.hpp>
+
+namespace app {
+
+using nlohmann::json;
+using session::CommandParameter;
+
+/// A number where the text is one, else the text: what the session's check wants to see.
+static json valueOf(const std::string& text) {
+    const json number = json::parse(text, nullptr, false);
+    return number.is_number() ? number : json(text);
+}
+
+json SurfaceOptions::parameters() const {
+    json out = json::object();
+    for (const auto& [name, value] : given)
+        out[name] = valueOf(value);
+    return out;
+}
+
+static std::string fallbackOf(const std::string& id) {
+    if (id == "manifold")
+        return "surface";
+    return id == "support" ? "" : surface::option({}, id);
+}
+
+static std::string helpOf(const CommandParameter& p) {
+    const std::string_view type = p.type;
+    std::string choices = type == "boolean" ? "on off" : p.choices;
+    for (char& c : choices)
+        c = c == ' ' ? '|' : c;
+    std::string out = p.tip;
+    if (*p.unit)
+        out += std::string(", in ") + p.unit;
+    if (!choices.empty())
+        out += ": " + (type == "number or choice" ? "LIMIT|" + choices : choices);
+    const std::string fallback = fallbackOf(p.id);
+    return fallback.empty() ? out : out + " [" + fallback + ", or what the file says]";
+}
+
+/// The session's own check of one value: "" where it is all right.
+static std::string fault(const std::string& id, const std::string& value) {
+    try {
+        session::complete({{"op", "surface"}, {id, valueOf(value)}});
+        return {};
+    } catch (const base::Error& error) {
+        return error.message();
+    }
+}
+
+std::shared_ptr<SurfaceOptions> addSurfaceOptions(CLI::App& command, bool withPrecision) {
+    auto options = std::make_shared<SurfaceOptions>();
+    CLI::Option* support = nullptr;
+    for (const CommandParameter& p : session::surfaceParameters()) {
+        const std::string id = p.id;
+        CLI::Option* option = command.add_option_function<std::string>(
+            "--" + id, [options, id](const std::string& value) { options->given.emplace_back(id, value); }, helpOf(p));
+        option->group("Surface")->check([id](const std::string& value) { return fault(id, value); });
+        if (id == "support")
+            support = option;
+        else if (id == "neighbours")
+            option->excludes(support);
+    }
+    if (withPrecision)
+        command
+            .add_option("--precision", options->precision, "arithmetic, and digits written: 9 for float, 17 for double")
+            ->group("Surface")
+            ->check(CLI::IsMember({"float", "double"}))
+            ->capture_default_str();
+    return options;
+}
+
+} // namespace app
