@@ -2,6 +2,8 @@
 
 #include "core/io/record_table.h"
 
+#include <algorithm>
+
 namespace io {
 
 static const char* const readable = "convert it to one of PLY, XYZ, TXT, CSV, PTS, PWN, OBJ, OFF or STL";
@@ -13,7 +15,7 @@ struct Unreadable {
     const char* start;     ///< "" where only the extension tells
     const char* name;
 };
-constexpr Unreadable unreadables[] = {{"las", "LASF", "LAS"},
+constexpr Unreadable unreadables[] = {{"las", "LASF", "LAS or LAZ"},
                                       {"laz", "", "LAZ"},
                                       {"e57", "ASTM-E57", "E57"},
                                       {"pcd", "# .PCD", "PCD"},

@@ -7,8 +7,11 @@
 namespace io {
 
 static constexpr FormatRow table[] = {
-    {"ply", "Polygon file", "ply", readPly, nullptr},
-    {"xyz", "Points as text", "xyz txt csv pts asc pwn", readText, nullptr},
+    {"ply", "Polygon file", "ply", readPly, writePly},
+    {"xyz", "Points as text", "xyz txt csv pts asc pwn", readText, writeText},
+    {"obj", "Wavefront OBJ", "obj", readObj, writeObj},
+    {"off", "Object file", "off coff noff cnoff", readOff, nullptr},
+    {"stl", "Stereolithography", "stl", readStl, nullptr},
 };
 
 std::span<const FormatRow> formatTable() {

@@ -109,9 +109,7 @@ void PlyReader::finish() {
     for (const PlyProperty& property : m_header.elements[m_vertex].properties)
         if (property.isList)
             m_model.messages.push_back("The list property " + inQuotes(property.name) + " of the points was left out.");
-    if (m_model.faces > 0)
-        m_model.messages.push_back("The file's " + std::to_string(m_model.faces) +
-                                   " faces are not used and will not be written back.");
+    addFacesMessage(m_model);
 }
 
 FileModel PlyReader::read() {

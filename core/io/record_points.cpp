@@ -45,6 +45,19 @@ void runSlabs(std::size_t n, const ProgressSpan& progress,
     }
 }
 
+/// A name under which every format can write the attribute and find it again: no blanks, no name of a fixed channel,
+/// and no name twice.
+std::string attributeName(std::string name, const surfel::AttributeLayout& layout) {
+    for (char& c : name)
+        c = c > ' ' && c < 0x7f && c != ',' && c != ';' && c != '"' ? c : '_';
+    if (name.empty())
+        name = "unnamed";
+    std::string out = name;
+    for (int copy = 2; isChannelName(out) || layout.find(out); ++copy)
+        out = name + "_" + std::to_string(copy);
+    return out;
+}
+
 /// The conversion of one table; each method takes one role for a range of rows.
 class PointMaker {
   public:
@@ -133,10 +146,7 @@ void PointMaker::makeLayout(const PointOptions& options) {
     layout->colours = m_roles.hasColours();
     layout->masks = m_roles.mask != RecordRoles::none;
     for (const int index : m_roles.attributes) {
-        std::string name = field(index).name;
-        for (int copy = 2; layout->find(name); ++copy)
-            name = field(index).name + "_" + std::to_string(copy);
-        layout->add(name, field(index).declared);
+        layout->add(attributeName(field(index).name, *layout), field(index).declared);
     }
     m_points.layout = layout;
 }
@@ -310,6 +320,13 @@ void makePoints(FileModel& model, const FileBytes& file, const RecordTable& tabl
     if (table.count == 0)
         file.fail("holds no points", "choose a file with at least one");
     PointMaker(model, file, table, roles).run(options, progress);
+}
+
+void addFacesMessage(FileModel& model) {
+    if (model.faces > 0)
+        model.messages.push_back(model.faces == 1 ? "The file's face is not used and will not be written back."
+                                                  : "The file's " + std::to_string(model.faces) +
+                                                        " faces are not used and will not be written back.");
 }
 
 } // namespace io

@@ -36,4 +36,7 @@ struct PointOptions {
 void makePoints(FileModel& model, const FileBytes& file, const RecordTable& table, const RecordRoles& roles,
                 const PointOptions& options, const ProgressSpan& progress);
 
+/// Tells that the faces, if there are any, are not used.
+void addFacesMessage(FileModel& model);
+
 } // namespace io

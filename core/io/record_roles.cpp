@@ -58,6 +58,14 @@ constexpr const char* colourNames[][4] = {{"red", "green", "blue", "alpha"},
 
 } // namespace
 
+bool isChannelName(const std::string& name) {
+    static constexpr std::string_view names[] = {
+        "x",     "y",    "z",     "nx",      "ny",      "nz",      "red",
+        "green", "blue", "alpha", "local_x", "local_y", "local_z", "support_radius",
+        "mask"};
+    return std::find(std::begin(names), std::end(names), lower(name)) != std::end(names);
+}
+
 RecordRoles rolesOf(const std::vector<Field>& fields, bool native) {
     Columns columns(fields);
     RecordRoles roles;

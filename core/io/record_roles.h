@@ -23,8 +23,13 @@ struct RecordRoles {
     bool hasLocals() const { return local[0] != none; }
 };
 
+/// Names of the colour channel in what we write.
+constexpr const char* channelColours[4] = {"red", "green", "blue", "alpha"};
 /// Names that the native format adds where an origin makes double coordinates too coarse for the floats inside.
 constexpr const char* localNames[3] = {"local_x", "local_y", "local_z"};
+
+/// Whether the writers use the name for a fixed channel, in any case of letters.
+bool isChannelName(const std::string& name);
 
 /// By the names that scanners and mesh programs use, in any case. Normals and colours count only when all three of
 /// them are there. `native`: the file is ours, so that local_x, local_y, local_z are the exact positions.

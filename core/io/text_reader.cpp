@@ -171,6 +171,8 @@ void TextReader::typeColumns(const std::vector<ColumnFacts>& facts) {
         ScalarType type = facts[c].integers && reach <= 2147483647.0 ? ScalarType::Int32 : ScalarType::Float32;
         if (!facts[c].integers && reach > 1e5)
             type = ScalarType::Float64;
+        if (lower(m_tableNames[c]) == "mask") // ours, though all of its values may be 0
+            type = ScalarType::Float32;
         m_table.fields.push_back({m_tableNames[c], ScalarType::Float64, type, c * sizeof(double)});
     }
 }

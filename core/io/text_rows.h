@@ -1,12 +1,10 @@
 // Lines of numbers, parsed in parallel: the bodies of ascii PLY, XYZ and its relatives, and OFF.
 //
-// A row is a line that holds something: blank lines and comment lines are none. Lines end in LF, CRLF or, where a file
-// has no LF at all, CR. The text is cut into chunks of about a megabyte at line ends; what comes out does not depend on
-// the cuts. Errors name the first wrong line, whatever thread found it.
+// A row is a line that holds something: blank lines and comment lines are none. What comes out does not depend on the
+// chunks into which text_lines.h cuts the text. Errors name the first wrong line, whatever thread found it.
 #pragma once
 
-#include "core/io/file_bytes.h"
-#include "core/io/record_points.h"
+#include "core/io/text_lines.h"
 
 #include <span>
 
@@ -27,7 +25,7 @@ class TextRows {
     /// Byte in the file at which row k starts. REQUIRES: k < count().
     std::size_t offset(std::size_t k) const;
     /// Row k without its line end. REQUIRES: k < count().
-    std::string_view row(std::size_t k) const { return lineAt(offset(k)); }
+    std::string_view row(std::size_t k) const { return m_lines.lineAt(offset(k)); }
     /// Rows from the k-th on, in order, until `body(row)` returns false.
     template <class Body>
     void forRows(std::size_t k, const Body& body) const;
@@ -46,18 +44,12 @@ class TextRows {
   private:
     enum class Fault { None, TooFew, TooMany, NotANumber };
     struct Cursor;
-    std::string_view text() const { return m_file.bytes(); }
-    std::string_view lineAt(std::size_t offset) const;
-    std::size_t nextLine(std::size_t offset) const;
-    std::size_t chunkStart(std::size_t chunk) const;
     bool isRow(std::string_view line) const;
     Fault parseRow(std::string_view line, std::span<const int> targets, double* out, std::size_t& found) const;
     [[noreturn]] void fail(std::size_t offset, std::span<const int> targets) const;
 
-    const FileBytes& m_file;
-    std::size_t m_begin;
+    TextLines m_lines;
     RowRules m_rules;
-    char m_end = '\n';
     std::size_t m_count = 0;
     std::vector<std::size_t> m_firstRow; ///< per chunk
 };
@@ -66,8 +58,8 @@ template <class Body>
 void TextRows::forRows(std::size_t k, const Body& body) const {
     if (k >= m_count)
         return;
-    for (std::size_t at = offset(k); at < text().size(); at = nextLine(at)) {
-        const std::string_view line = lineAt(at);
+    for (std::size_t at = offset(k); at < m_lines.text().size(); at = m_lines.nextLine(at)) {
+        const std::string_view line = m_lines.lineAt(at);
         if (isRow(line) && !body(line))
             return;
     }

@@ -1,0 +1,256 @@
+// Wavefront OBJ: its vertices, with colours where `v` carries them, and normals where `vn` can be told to belong to
+// vertices: by the corners of faces (corners of one vertex that disagree are averaged), else by equal counts.
+#include "core/io/number_text.h"
+#include "core/io/readers.h"
+#include "core/io/record_points.h"
+#include "core/io/text_lines.h"
+
+#include <algorithm>
+#include <charconv>
+
+namespace io {
+
+namespace {
+
+constexpr std::uint32_t noNormal = std::numeric_limits<std::uint32_t>::max();
+
+enum class Statement { Other, Vertex, Normal, Face };
+
+void skipBlanks(std::string_view& line) {
+    while (!line.empty() && isBlank(line.front()))
+        line.remove_prefix(1);
+}
+
+/// What a line says; `line` becomes what follows the word.
+Statement takeStatement(std::string_view& line) {
+    skipBlanks(line);
+    const auto follows = [&](std::string_view word) {
+        return line.starts_with(word) && line.size() > word.size() && isBlank(line[word.size()]);
+    };
+    const Statement out = follows("v")    ? Statement::Vertex
+                          : follows("vn") ? Statement::Normal
+                          : follows("f")  ? Statement::Face
+                                          : Statement::Other;
+    line.remove_prefix(out == Statement::Other ? 0 : out == Statement::Normal ? 2 : 1);
+    return out;
+}
+
+/// Up to `most` numbers; returns how many there were.
+std::size_t takeNumbers(std::string_view line, double* out, std::size_t most) {
+    std::size_t n = 0;
+    for (skipBlanks(line); n < most && !line.empty() && line.front() != '#'; skipBlanks(line)) {
+        const char* after = parseNumber(line.data(), line.data() + line.size(), out[n]);
+        if (!after)
+            break;
+        line.remove_prefix(static_cast<std::size_t>(after - line.data()));
+        ++n;
+    }
+    return n;
+}
+
+/// A vertex and a normal that a corner of a face brings together.
+struct Corner {
+    std::uint32_t vertex, normal;
+    auto operator<=>(const Corner&) const = default;
+};
+
+struct Counts {
+    std::size_t vertices = 0, normals = 0, faces = 0;
+    Counts& operator+=(const Counts& o) {
+        return vertices += o.vertices, normals += o.normals, faces += o.faces, *this;
+    }
+};
+
+class ObjReader {
+  public:
+    ObjReader(const path& name, const base::Progress& progress)
+        : m_file(name), m_lines(m_file, 0), m_progress(progress), m_before(m_lines.chunks() + 1),
+          m_corners(m_lines.chunks()) {}
+    FileModel read();
+
+  private:
+    void count();
+    std::size_t parse(std::size_t chunk);
+    void takeCorners(std::string_view line, const Counts& at, std::vector<Corner>& out) const;
+    bool takeCorner(std::string_view word, const Counts& at, Corner& out) const;
+    std::vector<base::Vec3d> vertexNormals();
+    std::vector<base::Vec3d> normalsByCorners();
+    void fillTable(const std::vector<base::Vec3d>& normals);
+    const Counts& all() const { return m_before.back(); }
+
+    FileBytes m_file;
+    TextLines m_lines;
+    const base::Progress& m_progress;
+    FileModel m_model;
+    std::vector<Counts> m_before; ///< statements before each chunk
+    std::size_t m_width = 3;      ///< numbers of a vertex: 6 with colours
+    std::vector<double> m_vertices;
+    std::vector<base::Vec3d> m_normals;
+    std::vector<std::vector<Corner>> m_corners; ///< per chunk
+    RecordTable m_table;
+};
+
+void ObjReader::count() {
+    std::vector<std::size_t> first(m_lines.chunks(), TextLines::none);
+    m_lines.run({m_progress, 0, 0.2}, [&](std::size_t chunk) {
+        Counts& counts = m_before[chunk + 1];
+        m_lines.forLines(chunk, [&](std::size_t at, std::string_view line) {
+            const Statement statement = takeStatement(line);
+            counts.vertices += statement == Statement::Vertex ? 1 : 0;
+            counts.normals += statement == Statement::Normal ? 1 : 0;
+            counts.faces += statement == Statement::Face ? 1 : 0;
+            if (statement == Statement::Vertex)
+                first[chunk] = std::min(first[chunk], at);
+            return true;
+        });
+        return TextLines::none;
+    });
+    for (std::size_t chunk = 0; chunk < m_lines.chunks(); ++chunk)
+        m_before[chunk + 1] += m_before[chunk];
+    if (all().vertices == 0)
+        m_file.fail("holds no points", "choose an OBJ file with 'v' lines");
+    if (all().vertices >= noNormal || all().normals >= noNormal)
+        m_file.fail("holds more than 4 thousand million vertices", "split the file");
+    std::string_view line = m_lines.lineAt(*std::min_element(first.begin(), first.end()));
+    takeStatement(line);
+    double numbers[8];
+    m_width = takeNumbers(line, numbers, 8) >= 6 ? 6 : 3;
+}
+
+/// The corner "v", "v/t", "v//n" or "v/t/n", numbered from 1 or, below 0, back from the last one so far.
+bool ObjReader::takeCorner(std::string_view word, const Counts& at, Corner& out) const {
+    const std::size_t slash = word.rfind('/');
+    if (slash == std::string_view::npos || word.find('/') == slash)
+        return false;
+    const auto index = [](std::string_view text, std::size_t sofar, std::size_t total, std::uint32_t& to) {
+        std::int64_t value = 0;
+        const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
+        value += value < 0 ? static_cast<std::int64_t>(sofar) : -1;
+        to = static_cast<std::uint32_t>(value);
+        return code == std::errc() && value >= 0 && value < static_cast<std::int64_t>(total);
+    };
+    return index(word.substr(0, word.find('/')), at.vertices, all().vertices, out.vertex) &&
+           index(word.substr(slash + 1), at.normals, all().normals, out.normal);
+}
+
+void ObjReader::takeCorners(std::string_view line, const Counts& at, std::vector<Corner>& out) const {
+    for (skipBlanks(line); !line.empty() && line.front() != '#'; skipBlanks(line)) {
+        std::size_t size = 0;
+        while (size < line.size() && !isBlank(line[size]))
+            ++size;
+        Corner corner{};
+        if (takeCorner(line.substr(0, size), at, corner))
+            out.push_back(corner);
+        line.remove_prefix(size);
+    }
+}
+
+std::size_t ObjReader::parse(std::size_t chunk) {
+    Counts at = m_before[chunk];
+    std::size_t fault = TextLines::none;
+    m_lines.forLines(chunk, [&](std::size_t offset, std::string_view line) {
+        double numbers[7] = {0, 0, 0, 1, 1, 1, 1};
+        switch (takeStatement(line)) {
+        case Statement::Vertex: {
+            const std::size_t found = takeNumbers(line, numbers, 7);
+            if (found < 3)
+                fault = offset;
+            double* const out = m_vertices.data() + at.vertices++ * m_width;
+            std::copy_n(numbers, 3, out);
+            // Seven numbers are x y z w r g b.
+            std::copy_n(numbers + (found == 7 ? 4 : 3), m_width - 3, out + 3);
+            break;
+        }
+        case Statement::Normal:
+            if (takeNumbers(line, numbers, 3) < 3)
+                fault = offset;
+            m_normals[at.normals++] = {numbers[0], numbers[1], numbers[2]};
+            break;
+        case Statement::Face:
+            if (!m_normals.empty())
+                takeCorners(line, at, m_corners[chunk]);
+            break;
+        case Statement::Other:
+            break;
+        }
+        return fault == TextLines::none;
+    });
+    return fault;
+}
+
+/// One normal keeps its bits; several different ones are added up in the order of their numbers.
+std::vector<base::Vec3d> ObjReader::normalsByCorners() {
+    std::vector<std::uint32_t> first(all().vertices, noNormal);
+    std::vector<Corner> further;
+    for (const auto& corners : m_corners)
+        for (const Corner& corner : corners) {
+            if (first[corner.vertex] == noNormal)
+                first[corner.vertex] = corner.normal;
+            else if (first[corner.vertex] != corner.normal)
+                further.push_back(corner);
+        }
+    std::sort(further.begin(), further.end());
+    further.erase(std::unique(further.begin(), further.end()), further.end());
+    std::vector<base::Vec3d> out(first.size());
+    for (std::size_t i = 0; i < first.size(); ++i)
+        if (first[i] != noNormal)
+            out[i] = m_normals[first[i]];
+    for (const Corner& corner : further)
+        out[corner.vertex] += m_normals[corner.normal];
+    return out;
+}
+
+/// One per vertex, zero where unknown; empty where the file has none or does not tell whose they are.
+std::vector<base::Vec3d> ObjReader::vertexNormals() {
+    if (m_normals.empty())
+        return {};
+    const bool cornersTell = std::any_of(m_corners.begin(), m_corners.end(), [](const auto& c) { return !c.empty(); });
+    if (cornersTell)
+        return normalsByCorners();
+    if (m_normals.size() == all().vertices)
+        return std::move(m_normals);
+    m_model.messages.push_back("The normals were left out because no face tells to which points they belong.");
+    return {};
+}
+
+void ObjReader::fillTable(const std::vector<base::Vec3d>& normals) {
+    const std::size_t columns = m_width + (normals.empty() ? 0 : 3);
+    static constexpr const char* names[] = {"x", "y", "z", "red", "green", "blue"};
+    static constexpr const char* normalNames[] = {"nx", "ny", "nz"};
+    for (std::size_t c = 0; c < columns; ++c)
+        m_table.fields.push_back({c < m_width ? names[c] : normalNames[c - m_width], ScalarType::Float64,
+                                  ScalarType::Float64, c * sizeof(double)});
+    double* const out = m_table.allocateDoubles(all().vertices, columns);
+    base::parallelFor(all().vertices, 4096, [&](std::size_t i) {
+        std::copy_n(m_vertices.data() + i * m_width, m_width, out + i * columns);
+        if (!normals.empty())
+            for (std::size_t k = 0; k < 3; ++k)
+                out[i * columns + m_width + k] = normals[i][k];
+    });
+    m_vertices = {};
+}
+
+FileModel ObjReader::read() {
+    if (m_file.bytes().substr(0, 4096).find('\0') != std::string_view::npos)
+        m_file.fail("is binary, not an OBJ text", "choose an OBJ file or convert it to PLY");
+    count();
+    m_vertices.resize(all().vertices * m_width);
+    m_normals.resize(all().normals);
+    const std::size_t fault = m_lines.run({m_progress, 0.2, 0.7}, [&](std::size_t chunk) { return parse(chunk); });
+    if (fault != TextLines::none)
+        m_file.failAt(fault, "needs three numbers", "correct the line or remove it");
+    fillTable(vertexNormals());
+    m_model.format = "obj";
+    m_model.faces = all().faces;
+    makePoints(m_model, m_file, m_table, rolesOf(m_table.fields, false), {}, {m_progress, 0.7, 1});
+    addFacesMessage(m_model);
+    return std::move(m_model);
+}
+
+} // namespace
+
+FileModel readObj(const path& file, const base::Progress& progress) {
+    return ObjReader(file, progress).read();
+}
+
+} // namespace io

@@ -1,0 +1,113 @@
+// Object File Format (Geomview), in ascii: OFF, COFF, NOFF and their mixtures, vertices only. Comments begin with '#'.
+#include "core/io/number_text.h"
+#include "core/io/readers.h"
+#include "core/io/record_points.h"
+#include "core/io/text_rows.h"
+
+#include <optional>
+
+namespace io {
+
+namespace {
+
+const char* const cutOff = "the file is damaged or was cut off; fetch it again";
+
+class OffReader {
+  public:
+    OffReader(const path& name, const base::Progress& progress) : m_file(name), m_progress(progress) {}
+    FileModel read();
+
+  private:
+    void readHead(const TextRows& rows);
+    void nameColumns(std::size_t columns);
+
+    FileBytes m_file;
+    const base::Progress& m_progress;
+    FileModel m_model;
+    RecordTable m_table;
+    std::string m_prefix; ///< of the word OFF: ST, C, N
+    std::size_t m_vertices = 0, m_faces = 0, m_firstRow = 0;
+};
+
+/// The word, which may be missing, and the counts behind or below it.
+void OffReader::readHead(const TextRows& rows) {
+    if (rows.count() == 0)
+        m_file.fail("holds no points", "choose a file with at least one");
+    auto fields = rows.fields(rows.row(0));
+    if (fields[0].ends_with("OFF")) {
+        m_prefix = fields[0].substr(0, fields[0].size() - 3);
+        fields.erase(fields.begin());
+        if (!fields.empty() && fields[0] == "BINARY")
+            m_file.fail("is a binary OFF file, which cannot be read", "save it as ascii OFF or as PLY");
+        if (m_prefix.find_first_of("4n") != std::string::npos)
+            m_file.fail("has points of other than three dimensions", "save it as plain OFF");
+        ++m_firstRow;
+    }
+    if (fields.empty() && m_firstRow < rows.count())
+        fields = rows.fields(rows.row(m_firstRow++));
+    else if (m_firstRow == 0)
+        ++m_firstRow;
+    const auto vertices = fields.empty() ? std::optional<std::uint64_t>() : countOf(fields[0]);
+    const auto faces = fields.size() > 1 ? countOf(fields[1]) : std::optional<std::uint64_t>();
+    if (!vertices || !faces)
+        m_file.fail("does not tell how many vertices and faces it has", "the file is damaged or no OFF file");
+    const std::size_t left = rows.count() - m_firstRow;
+    if (*vertices > left || *faces > left - *vertices)
+        m_file.fail("promises " + std::to_string(*vertices) + " vertices and " + std::to_string(*faces) +
+                        " faces, but holds " + std::to_string(left) + " lines of them",
+                    cutOff);
+    if (*vertices == 0)
+        m_file.fail("holds no points", "choose a file with at least one");
+    m_vertices = *vertices;
+    m_faces = *faces;
+}
+
+/// x y z, then normals (N), colours (C) and texture coordinates (ST). Many programs write colours and still call it
+/// OFF: three or four numbers too many are colours.
+void OffReader::nameColumns(std::size_t columns) {
+    std::vector<std::string> names{"x", "y", "z"};
+    if (m_prefix.find('N') != std::string::npos)
+        names.insert(names.end(), {"nx", "ny", "nz"});
+    const std::size_t texture = m_prefix.starts_with("ST") ? 2 : 0;
+    const std::size_t colours = columns - std::min(columns, names.size() + texture);
+    if (colours == 3 || colours == 4)
+        names.insert(names.end(), {"red", "green", "blue", "alpha"});
+    names.resize(std::min(names.size(), columns - std::min(columns, texture)));
+    while (names.size() < columns)
+        names.push_back("column_" + std::to_string(names.size() + 1));
+    for (std::size_t c = 0; c < columns; ++c)
+        m_table.fields.push_back({names[c], ScalarType::Float64,
+                                  c < 3 || names[c][0] != 'c' ? ScalarType::Float64 : ScalarType::Float32,
+                                  c * sizeof(double)});
+}
+
+FileModel OffReader::read() {
+    if (m_file.bytes().substr(0, 4096).find('\0') != std::string_view::npos)
+        m_file.fail("is binary, not an OFF text", "save it as ascii OFF or as PLY");
+    const TextRows rows(m_file, 0, {.comments = true}, {m_progress, 0, 0.2});
+    readHead(rows);
+    const std::size_t columns = rows.fields(rows.row(m_firstRow)).size();
+    if (columns < 3 || columns > 1000)
+        m_file.failAt(rows.offset(m_firstRow), "holds " + std::to_string(columns) + " numbers where a vertex needs 3",
+                      cutOff);
+    nameColumns(columns);
+    std::vector<int> targets;
+    for (std::size_t c = 0; c < columns; ++c)
+        targets.push_back(static_cast<int>(c));
+    rows.checkRoom(m_vertices, columns);
+    double* const out = m_table.allocateDoubles(m_vertices, columns);
+    rows.parse(m_firstRow, m_vertices, targets, columns, out, {m_progress, 0.2, 0.7});
+    m_model.format = "off";
+    m_model.faces = m_faces;
+    makePoints(m_model, m_file, m_table, rolesOf(m_table.fields, false), {}, {m_progress, 0.7, 1});
+    addFacesMessage(m_model);
+    return std::move(m_model);
+}
+
+} // namespace
+
+FileModel readOff(const path& file, const base::Progress& progress) {
+    return OffReader(file, progress).read();
+}
+
+} // namespace io
