@@ -46,10 +46,10 @@ class Cloud {
 
 template <class Body>
 void Cloud::forEach(std::size_t k, const base::Progress& progress, const char* what, const Body& body) const {
-    constexpr std::size_t slab = 32768; // some 20 ms between two looks at `cancel`
+    constexpr std::size_t slab = 8192; // some 20 ms of work between two looks at `cancel`
     for (std::size_t from = 0; from < size(); from += slab) {
         progress.step(static_cast<double>(from) / static_cast<double>(size()), what);
-        base::parallelChunks(std::min(slab, size() - from), 512, [&](std::size_t begin, std::size_t end, std::size_t) {
+        base::parallelChunks(std::min(slab, size() - from), 256, [&](std::size_t begin, std::size_t end, std::size_t) {
             Neighbours neighbours;
             for (std::size_t i = from + begin; i < from + end; ++i) {
                 nearest(i, k, neighbours);

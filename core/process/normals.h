@@ -9,8 +9,8 @@ namespace process {
 /// Unit normals without a meaningful sign; sets layout->normals. In parallel, deterministic.
 void estimateNormals(surfel::SurfelList& points, int neighbours = 18, const base::Progress& progress = {});
 
-/// Flips normals so that neighbours agree (spanning tree by likeness, seeded by the outermost point of each component,
-/// which must look outward); sets layout->oriented. Deterministic.
-void orientNormals(surfel::SurfelList& points, int neighbours = 18, const base::Progress& progress = {});
+/// Flips normals so that neighbours agree (spanning tree by likeness; the outermost points of each component must look
+/// outward); sets layout->oriented. In parallel, deterministic.
+void orientNormals(surfel::SurfelList& points, int neighbours = 12, const base::Progress& progress = {});
 
 } // namespace process

@@ -18,21 +18,20 @@ struct Edge {
     std::uint32_t a, b;
 };
 
-/// Cosine between the normal at b and the one that a circular arc from a to b would carry there: the normal at a
-/// mirrored in the plane halfway. Exact on spheres and cylinders, and right across sharp edges, where n_a . n_b is 0.
-float arcCosine(const base::Vec3f& a, const base::Vec3f& na, const base::Vec3f& b, const base::Vec3f& nb) {
-    const base::Vec3f e = base::normalized(b - a);
-    return base::dot(na, nb) - 2 * base::dot(na, e) * base::dot(nb, e);
-}
-
 struct Likeness {
     bool flip;
     std::uint16_t unlike; ///< 0 certain to classes - 1
 };
 
+/// Compares the normal at b with the one that a circular arc from a to b would carry there, the normal at a mirrored in
+/// the plane halfway: exact on spheres and cylinders, and right across sharp edges, where n_a . n_b is 0. An edge along
+/// the normals joins two layers or two sides of something thin, and nobody can tell which: it comes last.
 Likeness likeness(const base::Vec3f& a, const base::Vec3f& na, const base::Vec3f& b, const base::Vec3f& nb) {
-    const float arc = arcCosine(a, na, b, nb);
-    const float unlike = 1 - std::min(std::abs(arc), 1.0f);
+    const base::Vec3f e = base::normalized(b - a);
+    const float alongA = base::dot(na, e), alongB = base::dot(nb, e);
+    const float arc = base::dot(na, nb) - 2 * alongA * alongB;
+    const float steep = std::max(alongA * alongA, alongB * alongB);
+    const float unlike = std::clamp(1 - std::abs(arc) * (1 - steep), 0.0f, 1.0f);
     return {arc < 0, static_cast<std::uint16_t>(unlike * (classes - 1))};
 }
 

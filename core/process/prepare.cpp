@@ -9,6 +9,7 @@
 #include "core/process/supports_of.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace process {
 
@@ -16,6 +17,8 @@ namespace {
 
 using surface::Boundary;
 using surface::SurfaceDefinition;
+
+constexpr int orientNeighbours = 12;
 
 void dropNonFinite(surfel::SurfelList& points) {
     const std::size_t words = points.layout->words();
@@ -58,7 +61,7 @@ void completeNormals(surfel::SurfelList& points, const Cloud& cloud, const base:
     std::vector<base::Vec3f> normals = normalsOf(cloud, 18, part(progress, 0, 0.5));
     const bool some = std::any_of(points.items.begin(), points.items.end(), hasNormal);
     if (!some)
-        orient(cloud, normals, 18, part(progress, 0.5, 1));
+        orient(cloud, normals, orientNeighbours, part(progress, 0.5, 1));
     std::vector<base::Vec3f> known(cloud.size());
     for (std::size_t i = 0; i < points.size(); ++i)
         known[cloud.places()[i]] += points.items[i].normal;
@@ -75,7 +78,33 @@ void completeNormals(surfel::SurfelList& points, const Cloud& cloud, const base:
     }
 }
 
-void prepareNormals(surfel::SurfelList& points, const Cloud& cloud, const SurfaceDefinition& definition,
+/// Neighbourhoods are found where something must be estimated: a file that brings everything opens without them.
+class LazyCloud {
+  public:
+    LazyCloud(const surfel::SurfelList& points, const base::Progress& progress)
+        : m_points(points), m_progress(progress) {}
+    const Cloud& operator*() {
+        if (!m_cloud)
+            m_cloud.emplace(m_points.items, m_progress);
+        return *m_cloud;
+    }
+
+  private:
+    const surfel::SurfelList& m_points;
+    base::Progress m_progress;
+    std::optional<Cloud> m_cloud;
+};
+
+/// Distinct positions, counted up to 4.
+std::size_t fewDistinct(const surfel::SurfelList& points) {
+    std::vector<base::Vec3f> seen;
+    for (std::size_t i = 0; i < points.size() && seen.size() < 4; ++i)
+        if (std::find(seen.begin(), seen.end(), points.items[i].position) == seen.end())
+            seen.push_back(points.items[i].position);
+    return seen.size();
+}
+
+void prepareNormals(surfel::SurfelList& points, LazyCloud& cloud, const SurfaceDefinition& definition,
                     const base::Progress& progress) {
     const bool declared = points.layout->normals;
     if (!declared)
@@ -84,24 +113,24 @@ void prepareNormals(surfel::SurfelList& points, const Cloud& cloud, const Surfac
     makeUnit(points);
     const bool oriented = points.layout->oriented || !declared;
     if (!std::all_of(points.items.begin(), points.items.end(), hasNormal))
-        completeNormals(points, cloud, part(progress, 0, 0.7));
+        completeNormals(points, *cloud, part(progress, 0, 0.7));
     if (oriented)
         setOriented(points);
     else if (definition.frame == surface::Frame::Normals)
-        orientNormals(points, 18, part(progress, 0.7, 1));
+        orientNormals(points, orientNeighbours, part(progress, 0.7, 1));
 }
 
-void prepareSupports(surfel::SurfelList& points, const Cloud& cloud, const PrepareOptions& options,
+void prepareSupports(surfel::SurfelList& points, LazyCloud& cloud, const PrepareOptions& options,
                      const base::Progress& progress) {
     const auto keeps = [&](const surfel::Surfel& s) {
         return options.keepSupports && s.support > 0 && std::isfinite(s.support);
     };
     if (std::all_of(points.items.begin(), points.items.end(), keeps))
         return;
-    const std::vector<float> h = supportsOf(cloud, options.definition, progress);
+    const std::vector<float> h = supportsOf(*cloud, options.definition, progress);
     for (std::size_t i = 0; i < points.size(); ++i)
         if (!keeps(points.items[i]))
-            points.items[i].support = h[cloud.places()[i]];
+            points.items[i].support = h[(*cloud).places()[i]];
 }
 
 surface::Surface withLimit(tree::SurfelTree tree, SurfaceDefinition definition, const base::Progress& progress) {
@@ -143,10 +172,11 @@ tree::SurfelTree withSupports(const tree::SurfelTree& tree, const SurfaceDefinit
 
 surface::Surface prepare(surfel::SurfelList points, const PrepareOptions& options, const base::Progress& progress) {
     dropNonFinite(points);
-    const Cloud cloud(points.items, part(progress, 0, 0.1));
-    if (cloud.size() < 4)
-        throw base::Error("a surface needs at least 4 distinct points, here are " + std::to_string(cloud.size()), "",
+    if (const std::size_t distinct = fewDistinct(points); distinct < 4)
+        throw base::Error("a surface needs at least 4 distinct points, here are " + std::to_string(distinct), "",
                           "open a model with more points");
+    const base::Progress indexing = part(progress, 0, 0.1);
+    LazyCloud cloud(points, indexing);
     prepareNormals(points, cloud, options.definition, part(progress, 0.1, 0.6));
     prepareSupports(points, cloud, options, part(progress, 0.6, 0.8));
     return withLimit(tree::SurfelTree::build(points, part(progress, 0.8, 0.9)), options.definition,

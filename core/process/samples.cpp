@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/process/block_of_clay.h"
+#include "core/process/simulated_scan.h"
 #include "core/process/tube.h"
 
 #include <algorithm>
@@ -65,6 +66,7 @@ constexpr SampleRow table[] = {
     {"torus", "Torus", "A ring", makeTorus, 40000},
     {"knot", "Knot", "A trefoil knot", makeKnot, 40000},
     {"clay", "Block of clay", "A block with rounded edges, to start sculpting from", makeClay, 60000},
+    {"scan", "Simulated scan", "Raw points of a figure: several views, noise, holes, no normals", simulateScan, 60000},
 };
 
 } // namespace
