@@ -3,6 +3,7 @@
 #include "core/base/parallel.h"
 #include "core/surface/evaluate.h"
 
+#include <algorithm>
 #include <cassert>
 
 namespace surface {
@@ -25,11 +26,11 @@ class Projecting {
         if (!usable(m_at) && !recover())
             return result(m_at.status);
         for (m_iterations = 1; m_iterations <= m_options.maxIterations; ++m_iterations) {
-            const base::Vec3<T> step = (target() - m_y) * m_damping;
-            const T distance = length(step);
-            if (distance <= smallest())
+            const base::Vec3<T> way = target() - m_y;
+            if (length(way) <= smallest())
                 return settled();
-            damp(distance);
+            relax(way);
+            const base::Vec3<T> step = way * m_relaxation;
             if (!advance(m_y + step))
                 return result(m_at.status);
         }
@@ -43,10 +44,13 @@ class Projecting {
     Need iterationNeed() const { return m_options.projector == Projector::Orthogonal ? Need::Gradient : Need::Value; }
     Evaluation<T> evaluate(const base::Vec3<T>& y) const { return evaluateAt(m_surface, y, iterationNeed(), m_hint); }
 
-    /// Last step that counts as standing still: the tolerance, but not below what positions can tell apart.
+    /// Last step that counts as standing still: the tolerance, but not below what positions can tell apart, nor below
+    /// what the last bits of the direction do to the foot of a distant position.
     T smallest() const {
+        constexpr T epsilon = std::numeric_limits<T>::epsilon();
         const T size = std::max({std::abs(m_y.x), std::abs(m_y.y), std::abs(m_y.z)});
-        return std::max(static_cast<T>(m_tolerance) * m_at.unit, T(2) * std::numeric_limits<T>::epsilon() * size);
+        const T afar = m_options.projector == Projector::Basic ? T(0) : length(m_x0 - m_y);
+        return std::max(static_cast<T>(m_tolerance) * m_at.unit, epsilon * (T(2) * size + T(8) * afar));
     }
 
     /// Where the plane at y sends the base point b: b - v (f + v'.(b - y)) / (v.v'), along v = n or g. Linearising f
@@ -64,15 +68,24 @@ class Projecting {
         return b - g * ((m_at.value + dot(g, b - m_y)) / slopeSq);
     }
 
-    /// Halves the step after two in a row that hardly shrank: any damping below 2/(1 + e kappa) converges.
-    void damp(T distance) {
-        m_slow = distance > T(0.9) * m_last ? m_slow + 1 : 0;
-        m_last = distance;
-        if (m_slow >= 2) {
-            m_damping *= T(0.5);
-            m_slow = 0;
-            m_last = std::numeric_limits<T>::infinity();
+    /// Chooses the part of the way to go. Tangentially the plain iteration multiplies the error by e kappa (alg. 3.1),
+    /// which two ways in a row tell (Irons & Tuck 1969); after two that hardly shrank the most allowed is halved, since
+    /// any part below 2/(1 + e kappa) converges.
+    void relax(const base::Vec3<T>& way) {
+        const T distance = length(way), last = length(m_lastWay);
+        if (m_iterations > 1 && m_options.projector != Projector::Basic) {
+            const base::Vec3<T> change = way - m_lastWay;
+            const T changeSq = lengthSq(change);
+            if (changeSq > T(0))
+                m_relaxation *= -dot(m_lastWay, change) / changeSq;
+            m_slow = distance > T(0.9) * last ? m_slow + 1 : 0;
+            if (m_slow >= 2) {
+                m_most *= T(0.5);
+                m_slow = 0;
+            }
+            m_relaxation = std::clamp(m_relaxation, std::min(T(0.1), m_most), m_most);
         }
+        m_lastWay = way;
     }
 
     /// Goes to y1, or part of the way where y1 has no surface to speak of.
@@ -135,7 +148,8 @@ class Projecting {
     base::Vec3<T> m_x0, m_y;
     double m_tolerance;
     Evaluation<T> m_at, m_failure;
-    T m_damping = 1, m_last = std::numeric_limits<T>::infinity();
+    base::Vec3<T> m_lastWay;
+    T m_relaxation = 1, m_most = T(1.5);
     int m_slow = 0, m_iterations = 0;
 };
 

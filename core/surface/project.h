@@ -4,8 +4,9 @@
 //     almost orthogonal  x_{k+1} = Q(x_0, x_k)     x_0 - foot is parallel to the frame normal there
 //     orthogonal         x_{k+1} = Qo(x_0, x_k)    x_0 - foot is parallel to the gradient: a closest point
 //
-// Positions outside all supports start from their nearest surfel (alg. 3.1.3). Oscillation is damped by halving the
-// step. What did not converge says so in its status; its numbers are then not to be used.
+// Positions outside all supports start from their nearest surfel (alg. 3.1.3). Steps are relaxed by what the last
+// two tell, which damps oscillation far from the surface. What did not converge says so in its status; its numbers are
+// then not to be used.
 #pragma once
 
 #include "core/surface/surface.h"
