@@ -150,7 +150,7 @@ Rebuilt Application::assemble(const Node& node, std::uint32_t first) {
     if (node.level == 1)
         return std::move(m_tasks[m_next++].result);
     std::vector<Rebuilt> parts(node.childCount);
-    bool restructured = false;
+    bool restructured = false, fits = true;
     for (int i = 0; i < node.childCount; ++i) {
         const std::uint32_t begin = first + node.firstBlock[i];
         if (m_next == m_tasks.size() || m_tasks[m_next].firstBlock >= begin + node.blocksIn(i))
@@ -158,7 +158,10 @@ Rebuilt Application::assemble(const Node& node, std::uint32_t first) {
         Rebuilt& part = parts[static_cast<std::size_t>(i)];
         part = assemble(*node.nodes[static_cast<std::size_t>(i)], begin);
         restructured |= part.restructured;
+        fits &= part.children.size() >= 2 && part.children.size() <= fanOut;
     }
+    if (node.level > 2 && fits)
+        restructured = false;
     return restructured ? regroup(node, parts) : replace(node, parts);
 }
 

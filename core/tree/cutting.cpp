@@ -26,27 +26,45 @@ void Pool::addListed(std::uint32_t index) {
 
 namespace {
 
-int longestAxis(std::span<const CutItem> items) {
-    float lo[3], hi[3];
-    for (int k = 0; k < 3; ++k)
-        lo[k] = hi[k] = items[0].position[k];
+base::Box3f boxOf(std::span<const CutItem> items) {
+    base::Box3f box;
     for (const CutItem& item : items)
-        for (int k = 0; k < 3; ++k) {
-            lo[k] = std::min(lo[k], item.position[k]);
-            hi[k] = std::max(hi[k], item.position[k]);
-        }
-    const float x = hi[0] - lo[0], y = hi[1] - lo[1], z = hi[2] - lo[2];
-    return x >= y && x >= z ? 0 : y >= z ? 1 : 2;
+        box.extend(base::Vec3f{item.position[0], item.position[1], item.position[2]});
+    return box;
 }
 
-/// Puts the `middle` smallest along the longest axis in front.
-void partition(std::span<CutItem> items, std::size_t middle) {
-    const int axis = longestAxis(items);
+/// Puts the `middle` smallest along the axis in front.
+void partition(std::span<CutItem> items, std::size_t middle, std::size_t axis) {
     std::nth_element(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(middle), items.end(),
                      [axis](const CutItem& a, const CutItem& b) {
                          const float p = a.position[axis], q = b.position[axis];
                          return p != q ? p < q : a.source < b.source;
                      });
+}
+
+std::size_t longestAxis(const base::Box3f& box) {
+    const base::Vec3f s = box.size();
+    return s.x >= s.y && s.x >= s.z ? 0 : s.y >= s.z ? 1 : 2;
+}
+
+/// Sum of the sides, which grows with everything that makes a box meet queries.
+float cost(const base::Box3f& box) {
+    const base::Vec3f s = box.size();
+    return s.x + s.y + s.z;
+}
+
+/// Puts the `middle` smallest in front, along the axis that leaves the smaller boxes.
+void partitionWell(std::span<CutItem> items, std::size_t middle) {
+    std::size_t best = 0, last = 0;
+    float bestCost = std::numeric_limits<float>::infinity();
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        partition(items, middle, last = axis);
+        const float sum = cost(boxOf(items.first(middle))) + cost(boxOf(items.subspan(middle)));
+        if (sum < bestCost)
+            bestCost = sum, best = axis;
+    }
+    if (best != last)
+        partition(items, middle, best);
 }
 
 std::size_t clustersFor(std::size_t count) {
@@ -59,7 +77,7 @@ void arrangeClusters(std::span<CutItem> items) {
         return;
     }
     const std::size_t middle = clustersFor(items.size()) / 2 * clusterSize;
-    partition(items, middle);
+    partition(items, middle, longestAxis(boxOf(items)));
     arrangeClusters(items.first(middle));
     arrangeClusters(items.subspan(middle));
 }
@@ -99,7 +117,10 @@ std::vector<surfel::BlockPtr> cutIntoBlocks(const Pool& pool, std::span<CutItem>
     }
     const std::size_t left = blockCount / 2;
     const std::size_t middle = (clustersFor(items.size()) * left + blockCount / 2) / blockCount * clusterSize;
-    partition(items, middle);
+    if (blockCount <= 16)
+        partitionWell(items, middle);
+    else
+        partition(items, middle, longestAxis(boxOf(items)));
     std::vector<surfel::BlockPtr> out = cutIntoBlocks(pool, items.first(middle), left, extraWords);
     for (auto& block : cutIntoBlocks(pool, items.subspan(middle), blockCount - left, extraWords))
         out.push_back(std::move(block));

@@ -1,5 +1,6 @@
 #include "core/tree/grouping.h"
 
+#include <array>
 #include <cassert>
 
 namespace tree {
@@ -73,23 +74,71 @@ std::vector<Key> keysOf(const Children& children) {
     return keys;
 }
 
-/// Cuts the keys into `parts` runs of nearly equal length, always across the longest side of the centres' box.
+/// A way to cut: the first `middle` keys along `axis`, above `parts` parents.
+struct Cut {
+    std::size_t axis = 0, middle = 0, parts = 0;
+    float cost = std::numeric_limits<float>::infinity();
+};
+
+void sortAlong(std::span<Key> keys, std::size_t axis) {
+    std::sort(keys.begin(), keys.end(), [axis](const Key& a, const Key& b) {
+        return a.centre[axis] != b.centre[axis] ? a.centre[axis] < b.centre[axis] : a.index < b.index;
+    });
+}
+
+/// Half the surface of the region in which a support query meets the box.
+float cost(const base::Box3f& box, float support) {
+    const base::Vec3f s = box.size() + base::Vec3f{1, 1, 1} * (2 * support);
+    return s.x * s.y + s.y * s.z + s.z * s.x;
+}
+
+/// Tries the cuts along one axis that leave both sides room: surface area heuristic, each side weighed by its parents.
+void tryAxis(std::span<Key> keys, std::size_t parts, std::size_t axis, const Children& children, Cut& best) {
+    sortAlong(keys, axis);
+    std::array<float, fanOut * fanOut * 2> before;
+    base::Box3f box;
+    float support = 0;
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        box.extend(children[keys[i].index].box);
+        support = std::max(support, children[keys[i].index].maxSupport);
+        before[i] = cost(box, support);
+    }
+    box = {}, support = 0;
+    for (std::size_t i = keys.size() - 1; i > 0; --i) {
+        box.extend(children[keys[i].index].box);
+        support = std::max(support, children[keys[i].index].maxSupport);
+        const std::size_t left = (i * parts + keys.size() / 2) / keys.size(), right = parts - left;
+        if (left < 1 || right < 1 || i > left * fanOut || keys.size() - i > right * fanOut || i < 2 * left ||
+            keys.size() - i < 2 * right)
+            continue;
+        const float sum = before[i - 1] * static_cast<float>(left) + cost(box, support) * static_cast<float>(right);
+        if (sum < best.cost)
+            best = {axis, i, left, sum};
+    }
+}
+
+/// Cuts into `parts` runs across the longest side of the centres' box, of nearly equal length; few enough keys by the
+/// cheapest cut instead.
 template <class Fn>
-void cut(std::span<Key> keys, std::size_t parts, const Fn& fn) {
+void cut(std::span<Key> keys, std::size_t parts, const Children& children, const Fn& fn) {
     if (parts == 1)
         return fn(keys);
-    base::Box3f box;
-    for (const Key& key : keys)
-        box.extend(key.centre);
-    const base::Vec3f size = box.size();
-    const std::size_t axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-    const std::size_t left = parts / 2, middle = (keys.size() * left + parts / 2) / parts;
-    std::nth_element(keys.begin(), keys.begin() + static_cast<std::ptrdiff_t>(middle), keys.end(),
-                     [axis](const Key& a, const Key& b) {
-                         return a.centre[axis] != b.centre[axis] ? a.centre[axis] < b.centre[axis] : a.index < b.index;
-                     });
-    cut(keys.first(middle), left, fn);
-    cut(keys.subspan(middle), parts - left, fn);
+    Cut best;
+    if (keys.size() <= fanOut * fanOut * 2 && keys.size() <= parts * fanOut)
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            tryAxis(keys, parts, axis, children, best);
+    if (best.parts == 0) {
+        base::Box3f box;
+        for (const Key& key : keys)
+            box.extend(key.centre);
+        const base::Vec3f size = box.size();
+        best.axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+        best.parts = parts / 2;
+        best.middle = (keys.size() * best.parts + parts / 2) / parts;
+    }
+    sortAlong(keys, best.axis);
+    cut(keys.first(best.middle), best.parts, children, fn);
+    cut(keys.subspan(best.middle), parts - best.parts, children, fn);
 }
 
 bool hasChildren(const Node& node, const Children& children) {
@@ -117,7 +166,7 @@ NodePtr subtree(int level, std::span<Key> keys, const Children& blocks) {
         return nodeAbove(level, keys, blocks);
     const std::size_t capacity = std::size_t(1) << (3 * (level - 1));
     Children children;
-    cut(keys, (keys.size() + capacity - 1) / capacity,
+    cut(keys, (keys.size() + capacity - 1) / capacity, blocks,
         [&](std::span<Key> part) { children.push_back(asChild(subtree(level - 1, part, blocks))); });
     return makeNode(level, children);
 }
@@ -129,7 +178,7 @@ Children groupUnder(int level, const Children& children, std::span<const NodePtr
         return {};
     std::vector<Key> keys = keysOf(children);
     Children out;
-    cut(std::span(keys), (keys.size() + fanOut - 1) / fanOut,
+    cut(std::span(keys), (keys.size() + fanOut - 1) / fanOut, children,
         [&](std::span<Key> part) { out.push_back(asChild(nodeAbove(level, part, children, old))); });
     return out;
 }
