@@ -1,0 +1,220 @@
+#include "core/process/normals.h"
+
+#include "core/base/parallel.h"
+#include "core/base/random.h"
+#include "core/process/samples.h"
+#include "support/registry.h"
+
+#include <QtTest>
+
+using namespace process;
+
+class NormalsTest : public QObject {
+    Q_OBJECT
+  private slots:
+    void planesAreExact();
+    void spheresAndToriAreWithinAHundredthOfARadian();
+    void noiseTurnsThemLittle();
+    void duplicatesDoNotMatter();
+    void orientationOfEvenSamplesIsPerfect_data();
+    void orientationOfEvenSamplesIsPerfect();
+    void orientationCrossesSharpEdges();
+    void everyComponentLooksOutward();
+    void simulatedScanAgreesWithItsNeighbours();
+    void flagsSayWhatIsKnown();
+    void sameBitsAtAnyThreadCount();
+    void degenerateInputGivesUnitNormals();
+    void cancelStops();
+};
+
+static surfel::SurfelList withoutNormals(surfel::SurfelList list) {
+    for (auto& s : list.items)
+        s.normal = {};
+    list.layout = surfel::AttributeLayout::none();
+    return list;
+}
+
+static surfel::SurfelList with(const std::vector<base::Vec3f>& positions) {
+    surfel::SurfelList list;
+    for (const auto& p : positions) {
+        list.items.push_back({});
+        list.items.back().position = p;
+    }
+    return list;
+}
+
+static float angle(const base::Vec3f& a, const base::Vec3f& b) {
+    return std::atan2(length(cross(a, b)), std::abs(dot(a, b)));
+}
+
+void NormalsTest::planesAreExact() {
+    base::Random random(test::seed());
+    const base::Vec3f n = base::cast<float>(random.unitVector()), u = base::perpendicular(n), v = cross(n, u);
+    std::vector<base::Vec3f> positions;
+    for (int i = 0; i < 3000; ++i)
+        positions.push_back(static_cast<float>(random.uniform(-1, 1)) * u +
+                            static_cast<float>(random.uniform(-1, 1)) * v);
+    auto list = with(positions);
+    estimateNormals(list);
+    for (const auto& s : list.items)
+        QVERIFY2(angle(s.normal, n) < 1e-4f, qPrintable(QString("seed %1").arg(test::seed())));
+}
+
+void NormalsTest::spheresAndToriAreWithinAHundredthOfARadian() {
+    for (const char* id : {"sphere", "torus"}) {
+        const auto exact = sample(id).make(10000, 1);
+        auto list = withoutNormals(exact);
+        estimateNormals(list);
+        float worst = 0;
+        for (std::size_t i = 0; i < list.size(); ++i)
+            worst = std::max(worst, angle(list.items[i].normal, exact.items[i].normal));
+        QVERIFY2(worst < 0.01f, qPrintable(QString("%1 %2").arg(id).arg(worst)));
+    }
+}
+
+void NormalsTest::noiseTurnsThemLittle() {
+    const auto exact = sample("sphere").make(10000, 1); // spacing 0.035
+    auto list = withoutNormals(exact);
+    base::Random random(test::seed());
+    for (auto& s : list.items)
+        s.position += base::cast<float>(random.unitVector() * 0.005);
+    estimateNormals(list);
+    double sum = 0;
+    for (std::size_t i = 0; i < list.size(); ++i)
+        sum += static_cast<double>(angle(list.items[i].normal, exact.items[i].normal));
+    QVERIFY2(sum / 10000 < 0.05, qPrintable(QString::number(sum / 10000)));
+}
+
+void NormalsTest::duplicatesDoNotMatter() {
+    auto list = withoutNormals(sample("torus").make(4000, 1)), doubled = list;
+    for (int copy = 0; copy < 20; ++copy)
+        for (std::size_t i = 0; i < list.size(); i += 3)
+            doubled.items.push_back(list.items[i]);
+    estimateNormals(list);
+    orientNormals(list);
+    estimateNormals(doubled);
+    orientNormals(doubled);
+    for (std::size_t i = 0; i < list.size(); ++i)
+        QCOMPARE(doubled.items[i].normal, list.items[i].normal);
+}
+
+void NormalsTest::orientationOfEvenSamplesIsPerfect_data() {
+    QTest::addColumn<QString>("id");
+    QTest::addColumn<int>("count");
+    for (const char* id : {"sphere", "torus", "knot", "clay"})
+        for (const int count : {2000, 40000})
+            QTest::addRow("%s %d", id, count) << QString(id) << count;
+}
+
+void NormalsTest::orientationOfEvenSamplesIsPerfect() {
+    QFETCH(QString, id);
+    QFETCH(int, count);
+    const auto exact = sample(id.toStdString()).make(static_cast<std::size_t>(count), 1);
+    auto list = withoutNormals(exact);
+    estimateNormals(list);
+    base::Random random(test::seed());
+    for (auto& s : list.items)
+        s.normal = random.uniform() < 0.5 ? -s.normal : s.normal;
+    orientNormals(list);
+    for (std::size_t i = 0; i < list.size(); ++i)
+        QVERIFY2(dot(list.items[i].normal, exact.items[i].normal) > 0, qPrintable(QString::number(i)));
+}
+
+void NormalsTest::orientationCrossesSharpEdges() {
+    std::vector<base::Vec3f> positions, exact; // a cube, no point on its edges
+    for (int face = 0; face < 6; ++face)
+        for (int i = 0; i < 30; ++i)
+            for (int j = 0; j < 30; ++j) {
+                const float side = face % 2 ? 1.0f : -1.0f;
+                const std::size_t axis = static_cast<std::size_t>(face / 2);
+                base::Vec3f p, n;
+                p[axis] = n[axis] = side;
+                p[(axis + 1) % 3] = (static_cast<float>(i) - 14.5f) / 15;
+                p[(axis + 2) % 3] = (static_cast<float>(j) - 14.5f) / 15;
+                positions.push_back(p), exact.push_back(n);
+            }
+    auto list = with(positions);
+    for (std::size_t i = 0; i < list.size(); ++i)
+        list.items[i].normal = i % 3 ? exact[i] : -exact[i]; // exact but for the sign: n_a . n_b is 0 across edges
+    orientNormals(list);
+    for (std::size_t i = 0; i < list.size(); ++i)
+        QVERIFY(dot(list.items[i].normal, exact[i]) > 0);
+}
+
+void NormalsTest::everyComponentLooksOutward() {
+    const auto ball = sample("sphere").make(500, 1);
+    surfel::SurfelList list;
+    std::vector<base::Vec3f> exact;
+    for (int k = 0; k < 27; ++k)
+        for (surfel::Surfel s : ball.items) {
+            exact.push_back(s.normal);
+            s.position +=
+                base::Vec3f{static_cast<float>(k % 3), static_cast<float>(k / 3 % 3), static_cast<float>(k / 9)} * 5.0f;
+            list.items.push_back(s);
+        }
+    estimateNormals(list);
+    orientNormals(list);
+    for (std::size_t i = 0; i < list.size(); ++i)
+        QVERIFY(dot(list.items[i].normal, exact[i]) > 0);
+}
+
+void NormalsTest::simulatedScanAgreesWithItsNeighbours() {
+    auto list = sample("scan").make(30000, 1);
+    estimateNormals(list);
+    orientNormals(list);
+    // Outward at the top of every direction, and the flux of a constant field small against the area.
+    base::Random random(test::seed());
+    for (int k = 0; k < 50; ++k) {
+        const base::Vec3f d = base::cast<float>(random.unitVector());
+        if (d.y < -0.2f)
+            continue; // unseen from below
+        const auto top = std::max_element(list.items.begin(), list.items.end(), [&](const auto& a, const auto& b) {
+            return dot(a.position, d) < dot(b.position, d);
+        });
+        QVERIFY2(dot(top->normal, d) > 0, qPrintable(QString("seed %1").arg(test::seed())));
+    }
+}
+
+void NormalsTest::flagsSayWhatIsKnown() {
+    auto list = withoutNormals(sample("sphere").make(500, 1));
+    estimateNormals(list);
+    QVERIFY(list.layout->normals && !list.layout->oriented);
+    orientNormals(list);
+    QVERIFY(list.layout->normals && list.layout->oriented);
+    QVERIFY(!surfel::AttributeLayout::none()->normals);
+}
+
+void NormalsTest::sameBitsAtAnyThreadCount() {
+    auto one = sample("scan").make(20000, test::seed()), two = one;
+    base::setThreadCount(1);
+    estimateNormals(one);
+    orientNormals(one);
+    base::setThreadCount(0);
+    estimateNormals(two);
+    orientNormals(two);
+    QVERIFY(one.items == two.items);
+}
+
+void NormalsTest::degenerateInputGivesUnitNormals() {
+    std::vector<base::Vec3f> line;
+    for (int i = 0; i < 100; ++i)
+        line.push_back({static_cast<float>(i), 2, 3});
+    for (auto list :
+         {with({}), with({{1, 2, 3}}), with({{1, 2, 3}, {1, 2, 3}}), with({{0, 0, 0}, {1, 0, 0}}), with(line)}) {
+        estimateNormals(list);
+        orientNormals(list);
+        for (const auto& s : list.items)
+            QVERIFY(std::abs(length(s.normal) - 1) < 1e-5f);
+    }
+}
+
+void NormalsTest::cancelStops() {
+    auto list = sample("sphere").make(20000, 1);
+    std::atomic<bool> cancel = false;
+    base::Progress progress{{}, &cancel};
+    progress.report = [&](double done, std::string_view) { cancel = done > 0.5; };
+    QVERIFY_EXCEPTION_THROWN(estimateNormals(list, 18, progress), base::Cancelled);
+}
+
+static const test::Registered<NormalsTest> registered;
+#include "normals_test.moc"
