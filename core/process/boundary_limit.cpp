@@ -63,17 +63,26 @@ struct Sample {
 };
 
 std::vector<Sample> look(const surface::Surface& surface, std::span<const base::Vec3f> x,
-                         std::span<const surface::Projection<float>> feet) {
-    std::vector<Sample> out(x.size());
-    base::parallelChunks(x.size(), 256, [&](std::size_t begin, std::size_t end, std::size_t) {
-        std::vector<float> angles;
-        for (std::size_t i = begin; i < end; ++i)
-            if (feet[i].ok())
-                out[i] = {feet[i].at.offCentre / feet[i].at.unit,
-                          angularGap(surface.tree(), x[i], feet[i].at.normal, angles)};
-            else
-                out[i] = {0, std::numeric_limits<float>::quiet_NaN()}; // neither open nor closed
-    });
+                         const base::Progress& progress) {
+    surface::ProjectOptions options;
+    options.projector = surface::Projector::Basic;
+    options.tolerance = 1e-4;
+    options.checkBoundary = false;
+    constexpr std::size_t slab = 2048;
+    std::vector<Sample> out(x.size(), {0, std::numeric_limits<float>::quiet_NaN()}); // neither open nor closed
+    std::vector<surface::Projection<float>> feet(slab);
+    for (std::size_t from = 0; from < x.size(); from += slab) {
+        progress.step(static_cast<double>(from) / static_cast<double>(x.size()), "Looking for boundaries");
+        const std::size_t n = std::min(slab, x.size() - from);
+        surface::project(surface, x.subspan(from, n), options, std::span(feet).first(n));
+        base::parallelChunks(n, 128, [&](std::size_t begin, std::size_t end, std::size_t) {
+            std::vector<float> angles;
+            for (std::size_t i = begin; i < end; ++i)
+                if (feet[i].ok())
+                    out[from + i] = {feet[i].at.offCentre / feet[i].at.unit,
+                                     angularGap(surface.tree(), x[from + i], feet[i].at.normal, angles)};
+        });
+    }
     return out;
 }
 
@@ -87,16 +96,8 @@ bool hasRim(std::span<const Sample> samples, std::size_t surfels) {
 } // namespace
 
 float automaticBoundaryLimit(const surface::Surface& surface, const base::Progress& progress) {
-    progress.step(0, "Looking for boundaries");
     const std::vector<base::Vec3f> x = samplePositions(surface.tree());
-    std::vector<surface::Projection<float>> feet(x.size());
-    surface::ProjectOptions options;
-    options.projector = surface::Projector::Basic;
-    options.tolerance = 1e-4;
-    options.checkBoundary = false;
-    surface::project(surface, x, options, feet);
-    progress.step(0.5, "Looking for boundaries");
-    const std::vector<Sample> samples = look(surface, x, feet);
+    const std::vector<Sample> samples = look(surface, x, progress);
 
     std::vector<float> closed;
     for (const Sample& s : samples)

@@ -14,6 +14,8 @@ namespace {
 /// Edges in classes of likeness: as fine as float normals of a scan mean anything, and sorted in one pass.
 constexpr std::size_t classes = 1 << 14;
 
+constexpr const char* orienting = "Orienting normals";
+
 struct Edge {
     std::uint32_t a, b;
 };
@@ -72,6 +74,28 @@ std::vector<std::uint32_t> byUnlikeness(const std::vector<Likeness>& likenesses)
     return order;
 }
 
+/// Kruskal's minimum spanning trees of the neighbour graph, with the flips along their edges.
+SignedUnion spanningTrees(const Cloud& cloud, std::span<const base::Vec3f> normals, int neighbours,
+                          const base::Progress& progress) {
+    const std::vector<Edge> edges = neighbourPairs(cloud, static_cast<std::size_t>(neighbours), part(progress, 0, 0.6));
+    progress.step(0.6, orienting);
+    std::vector<Likeness> likenesses(edges.size());
+    base::parallelFor(edges.size(), 16384, [&](std::size_t e) {
+        const auto [a, b] = edges[e];
+        likenesses[e] = likeness(cloud.positions()[a], normals[a], cloud.positions()[b], normals[b]);
+    });
+    progress.step(0.65, orienting);
+    const std::vector<std::uint32_t> order = byUnlikeness(likenesses);
+    SignedUnion trees(cloud.size());
+    for (std::size_t k = 0; k < order.size(); ++k) {
+        if (k % 131072 == 0)
+            progress.step(0.7 + 0.2 * static_cast<double>(k) / static_cast<double>(order.size()), orienting);
+        const std::uint32_t e = order[k];
+        trees.join(edges[e].a, edges[e].b, likenesses[e].flip);
+    }
+    return trees;
+}
+
 /// Positive where the outermost points of a component look outward: each of many directions asks its extreme point.
 double outwardness(const Cloud& cloud, std::span<const base::Vec3f> normals, std::span<const std::uint32_t> members) {
     constexpr int directions = 48;
@@ -96,18 +120,7 @@ void orient(const Cloud& cloud, std::span<base::Vec3f> normals, int neighbours, 
     const std::size_t n = cloud.size();
     if (n < 2)
         return;
-    const std::vector<Edge> edges = neighbourPairs(cloud, static_cast<std::size_t>(neighbours), part(progress, 0, 0.6));
-    std::vector<Likeness> likenesses(edges.size());
-    base::parallelFor(edges.size(), 16384, [&](std::size_t e) {
-        const auto [a, b] = edges[e];
-        likenesses[e] = likeness(cloud.positions()[a], normals[a], cloud.positions()[b], normals[b]);
-    });
-    progress.step(0.7, "Orienting normals");
-    SignedUnion trees(n);
-    for (const std::uint32_t e : byUnlikeness(likenesses))
-        trees.join(edges[e].a, edges[e].b, likenesses[e].flip);
-
-    progress.step(0.9, "Orienting normals");
+    SignedUnion trees = spanningTrees(cloud, normals, neighbours, progress);
     std::vector<std::uint32_t> start(n + 1), members(n), rootOf(n);
     for (std::uint32_t i = 0; i < n; ++i) {
         const auto [root, flip] = trees.find(i);
@@ -123,7 +136,10 @@ void orient(const Cloud& cloud, std::span<base::Vec3f> normals, int neighbours, 
         members[next[rootOf[i]]++] = i;
     for (std::size_t root = 0; root < n; ++root) {
         const std::span<const std::uint32_t> component(members.data() + start[root], start[root + 1] - start[root]);
-        if (!component.empty() && outwardness(cloud, normals, component) < 0)
+        if (component.empty())
+            continue;
+        progress.step(0.9 + 0.1 * static_cast<double>(root) / static_cast<double>(n), orienting);
+        if (outwardness(cloud, normals, component) < 0)
             for (const std::uint32_t i : component)
                 normals[i] = -normals[i];
     }

@@ -79,16 +79,16 @@ void raise(std::vector<float>& h, const Graph& g, const base::Progress& progress
         }
         return changed;
     };
-    for (bool changed = true; changed;) {
+    const std::size_t n = h.size();
+    bool changed = true;
+    for (int sweep = 0; changed; ++sweep) {
         changed = false;
-        for (std::size_t i = 0; i < h.size(); ++i)
-            changed |= relax(i);
-        progress.step(0.9, "Grading supports");
-        if (!changed)
-            break;
-        for (std::size_t i = h.size(); i-- > 0;)
-            changed |= relax(i);
-        progress.step(0.9, "Grading supports");
+        const double done = 1 - 1 / (1 + 0.2 * sweep); // nobody knows how many there will be
+        for (std::size_t i = 0; i < n; ++i) {
+            if (i % 65536 == 0)
+                progress.step(done, "Grading supports");
+            changed |= relax(sweep % 2 ? n - 1 - i : i);
+        }
     }
 }
 
