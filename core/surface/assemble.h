@@ -7,10 +7,9 @@
 //               -> f = (1-mu) n.d + mu sum theta n_i.(x - p_i) / w
 #pragma once
 
-#include "core/surface/clusters.h"
 #include "core/surface/frame_normal.h"
 #include "core/surface/moments.h"
-#include "core/surface/surface.h"
+#include "core/surface/source.h"
 
 namespace surface {
 
@@ -24,11 +23,11 @@ constexpr double oneSheetBelow = 0.7;  ///< |m|/w below which sheets are told ap
 template <class T, int O>
 class Assembler {
   public:
-    Assembler(const Surface& surface, ClusterSpan clusters, const base::Vec3<T>& x, const Hint& hint)
-        : m_surface(surface), m_clusters(clusters), m_x(x),
-          m_hint(base::normalized(base::cast<double>(hint.direction))), m_frame(surface.effectiveFrame()),
-          m_normals(surface.tree().layout()->normals), m_oriented(m_normals && surface.tree().layout()->oriented) {
-        m_options.weight = surface.definition().weight;
+    Assembler(const Source& source, ClusterSpan clusters, const base::Vec3<T>& x, const Hint& hint)
+        : m_source(source), m_surface(source.surface()), m_clusters(clusters), m_x(x),
+          m_hint(base::normalized(base::cast<double>(hint.direction))), m_frame(m_surface.effectiveFrame()),
+          m_normals(m_surface.tree().layout()->normals), m_oriented(m_normals && m_surface.tree().layout()->oriented) {
+        m_options.weight = m_surface.definition().weight;
         m_options.outer = m_frame == Frame::Hyperplanes  ? Outer::Normals
                           : m_frame == Frame::Covariance ? Outer::Offsets
                                                          : Outer::None;
@@ -127,7 +126,8 @@ class Assembler {
         SumOptions options = m_options;
         options.outer = Outer::Offsets;
         Moments<T, O> there;
-        const ScratchClusters clusters(m_surface.tree(), m_out.centroid);
+        ScratchClusters clusters;
+        m_source.gather(m_out.centroid, clusters.list());
         sum(clusters.span(), m_out.centroid, options, there);
         if (!(there.one.v > leastWeight<T>) || there.samples < leastSamples)
             return {};
@@ -187,6 +187,7 @@ class Assembler {
             m_out.hessian = detail::matrixOf(f.dd.data());
     }
 
+    const Source& m_source;
     const Surface& m_surface;
     ClusterSpan m_clusters;
     base::Vec3<T> m_x;

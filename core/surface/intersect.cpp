@@ -1,7 +1,7 @@
 #include "core/surface/intersect.h"
 
 #include "core/base/parallel.h"
-#include "core/surface/evaluate.h"
+#include "core/surface/source.h"
 
 #include <cassert>
 #include <optional>
@@ -22,12 +22,12 @@ constexpr int refinements = 60;
 template <class T>
 class Casting {
   public:
-    Casting(const Surface& surface, const base::Ray<T>& ray, const IntersectOptions& options)
-        : m_surface(surface), m_origin(base::cast<double>(ray.origin)),
+    Casting(Source& source, const base::Ray<T>& ray, const IntersectOptions& options)
+        : m_source(source), m_surface(source.surface()), m_origin(base::cast<double>(ray.origin)),
           m_direction(base::normalized(base::cast<double>(ray.direction))), m_options(options),
-          m_oriented(surface.tree().layout()->normals && surface.tree().layout()->oriented),
+          m_oriented(m_surface.tree().layout()->normals && m_surface.tree().layout()->oriented),
           m_tolerance(std::is_same_v<T, float> ? 1e-6 : 1e-12),
-          m_trace(!options.robust && surface.effectiveFrame() != Frame::Covariance) {}
+          m_trace(!options.robust && m_surface.effectiveFrame() != Frame::Covariance) {}
 
     /// Walks the surface bounds front to back, joining those that touch, until an interval holds a hit.
     RayHit<T> run() {
@@ -74,7 +74,7 @@ class Casting {
     base::Vec3d position(double t) const { return m_origin + m_direction * t; }
 
     Sample sample(double t, Need need = Need::Value) const {
-        return {t, evaluateAt(m_surface, base::cast<T>(position(t)), need), T(1)};
+        return {t, m_source.evaluate(base::cast<T>(position(t)), need), T(1)};
     }
     /// A sample whose normal looks to the same side as that of a neighbour on the ray.
     Sample sampleBeside(const Sample& other, double t) const {
@@ -212,6 +212,7 @@ class Casting {
         return true;
     }
 
+    Source& m_source;
     const Surface& m_surface;
     base::Vec3d m_origin, m_direction;
     const IntersectOptions& m_options;
@@ -225,17 +226,23 @@ class Casting {
 } // namespace
 
 RayHit<float> intersect(const Surface& surface, const base::Rayf& ray, const IntersectOptions& options) {
-    return Casting<float>(surface, ray, options).run();
+    Source source(surface);
+    return Casting<float>(source, ray, options).run();
 }
 
 RayHit<double> intersectReference(const Surface& surface, const base::Rayd& ray, const IntersectOptions& options) {
-    return Casting<double>(surface, ray, options).run();
+    Source source(surface);
+    return Casting<double>(source, ray, options).run();
 }
 
 void intersect(const Surface& surface, std::span<const base::Rayf> rays, const IntersectOptions& options,
                std::span<RayHit<float>> out) {
     assert(rays.size() == out.size());
-    base::parallelFor(rays.size(), 64, [&](std::size_t i) { out[i] = intersect(surface, rays[i], options); });
+    base::parallelChunks(rays.size(), 64, [&](std::size_t begin, std::size_t end, std::size_t) {
+        Source source(surface);
+        for (std::size_t i = begin; i < end; ++i)
+            out[i] = Casting<float>(source, rays[i], options).run();
+    });
 }
 
 } // namespace surface

@@ -6,6 +6,7 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/surface/moments_kernel.cpp"
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
+#include "core/surface/candidates.h"
 #include "core/surface/moments_float.h"
 #include "core/surfel/surfel_block.h"
 
@@ -192,6 +193,31 @@ int sumDispatched(int order, Outer outer, const KernelInput& in, float* sums) {
     return order == 0 ? sumAll<0, Outer::Offsets>(in, sums) : sumAll<1, Outer::Offsets>(in, sums);
 }
 
+/// distance(x, box) < support for boxes in lanes, by the same operations as the tree's own test.
+void supportDispatched(const float* bounds, std::size_t groups, const base::Vec3f& x, std::uint16_t* bits) {
+    const D d;
+    const int width = static_cast<int>(hn::Lanes(d));
+    const V at[3] = {hn::Set(d, x.x), hn::Set(d, x.y), hn::Set(d, x.z)};
+    for (std::size_t g = 0; g < groups; ++g, bounds += 7 * lanes) {
+        unsigned found = 0;
+        for (int first = 0; first < lanes; first += width) {
+            V square[3];
+            for (int k = 0; k < 3; ++k) {
+                const V below = hn::Sub(hn::LoadU(d, bounds + k * lanes + first), at[k]);
+                const V above = hn::Sub(at[k], hn::LoadU(d, bounds + (3 + k) * lanes + first));
+                const V away = hn::Max(hn::Max(below, above), hn::Zero(d));
+                square[k] = hn::Mul(away, away);
+            }
+            const V support = hn::LoadU(d, bounds + 6 * lanes + first);
+            const V distanceSq = hn::Add(hn::Add(square[0], square[1]), square[2]);
+            std::uint8_t mask[8] = {};
+            hn::StoreMaskBits(d, hn::Lt(distanceSq, hn::Mul(support, support)), mask);
+            found |= (mask[0] | static_cast<unsigned>(mask[1]) << 8) << first;
+        }
+        bits[g] = static_cast<std::uint16_t>(found);
+    }
+}
+
 } // namespace HWY_NAMESPACE
 } // namespace surface
 HWY_AFTER_NAMESPACE();
@@ -200,9 +226,14 @@ HWY_AFTER_NAMESPACE();
 namespace surface {
 
 HWY_EXPORT(sumDispatched);
+HWY_EXPORT(supportDispatched);
 
 int sumKernel(int order, Outer outer, const KernelInput& in, float* sums) {
     return HWY_DYNAMIC_DISPATCH(sumDispatched)(order, outer, in, sums);
+}
+
+void supportKernel(const float* bounds, std::size_t groups, const base::Vec3f& x, std::uint16_t* bits) {
+    HWY_DYNAMIC_DISPATCH(supportDispatched)(bounds, groups, x, bits);
 }
 
 } // namespace surface

@@ -1,7 +1,6 @@
 #include "core/surface/project.h"
 
-#include "core/base/parallel.h"
-#include "core/surface/evaluate.h"
+#include "core/surface/packets.h"
 
 #include <algorithm>
 #include <cassert>
@@ -10,12 +9,14 @@ namespace surface {
 
 namespace {
 
+constexpr float packetSlack = 0.3f; ///< of h, around a packet: most feet lie within it
+
 /// The iteration of alg. 3.1 for one position.
 template <class T>
 class Projecting {
   public:
-    Projecting(const Surface& surface, const base::Vec3<T>& x0, const ProjectOptions& options, const Hint& hint)
-        : m_surface(surface), m_options(options), m_hint(hint), m_x0(x0),
+    Projecting(Source& source, const base::Vec3<T>& x0, const ProjectOptions& options, const Hint& hint)
+        : m_source(source), m_options(options), m_hint(hint), m_x0(x0),
           m_tolerance(options.tolerance > 0      ? options.tolerance
                       : std::is_same_v<T, float> ? 1e-6
                                                  : 1e-12) {}
@@ -42,7 +43,7 @@ class Projecting {
     static bool usable(const Evaluation<T>& e) { return e.ok() || e.status == Status::BeyondBoundary; }
 
     Need iterationNeed() const { return m_options.projector == Projector::Orthogonal ? Need::Gradient : Need::Value; }
-    Evaluation<T> evaluate(const base::Vec3<T>& y) const { return evaluateAt(m_surface, y, iterationNeed(), m_hint); }
+    Evaluation<T> evaluate(const base::Vec3<T>& y) const { return m_source.evaluate(y, iterationNeed(), m_hint); }
 
     /// Last step that counts as standing still: the tolerance, but not below what positions can tell apart, nor below
     /// what the last bits of the direction do to the foot of a distant position.
@@ -108,7 +109,7 @@ class Projecting {
     /// where even that is of no use, to the surfel itself.
     bool recover() {
         std::vector<tree::Neighbour> nearest;
-        m_surface.tree().nearest(base::cast<float>(m_x0), 1, nearest);
+        m_source.surface().tree().nearest(base::cast<float>(m_x0), 1, nearest);
         if (nearest.empty())
             return false;
         const surfel::SurfelBlock& block = *nearest[0].block;
@@ -134,7 +135,7 @@ class Projecting {
         if (std::abs(m_at.value) > T(10) * smallest())
             return result(Status::NotConverged);
         if (m_options.need > iterationNeed())
-            m_at = evaluateAt(m_surface, m_y, m_options.need, m_hint);
+            m_at = m_source.evaluate(m_y, m_options.need, m_hint);
         if (m_at.status == Status::BeyondBoundary)
             return result(m_options.checkBoundary ? Status::BeyondBoundary : Status::Ok);
         return result(m_at.status);
@@ -142,7 +143,7 @@ class Projecting {
 
     Projection<T> result(Status status) const { return {status, m_y, m_at, m_iterations}; }
 
-    const Surface& m_surface;
+    Source& m_source;
     const ProjectOptions& m_options;
     const Hint& m_hint;
     base::Vec3<T> m_x0, m_y;
@@ -157,18 +158,22 @@ class Projecting {
 
 Projection<float> project(const Surface& surface, const base::Vec3f& x, const ProjectOptions& options,
                           const Hint& hint) {
-    return Projecting<float>(surface, x, options, hint).run();
+    Source source(surface);
+    return Projecting<float>(source, x, options, hint).run();
 }
 
 Projection<double> projectReference(const Surface& surface, const base::Vec3d& x, const ProjectOptions& options,
                                     const Hint& hint) {
-    return Projecting<double>(surface, x, options, hint).run();
+    Source source(surface);
+    return Projecting<double>(source, x, options, hint).run();
 }
 
 void project(const Surface& surface, std::span<const base::Vec3f> x, const ProjectOptions& options,
              std::span<Projection<float>> out) {
     assert(x.size() == out.size());
-    base::parallelFor(x.size(), 64, [&](std::size_t i) { out[i] = project(surface, x[i], options); });
+    const Hint none;
+    forPackets(surface, x, packetSlack,
+               [&](Source& source, std::size_t i) { out[i] = Projecting<float>(source, x[i], options, none).run(); });
 }
 
 } // namespace surface

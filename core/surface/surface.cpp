@@ -1,7 +1,6 @@
 #include "core/surface/surface.h"
 
-#include "core/base/parallel.h"
-#include "core/surface/evaluate.h"
+#include "core/surface/packets.h"
 
 #include <cassert>
 
@@ -36,16 +35,16 @@ Frame Surface::effectiveFrame() const {
 }
 
 Evaluationf Surface::evaluate(const base::Vec3f& x, Need need, const Hint& hint) const {
-    return evaluateAt(*this, x, need, hint);
+    return Source(*this).evaluate(x, need, hint);
 }
 
 Evaluationd Surface::evaluateReference(const base::Vec3d& x, Need need, const Hint& hint) const {
-    return evaluateAt(*this, x, need, hint);
+    return Source(*this).evaluate(x, need, hint);
 }
 
 void Surface::evaluate(std::span<const base::Vec3f> x, Need need, std::span<Evaluationf> out) const {
     assert(x.size() == out.size());
-    base::parallelFor(x.size(), 128, [&](std::size_t i) { out[i] = evaluateAt(*this, x[i], need); });
+    forPackets(*this, x, 0, [&](Source& source, std::size_t i) { out[i] = source.evaluate(x[i], need); });
 }
 
 } // namespace surface

@@ -1,0 +1,30 @@
+// Clusters near a box with their bounds in lanes, so that many positions in the box share one walk of the tree.
+//
+// `select` gives exactly the clusters, in the order, that the tree's own query would: the bits of an evaluation do not
+// depend on which of the two found them. Used by one thread at a time; its memory is kept between collections.
+#pragma once
+
+#include "core/surface/clusters.h"
+
+namespace surface {
+
+class Candidates {
+  public:
+    /// Forgets what was collected.
+    void clear() { m_box = {}; }
+    /// All clusters that may have weight somewhere in `box`.
+    void collect(const tree::SurfelTree& tree, const base::Box3f& box);
+    bool covers(const base::Vec3f& x) const { return m_box.contains(x); }
+    /// Those of them that may have weight at x. REQUIRES: covers(x).
+    void select(const base::Vec3f& x, ClusterList& out) const;
+
+  private:
+    base::Box3f m_box;
+    std::vector<float> m_bounds; ///< per group of 16: loX[16] loY loZ hiX hiY hiZ maxSupport, unused lanes empty
+    std::vector<const float*> m_clusters;
+};
+
+/// One bit per candidate of `groups` groups of 16, set where it may have weight at x.
+void supportKernel(const float* bounds, std::size_t groups, const base::Vec3f& x, std::uint16_t* bits);
+
+} // namespace surface
