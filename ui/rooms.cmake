@@ -7,3 +7,5 @@ pointclay_link(ui Qt6::Widgets Qt6::OpenGLWidgets Qt6::Svg nlohmann_json::nlohma
 # AUTOMOC does not notice a file that the glob has just found unless it depends on it.
 file(GLOB scanned CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/ui/*.h ${CMAKE_SOURCE_DIR}/ui/*.cpp)
 set_target_properties(pointclay_ui PROPERTIES AUTOMOC ON AUTORCC ON AUTOGEN_TARGET_DEPENDS "${scanned}")
+target_sources(pointclay_ui PRIVATE ${CMAKE_SOURCE_DIR}/icons/icons.qrc)
+target_compile_definitions(pointclay_ui PRIVATE POINTCLAY_VERSION="${PROJECT_VERSION}")

@@ -1,0 +1,50 @@
+#include "ui/cpu_viewport.h"
+
+#include <QPainter>
+
+namespace ui {
+
+CpuViewport::CpuViewport(QWidget* parent) : QWidget(parent) {
+    setAttribute(Qt::WA_OpaquePaintEvent);
+    auto renderer = render::makeRenderer("cpu");
+    m_name = QString("%1 renderer").arg(renderer->name());
+    const auto deliver = [this](RenderThread::Result result) {
+        const auto pass = [this, moved = std::move(result)] { receive(moved); };
+        QMetaObject::invokeMethod(this, pass, Qt::QueuedConnection);
+    };
+    m_thread = std::make_unique<RenderThread>(std::move(renderer), deliver);
+}
+
+CpuViewport::~CpuViewport() {
+    m_thread.reset(); // before the members that its last frame would reach
+}
+
+void CpuViewport::show(const Frame& frame) {
+    m_thread->request(frame);
+}
+
+void CpuViewport::receive(RenderThread::Result result) {
+    if (!result.trouble.isEmpty()) {
+        if (troubled)
+            troubled(result.trouble);
+        return;
+    }
+    m_picture = std::move(result.picture);
+    update();
+    if (framePainted)
+        framePainted(result.seconds);
+}
+
+void CpuViewport::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    if (m_picture.isNull())
+        painter.fillRect(rect(), palette().window());
+    else {
+        painter.setRenderHint(QPainter::SmoothPixmapTransform);
+        painter.drawImage(rect(), m_picture);
+    }
+    if (paintOverlay)
+        paintOverlay(painter);
+}
+
+} // namespace ui

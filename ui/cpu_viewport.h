@@ -1,0 +1,33 @@
+// The viewport that needs no GPU: a plain widget that shows what a RenderThread with the CPU splatter draws.
+#pragma once
+
+#include "ui/render_thread.h"
+
+#include <QWidget>
+
+namespace ui {
+
+class CpuViewport : public QWidget, public Viewport {
+    Q_OBJECT
+  public:
+    explicit CpuViewport(QWidget* parent = nullptr);
+    ~CpuViewport() override;
+
+    QWidget* widget() override { return this; }
+    QString rendererName() const override { return m_name; }
+    void show(const Frame& frame) override;
+    QImage picture() override { return m_picture; }
+    using QWidget::show;
+
+  protected:
+    void paintEvent(QPaintEvent*) override;
+
+  private:
+    void receive(RenderThread::Result result);
+
+    QString m_name;
+    QImage m_picture;
+    std::unique_ptr<RenderThread> m_thread;
+};
+
+} // namespace ui

@@ -1,0 +1,281 @@
+#include "ui/editor.h"
+
+#include "core/session/journal.h"
+#include "core/session/live_stroke.h"
+#include "core/session/recover.h"
+
+#include <algorithm>
+#include <chrono>
+#include <future>
+
+namespace ui {
+
+using Clock = std::chrono::steady_clock;
+
+/// The document and what belongs to it, on the model thread.
+struct Editor::Model {
+    explicit Model(Editor& owner) : editor(owner) {}
+
+    Editor& editor;
+    session::Document document;
+    std::unique_ptr<session::Journal> journal;
+    std::optional<session::Context> strokeContext; ///< what `stroke` refers to
+    std::optional<session::LiveStroke> stroke;
+    std::uint64_t models = 0;
+    double dabSeconds = 0;
+    Snapshot shown; ///< the last published
+
+    void perform(CommandTask& task);
+    void perform(SideTask& task);
+    void perform(BeginStroke& task);
+    void perform(AddSample& task);
+    void perform(EndStroke&);
+    void perform(CancelStroke&);
+
+    session::Context context();
+    base::Progress progress();
+    template <class Work>
+    bool guarded(const Work& work);
+    void publish(Snapshot snapshot);
+    void publishDocument();
+    void publishStroke();
+    bool finishStroke(); ///< false where there is none
+    void dropStroke();
+    void tell(const std::vector<std::string>& messages);
+};
+
+template <class Work>
+bool Editor::Model::guarded(const Work& work) {
+    const auto report = [this](auto signal, const QString& text) {
+        Editor* target = &editor;
+        QMetaObject::invokeMethod(
+            target, [=] { emit(target->*signal)(text); }, Qt::QueuedConnection);
+    };
+    editor.m_cancel = editor.m_closing.load();
+    try {
+        work();
+        return true;
+    } catch (const base::Cancelled&) {
+        report(&Editor::told, "Cancelled; the model is as it was.");
+    } catch (const std::bad_alloc&) {
+        report(&Editor::failed, "There is not enough memory for this; the model is as it was.");
+    } catch (const std::exception& error) {
+        report(&Editor::failed, QString::fromStdString(error.what()));
+    }
+    return false;
+}
+
+base::Progress Editor::Model::progress() {
+    auto last = std::make_shared<Clock::time_point>(Clock::now() - std::chrono::hours(1));
+    const auto report = [target = &editor, last](double share, std::string_view doing) {
+        if (Clock::now() - *last < std::chrono::milliseconds(40))
+            return;
+        *last = Clock::now();
+        const QString text = QString::fromUtf8(doing.data(), static_cast<qsizetype>(doing.size()));
+        QMetaObject::invokeMethod(
+            target, [=] { emit target->progressed(share, text); }, Qt::QueuedConnection);
+    };
+    return {report, &editor.m_cancel};
+}
+
+session::Context Editor::Model::context() {
+    return {document, {}, progress(), {}, 0, {}, journal.get()};
+}
+
+void Editor::Model::tell(const std::vector<std::string>& messages) {
+    for (const auto& message : messages) {
+        const QString text = QString::fromStdString(message);
+        QMetaObject::invokeMethod(
+            &editor, [target = &editor, text] { emit target->told(text); }, Qt::QueuedConnection);
+    }
+}
+
+void Editor::Model::publish(Snapshot snapshot) {
+    shown = snapshot;
+    const std::lock_guard lock(editor.m_freshMutex);
+    const bool underWay = editor.m_fresh.has_value();
+    editor.m_fresh = std::move(snapshot);
+    if (!underWay)
+        QMetaObject::invokeMethod(
+            &editor, [target = &editor] { target->deliver(); }, Qt::QueuedConnection);
+}
+
+void Editor::Model::publishDocument() {
+    Snapshot out = snapshotOf(document);
+    out.models = models;
+    out.dabSeconds = dabSeconds;
+    publish(std::move(out));
+}
+
+void Editor::Model::publishStroke() {
+    Snapshot out = shown;
+    out.surface = stroke->surface();
+    out.dabSeconds = dabSeconds;
+    publish(std::move(out));
+}
+
+bool Editor::Model::finishStroke() {
+    if (!stroke)
+        return false;
+    guarded([&] { stroke->finish(); });
+    tell(strokeContext->messages);
+    dropStroke();
+    return true;
+}
+
+void Editor::Model::dropStroke() {
+    stroke.reset();
+    strokeContext.reset();
+}
+
+// --- the tasks ---
+
+void Editor::Model::perform(CommandTask& task) {
+    finishStroke(); // one that is still open: a command comes after it
+    const tree::SurfelTree before = document.surface().tree();
+    session::Context used = context();
+    const bool done = guarded([&] { task.work(used); });
+    tell(used.messages);
+    if (!document.canUndo() && !document.canRedo() && !(document.surface().tree() == before))
+        ++models;
+    publishDocument();
+    editor.finished(std::move(task.then), done, 1);
+}
+
+void Editor::Model::perform(SideTask& task) {
+    const bool done = guarded([&] {
+        const base::Progress steps = progress();
+        steps.report(0, task.what);
+        task.work(document.surface(), steps);
+    });
+    editor.finished(std::move(task.then), done, 1);
+}
+
+void Editor::Model::perform(BeginStroke& task) {
+    dropStroke();
+    strokeContext.emplace(context());
+    guarded([&] { stroke.emplace(*strokeContext, task.settings); });
+    editor.finished({}, true, 0);
+}
+
+void Editor::Model::perform(AddSample& task) {
+    if (stroke) {
+        const auto start = Clock::now();
+        const int before = stroke->dabs();
+        bool dabbed = false;
+        if (!guarded([&] { dabbed = stroke->add(task.sample); }))
+            dropStroke();
+        else if (dabbed) {
+            const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+            dabSeconds = seconds / std::max(1, stroke->dabs() - before);
+            publishStroke();
+        }
+    }
+    editor.finished({}, true, 0);
+}
+
+void Editor::Model::perform(EndStroke&) {
+    if (finishStroke())
+        publishDocument();
+    editor.finished({}, true, 0);
+}
+
+void Editor::Model::perform(CancelStroke&) {
+    if (stroke) {
+        dropStroke();
+        publishDocument();
+    }
+    editor.finished({}, true, 0);
+}
+
+// --- the two threads ---
+
+Editor::Editor(const EditorOptions& options, QObject* parent) : QObject(parent), m_model(new Model(*this)) {
+    if (options.keepJournal)
+        m_model->journal = std::make_unique<session::Journal>(options.journal);
+    m_thread = std::thread([this] { work(); });
+}
+
+Editor::~Editor() {
+    m_closing = true;
+    m_cancel = true;
+    m_queue.close();
+    m_thread.join();
+    if (m_discardJournal && m_model->journal)
+        m_model->journal->discard();
+}
+
+void Editor::work() {
+    while (std::optional<Task> task = m_queue.pop())
+        std::visit([this](auto& kind) { m_model->perform(kind); }, *task);
+}
+
+void Editor::push(Task task) {
+    ++m_waiting;
+    m_commands += std::holds_alternative<CommandTask>(task) || std::holds_alternative<SideTask>(task) ? 1 : 0;
+    m_waiting -= static_cast<int>(m_queue.push(std::move(task)));
+}
+
+void Editor::finished(std::function<void(bool)> then, bool done, int commands) {
+    const auto onInterface = [this, then = std::move(then), done, commands] {
+        --m_waiting;
+        m_commands -= commands;
+        deliver();
+        if (then)
+            then(done);
+        if (m_waiting == 0)
+            emit idled();
+    };
+    QMetaObject::invokeMethod(this, onInterface, Qt::QueuedConnection);
+}
+
+void Editor::deliver() {
+    {
+        const std::lock_guard lock(m_freshMutex);
+        if (!m_fresh)
+            return;
+        m_snapshot = std::move(*m_fresh);
+        m_fresh.reset();
+    }
+    emit changed();
+}
+
+void Editor::run(nlohmann::json command, std::function<void(bool)> then) {
+    const auto work = [command = std::move(command)](session::Context& context) { session::run(context, command); };
+    push(CommandTask{work, std::move(then)});
+}
+
+void Editor::recover(std::filesystem::path journal, std::function<void(bool)> then) {
+    const auto work = [journal = std::move(journal)](session::Context& context) { session::recover(journal, context); };
+    push(CommandTask{work, std::move(then)});
+}
+
+void Editor::runAside(SideTask task) {
+    push(std::move(task));
+}
+
+void Editor::beginStroke(const sculpt::StrokeSettings& settings) {
+    push(BeginStroke{settings});
+}
+
+void Editor::addSample(const sculpt::StrokeSample& sample) {
+    push(AddSample{sample});
+}
+
+void Editor::endStroke() {
+    push(EndStroke{});
+}
+
+void Editor::cancelStroke() {
+    push(CancelStroke{});
+}
+
+base::Hash128 Editor::hashWhenDone() {
+    std::promise<base::Hash128> answer;
+    push(SideTask{"Hashing",
+                  [&](const surface::Surface&, const base::Progress&) { answer.set_value(m_model->document.hash()); },
+                  {}});
+    return answer.get_future().get();
+}
+
+} // namespace ui

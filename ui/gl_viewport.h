@@ -1,0 +1,47 @@
+// The viewport of OpenGL: the blended splatter in a QOpenGLWidget's framebuffer, the overlay painted over it.
+//
+// Construct it only where `glUsable` says so: on some platforms a QOpenGLWidget crashes when shown.
+#pragma once
+
+#include "ui/viewport.h"
+
+#include <memory>
+#include <QOpenGLWidget>
+
+namespace render {
+class GlSplatter;
+}
+
+namespace ui {
+
+/// Whether this platform makes a context in which the splatter works; it is made, tried and dropped. `why` receives
+/// the driver's name, or what is missing. A software driver counts as usable only where `software` allows it: the CPU
+/// splatter is several times faster than that.
+bool glUsable(bool software, QString& why);
+
+class GlViewport : public QOpenGLWidget, public Viewport {
+    Q_OBJECT
+  public:
+    explicit GlViewport(QWidget* parent = nullptr);
+    ~GlViewport() override;
+
+    QWidget* widget() override { return this; }
+    QString rendererName() const override { return m_name; }
+    void show(const Frame& frame) override;
+    QImage picture() override;
+    using QOpenGLWidget::show;
+
+  protected:
+    void initializeGL() override;
+    void paintGL() override;
+
+  private:
+    void dropSplatter();
+
+    QString m_name = "OpenGL";
+    Frame m_frame;
+    std::unique_ptr<render::GlSplatter> m_splatter; ///< lives while its context does
+    bool m_withOverlay = true;
+};
+
+} // namespace ui

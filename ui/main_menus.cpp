@@ -1,0 +1,159 @@
+// The menus of the main window: loops over tables wherever there is one.
+#include "core/process/samples.h"
+#include "ui/command_dialog.h"
+#include "ui/icon.h"
+#include "ui/main_window.h"
+#include "ui/shortcuts_dialog.h"
+#include "ui/tool_bar.h"
+
+#include <QActionGroup>
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QMenu>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QShortcut>
+
+namespace ui {
+
+QMenu* MainWindow::addMenu(const QString& name, const QString& title, QMenu* parent) {
+    QMenu* out = parent ? parent->addMenu(title) : menuBar()->addMenu(title);
+    out->setObjectName(name);
+    out->setToolTipsVisible(true);
+    return out;
+}
+
+QMenu* MainWindow::menu(const QString& name) const {
+    return findChild<QMenu*>(name);
+}
+
+QAction* MainWindow::addAction(QMenu& menu, const char* iconName, const QString& text, const QKeySequence& shortcut,
+                               const std::function<void()>& work) {
+    QAction* out = menu.addAction(icon(iconName), text);
+    out->setShortcut(shortcut);
+    connect(out, &QAction::triggered, this, [work] { work(); });
+    return out;
+}
+
+void MainWindow::buildFileMenu() {
+    QMenu* file = addMenu("file", tr("&File"));
+    QMenu* fresh = addMenu("new", tr("&New"), file);
+    fresh->setIcon(icon("new"));
+    for (const auto& row : process::sampleTable()) {
+        QAction* action = addAction(*fresh, "model", row.label, {}, [this, id = row.id] { m_files->make(id); });
+        action->setToolTip(row.tip);
+        action->setData(row.id);
+    }
+    addAction(*file, "open", tr("&Open…"), QKeySequence::Open, [this] { m_files->open(); });
+    addMenu("recent", tr("Open &Recent"), file);
+    connect(m_files, &FileActions::recentChanged, this, &MainWindow::showRecent);
+    showRecent();
+    file->addSeparator();
+    addAction(*file, "save", tr("&Save"), QKeySequence::Save, [this] { m_files->save(); });
+    addAction(*file, "save-as", tr("Save &As…"), QKeySequence("Ctrl+Shift+S"), [this] { m_files->saveAs(); });
+    addAction(*file, "image", tr("&Export Image…"), QKeySequence("Ctrl+E"), [this] { m_files->exportImage(); });
+    file->addSeparator();
+    addAction(*file, "recover", tr("Re&cover Lost Work…"), {}, [this] {
+        if (!m_files->offerRecovery())
+            emit m_editor->told(tr("No other lost work was found."));
+    });
+    file->addSeparator();
+    addAction(*file, "quit", tr("&Close"), QKeySequence("Ctrl+Q"), [this] { close(); });
+}
+
+void MainWindow::showRecent() {
+    QMenu* recent = menu("recent");
+    recent->clear();
+    recent->setEnabled(!m_settings.recentFiles.empty());
+    for (const std::string& path : m_settings.recentFiles) {
+        const QFileInfo file(QString::fromStdString(path));
+        QAction* action = recent->addAction(file.fileName());
+        action->setToolTip(file.filePath());
+        connect(action, &QAction::triggered, this, [this, path] { m_files->open(std::filesystem::path(path)); });
+    }
+}
+
+void MainWindow::buildEditMenu() {
+    QMenu* edit = addMenu("edit", tr("&Edit"));
+    m_undo = addAction(*edit, "undo", tr("Undo"), QKeySequence("Ctrl+Z"), [this] { undo(); });
+    m_redo = addAction(*edit, "redo", tr("Redo"), QKeySequence("Ctrl+Shift+Z"), [this] { redo(); });
+    auto* escapeKey = new QShortcut(QKeySequence(Qt::Key_Escape), this);
+    connect(escapeKey, &QShortcut::activated, this, &MainWindow::escape);
+}
+
+void MainWindow::buildBrushMenu() {
+    QMenu* brush = addMenu("brush", tr("&Brush"));
+    brush->addActions(m_tools->toolActions());
+    brush->addSeparator();
+    constexpr double step = 1.15;
+    addAction(*brush, "", tr("Larger"), QKeySequence("]"), [this] { m_controller->scaleRadius(step); });
+    addAction(*brush, "", tr("Smaller"), QKeySequence("["), [this] { m_controller->scaleRadius(1 / step); });
+}
+
+void MainWindow::buildModelMenu() {
+    QMenu* model = addMenu("model", tr("&Model"));
+    for (const auto& row : session::commandTable()) {
+        if (!hasDialog(row))
+            continue;
+        QAction* action = addAction(*model, row.op, tr("%1…").arg(row.label), {}, [this, &row] { ask(row); });
+        action->setToolTip(row.tip);
+        action->setData(row.op);
+    }
+}
+
+void MainWindow::ask(const session::CommandRow& row) {
+    CommandDialog dialog(row, this);
+    if (dialog.exec() == QDialog::Accepted)
+        m_editor->run(dialog.command());
+}
+
+void MainWindow::buildViewMenu() {
+    QMenu* view = addMenu("view", tr("&View"));
+    auto* shadings = new QActionGroup(this);
+    for (const auto& row : render::shadingTable()) {
+        QAction* action = addAction(*view, "", row.label, {}, [this, shading = row.shading] {
+            m_settings.shading = shading;
+            m_controller->refresh();
+        });
+        action->setToolTip(row.tip);
+        action->setCheckable(true);
+        action->setChecked(row.shading == m_settings.shading);
+        shadings->addAction(action);
+    }
+    view->addSeparator();
+    addAction(*view, "frame", tr("Frame &All"), QKeySequence("Home"), [this] { m_controller->frameAll(); });
+    for (const auto& row : namedViews())
+        addAction(*view, "view", tr(row.label), QKeySequence(row.shortcut),
+                  [this, &row] { m_controller->turnTo(row); });
+    view->addSeparator();
+    QAction* renderer = view->addAction(tr("Drawn by the %1").arg(m_viewport->rendererName()));
+    renderer->setEnabled(false);
+    renderer->setToolTip(m_whyRenderer);
+    connect(view, &QMenu::aboutToShow, this,
+            [this, renderer] { renderer->setText(tr("Drawn by: %1").arg(m_viewport->rendererName())); });
+}
+
+void MainWindow::buildHelpMenu() {
+    QMenu* help = addMenu("help", tr("&Help"));
+    addAction(*help, "keyboard", tr("&Shortcuts…"), QKeySequence("F1"), [this] {
+        auto* dialog = new ShortcutsDialog(*this, this);
+        dialog->setAttribute(Qt::WA_DeleteOnClose);
+        dialog->show();
+    });
+    addAction(*help, "about", tr("&About Pointclay…"), {}, [this] { about(); });
+}
+
+void MainWindow::about() {
+    auto* box = new QMessageBox(this);
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setWindowTitle(tr("About Pointclay"));
+    box->setIconPixmap(icon("pointclay").pixmap(64, 64));
+    box->setText(tr("<b>Pointclay %1</b><br>Sculpting and editing of point-set surfaces.")
+                     .arg(QCoreApplication::applicationVersion()));
+    box->setInformativeText(tr("Drawn by: %1 (%2).<br>Free software under the GNU General Public License, version 3 or "
+                               "later.")
+                                .arg(m_viewport->rendererName(), m_whyRenderer));
+    box->open();
+}
+
+} // namespace ui

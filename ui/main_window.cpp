@@ -1,0 +1,165 @@
+#include "ui/main_window.h"
+
+#include "ui/properties_panel.h"
+#include "ui/status_line.h"
+#include "ui/tool_bar.h"
+
+#include <QAction>
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QMimeData>
+#include <QUrl>
+
+namespace ui {
+
+static std::unique_ptr<QSettings> openStore(const QString& file) {
+    if (file.isEmpty())
+        return std::make_unique<QSettings>("pointclay", "pointclay");
+    return std::make_unique<QSettings>(file, QSettings::IniFormat);
+}
+
+MainWindow::MainWindow(const WindowOptions& options, QWidget* parent)
+    : QMainWindow(parent), m_store(openStore(options.settingsFile)), m_settings(readSettings(*m_store)),
+      m_editor(new Editor(options.editor, this)) {
+    setAcceptDrops(true);
+    setContextMenuPolicy(Qt::NoContextMenu);
+    buildViewport();
+    m_files = new FileActions(*this, *m_editor, m_settings, *m_controller);
+    buildBars();
+    buildFileMenu();
+    buildEditMenu();
+    buildBrushMenu();
+    buildModelMenu();
+    buildViewMenu();
+    buildHelpMenu();
+    connectEditor();
+    showSnapshot();
+    resize(1280, 800);
+    restoreGeometry(m_settings.geometry);
+    restoreState(m_settings.windowState);
+}
+
+MainWindow::~MainWindow() {
+    // The editor's thread ends before anything that its last words would reach.
+    m_editor->disconnect();
+    delete m_editor;
+}
+
+void MainWindow::buildViewport() {
+    m_viewport = makeViewport(this, &m_whyRenderer);
+    setCentralWidget(m_viewport->widget());
+    m_viewport->widget()->setMinimumSize(320, 240);
+    m_controller = new ViewController(*m_editor, m_settings, *m_viewport, this);
+    m_viewport->framePainted = [this](double seconds) { m_status->showFrame(seconds, m_viewport->rendererName()); };
+    m_viewport->troubled = [this](const QString& trouble) { m_status->tell(trouble, true); };
+}
+
+void MainWindow::buildBars() {
+    m_status = new StatusLine;
+    setStatusBar(m_status);
+    connect(m_status, &StatusLine::cancelled, m_editor, &Editor::cancelWork);
+
+    m_tools = new ToolBar(m_settings);
+    addToolBar(Qt::LeftToolBarArea, m_tools);
+    connect(m_tools, &ToolBar::chosen, this, [this] {
+        m_panel->refresh();
+        m_status->tell(m_settings.toolRow().tip);
+    });
+
+    m_panel = new PropertiesPanel(m_settings);
+    auto* dock = new QDockWidget(tr("Properties"));
+    dock->setObjectName("properties");
+    dock->setFeatures(QDockWidget::NoDockWidgetFeatures);
+    dock->setTitleBarWidget(new QWidget); // none: the headings inside say it
+    dock->setWidget(m_panel);
+    addDockWidget(Qt::RightDockWidgetArea, dock);
+    connect(m_panel, &PropertiesPanel::edited, this, &MainWindow::settingsEdited);
+    connect(m_controller, &ViewController::radiusChanged, m_panel, &PropertiesPanel::refresh);
+}
+
+void MainWindow::connectEditor() {
+    connect(m_editor, &Editor::changed, this, &MainWindow::showSnapshot);
+    connect(m_editor, &Editor::progressed, this, &MainWindow::showProgress);
+    connect(m_editor, &Editor::told, this, [this](const QString& message) { m_status->tell(message); });
+    connect(m_editor, &Editor::failed, this, [this](const QString& message) { m_status->tell(message, true); });
+    connect(m_editor, &Editor::idled, this, [this] {
+        m_working.invalidate();
+        m_status->hideProgress();
+    });
+}
+
+void MainWindow::showSnapshot() {
+    const Snapshot& now = m_editor->snapshot();
+    const QString name = now.path.empty() ? tr("Untitled") : QString::fromStdString(now.path.filename().string());
+    setWindowTitle(tr("%1[*] – Pointclay").arg(name));
+    setWindowModified(now.modified);
+    m_undo->setEnabled(now.canUndo);
+    m_undo->setText(now.canUndo ? tr("Undo %1").arg(QString::fromStdString(now.undoLabel)) : tr("Undo"));
+    m_redo->setEnabled(now.canRedo);
+    m_redo->setText(now.canRedo ? tr("Redo %1").arg(QString::fromStdString(now.redoLabel)) : tr("Redo"));
+    m_status->showModel(now);
+    if (now.models != m_models) {
+        m_models = now.models;
+        m_panel->setModelSize(static_cast<double>(now.surface.tree().bounds().diagonal()));
+    }
+}
+
+void MainWindow::showProgress(double share, const QString& doing) {
+    constexpr qint64 patienceMs = 250; // shorter work shows no bar
+    if (!m_working.isValid())
+        m_working.start();
+    if (m_editor->working() && m_working.elapsed() >= patienceMs)
+        m_status->showProgress(share, doing);
+}
+
+void MainWindow::settingsEdited() {
+    m_controller->refresh();
+}
+
+void MainWindow::undo() {
+    if (!m_controller->cancel()) // the stroke in progress goes first
+        m_editor->run({{"op", "undo"}});
+}
+
+void MainWindow::redo() {
+    m_editor->run({{"op", "redo"}});
+}
+
+void MainWindow::escape() {
+    if (!m_controller->cancel() && m_editor->working())
+        m_editor->cancelWork();
+}
+
+// --- leaving and dropping ---
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    if (!m_mayClose) {
+        event->ignore();
+        if (m_editor->working()) { // a save is not to be cut short
+            connect(m_editor, &Editor::idled, this, &QWidget::close, Qt::SingleShotConnection);
+            m_status->tell(tr("Closing when this is done; Esc stops it."));
+            return;
+        }
+        m_files->unlessUnsaved([this] {
+            m_mayClose = true;
+            close();
+        });
+        return;
+    }
+    m_settings.geometry = saveGeometry();
+    m_settings.windowState = saveState();
+    writeSettings(m_settings, *m_store);
+    m_editor->discardJournalAtEnd();
+    event->accept();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    if (event->mimeData()->hasUrls() && event->mimeData()->urls().front().isLocalFile())
+        event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+    m_files->open(std::filesystem::path(event->mimeData()->urls().front().toLocalFile().toStdString()));
+}
+
+} // namespace ui

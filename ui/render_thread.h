@@ -1,0 +1,51 @@
+// Draws frames away from the interface's thread. Only the latest request counts: a newer one replaces what waits.
+//
+// While frames follow each other and a full one takes longer than `fluentSeconds`, it draws at half resolution; the
+// full picture follows when nothing new has come for `restSeconds`.
+#pragma once
+
+#include "ui/viewport.h"
+
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+namespace ui {
+
+class RenderThread {
+  public:
+    static constexpr double fluentSeconds = 0.030, restSeconds = 0.12;
+
+    struct Result {
+        QImage picture; ///< RGB32; smaller than asked for where `reduced`
+        double seconds = 0;
+        bool reduced = false;
+        QString trouble; ///< not empty: no picture, and why
+    };
+    using Deliver = std::function<void(Result)>;
+
+    /// `deliver` is called on the drawing thread.
+    RenderThread(std::unique_ptr<render::Renderer> renderer, Deliver deliver);
+    ~RenderThread();
+    void request(const Frame& frame); ///< any thread
+
+  private:
+    void work();
+    /// Waits for a request, or until the picture left at half resolution may be completed. Empty: time to end.
+    std::optional<Frame> next();
+    Result draw(const Frame& frame);
+
+    std::unique_ptr<render::Renderer> m_renderer; ///< touched by the drawing thread alone
+    Deliver m_deliver;
+    std::mutex m_mutex;
+    std::condition_variable m_asked;
+    std::optional<Frame> m_request;
+    bool m_ending = false;
+    std::optional<Frame> m_unrefined; ///< drawn reduced; to be drawn in full at rest
+    double m_fullSeconds = 0;         ///< what a full frame took or would take
+    render::Image m_image;            ///< kept for its memory
+    std::thread m_thread;             ///< last: it uses all of the above
+};
+
+} // namespace ui

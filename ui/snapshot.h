@@ -1,0 +1,27 @@
+// What the window knows of the document: a value made on the model thread, shown on the interface's thread.
+#pragma once
+
+#include "core/session/document.h"
+
+namespace ui {
+
+struct Snapshot {
+    surface::Surface surface; ///< with the dabs of a stroke in progress
+    std::filesystem::path path;
+    base::Vec3d origin;
+    bool modified = false;
+    bool canUndo = false, canRedo = false;
+    std::string undoLabel, redoLabel;
+    std::size_t modelBytes = 0, historyBytes = 0;
+    float spacing = 0;        ///< typical distance of neighbouring surfels, model units; 0 where there are too few
+    double dabSeconds = 0;    ///< the last dab, resampling included
+    std::uint64_t models = 0; ///< grows when another model takes the place of the old one: frame it
+};
+
+/// Everything but `dabSeconds` and `models`. Cost: blocks, not surfels.
+Snapshot snapshotOf(const session::Document& document);
+
+/// Median of alg. 2.6's spacing over some 200 surfels spread through the tree; 0 for fewer than 7 surfels.
+float typicalSpacing(const tree::SurfelTree& tree);
+
+} // namespace ui

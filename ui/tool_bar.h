@@ -1,0 +1,26 @@
+// The tools down the left side: one button per row of sculpt::toolTable(), and nothing else that knows a tool.
+#pragma once
+
+#include "ui/settings.h"
+
+#include <QToolBar>
+
+class QActionGroup;
+
+namespace ui {
+
+class ToolBar : public QToolBar {
+    Q_OBJECT
+  public:
+    ToolBar(Settings& settings, QWidget* parent = nullptr);
+    /// One action per row, in the table's order; `data()` is the tool's id.
+    QList<QAction*> toolActions() const;
+
+  signals:
+    void chosen(); ///< settings.tool has changed
+
+  private:
+    QActionGroup* m_tools;
+};
+
+} // namespace ui

@@ -1,0 +1,301 @@
+#include "ui/view_controller.h"
+
+#include "core/surface/intersect.h"
+
+#include <numbers>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QTabletEvent>
+#include <QWheelEvent>
+#include <QWidget>
+
+namespace ui {
+
+using base::Vec3d;
+
+ViewController::ViewController(Editor& editor, Settings& settings, Viewport& viewport, QObject* parent)
+    : QObject(parent), m_editor(editor), m_settings(settings), m_viewport(viewport) {
+    QWidget* widget = viewport.widget();
+    widget->setMouseTracking(true);
+    widget->setTabletTracking(true);
+    widget->setFocusPolicy(Qt::StrongFocus);
+    widget->setCursor(Qt::CrossCursor);
+    widget->installEventFilter(this);
+    viewport.paintOverlay = [this](QPainter& painter) { paintOverlay(painter); };
+    connect(&editor, &Editor::changed, this, &ViewController::followModel);
+}
+
+render::Camera ViewController::camera() const {
+    const QWidget* widget = m_viewport.widget();
+    const double scale = widget->devicePixelRatioF();
+    return m_view.camera(std::max(1, qRound(widget->width() * scale)), std::max(1, qRound(widget->height() * scale)));
+}
+
+void ViewController::refresh(bool moving) {
+    Frame frame{m_editor.snapshot().surface.tree(), camera(), {}, moving};
+    frame.options.shading = m_settings.shading;
+    m_viewport.show(frame);
+    updateCursor();
+}
+
+void ViewController::followModel() {
+    const Snapshot& snapshot = m_editor.snapshot();
+    if (snapshot.models != m_models) {
+        m_models = snapshot.models;
+        const render::Camera now = camera();
+        m_view = OrbitView::of(render::Camera::looking(snapshot.surface.tree().bounds(), now.width, now.height));
+    }
+    refresh(m_gesture != Gesture::None);
+}
+
+void ViewController::frameAll() {
+    const render::Camera now = camera();
+    if (!m_editor.snapshot().surface.tree().empty())
+        m_view.frame(m_editor.snapshot().surface.tree().bounds(), now.width, now.height);
+    refresh();
+}
+
+void ViewController::turnTo(const NamedView& view) {
+    m_view.yawRad = view.yawDeg * std::numbers::pi / 180;
+    m_view.pitchRad = view.pitchDeg * std::numbers::pi / 180;
+    refresh();
+}
+
+// --- the brush ---
+
+std::optional<BrushContact> ViewController::contactAt(const QPointF& place) const {
+    const base::Rayd ray = camera().ray(place.x(), place.y());
+    const base::Rayf narrow{base::cast<float>(ray.origin), base::normalized(base::cast<float>(ray.direction))};
+    const surface::Surface& surface = m_editor.snapshot().surface;
+    if (surface.tree().empty())
+        return {};
+    const surface::RayHit<float> hit = surface::intersect(surface, narrow);
+    if (!hit.hit)
+        return {};
+    return BrushContact{base::cast<double>(hit.position), base::cast<double>(hit.normal)};
+}
+
+double ViewController::pixelsAt(const Vec3d& p) const {
+    const render::Camera now = camera();
+    return now.focalPx() / std::max(now.project(p).z, 1e-12 * m_view.distance);
+}
+
+double ViewController::worldRadius(const Vec3d& contact) const {
+    if (m_settings.radiusUnit == RadiusUnit::Model)
+        return m_settings.radiusModel;
+    return m_settings.radiusPx * m_viewport.widget()->devicePixelRatioF() / pixelsAt(contact);
+}
+
+void ViewController::updateCursor() {
+    m_cursor.pointer = m_pointer.place;
+    m_cursor.contact.reset();
+    m_cursor.radiusPx = 0;
+    m_cursor.inverted = m_settings.invert != m_pointer.modifiers.testFlag(Qt::ControlModifier);
+    if (m_inside && (m_gesture == Gesture::None || m_gesture == Gesture::Sculpt)) {
+        m_cursor.contact = contactAt(m_pointer.place);
+        if (m_cursor.contact)
+            m_cursor.radius = worldRadius(m_cursor.contact->position);
+        else if (m_settings.radiusUnit == RadiusUnit::Pixels)
+            m_cursor.radiusPx = m_settings.radiusPx * m_viewport.widget()->devicePixelRatioF();
+        else
+            m_cursor.radiusPx = m_settings.radiusModel * pixelsAt(m_view.target);
+    }
+    m_viewport.widget()->update();
+}
+
+void ViewController::paintOverlay(QPainter& painter) const {
+    const double scale = 1 / m_viewport.widget()->devicePixelRatioF();
+    painter.save();
+    painter.scale(scale, scale);
+    paint(painter, m_cursor, camera());
+    painter.restore();
+}
+
+void ViewController::scaleRadius(double factor) {
+    if (m_settings.radiusUnit == RadiusUnit::Pixels)
+        m_settings.radiusPx = std::clamp(m_settings.radiusPx * factor, Settings::minRadiusPx, Settings::maxRadiusPx);
+    else
+        m_settings.radiusModel = std::clamp(m_settings.radiusModel * factor, 1e-30, 1e30);
+    updateCursor();
+    emit radiusChanged();
+}
+
+void ViewController::dragRadius(double dx) {
+    scaleRadius(std::exp(dx / 150));
+}
+
+// --- strokes ---
+
+void ViewController::beginStroke(const Pointer& pointer, const BrushContact& contact) {
+    const bool smoothing = pointer.modifiers.testFlag(Qt::ShiftModifier);
+    const sculpt::ToolRow& row = smoothing ? sculpt::tool(m_settings.shiftTool) : m_settings.toolRow();
+    const bool flip = pointer.modifiers.testFlag(Qt::ControlModifier);
+    m_editor.beginStroke(strokeSettings(m_settings, row, static_cast<float>(worldRadius(contact.position)), flip));
+    m_gesture = Gesture::Sculpt;
+    m_strokeClock.start();
+    addSample(pointer);
+}
+
+void ViewController::addSample(const Pointer& pointer) {
+    const base::Rayd ray = camera().ray(pointer.place.x(), pointer.place.y());
+    sculpt::StrokeSample sample;
+    sample.ray = {base::cast<float>(ray.origin), base::normalized(base::cast<float>(ray.direction))};
+    sample.pressure = pointer.pressure;
+    sample.seconds = static_cast<float>(static_cast<double>(m_strokeClock.nsecsElapsed()) * 1e-9);
+    m_editor.addSample(sample);
+}
+
+bool ViewController::cancel() {
+    if (m_gesture == Gesture::Sculpt) {
+        m_gesture = Gesture::None;
+        m_editor.cancelStroke();
+        return true;
+    }
+    if (m_radiusBefore) {
+        double& radius = m_settings.radiusUnit == RadiusUnit::Pixels ? m_settings.radiusPx : m_settings.radiusModel;
+        radius = *m_radiusBefore;
+        m_radiusBefore.reset();
+        updateCursor();
+        emit radiusChanged();
+        return true;
+    }
+    return false;
+}
+
+// --- gestures ---
+
+void ViewController::press(const Pointer& pointer) {
+    if (m_gesture != Gesture::None)
+        return;
+    m_pointer = pointer;
+    m_button = pointer.button;
+    const bool left = pointer.button == Qt::LeftButton && !pointer.modifiers.testFlag(Qt::AltModifier);
+    const auto contact = left && !m_editor.working() ? contactAt(pointer.place) : std::nullopt;
+    if (contact)
+        beginStroke(pointer, *contact);
+    else if (pointer.button == Qt::LeftButton || pointer.button == Qt::RightButton)
+        m_gesture = Gesture::Orbit;
+    else if (pointer.button == Qt::MiddleButton)
+        m_gesture = Gesture::Pan;
+    updateCursor();
+}
+
+void ViewController::move(const Pointer& pointer) {
+    const QPointF by = pointer.place - m_pointer.place;
+    const int height = camera().height;
+    m_pointer = pointer;
+    m_inside = true;
+    if (m_radiusBefore && m_gesture == Gesture::None)
+        return dragRadius(by.x());
+    if (m_gesture == Gesture::Sculpt)
+        addSample(pointer);
+    else if (m_gesture == Gesture::Orbit)
+        m_view.orbit(by.x(), by.y(), height);
+    else if (m_gesture == Gesture::Pan)
+        m_view.pan(by.x(), by.y(), height);
+    if (m_gesture == Gesture::Orbit || m_gesture == Gesture::Pan)
+        refresh(true);
+    else
+        updateCursor();
+}
+
+void ViewController::release(const Pointer& pointer) {
+    m_pointer = pointer;
+    if (pointer.button != m_button)
+        return;
+    const Gesture ended = std::exchange(m_gesture, Gesture::None);
+    if (ended == Gesture::Sculpt)
+        m_editor.endStroke();
+    if (ended != Gesture::None)
+        refresh();
+}
+
+// --- events ---
+
+bool ViewController::eventFilter(QObject*, QEvent* event) {
+    switch (event->type()) {
+    case QEvent::MouseButtonPress:
+    case QEvent::MouseButtonDblClick:
+    case QEvent::MouseMove:
+    case QEvent::MouseButtonRelease:
+        return mouse(static_cast<QMouseEvent&>(*event));
+    case QEvent::TabletPress:
+    case QEvent::TabletMove:
+    case QEvent::TabletRelease:
+        return tablet(static_cast<QTabletEvent&>(*event));
+    case QEvent::Wheel:
+        return wheel(static_cast<QWheelEvent&>(*event));
+    case QEvent::KeyPress:
+    case QEvent::KeyRelease:
+        return key(static_cast<QKeyEvent&>(*event), event->type() == QEvent::KeyPress);
+    case QEvent::Enter:
+        m_viewport.widget()->setFocus(Qt::MouseFocusReason);
+        return false;
+    case QEvent::Leave:
+    case QEvent::FocusOut:
+        m_inside = false;
+        m_radiusBefore.reset();
+        updateCursor();
+        return false;
+    case QEvent::Resize:
+    case QEvent::Show:
+        refresh();
+        return false;
+    default:
+        return false;
+    }
+}
+
+bool ViewController::mouse(QMouseEvent& event) {
+    const double scale = m_viewport.widget()->devicePixelRatioF();
+    const Pointer pointer{event.position() * scale, event.button(), event.modifiers(), 1};
+    if (event.type() == QEvent::MouseMove)
+        move(pointer);
+    else if (event.type() == QEvent::MouseButtonRelease)
+        release(pointer);
+    else
+        press(pointer);
+    return true;
+}
+
+bool ViewController::tablet(QTabletEvent& event) {
+    const double scale = m_viewport.widget()->devicePixelRatioF();
+    const float pressure = std::clamp(static_cast<float>(event.pressure()), 0.0f, 1.0f);
+    const Pointer pointer{event.position() * scale, event.button(), event.modifiers(), pressure};
+    if (event.type() == QEvent::TabletMove)
+        move(pointer);
+    else if (event.type() == QEvent::TabletRelease)
+        release(pointer);
+    else
+        press(pointer);
+    event.accept();
+    return true;
+}
+
+bool ViewController::wheel(QWheelEvent& event) {
+    const double scale = m_viewport.widget()->devicePixelRatioF();
+    const auto under = contactAt(event.position() * scale);
+    if (m_gesture != Gesture::Sculpt) {
+        m_view.zoom(event.angleDelta().y() / 120.0, under ? under->position : m_view.target);
+        refresh(true);
+    }
+    event.accept();
+    return true;
+}
+
+bool ViewController::key(QKeyEvent& event, bool pressed) {
+    const auto changes = event.key() == Qt::Key_Control ? Qt::ControlModifier
+                         : event.key() == Qt::Key_Shift ? Qt::ShiftModifier
+                                                        : Qt::NoModifier;
+    m_pointer.modifiers = pressed ? event.modifiers() | changes : event.modifiers() & ~Qt::KeyboardModifiers(changes);
+    if (event.key() == Qt::Key_F && !event.isAutoRepeat() && event.modifiers() == Qt::NoModifier) {
+        const bool pixels = m_settings.radiusUnit == RadiusUnit::Pixels;
+        m_radiusBefore.reset();
+        if (pressed && m_gesture == Gesture::None)
+            m_radiusBefore = pixels ? m_settings.radiusPx : m_settings.radiusModel;
+    }
+    updateCursor();
+    return false;
+}
+
+} // namespace ui
