@@ -13,6 +13,7 @@ CommandRow newCommand();
 CommandRow saveCommand();
 CommandRow surfaceCommand();
 CommandRow strokeCommand();
+CommandRow resampleCommand();
 CommandRow undoCommand();
 CommandRow redoCommand();
 CommandRow expectCommand();

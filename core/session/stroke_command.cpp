@@ -26,20 +26,16 @@ static void stroke(Context& context, const json& complete) {
     context.dabSeconds.insert(context.dabSeconds.end(), quiet.dabSeconds.begin(), quiet.dabSeconds.end());
 }
 
+/// What the table does not name must be the tool's own.
 static void checkToolParameter(const json& command, const std::string& key, const json& value) {
-    const sculpt::ToolRow& tool = sculpt::tool(command.at("tool").get<std::string>());
-    std::string known;
-    for (const sculpt::ToolParameter& p : tool.parameters) {
-        known += (known.empty() ? "" : ", ") + std::string(p.id);
-        if (key != p.id)
-            continue;
-        if (!value.is_number() || !(value.get<double>() >= p.min && value.get<double>() <= p.max))
-            throw base::Error("\"" + key + "\" of the tool \"" + tool.id + "\" is " + value.dump(), {},
-                              "give a number from " + json(p.min).dump() + " to " + json(p.max).dump() + " " + p.unit);
-        return;
-    }
-    throw base::Error("unknown parameter \"" + key + "\" of \"stroke\" with the tool \"" + tool.id + "\"", {},
-                      known.empty() ? "the tool has none of its own" : "the tool's own are " + known);
+    sculpt::StrokeSettings settings;
+    settings.tool = command.at("tool").get<std::string>();
+    settings.radius = 1;
+    if (!value.is_number())
+        throw base::Error("\"" + key + "\" of \"stroke\" is " + value.dump(), {},
+                          "a tool's own parameters are numbers");
+    settings.parameters[key] = value.get<double>();
+    sculpt::check(settings);
 }
 
 CommandRow strokeCommand() {
@@ -53,7 +49,7 @@ CommandRow strokeCommand() {
         {"falloff", "choice", "", "how a dab fades from its centre to its rim", "\"smooth\"", falloffs.c_str(), 0, 0},
         {"symmetry", "list", "", "axes across which the stroke is mirrored: \"x\", \"y\", \"z\"", "[]", "", 0, 0},
         {"resample", "boolean", "", "lets the sampling follow the deformation", "true", "", 0, 0},
-        {"spacing", "number", "radii", "distance of dabs along the stroke", "0.1", "", 0.01, 2},
+        {"spacing", "number", "radii", "distance of dabs along the stroke", "0.1", "", 0.005, 10},
         {"samples", "list", "", "rays with pressure and time: [ox,oy,oz,dx,dy,dz,pressure,seconds]", "", "", 0, 0},
     };
     return {"stroke", "Stroke", "Sculpts along a line of rays.", parameters, true, false, stroke, checkToolParameter};

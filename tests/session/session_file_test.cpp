@@ -1,0 +1,123 @@
+#include "core/session/session_file.h"
+
+#include "core/base/parallel.h"
+#include "core/sculpt/tool.h"
+#include "support/registry.h"
+#include "workbench.h"
+
+#include <QtTest>
+
+using nlohmann::json;
+using test::Workbench;
+
+class SessionFileTest : public QObject {
+    Q_OBJECT
+  private slots:
+    void blankLinesAndCommentsAreSkipped();
+    void everyLineIsReported();
+    void errorsNameFileAndLine_data();
+    void errorsNameFileAndLine();
+    void nothingIsExecutedAfterAnError();
+    void relativePathsStartAtTheSession();
+    void theResultDoesNotDependOnTheThreads();
+};
+
+void SessionFileTest::blankLinesAndCommentsAreSkipped() {
+    Workbench bench;
+    const std::string text = "# a session\n\n  \t\r\n" + test::newSphere().dump() + "\r\n  # and a stroke\n" +
+                             test::strokeAt(0).dump(); // no newline at the end
+    QCOMPARE(session::replay(test::write(bench.path("s.jsonl"), text), bench.context), 2);
+    Workbench plain;
+    plain.run(test::newSphere());
+    plain.run(test::strokeAt(0));
+    QCOMPARE(bench.hash(), plain.hash());
+}
+
+void SessionFileTest::everyLineIsReported() {
+    Workbench bench;
+    const std::string text = test::newSphere().dump() + "\n\n" + test::strokeAt(0).dump() + "\n{\"op\":\"undo\"}\n";
+    std::vector<session::LineReport> reports;
+    session::replay(test::write(bench.path("s.jsonl"), text), bench.context,
+                    {false, [&](const session::LineReport& report) { reports.push_back(report); }});
+    QCOMPARE(reports.size(), std::size_t(3));
+    QCOMPARE(reports[0].line, 1);
+    QCOMPARE(reports[1].line, 3);
+    QCOMPARE(reports[1].op, std::string("stroke"));
+    QVERIFY(reports[1].dabSeconds.size() > 3 && reports[0].dabSeconds.empty() && reports[2].dabSeconds.empty());
+    QVERIFY(reports[1].seconds > 0);
+    QCOMPARE(reports[2].surfels, reports[0].surfels);
+}
+
+void SessionFileTest::errorsNameFileAndLine_data() {
+    QTest::addColumn<QString>("line");
+    QTest::newRow("op") << R"({"op":"melt"})";
+    QTest::newRow("parameter") << R"({"op":"undo","much":1})";
+    QTest::newRow("type") << R"({"op":"resample","spacing":true})";
+    QTest::newRow("torn") << R"({"op":"undo")";
+    QTest::newRow("not JSON") << "undo";
+    QTest::newRow("not UTF-8") << QString("{\"op\":\"open\",\"path\":\"\xff\"}");
+    QTest::newRow("failing") << R"({"op":"expect","surfels":1})";
+    QTest::newRow("nothing to do") << R"({"op":"redo"})";
+}
+
+void SessionFileTest::errorsNameFileAndLine() {
+    QFETCH(QString, line);
+    Workbench bench;
+    const std::string text = "# one\n" + test::newSphere(500).dump() + "\n" + line.toStdString() + "\n";
+    test::write(bench.path("s.jsonl"), text);
+    try {
+        session::replay(bench.path("s.jsonl"), bench.context);
+        QFAIL("the line was taken");
+    } catch (const base::Error& error) {
+        QVERIFY2(error.message().find("s.jsonl:3: ") != std::string::npos, error.what());
+    }
+}
+
+void SessionFileTest::nothingIsExecutedAfterAnError() {
+    Workbench bench, plain;
+    plain.run(test::newSphere());
+    plain.run(test::strokeAt(0));
+    const std::string text = test::newSphere().dump() + "\n" + test::strokeAt(0).dump() + "\n{\"op\":\"melt\"}\n" +
+                             test::strokeAt(0.2).dump() + "\n";
+    QVERIFY_EXCEPTION_THROWN(session::replay(test::write(bench.path("s.jsonl"), text), bench.context), base::Error);
+    QCOMPARE(bench.hash(), plain.hash());
+    QVERIFY_EXCEPTION_THROWN(session::replay(bench.path("nowhere.jsonl"), bench.context), base::Error);
+    QVERIFY_EXCEPTION_THROWN(session::replay(bench.dir.path().toStdString(), bench.context), base::Error);
+}
+
+void SessionFileTest::relativePathsStartAtTheSession() {
+    Workbench bench;
+    const std::string text = test::newSphere().dump() + "\n{\"op\":\"save\",\"path\":\"a.ply\"}\n" +
+                             "{\"op\":\"open\",\"path\":\"./a.ply\"}\n";
+    session::replay(test::write(bench.path("s.jsonl"), text), bench.context);
+    QVERIFY(std::filesystem::exists(bench.path("a.ply")));
+    QCOMPARE(bench.document.provenance().path.string(), bench.path("a.ply").string());
+}
+
+void SessionFileTest::theResultDoesNotDependOnTheThreads() {
+    Workbench bench;
+    std::string text = test::newSphere(20000).dump() + "\n";
+    double y = -0.4;
+    for (const sculpt::ToolRow& tool : sculpt::toolTable())
+        for (int k = 0; k < 2; ++k) {
+            json stroke = test::strokeAt(y += 0.1, tool.id);
+            stroke["symmetry"] = json::array({"x"});
+            text += stroke.dump() + "\n";
+        }
+    text += "{\"op\":\"undo\"}\n{\"op\":\"undo\"}\n{\"op\":\"redo\"}\n{\"op\":\"resample\",\"spacing\":0.03}\n";
+    test::write(bench.path("s.jsonl"), text);
+    std::vector<std::string> hashes;
+    for (const int threads : {1, 2, 3, 2}) {
+        base::setThreadCount(threads);
+        Workbench run;
+        session::replay(bench.path("s.jsonl"), run.context);
+        hashes.push_back(run.hash());
+    }
+    base::setThreadCount(0);
+    QCOMPARE(hashes[1], hashes[0]);
+    QCOMPARE(hashes[2], hashes[0]);
+    QCOMPARE(hashes[3], hashes[0]);
+}
+
+static const test::Registered<SessionFileTest> registered;
+#include "session_file_test.moc"

@@ -1,0 +1,71 @@
+// What tests of this room start from: a folder of their own, a document and a context, a small sphere and strokes on
+// it.
+#pragma once
+
+#include "core/base/error.h"
+#include "core/session/command.h"
+#include "core/session/journal.h"
+#include "core/session/recover.h"
+#include "core/session/session_file.h"
+
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <QTemporaryDir>
+#include <sstream>
+
+namespace test {
+
+using nlohmann::json;
+
+struct Workbench {
+    QTemporaryDir dir;
+    session::Document document;
+    session::Context context{document, {}, {}, {}, 0, {}, nullptr};
+
+    std::filesystem::path path(const std::string& name) const { return dir.filePath(name.c_str()).toStdString(); }
+    void run(const json& command) { session::run(context, command); }
+    std::string hash() const { return document.hash().text(); }
+    std::size_t size() const { return document.surface().tree().size(); }
+    /// The message of the base::Error that the command throws; empty where it throws none.
+    std::string refusal(const json& command) {
+        try {
+            run(command);
+        } catch (const base::Error& error) {
+            return error.message();
+        }
+        return {};
+    }
+};
+
+inline std::string contentOf(const std::filesystem::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    std::ostringstream out;
+    out << in.rdbuf();
+    return out.str();
+}
+
+inline std::filesystem::path write(const std::filesystem::path& file, const std::string& content) {
+    std::ofstream(file, std::ios::binary) << content;
+    return file;
+}
+
+inline json newSphere(int count = 3000) {
+    return {{"op", "new"}, {"sample", "sphere"}, {"count", count}};
+}
+
+/// Rays along -z over the front of the sphere from x = -0.4 to 0.4 at height `y`.
+inline json samplesAt(double y, int count = 12) {
+    json out = json::array();
+    for (int k = 0; k < count; ++k) {
+        const double part = static_cast<double>(k) / (count - 1);
+        out.push_back({0.8 * part - 0.4, y, 5.0, 0.0, 0.0, -1.0, 0.5 + 0.5 * part, 0.02 * k});
+    }
+    return out;
+}
+
+inline json strokeAt(double y, const std::string& tool = "draw") {
+    return {{"op", "stroke"}, {"tool", tool}, {"radius", 0.3}, {"samples", samplesAt(y)}};
+}
+
+} // namespace test
