@@ -1,5 +1,6 @@
 #include "ui/render/camera.h"
 
+#include <limits>
 #include <numbers>
 
 namespace render {
@@ -7,7 +8,7 @@ namespace render {
 using base::Vec3d;
 
 /// Part of the image that a framed box fills, so that splats at its border are not cut.
-constexpr double framedPart = 0.92;
+constexpr double framedPart = 0.94;
 
 Vec3d Camera::forward() const {
     return normalized(target - eye, {0, 0, -1});
@@ -42,19 +43,26 @@ Camera Camera::framing(const base::Box3f& box) const {
     if (box.empty())
         return *this;
     const Vec3d f = forward(), r = right(), u = upright(), centre = base::cast<double>(box.centre());
-    const double perX = focalPx() / (0.5 * framedPart * width), perY = focalPx() / (0.5 * framedPart * height);
-    double distance = 0;
+    // Along one image axis with slope k at its margin, a corner (x, z) is inside for an eye at (a, c) if
+    // |x - a| <= k (z - c). With A = max(x - k z) and B = max(-x - k z) the farthest c forward is -(A + B) / 2k, at
+    // a = (A - B) / 2, and that a serves any c behind it.
+    const double kx = 0.5 * framedPart * width / focalPx(), ky = 0.5 * framedPart * height / focalPx();
+    const double most = std::numeric_limits<double>::lowest();
+    double ax = most, bx = most, ay = most, by = most;
     for (int corner = 0; corner < 8; ++corner) {
         const base::Vec3f c{corner & 1 ? box.hi.x : box.lo.x, corner & 2 ? box.hi.y : box.lo.y,
                             corner & 4 ? box.hi.z : box.lo.z};
         const Vec3d v = base::cast<double>(c) - centre;
-        distance = std::max(distance, std::max(std::abs(dot(v, r)) * perX, std::abs(dot(v, u)) * perY) - dot(v, f));
+        const double x = dot(v, r), y = dot(v, u), z = dot(v, f);
+        ax = std::max(ax, x - kx * z), bx = std::max(bx, -x - kx * z);
+        ay = std::max(ay, y - ky * z), by = std::max(by, -y - ky * z);
     }
-    Camera out = *this;
+    double distance = std::max((ax + bx) / (2 * kx), (ay + by) / (2 * ky));
     if (distance <= 0) // a single point: any distance shows it
         distance = length(target - eye);
-    out.target = centre;
-    out.eye = centre - f * distance;
+    Camera out = *this;
+    out.target = centre + r * (0.5 * (ax - bx)) + u * (0.5 * (ay - by));
+    out.eye = out.target - f * distance;
     return out;
 }
 

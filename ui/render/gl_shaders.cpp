@@ -11,8 +11,9 @@ static std::string constant(const char* name, float value) {
 
 static std::string head() {
     return "#version 330 core\n" + constant("filterPx", filterPx) + constant("layerDepth", layerDepth) +
-           constant("backBias", backBias) + constant("minCosine", minCosine) + constant("backFrom", backFrom) +
-           constant("backTo", backTo) + "const int lightSize = " + std::to_string(lightSize) + ";\n";
+           constant("backBias", backBias) + constant("backClip", backClip) + constant("minCosine", minCosine) +
+           constant("backFrom", backFrom) + constant("backTo", backTo) +
+           "const int lightSize = " + std::to_string(lightSize) + ";\n";
 }
 
 /// The view, as in ViewFrame: slopes of the first pixel, pixels per slope, radius as a part of the support.
@@ -30,7 +31,7 @@ layout(location = 1) in vec4 packedNormal;
 layout(location = 2) in float support;
 layout(location = 3) in vec4 colourAndMask;
 flat out vec4 centre; // slopes, depth, radius
-flat out vec3 plane;  // gradient of 1/z along the slopes, bias
+flat out vec4 plane;  // gradient of 1/z along the slopes, bias, 1/z from where it is cut
 flat out vec3 normal;
 flat out vec4 attributes;
 
@@ -49,7 +50,10 @@ void main() {
     }
     float steep = (facing < 0.0 ? -1.0 : 1.0) * max(abs(facing), minCosine * distance);
     centre = vec4(p.xy / p.z, p.z, radius);
-    plane = vec3(n.xy / steep, oriented && away ? radius * backBias : 0.0);
+    bool behind = away && oriented;
+    float rise = radius * sqrt(max(0.0, 1.0 - n.z * n.z));
+    plane = vec4(n.xy / steep, behind ? radius * backBias : 0.0,
+                 behind ? 1.0 / (centre.z - backClip * rise) : 3e38);
     normal = n;
     attributes = colourAndMask;
 
@@ -79,7 +83,7 @@ void main() {
 
 static constexpr const char* splatFragment = R"(
 flat in vec4 centre;
-flat in vec3 plane;
+flat in vec4 plane;
 flat in vec3 normal;
 flat in vec4 attributes;
 layout(location = 0) out vec4 normalSum;
@@ -90,10 +94,11 @@ void main() {
     vec2 slope = image.xy + vec2(gl_FragCoord.x - 0.5, size.y - gl_FragCoord.y - 0.5) / image.z;
     vec2 d = slope - centre.xy;
     float radius = centre.w;
-    float inverse = clamp(1.0 / centre.z + dot(plane.xy, d), 1.0 / (centre.z + radius), 1.0 / (centre.z - radius));
+    float exact = 1.0 / centre.z + dot(plane.xy, d);
+    float inverse = clamp(exact, 1.0 / (centre.z + radius), 1.0 / (centre.z - radius));
     float z = 1.0 / inverse, dz = z - centre.z;
     vec3 a = vec3(dz * centre.xy + z * d, dz) / radius;
-    float r2 = min(dot(a, a), dot(d, d) * image.z * image.z / (filterPx * filterPx));
+    float r2 = min(exact > plane.w ? 2.0 : dot(a, a), dot(d, d) * image.z * image.z / (filterPx * filterPx));
     if (r2 > 1.0)
         discard;
 #ifdef VISIBILITY
@@ -115,6 +120,14 @@ uniform bool useColour, useAttributes, useDepth;
 layout(location = 0) out vec4 pixel;
 layout(location = 1) out float rayDepth;
 
+vec3 lightAt(vec3 n) {
+    if (n.z < 0.0)
+        n *= inversesqrt(dot(n.xy, n.xy) + 1e-12);
+    float halfSize = 0.5 * float(lightSize - 1);
+    ivec2 texel = ivec2(vec2(halfSize) + halfSize * vec2(n.x, -n.y) + 0.5);
+    return texelFetch(light, clamp(texel, ivec2(0), ivec2(lightSize - 1)), 0).rgb;
+}
+
 void main() {
     ivec2 at = ivec2(gl_FragCoord.xy);
     int row = int(size.y) - 1 - at.y;
@@ -132,14 +145,10 @@ void main() {
     float facing = dot(n, v), s = (facing + n.z) / (1.0 + v.z);
     n = vec3(n.xy - s * v.xy, facing);
 
+    vec3 colour = lightAt(n);
     float back = clamp((n.z - backFrom) / (backTo - backFrom), 0.0, 1.0);
-    if (n.z < backFrom)
-        n = -n;
-    else if (n.z < 0.0)
-        n *= inversesqrt(dot(n.xy, n.xy));
-    float halfSize = 0.5 * float(lightSize - 1);
-    ivec2 texel = clamp(ivec2(vec2(halfSize) + halfSize * vec2(n.x, -n.y) + 0.5), ivec2(0), ivec2(lightSize - 1));
-    vec3 colour = texelFetch(light, texel, 0).rgb;
+    if (back > 0.0)
+        colour = mix(colour, lightAt(-n) * backTint, back);
     float mask = 0.0;
     if (useAttributes) {
         vec4 blended = texelFetch(colourSums, at, 0) / sums.w;
@@ -147,7 +156,7 @@ void main() {
             colour *= blended.rgb;
         mask = blended.a;
     }
-    pixel = vec4(colour * mix(vec3(1.0), maskTint, mask) * mix(vec3(1.0), backTint, back), 1.0);
+    pixel = vec4(colour * mix(vec3(1.0), maskTint, mask), 1.0);
     if (useDepth) {
         vec2 depth = texelFetch(depthSums, at, 0).xy;
         rayDepth = depth.x / depth.y * sqrt(across);

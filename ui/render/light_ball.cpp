@@ -30,17 +30,17 @@ static Vec3f encode(const Vec3f& c) {
 }
 
 Vec3f clayLight(const Vec3f& n) {
-    static const Vec3f key = normalized(Vec3f{-0.52f, 0.66f, 0.62f}), fill = normalized(Vec3f{0.86f, 0.08f, 0.4f}),
+    static const Vec3f key = normalized(Vec3f{-0.62f, 0.7f, 0.5f}), fill = normalized(Vec3f{0.86f, 0.08f, 0.4f}),
                        rim = normalized(Vec3f{0.35f, 0.75f, -0.55f});
     const float sky = 0.5f + 0.5f * n.y, graze = 1 - std::max(0.0f, n.z);
-    Vec3f light = Vec3f{1.04f, 0.94f, 0.82f} * (0.78f * wrapped(n, key, 0.22f));
-    light += Vec3f{0.52f, 0.68f, 0.92f} * (0.2f * wrapped(n, fill, 0.3f));
-    light += Vec3f{0.38f, 0.44f, 0.52f} * (0.16f * sky) + Vec3f{0.4f, 0.31f, 0.26f} * (0.11f * (1 - sky));
-    light *= 1 - 0.35f * graze * graze; // a little less light reaches what turns away: reads as depth
-    const Vec3f clay{0.8f, 0.755f, 0.71f};
+    Vec3f light = Vec3f{1.05f, 0.94f, 0.8f} * (0.86f * wrapped(n, key, 0.12f));
+    light += Vec3f{0.46f, 0.66f, 0.98f} * (0.2f * wrapped(n, fill, 0.35f));
+    light += Vec3f{0.4f, 0.46f, 0.55f} * (0.15f * sky) + Vec3f{0.46f, 0.37f, 0.31f} * (0.16f * (1 - sky));
+    light *= 1 - 0.3f * graze * graze; // a little less light reaches what turns away: reads as depth
+    const Vec3f clay{0.8f, 0.745f, 0.69f};
     Vec3f out{light.x * clay.x, light.y * clay.y, light.z * clay.z};
-    out += Vec3f{1, 0.97f, 0.92f} * (0.1f * gloss(n, key, 22) + 0.05f * gloss(n, key, 90));
-    out += Vec3f{0.75f, 0.85f, 1} * (0.3f * graze * graze * graze * std::max(0.0f, dot(n, rim) + 0.15f));
+    out += Vec3f{1, 0.97f, 0.92f} * (0.09f * gloss(n, key, 18) + 0.06f * gloss(n, key, 80));
+    out += Vec3f{0.75f, 0.85f, 1} * (0.32f * graze * graze * graze * std::max(0.0f, dot(n, rim) + 0.15f));
     return encode(out);
 }
 

@@ -1,7 +1,8 @@
 // How a blended pixel becomes a colour. Every shading is the same formula with other tables, so that the CPU, the GL
 // shader and the ray caster agree by construction:
 //
-//     rgb = light[n] * (usesColour ? colour : 1) * lerp(1, maskTint, mask) * lerp(1, backTint, back)
+//     rgb = seen * (usesColour ? colour : 1) * lerp(1, maskTint, mask)
+//     seen = lerp(light[n], light[-n] * backTint, back)         back = 1 inside of an oriented surface, else 0
 //
 // `light` is a square picture of a lit ball (a matcap), made by code and looked up by the x and y of the normal in the
 // frame of the pixel's own ray, so that the look of a place does not depend on where in the image it stands.
@@ -26,10 +27,9 @@ struct ShadingStyle {
 /// Made once on first use; safe from any thread.
 const ShadingStyle& shadingStyle(Shading shading);
 
-/// Facing (cosine) below which an oriented surface counts as seen from inside. Not zero: splats that turn away at a
-/// silhouette reach a pixel past it, and would draw a fringe there in the light of the other side. From the second on
-/// the tint of the inside is full.
-constexpr float backFrom = -0.2f, backTo = -0.4f;
+/// Facing (cosine) between which `back` grows from 0 to 1. It starts below zero because splats that turn away at a
+/// silhouette reach a little past it, and would draw a fringe there in the light of the other side.
+constexpr float backFrom = -0.15f, backTo = -0.6f;
 
 /// `normal` (camera coordinates: x right, y up, z towards the eye) turned by the rotation that takes the direction
 /// towards the eye, (-dx, -dy, 1) normalised, to z. The pixel's ray runs along (dx, dy, -1).
@@ -40,23 +40,29 @@ inline base::Vec3f inRayFrame(const base::Vec3f& n, float dx, float dy) {
     return {n.x - s * v.x, n.y - s * v.y, facing};
 }
 
-/// The formula above. `n` unit length, in the frame of the ray; n.z < 0 where the surface is seen from inside.
-inline surfel::Colour shadePixel(const ShadingStyle& style, base::Vec3f n, surfel::Colour colour, float mask) {
-    const float back = std::clamp((n.z - backFrom) / (backTo - backFrom), 0.0f, 1.0f);
-    if (n.z < backFrom)
-        n = -n;
-    else if (n.z < 0)
-        n *= 1 / std::sqrt(n.x * n.x + n.y * n.y); // the outline of the ball
+/// The picture's texel for a unit normal; beyond the outline of the ball, the outline's.
+inline surfel::Colour lightAt(const ShadingStyle& style, base::Vec3f n) {
+    if (n.z < 0)
+        n *= 1 / std::sqrt(n.x * n.x + n.y * n.y + 1e-12f);
     constexpr float half = 0.5f * (lightSize - 1);
     const int column = std::clamp(static_cast<int>(half + half * n.x + 0.5f), 0, lightSize - 1);
     const int row = std::clamp(static_cast<int>(half - half * n.y + 0.5f), 0, lightSize - 1);
-    const surfel::Colour light = style.light[static_cast<std::size_t>(row * lightSize + column)];
+    return style.light[static_cast<std::size_t>(row * lightSize + column)];
+}
+
+/// The formula above. `n` unit length, in the frame of the ray; n.z < 0 where the surface is seen from inside.
+inline surfel::Colour shadePixel(const ShadingStyle& style, const base::Vec3f& n, surfel::Colour colour, float mask) {
+    const surfel::Colour light = lightAt(style, n);
+    const float back = std::clamp((n.z - backFrom) / (backTo - backFrom), 0.0f, 1.0f);
+    const surfel::Colour inside = back > 0 ? lightAt(style, -n) : light;
     surfel::Colour out = 0xff000000u;
     for (std::size_t k = 0; k < 3; ++k) {
-        float c = static_cast<float>(light >> (8 * k) & 255);
+        const auto channel = [&](surfel::Colour from) { return static_cast<float>(from >> (8 * k) & 255u); };
+        float c = channel(light);
+        c += back * (channel(inside) * style.backTint[k] - c);
         if (style.usesColour)
-            c *= static_cast<float>(colour >> (8 * k) & 255) * (1.0f / 255);
-        c *= (1 + mask * (style.maskTint[k] - 1)) * (1 + back * (style.backTint[k] - 1));
+            c *= channel(colour) * (1.0f / 255);
+        c *= 1 + mask * (style.maskTint[k] - 1);
         out |= static_cast<surfel::Colour>(c + 0.5f) << (8 * k);
     }
     return out;

@@ -15,7 +15,7 @@ using surfel::clusterSize;
 /// A cluster's splats as arrays, before those outside the tile are dropped.
 struct ClusterSplats {
     HWY_ALIGN float x[clusterSize], y[clusterSize], z[clusterSize], gradX[clusterSize], gradY[clusterSize];
-    HWY_ALIGN float radius[clusterSize], back[clusterSize];
+    HWY_ALIGN float radius[clusterSize], back[clusterSize], rise[clusterSize];
     HWY_ALIGN float normalX[clusterSize], normalY[clusterSize], normalZ[clusterSize];
     /// First and last pixel of the tile, as whole numbers; empty where hidden.
     HWY_ALIGN float left[clusterSize], right[clusterSize], top[clusterSize], bottom[clusterSize];
@@ -89,6 +89,7 @@ HWY_INLINE void transform(const surfel::SurfelBlock& block, int cluster, const V
         hn::Store(hn::Div(ny, steep), d, out.gradY + lane);
         hn::Store(radius, d, out.radius + lane);
         hn::Store(hn::IfThenElse(away, one, zero), d, out.back + lane);
+        hn::Store(ez, d, out.rise + lane);
         hn::Store(nx, d, out.normalX + lane);
         hn::Store(ny, d, out.normalY + lane);
         hn::Store(nz, d, out.normalZ + lane);
@@ -108,6 +109,7 @@ int gather(const BinEntry& entry, const ViewFrame& view, const SplatStyle& style
             if (!(s.left[i] <= s.right[i] && s.top[i] <= s.bottom[i]))
                 continue;
             const float radius = s.radius[i], z = s.z[i];
+            const bool behind = style.oriented && s.back[i] > 0;
             out[count++] = {s.x[i],
                             s.y[i],
                             z,
@@ -115,9 +117,10 @@ int gather(const BinEntry& entry, const ViewFrame& view, const SplatStyle& style
                             s.gradY[i],
                             1 / (z + radius),
                             1 / (z - radius),
+                            behind ? 1 / (z - backClip * s.rise[i]) : std::numeric_limits<float>::infinity(),
                             1 / (radius * radius),
                             radius * layerDepth,
-                            style.oriented ? s.back[i] * radius * backBias : 0,
+                            behind ? radius * backBias : 0,
                             s.normalX[i],
                             s.normalY[i],
                             s.normalZ[i],
@@ -132,7 +135,7 @@ int gather(const BinEntry& entry, const ViewFrame& view, const SplatStyle& style
     return count;
 }
 
-/// Depth and squared radius at 8 pixels in a row.
+/// Depth and squared radius at 8 pixels in a row; a radius above 1 is outside.
 template <class D>
 struct Fragments {
     hn::Vec<D> z, r2;
@@ -141,13 +144,14 @@ struct Fragments {
 /// `dx`: slopes from the splat's centre; `row`: 1/z at dx = 0; `dy2`: squared distance down, in filter units.
 template <class D, class V>
 HWY_INLINE Fragments<D> meet(D d, const Splat& s, V dx, float dy, float row, float dy2, float filter) {
-    const V inverse =
-        hn::Clamp(hn::MulAdd(hn::Set(d, s.gradX), dx, hn::Set(d, row)), hn::Set(d, s.low), hn::Set(d, s.high));
+    const V exact = hn::MulAdd(hn::Set(d, s.gradX), dx, hn::Set(d, row));
+    const V inverse = hn::Clamp(exact, hn::Set(d, s.low), hn::Set(d, s.high));
     const V z = hn::Div(hn::Set(d, 1.0f), inverse);
     const V dz = hn::Sub(z, hn::Set(d, s.z));
     const V ax = hn::MulAdd(dz, hn::Set(d, s.x), hn::Mul(z, dx));
     const V ay = hn::MulAdd(dz, hn::Set(d, s.y), hn::Mul(z, hn::Set(d, dy)));
-    const V onDisc = hn::Mul(hn::MulAdd(ax, ax, hn::MulAdd(ay, ay, hn::Mul(dz, dz))), hn::Set(d, s.inverseRadiusSq));
+    V onDisc = hn::Mul(hn::MulAdd(ax, ax, hn::MulAdd(ay, ay, hn::Mul(dz, dz))), hn::Set(d, s.inverseRadiusSq));
+    onDisc = hn::IfThenElse(hn::Gt(exact, hn::Set(d, s.cut)), hn::Set(d, 2.0f), onDisc);
     const V onScreen = hn::MulAdd(hn::Mul(dx, hn::Set(d, filter)), dx, hn::Set(d, dy2));
     return {z, hn::Min(onDisc, onScreen)};
 }

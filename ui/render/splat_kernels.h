@@ -16,15 +16,18 @@
 
 namespace render {
 
-/// Usual splat radius as a part of the support radius: 1.04 spacings for supports of 38 neighbours (h = 3.48 s), which
+/// Usual splat radius as a part of the support radius: 1.18 spacings for supports of 38 neighbours (h = 3.48 s), which
 /// closes every hole of a hexagonal layout and of a random one with the gaps of a Poisson-disc sampling.
-constexpr float splatRadiusOfSupport = 0.3f;
+constexpr float splatRadiusOfSupport = 0.34f;
 /// Radius of the screen-space filter in pixels.
 constexpr float filterPx = 1;
 /// Splats within this many radii behind the nearest belong to its layer.
 constexpr float layerDepth = 1;
 /// Splats seen from behind need to be this much nearer (in radii): the far side of a thin sheet does not bleed through.
 constexpr float backBias = 0.75f;
+/// And the part of their disc that rises towards the eye is cut at this part of its radius: at a silhouette it would
+/// stand out beyond the surface, which bends away there.
+constexpr float backClip = 0.35f;
 /// The smallest cosine between a splat and its ray: an edge-on disc is drawn as thin as that, not infinitely.
 constexpr float minCosine = 0.02f;
 
@@ -35,11 +38,12 @@ struct SplatStyle {
     bool colours = false;  ///< sum colours and masks too
 };
 
-/// One splat in view coordinates; 64 bytes.
+/// One splat in view coordinates.
 struct Splat {
     float x, y, z;         ///< slopes of the centre, and its depth
     float gradX, gradY;    ///< of 1/z along the slopes
     float low, high;       ///< range of 1/z: the disc lies within its radius of its centre
+    float cut;             ///< 1/z from where the disc is cut, see backClip
     float inverseRadiusSq; ///< 1/R^2
     float reach;           ///< what belongs to its layer may lie this far behind
     float bias;            ///< > 0 where it is seen from behind
