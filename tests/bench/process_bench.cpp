@@ -80,7 +80,7 @@ void normalsNaive(benchmark::State& state) {
         using Metric = nanoflann::L2_Simple_Adaptor<double, Points>;
         const nanoflann::KDTreeSingleIndexAdaptor<Metric, Points, 3> tree(3, points, {10});
         for (surfel::Surfel& s : list.items) {
-            std::size_t index[19];
+            std::uint32_t index[19];
             double distanceSq[19];
             const Eigen::Vector3d x(s.position.x, s.position.y, s.position.z);
             const std::size_t n = tree.knnSearch(x.data(), 19, index, distanceSq);
