@@ -46,6 +46,14 @@ struct alignas(32) BoundsLanes {
     unsigned meeting(const RaySlabs& ray, float (&enter)[laneCount], float (&leave)[laneCount]) const;
 };
 
+/// By value, unlike std::max and std::min, so that loops over lanes become vector instructions.
+inline float larger(float a, float b) {
+    return a < b ? b : a;
+}
+inline float smaller(float a, float b) {
+    return b < a ? b : a;
+}
+
 constexpr unsigned laneBit[laneCount] = {1, 2, 4, 8, 16, 32, 64, 128};
 
 inline RaySlabs::RaySlabs(const base::Rayf& ray) {
@@ -68,10 +76,11 @@ inline void BoundsLanes::set(int lane, const base::Box3f& box, float support) {
 }
 
 inline void BoundsLanes::distanceSq(const base::Vec3f& x, float (&out)[laneCount]) const {
+    const float px = x.x, py = x.y, pz = x.z; // copies, which no store to `out` can change
     for (int i = 0; i < laneCount; ++i) {
-        const float dx = std::max(std::max(loX[i] - x.x, x.x - hiX[i]), 0.0f);
-        const float dy = std::max(std::max(loY[i] - x.y, x.y - hiY[i]), 0.0f);
-        const float dz = std::max(std::max(loZ[i] - x.z, x.z - hiZ[i]), 0.0f);
+        const float dx = smaller(larger(px, loX[i]), hiX[i]) - px;
+        const float dy = smaller(larger(py, loY[i]), hiY[i]) - py;
+        const float dz = smaller(larger(pz, loZ[i]), hiZ[i]) - pz;
         out[i] = dx * dx + dy * dy + dz * dz;
     }
 }
@@ -88,9 +97,9 @@ inline unsigned BoundsLanes::supporting(const base::Vec3f& x) const {
 inline unsigned BoundsLanes::supporting(const base::Box3f& q) const {
     unsigned mask = 0;
     for (int i = 0; i < laneCount; ++i) {
-        const float dx = std::max(std::max(loX[i] - q.hi.x, q.lo.x - hiX[i]), 0.0f);
-        const float dy = std::max(std::max(loY[i] - q.hi.y, q.lo.y - hiY[i]), 0.0f);
-        const float dz = std::max(std::max(loZ[i] - q.hi.z, q.lo.z - hiZ[i]), 0.0f);
+        const float dx = larger(larger(loX[i] - q.hi.x, q.lo.x - hiX[i]), 0.0f);
+        const float dy = larger(larger(loY[i] - q.hi.y, q.lo.y - hiY[i]), 0.0f);
+        const float dz = larger(larger(loZ[i] - q.hi.z, q.lo.z - hiZ[i]), 0.0f);
         mask |= dx * dx + dy * dy + dz * dz < maxSupport[i] * maxSupport[i] ? laneBit[i] : 0;
     }
     return mask;
@@ -122,8 +131,8 @@ inline unsigned BoundsLanes::meeting(const RaySlabs& ray, float (&enter)[laneCou
         for (int i = 0; i < laneCount; ++i) {
             const float reach = surfaceReach * maxSupport[i];
             const float a = (lo[i] - reach - origin) * inverse, b = (hi[i] + reach - origin) * inverse;
-            enter[i] = std::max(enter[i], std::min(a, b));
-            leave[i] = std::min(leave[i], std::max(a, b));
+            enter[i] = larger(enter[i], smaller(a, b));
+            leave[i] = smaller(leave[i], larger(a, b));
         }
     }
     unsigned mask = 0;

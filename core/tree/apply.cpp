@@ -4,7 +4,8 @@
 //     locate      insertion -> block whose box is nearest
 //     collect     one LeafTask per touched level-1 node, in tree order
 //     run         each task: replaced blocks, or a pool of touched blocks cut anew
-//     assemble    bottom up; where the number of children changed, grandchildren are regrouped by kd cuts
+//     assemble    bottom up; blocks are regrouped under the touched level-2 nodes, nodes where they became too many or
+//                 too few for their parent
 #include "core/base/parallel.h"
 #include "core/tree/regroup.h"
 #include "core/tree/surfel_tree.h"
@@ -160,7 +161,7 @@ Rebuilt Application::assemble(const Node& node, std::uint32_t first) {
         restructured |= part.restructured;
         fits &= part.children.size() >= 2 && part.children.size() <= fanOut;
     }
-    if (node.level > 2 && fits)
+    if (node.level > 2 && fits) // parents of regrouped nodes keep them: regrouping there again gains nothing measurable
         restructured = false;
     return restructured ? regroup(node, parts) : replace(node, parts);
 }

@@ -1,8 +1,13 @@
 #include "core/tree/cutting.h"
 
+#include "core/tree/select.h"
+
 #include <cassert>
 
 namespace tree {
+
+/// Cuts into at most so many blocks try all three axes; above, three times the work would not show in the queries.
+constexpr std::size_t carefulBlocks = 16;
 
 using surfel::clusterSize;
 using surfel::SurfelBlock;
@@ -33,21 +38,12 @@ base::Box3f boxOf(std::span<const CutItem> items) {
     return box;
 }
 
-/// Puts the `middle` smallest along the axis in front.
-void partition(std::span<CutItem> items, std::size_t middle, std::size_t axis) {
-    std::nth_element(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(middle), items.end(),
-                     [axis](const CutItem& a, const CutItem& b) {
-                         const float p = a.position[axis], q = b.position[axis];
-                         return p != q ? p < q : a.source < b.source;
-                     });
-}
-
 std::size_t longestAxis(const base::Box3f& box) {
     const base::Vec3f s = box.size();
     return s.x >= s.y && s.x >= s.z ? 0 : s.y >= s.z ? 1 : 2;
 }
 
-/// Sum of the sides, which grows with everything that makes a box meet queries.
+/// Sum of the sides: of two cuts of a thin sheet it prefers the one into compact pieces, where area is blind.
 float cost(const base::Box3f& box) {
     const base::Vec3f s = box.size();
     return s.x + s.y + s.z;
@@ -58,13 +54,13 @@ void partitionWell(std::span<CutItem> items, std::size_t middle) {
     std::size_t best = 0, last = 0;
     float bestCost = std::numeric_limits<float>::infinity();
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        partition(items, middle, last = axis);
+        selectSmallest(items, middle, last = axis);
         const float sum = cost(boxOf(items.first(middle))) + cost(boxOf(items.subspan(middle)));
         if (sum < bestCost)
             bestCost = sum, best = axis;
     }
     if (best != last)
-        partition(items, middle, best);
+        selectSmallest(items, middle, best);
 }
 
 std::size_t clustersFor(std::size_t count) {
@@ -77,7 +73,7 @@ void arrangeClusters(std::span<CutItem> items) {
         return;
     }
     const std::size_t middle = clustersFor(items.size()) / 2 * clusterSize;
-    partition(items, middle, longestAxis(boxOf(items)));
+    selectSmallest(items, middle, longestAxis(boxOf(items)));
     arrangeClusters(items.first(middle));
     arrangeClusters(items.subspan(middle));
 }
@@ -117,10 +113,10 @@ std::vector<surfel::BlockPtr> cutIntoBlocks(const Pool& pool, std::span<CutItem>
     }
     const std::size_t left = blockCount / 2;
     const std::size_t middle = (clustersFor(items.size()) * left + blockCount / 2) / blockCount * clusterSize;
-    if (blockCount <= 16)
+    if (blockCount <= carefulBlocks)
         partitionWell(items, middle);
     else
-        partition(items, middle, longestAxis(boxOf(items)));
+        selectSmallest(items, middle, longestAxis(boxOf(items)));
     std::vector<surfel::BlockPtr> out = cutIntoBlocks(pool, items.first(middle), left, extraWords);
     for (auto& block : cutIntoBlocks(pool, items.subspan(middle), blockCount - left, extraWords))
         out.push_back(std::move(block));
