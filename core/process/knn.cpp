@@ -72,7 +72,7 @@ void sortCells(std::vector<Key>& keys, std::span<const surfel::Surfel> points) {
 struct Positions {
     std::span<const base::Vec3f> p;
     std::size_t kdtree_get_point_count() const { return p.size(); }
-    float kdtree_get_pt(std::size_t i, std::size_t axis) const { return p[i][axis]; }
+    float kdtree_get_pt(std::size_t i, std::size_t axis) const { return (&p[i].x)[axis]; }
     template <class Box>
     bool kdtree_get_bbox(Box&) const {
         return false;
