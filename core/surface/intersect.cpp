@@ -12,10 +12,13 @@ namespace {
 
 constexpr double marchStep = 1.0 / 14; ///< of h: a quarter of the spacing at h = 3.5 s
 constexpr double traceFactor = 0.85;   ///< |g| stays below 1.05 up to 0.7 h: 0.85 |f| never jumps a root (alg. 3.2.3)
-constexpr double planeBand = 0.3;      ///< of h: within it, plane iteration goes straight for the root
+constexpr double planeBand = 0.5;      ///< of h: within it, plane iteration goes straight for the root
 constexpr double planeSlope = 0.25;    ///< |n.d| below which the ray grazes and is marched
-constexpr double mergeSlack = 0.25;    ///< of the support: intervals this close are one
-constexpr double steadyCosine = 0.7;   ///< normals of consecutive unoriented points must agree this well
+/// Of h: without weight all surfels are 0.98 h away, and the surface within 0.7 h of some (surfaceReach).
+constexpr double outsideStep = 0.25;
+constexpr double mergeSlack = 0.25;                   ///< of the support: intervals this close are one
+constexpr double steadyCosine = 0.7;                  ///< normals of consecutive unoriented points must agree this well
+constexpr double aheadReach = 1.5, aheadSlack = 0.15; ///< of h, along the ray and around it
 constexpr int refinements = 60;
 
 /// One ray against the surface. `t` is double in both precisions: positions are rounded once, where f is asked for.
@@ -74,7 +77,19 @@ class Casting {
     base::Vec3d position(double t) const { return m_origin + m_direction * t; }
 
     Sample sample(double t, Need need = Need::Value) const {
+        collectAhead(t);
         return {t, m_source.evaluate(base::cast<T>(position(t)), need), T(1)};
+    }
+    /// What the next steps will ask for, collected at once.
+    void collectAhead(double t) const {
+        if constexpr (std::is_same_v<T, float>) {
+            const base::Vec3f here = base::cast<float>(position(t));
+            if (m_source.covers(here))
+                return;
+            base::Box3f box{here, here};
+            box.extend(base::cast<float>(position(std::min(t + aheadReach * m_leastUnit, m_end))));
+            m_source.expect(box.inflated(static_cast<float>(aheadSlack * m_leastUnit)));
+        }
     }
     /// A sample whose normal looks to the same side as that of a neighbour on the ray.
     Sample sampleBeside(const Sample& other, double t) const {
@@ -94,6 +109,7 @@ class Casting {
 
     /// Looks for the first hit in [begin, end]; true where `m_hit` was set.
     bool walk(double begin, double end) {
+        m_end = end;
         Sample last = sample(begin);
         while (last.t < end) {
             const double t = std::min(last.t + stepAfter(last, end - begin), end);
@@ -114,6 +130,8 @@ class Casting {
     }
 
     double stepAfter(const Sample& last, double span) const {
+        if (last.at.status == Status::Outside)
+            return outsideStep * m_leastUnit;
         const double unit = last.at.unit > T(0) ? static_cast<double>(last.at.unit) : m_leastUnit;
         const double step = std::min(marchStep * unit, std::max(span / 4, 1e-6 * unit));
         return m_trace && last.usable() ? std::max(step, traceFactor * std::abs(last.f())) : step;
@@ -219,6 +237,7 @@ class Casting {
     bool m_oriented;
     double m_tolerance;
     bool m_trace;
+    double m_end = 0;                                             ///< of the interval walked
     double m_leastUnit = std::numeric_limits<double>::infinity(); ///< of the clusters met so far
     RayHit<T> m_hit;
 };

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t packetSize = 32;
 constexpr std::size_t packetsPerTask = 8;
-constexpr float coherentReach = 6; ///< packets whose boxes are larger, in supports, are scattered
+constexpr float coherentReach = 12; ///< packets whose boxes are larger, in supports, are scattered
 
 base::Box3f boxOf(std::span<const base::Vec3f> x) {
     base::Box3f out;
@@ -60,7 +60,7 @@ void forPackets(const Surface& surface, std::span<const base::Vec3f> x, float sl
             base::Box3f box;
             for (std::size_t i = first; i < last; ++i)
                 box.extend(x[index(i)]);
-            if (box.diagonal() <= 2 * coherentReach * support)
+            if (box.diagonal() <= coherentReach * support)
                 source.expect(box.inflated(slack * support));
             for (std::size_t i = first; i < last; ++i)
                 fn(source, index(i));

@@ -24,7 +24,8 @@ Evaluationf Source::evaluate(const base::Vec3f& x, Need need, const Hint& hint) 
     gather(x, clusters.list());
     const Evaluationf out = need == Need::Value ? Assembler<float, 0>(*this, clusters.span(), x, hint).run()
                                                 : Assembler<float, 1>(*this, clusters.span(), x, hint).run();
-    m_slack = slackOfUnit * out.unit;
+    if (out.unit > 0)
+        m_slack = slackOfUnit * out.unit;
     return out;
 }
 

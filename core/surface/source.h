@@ -21,6 +21,8 @@ class Source {
     /// Collects for positions in `box` at once.
     void expect(const base::Box3f& box) { m_candidates.collect(m_surface.tree(), box); }
 
+    bool covers(const base::Vec3f& x) const { return m_candidates.covers(x); }
+
     Evaluationf evaluate(const base::Vec3f& x, Need need, const Hint& hint = {});
     Evaluationd evaluate(const base::Vec3d& x, Need need, const Hint& hint = {});
 
