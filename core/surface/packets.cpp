@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::size_t packetSize = 32;
 constexpr std::size_t packetsPerTask = 8;
-constexpr float coherentReach = 12; ///< packets whose boxes are larger, in supports, are scattered
+constexpr float coherentReach =
+    6; ///< packets whose boxes are larger, in supports, share nothing; 4 times that: scattered
 
 base::Box3f boxOf(std::span<const base::Vec3f> x) {
     base::Box3f out;
@@ -50,17 +51,17 @@ void forPackets(const Surface& surface, std::span<const base::Vec3f> x, float sl
         return;
     const float support = surface.tree().maxSupport();
     std::vector<std::uint32_t> order;
-    if (x.size() > packetSize && meanDiagonal(x) > coherentReach * support)
+    if (x.size() > packetSize && meanDiagonal(x) > 4 * coherentReach * support)
         order = mortonOrder(x);
     const auto index = [&](std::size_t i) { return order.empty() ? i : order[i]; };
     base::parallelChunks(x.size(), packetSize * packetsPerTask, [&](std::size_t begin, std::size_t end, std::size_t) {
-        Source source(surface);
+        Source source(surface, slack > 0 ? Steps::Close : Steps::Apart);
         for (std::size_t first = begin; first < end; first += packetSize) {
             const std::size_t last = std::min(end, first + packetSize);
             base::Box3f box;
             for (std::size_t i = first; i < last; ++i)
                 box.extend(x[index(i)]);
-            if (box.diagonal() <= coherentReach * support)
+            if (box.diagonal() <= (slack > 0 ? 2 : 1) * coherentReach * support)
                 source.expect(box.inflated(slack * support));
             for (std::size_t i = first; i < last; ++i)
                 fn(source, index(i));

@@ -18,7 +18,7 @@ void Source::gather(const base::Vec3d& x, ClusterList& out) const {
 }
 
 Evaluationf Source::evaluate(const base::Vec3f& x, Need need, const Hint& hint) {
-    if (m_slack > 0 && !m_candidates.covers(x))
+    if (m_steps == Steps::Close && m_slack > 0 && !m_candidates.covers(x))
         expect(base::Box3f{x, x}.inflated(m_slack));
     ScratchClusters clusters;
     gather(x, clusters.list());

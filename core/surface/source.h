@@ -13,9 +13,12 @@
 
 namespace surface {
 
+/// How evaluations follow each other: anywhere, or most of them close to the one before, as iterations do.
+enum class Steps { Apart, Close };
+
 class Source {
   public:
-    explicit Source(const Surface& surface) : m_surface(surface) {}
+    explicit Source(const Surface& surface, Steps steps = Steps::Close) : m_surface(surface), m_steps(steps) {}
 
     const Surface& surface() const { return m_surface; }
     /// Collects for positions in `box` at once.
@@ -31,6 +34,7 @@ class Source {
 
   private:
     const Surface& m_surface;
+    Steps m_steps;
     Candidates m_candidates;
     float m_slack = 0; ///< how far around a position to collect; 0 before anything is known
 };

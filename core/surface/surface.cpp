@@ -35,11 +35,11 @@ Frame Surface::effectiveFrame() const {
 }
 
 Evaluationf Surface::evaluate(const base::Vec3f& x, Need need, const Hint& hint) const {
-    return Source(*this).evaluate(x, need, hint);
+    return Source(*this, Steps::Apart).evaluate(x, need, hint);
 }
 
 Evaluationd Surface::evaluateReference(const base::Vec3d& x, Need need, const Hint& hint) const {
-    return Source(*this).evaluate(x, need, hint);
+    return Source(*this, Steps::Apart).evaluate(x, need, hint);
 }
 
 void Surface::evaluate(std::span<const base::Vec3f> x, Need need, std::span<Evaluationf> out) const {
