@@ -20,9 +20,10 @@
 namespace process {
 
 struct ResampleOptions {
-    float spacing = 0; ///< target s, model units; REQUIRES > 0
-    float support = 0; ///< reach of new and moved surfels; 0: by the definition, from the spacing
-    int sweeps = 3;    ///< of relaxation
+    float spacing = 0;     ///< target s, model units; REQUIRES > 0
+    float support = 0;     ///< reach of new and moved surfels; 0: by the definition, from the spacing
+    int sweeps = 3;        ///< of relaxation
+    bool relaxAll = false; ///< relax all that was touched, not only what needs it
 };
 
 /// What has to change so that the touched part of `version` has the target spacing. `frozen`: the surface to stay on,

@@ -42,6 +42,9 @@ void wake(SampleSet& set, const std::vector<ClosePair>& pairs, std::size_t first
             wakeAround(set, pair.a), wakeAround(set, pair.b);
     for (std::size_t i = firstNew; i < set.size(); ++i)
         wakeAround(set, i);
+    for (std::size_t i = 0; set.options.relaxAll && i < set.size(); ++i)
+        if (set.free(i) && !set.is(i, Gone))
+            set.mark(i, Awake);
     pin(set);
 }
 
