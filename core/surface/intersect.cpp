@@ -61,6 +61,7 @@ class Casting {
         });
         if (!m_hit.hit && begin <= end)
             walk(begin, end);
+        m_hit.evaluations = m_evaluations;
         return m_hit;
     }
 
@@ -78,6 +79,7 @@ class Casting {
 
     Sample sample(double t, Need need = Need::Value) const {
         collectAhead(t);
+        ++m_evaluations;
         return {t, m_source.evaluate(base::cast<T>(position(t)), need), T(1)};
     }
     /// What the next steps will ask for, collected at once.
@@ -239,6 +241,7 @@ class Casting {
     bool m_trace;
     double m_end = 0;                                             ///< of the interval walked
     double m_leastUnit = std::numeric_limits<double>::infinity(); ///< of the clusters met so far
+    mutable int m_evaluations = 0;
     RayHit<T> m_hit;
 };
 

@@ -22,6 +22,7 @@ struct RayHit {
     base::Vec3<T> outward; ///< unit gradient with the frame's own sign
     T unit = 0;            ///< h at the hit
     T agreement = 0;
+    int evaluations = 0; ///< of f, spent on this ray
 };
 
 struct IntersectOptions {

@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::size_t packetSize = 32;
 constexpr std::size_t packetsPerTask = 8;
-constexpr float coherentReach =
-    6; ///< packets whose boxes are larger, in supports, share nothing; 4 times that: scattered
+/// In supports: packets whose boxes are larger share too little; where they are 4 times that, the batch is scattered.
+constexpr float coherentReach = 6;
 
 base::Box3f boxOf(std::span<const base::Vec3f> x) {
     base::Box3f out;

@@ -1,0 +1,88 @@
+// Real scans against brute force in both precisions. The folder is POINTCLAY_DATA.
+#include "brute_force.h"
+#include "core/process/prepare.h"
+#include "core/surface/project.h"
+#include "shapes.h"
+#include "support/registry.h"
+
+#include <fstream>
+#include <QtTest>
+
+using namespace surface;
+using base::Vec3d, base::Vec3f;
+
+class ScanTest : public QObject {
+    Q_OBJECT
+  private slots:
+    void precisionsAgreeWithBruteForce_data();
+    void precisionsAgreeWithBruteForce();
+};
+
+void ScanTest::precisionsAgreeWithBruteForce_data() {
+    QTest::addColumn<QString>("file");
+    for (const char* file : {"bunny/bun_zipper.ply", "dragon_res2.ply", "kitten.xyz"})
+        QTest::addRow("%s", file) << QString(file);
+}
+
+/// Positions of plain text, or of an ascii PLY whose vertices begin with x y z; none where there is no such file.
+static surfel::SurfelList positionsOf(const std::string& path) {
+    std::ifstream in(path);
+    std::string line;
+    std::size_t count = std::numeric_limits<std::size_t>::max();
+    if (in.peek() == 'p')
+        while (std::getline(in, line) && line.rfind("end_header", 0) != 0)
+            if (line.rfind("element vertex ", 0) == 0)
+                count = std::stoul(line.substr(15));
+    surfel::SurfelList out;
+    while (out.size() < count && std::getline(in, line)) {
+        std::istringstream words(line);
+        surfel::Surfel s;
+        if (words >> s.position.x >> s.position.y >> s.position.z)
+            out.items.push_back(s);
+    }
+    return out;
+}
+
+void ScanTest::precisionsAgreeWithBruteForce() {
+    if (test::dataFolder().empty())
+        QSKIP("POINTCLAY_DATA names no folder of scans");
+    QFETCH(QString, file);
+    surfel::SurfelList points = positionsOf(test::dataFolder() + "/" + file.toStdString());
+    if (points.items.empty())
+        QSKIP("no such scan in the folder");
+    process::PrepareOptions options;
+    options.definition.boundary = Boundary::None;
+    const Surface surface = process::prepare(std::move(points), options);
+    const surfel::SurfelList list = surface.tree().surfels();
+    const brute::Model all = brute::modelOf(list, surface.definition());
+    base::Random random(test::seed());
+    int compared = 0, projected = 0;
+    double worstFoot = 0;
+    for (int i = 0; i < 120; ++i) {
+        const surfel::Surfel& near = list.items[random.below(list.size())];
+        const Vec3f x = near.position + base::cast<float>(random.unitVector() * (0.2 * double(near.support)));
+        const Evaluationd d = surface.evaluateReference(base::cast<double>(x));
+        const brute::Answer b = brute::evaluate(all, base::cast<double>(x));
+        const Evaluationf f = surface.evaluate(x);
+        if (!d.ok() || !f.ok())
+            continue;
+        ++compared;
+        const QString where = QString("round %1, seed %2").arg(i).arg(test::seed());
+        QVERIFY2(std::abs(d.value - b.f) <= 1e-9 * b.unit && distance(d.gradient, b.g) <= 1e-9, qPrintable(where));
+        QVERIFY2(std::abs(double(f.value) - b.f) <= 2e-5 * b.unit, qPrintable(where));
+        QVERIFY2(distance(base::cast<double>(f.gradient), b.g) <= 2e-4, qPrintable(where));
+        const Projection<double> p = projectReference(surface, base::cast<double>(x));
+        const Projection<float> q = project(surface, x);
+        Vec3d foot;
+        if (!p.ok() || !q.ok() || d.agreement < 0.9 || !brute::projectOrthogonally(all, base::cast<double>(x), foot))
+            continue;
+        ++projected;
+        QVERIFY2(distance(p.foot, foot) <= 1e-9 * b.unit, qPrintable(where));
+        worstFoot = std::max(worstFoot, distance(base::cast<double>(q.foot), foot) / b.unit);
+        QVERIFY2(worstFoot <= 2e-5, qPrintable(where + QString(": %1 h").arg(worstFoot)));
+    }
+    QVERIFY2(compared > 100 && projected > 80, qPrintable(QString("%1, %2").arg(compared).arg(projected)));
+}
+
+static const test::Registered<ScanTest> registered;
+#include "scan_test.moc"
