@@ -26,13 +26,10 @@ int fail(const std::string& message, int code) {
     return code;
 }
 
-/// Runs the work of a subcommand and turns what it throws into an exit code.
-int guarded(const app::Action& action, bool quiet) {
+/// Turns what the work throws into an exit code.
+int guarded(const std::function<int()>& work) {
     try {
-        app::Console console(quiet);
-        action(console);
-        std::cout.flush();
-        return std::cout ? 0 : fail("standard output cannot be written", 1);
+        return work();
     } catch (const app::UsageError& error) {
         return fail(error.what(), 2);
     } catch (const std::bad_alloc&) {
@@ -45,7 +42,16 @@ int guarded(const app::Action& action, bool quiet) {
 int runSubcommand(const app::Action& action, const Common& common) {
     base::setThreadCount(common.threads);
     app::catchInterrupts();
-    return guarded(action, common.quiet);
+    return guarded([&] {
+        app::Console console(common.quiet);
+        action(console);
+        std::cout.flush();
+        return std::cout ? 0 : fail("standard output cannot be written", 1);
+    });
+}
+
+int runWindow(int argc, char** argv, const std::vector<std::string>& models) {
+    return guarded([&] { return ui::runWindow(argc, argv, {models.begin(), models.end()}); });
 }
 
 } // namespace
@@ -77,9 +83,5 @@ int main(int argc, char** argv) {
     if (chosen)
         return runSubcommand(chosen, common);
     base::setThreadCount(common.threads);
-#ifdef POINTCLAY_WINDOWLESS
-    return fail("this build has no window", 1);
-#else
-    return ui::runWindow(argc, argv, {models.begin(), models.end()});
-#endif
+    return runWindow(argc, argv, models);
 }

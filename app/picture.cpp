@@ -16,6 +16,7 @@ render::Image draw(const surface::Surface& surface, const render::Camera& camera
         raycast::CastCounts counts;
         render::rayCast(surface, camera, options.style, out, counts, progress);
         stats.rays = counts.rays;
+        stats.evaluations = counts.evaluations;
     } else {
         progress.step(0, "Drawing");
         render::makeRenderer(options.backend)->render(surface.tree(), camera, options.style, out);

@@ -1,4 +1,5 @@
 // pointclay render: a picture of a model, by splats or by rays.
+#include "app/framing.h"
 #include "app/open_model.h"
 #include "app/picture.h"
 #include "app/subcommand.h"
@@ -44,16 +45,17 @@ std::string vectorFault(const std::string& text) {
 }
 
 /// The asked view in coordinates relative to the origin; what is left out is chosen to show the whole model.
-render::Camera cameraOf(const Options& options, const base::Box3f& box, const Vec3d& origin) {
+render::Camera cameraOf(const Options& options, const tree::SurfelTree& model, const Vec3d& origin) {
     int width = 0, height = 0;
     std::sscanf(options.size.c_str(), "%dx%d", &width, &height);
+    const base::Box3f box = model.bounds();
     render::Camera out = render::Camera::looking(box, width, height);
     if (options.fovDeg > 0)
         out.fovDeg = options.fovDeg;
     if (!options.up.empty())
         parseVector(options.up, out.up);
     if (options.eye.empty() && options.target.empty())
-        return out.framing(box);
+        return closeUp(out, model);
     Vec3d eye, target;
     const Vec3d back = out.eye - out.target;
     out.target = !options.target.empty() && parseVector(options.target, target) ? target - origin
@@ -78,7 +80,7 @@ void run(Options options, Console& console) {
     options.picture.style.shading = render::shading(options.shading);
     openModel(context, options.model, options.surface->parameters(), console);
     const surface::Surface& surface = document.surface();
-    const render::Camera camera = cameraOf(options, surface.tree().bounds(), document.provenance().origin);
+    const render::Camera camera = cameraOf(options, surface.tree(), document.provenance().origin);
     PictureStats stats;
     const render::Image image = draw(surface, camera, options.picture, stats, progress);
     render::savePng(image, options.image);

@@ -1,4 +1,5 @@
 // pointclay run: executes a session, with a journal beside it.
+#include "app/framing.h"
 #include "app/open_model.h"
 #include "app/picture.h"
 #include "app/subcommand.h"
@@ -68,7 +69,7 @@ ordered_json timingOf(const session::LineReport& report) {
 void savePicture(const session::Document& document, const std::string& path, const base::Progress& progress) {
     const surface::Surface& surface = document.surface();
     PictureStats stats;
-    const render::Camera camera = render::Camera::looking(surface.tree().bounds(), 1280, 720);
+    const render::Camera camera = closeUp(render::Camera::looking(surface.tree().bounds(), 1280, 720), surface.tree());
     render::savePng(draw(surface, camera, {}, stats, progress), path);
 }
 

@@ -86,9 +86,11 @@ std::vector<Sample> fullCast(const surface::Surface& surface, const ImageRays& r
         castRows(surface, rays, row, std::min(step, rays.height - row), out);
     }
     counts.rays = counts.pixels = out.size();
-    counts.hits = 0;
-    for (const Sample& sample : out)
+    counts.hits = counts.evaluations = 0;
+    for (const Sample& sample : out) {
         counts.hits += sample.hit.hit ? 1 : 0;
+        counts.evaluations += static_cast<std::size_t>(sample.hit.evaluations);
+    }
     counts.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return out;
 }

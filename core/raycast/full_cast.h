@@ -29,7 +29,7 @@ struct Sample {
 };
 
 struct CastCounts {
-    std::size_t rays = 0, pixels = 0, hits = 0;
+    std::size_t rays = 0, pixels = 0, hits = 0, evaluations = 0;
     double seconds = 0;
 };
 

@@ -1,6 +1,7 @@
 #include "core/session/command.h"
 
 #include "core/process/samples.h"
+#include "core/process/spacing.h"
 #include "core/sculpt/tool.h"
 #include "support/registry.h"
 #include "workbench.h"
@@ -269,11 +270,15 @@ void CommandTest::surfaceChangesWhatItNames() {
 void CommandTest::resampleReachesTheSpacing() {
     Workbench bench;
     bench.run(test::newSphere(2000));
-    const std::size_t before = bench.size();
-    const double spacing = std::sqrt(4 * 3.14159265 / static_cast<double>(before) * 1.1547);
-    bench.run({{"op", "resample"}, {"spacing", 0.7 * spacing}});
-    const double ratio = static_cast<double>(bench.size()) / static_cast<double>(before);
-    QVERIFY2(ratio > 1.6 && ratio < 2.6, qPrintable(QString::number(ratio)));
+    const auto median = [&] {
+        return process::summarise(process::spacings(bench.document.surface().tree().surfels().items)).median;
+    };
+    const float before = median();
+    for (const float part : {0.6f, 1.2f}) {
+        bench.run({{"op", "resample"}, {"spacing", part * before}});
+        const float reached = median() / (part * before);
+        QVERIFY2(reached > 0.8f && reached < 1.3f, qPrintable(QString::number(reached)));
+    }
 }
 
 void CommandTest::expectEndsASessionThatWentAstray() {

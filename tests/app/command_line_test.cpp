@@ -1,0 +1,155 @@
+// What all subcommands share: help, exit codes, messages, and that no failure leaves a file behind.
+#include "program.h"
+#include "support/registry.h"
+
+#include <csignal>
+#include <QtTest>
+
+using test::Outcome;
+using test::Program;
+
+class CommandLineTest : public QObject {
+    Q_OBJECT
+  private slots:
+    void helpNamesEverySubcommandWithAnExample();
+    void wrongUsageIsTwo_data();
+    void wrongUsageIsTwo();
+    void badInputIsOneAndLeavesNothing_data();
+    void badInputIsOneAndLeavesNothing();
+    void interruptStopsCleanly();
+    void quietSaysNothing();
+};
+
+void CommandLineTest::helpNamesEverySubcommandWithAnExample() {
+    const Program program;
+    const Outcome help = program.run({"--help"});
+    QCOMPARE(help.code, 0);
+    for (const char* name : {"info", "convert", "query", "intersect", "render", "run", "recover"}) {
+        QVERIFY2(help.out.find(std::string("\n  ") + name) != std::string::npos, name);
+        const Outcome own = program.run({name, "--help"});
+        QCOMPARE(own.code, 0);
+        for (const std::string part :
+             {"Example: pointclay " + std::string(name), std::string("--threads"), std::string("--quiet")})
+            QVERIFY2(own.out.find(part) != std::string::npos, name);
+    }
+    const Outcome version = program.run({"--version"});
+    QCOMPARE(version.code, 0);
+    QVERIFY(version.out.starts_with("pointclay "));
+}
+
+void CommandLineTest::wrongUsageIsTwo_data() {
+    QTest::addColumn<QStringList>("arguments");
+    const auto row = [](const char* arguments) {
+        QTest::newRow(arguments) << QString(arguments).split(' ', Qt::SkipEmptyParts);
+    };
+    row("info");
+    row("info sample:sphere:500 --jason");
+    row("info sample:sphere:500 --threads many");
+    row("convert sample:sphere:500");
+    row("query sample:sphere:500 --at p.xyz -o out.csv");
+    row("query sample:sphere:500 --at p.xyz --what colour -o out.csv");
+    row("query sample:sphere:500 --at p.xyz --what project-basic,project-almost -o out.csv");
+    row("query sample:sphere:500 --at p.xyz --what value -o out.csv --frame square");
+    row("query sample:sphere:500 --at p.xyz --what value -o out.csv --support 0");
+    row("query sample:sphere:500 --at p.xyz --what value -o out.csv --support 1 --neighbours 20");
+    row("query sample:sphere:500 --at p.xyz --what value -o out.csv --boundary sometimes");
+    row("query sample:sphere:500 --at p.xyz --what value -o out.csv --precision half");
+    row("intersect sample:sphere:500 -o out.csv");
+    row("render sample:sphere:500 -o out.png --size huge");
+    row("render sample:sphere:500 -o out.png --size 0x5");
+    row("render sample:sphere:500 -o out.png --eye 1,2");
+    row("render sample:sphere:500 -o out.png --eye 1,2,3 --target 1,2,3");
+    row("render sample:sphere:500 -o out.png --mode sketch");
+    row("render sample:sphere:500 -o out.png --shading plaid");
+    row("run");
+    row("recover j.jsonl");
+}
+
+void CommandLineTest::wrongUsageIsTwo() {
+    QFETCH(QStringList, arguments);
+    const Program program;
+    program.write("p.xyz", "0 0 1\n");
+    const Outcome outcome = program.run(arguments);
+    QVERIFY2(outcome.code == 2, outcome.err.c_str());
+    QVERIFY(!outcome.err.empty());
+    QCOMPARE(program.dir().entryList(QDir::Files), QStringList{"p.xyz"});
+}
+
+void CommandLineTest::badInputIsOneAndLeavesNothing_data() {
+    QTest::addColumn<QStringList>("arguments");
+    QTest::addColumn<QString>("told");
+    const auto row = [](const char* arguments, const char* told) {
+        QTest::newRow(arguments) << QString(arguments).split(' ', Qt::SkipEmptyParts) << told;
+    };
+    row("info nowhere.ply", "nowhere.ply");
+    row("info bad.ply", "bad.ply");
+    row("info sample:teapot", "teapot");
+    row("info sample:torus:many", "sample:torus:many");
+    row("convert bad.ply out.ply", "bad.ply");
+    row("convert sample:sphere:500 out.melted", "out.melted");
+    row("convert sample:sphere:500 nowhere/out.ply", "nowhere/out.ply");
+    row("query sample:sphere:500 --at bad.xyz --what value -o out.csv", "bad.xyz:3");
+    row("query sample:sphere:500 --at empty.xyz --what value -o out.csv", "empty.xyz");
+    row("query sample:sphere:500 --at nowhere.xyz --what value -o out.csv", "nowhere.xyz");
+    row("query three.xyz --at good.xyz --what value -o out.csv", "three.xyz");
+    row("query sample:sphere:500 --at good.xyz --what value -o nowhere/out.csv", "nowhere/out.csv");
+    row("intersect sample:sphere:500 --rays good.xyz -o out.csv", "good.xyz");
+    row("intersect sample:sphere:500 --rays bad_rays.csv -o out.csv", "bad_rays.csv:3");
+    row("render bad.ply -o out.png", "bad.ply");
+    row("render sample:sphere:500 -o nowhere/out.png", "nowhere/out.png");
+    row("run nowhere.jsonl", "nowhere.jsonl");
+    row("run bad.jsonl -o out.ply --render out.png --timings out.json", "bad.jsonl:2");
+    row("run good.jsonl --model nowhere.ply", "nowhere.ply");
+    row("recover empty.xyz -o out.ply", "empty.xyz");
+    row("recover bad.jsonl -o out.ply", "bad.jsonl:2");
+}
+
+void CommandLineTest::badInputIsOneAndLeavesNothing() {
+    QFETCH(QStringList, arguments);
+    QFETCH(QString, told);
+    const Program program;
+    program.write("bad.ply", "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nend_header\n0 0\n");
+    program.write("good.xyz", "0 0 1\n1 0 0\n");
+    program.write("bad.xyz", "# positions\n0 0 1\n0 zero 1\n");
+    program.write("empty.xyz", "# nothing\n");
+    program.write("three.xyz", "0 0 1\n1 0 0\n0 1 0\n");
+    program.write("bad_rays.csv", "ox,oy,oz,dx,dy,dz\n0,0,5,0,0,-1\n0,0,5,0,0,0\n");
+    program.write("bad.jsonl", "{\"op\":\"new\",\"sample\":\"sphere\",\"count\":500}\n{\"op\":\"melt\"}\n\n");
+    program.write("good.jsonl", "{\"op\":\"expect\"}\n");
+    const QStringList before = program.dir().entryList(QDir::Files);
+    const Outcome outcome = program.run(arguments);
+    QVERIFY2(outcome.code == 1, (std::to_string(outcome.code) + " " + outcome.err).c_str());
+    QVERIFY2(outcome.err.find(told.toStdString()) != std::string::npos, outcome.err.c_str());
+    QVERIFY2(std::count(outcome.err.begin(), outcome.err.end(), '\n') <= 2, outcome.err.c_str());
+    QCOMPARE(program.dir().entryList(QDir::Files), before);
+}
+
+void CommandLineTest::interruptStopsCleanly() {
+    const Program program;
+    QProcess process;
+    program.prepare(process,
+                    {"render", "sample:scan:400000", "-o", "out.png", "--mode", "raycast", "--size", "4000x4000"});
+    process.start();
+    QVERIFY(process.waitForStarted());
+    QTest::qWait(1500);
+    ::kill(static_cast<pid_t>(process.processId()), SIGINT);
+    QVERIFY(process.waitForFinished(60000));
+    QCOMPARE(process.exitStatus(), QProcess::NormalExit);
+    QCOMPARE(process.exitCode(), 1);
+    QVERIFY(process.readAllStandardError().contains("cancelled"));
+    QVERIFY(program.dir().entryList(QDir::Files).isEmpty());
+}
+
+void CommandLineTest::quietSaysNothing() {
+    const Program program;
+    program.write("a.xyz", "0 0 0\n1 0 0\n0 1 0\n1 1 0\nnan 0 0\n0 0 1\n");
+    const Outcome loud = program.run({"convert", "a.xyz", "b.ply"});
+    QCOMPARE(loud.code, 0);
+    QVERIFY2(loud.err.find("1 ") != std::string::npos, loud.err.c_str());
+    const Outcome quiet = program.run({"convert", "a.xyz", "c.ply", "--quiet"});
+    QCOMPARE(quiet.code, 0);
+    QVERIFY(quiet.err.empty() && quiet.out.empty());
+}
+
+static const test::Registered<CommandLineTest> registered;
+#include "command_line_test.moc"

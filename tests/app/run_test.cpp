@@ -1,0 +1,152 @@
+// run and recover: sessions from files, their outputs, and what a kill leaves.
+#include "demo_session.h"
+#include "program.h"
+#include "support/registry.h"
+
+#include <csignal>
+#include <QtTest>
+
+using nlohmann::json;
+using test::Outcome;
+using test::Program;
+
+class RunTest : public QObject {
+    Q_OBJECT
+  private slots:
+    void outputsAreWritten();
+    void threadsDoNotShow();
+    void savedAndOpenedAreTheSame();
+    void theJournalGoesWithANormalEnd();
+    void aKilledSessionIsRecovered();
+    void theDemoIsWhatItsGeneratorWrites();
+    void theDemoSessionRuns();
+};
+
+static json strokeAt(double y, const char* tool) {
+    json samples = json::array();
+    for (int k = 0; k < 12; ++k)
+        samples.push_back({0.07 * k - 0.4, y, 5, 0, 0, -1, 0.5 + 0.04 * k, 0.02 * k});
+    return {{"op", "stroke"}, {"tool", tool}, {"radius", 0.25}, {"symmetry", {"x"}}, {"samples", samples}};
+}
+
+static std::string session(int strokes, int count) {
+    std::string out = "{\"op\":\"new\",\"sample\":\"sphere\",\"count\":" + std::to_string(count) + "}\n";
+    const char* tools[] = {"draw", "clay", "smooth", "grab"};
+    for (int k = 0; k < strokes; ++k)
+        out += strokeAt(0.01 * (k % 60) - 0.3, tools[k % 4]).dump() + "\n";
+    return out;
+}
+
+void RunTest::outputsAreWritten() {
+    const Program program;
+    program.write("s.jsonl", session(4, 4000) + "{\"op\":\"undo\"}\n");
+    const Outcome outcome = program.run(
+        {"run", "s.jsonl", "-o", "out.ply", "--render", "out.png", "--timings", "out.json", "--threads", "2"});
+    QVERIFY2(outcome.code == 0, outcome.err.c_str());
+    QVERIFY(program.read("out.ply").starts_with("ply\n"));
+    QVERIFY(program.read("out.png").starts_with("\x89PNG"));
+    const json timings = json::parse(program.read("out.json"));
+    QCOMPARE(timings.size(), std::size_t(6));
+    for (std::size_t k = 0; k < timings.size(); ++k) {
+        QCOMPARE(timings[k].size(), std::size_t(6));
+        QCOMPARE(timings[k].at("line").get<std::size_t>(), k + 1);
+        QVERIFY(timings[k].at("seconds").get<double>() >= 0 && timings[k].at("surfels").get<int>() > 3000);
+        const json ms = timings[k].at("dab_ms");
+        const double p50 = ms.at("p50"), p99 = ms.at("p99"), max = ms.at("max");
+        QVERIFY(p50 <= p99 && p99 <= max);
+        QCOMPARE(timings[k].at("op").get<std::string>(), std::string(k == 0 ? "new" : k == 5 ? "undo" : "stroke"));
+        QCOMPARE(timings[k].at("dabs").get<int>() > 0, k > 0 && k < 5);
+        QCOMPARE(max > 0, k > 0 && k < 5);
+    }
+}
+
+void RunTest::threadsDoNotShow() {
+    const Program program;
+    program.write("s.jsonl", session(8, 6000) + "{\"op\":\"undo\"}\n{\"op\":\"undo\"}\n{\"op\":\"redo\"}\n");
+    QCOMPARE(program.run({"run", "s.jsonl", "-o", "one.ply", "--threads", "1"}).code, 0);
+    QCOMPARE(program.run({"run", "s.jsonl", "-o", "two.ply", "--threads", "2"}).code, 0);
+    QVERIFY(program.read("one.ply") == program.read("two.ply"));
+    QCOMPARE(program.hash("one.ply"), program.hash("two.ply"));
+}
+
+void RunTest::savedAndOpenedAreTheSame() {
+    const Program program;
+    program.write("s.jsonl", session(3, 4000) + "{\"op\":\"save\",\"path\":\"a.ply\"}\n");
+    QCOMPARE(program.run({"run", "s.jsonl", "-o", "b.ply"}).code, 0);
+    const std::string hash = program.hash("a.ply");
+    QCOMPARE(hash.size(), std::size_t(32));
+    QCOMPARE(program.hash("b.ply"), hash);
+    program.write("t.jsonl", "{\"op\":\"expect\",\"hash\":\"" + hash + "\"}\n");
+    QCOMPARE(program.run({"run", "t.jsonl", "--model", "a.ply"}).code, 0);
+    program.write("t.jsonl", "{\"op\":\"expect\",\"hash\":\"" + std::string(32, '1') + "\"}\n");
+    const Outcome outcome = program.run({"run", "t.jsonl", "--model", "a.ply"});
+    QCOMPARE(outcome.code, 1);
+    QVERIFY2(outcome.err.find("t.jsonl:1: ") != std::string::npos, outcome.err.c_str());
+}
+
+void RunTest::theJournalGoesWithANormalEnd() {
+    const Program program;
+    program.write("s.jsonl", session(2, 2000));
+    QCOMPARE(program.run({"run", "s.jsonl"}).code, 0);
+    QVERIFY(QDir(program.path("state/pointclay").c_str()).exists());
+    QVERIFY(QDir(program.path("state/pointclay").c_str()).isEmpty());
+    QCOMPARE(program.run({"run", "s.jsonl", "--journal", "j.jsonl", "-o", "a.ply"}).code, 0);
+    QCOMPARE(program.run({"recover", "j.jsonl", "-o", "b.ply"}).code, 0);
+    QCOMPARE(program.hash("b.ply"), program.hash("a.ply"));
+}
+
+static int linesOf(const std::string& text) {
+    return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
+}
+
+void RunTest::aKilledSessionIsRecovered() {
+    const Program program;
+    QCOMPARE(program.run({"convert", "sample:torus:20000", "model.ply"}).code, 0);
+    std::string text = session(400, 100);
+    text.replace(0, text.find('\n'), "{\"op\":\"open\",\"path\":\"model.ply\"}");
+    program.write("s.jsonl", text);
+    QProcess process;
+    program.prepare(process, {"run", "s.jsonl", "--journal", "j.jsonl"});
+    process.start();
+    QVERIFY(process.waitForStarted());
+    QTRY_VERIFY_WITH_TIMEOUT(linesOf(program.read("j.jsonl")) > 5 || process.state() == QProcess::NotRunning, 60000);
+    ::kill(static_cast<pid_t>(process.processId()), SIGKILL);
+    QVERIFY(process.waitForFinished());
+    QCOMPARE(process.exitStatus(), QProcess::CrashExit);
+    const int done = linesOf(program.read("j.jsonl"));
+    QVERIFY(done > 5 && done < 401);
+    const Outcome outcome = program.run({"recover", "j.jsonl", "-o", "rescued.ply"});
+    QVERIFY2(outcome.code == 0, outcome.err.c_str());
+    // The same commands without a kill.
+    std::size_t end = 0;
+    for (int k = 0; k < done; ++k)
+        end = text.find('\n', end) + 1;
+    program.write("same.jsonl", text.substr(0, end));
+    QCOMPARE(program.run({"run", "same.jsonl", "-o", "same.ply"}).code, 0);
+    QCOMPARE(program.hash("rescued.ply"), program.hash("same.ply"));
+}
+
+void RunTest::theDemoIsWhatItsGeneratorWrites() {
+    if (const QString file = qEnvironmentVariable("POINTCLAY_WRITE_DEMO"); !file.isEmpty())
+        std::ofstream(file.toStdString(), std::ios::binary) << test::demoSession();
+    std::ifstream in(POINTCLAY_DEMO, std::ios::binary);
+    std::ostringstream text;
+    text << in.rdbuf();
+    QVERIFY(text.str() == test::demoSession());
+}
+
+void RunTest::theDemoSessionRuns() {
+    const Program program;
+    const QString demo = QString(POINTCLAY_DEMO);
+    const Outcome outcome = program.run({"run", demo, "--render", "demo.png", "--timings", "demo.json"});
+    QVERIFY2(outcome.code == 0, outcome.err.c_str());
+    QVERIFY(program.read("demo.png").size() > 20000);
+    int dabs = 0;
+    for (const json& line : json::parse(program.read("demo.json")))
+        dabs += line.at("dabs").get<int>();
+    QVERIFY(dabs > 100);
+    QVERIFY(outcome.err.empty());
+}
+
+static const test::Registered<RunTest> registered;
+#include "run_test.moc"
