@@ -2,6 +2,7 @@
 
 #include "core/base/random.h"
 
+#include <algorithm>
 #include <bit>
 
 namespace process {
@@ -60,6 +61,10 @@ void PointGrid::build(std::span<const Entry> entries) {
         Cell& cell = m_cells[cellOf[i]];
         m_entries[cell.first + cell.count++] = entries[i];
     }
+    m_ranked.clear();
+    for (std::uint32_t c = 0; c < m_cells.size(); ++c)
+        m_ranked.push_back({m_cells[c].key, c});
+    std::sort(m_ranked.begin(), m_ranked.end(), [](const Ranked& a, const Ranked& b) { return a.key < b.key; });
 }
 
 void PointGrid::insert(const Entry& entry) {
@@ -68,15 +73,15 @@ void PointGrid::insert(const Entry& entry) {
     cell.chain = static_cast<std::int32_t>(m_added.size() - 1);
 }
 
-void PointGrid::neighbourhood(std::size_t cell, std::vector<Entry>& out) const {
-    out.clear();
-    const std::uint64_t key = m_cells[cell].key;
-    constexpr std::uint64_t x = std::uint64_t(1) << 42, y = std::uint64_t(1) << 21;
-    for (std::uint64_t cx = key - x; cx != key + 2 * x; cx += x)
-        for (std::uint64_t cy = cx - y; cy != cx + 2 * y; cy += y)
-            for (std::uint64_t cz = cy - 1; cz != cy + 2; ++cz)
-                if (const Cell* near = find(cz))
-                    visit(*near, [&](const Entry& entry) { out.push_back(entry); });
+PointGrid::Walk::Walk(const PointGrid& grid, std::size_t firstRank) : m_grid(grid) {
+    const auto& ranked = grid.m_ranked;
+    for (int row = 0; row < 9; ++row) {
+        const std::uint64_t begin = rowBegin(ranked[firstRank].key, row);
+        m_cursor[row] =
+            static_cast<std::size_t>(std::lower_bound(ranked.begin(), ranked.end(), begin,
+                                                      [](const Ranked& r, std::uint64_t key) { return r.key < key; }) -
+                                     ranked.begin());
+    }
 }
 
 } // namespace process

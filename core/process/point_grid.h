@@ -29,15 +29,27 @@ class PointGrid {
     template <class Fn>
     void forNear(const base::Vec3f& x, float radius, const Fn& fn) const;
 
-    // --- cell by cell, for work that is done for all points of a cell at once ---
+    // --- cell by cell, for work that is done for all points of a cell at once; only after `build`, before `insert` ---
 
     std::size_t cellCount() const { return m_cells.size(); }
-    /// Points that `build` put into a cell.
-    std::span<const Entry> members(std::size_t cell) const {
-        return {m_entries.data() + m_cells[cell].first, m_cells[cell].count};
+    /// Points of the cell at a rank, 0 to cellCount()-1 by coordinates.
+    std::span<const Entry> members(std::size_t rank) const {
+        const Cell& cell = m_cells[m_ranked[rank].cell];
+        return {m_entries.data() + cell.first, cell.count};
     }
-    /// Replaces `out` by the points of a cell and of the 26 around it.
-    void neighbourhood(std::size_t cell, std::vector<Entry>& out) const;
+    /// Walks cells by ascending rank and knows the 26 around each without searching: along each of the nine rows of
+    /// three cells a cursor only moves on.
+    class Walk {
+      public:
+        Walk(const PointGrid& grid, std::size_t firstRank);
+        /// fn(entries) for every occupied cell of the 27 at and around a rank, which never decreases between calls.
+        template <class Fn>
+        void around(std::size_t rank, const Fn& fn);
+
+      private:
+        const PointGrid& m_grid;
+        std::size_t m_cursor[9];
+    };
 
   private:
     struct Cell {
@@ -49,9 +61,17 @@ class PointGrid {
         Entry entry;
         std::int32_t next;
     };
+    struct Ranked {
+        std::uint64_t key;
+        std::uint32_t cell;
+    };
     struct Place {
         std::int64_t x, y, z;
     };
+    static std::uint64_t rowBegin(std::uint64_t key, int row) {
+        constexpr std::uint64_t x = std::uint64_t(1) << 42, y = std::uint64_t(1) << 21;
+        return key - x - y - 1 + static_cast<std::uint64_t>(row / 3) * x + static_cast<std::uint64_t>(row % 3) * y;
+    }
     Place placeOf(const base::Vec3f& p) const;
     static std::uint64_t keyOf(const Place& c);
     const Cell* find(std::uint64_t key) const;
@@ -64,6 +84,7 @@ class PointGrid {
     float m_scale;
     std::vector<Cell> m_cells;         ///< in order of their first point
     std::vector<std::int32_t> m_table; ///< open addressing, -1 for empty; a power of two
+    std::vector<Ranked> m_ranked;      ///< the cells by key, that is by x, then y, then z
     std::vector<Entry> m_entries;
     std::vector<Added> m_added;
 };
@@ -97,6 +118,19 @@ void PointGrid::forNear(const base::Vec3f& x, float radius, const Fn& fn) const 
             for (std::int64_t cz = lo.z; cz <= hi.z; ++cz)
                 if (const Cell* cell = find(keyOf({cx, cy, cz})))
                     visit(*cell, fn);
+}
+
+template <class Fn>
+void PointGrid::Walk::around(std::size_t rank, const Fn& fn) {
+    const auto& ranked = m_grid.m_ranked;
+    for (int row = 0; row < 9; ++row) {
+        const std::uint64_t begin = rowBegin(ranked[rank].key, row);
+        std::size_t& at = m_cursor[row];
+        while (at < ranked.size() && ranked[at].key < begin)
+            ++at;
+        for (std::size_t k = at; k < ranked.size() && ranked[k].key <= begin + 2; ++k)
+            fn(m_grid.members(k));
+    }
 }
 
 } // namespace process

@@ -18,23 +18,50 @@ constexpr float sines[directions] = {0, diagonal, 1, diagonal, 0, -diagonal, -1,
 /// Cells per task.
 constexpr std::size_t grain = 64;
 
+/// Four lanes, spelt out because the compiler does not find them in a loop of comparisons.
+using Quad = float __attribute__((vector_size(16)));
+using QuadMask = int __attribute__((vector_size(16)));
+
 /// Eight places around a surfel, relative to it, and whether something is too near each.
 struct Ring {
-    alignas(32) float x[directions], y[directions], z[directions];
-    alignas(32) int taken[directions] = {};
+    Quad x[2], y[2], z[2];
+    QuadMask taken[2] = {};
 
     Ring(const base::Vec3f& n, float distance) {
         const base::Vec3f u = perpendicular(n) * distance, v = cross(n, u);
-        for (int k = 0; k < directions; ++k) {
-            x[k] = u.x * cosines[k] + v.x * sines[k];
-            y[k] = u.y * cosines[k] + v.y * sines[k];
-            z[k] = u.z * cosines[k] + v.z * sines[k];
+        for (int h = 0; h < 2; ++h) {
+            const float *c = cosines + 4 * h, *s = sines + 4 * h;
+            const Quad cosine{c[0], c[1], c[2], c[3]}, sine{s[0], s[1], s[2], s[3]};
+            x[h] = u.x * cosine + v.x * sine;
+            y[h] = u.y * cosine + v.y * sine;
+            z[h] = u.z * cosine + v.z * sine;
         }
     }
     void take(const base::Vec3f& p, float clearSq) {
-        for (int k = 0; k < directions; ++k) {
-            const float dx = p.x - x[k], dy = p.y - y[k], dz = p.z - z[k];
-            taken[k] |= dx * dx + dy * dy + dz * dz < clearSq;
+        for (int h = 0; h < 2; ++h) {
+            const Quad dx = p.x - x[h], dy = p.y - y[h], dz = p.z - z[h];
+            taken[h] |= dx * dx + dy * dy + dz * dz < clearSq;
+        }
+    }
+    bool free(int k) const { return taken[k / 4][k % 4] == 0; }
+    base::Vec3f place(int k) const { return {x[k / 4][k % 4], y[k / 4][k % 4], z[k / 4][k % 4]}; }
+};
+
+/// What stands in a cell and around it, in arrays.
+struct Around {
+    std::vector<float> x, y, z, sq;
+    std::vector<std::uint32_t> index;
+
+    void clear() { x.clear(), y.clear(), z.clear(), index.clear(); }
+    void add(const PointGrid::Entry& e) {
+        x.push_back(e.position.x), y.push_back(e.position.y), z.push_back(e.position.z);
+        index.push_back(e.index);
+    }
+    void measureFrom(const base::Vec3f& p) {
+        sq.resize(x.size());
+        for (std::size_t k = 0; k < sq.size(); ++k) {
+            const float dx = x[k] - p.x, dy = y[k] - p.y, dz = z[k] - p.z;
+            sq[k] = dx * dx + dy * dy + dz * dz;
         }
     }
 };
@@ -49,26 +76,25 @@ struct Scanner {
         clearSq = fillClear * fillClear * s.spacing * s.spacing;
     }
 
-    void look(std::uint32_t i, const std::vector<PointGrid::Entry>& around, ScanResult& out) const {
+    bool asked(std::uint32_t i) const { return set.is(i, Scan) && !set.is(i, Gone); }
+
+    void look(std::uint32_t i, Around& around, ScanResult& out) const {
         const base::Vec3f p = set.position[i], n = set.normal[i];
-        // Fully masked surfels were not moved: what room they have, they had.
-        const bool fills = !set.is(i, Masked);
         Ring ring(normalized(n, base::Vec3f{0, 0, 1}), fillDistance * set.spacing);
-        for (const PointGrid::Entry& e : around) {
-            const base::Vec3f d = e.position - p;
-            const float sq = lengthSq(d);
-            if (!(sq < reachSq) || e.index == i || !set.facing.same(n, set.normal[e.index]))
+        around.measureFrom(p);
+        for (std::size_t k = 0; k < around.sq.size(); ++k) {
+            const std::uint32_t j = around.index[k];
+            if (!(around.sq[k] < reachSq) || j == i || !set.facing.same(n, set.normal[j]))
                 continue;
-            if (sq < closeSq)
-                close(i, e.index, sq, out);
-            ring.take(d, clearSq);
+            if (around.sq[k] < closeSq)
+                close(i, j, around.sq[k], out);
+            ring.take(base::Vec3f{around.x[k], around.y[k], around.z[k]} - p, clearSq);
         }
-        if (!fills)
-            return;
+        if (set.is(i, Masked))
+            return; // was not moved: what room it has, it had
         for (int k = 0; k < directions; ++k)
-            if (!ring.taken[k])
-                out.gaps.push_back(
-                    {i, static_cast<std::uint32_t>(k), p + base::Vec3f{ring.x[k], ring.y[k], ring.z[k]}});
+            if (ring.free(k))
+                out.gaps.push_back({i, static_cast<std::uint32_t>(k), p + ring.place(k)});
     }
 
     /// Each pair is reported once: by the smaller number, or by the one that is scanned.
@@ -76,6 +102,25 @@ struct Scanner {
         if ((j < i && set.is(j, Scan)) || (!set.free(i) && !set.free(j)))
             return;
         out.pairs.push_back({sq, std::min(i, j), std::max(i, j)});
+    }
+
+    void scanCells(std::size_t begin, std::size_t end, ScanResult& out) const {
+        PointGrid::Walk walk(set.grid, begin);
+        Around around;
+        for (std::size_t rank = begin; rank < end; ++rank) {
+            const auto members = set.grid.members(rank);
+            if (std::none_of(members.begin(), members.end(), [&](const auto& e) { return asked(e.index); }))
+                continue;
+            around.clear();
+            walk.around(rank, [&](std::span<const PointGrid::Entry> entries) {
+                for (const PointGrid::Entry& e : entries)
+                    if (!set.is(e.index, Gone))
+                        around.add(e);
+            });
+            for (const PointGrid::Entry& e : members)
+                if (asked(e.index))
+                    look(e.index, around, out);
+        }
     }
 };
 
@@ -87,23 +132,12 @@ void gather(std::vector<T>& all, const std::vector<T>& part) {
 } // namespace
 
 ScanResult scan(SampleSet& set) {
+    if (std::none_of(set.flags.begin(), set.flags.end(), [](std::uint8_t f) { return (f & Scan) != 0; }))
+        return {};
     const Scanner scanner(set);
     std::vector<ScanResult> parts(base::chunkCount(set.grid.cellCount(), grain));
     base::parallelChunks(set.grid.cellCount(), grain, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
-        std::vector<PointGrid::Entry> around;
-        for (std::size_t cell = begin; cell < end; ++cell) {
-            const auto members = set.grid.members(cell);
-            const auto asked = [&](const PointGrid::Entry& e) {
-                return set.is(e.index, Scan) && !set.is(e.index, Gone);
-            };
-            if (std::none_of(members.begin(), members.end(), asked))
-                continue;
-            set.grid.neighbourhood(cell, around);
-            std::erase_if(around, [&](const PointGrid::Entry& e) { return set.is(e.index, Gone); });
-            for (const PointGrid::Entry& e : members)
-                if (asked(e))
-                    scanner.look(e.index, around, parts[chunk]);
-        }
+        scanner.scanCells(begin, end, parts[chunk]);
     });
     ScanResult out;
     for (const ScanResult& part : parts)
