@@ -11,8 +11,8 @@ static std::string constant(const char* name, float value) {
 
 static std::string head() {
     return "#version 330 core\n" + constant("filterPx", filterPx) + constant("layerDepth", layerDepth) +
-           constant("backBias", backBias) + constant("backClip", backClip) + constant("minCosine", minCosine) +
-           constant("backFrom", backFrom) + constant("backTo", backTo) +
+           constant("filterDepth", filterDepth) + constant("backBias", backBias) + constant("backClip", backClip) +
+           constant("minCosine", minCosine) + constant("backFrom", backFrom) + constant("backTo", backTo) +
            "const int lightSize = " + std::to_string(lightSize) + ";\n";
 }
 
@@ -52,7 +52,7 @@ void main() {
     centre = vec4(p.xy / p.z, p.z, radius);
     bool behind = away && oriented;
     float rise = radius * sqrt(max(0.0, 1.0 - n.z * n.z));
-    plane = vec4(n.xy / steep, behind ? radius * backBias : 0.0,
+    plane = vec4(n.xy / steep, behind ? (radius + filterPx * p.z / image.z) * layerDepth * backBias : 0.0,
                  behind ? 1.0 / (centre.z - backClip * rise) : 3e38);
     normal = n;
     attributes = colourAndMask;
@@ -95,14 +95,15 @@ void main() {
     vec2 d = slope - centre.xy;
     float radius = centre.w;
     float exact = 1.0 / centre.z + dot(plane.xy, d);
-    float inverse = clamp(exact, 1.0 / (centre.z + radius), 1.0 / (centre.z - radius));
+    float pixel = filterPx * centre.z / image.z, range = radius + filterDepth * pixel;
+    float inverse = clamp(exact, 1.0 / (centre.z + range), 1.0 / max(centre.z - range, 0.01 * centre.z));
     float z = 1.0 / inverse, dz = z - centre.z;
     vec3 a = vec3(dz * centre.xy + z * d, dz) / radius;
     float r2 = min(exact > plane.w ? 2.0 : dot(a, a), dot(d, d) * image.z * image.z / (filterPx * filterPx));
     if (r2 > 1.0)
         discard;
 #ifdef VISIBILITY
-    gl_FragDepth = (z + layerDepth * radius - depthRange.x) * depthRange.y;
+    gl_FragDepth = (z + layerDepth * (radius + pixel) - depthRange.x) * depthRange.y;
 #else
     gl_FragDepth = (z + plane.z - depthRange.x) * depthRange.y;
     float weight = exp(-2.0 * r2);

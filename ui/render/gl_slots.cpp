@@ -26,10 +26,10 @@ GlSlots::~GlSlots() {
     m_gl.deleteBuffers(1, &m_buffer);
 }
 
-void GlSlots::grow(std::size_t slots) {
-    if (slots <= m_capacity)
+void GlSlots::grow(std::size_t wanted) {
+    if (wanted <= m_capacity)
         return;
-    const std::size_t capacity = m_capacity == 0 ? slots : std::max(slots, m_capacity + m_capacity / 4);
+    const std::size_t capacity = m_capacity == 0 ? wanted : std::max(wanted, m_capacity + m_capacity / 4);
     GLuint bigger = 0;
     m_gl.genBuffers(1, &bigger);
     m_gl.bindBuffer(GL_COPY_WRITE_BUFFER, bigger);
@@ -46,16 +46,17 @@ void GlSlots::grow(std::size_t slots) {
     m_capacity = capacity;
 }
 
-void GlSlots::upload(std::span<const surfel::BlockPtr> blocks, std::span<const std::uint32_t> slots) {
+void GlSlots::upload(std::span<const surfel::BlockPtr> blocks, std::span<const std::uint32_t> places) {
     m_gl.bindBuffer(GL_COPY_WRITE_BUFFER, m_buffer);
     for (std::size_t begin = 0, end = 0; begin < blocks.size(); begin = end) {
-        for (end = begin + 1; end < blocks.size() && end - begin < slotsPerUpload && slots[end] == slots[end - 1] + 1;)
+        for (end = begin + 1;
+             end < blocks.size() && end - begin < slotsPerUpload && places[end] == places[end - 1] + 1;)
             ++end;
         // Slots are longer than most blocks; what lies behind a block's end is never drawn.
         m_staging.resize((end - begin) * surfel::blockCapacity);
         for (std::size_t i = begin; i < end; ++i)
             pack(*blocks[i], m_staging.data() + (i - begin) * surfel::blockCapacity);
-        m_gl.bufferSubData(GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(slots[begin] * slotBytes),
+        m_gl.bufferSubData(GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(places[begin] * slotBytes),
                            static_cast<GLsizeiptr>((end - begin) * slotBytes), m_staging.data());
         ++m_uploads;
         m_uploadedBytes += (end - begin) * slotBytes;

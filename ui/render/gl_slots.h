@@ -40,8 +40,8 @@ class GlSlots {
     std::size_t capacity() const { return m_capacity; }
 
   private:
-    void grow(std::size_t slots);
-    void upload(std::span<const surfel::BlockPtr> blocks, std::span<const std::uint32_t> slots);
+    void grow(std::size_t wanted);
+    void upload(std::span<const surfel::BlockPtr> blocks, std::span<const std::uint32_t> places);
 
     const GlFunctions& m_gl;
     GLuint m_buffer = 0;

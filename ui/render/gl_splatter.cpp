@@ -193,7 +193,10 @@ void GlSplatter::drawTo(GLuint framebuffer, const tree::SurfelTree& model, const
         // Depths from the nearest to the farthest splat with the bias of both passes, without any fixed planes.
         const base::Box3f box = model.bounds();
         const float reach = style.radiusOfSupport * model.maxSupport() * (2 + layerDepth);
-        const float middle = frame.view.toView(box.centre()).z, half = 0.5f * box.diagonal() + reach;
+        const float middle = frame.view.toView(box.centre()).z, toCorner = 0.5f * box.diagonal();
+        const float pixels =
+            (filterDepth + layerDepth) * filterPx * frame.view.step * std::max(middle + toCorner, 0.0f);
+        const float half = toCorner + reach + pixels;
         frame.nearest = std::max(0.0f, middle - half);
         frame.inverseRange = 1 / std::max(middle + half - frame.nearest, std::numeric_limits<float>::min());
     }

@@ -40,7 +40,7 @@ class GlSplatter {
     /// Draws into its own framebuffer and reads colour and depth back.
     void drawTo(Image& out, const tree::SurfelTree& model, const Camera& camera, const RenderOptions& options);
 
-    const GlSlots& slots() const { return m_slots; }
+    const GlSlots& storage() const { return m_slots; }
     /// Largest point sprite used; splats that may be larger become quads. For tests.
     void limitPointSize(float pixels) { m_maxPointSize = std::min(m_maxPointSize, pixels); }
 

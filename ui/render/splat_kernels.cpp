@@ -110,17 +110,18 @@ int gather(const BinEntry& entry, const ViewFrame& view, const SplatStyle& style
                 continue;
             const float radius = s.radius[i], z = s.z[i];
             const bool behind = style.oriented && s.back[i] > 0;
+            const float filter = filterPx * view.step * z, range = radius + filterDepth * filter;
             out[count++] = {s.x[i],
                             s.y[i],
                             z,
                             s.gradX[i],
                             s.gradY[i],
-                            1 / (z + radius),
-                            1 / (z - radius),
+                            1 / (z + range),
+                            1 / std::max(z - range, 0.01f * z),
                             behind ? 1 / (z - backClip * s.rise[i]) : std::numeric_limits<float>::infinity(),
                             1 / (radius * radius),
-                            radius * layerDepth,
-                            behind ? radius * backBias : 0,
+                            (radius + filter) * layerDepth,
+                            behind ? (radius + filter) * layerDepth * backBias : 0,
                             s.normalX[i],
                             s.normalY[i],
                             s.normalZ[i],

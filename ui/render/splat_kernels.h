@@ -21,10 +21,13 @@ namespace render {
 constexpr float splatRadiusOfSupport = 0.34f;
 /// Radius of the screen-space filter in pixels.
 constexpr float filterPx = 1;
-/// Splats within this many radii behind the nearest belong to its layer.
+/// Splats within this many radii (and filter radii) behind the nearest belong to its layer.
 constexpr float layerDepth = 1;
-/// Splats seen from behind need to be this much nearer (in radii): the far side of a thin sheet does not bleed through.
-constexpr float backBias = 0.75f;
+/// A splat's depths stay within its radius and this many filter radii of its centre's: a pixel of the filter beside an
+/// edge-on disc meets its plane far away.
+constexpr float filterDepth = 4;
+/// Splats seen from behind need to be nearer by this part of it: the far side of a thin sheet does not bleed through.
+constexpr float backBias = 0.9f;
 /// And the part of their disc that rises towards the eye is cut at this part of its radius: at a silhouette it would
 /// stand out beyond the surface, which bends away there.
 constexpr float backClip = 0.35f;
@@ -42,7 +45,7 @@ struct SplatStyle {
 struct Splat {
     float x, y, z;         ///< slopes of the centre, and its depth
     float gradX, gradY;    ///< of 1/z along the slopes
-    float low, high;       ///< range of 1/z: the disc lies within its radius of its centre
+    float low, high;       ///< range of 1/z, see filterDepth
     float cut;             ///< 1/z from where the disc is cut, see backClip
     float inverseRadiusSq; ///< 1/R^2
     float reach;           ///< what belongs to its layer may lie this far behind

@@ -1,0 +1,339 @@
+#include "ui/render/cpu_splatter.h"
+
+#include "core/base/parallel.h"
+#include "render/render_models.h"
+#include "support/registry.h"
+#include "ui/render/shading.h"
+
+#include <QtTest>
+
+using namespace render;
+using base::Vec3d;
+
+class CpuSplatterTest : public QObject {
+    Q_OBJECT
+  private slots:
+    void tiltedPlaneHasOneNormalAndPlanarDepth();
+    void sphereHasNoHoles_data();
+    void sphereHasNoHoles();
+    void torusHasNoHoles();
+    void spacingThatVariesByFiveLeavesNoHoles();
+    void nearSheetHidesTheFarOne();
+    void thinSheetShowsItsOwnSide();
+    void splatsNeverFallBetweenPixels();
+    void unorientedSplatsFaceTheEye();
+    void thereIsNoNearPlane();
+    void coloursAndMasksAreBlended();
+    void sameBitsAtAnyThreadCount();
+    void transparentBackgroundHasNoAlpha();
+    void anEmptyModelIsBackground();
+};
+
+static Camera smallCamera() {
+    Camera camera;
+    camera.width = 321; // tiles at the borders are cut
+    camera.height = 243;
+    return camera;
+}
+
+/// A normal of camera coordinates (x right, y up, z to the eye, which the default camera's axes are) as a pixel of the
+/// image shades it.
+static base::Vec3f asSeen(const Camera& camera, const Vec3d& normal, int x, int y) {
+    const double dx = (x + 0.5 - 0.5 * camera.width) / camera.focalPx();
+    const double dy = (0.5 * camera.height - y - 0.5) / camera.focalPx();
+    return inRayFrame(base::cast<float>(normal), static_cast<float>(dx), static_cast<float>(dy));
+}
+
+void CpuSplatterTest::tiltedPlaneHasOneNormalAndPlanarDepth() {
+    for (const double angle : {0.0, 0.6, 1.2}) {
+        const Vec3d normal{std::sin(angle) * 0.8, std::sin(angle) * 0.6, std::cos(angle)};
+        const Camera camera = smallCamera();
+        CpuSplatter splatter;
+        RenderOptions options;
+        options.shading = Shading::Normal;
+        const auto model = test::built(test::disc({0, 0, 0}, normal, 6, 0.02));
+        const Image image = test::drawn(splatter, model, camera, options);
+        for (int y = 60; y < 180; ++y)
+            for (int x = 80; x < 240; ++x) {
+                const std::size_t i = static_cast<std::size_t>(y) * 321 + static_cast<std::size_t>(x);
+                const base::Rayd ray = camera.ray(x + 0.5, y + 0.5);
+                if (-dot(ray.direction, normal) < 0.27) // flatter, and pixels of the filter are held to filterDepth
+                    continue;
+                const double expected = -dot(ray.origin, normal) / dot(ray.direction, normal);
+                QVERIFY2(std::abs(image.depth[i] / expected - 1) < 3e-6,
+                         qPrintable(QString("%1 %2: %3 for %4").arg(x).arg(y).arg(image.depth[i]).arg(expected)));
+                const base::Vec3f turned = asSeen(camera, normal, x, y);
+                for (std::size_t k = 0; k < 3; ++k)
+                    QVERIFY(std::abs(static_cast<float>(image.colour[i] >> (8 * k) & 255u) -
+                                     127.5f * (turned[k] + 1)) <= 2.5f);
+            }
+    }
+}
+
+/// Every pixel that looks well inside the outline shows the sphere at its depth. `reach`: the splats' radius.
+static void checkSphere(const Image& image, const Camera& camera, double reach) {
+    int inside = 0;
+    for (int y = 0; y < camera.height; ++y)
+        for (int x = 0; x < camera.width; ++x) {
+            const base::Rayd ray = camera.ray(x + 0.5, y + 0.5);
+            if (!std::isfinite(test::sphereDepth(ray, {0, 0, 0}, 0.98)))
+                continue;
+            ++inside;
+            const double expected = test::sphereDepth(ray, {0, 0, 0}, 1);
+            const double slant = -dot(ray.at(expected), ray.direction);
+            // A tangent disc leaves the sphere by half the squared way along it, which a pixel of the filter lengthens.
+            const double way = std::max(reach, 1.1 * expected / camera.focalPx() / slant);
+            const double tolerance = 0.6 * way * way / slant + 1e-5;
+            const double depth = image.depth[static_cast<std::size_t>(y * camera.width + x)];
+            QVERIFY2(std::abs(depth - expected) < tolerance,
+                     qPrintable(QString("%1 %2: %3 for %4").arg(x).arg(y).arg(depth).arg(expected)));
+        }
+    QVERIFY(inside > 1000);
+}
+
+void CpuSplatterTest::sphereHasNoHoles_data() {
+    QTest::addColumn<int>("count");
+    QTest::addColumn<float>("scale");
+    QTest::addColumn<double>("distance");
+    QTest::newRow("coarse") << 2000 << 1.0f << 3.0;
+    QTest::newRow("fine") << 100000 << 1.0f << 3.0;
+    QTest::newRow("close") << 20000 << 1.0f << 1.3;
+    QTest::newRow("far") << 100000 << 1.0f << 12.0;
+    QTest::newRow("radius 0.75 s") << 20000 << 0.75f / (splatRadiusOfSupport * test::supportOfSpacing) << 2.0;
+}
+
+void CpuSplatterTest::sphereHasNoHoles() {
+    QFETCH(int, count);
+    QFETCH(float, scale);
+    QFETCH(double, distance);
+    Camera camera = smallCamera();
+    camera.eye = normalized(Vec3d{1, 2, 3}) * distance;
+    RenderOptions options;
+    options.splatScale = scale;
+    CpuSplatter splatter;
+    const auto model = test::built(test::sphere({0, 0, 0}, 1, static_cast<std::size_t>(count)));
+    const double s = scale * test::evenSpacing(4 * std::numbers::pi, static_cast<std::size_t>(count));
+    checkSphere(test::drawn(splatter, model, camera, options), camera,
+                s * test::supportOfSpacing * splatRadiusOfSupport);
+}
+
+/// Distance along the ray to the torus, by steps of its distance function; +inf where the ray passes.
+static double torusDepth(const base::Rayd& ray, double ring, double tube) {
+    double t = 0;
+    for (int step = 0; step < 300 && t < 20; ++step) {
+        const Vec3d p = ray.at(t);
+        const double across = std::sqrt(p.x * p.x + p.z * p.z) - ring;
+        const double distance = std::sqrt(across * across + p.y * p.y) - tube;
+        if (distance < 1e-6)
+            return t;
+        t += distance;
+    }
+    return std::numeric_limits<double>::infinity();
+}
+
+void CpuSplatterTest::torusHasNoHoles() {
+    Camera camera = smallCamera();
+    const auto model = test::built(test::torus(1, 0.4, 30000, test::seed()));
+    CpuSplatter splatter;
+    base::Random random(test::seed());
+    for (int view = 0; view < 6; ++view) {
+        camera.eye = random.unitVector() * 4;
+        const Image image = test::drawn(splatter, model, camera);
+        int inside = 0;
+        for (int y = 0; y < camera.height; ++y)
+            for (int x = 0; x < camera.width; ++x) {
+                const base::Rayd ray = camera.ray(x + 0.5, y + 0.5);
+                const double thin = torusDepth(ray, 1, 0.38), thick = torusDepth(ray, 1, 0.42);
+                if (!(std::abs(thin - thick) < 0.3)) // near an outline, or beside the torus
+                    continue;
+                ++inside;
+                const float depth = image.depth[static_cast<std::size_t>(y * camera.width + x)];
+                QVERIFY2(depth > thick && depth < thin, qPrintable(QString("view %1 at %2 %3: %4 for %5, seed %6")
+                                                                       .arg(view)
+                                                                       .arg(x)
+                                                                       .arg(y)
+                                                                       .arg(depth)
+                                                                       .arg(0.5 * (thin + thick))
+                                                                       .arg(test::seed())));
+            }
+        QVERIFY(inside > 1000);
+    }
+}
+
+void CpuSplatterTest::spacingThatVariesByFiveLeavesNoHoles() {
+    // Rows of a square whose spacing grows from 0.01 to 0.05 along x; supports follow the wider spacing.
+    surfel::SurfelList list;
+    list.layout = test::orientedLayout();
+    for (double x = -1; x < 1;) {
+        const double s = 0.01 + 0.02 * (x + 1);
+        for (double y = -1; y < 1; y += s)
+            list.items.push_back({base::cast<float>(Vec3d{x, y, 0}),
+                                  {0, 0, 1},
+                                  static_cast<float>(s) * test::supportOfSpacing,
+                                  surfel::white,
+                                  0});
+        x += s;
+    }
+    CpuSplatter splatter;
+    const Camera camera = smallCamera();
+    const Image image = test::drawn(splatter, test::built(list), camera);
+    for (int y = 0; y < camera.height; ++y)
+        for (int x = 0; x < camera.width; ++x) {
+            const base::Rayd ray = camera.ray(x + 0.5, y + 0.5);
+            const Vec3d at = ray.at(-ray.origin.z / ray.direction.z);
+            if (std::abs(at.x) < 0.94 && std::abs(at.y) < 0.94)
+                QVERIFY(std::isfinite(image.depth[static_cast<std::size_t>(y * camera.width + x)]));
+        }
+}
+
+void CpuSplatterTest::nearSheetHidesTheFarOne() {
+    surfel::SurfelList list = test::disc({0, 0, 0}, {0, 0, 1}, 1.5, 0.02);
+    surfel::SurfelList behind = test::disc({0, 0, -0.1}, {0.6, 0, 0.8}, 1.5, 0.02);
+    const surfel::SurfelList front = list;
+    list.items.insert(list.items.end(), behind.items.begin(), behind.items.end());
+    std::erase_if(list.items, [](const auto& s) { return s.normal.x > 0 && s.position.z > -0.05f; });
+    CpuSplatter splatter;
+    const Camera camera = smallCamera();
+    const Image both = test::drawn(splatter, test::built(list), camera),
+                one = test::drawn(splatter, test::built(front), camera);
+    // The far sheet passes 0.05 to 1 behind the near one; a splat's radius is 0.021.
+    int compared = 0;
+    for (std::size_t i = 0; i < one.colour.size(); ++i)
+        if (std::isfinite(one.depth[i])) {
+            QCOMPARE(both.depth[i], one.depth[i]);
+            QCOMPARE(both.colour[i], one.colour[i]);
+            ++compared;
+        }
+    QVERIFY(compared > 10000);
+}
+
+void CpuSplatterTest::thinSheetShowsItsOwnSide() {
+    // Front and back of a plate thinner than a splat: colours tell which side a pixel shows.
+    surfel::SurfelList list = test::disc({0, 0, 0.004}, {0, 0, 1}, 1, 0.02);
+    for (auto& s : list.items)
+        s.colour = surfel::rgba(255, 0, 0);
+    surfel::SurfelList back = test::disc({0, 0, -0.004}, {0, 0, -1}, 1, 0.02);
+    for (auto& s : back.items)
+        s.colour = surfel::rgba(0, 0, 255);
+    list.items.insert(list.items.end(), back.items.begin(), back.items.end());
+    list.layout = test::orientedLayout(true);
+    RenderOptions options;
+    options.shading = Shading::Colour;
+    CpuSplatter splatter;
+    Camera camera = smallCamera();
+    for (const double z : {3.0, -3.0}) {
+        camera.eye = {0.4, 0.2, z};
+        const Image image = test::drawn(splatter, test::built(list), camera, options);
+        const surfel::Colour middle = image.colour[121 * 321 + 160];
+        QCOMPARE(middle >> (z > 0 ? 16 : 0) & 255u, 0u);
+        QVERIFY((middle >> (z > 0 ? 0 : 16) & 255u) > 100);
+    }
+}
+
+void CpuSplatterTest::splatsNeverFallBetweenPixels() {
+    base::Random random(test::seed());
+    surfel::SurfelList list;
+    list.layout = test::orientedLayout();
+    for (int k = 0; k < 200; ++k)
+        list.items.push_back({base::cast<float>(Vec3d{random.uniform(-1, 1), random.uniform(-0.7, 0.7), 0}),
+                              {0, 0, 1},
+                              1e-5f,
+                              surfel::white,
+                              0});
+    CpuSplatter splatter;
+    const Camera camera = smallCamera();
+    const Image image = test::drawn(splatter, test::built(list), camera);
+    for (const auto& s : list.items) {
+        const Vec3d place = camera.project(base::cast<double>(s.position));
+        const std::size_t i = static_cast<std::size_t>(place.y) * 321 + static_cast<std::size_t>(place.x);
+        QVERIFY2(std::isfinite(image.depth[i]), qPrintable(QString("seed %1").arg(test::seed())));
+    }
+}
+
+void CpuSplatterTest::unorientedSplatsFaceTheEye() {
+    surfel::SurfelList list = test::sphere({0, 0, 0}, 1, 20000);
+    CpuSplatter splatter;
+    const Camera camera = smallCamera();
+    auto layout = std::make_shared<surfel::AttributeLayout>(*list.layout);
+    layout->oriented = false;
+    list.layout = layout;
+    const Image before = test::drawn(splatter, test::built(list), camera);
+    base::Random random(test::seed());
+    for (auto& s : list.items)
+        if (random.uniform() < 0.5)
+            s.normal = -s.normal;
+    const Image after = test::drawn(splatter, test::built(list), camera);
+    QVERIFY(before.colour == after.colour && before.depth == after.depth);
+    // Without any normals the model is still drawn.
+    for (auto& s : list.items)
+        s.normal = {};
+    const Image bare = test::drawn(splatter, test::built(list), camera);
+    QVERIFY(std::isfinite(bare.depth[121 * 321 + 160]));
+}
+
+void CpuSplatterTest::thereIsNoNearPlane() {
+    const auto model = test::built(test::disc({0, 0, 0}, {0, 0, 1}, 0.01, 1e-4));
+    CpuSplatter splatter;
+    for (const double z : {1e-3, 1e3}) {
+        Camera camera = smallCamera();
+        camera.eye = {0, 0, z};
+        const Image image = test::drawn(splatter, model, camera);
+        QVERIFY(std::abs(image.depth[121 * 321 + 160] / z - 1) < 1e-3);
+        if (z < 1)
+            for (const float depth : image.depth)
+                QVERIFY(std::isfinite(depth));
+    }
+}
+
+void CpuSplatterTest::coloursAndMasksAreBlended() {
+    surfel::SurfelList list = test::disc({0, 0, 0}, {0, 0, 1}, 2, 0.02);
+    list.layout = test::orientedLayout(true);
+    for (auto& s : list.items) {
+        s.colour = surfel::rgba(s.position.x > 0 ? 200 : 100, 50, 25);
+        s.mask = 0.5f;
+    }
+    RenderOptions options;
+    options.shading = Shading::Colour;
+    CpuSplatter splatter;
+    const Camera camera = smallCamera();
+    const Image image = test::drawn(splatter, test::built(list), camera, options);
+    const auto at = [&](int x) { return image.colour[static_cast<std::size_t>(121 * 321 + x)]; };
+    QCOMPARE(at(160 + 60),
+             shade(Shading::Colour, asSeen(camera, {0, 0, 1}, 220, 121), surfel::rgba(200, 50, 25), 0.5f));
+    QCOMPARE(at(160 - 60),
+             shade(Shading::Colour, asSeen(camera, {0, 0, 1}, 100, 121), surfel::rgba(100, 50, 25), 0.5f));
+}
+
+void CpuSplatterTest::sameBitsAtAnyThreadCount() {
+    const auto model = test::built(test::torus(1, 0.4, 60000, test::seed()));
+    CpuSplatter splatter;
+    base::setThreadCount(1);
+    const Image one = test::drawn(splatter, model, smallCamera());
+    base::setThreadCount(0);
+    for (int k = 0; k < 5; ++k) {
+        const Image many = test::drawn(splatter, model, smallCamera());
+        QVERIFY(one.colour == many.colour && one.depth == many.depth);
+    }
+}
+
+void CpuSplatterTest::transparentBackgroundHasNoAlpha() {
+    RenderOptions options;
+    options.transparent = true;
+    CpuSplatter splatter;
+    const Image image = test::drawn(splatter, test::built(test::sphere({0, 0, 0}, 0.3, 5000)), smallCamera(), options);
+    for (std::size_t i = 0; i < image.colour.size(); ++i)
+        QCOMPARE(image.colour[i] >> 24, std::isfinite(image.depth[i]) ? 255u : 0u);
+    QCOMPARE(image.colour[0] >> 24, 0u);
+    QCOMPARE(image.colour[121 * 321 + 160] >> 24, 255u);
+}
+
+void CpuSplatterTest::anEmptyModelIsBackground() {
+    CpuSplatter splatter;
+    const Image image = test::drawn(splatter, {}, smallCamera());
+    QCOMPARE(image.colour.size(), std::size_t(321 * 243));
+    for (const float depth : image.depth)
+        QVERIFY(std::isinf(depth));
+}
+
+static const test::Registered<CpuSplatterTest> registered;
+#include "cpu_splatter_test.moc"
