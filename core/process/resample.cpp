@@ -1,11 +1,11 @@
 #include "core/process/resample.h"
 
-#include "core/base/error.h"
 #include "core/process/resample_set.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <tuple>
 
 namespace process {
 

@@ -7,7 +7,7 @@
 
 namespace sculpt {
 
-/// In the order of the tool bar. A function's static, so that it is made after the rows whoever asks first.
+/// In the order of the tool bar. Copied at the first call, when the rows of the other files exist.
 std::span<const ToolRow> toolTable() {
     static const ToolRow rows[] = {drawTool, clayTool, smoothTool, grabTool};
     return rows;

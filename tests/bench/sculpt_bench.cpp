@@ -123,8 +123,6 @@ void strokeDab(benchmark::State& state, const char* tool) {
         dabs += stroke.dabs();
     }
     state.SetItemsProcessed(dabs * state.range(1));
-    state.counters["ms_per_dab"] =
-        benchmark::Counter(double(dabs) * 1e-3, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
 void sizes(benchmark::internal::Benchmark* b) {

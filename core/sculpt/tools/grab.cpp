@@ -7,8 +7,8 @@
 
 namespace sculpt {
 
-/// Iterations until the weight stands still to float precision at the contraction of 0.2.
-constexpr int iterations = 8;
+/// Newton steps until the weight stands still to float precision: the first error is below 0.1 and squares each time.
+constexpr int iterations = 3;
 /// Keeps the Jacobian finite at the vertical rims of some falloffs.
 constexpr float steepest = 0.25f;
 
@@ -32,18 +32,25 @@ struct Pull {
         }
     }
 
+    /// One Newton step of w - W(half-way place) = 0; leaves g = k / (1 - k.m/2) in `out`.
+    void improve(const BrushLanes& half, AmountLanes& out) const {
+        alignas(64) float weight[lanes], gradient[lanes];
+        brush.fade(half, weight, gradient);
+        for (std::size_t i = 0; i < lanes; ++i) {
+            const float kx = gradient[i] * half.x[i], ky = gradient[i] * half.y[i], kz = gradient[i] * half.z[i];
+            const float scale = 1 / std::max(steepest, 1 - 0.5f * (kx * m.x + ky * m.y + kz * m.z));
+            out.amount[i] = std::clamp(out.amount[i] + (weight[i] - out.amount[i]) * scale, 0.0f, 1.0f);
+            out.gx[i] = kx * scale, out.gy[i] = ky * scale, out.gz[i] = kz * scale;
+        }
+    }
+
     void operator()(const BrushLanes& at, AmountLanes& out) const {
         alignas(64) float gradient[lanes];
         BrushLanes half;
         brush.fade(at, out.amount, gradient);
         for (int k = 0; k < iterations; ++k) {
             halfWay(at, out.amount, half);
-            brush.fade(half, out.amount, gradient);
-        }
-        for (std::size_t i = 0; i < lanes; ++i) {
-            const float kx = gradient[i] * half.x[i], ky = gradient[i] * half.y[i], kz = gradient[i] * half.z[i];
-            const float scale = 1 / std::max(steepest, 1 - 0.5f * (kx * m.x + ky * m.y + kz * m.z));
-            out.gx[i] = kx * scale, out.gy[i] = ky * scale, out.gz[i] = kz * scale;
+            improve(half, out);
         }
     }
 };
