@@ -42,12 +42,19 @@ static const FormatRow* rowOfId(const std::string& id) {
     return nullptr;
 }
 
-/// Text begins with a number, a sign, a comment or a name of a column.
+/// Points as text have a line that begins with a number among their first ones, and no zero bytes.
 static bool looksLikeText(std::string_view bytes) {
-    const std::string_view start = bytes.substr(0, 4096);
-    const std::size_t first = start.find_first_not_of(" \t\r\n");
-    return first != std::string_view::npos && start.find('\0') == std::string_view::npos &&
-           std::string_view("0123456789+-.#/%xX").find(start[first]) != std::string_view::npos;
+    std::string_view start = bytes.substr(0, 4096);
+    if (start.find('\0') != std::string_view::npos)
+        return false;
+    for (int line = 0; line < 20 && !start.empty(); ++line) {
+        const std::size_t first = start.find_first_not_of(" \t");
+        if (first != std::string_view::npos &&
+            std::string_view("0123456789+-.").find(start[first]) != std::string_view::npos)
+            return true;
+        start.remove_prefix(std::min(start.find_first_of("\r\n"), start.size() - 1) + 1);
+    }
+    return false;
 }
 
 static std::string knownExtensions(bool writable) {

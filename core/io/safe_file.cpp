@@ -2,12 +2,12 @@
 
 #include "core/base/error.h"
 
+#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#include <vector>
 
 namespace io {
 
@@ -19,16 +19,6 @@ static void syncFolder(const fs::path& folder) {
         return;
     ::fsync(descriptor); // best effort: not every file system can sync a folder
     ::close(descriptor);
-}
-
-/// Permissions that a plain open() would give, or those of the file that is replaced.
-static mode_t wantedMode(const fs::path& final) {
-    struct stat info {};
-    if (::stat(final.c_str(), &info) == 0)
-        return info.st_mode & 07777;
-    const mode_t mask = ::umask(0);
-    ::umask(mask);
-    return 0666 & ~mask;
 }
 
 SafeFile::SafeFile(const fs::path& target) : m_target(target), m_final(target) {
@@ -57,16 +47,22 @@ void SafeFile::openBeside() {
     if (!fs::is_directory(folder, ignored))
         throw base::Error("cannot be written, because the folder " + folder.string() + " does not exist",
                           m_target.string(), "make the folder or choose another");
-    // The name is kept short of the 255 bytes that file systems allow.
-    const std::string name = m_final.filename().string().substr(0, 200);
-    const std::string pattern = (folder / ("." + name + ".XXXXXX")).string();
-    std::vector<char> buffer(pattern.begin(), pattern.end());
-    buffer.push_back('\0');
-    m_descriptor = ::mkostemp(buffer.data(), O_CLOEXEC);
-    if (m_descriptor < 0)
+    struct stat info {};
+    const bool replaces = ::stat(m_final.c_str(), &info) == 0;
+    static std::atomic<unsigned> counter = 0;
+    do { // another process with our number, long gone, may have left a file of that name
+        // The name is kept short of the 255 bytes that file systems allow.
+        const std::string name = "." + m_final.filename().string().substr(0, 200) + "." + std::to_string(::getpid()) +
+                                 "-" + std::to_string(counter++);
+        m_beside = (folder / name).string();
+        m_descriptor = ::open(m_beside.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    } while (m_descriptor < 0 && errno == EEXIST);
+    if (m_descriptor < 0) {
+        m_beside.clear();
         fail("be written in this folder");
-    m_beside = buffer.data();
-    ::fchmod(m_descriptor, wantedMode(m_final));
+    }
+    if (replaces) // best effort: the owner of a shared folder may forbid it
+        static_cast<void>(::fchmod(m_descriptor, info.st_mode & 07777));
 }
 
 SafeFile::~SafeFile() {

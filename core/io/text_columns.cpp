@@ -79,15 +79,18 @@ class Guess {
         return std::all_of(facts.begin(), facts.end(), [](const ColumnFacts& f) { return f.isByte(); }) ||
                std::all_of(facts.begin(), facts.end(), [](const ColumnFacts& f) { return f.isShare(); });
     }
-    /// At least 19 of 20 rows have length 1 to the two digits that some programs write.
+    /// Of the rows that are not zero (unknown normals), at least half of all, 19 of 20 have length 1 to the two digits
+    /// that some programs write.
     bool areNormals(std::size_t c) const {
         const std::size_t step = std::max<std::size_t>(1, m_rows / 4096);
-        std::size_t seen = 0, unit = 0;
+        std::size_t seen = 0, known = 0, unit = 0;
         for (std::size_t i = 0; i < m_rows; i += step, ++seen) {
             const double* v = m_values + i * m_facts.size() + c;
-            unit += std::abs(std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) - 1) < 0.01 ? 1 : 0;
+            const double length = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+            known += length != 0 ? 1 : 0;
+            unit += std::abs(length - 1) < 0.01 ? 1 : 0;
         }
-        return unit * 20 >= seen * 19;
+        return known * 2 >= seen && unit * 20 >= known * 19;
     }
 
     const double* m_values;

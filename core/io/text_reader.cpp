@@ -25,6 +25,21 @@ std::string extensionOf(const path& file) {
     return extension.empty() ? "text" : extension.substr(1);
 }
 
+/// Names in a line. Between commas or semicolons a name may hold blanks ("GPS Time"); quotes are taken off.
+std::vector<std::string> namesIn(std::string_view line, const std::vector<std::string_view>& fields) {
+    if (line.find_first_of(",;") == std::string_view::npos)
+        return {fields.begin(), fields.end()};
+    std::vector<std::string> names;
+    for (std::size_t at = 0; at < line.size();) {
+        const std::size_t end = std::min(line.find_first_of(",;", at), line.size());
+        std::string_view name = line.substr(at, end - at);
+        const std::size_t first = name.find_first_not_of(" \t\r\""), last = name.find_last_not_of(" \t\r\"");
+        names.emplace_back(first == std::string_view::npos ? "" : name.substr(first, last - first + 1));
+        at = end + 1;
+    }
+    return names;
+}
+
 class TextReader {
   public:
     TextReader(const path& name, const base::Progress& progress) : m_file(name), m_progress(progress) {}
@@ -96,9 +111,7 @@ void TextReader::readHead(const TextRows& rows) {
         if (m_firstRow > 1 || fields.size() < 3)
             m_file.failAt(rows.offset(m_firstRow), inQuotes(fields.empty() ? "" : fields[0]) + " is not a number",
                           "choose a text file with rows of coordinates");
-        m_names.clear();
-        for (const std::string_view field : fields)
-            m_names.emplace_back(field);
+        m_names = namesIn(rows.row(m_firstRow), fields);
     }
     m_file.fail("holds no points", "choose a file with at least one");
 }
@@ -164,13 +177,20 @@ void TextReader::joinNormalsBelow() {
     m_tableNames = {"x", "y", "z", "nx", "ny", "nz"};
 }
 
-/// Whole numbers are int attributes; reals are float, or double where float would lose the units (GPS times).
+/// Whole numbers are int or uint; reals are float; both are double where that would lose units or fractions (large
+/// counters, GPS times).
+ScalarType typeOf(const ColumnFacts& facts) {
+    const double reach = std::max(-facts.least, facts.most);
+    if (!facts.integers)
+        return reach > 1e5 ? ScalarType::Float64 : ScalarType::Float32;
+    if (reach <= 2147483647.0)
+        return ScalarType::Int32;
+    return facts.least >= 0 && facts.most <= 4294967295.0 ? ScalarType::UInt32 : ScalarType::Float64;
+}
+
 void TextReader::typeColumns(const std::vector<ColumnFacts>& facts) {
     for (std::size_t c = 0; c < facts.size(); ++c) {
-        const double reach = std::max(-facts[c].least, facts[c].most);
-        ScalarType type = facts[c].integers && reach <= 2147483647.0 ? ScalarType::Int32 : ScalarType::Float32;
-        if (!facts[c].integers && reach > 1e5)
-            type = ScalarType::Float64;
+        ScalarType type = typeOf(facts[c]);
         if (lower(m_tableNames[c]) == "mask") // ours, though all of its values may be 0
             type = ScalarType::Float32;
         m_table.fields.push_back({m_tableNames[c], ScalarType::Float64, type, c * sizeof(double)});

@@ -37,7 +37,7 @@ static surfel::Surfel at(const base::Vec3f& position) {
 void PlyRoundTripTest::nativeFilesBringBackEveryBit() {
     const test::Folder folder;
     base::Random random(test::seed());
-    for (int k = 0; k < 100; ++k) {
+    for (int k = 0; k < 60; ++k) {
         FileModel model = test::randomModel(random, 1 + random.below(400));
         io::write(folder.path("a.ply"), model);
         const FileModel read = io::read(folder.path("a.ply"));
@@ -228,7 +228,7 @@ void PlyRoundTripTest::everyEncodingOfEveryLayoutReadsTheSame() {
     const test::Folder folder;
     base::Random random(test::seed());
     const std::string lineEnds[] = {"\n", "\r\n", "\r"};
-    for (int k = 0; k < 100; ++k) {
+    for (int k = 0; k < 60; ++k) {
         const PlainPly ply = randomPly(random);
         for (const PlyEncoding encoding : {PlyEncoding::Ascii, PlyEncoding::LittleEndian, PlyEncoding::BigEndian}) {
             const auto path = folder.write("a.ply", ply.text(encoding, lineEnds[random.below(3)]));
