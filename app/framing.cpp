@@ -1,5 +1,7 @@
 #include "app/framing.h"
 
+#include <limits>
+
 namespace app {
 
 using base::Vec3d;

@@ -68,6 +68,8 @@ ordered_json timingOf(const session::LineReport& report) {
 
 void savePicture(const session::Document& document, const std::string& path, const base::Progress& progress) {
     const surface::Surface& surface = document.surface();
+    if (surface.tree().empty())
+        throw base::Error("there is no model to draw", path, "open one in the session or with --model");
     PictureStats stats;
     const render::Camera camera = closeUp(render::Camera::looking(surface.tree().bounds(), 1280, 720), surface.tree());
     render::savePng(draw(surface, camera, {}, stats, progress), path);

@@ -1,9 +1,11 @@
 #include "app/surface_options.h"
 
 #include "core/base/error.h"
+#include "core/io/number_text.h"
 #include "core/session/surface_options.h"
 #include "core/surface/definition_text.h"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace app {
@@ -13,8 +15,10 @@ using session::CommandParameter;
 
 /// A number where the text is one, else the text: what the session's check wants to see.
 static json valueOf(const std::string& text) {
-    const json number = json::parse(text, nullptr, false);
-    return number.is_number() ? number : json(text);
+    if (const auto count = io::countOf(text))
+        return *count;
+    const auto number = io::numberOf(text);
+    return number && std::isfinite(*number) ? json(*number) : json(text);
 }
 
 json SurfaceOptions::parameters() const {

@@ -64,6 +64,8 @@ static std::string contentOf(const fs::path& path) {
 Journal::Journal(fs::path file) {
     try {
         m_path = file.empty() ? defaultPath() : fs::absolute(file);
+        if (fs::exists(m_path) && !fs::is_regular_file(m_path)) // it would be replaced
+            throw base::Error("a journal must be a file", m_path.string(), "choose another name");
         if (isLocked(m_path))
             throw base::Error("another process writes its journal here", m_path.string(), "choose another file");
         begin({});

@@ -28,7 +28,7 @@ void CommandLineTest::helpNamesEverySubcommandWithAnExample() {
         QVERIFY2(help.out.find(std::string("\n  ") + name) != std::string::npos, name);
         const Outcome own = program.run({name, "--help"});
         QCOMPARE(own.code, 0);
-        for (const std::string part :
+        for (const std::string& part :
              {"Example: pointclay " + std::string(name), std::string("--threads"), std::string("--quiet")})
             QVERIFY2(own.out.find(part) != std::string::npos, name);
     }
@@ -88,13 +88,13 @@ void CommandLineTest::badInputIsOneAndLeavesNothing_data() {
     row("convert bad.ply out.ply", "bad.ply");
     row("convert sample:sphere:500 out.melted", "out.melted");
     row("convert sample:sphere:500 nowhere/out.ply", "nowhere/out.ply");
-    row("query sample:sphere:500 --at bad.xyz --what value -o out.csv", "bad.xyz:3");
+    row("query sample:sphere:500 --at bad.xyz --what value -o out.csv", "bad.xyz, line 3");
     row("query sample:sphere:500 --at empty.xyz --what value -o out.csv", "empty.xyz");
     row("query sample:sphere:500 --at nowhere.xyz --what value -o out.csv", "nowhere.xyz");
     row("query three.xyz --at good.xyz --what value -o out.csv", "three.xyz");
     row("query sample:sphere:500 --at good.xyz --what value -o nowhere/out.csv", "nowhere/out.csv");
     row("intersect sample:sphere:500 --rays good.xyz -o out.csv", "good.xyz");
-    row("intersect sample:sphere:500 --rays bad_rays.csv -o out.csv", "bad_rays.csv:3");
+    row("intersect sample:sphere:500 --rays bad_rays.csv -o out.csv", "bad_rays.csv, line 3");
     row("render bad.ply -o out.png", "bad.ply");
     row("render sample:sphere:500 -o nowhere/out.png", "nowhere/out.png");
     row("run nowhere.jsonl", "nowhere.jsonl");

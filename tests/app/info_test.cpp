@@ -3,6 +3,7 @@
 #include "support/registry.h"
 
 #include <QtTest>
+#include <set>
 
 using nlohmann::json;
 using test::Outcome;

@@ -210,6 +210,7 @@ void JournalTest::aJournalInUseIsRefused() {
     const session::Journal journal(bench.path("j.jsonl"));
     QVERIFY_EXCEPTION_THROWN(session::Journal(bench.path("j.jsonl")), base::Error);
     QVERIFY_EXCEPTION_THROWN(session::Journal(bench.path("nowhere/j.jsonl")), base::Error);
+    QVERIFY_EXCEPTION_THROWN(session::Journal("/dev/null"), base::Error);
 }
 
 void JournalTest::discardLeavesNothing() {
