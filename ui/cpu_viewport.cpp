@@ -6,13 +6,11 @@ namespace ui {
 
 CpuViewport::CpuViewport(QWidget* parent) : QWidget(parent) {
     setAttribute(Qt::WA_OpaquePaintEvent);
-    auto renderer = render::makeRenderer("cpu");
-    m_name = QString("%1 renderer").arg(renderer->name());
     const auto deliver = [this](RenderThread::Result result) {
         const auto pass = [this, moved = std::move(result)] { receive(moved); };
         QMetaObject::invokeMethod(this, pass, Qt::QueuedConnection);
     };
-    m_thread = std::make_unique<RenderThread>(std::move(renderer), deliver);
+    m_thread = std::make_unique<RenderThread>(render::makeRenderer("cpu"), deliver);
 }
 
 CpuViewport::~CpuViewport() {

@@ -14,7 +14,7 @@ class CpuViewport : public QWidget, public Viewport {
     ~CpuViewport() override;
 
     QWidget* widget() override { return this; }
-    QString rendererName() const override { return m_name; }
+    QString rendererName() const override { return "CPU"; }
     void show(const Frame& frame) override;
     QImage picture() override { return m_picture; }
     using QWidget::show;
@@ -25,7 +25,6 @@ class CpuViewport : public QWidget, public Viewport {
   private:
     void receive(RenderThread::Result result);
 
-    QString m_name;
     QImage m_picture;
     std::unique_ptr<RenderThread> m_thread;
 };

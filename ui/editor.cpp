@@ -212,7 +212,9 @@ void Editor::work() {
 
 void Editor::push(Task task) {
     ++m_waiting;
-    m_commands += std::holds_alternative<CommandTask>(task) || std::holds_alternative<SideTask>(task) ? 1 : 0;
+    const bool command = std::holds_alternative<CommandTask>(task) || std::holds_alternative<SideTask>(task);
+    if (command && m_commands++ == 0)
+        m_workingSince.start();
     m_waiting -= static_cast<int>(m_queue.push(std::move(task)));
 }
 
@@ -241,13 +243,30 @@ void Editor::deliver() {
 }
 
 void Editor::run(nlohmann::json command, std::function<void(bool)> then) {
+    bool replaces = false;
+    for (const auto& row : session::commandTable())
+        replaces |= row.startsModel && command.value("op", "") == row.op;
     const auto work = [command = std::move(command)](session::Context& context) { session::run(context, command); };
-    push(CommandTask{work, std::move(then)});
+    CommandTask task{work, std::move(then)};
+    if (replaces)
+        replace(std::move(task));
+    else
+        push(std::move(task));
 }
 
 void Editor::recover(std::filesystem::path journal, std::function<void(bool)> then) {
     const auto work = [journal = std::move(journal)](session::Context& context) { session::recover(journal, context); };
-    push(CommandTask{work, std::move(then)});
+    replace({work, std::move(then)});
+}
+
+void Editor::replace(CommandTask task) {
+    ++m_replacing;
+    task.then = [this, then = std::move(task.then)](bool done) {
+        --m_replacing;
+        if (then)
+            then(done);
+    };
+    push(std::move(task));
 }
 
 void Editor::runAside(SideTask task) {

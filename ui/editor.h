@@ -16,6 +16,7 @@
 #include <atomic>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <QElapsedTimer>
 #include <QObject>
 #include <thread>
 
@@ -29,6 +30,8 @@ struct EditorOptions {
 class Editor : public QObject {
     Q_OBJECT
   public:
+    static constexpr qint64 patienceMs = 150; ///< what takes longer is long
+
     /// Throws base::Error where the journal cannot be written.
     explicit Editor(const EditorOptions& options = {}, QObject* parent = nullptr);
     /// Stops what is running and waits for it; what was queued is dropped. The journal stays unless discarded.
@@ -53,6 +56,8 @@ class Editor : public QObject {
     bool busy() const { return m_waiting > 0; }
     /// A command or side task is among it, so that the model may soon be another.
     bool working() const { return m_commands > 0; }
+    /// A stroke may begin: the model is not about to be another, and nothing that takes long is before it.
+    bool ready() const { return m_replacing == 0 && (!working() || m_workingSince.elapsed() < patienceMs); }
     const Snapshot& snapshot() const { return m_snapshot; }
     /// Of the document's content once all that was asked is done. Blocks: for tests and reports.
     base::Hash128 hashWhenDone();
@@ -69,6 +74,7 @@ class Editor : public QObject {
     void push(Task task);
     void work(); ///< the model thread
     void finished(std::function<void(bool)> then, bool done, int commands);
+    void replace(CommandTask task);
     void deliver();
 
     std::unique_ptr<Model> m_model; ///< touched by the model thread alone
@@ -78,7 +84,9 @@ class Editor : public QObject {
     bool m_discardJournal = false;
     Snapshot m_snapshot;
     int m_waiting = 0;
-    int m_commands = 0; ///< of them, those that are no part of a stroke
+    int m_commands = 0;  ///< of them, those that are no part of a stroke
+    int m_replacing = 0; ///< of these, those that start another model
+    QElapsedTimer m_workingSince;
     std::mutex m_freshMutex;
     std::optional<Snapshot> m_fresh; ///< published, not yet delivered
     std::thread m_thread;            ///< last: it uses all of the above

@@ -3,6 +3,7 @@
 #include "core/io/formats.h"
 #include "core/session/journal.h"
 #include "core/session/recover.h"
+#include "ui/icon.h"
 #include "ui/render/image_io.h"
 
 #include <chrono>
@@ -86,7 +87,8 @@ void FileActions::remember(const fs::path& path) {
 void FileActions::showFailure(const QString& title) {
     if (m_failure.isEmpty())
         return; // cancelled
-    auto* box = new QMessageBox(QMessageBox::Warning, title, m_failure, QMessageBox::Ok, &m_window);
+    auto* box = new QMessageBox(QMessageBox::NoIcon, title, m_failure, QMessageBox::Ok, &m_window);
+    box->setIconPixmap(icon("stop").pixmap(32, 32));
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->open();
 }
@@ -183,11 +185,19 @@ void FileActions::writeImage(const fs::path& path) {
 // --- unsaved and lost work ---
 
 void FileActions::unlessUnsaved(std::function<void()> next) {
+    if (m_editor.busy()) { // what is under way decides whether there is something to lose
+        if (m_editor.working())
+            emit m_editor.told(tr("Waiting for what is under way; Esc stops it."));
+        const auto again = [this, next = std::move(next)] { unlessUnsaved(next); };
+        connect(&m_editor, &Editor::idled, this, again, Qt::SingleShotConnection);
+        return;
+    }
     if (!m_editor.snapshot().modified)
         return next();
-    auto* box = new QMessageBox(QMessageBox::Question, tr("Unsaved changes"),
+    auto* box = new QMessageBox(QMessageBox::NoIcon, tr("Unsaved changes"),
                                 tr("The model has changes that are not saved. Save them first?"),
                                 QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &m_window);
+    box->setIconPixmap(icon("save").pixmap(32, 32));
     box->setAttribute(Qt::WA_DeleteOnClose);
     connect(box, &QMessageBox::finished, this, [this, next = std::move(next)](int answer) {
         if (answer == QMessageBox::Discard)
@@ -213,9 +223,10 @@ bool FileActions::offerRecovery() {
             session::removeJournal(journal.path);
             continue;
         }
-        QMessageBox box(QMessageBox::Question, tr("Recover lost work?"),
+        QMessageBox box(QMessageBox::NoIcon, tr("Recover lost work?"),
                         tr("The program ended without saving %1.").arg(describe(journal)), QMessageBox::NoButton,
                         &m_window);
+        box.setIconPixmap(icon("recover").pixmap(32, 32));
         const auto* recovered = box.addButton(tr("Recover"), QMessageBox::AcceptRole);
         const auto* discarded = box.addButton(tr("Discard it"), QMessageBox::DestructiveRole);
         box.addButton(tr("Later"), QMessageBox::RejectRole);

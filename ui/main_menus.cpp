@@ -13,6 +13,7 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QShortcut>
+#include <QToolBar>
 
 namespace ui {
 
@@ -101,6 +102,18 @@ void MainWindow::buildModelMenu() {
     }
 }
 
+/// What is wanted most often, for hands that hold a pen: in the corner of the menu bar.
+void MainWindow::buildCorner() {
+    auto* bar = new QToolBar;
+    bar->setObjectName("corner");
+    bar->setIconSize({18, 18});
+    for (QAction* action : menu("file")->actions())
+        if (action->shortcut() == QKeySequence::Open || action->shortcut() == QKeySequence::Save)
+            bar->addAction(action);
+    bar->addActions({m_undo, m_redo, m_frame});
+    menuBar()->setCornerWidget(bar);
+}
+
 void MainWindow::ask(const session::CommandRow& row) {
     CommandDialog dialog(row, this);
     if (dialog.exec() == QDialog::Accepted)
@@ -121,12 +134,12 @@ void MainWindow::buildViewMenu() {
         shadings->addAction(action);
     }
     view->addSeparator();
-    addAction(*view, "frame", tr("Frame &All"), QKeySequence("Home"), [this] { m_controller->frameAll(); });
+    m_frame = addAction(*view, "frame", tr("Frame &All"), QKeySequence("Home"), [this] { m_controller->frameAll(); });
     for (const auto& row : namedViews())
         addAction(*view, "view", tr(row.label), QKeySequence(row.shortcut),
                   [this, &row] { m_controller->turnTo(row); });
     view->addSeparator();
-    QAction* renderer = view->addAction(tr("Drawn by the %1").arg(m_viewport->rendererName()));
+    QAction* renderer = view->addAction(tr("Drawn by: %1").arg(m_viewport->rendererName()));
     renderer->setEnabled(false);
     renderer->setToolTip(m_whyRenderer);
     connect(view, &QMenu::aboutToShow, this,

@@ -18,9 +18,20 @@ static std::unique_ptr<QSettings> openStore(const QString& file) {
     return std::make_unique<QSettings>(file, QSettings::IniFormat);
 }
 
+/// A folder that refuses the journal is no reason not to start.
+static Editor* startEditor(const EditorOptions& options, QObject* parent, QString& trouble) {
+    try {
+        return new Editor(options, parent);
+    } catch (const base::Error& error) {
+        trouble = QObject::tr("%1. Save often: a crash would lose what is not saved.").arg(error.what());
+        return new Editor({.keepJournal = false, .journal = {}}, parent);
+    }
+}
+
 MainWindow::MainWindow(const WindowOptions& options, QWidget* parent)
-    : QMainWindow(parent), m_store(openStore(options.settingsFile)), m_settings(readSettings(*m_store)),
-      m_editor(new Editor(options.editor, this)) {
+    : QMainWindow(parent), m_store(openStore(options.settingsFile)), m_settings(readSettings(*m_store)) {
+    QString trouble;
+    m_editor = startEditor(options.editor, this, trouble);
     setAcceptDrops(true);
     setContextMenuPolicy(Qt::NoContextMenu);
     buildViewport();
@@ -32,17 +43,24 @@ MainWindow::MainWindow(const WindowOptions& options, QWidget* parent)
     buildModelMenu();
     buildViewMenu();
     buildHelpMenu();
+    buildCorner();
     connectEditor();
     showSnapshot();
     resize(1280, 800);
     restoreGeometry(m_settings.geometry);
     restoreState(m_settings.windowState);
+    if (!trouble.isEmpty())
+        m_status->tell(trouble, true);
 }
 
+/// In this order, since what goes later is used by what goes earlier; the base class would take the children after the
+/// members that they refer to.
 MainWindow::~MainWindow() {
-    // The editor's thread ends before anything that its last words would reach.
     m_editor->disconnect();
-    delete m_editor;
+    delete m_controller;
+    delete takeCentralWidget();
+    delete m_panel;
+    delete m_editor; // waits for its thread
 }
 
 void MainWindow::buildViewport() {
@@ -133,13 +151,8 @@ void MainWindow::escape() {
 // --- leaving and dropping ---
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-    if (!m_mayClose) {
+    if (!m_mayClose && (m_editor->busy() || m_editor->snapshot().modified)) {
         event->ignore();
-        if (m_editor->working()) { // a save is not to be cut short
-            connect(m_editor, &Editor::idled, this, &QWidget::close, Qt::SingleShotConnection);
-            m_status->tell(tr("Closing when this is done; Esc stops it."));
-            return;
-        }
         m_files->unlessUnsaved([this] {
             m_mayClose = true;
             close();

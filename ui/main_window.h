@@ -26,7 +26,6 @@ struct WindowOptions {
 class MainWindow : public QMainWindow {
     Q_OBJECT
   public:
-    /// Throws base::Error where the journal cannot be written.
     explicit MainWindow(const WindowOptions& options = {}, QWidget* parent = nullptr);
     ~MainWindow() override;
 
@@ -58,6 +57,7 @@ class MainWindow : public QMainWindow {
     void buildModelMenu();
     void buildViewMenu();
     void buildHelpMenu();
+    void buildCorner();
     QMenu* addMenu(const QString& name, const QString& title, QMenu* parent = nullptr);
     QAction* addAction(QMenu& menu, const char* icon, const QString& text, const QKeySequence& shortcut,
                        const std::function<void()>& work);
@@ -72,14 +72,14 @@ class MainWindow : public QMainWindow {
 
     std::unique_ptr<QSettings> m_store;
     Settings m_settings;
-    Editor* m_editor;
+    Editor* m_editor = nullptr;
     Viewport* m_viewport = nullptr;
     ViewController* m_controller = nullptr;
     FileActions* m_files = nullptr;
     ToolBar* m_tools = nullptr;
     PropertiesPanel* m_panel = nullptr;
     StatusLine* m_status = nullptr;
-    QAction *m_undo = nullptr, *m_redo = nullptr;
+    QAction *m_undo = nullptr, *m_redo = nullptr, *m_frame = nullptr;
     QString m_whyRenderer;
     QElapsedTimer m_working; ///< since the work whose progress is reported began
     std::uint64_t m_models = 0;

@@ -15,6 +15,7 @@ namespace ui {
 static QLabel* heading(const QString& text) {
     auto* label = new QLabel(text);
     label->setObjectName("heading");
+    label->setIndent(0);
     return label;
 }
 
@@ -97,6 +98,7 @@ void PropertiesPanel::buildSymmetry(QVBoxLayout& layout) {
         button->setObjectName("axis");
         button->setText(names[k]);
         button->setCheckable(true);
+        button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
         button->setToolTip(tr("Every dab is made on both sides of the plane %1 = 0.").arg(QString(names[k]).toLower()));
         connect(button, &QToolButton::clicked, this, [this, flag = flags[k]](bool on) {
             *flag = on;

@@ -1,12 +1,10 @@
 #include "ui/run_window.h"
 
-#include "core/base/error.h"
 #include "core/process/samples.h"
 #include "ui/icon.h"
 #include "ui/main_window.h"
 #include "ui/theme.h"
 
-#include <cstdio>
 #include <QApplication>
 #include <QTimer>
 
@@ -46,12 +44,7 @@ int runWindow(int argc, char** argv, const std::vector<std::filesystem::path>& m
         for (std::size_t i = 0; i < models.size(); ++i)
             fill(i == 0 && !recovering ? *windows.front() : addWindow(), &models[i]);
     };
-    try {
-        addWindow();
-    } catch (const base::Error& error) {
-        std::fprintf(stderr, "pointclay: %s\n", error.what());
-        return 1;
-    }
+    addWindow();
     QTimer::singleShot(0, &application, start);
     return QApplication::exec();
 }

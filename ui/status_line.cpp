@@ -30,7 +30,7 @@ QLabel* StatusLine::cell(const QString& tip) {
 StatusLine::StatusLine(QWidget* parent) : QStatusBar(parent), m_message(new QLabel) {
     setSizeGripEnabled(false);
     m_message->setTextFormat(Qt::PlainText);
-    m_message->setMinimumWidth(0);
+    m_message->setIndent(8);
     m_message->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     addWidget(m_message, 1);
     m_progress = new QProgressBar;
@@ -55,6 +55,8 @@ static QString milliseconds(double seconds) {
 }
 
 void StatusLine::showModel(const Snapshot& snapshot) {
+    for (QLabel* label : {m_surfels, m_memory, m_spacing})
+        label->setVisible(!snapshot.surface.tree().empty());
     m_surfels->setText(tr("%1 surfels").arg(QLocale::c().toString(qulonglong(snapshot.surface.tree().size()))));
     m_memory->setText(tr("%1 + %2").arg(bytesText(snapshot.modelBytes), bytesText(snapshot.historyBytes)));
     m_spacing->setText(tr("spacing %1").arg(static_cast<double>(snapshot.spacing), 0, 'g', 3));

@@ -17,7 +17,7 @@ ToolBar::ToolBar(Settings& settings, QWidget* parent) : QToolBar(tr("Tools"), pa
     setOrientation(Qt::Vertical);
     setMovable(false);
     setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    setIconSize({20, 20});
+    setIconSize({24, 24});
     for (const auto& row : sculpt::toolTable()) {
         QAction* action = addAction(icon(row.icon), row.label);
         action->setCheckable(true);

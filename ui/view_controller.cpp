@@ -43,7 +43,7 @@ void ViewController::followModel() {
     if (snapshot.models != m_models) {
         m_models = snapshot.models;
         const render::Camera now = camera();
-        m_view = OrbitView::of(render::Camera::looking(snapshot.surface.tree().bounds(), now.width, now.height));
+        m_view = OrbitView::threeQuarter(snapshot.surface.tree().bounds(), now.width, now.height);
     }
     refresh(m_gesture != Gesture::None);
 }
@@ -170,7 +170,7 @@ void ViewController::press(const Pointer& pointer) {
     m_pointer = pointer;
     m_button = pointer.button;
     const bool left = pointer.button == Qt::LeftButton && !pointer.modifiers.testFlag(Qt::AltModifier);
-    const auto contact = left && !m_editor.working() ? contactAt(pointer.place) : std::nullopt;
+    const auto contact = left && m_editor.ready() ? contactAt(pointer.place) : std::nullopt;
     if (contact)
         beginStroke(pointer, *contact);
     else if (pointer.button == Qt::LeftButton || pointer.button == Qt::RightButton)
@@ -288,10 +288,10 @@ bool ViewController::key(QKeyEvent& event, bool pressed) {
                          : event.key() == Qt::Key_Shift ? Qt::ShiftModifier
                                                         : Qt::NoModifier;
     m_pointer.modifiers = pressed ? event.modifiers() | changes : event.modifiers() & ~Qt::KeyboardModifiers(changes);
-    if (event.key() == Qt::Key_F && !event.isAutoRepeat() && event.modifiers() == Qt::NoModifier) {
+    if (event.key() == Qt::Key_F && !event.isAutoRepeat()) {
         const bool pixels = m_settings.radiusUnit == RadiusUnit::Pixels;
         m_radiusBefore.reset();
-        if (pressed && m_gesture == Gesture::None)
+        if (pressed && m_gesture == Gesture::None && event.modifiers() == Qt::NoModifier)
             m_radiusBefore = pixels ? m_settings.radiusPx : m_settings.radiusModel;
     }
     updateCursor();

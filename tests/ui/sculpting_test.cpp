@@ -1,0 +1,382 @@
+// The hand on the clay, through the window: strokes, their undo, their record, and what the keys change.
+#include "core/session/journal.h"
+#include "core/session/recover.h"
+#include "core/session/session_file.h"
+#include "support/registry.h"
+#include "ui/tool_bar.h"
+#include "window_fixture.h"
+
+#include <fstream>
+#include <QPointingDevice>
+#include <QTabletEvent>
+
+using test::WindowFixture;
+
+class SculptingTest : public QObject {
+    Q_OBJECT
+  private slots:
+    void everyToolMovesPointsAndUndoBringsTheHashBack();
+    void recordedSessionReplaysToTheSameHashWithoutAWindow();
+    void escapeTakesAStrokeBackWithoutATrace();
+    void undoDuringAStrokeTakesItBack();
+    void dragBesideTheModelTurnsTheView();
+    void rightDragTurnsTheViewOnTheModelToo();
+    void wheelZoomsTowardsThePointer();
+    void cursorLiesAtTheExactContact();
+    void symmetricStrokeWorksOnBothSides();
+    void controlInverts();
+    void shiftUsesTheSmoothingTool();
+    void penPressureChangesStrength();
+    void bracketsAndFChangeTheRadius();
+    void modelRadiusKeepsItsSizeOnTheModel();
+    void floodOfInputIsMergedNotQueued();
+    void killedSessionsAreRecovered();
+};
+
+static float radiusOf(const surfel::Surfel& s) {
+    return base::length(s.position);
+}
+
+struct Reach {
+    float lowest = 1e9f, highest = 0;
+};
+/// Smallest and largest distance from the origin: what happened to a sphere about it.
+static Reach reachOf(WindowFixture& f) {
+    Reach out;
+    for (const auto& s : f.editor().snapshot().surface.tree().surfels().items) {
+        out.lowest = std::min(out.lowest, radiusOf(s));
+        out.highest = std::max(out.highest, radiusOf(s));
+    }
+    return out;
+}
+
+void SculptingTest::everyToolMovesPointsAndUndoBringsTheHashBack() {
+    WindowFixture f;
+    QVERIFY(f.make("knot", 8000));
+    f.window->controller().frameAll();
+    const base::Hash128 start = f.hash();
+    // Some place on the model.
+    QPointF place = f.centre();
+    for (int k = 0; k < 200 && !f.window->controller().cursor().contact; ++k) {
+        place = f.centre() + QPointF(k, k / 3.0);
+        test::sendMouse(f.view(), QEvent::MouseMove, place, Qt::NoButton);
+    }
+    QVERIFY(f.window->controller().cursor().contact);
+    for (QAction* tool : f.window->toolBar().toolActions()) {
+        tool->trigger();
+        f.drag(place, place + QPointF(30, 20));
+        QVERIFY2(f.editor().snapshot().canUndo, qPrintable(tool->text()));
+        const base::Hash128 sculpted = f.hash();
+        QVERIFY2(!(sculpted == start), qPrintable(tool->text()));
+        QVERIFY(f.action("edit", "Undo " + tool->text()) != nullptr);
+        f.window->undo();
+        QVERIFY(f.settle());
+        QVERIFY2(f.hash() == start, qPrintable(tool->text()));
+        f.window->redo();
+        QVERIFY(f.settle());
+        QVERIFY(f.hash() == sculpted);
+        f.window->undo();
+        QVERIFY(f.settle());
+    }
+}
+
+void SculptingTest::recordedSessionReplaysToTheSameHashWithoutAWindow() {
+    WindowFixture f;
+    QVERIFY(f.make("sphere", 6000));
+    f.window->settings().symmetry = {true, false, false};
+    int k = 0;
+    for (QAction* tool : f.window->toolBar().toolActions()) {
+        tool->trigger();
+        f.drag(f.centre() + QPointF(30 - 10 * k, 15 * k), f.centre() + QPointF(80, -60 + 20 * k));
+        f.drag(f.centre() + QPointF(-40, 5), f.centre() + QPointF(-60, 50), Qt::ControlModifier);
+        ++k;
+    }
+    f.window->undo();
+    f.window->undo();
+    f.window->redo();
+    f.editor().run({{"op", "resample"}});
+    f.drag(f.centre(), f.centre() + QPointF(5, 60), Qt::ShiftModifier);
+    QVERIFY(f.settle());
+    const base::Hash128 live = f.hash();
+
+    session::Document document;
+    session::Context context{document, {}, {}, {}, 0, {}, nullptr};
+    const int lines = session::replay(f.journal(), context);
+    QVERIFY2(lines >= 10, qPrintable(QString::number(lines)));
+    QCOMPARE(QString::fromStdString(document.hash().text()), QString::fromStdString(live.text()));
+    QCOMPARE(document.surface().tree().size(), f.surfels());
+}
+
+static QByteArray contentOf(const std::filesystem::path& path) {
+    QFile file(QString::fromStdString(path.string()));
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+void SculptingTest::escapeTakesAStrokeBackWithoutATrace() {
+    WindowFixture f;
+    QVERIFY(f.make("sphere", 6000));
+    const base::Hash128 start = f.hash();
+    const QByteArray journal = contentOf(f.journal());
+    f.press(f.centre());
+    f.moveTo(f.centre() + QPointF(40, 0));
+    f.moveTo(f.centre() + QPointF(80, 0));
+    QVERIFY(!(f.editor().snapshot().surface.tree().contentHash() == base::Hash128{}));
+    QVERIFY(reachOf(f).highest > 1.001f * reachOf(f).lowest); // seen while it lasts
+    f.window->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(f.window.get()));
+    QTest::keyClick(&f.view(), Qt::Key_Escape);
+    f.moveTo(f.centre() + QPointF(120, 0));
+    f.release(f.centre() + QPointF(120, 0));
+    QVERIFY(f.settle());
+    QVERIFY(f.hash() == start);
+    QVERIFY(!f.editor().snapshot().canUndo);
+    QVERIFY(!f.window->isWindowModified());
+    QCOMPARE(contentOf(f.journal()), journal);
+    QVERIFY(reachOf(f).highest < 1.001f * reachOf(f).lowest); // and the picture's model went back too
+}
+
+void SculptingTest::undoDuringAStrokeTakesItBack() {
+    WindowFixture f;
+    QVERIFY(f.make("sphere", 4000));
+    f.drag(f.centre(), f.centre() + QPointF(30, 0));
+    const base::Hash128 one = f.hash();
+    f.press(f.centre());
+    f.moveTo(f.centre() + QPointF(0, 40));
+    f.window->undo();
+    f.release(f.centre() + QPointF(0, 40));
+    QVERIFY(f.hash() == one);
+    QVERIFY(f.editor().snapshot().canUndo);
+}
+
+void SculptingTest::dragBesideTheModelTurnsTheView() {
+    WindowFixture f;
+    QVERIFY(f.make("sphere", 3000));
+    const base::Hash128 start = f.hash();
+    const ui::OrbitView before = f.window->controller().view();
+    f.drag({8, 8}, {108, 58});
+    const ui::OrbitView after = f.window->controller().view();
+    QVERIFY(after.yawRad < before.yawRad && after.pitchRad > before.pitchRad);
+    QCOMPARE(after.distance, before.distance);
+    QVERIFY(f.hash() == start);
+    QVERIFY(!f.editor().snapshot().canUndo);
+}
+
+void SculptingTest::rightDragTurnsTheViewOnTheModelToo() {
+    WindowFixture f;
+    QVERIFY(f.make("sphere", 3000));
+    const ui::OrbitView before = f.window->controller().view();
+    f.drag(f.centre(), f.centre() + QPointF(50, 0), {}, Qt::RightButton);
+    QVERIFY(f.window->controller().view().yawRad < before.yawRad);
+    f.drag(f.centre(), f.centre() + QPointF(-50, 0), Qt::AltModifier);
+    QVERIFY(std::abs(f.window->controller().view().yawRad - before.yawRad) < 1e-9);
+    QVERIFY(!f.editor().snapshot().canUndo);
+}
+
+void SculptingTest::wheelZoomsTowardsThePointer() {
+    WindowFixture f;
+    QVERIFY(f.make("sphere", 3000));
+    const QPointF at = f.centre() + QPointF(60, 30);
+    test::sendMouse(f.view(), QEvent::MouseMove, at, Qt::NoButton);
+    const auto contact = f.window->controller().cursor().contact;
+    QVERIFY(contact);
+    const double distance = f.window->controller().view().distance;
+    QWheelEvent wheel(at, f.view().mapToGlobal(at), {}, {0, 240}, Qt::NoButton, {}, Qt::NoScrollPhase, false);
+    QApplication::sendEvent(&f.view(), &wheel);
+    QVERIFY(f.window->controller().view().distance < distance);
+    const base::Vec3d place = f.window->controller().camera().project(contact->position);
+    QVERIFY(std::hypot(place.x - at.x(), place.y - at.y()) < 0.01);
+}
+
+void SculptingTest::cursorLiesAtTheExactContact() {
+    WindowFixture f;
+    QVERIFY(f.make("sphere", 20000));
+    const float radius = reachOf(f).highest;
+    for (const QPointF by : {QPointF(0, 0), QPointF(70, 40), QPointF(-90, 20)}) {
+        test::sendMouse(f.view(), QEvent::MouseMove, f.centre() + by, Qt::NoButton);
+        const auto& cursor = f.window->controller().cursor();
+        QVERIFY(cursor.contact);
+        const base::Vec3d p = cursor.contact->position;
+        QVERIFY(std::abs(base::length(p) / double(radius) - 1) < 2e-3);
+        QVERIFY(base::dot(base::normalized(p), cursor.contact->normal) > 0.9999); // tilted to the surface
+        const base::Vec3d place = f.window->controller().camera().project(p);
+        QVERIFY(std::hypot(place.x - f.centre().x() - by.x(), place.y - f.centre().y() - by.y()) < 0.01);
+        // The circle has the asked radius in pixels where it is seen from the front.
+        const double pixels = cursor.radius * f.window->controller().camera().focalPx() / place.z;
+        QVERIFY(std::abs(pixels - f.window->settings().radiusPx) < 1e-6);
+    }
+    test::sendMouse(f.view(), QEvent::MouseMove, {3, 3}, Qt::NoButton);
+    QVERIFY(!f.window->controller().cursor().contact);
+}
+
+void SculptingTest::symmetricStrokeWorksOnBothSides() {
+    WindowFixture f;
+    QVERIFY(f.make("sphere", 8000));
+    f.window->controller().turnTo(ui::namedViews()[0]);
+    f.window->settings().symmetry = {true, false, false};
+    const float radius = reachOf(f).highest;
+    f.drag(f.centre() + QPointF(90, -10), f.centre() + QPointF(90, 30));
+    float left = 0, right = 0;
+    for (const auto& s : f.editor().snapshot().surface.tree().surfels().items)
+        (s.position.x < 0 ? left : right) = std::max(s.position.x < 0 ? left : right, radiusOf(s));
+    QVERIFY(right > radius * 1.005f);
+    QVERIFY(std::abs((left - radius) / (right - radius) - 1) < 0.05f);
+}
+
+void SculptingTest::controlInverts() {
+    WindowFixture f;
+    QVERIFY(f.make("sphere", 6000));
+    const Reach start = reachOf(f);
+    f.drag(f.centre(), f.centre() + QPointF(40, 0));
+    const Reach out = reachOf(f);
+    QVERIFY(out.highest > start.highest * 1.005f && out.lowest > start.lowest * 0.999f);
+    f.window->undo();
+    f.drag(f.centre(), f.centre() + QPointF(40, 0), Qt::ControlModifier);
+    const Reach in = reachOf(f);
+    QVERIFY(in.lowest < start.lowest * 0.995f && in.highest < start.highest * 1.001f);
+}
+
+void SculptingTest::shiftUsesTheSmoothingTool() {
+    WindowFixture f;
+    QVERIFY(f.make("sphere", 6000));
+    f.drag(f.centre(), f.centre() + QPointF(10, 0));
+    const float bump = reachOf(f).highest;
+    f.drag(f.centre(), f.centre() + QPointF(10, 0), Qt::ShiftModifier);
+    QCOMPARE(f.editor().snapshot().undoLabel, std::string(sculpt::tool(f.window->settings().shiftTool).label));
+    QVERIFY(reachOf(f).highest < bump);
+    QCOMPARE(f.window->settings().toolRow().id, sculpt::toolTable().front().id);
+}
+
+static void sendPen(QWidget& widget, QEvent::Type type, QPointF at, double pressure) {
+    static const QPointingDevice pen("pen", 7, QInputDevice::DeviceType::Stylus, QPointingDevice::PointerType::Pen,
+                                     QInputDevice::Capability::Position | QInputDevice::Capability::Pressure, 1, 3);
+    const bool moving = type == QEvent::TabletMove, up = type == QEvent::TabletRelease;
+    QTabletEvent event(type, &pen, at, widget.mapToGlobal(at), up ? 0 : pressure, 0, 0, 0, 0, 0, Qt::NoModifier,
+                       moving ? Qt::NoButton : Qt::LeftButton, up ? Qt::NoButton : Qt::LeftButton);
+    QApplication::sendEvent(&widget, &event);
+}
+
+void SculptingTest::penPressureChangesStrength() {
+    WindowFixture f;
+    QVERIFY(f.make("sphere", 6000));
+    const float start = reachOf(f).highest;
+    float before = start;
+    for (const double pressure : {0.15, 0.5, 1.0}) {
+        sendPen(f.view(), QEvent::TabletPress, f.centre(), pressure);
+        f.settle();
+        for (int k = 1; k <= 4; ++k) {
+            sendPen(f.view(), QEvent::TabletMove, f.centre() + QPointF(10 * k, 0), pressure);
+            f.settle();
+        }
+        sendPen(f.view(), QEvent::TabletRelease, f.centre() + QPointF(40, 0), pressure);
+        QVERIFY(f.settle());
+        const float height = reachOf(f).highest;
+        QVERIFY2(height > before, qPrintable(QString("pressure %1").arg(pressure)));
+        before = height;
+        f.window->undo();
+        QVERIFY(f.settle());
+    }
+}
+
+void SculptingTest::bracketsAndFChangeTheRadius() {
+    WindowFixture f;
+    QVERIFY(f.make("sphere", 3000));
+    f.window->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(f.window.get()));
+    f.view().setFocus();
+    const double start = f.window->settings().radiusPx;
+    QTest::keyClick(&f.view(), Qt::Key_BracketRight);
+    QVERIFY(f.window->settings().radiusPx > start);
+    QTest::keyClick(&f.view(), Qt::Key_BracketLeft);
+    QVERIFY(std::abs(f.window->settings().radiusPx - start) < 1e-9);
+
+    test::sendMouse(f.view(), QEvent::MouseMove, f.centre(), Qt::NoButton);
+    QTest::keyPress(&f.view(), Qt::Key_F);
+    test::sendMouse(f.view(), QEvent::MouseMove, f.centre() + QPointF(60, 0), Qt::NoButton);
+    QTest::keyRelease(&f.view(), Qt::Key_F);
+    const double dragged = f.window->settings().radiusPx;
+    QVERIFY(dragged > start);
+    test::sendMouse(f.view(), QEvent::MouseMove, f.centre(), Qt::NoButton);
+    QCOMPARE(f.window->settings().radiusPx, dragged); // F is up again
+
+    QTest::keyPress(&f.view(), Qt::Key_F);
+    test::sendMouse(f.view(), QEvent::MouseMove, f.centre() + QPointF(-90, 0), Qt::NoButton);
+    QVERIFY(f.window->settings().radiusPx < dragged);
+    QTest::keyClick(&f.view(), Qt::Key_Escape);
+    QCOMPARE(f.window->settings().radiusPx, dragged);
+    QVERIFY(!f.editor().snapshot().canUndo);
+}
+
+void SculptingTest::modelRadiusKeepsItsSizeOnTheModel() {
+    WindowFixture f;
+    QVERIFY(f.make("sphere", 3000));
+    f.window->settings().radiusUnit = ui::RadiusUnit::Model;
+    f.window->settings().radiusModel = 0.25;
+    for (const int steps : {0, 3, -6}) {
+        QWheelEvent wheel(f.centre(), f.view().mapToGlobal(f.centre()), {}, {0, 120 * steps}, Qt::NoButton, {},
+                          Qt::NoScrollPhase, false);
+        QApplication::sendEvent(&f.view(), &wheel);
+        test::sendMouse(f.view(), QEvent::MouseMove, f.centre(), Qt::NoButton);
+        QCOMPARE(f.window->controller().cursor().radius, 0.25);
+    }
+}
+
+/// Samples of the last line of a journal.
+static std::size_t recordedSamples(const std::filesystem::path& journal) {
+    std::ifstream in(journal);
+    std::string line, last;
+    while (std::getline(in, line))
+        last = line;
+    return nlohmann::json::parse(last).at("samples").size();
+}
+
+void SculptingTest::floodOfInputIsMergedNotQueued() {
+    WindowFixture f;
+    QVERIFY(f.make("sphere", 20000));
+    f.window->settings().radiusPx = 100;
+    constexpr int flood = 3000;
+    f.press(f.centre());
+    for (int k = 0; k < flood; ++k) // no event loop between: faster than any hand
+        test::sendMouse(f.view(), QEvent::MouseMove,
+                        f.centre() + QPointF(60 * std::sin(k * 0.01), 60 * std::cos(k * 0.01)), Qt::LeftButton);
+    f.release(f.centre() + QPointF(0, 60));
+    QVERIFY(f.settle());
+    const std::size_t recorded = recordedSamples(f.journal());
+    QVERIFY2(recorded < flood, qPrintable(QString::number(recorded)));
+
+    session::Document document; // what was kept is what was sculpted
+    session::Context context{document, {}, {}, {}, 0, {}, nullptr};
+    session::replay(f.journal(), context);
+    QVERIFY(document.hash() == f.hash());
+}
+
+void SculptingTest::killedSessionsAreRecovered() {
+    WindowFixture f;
+    QVERIFY(f.make("sphere", 4000));
+    f.drag(f.centre(), f.centre() + QPointF(50, 0));
+    f.drag(f.centre(), f.centre() + QPointF(0, 50));
+    const base::Hash128 lost = f.hash();
+    f.press(f.centre());
+    f.moveTo(f.centre() + QPointF(-50, 0)); // in progress: this much may be lost
+    f.window.reset();                       // no closing: as if killed, the lock is gone and the file stays
+
+    const std::filesystem::path left = f.file("journal-left.jsonl").toStdString();
+    std::filesystem::rename(f.journal(), left);
+    const auto journals = session::findLeftJournals(f.folder.path().toStdString());
+    QCOMPARE(journals.size(), std::size_t(1));
+    QCOMPARE(journals.front().commands, 2);
+    f.open();
+    bool recovered = false;
+    f.editor().recover(left, [&](bool done) { recovered = done; });
+    QVERIFY(f.settle());
+    QVERIFY(recovered);
+    QVERIFY(f.hash() == lost);
+    QVERIFY(f.editor().snapshot().modified && f.editor().snapshot().canUndo);
+    // The new journal holds it all again.
+    session::Document document;
+    session::Context context{document, {}, {}, {}, 0, {}, nullptr};
+    session::replay(f.journal(), context);
+    QVERIFY(document.hash() == lost);
+}
+
+static const test::Registered<SculptingTest> registered;
+#include "sculpting_test.moc"

@@ -1,0 +1,105 @@
+#include "ui/settings.h"
+
+#include "support/registry.h"
+
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QtTest>
+
+using namespace ui;
+
+class SettingsTest : public QObject {
+    Q_OBJECT
+  private slots:
+    void whatIsWrittenIsReadBack();
+    void nonsenseKeepsTheDefaults();
+    void recentFilesAreFewAndNewestFirst();
+    void strokesTakeWhatThePersonChose();
+};
+
+static Settings unusual() {
+    Settings out;
+    const auto& row = sculpt::toolTable().back();
+    out.tool = row.id;
+    out.shiftTool = sculpt::toolTable().front().id;
+    out.radiusUnit = RadiusUnit::Model;
+    out.radiusPx = 77.25;
+    out.radiusModel = 0.1 + 1e-13;
+    out.falloff = sculpt::falloffTable().back().falloff;
+    out.spacing = 0.37;
+    out.symmetry = {true, false, true};
+    out.invert = true;
+    out.resample = false;
+    for (const auto& tool : sculpt::toolTable()) {
+        ToolChoice choice{0.125, {}};
+        for (const auto& p : tool.parameters)
+            choice.parameters[p.id] = p.min + 0.75 * (p.max - p.min);
+        out.tools[tool.id] = choice;
+    }
+    out.shading = render::shadingTable().back().shading;
+    out.recentFiles = {"/a/b c.ply", "/ü.xyz"};
+    out.geometry = QByteArray("\0\1\2geometry", 11);
+    out.windowState = "state";
+    return out;
+}
+
+void SettingsTest::whatIsWrittenIsReadBack() {
+    const QTemporaryDir folder;
+    const QString file = folder.filePath("s.ini");
+    for (const Settings& settings : {Settings{}, unusual(), Settings{}}) {
+        {
+            QSettings store(file, QSettings::IniFormat);
+            writeSettings(settings, store);
+        }
+        const QSettings store(file, QSettings::IniFormat);
+        QVERIFY(readSettings(store) == settings);
+    }
+}
+
+void SettingsTest::nonsenseKeepsTheDefaults() {
+    const QTemporaryDir folder;
+    QSettings store(folder.filePath("s.ini"), QSettings::IniFormat);
+    store.setValue("brush/tool", "no such tool");
+    store.setValue("brush/radiusPx", -4);
+    store.setValue("brush/radiusModel", "nan");
+    store.setValue("brush/spacing", "wide");
+    store.setValue("brush/falloff", 17);
+    store.setValue("view/shading", "");
+    store.setValue(QString("tools/%1/strength").arg(sculpt::toolTable().front().id), 40);
+    QVERIFY(readSettings(store) == Settings{});
+}
+
+void SettingsTest::recentFilesAreFewAndNewestFirst() {
+    Settings settings;
+    for (int k = 0; k < 30; ++k)
+        settings.remember("/file" + std::to_string(k % 15));
+    QCOMPARE(settings.recentFiles.size(), Settings::recentLimit);
+    QCOMPARE(settings.recentFiles.front(), std::string("/file14"));
+    settings.remember("/file10");
+    QCOMPARE(settings.recentFiles.size(), Settings::recentLimit);
+    QCOMPARE(settings.recentFiles.front(), std::string("/file10"));
+    QCOMPARE(std::count(settings.recentFiles.begin(), settings.recentFiles.end(), "/file10"), 1);
+}
+
+void SettingsTest::strokesTakeWhatThePersonChose() {
+    const Settings settings = unusual();
+    for (const auto& row : sculpt::toolTable()) {
+        const auto stroke = strokeSettings(settings, row, 0.25f, false);
+        QCOMPARE(stroke.tool, std::string(row.id));
+        QCOMPARE(stroke.radius, 0.25f);
+        QCOMPARE(stroke.strength, 0.125f);
+        QVERIFY(stroke.symmetry == settings.symmetry);
+        QVERIFY(stroke.invert && !stroke.resample);
+        QVERIFY(stroke.parameters == settings.tools.at(row.id).parameters);
+        QVERIFY(!strokeSettings(settings, row, 0.25f, true).invert);
+        sculpt::check(stroke);
+
+        const auto plain = strokeSettings(Settings{}, row, 1, false);
+        QCOMPARE(plain.strength, static_cast<float>(row.strength));
+        for (const auto& p : row.parameters)
+            QCOMPARE(plain.parameters.at(p.id), p.fallback);
+    }
+}
+
+static const test::Registered<SettingsTest> registered;
+#include "settings_test.moc"

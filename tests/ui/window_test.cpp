@@ -1,0 +1,328 @@
+// The main window on any platform: what it offers comes from the tables, what the hand does reaches the model.
+#include "core/process/samples.h"
+#include "core/session/journal.h"
+#include "core/session/session_file.h"
+#include "support/registry.h"
+#include "ui/command_dialog.h"
+#include "ui/icon.h"
+#include "ui/number_slider.h"
+#include "ui/properties_panel.h"
+#include "ui/status_line.h"
+#include "ui/tool_bar.h"
+#include "window_fixture.h"
+
+#include <QCheckBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMessageBox>
+#include <QSlider>
+
+using test::WindowFixture;
+
+class WindowTest : public QObject {
+    Q_OBJECT
+  private slots:
+    void toolButtonsAreTheToolTable();
+    void newMenuIsTheSampleTable();
+    void modelMenuIsTheCommandTable();
+    void everyActionHasItsOwnShortcut();
+    void shortcutsChooseTools();
+    void everySampleOpensAndIsSeen();
+    void numberedViewsTurnAndFrameShowsAll();
+    void everyShadingDrawsAnotherPicture();
+    void titleTellsTheFileAndWhetherItIsSaved();
+    void closingAsksAboutUnsavedWork();
+    void unreadableFilesLeaveTheModelAndSayWhy();
+    void imagesAreExported();
+    void figuresInTheStatusLineAreRight();
+    void settingsOutliveTheWindow();
+    void panelEditsReachTheSettings();
+};
+
+void WindowTest::toolButtonsAreTheToolTable() {
+    WindowFixture f;
+    const auto rows = sculpt::toolTable();
+    const auto actions = f.window->toolBar().toolActions();
+    QCOMPARE(std::size_t(actions.size()), rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const QAction& action = *actions[qsizetype(i)];
+        QCOMPARE(action.text(), QString(rows[i].label));
+        QCOMPARE(action.shortcut(), QKeySequence(rows[i].shortcut));
+        QVERIFY(action.toolTip().contains(rows[i].tip));
+        QVERIFY2(!action.icon().isNull(), rows[i].icon);
+        QVERIFY(f.window->toolBar().widgetForAction(actions[qsizetype(i)]) != nullptr);
+        actions[qsizetype(i)]->trigger();
+        QCOMPARE(f.window->settings().tool, std::string(rows[i].id));
+        QVERIFY(action.isChecked());
+        const auto sliders = f.window->panel().findChildren<ui::NumberSlider*>("tool-parameter");
+        QCOMPARE(std::size_t(sliders.size()), rows[i].parameters.size());
+    }
+}
+
+void WindowTest::newMenuIsTheSampleTable() {
+    WindowFixture f;
+    const auto rows = process::sampleTable();
+    const auto actions = f.window->menu("new")->actions();
+    QCOMPARE(std::size_t(actions.size()), rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        QCOMPARE(actions[qsizetype(i)]->data().toString(), QString(rows[i].id));
+        QCOMPARE(actions[qsizetype(i)]->text(), QString(rows[i].label));
+    }
+    actions.front()->trigger();
+    QVERIFY(f.settle());
+    QVERIFY(f.surfels() > rows.front().count / 2 && f.surfels() < rows.front().count * 2);
+}
+
+void WindowTest::modelMenuIsTheCommandTable() {
+    WindowFixture f;
+    QStringList offered, expected;
+    for (const QAction* action : f.window->menu("model")->actions())
+        offered << action->data().toString();
+    for (const auto& row : session::commandTable())
+        if (ui::hasDialog(row)) {
+            expected << row.op;
+            ui::CommandDialog dialog(row);
+            for (const auto& p : row.parameters)
+                QVERIFY2(dialog.findChild<QWidget*>(p.id) || std::string_view(p.type) == "list", p.id);
+        }
+    QCOMPARE(offered, expected);
+    QVERIFY(expected.contains("resample"));
+    QVERIFY(!expected.contains("stroke") && !expected.contains("open"));
+}
+
+void WindowTest::everyActionHasItsOwnShortcut() {
+    WindowFixture f;
+    QMap<QString, QString> seen;
+    for (const QAction* action : f.window->findChildren<QAction*>()) {
+        const QString keys = action->shortcut().toString();
+        if (keys.isEmpty())
+            continue;
+        QVERIFY2(!seen.contains(keys), qPrintable(keys + ": " + action->text() + ", " + seen.value(keys)));
+        seen[keys] = action->text();
+    }
+    QVERIFY(!seen.contains("F")); // held, it changes the radius
+    for (const char* keys : {"Ctrl+Z", "Ctrl+Shift+Z", "1", "3", "7", "Ctrl+1", "Ctrl+3", "Ctrl+7", "[", "]", "Home"})
+        QVERIFY2(seen.contains(keys), keys);
+}
+
+void WindowTest::shortcutsChooseTools() {
+    WindowFixture f;
+    f.window->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(f.window.get()));
+    f.view().setFocus();
+    for (const auto& row : sculpt::toolTable()) {
+        const QKeySequence keys(row.shortcut);
+        if (keys.isEmpty())
+            continue;
+        QTest::keySequence(&f.view(), keys);
+        QCOMPARE(f.window->settings().tool, std::string(row.id));
+    }
+}
+
+/// Share of the picture that is not background.
+static double filled(const QImage& picture) {
+    int count = 0;
+    for (int y = 0; y < picture.height(); ++y) {
+        const QRgb ground = picture.pixel(0, y);
+        for (int x = 0; x < picture.width(); ++x)
+            count += picture.pixel(x, y) != ground ? 1 : 0;
+    }
+    return double(count) / (double(picture.width()) * picture.height());
+}
+
+static bool waitForPicture(WindowFixture& f) {
+    f.window->controller().refresh();
+    // A frame that is asked for after this one cannot be older than it.
+    bool painted = false;
+    auto shown = f.window->viewport().framePainted;
+    f.window->viewport().framePainted = [&](double seconds) {
+        painted = true;
+        if (shown)
+            shown(seconds);
+    };
+    const bool first = QTest::qWaitFor([&] { return painted; }, 60000);
+    painted = false;
+    f.window->controller().refresh();
+    const bool second = first && QTest::qWaitFor([&] { return painted; }, 60000);
+    f.window->viewport().framePainted = shown;
+    return second;
+}
+
+void WindowTest::everySampleOpensAndIsSeen() {
+    WindowFixture f;
+    for (const auto& row : process::sampleTable()) {
+        QVERIFY2(f.make(row.id, 5000), row.id);
+        QVERIFY(waitForPicture(f));
+        const double share = filled(f.window->viewport().picture());
+        QVERIFY2(share > 0.04 && share < 0.9, qPrintable(QString("%1 fills %2").arg(row.id).arg(share)));
+    }
+}
+
+void WindowTest::numberedViewsTurnAndFrameShowsAll() {
+    WindowFixture f;
+    QVERIFY(f.make("torus", 3000));
+    for (const auto& row : ui::namedViews()) {
+        f.action("view", row.label)->trigger();
+        QVERIFY(std::abs(f.window->controller().view().yawRad * 180 / M_PI - row.yawDeg) < 1e-9);
+        QVERIFY(std::abs(f.window->controller().view().pitchRad * 180 / M_PI - row.pitchDeg) < 1e-9);
+    }
+    const auto framed = [&] {
+        f.action("view", "Frame All")->trigger();
+        return f.window->controller().view().distance;
+    };
+    const double before = framed();
+    f.drag(f.centre(), f.centre() + QPointF(300, 100), {}, Qt::MiddleButton);
+    QVERIFY(base::length(f.window->controller().view().target) > 0.1);
+    QCOMPARE(framed(), before);
+}
+
+void WindowTest::everyShadingDrawsAnotherPicture() {
+    WindowFixture f;
+    QVERIFY(f.make("knot", 5000));
+    std::vector<QImage> pictures;
+    const auto menu = f.window->menu("view")->actions();
+    for (std::size_t i = 0; i < render::shadingTable().size(); ++i) {
+        QCOMPARE(menu[qsizetype(i)]->text(), QString(render::shadingTable()[i].label));
+        menu[qsizetype(i)]->trigger();
+        QVERIFY(f.window->settings().shading == render::shadingTable()[i].shading);
+        QVERIFY(waitForPicture(f));
+        pictures.push_back(f.window->viewport().picture());
+        QVERIFY(filled(pictures.back()) > 0.02);
+    }
+    QVERIFY(pictures[0] != pictures[1]);
+}
+
+void WindowTest::titleTellsTheFileAndWhetherItIsSaved() {
+    WindowFixture f;
+    QVERIFY(f.make("sphere", 2000));
+    QVERIFY(f.window->windowTitle().startsWith("Untitled"));
+    QVERIFY(!f.window->isWindowModified());
+    f.drag(f.centre(), f.centre() + QPointF(40, 0));
+    QVERIFY(f.window->isWindowModified());
+
+    const base::Hash128 hash = f.hash();
+    f.editor().run({{"op", "save"}, {"path", f.file("saved model.ply").toStdString()}});
+    QVERIFY(f.settle());
+    QVERIFY(!f.window->isWindowModified());
+    QVERIFY(f.window->windowTitle().startsWith("saved model.ply"));
+    QVERIFY(f.make("torus", 1000));
+    f.window->files().open(std::filesystem::path(f.file("saved model.ply").toStdString()));
+    QVERIFY(f.settle());
+    QVERIFY(f.hash() == hash);
+    QCOMPARE(f.window->settings().recentFiles.front(), f.file("saved model.ply").toStdString());
+    QCOMPARE(f.window->menu("recent")->actions().front()->text(), QString("saved model.ply"));
+}
+
+/// Answers the next question on the screen.
+static void answer(QMessageBox::StandardButton button) {
+    QTRY_VERIFY(QApplication::activeModalWidget() != nullptr);
+    auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+    QVERIFY(box);
+    QVERIFY(box->button(button));
+    box->button(button)->click();
+}
+
+void WindowTest::closingAsksAboutUnsavedWork() {
+    WindowFixture f;
+    QVERIFY(f.make("sphere", 2000));
+    f.drag(f.centre(), f.centre() + QPointF(40, 0));
+    f.window->close();
+    answer(QMessageBox::Cancel);
+    QVERIFY(f.window->isVisible());
+    f.window->close();
+    answer(QMessageBox::Discard);
+    QVERIFY(!f.window->isVisible());
+    QVERIFY(std::filesystem::exists(f.journal()));
+    f.window.reset();
+    QVERIFY(!std::filesystem::exists(f.journal())); // nothing to recover from a proper end
+    f.open();
+    f.window->close();
+    QVERIFY(!f.window->isVisible()); // nothing to lose, nothing to ask
+}
+
+void WindowTest::unreadableFilesLeaveTheModelAndSayWhy() {
+    WindowFixture f;
+    QVERIFY(f.make("sphere", 2000));
+    const base::Hash128 hash = f.hash();
+    QFile bad(f.file("bad.ply"));
+    QVERIFY(bad.open(QIODevice::WriteOnly));
+    bad.write("ply\nformat ascii 1.0\nelement vertex 5\n");
+    bad.close();
+    f.window->files().open(std::filesystem::path(bad.fileName().toStdString()));
+    QVERIFY(f.settle());
+    QTRY_VERIFY(QApplication::activeModalWidget() != nullptr);
+    auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+    QVERIFY(box && box->text().contains("bad.ply"));
+    box->button(QMessageBox::Ok)->click();
+    QVERIFY(f.window->statusLine().message().contains("bad.ply"));
+    QVERIFY(f.hash() == hash);
+    QVERIFY(f.window->settings().recentFiles.empty());
+}
+
+void WindowTest::imagesAreExported() {
+    WindowFixture f;
+    QVERIFY(f.make("sphere", 3000));
+    f.window->files().writeImage(f.file("picture.png").toStdString());
+    QVERIFY(f.settle());
+    const QImage picture(f.file("picture.png"));
+    QCOMPARE(picture.size(), f.view().size() * f.view().devicePixelRatioF());
+    QVERIFY(filled(picture) > 0.1);
+}
+
+void WindowTest::figuresInTheStatusLineAreRight() {
+    QCOMPARE(ui::bytesText(0), QString("0 B"));
+    QCOMPARE(ui::bytesText(999), QString("999 B"));
+    QCOMPARE(ui::bytesText(1234), QString("1.23 kB"));
+    QCOMPARE(ui::bytesText(999999), QString("1.00 MB"));
+    QCOMPARE(ui::bytesText(45600000), QString("45.6 MB"));
+
+    WindowFixture f;
+    QVERIFY(f.make("sphere", 4000));
+    const auto surfels = static_cast<double>(f.surfels());
+    const double radius = f.editor().snapshot().surface.tree().bounds().diagonal() / 2 / std::sqrt(3.0);
+    const double cell = 4 * M_PI * radius * radius / surfels; // of a hexagonal layout: s^2 sqrt(3) / 2
+    const double expected = std::sqrt(cell * 2 / std::sqrt(3.0));
+    QVERIFY(std::abs(double(f.editor().snapshot().spacing) / expected - 1) < 0.15);
+    QCOMPARE(f.editor().snapshot().modelBytes, f.editor().snapshot().surface.tree().bytes());
+    QString shown;
+    for (const QLabel* label : f.window->statusLine().findChildren<QLabel*>())
+        shown += label->text() + "\n";
+    QVERIFY(shown.contains(QLocale::c().toString(qulonglong(f.surfels())) + " surfels"));
+}
+
+void WindowTest::settingsOutliveTheWindow() {
+    WindowFixture f;
+    f.window->toolBar().toolActions().back()->trigger();
+    f.window->controller().scaleRadius(1.5);
+    f.window->close();
+    const ui::Settings before = f.window->settings();
+    f.open();
+    ui::Settings after = f.window->settings();
+    QVERIFY(after == before);
+    QCOMPARE(after.tool, std::string(sculpt::toolTable().back().id));
+    QCOMPARE(after.radiusPx, 75.0);
+}
+
+void WindowTest::panelEditsReachTheSettings() {
+    WindowFixture f;
+    int sliders = 0;
+    for (auto* slider : f.window->panel().findChildren<ui::NumberSlider*>()) {
+        const ui::Settings before = f.window->settings();
+        auto* bar = slider->findChild<QSlider*>();
+        bar->setValue(bar->value() < 500 ? 900 : 100);
+        QVERIFY(!(f.window->settings() == before));
+        ++sliders;
+    }
+    QVERIFY(sliders >= 3);
+    for (auto* box : f.window->panel().findChildren<QCheckBox*>()) {
+        const ui::Settings before = f.window->settings();
+        box->click();
+        QVERIFY(!(f.window->settings() == before));
+        box->click();
+        QVERIFY(f.window->settings() == before);
+    }
+}
+
+static const test::Registered<WindowTest> registered;
+#include "window_test.moc"
