@@ -16,9 +16,9 @@
 
 namespace render {
 
-/// Usual splat radius as a part of the support radius: 1.18 spacings for supports of 38 neighbours (h = 3.48 s), which
+/// Usual splat radius as a part of the support radius: 1.29 spacings for supports of 38 neighbours (h = 3.48 s), which
 /// closes every hole of a hexagonal layout and of a random one with the gaps of a Poisson-disc sampling.
-constexpr float splatRadiusOfSupport = 0.34f;
+constexpr float splatRadiusOfSupport = 0.37f;
 /// Radius of the screen-space filter in pixels.
 constexpr float filterPx = 1;
 /// Splats within this many radii (and filter radii) behind the nearest belong to its layer.
