@@ -1,4 +1,5 @@
 // pointclay run: executes a session, with a journal beside it.
+#include "app/command_help.h"
 #include "app/framing.h"
 #include "app/open_model.h"
 #include "app/picture.h"
@@ -76,6 +77,9 @@ void savePicture(const session::Document& document, const std::string& path, con
 }
 
 void run(const Options& options, Console& console) {
+    std::error_code unequal;
+    if (std::filesystem::equivalent(options.session, options.journal, unequal))
+        throw UsageError("--journal names the session itself, which it would replace");
     session::Document document;
     const base::Progress progress = console.progress();
     RunJournal journal(options.journal, console);
@@ -116,6 +120,7 @@ Action addRun(CLI::App& command) {
         .add_option("--journal", options->journal,
                     "where to write what was done, for `recover`; default: the XDG state folder, removed at the end")
         ->type_name("FILE");
+    command.footer(command.get_footer() + "\n\n" + commandHelp());
     return [options](Console& console) { run(*options, console); };
 }
 

@@ -1,4 +1,6 @@
 // What all subcommands share: help, exit codes, messages, and that no failure leaves a file behind.
+#include "core/sculpt/tool.h"
+#include "core/session/command.h"
 #include "program.h"
 #include "support/registry.h"
 
@@ -12,6 +14,7 @@ class CommandLineTest : public QObject {
     Q_OBJECT
   private slots:
     void helpNamesEverySubcommandWithAnExample();
+    void helpOfRunNamesEveryCommandAndTool();
     void wrongUsageIsTwo_data();
     void wrongUsageIsTwo();
     void badInputIsOneAndLeavesNothing_data();
@@ -35,6 +38,17 @@ void CommandLineTest::helpNamesEverySubcommandWithAnExample() {
     const Outcome version = program.run({"--version"});
     QCOMPARE(version.code, 0);
     QVERIFY(version.out.starts_with("pointclay "));
+}
+
+void CommandLineTest::helpOfRunNamesEveryCommandAndTool() {
+    const std::string help = Program().run({"run", "--help"}).out;
+    for (const session::CommandRow& row : session::commandTable()) {
+        QVERIFY2(help.find(std::string("\n  ") + row.op + ": " + row.tip) != std::string::npos, row.op);
+        for (const session::CommandParameter& p : row.parameters)
+            QVERIFY2(help.find(std::string("\n    ") + p.id + " (") != std::string::npos, p.id);
+    }
+    for (const sculpt::ToolRow& tool : sculpt::toolTable())
+        QVERIFY2(help.find(std::string("\n  ") + tool.id + ": " + tool.tip) != std::string::npos, tool.id);
 }
 
 void CommandLineTest::wrongUsageIsTwo_data() {
@@ -62,6 +76,7 @@ void CommandLineTest::wrongUsageIsTwo_data() {
     row("render sample:sphere:500 -o out.png --mode sketch");
     row("render sample:sphere:500 -o out.png --shading plaid");
     row("run");
+    row("run p.xyz --journal p.xyz");
     row("recover j.jsonl");
 }
 
