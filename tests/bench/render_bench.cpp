@@ -70,7 +70,7 @@ static void uploadEdit(benchmark::State& state) {
         render::GlSlots slots(gl);
         const tree::SurfelTree& model = torusOf(1'000'000);
         tree::Edit edit;
-        model.forBlocksInBall({1.4f, 0, 0}, 0.135f, [&](std::uint32_t number, const surfel::SurfelBlock& block) {
+        model.forBlocksInBall({1.4f, 0, 0}, 0.27f, [&](std::uint32_t number, const surfel::SurfelBlock& block) {
             auto changed = block.clone();
             changed->seal();
             edit.blocks.push_back({number, changed, {}});

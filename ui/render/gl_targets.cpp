@@ -2,8 +2,6 @@
 
 #include "core/base/error.h"
 
-#include <string>
-
 namespace render {
 
 /// A texture that is read texel by texel.
@@ -31,6 +29,8 @@ void GlTargets::discard() {
     m_gl.deleteFramebuffers(1, &m_sums);
     m_gl.deleteFramebuffers(1, &m_output);
     m_gl.deleteTextures(Count, m_textures);
+    m_sums = m_output = 0;
+    std::fill(std::begin(m_textures), std::end(m_textures), 0u);
 }
 
 GLuint GlTargets::framebuffer(GLuint zBuffer, std::initializer_list<GLuint> colours) {
@@ -42,10 +42,12 @@ GLuint GlTargets::framebuffer(GLuint zBuffer, std::initializer_list<GLuint> colo
     GLenum attachment = GL_COLOR_ATTACHMENT0;
     for (const GLuint colour : colours)
         m_gl.framebufferTexture2D(GL_FRAMEBUFFER, attachment++, GL_TEXTURE_2D, colour, 0);
-    if (m_gl.checkFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-        throw base::Error("this OpenGL driver cannot draw into float images of " + std::to_string(m_width) + " x " +
-                              std::to_string(m_height),
-                          "", "choose a smaller size, or draw on the CPU (--backend cpu, POINTCLAY_RENDERER=cpu)");
+    const bool complete = m_gl.checkFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+    if (!complete) {
+        m_gl.deleteFramebuffers(1, &out);
+        throw base::Error("this OpenGL driver cannot draw into float images of this size", "",
+                          "choose a smaller size, or draw on the CPU (--backend cpu, POINTCLAY_RENDERER=cpu)");
+    }
     return out;
 }
 
@@ -53,7 +55,7 @@ void GlTargets::resize(int width, int height) {
     if (width == m_width && height == m_height)
         return;
     discard();
-    m_width = width, m_height = height;
+    m_width = m_height = 0; // until all of it stands
     const auto make = [&](GLint format, GLenum order, GLenum type) {
         return texture(m_gl, format, width, height, order, type, nullptr);
     };
@@ -65,6 +67,7 @@ void GlTargets::resize(int width, int height) {
     m_textures[OutDepth] = make(GL_R32F, GL_RED, GL_FLOAT);
     m_sums = framebuffer(m_textures[ZBuffer], {m_textures[Normals], m_textures[Colours], m_textures[Depths]});
     m_output = framebuffer(0, {m_textures[OutColour], m_textures[OutDepth]});
+    m_width = width, m_height = height;
 }
 
 GLuint GlTargets::light(Shading shading) {

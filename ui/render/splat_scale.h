@@ -1,0 +1,14 @@
+// Splats are sized by the supports of their surfels, which usually tell the spacing: h = 3.48 s. Where they do not (one
+// radius for all, another number of neighbours, a Gaussian, radii from a file) this is the RenderOptions::splatScale
+// that makes up for it.
+#pragma once
+
+#include "core/tree/surfel_tree.h"
+
+namespace render {
+
+/// Median over some surfels of 3.48 spacings / support; 1 where it is near 1. A few hundred searches: for when a model
+/// is opened or redefined, not for every frame.
+float splatScaleOf(const tree::SurfelTree& model);
+
+} // namespace render
