@@ -4,8 +4,8 @@ pointclay_link(render PkgConfig::HWY Qt6::Gui ${CMAKE_DL_LIBS})
 
 pointclay_room(ui ui render)
 pointclay_link(ui Qt6::Widgets Qt6::OpenGLWidgets Qt6::Svg nlohmann_json::nlohmann_json)
-# AUTOMOC does not notice a file that the glob has just found unless it depends on it.
-file(GLOB scanned CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/ui/*.h ${CMAKE_SOURCE_DIR}/ui/*.cpp)
-set_target_properties(pointclay_ui PROPERTIES AUTOMOC ON AUTORCC ON AUTOGEN_TARGET_DEPENDS "${scanned}")
+# AUTOMOC does not notice a file that the glob has just found unless it depends on its own list of files.
+set_target_properties(pointclay_ui PROPERTIES AUTOMOC ON AUTORCC ON AUTOGEN_TARGET_DEPENDS
+    ${CMAKE_BINARY_DIR}/CMakeFiles/pointclay_ui_autogen.dir/AutogenInfo.json)
 target_sources(pointclay_ui PRIVATE ${CMAKE_SOURCE_DIR}/icons/icons.qrc)
 target_compile_definitions(pointclay_ui PRIVATE POINTCLAY_VERSION="${PROJECT_VERSION}")

@@ -3,6 +3,7 @@
 
 #include "core/base/random.h"
 #include "core/surface/surface.h"
+#include <cstring>
 
 #include <functional>
 
@@ -85,6 +86,20 @@ inline surfel::SurfelList jittered(surfel::SurfelList list, double by, std::uint
 
 inline surface::Surface surfaceOf(const surfel::SurfelList& list, const surface::SurfaceDefinition& definition = {}) {
     return {tree::SurfelTree::build(list), definition};
+}
+
+inline surface::SurfaceDefinition definitionOf(surface::Frame frame, bool shrinkFree = false,
+                                               surface::Weight weight = surface::Weight::Wendland) {
+    surface::SurfaceDefinition d;
+    d.frame = frame;
+    d.shrinkFree = shrinkFree;
+    d.weight = weight;
+    return d;
+}
+
+template <class T>
+bool sameBits(const T& a, const T& b) {
+    return std::memcmp(&a, &b, sizeof(T)) == 0;
 }
 
 } // namespace shapes
