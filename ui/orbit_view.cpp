@@ -59,30 +59,34 @@ void OrbitView::zoom(double steps, const Vec3d& pivot) {
 
 /// A corner at (x, y, z) right, above and behind the centre is inside where |x| <= k (distance + z), alike for y; k is
 /// the slope of the image's margin. The target is the centre, so that the model turns about its middle.
-void OrbitView::frame(const base::Box3f& box, int width, int height) {
-    constexpr double part = 0.94; // of the image that the box may fill
-    if (box.empty())
+void OrbitView::frame(std::span<const base::Box3f> boxes, int width, int height) {
+    constexpr double part = 0.92; // of the image that the boxes may fill
+    base::Box3f whole;
+    for (const base::Box3f& box : boxes)
+        whole.extend(box);
+    if (whole.empty())
         return;
-    target = base::cast<double>(box.centre());
+    target = base::cast<double>(whole.centre());
     const render::Camera now = camera(width, height);
     const double kx = 0.5 * part * width / now.focalPx(), ky = 0.5 * part * height / now.focalPx();
     const Vec3d r = now.right(), u = now.upright(), f = now.forward();
     double needed = 0;
-    for (int corner = 0; corner < 8; ++corner) {
-        const base::Vec3f c{corner & 1 ? box.hi.x : box.lo.x, corner & 2 ? box.hi.y : box.lo.y,
-                            corner & 4 ? box.hi.z : box.lo.z};
-        const Vec3d v = base::cast<double>(c) - target;
-        needed = std::max({needed, std::abs(dot(v, r)) / kx - dot(v, f), std::abs(dot(v, u)) / ky - dot(v, f)});
-    }
+    for (const base::Box3f& box : boxes)
+        for (int corner = 0; corner < 8; ++corner) {
+            const base::Vec3f c{corner & 1 ? box.hi.x : box.lo.x, corner & 2 ? box.hi.y : box.lo.y,
+                                corner & 4 ? box.hi.z : box.lo.z};
+            const Vec3d v = base::cast<double>(c) - target;
+            needed = std::max({needed, std::abs(dot(v, r)) / kx - dot(v, f), std::abs(dot(v, u)) / ky - dot(v, f)});
+        }
     if (needed > 0) // else a single point: any distance shows it
         distance = needed;
 }
 
-OrbitView OrbitView::threeQuarter(const base::Box3f& box, int width, int height) {
+OrbitView OrbitView::threeQuarter(std::span<const base::Box3f> boxes, int width, int height) {
     OrbitView out;
     out.yawRad = 0.42;
     out.pitchRad = 0.27;
-    out.frame(box, width, height);
+    out.frame(boxes, width, height);
     return out;
 }
 

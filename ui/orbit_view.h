@@ -24,7 +24,7 @@ struct OrbitView {
     /// The view whose camera looks as `camera` does, upright as far as it goes.
     static OrbitView of(const render::Camera& camera);
     /// From the front, a little from the right and above.
-    static OrbitView threeQuarter(const base::Box3f& box, int width, int height);
+    static OrbitView threeQuarter(std::span<const base::Box3f> boxes, int width, int height);
 
     /// Pointer moved by (dx, dy) pixels: half a turn for the image's height.
     void orbit(double dx, double dy, int height);
@@ -32,8 +32,8 @@ struct OrbitView {
     void pan(double dx, double dy, int height);
     /// Nearer for positive steps, `pivot` keeps its place in the image.
     void zoom(double steps, const base::Vec3d& pivot);
-    /// All of the box in the image, its centre in the middle; the direction stays.
-    void frame(const base::Box3f& box, int width, int height);
+    /// All of the boxes in the image, their centre in the middle; the direction stays.
+    void frame(std::span<const base::Box3f> boxes, int width, int height);
 };
 
 /// The numbered views of the menu: front, right and top, and with Ctrl what lies opposite.

@@ -38,20 +38,26 @@ void ViewController::refresh(bool moving) {
     updateCursor();
 }
 
+/// The model's shape as far as framing needs it: a box for each block.
+static std::vector<base::Box3f> boxesOf(const tree::SurfelTree& tree) {
+    std::vector<base::Box3f> out;
+    tree.forEachBlock([&](std::uint32_t, const surfel::SurfelBlock& block) { out.push_back(block.box()); });
+    return out;
+}
+
 void ViewController::followModel() {
     const Snapshot& snapshot = m_editor.snapshot();
     if (snapshot.models != m_models) {
         m_models = snapshot.models;
         const render::Camera now = camera();
-        m_view = OrbitView::threeQuarter(snapshot.surface.tree().bounds(), now.width, now.height);
+        m_view = OrbitView::threeQuarter(boxesOf(snapshot.surface.tree()), now.width, now.height);
     }
     refresh(m_gesture != Gesture::None);
 }
 
 void ViewController::frameAll() {
     const render::Camera now = camera();
-    if (!m_editor.snapshot().surface.tree().empty())
-        m_view.frame(m_editor.snapshot().surface.tree().bounds(), now.width, now.height);
+    m_view.frame(boxesOf(m_editor.snapshot().surface.tree()), now.width, now.height);
     refresh();
 }
 

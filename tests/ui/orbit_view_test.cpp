@@ -100,17 +100,23 @@ void OrbitViewTest::namedViewsLookAlongTheAxes() {
 
 void OrbitViewTest::framingShowsTheWholeBox() {
     base::Random random(test::seed());
-    const base::Box3f box{{-1, -2, 3}, {4, 5, 7}};
+    const base::Box3f boxes[] = {{{-1, -2, 3}, {0, 5, 4}}, {{-1, -2, 3}, {4, 0, 7}}};
     for (int k = 0; k < 100; ++k) {
         OrbitView view = randomView(random);
         const double yaw = view.yawRad;
-        view.frame(box, 800, 500);
+        view.frame(boxes, 800, 500);
         QCOMPARE(view.yawRad, yaw);
-        for (int corner = 0; corner < 8; ++corner) {
-            const Vec3d p{corner & 1 ? 4.0 : -1.0, corner & 2 ? 5.0 : -2.0, corner & 4 ? 7.0 : 3.0};
-            const Vec3d at = view.camera(800, 500).project(p);
-            QVERIFY(at.z > 0 && at.x > -1 && at.x < 801 && at.y > -1 && at.y < 501);
-        }
+        QVERIFY(view.target == (Vec3d{1.5, 1.5, 5}));
+        double farthest = 0; // from the middle, as a part of what fits
+        for (const base::Box3f& box : boxes)
+            for (int corner = 0; corner < 8; ++corner) {
+                const Vec3d p{corner & 1 ? box.hi.x : box.lo.x, corner & 2 ? box.hi.y : box.lo.y,
+                              corner & 4 ? box.hi.z : box.lo.z};
+                const Vec3d at = view.camera(800, 500).project(p);
+                QVERIFY(at.z > 0);
+                farthest = std::max({farthest, std::abs(at.x - 400) / 400, std::abs(at.y - 250) / 250});
+            }
+        QVERIFY2(std::abs(farthest - 0.92) < 1e-9, qPrintable(QString::number(farthest)));
     }
 }
 
