@@ -37,10 +37,11 @@ void CpuViewport::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     if (m_picture.isNull())
         painter.fillRect(rect(), palette().window());
-    else {
-        painter.setRenderHint(QPainter::SmoothPixmapTransform);
-        painter.drawImage(rect(), m_picture);
-    }
+    else if (m_picture.size() == (QSizeF(size()) * devicePixelRatioF()).toSize()) {
+        m_picture.setDevicePixelRatio(devicePixelRatioF());
+        painter.drawImage(QPointF(0, 0), m_picture); // a plain copy; stretching would wait for Qt's thread pool
+    } else
+        painter.drawImage(rect(), m_picture); // until the picture for the new size comes
     if (paintOverlay)
         paintOverlay(painter);
 }

@@ -60,6 +60,9 @@ RenderThread::Result RenderThread::draw(const Frame& frame) {
     const QImage view(reinterpret_cast<const uchar*>(m_image.colour.data()), m_image.width, m_image.height,
                       QImage::Format_RGBX8888);
     out.picture = view.convertToFormat(QImage::Format_RGB32);
+    if (out.reduced) // here, not when painting: the interface's thread is only to copy
+        out.picture = out.picture.scaled(frame.camera.width, frame.camera.height, Qt::IgnoreAspectRatio,
+                                         Qt::SmoothTransformation);
     return out;
 }
 

@@ -18,10 +18,10 @@ class RenderThread {
     static constexpr double fluentSeconds = 0.030, restSeconds = 0.12;
 
     struct Result {
-        QImage picture; ///< RGB32; smaller than asked for where `reduced`
-        double seconds = 0;
-        bool reduced = false;
-        QString trouble; ///< not empty: no picture, and why
+        QImage picture;       ///< RGB32, of the size asked for
+        double seconds = 0;   ///< that the renderer took
+        bool reduced = false; ///< drawn at half resolution and enlarged
+        QString trouble;      ///< not empty: no picture, and why
     };
     using Deliver = std::function<void(Result)>;
 
