@@ -1,4 +1,5 @@
 #include "core/io/content_kind.h"
+#include "core/io/file_name.h"
 #include "core/io/formats.h"
 #include "core/io/readers.h"
 
@@ -16,13 +17,6 @@ static constexpr FormatRow table[] = {
 
 std::span<const FormatRow> formatTable() {
     return table;
-}
-
-static std::string extensionOf(const path& file) {
-    std::string extension = file.extension().string();
-    for (char& c : extension)
-        c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    return extension.empty() ? extension : extension.substr(1);
 }
 
 static const FormatRow* rowOfExtension(const std::string& extension) {

@@ -95,7 +95,7 @@ std::vector<base::Vec3d> PointMaker::sample() const {
     const std::size_t wanted = std::min<std::size_t>(m_table.count, 4096);
     std::vector<base::Vec3d> out;
     for (std::size_t s = 0; s < wanted; ++s) {
-        // The middle of the s-th of `wanted` equal parts, without overflow.
+        // Where the s-th of `wanted` equal parts starts, without overflow.
         const std::size_t i = m_table.count / wanted * s + (m_table.count % wanted) * s / wanted;
         base::Vec3d p;
         for (std::size_t k = 0; k < 3; ++k)

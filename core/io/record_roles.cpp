@@ -1,15 +1,11 @@
 #include "core/io/record_roles.h"
 
+#include "core/io/file_name.h"
+
 #include <algorithm>
 #include <span>
 
 namespace io {
-
-static std::string lower(std::string text) {
-    for (char& c : text)
-        c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    return text;
-}
 
 namespace {
 
@@ -18,7 +14,7 @@ class Columns {
   public:
     explicit Columns(const std::vector<Field>& fields) : m_taken(fields.size(), false) {
         for (const Field& field : fields)
-            m_names.push_back(lower(field.name));
+            m_names.push_back(lowerCase(field.name));
     }
     int take(const std::string& name) {
         for (std::size_t i = 0; i < m_names.size(); ++i)
@@ -63,7 +59,7 @@ bool isChannelName(const std::string& name) {
         "x",     "y",    "z",     "nx",      "ny",      "nz",      "red",
         "green", "blue", "alpha", "local_x", "local_y", "local_z", "support_radius",
         "mask"};
-    return std::find(std::begin(names), std::end(names), lower(name)) != std::end(names);
+    return std::find(std::begin(names), std::end(names), lowerCase(name)) != std::end(names);
 }
 
 RecordRoles rolesOf(const std::vector<Field>& fields, bool native) {
@@ -79,7 +75,9 @@ RecordRoles rolesOf(const std::vector<Field>& fields, bool native) {
             roles.colour[3] = columns.take(names[3]);
             break;
         }
-    if (native)
+    const bool complete =
+        std::find(roles.position.begin(), roles.position.end(), RecordRoles::none) == roles.position.end();
+    if (native && complete)
         columns.takeAll(localNames, roles.local);
     roles.support = columns.take("support_radius");
     // An integer mask is some program's label, not our share between free and protected.

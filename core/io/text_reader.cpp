@@ -1,5 +1,6 @@
 // Points as text: XYZ, TXT, ASC, CSV, PTS, PWN. One row per point, fields parted by blanks, tabs, commas or semicolons;
 // a line of names before, a line with the number of points before, comments of '#', '%' and '//' anywhere.
+#include "core/io/file_name.h"
 #include "core/io/number_text.h"
 #include "core/io/readers.h"
 #include "core/io/record_points.h"
@@ -12,18 +13,6 @@
 namespace io {
 
 namespace {
-
-std::string lower(std::string_view text) {
-    std::string out(text);
-    for (char& c : out)
-        c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    return out;
-}
-
-std::string extensionOf(const path& file) {
-    const std::string extension = lower(file.extension().string());
-    return extension.empty() ? "text" : extension.substr(1);
-}
 
 /// Names in a line. Between commas or semicolons a name may hold blanks ("GPS Time"); quotes are taken off.
 std::vector<std::string> namesIn(std::string_view line, const std::vector<std::string_view>& fields) {
@@ -89,7 +78,7 @@ void TextReader::readCommentNames(std::size_t begin) {
     for (std::string_view rest = line.substr(marks); !rest.empty();) {
         const std::size_t end = std::min(rest.find_first_of(" ,;\t"), rest.size());
         if (end > 0)
-            names.push_back(lower(rest.substr(0, end)));
+            names.push_back(lowerCase(rest.substr(0, end)));
         rest.remove_prefix(std::min(end + 1, rest.size()));
     }
     for (const char* wanted : {"x", "y", "z"})
@@ -191,7 +180,7 @@ ScalarType typeOf(const ColumnFacts& facts) {
 void TextReader::typeColumns(const std::vector<ColumnFacts>& facts) {
     for (std::size_t c = 0; c < facts.size(); ++c) {
         ScalarType type = typeOf(facts[c]);
-        if (lower(m_tableNames[c]) == "mask") // ours, though all of its values may be 0
+        if (lowerCase(m_tableNames[c]) == "mask") // ours, though all of its values may be 0
             type = ScalarType::Float32;
         m_table.fields.push_back({m_tableNames[c], ScalarType::Float64, type, c * sizeof(double)});
     }
@@ -214,6 +203,8 @@ void TextReader::nameColumns() {
 FileModel TextReader::read() {
     m_progress.step(0, "Reading");
     m_model.format = extensionOf(m_file.path());
+    if (m_model.format.empty())
+        m_model.format = "text";
     const std::size_t begin = refuseOthers();
     RowRules rules{.separators = true, .comments = true};
     TextRows rows(m_file, begin, rules, {m_progress, 0, 0.1});

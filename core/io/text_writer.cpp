@@ -6,6 +6,7 @@
 //     txt asc    all that the model has, after a line "# x y z ..."
 //     csv        the same, after a line "x,y,z,...", parted by commas
 #include "core/io/file_coordinates.h"
+#include "core/io/file_name.h"
 #include "core/io/number_text.h"
 #include "core/io/readers.h"
 #include "core/io/record_roles.h"
@@ -110,10 +111,7 @@ std::string headLine(const std::vector<Column>& columns, const std::string& exte
 } // namespace
 
 void writeText(const path& target, const FileModel& model, const base::Progress& progress) {
-    std::string extension = target.extension().string();
-    for (char& c : extension)
-        c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    extension.erase(0, 1);
+    const std::string extension = extensionOf(target);
     const TextColumns chosen(model, extension);
     const auto& columns = chosen.columns();
     const char separator = extension == "csv" ? ',' : ' ';

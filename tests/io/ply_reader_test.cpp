@@ -79,6 +79,12 @@ void PlyReaderTest::pointsInThePlaneGetZeroHeight() {
     const FileModel model = readText(ascii("element point 2\nproperty float x\nproperty float y\n", "  1 2\n\t3\t4"));
     QCOMPARE(model.points.items[1].position, base::Vec3f({3, 4, 0}));
     QVERIFY(test::anyContains(model.messages, "no z"));
+    // Exact floats of ours beside a missing z, as a damaged file once had them.
+    const FileModel damaged = readText(ascii("comment pointclay origin 1 2 3\nelement vertex 1\nproperty double x\n"
+                                             "property double y\nproperty float local_x\nproperty float local_y\n"
+                                             "property float local_z\n",
+                                             "5 5 4 3 0\n"));
+    QCOMPARE(damaged.points.items[0].position, base::Vec3f({4, 3, 0}));
 }
 
 void PlyReaderTest::carriageReturnHeaderKeepsALineFeedThatBelongsToTheBody() {
