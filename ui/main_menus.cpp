@@ -107,7 +107,7 @@ void MainWindow::buildCorner() {
     auto* bar = new QToolBar;
     bar->setObjectName("corner");
     bar->setIconSize({18, 18});
-    bar->setFixedHeight(menuBar()->sizeHint().height()); // no taller than the menus beside it
+    bar->setFixedHeight(24); // no taller than the menus beside it
     for (QAction* action : menu("file")->actions())
         if (action->shortcut() == QKeySequence::Open || action->shortcut() == QKeySequence::Save)
             bar->addAction(action);

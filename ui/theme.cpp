@@ -48,8 +48,9 @@ static const char* const sheet = R"(
     QToolButton:checked { background: #4b4034; border-color: #d98e4a; }
     QToolButton:pressed { background: #1d1f22; }
     QToolButton:disabled { color: #6a7079; }
-    QToolBar#corner { background: #24262a; padding: 0 6px; }
-    QToolBar#corner QToolButton { padding: 1px 3px; margin: 0; }
+    QToolBar#corner { background: #24262a; padding: 0 6px; margin: 0; }
+    QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
+    QToolBar#corner QToolButton { padding: 0 4px; margin: 0; border: none; }
     QToolBar#tools QToolButton { min-width: 92px; padding: 5px 6px; text-align: left; }
     QToolButton#axis { min-width: 44px; background: #3a3e45; }
     QToolButton#axis:checked { background: #4b4034; }
