@@ -5,8 +5,10 @@
 #include "ui/main_window.h"
 #include "ui/theme.h"
 
+#include <cstdio>
 #include <QApplication>
 #include <QTimer>
+#include <string_view>
 
 namespace ui {
 
@@ -19,6 +21,17 @@ static void prepare(QApplication& application) {
     applyTheme(application);
 }
 
+/// Without any display Qt would abort instead of telling.
+static bool hasDisplay(int argc, char** argv) {
+    for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"})
+        if (!qEnvironmentVariableIsEmpty(name))
+            return true;
+    for (int i = 1; i < argc; ++i)
+        if (std::string_view(argv[i]) == "-platform")
+            return true;
+    return false;
+}
+
 /// The first thing that a person sees: what they asked for, what a crash has left, or a lump of clay.
 static void fill(MainWindow& window, const std::filesystem::path* model) {
     if (model)
@@ -28,6 +41,12 @@ static void fill(MainWindow& window, const std::filesystem::path* model) {
 }
 
 int runWindow(int argc, char** argv, const std::vector<std::filesystem::path>& models) {
+    if (!hasDisplay(argc, argv)) {
+        std::fprintf(stderr,
+                     "pointclay: there is no display to open a window on; set DISPLAY, or work without a window: "
+                     "pointclay --help\n");
+        return 1;
+    }
     QApplication application(argc, argv);
     prepare(application);
     std::vector<std::unique_ptr<MainWindow>> windows;
