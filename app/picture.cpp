@@ -1,10 +1,26 @@
 #include "app/picture.h"
 
 #include "ui/render/raycast_image.h"
+#include "ui/render/smooth_image.h"
+#include "ui/render/splat_scale.h"
 
 #include <chrono>
 
 namespace app {
+
+/// Smooth outlines take four times the pixels; beyond this many the picture is fine enough without.
+constexpr std::size_t mostSmoothPixels = 16u << 20;
+
+static void drawSplats(const tree::SurfelTree& model, const render::Camera& camera, const PictureOptions& options,
+                       render::Image& out) {
+    render::RenderOptions style = options.style;
+    style.splatScale *= render::splatScaleOf(model);
+    const auto renderer = render::makeRenderer(options.backend);
+    if (out.colour.size() <= mostSmoothPixels)
+        render::renderSmooth(*renderer, model, camera, style, out);
+    else
+        renderer->render(model, camera, style, out);
+}
 
 render::Image draw(const surface::Surface& surface, const render::Camera& camera, const PictureOptions& options,
                    PictureStats& stats, const base::Progress& progress) {
@@ -19,7 +35,7 @@ render::Image draw(const surface::Surface& surface, const render::Camera& camera
         stats.evaluations = counts.evaluations;
     } else {
         progress.step(0, "Drawing");
-        render::makeRenderer(options.backend)->render(surface.tree(), camera, options.style, out);
+        drawSplats(surface.tree(), camera, options, out);
     }
     stats.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return out;

@@ -5,6 +5,7 @@
 #include "core/session/recover.h"
 #include "ui/icon.h"
 #include "ui/render/image_io.h"
+#include "ui/render/smooth_image.h"
 
 #include <chrono>
 #include <QDateTime>
@@ -167,10 +168,10 @@ void FileActions::exportImage() {
 void FileActions::writeImage(const fs::path& path) {
     m_failure.clear();
     const render::Camera camera = m_controller.camera();
-    const render::RenderOptions options{.shading = m_settings.shading};
+    const render::RenderOptions options{.shading = m_settings.shading, .splatScale = m_editor.snapshot().splatScale};
     const auto work = [=](const surface::Surface& surface, const base::Progress& progress) {
         render::Image image;
-        render::makeRenderer("cpu")->render(surface.tree(), camera, options, image);
+        render::renderSmooth(*render::makeRenderer("cpu"), surface.tree(), camera, options, image);
         progress.step(0.5, "Writing the image");
         render::savePng(image, path);
     };

@@ -1,5 +1,7 @@
 #include "ui/snapshot.h"
 
+#include "ui/render/splat_scale.h"
+
 #include <algorithm>
 
 namespace ui {
@@ -42,6 +44,7 @@ Snapshot snapshotOf(const session::Document& document) {
     out.modelBytes = document.surface().tree().bytes();
     out.historyBytes = document.historyBytes();
     out.spacing = typicalSpacing(document.surface().tree());
+    out.splatScale = render::splatScaleOf(document.surface().tree());
     return out;
 }
 

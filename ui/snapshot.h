@@ -14,6 +14,7 @@ struct Snapshot {
     std::string undoLabel, redoLabel;
     std::size_t modelBytes = 0, historyBytes = 0;
     float spacing = 0;        ///< typical distance of neighbouring surfels, model units; 0 where there are too few
+    float splatScale = 1;     ///< render::splatScaleOf the document's model
     double dabSeconds = 0;    ///< the last dab, resampling included
     std::uint64_t models = 0; ///< grows when another model takes the place of the old one: frame it
 };

@@ -34,6 +34,7 @@ render::Camera ViewController::camera() const {
 void ViewController::refresh(bool moving) {
     Frame frame{m_editor.snapshot().surface.tree(), camera(), {}, moving};
     frame.options.shading = m_settings.shading;
+    frame.options.splatScale = m_editor.snapshot().splatScale;
     m_viewport.show(frame);
     updateCursor();
 }
