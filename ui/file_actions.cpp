@@ -2,6 +2,7 @@
 
 #include "core/io/formats.h"
 #include "core/session/journal.h"
+#include "core/session/model_argument.h"
 #include "core/session/recover.h"
 #include "ui/icon.h"
 #include "ui/render/image_io.h"
@@ -108,6 +109,22 @@ void FileActions::open() {
 
 void FileActions::open(const fs::path& path) {
     unlessUnsaved([this, path] { load(path); });
+}
+
+void FileActions::openArgument(const std::string& model) {
+    if (!model.starts_with("sample:"))
+        return open(model);
+    m_failure.clear();
+    const QString title = tr("Could not make %1").arg(QString::fromStdString(model));
+    try {
+        m_editor.run(session::modelCommand(model), [this, title](bool done) {
+            if (!done)
+                showFailure(title);
+        });
+    } catch (const base::Error& error) {
+        m_failure = QString::fromStdString(error.message());
+        showFailure(title);
+    }
 }
 
 void FileActions::load(const fs::path& path) {

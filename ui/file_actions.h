@@ -23,6 +23,8 @@ class FileActions : public QObject {
     void make(const std::string& sample);
     void open();
     void open(const std::filesystem::path& path);
+    /// A MODEL as the command line names it: a file, or sample:NAME[:COUNT[:SEED]].
+    void openArgument(const std::string& model);
     void save(std::function<void()> then = {});
     void saveAs(std::function<void()> then = {});
     void exportImage();

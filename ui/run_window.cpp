@@ -35,7 +35,7 @@ static bool hasDisplay(int argc, char** argv) {
 /// The first thing that a person sees: what they asked for, what a crash has left, or a lump of clay.
 static void fill(MainWindow& window, const std::filesystem::path* model) {
     if (model)
-        window.files().open(*model);
+        window.files().openArgument(model->string());
     else
         window.files().make(process::sampleTable().front().id);
 }

@@ -33,6 +33,7 @@ class WindowTest : public QObject {
     void everyShadingDrawsAnotherPicture();
     void titleTellsTheFileAndWhetherItIsSaved();
     void closingAsksAboutUnsavedWork();
+    void modelArgumentsMayNameSamples();
     void unreadableFilesLeaveTheModelAndSayWhy();
     void imagesAreExported();
     void figuresInTheStatusLineAreRight();
@@ -239,6 +240,20 @@ void WindowTest::closingAsksAboutUnsavedWork() {
     f.open();
     f.window->close();
     QVERIFY(!f.window->isVisible()); // nothing to lose, nothing to ask
+}
+
+void WindowTest::modelArgumentsMayNameSamples() {
+    WindowFixture f;
+    f.window->files().openArgument("sample:torus:3000");
+    QVERIFY(f.settle());
+    QCOMPARE(f.surfels(), std::size_t(3000));
+    const base::Hash128 torus = f.hash();
+    f.window->files().openArgument("sample:teapot");
+    QVERIFY(f.settle());
+    QVERIFY(f.hash() == torus);
+    const auto boxes = f.window->findChildren<QMessageBox*>();
+    QCOMPARE(boxes.size(), 1);
+    QVERIFY(boxes.front()->informativeText().contains("torus") || boxes.front()->text().contains("torus"));
 }
 
 void WindowTest::unreadableFilesLeaveTheModelAndSayWhy() {
