@@ -1,11 +1,15 @@
 #include "core/base/parallel.h"
 
 #include <algorithm>
+#include <atomic>
+#include <exception>
 #include <memory>
+#include <mutex>
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <thread>
+#include <vector>
 
 namespace base {
 
@@ -32,6 +36,33 @@ int threadCount() {
     return limit().threads;
 }
 
+#ifdef __SANITIZE_THREAD__
+/// Debian's oneTBB is not built with TSan, which sees none of its synchronisation and calls every hand-over a race.
+static void runOnPlainThreads(std::size_t chunks, const std::function<void(std::size_t)>& one) {
+    std::atomic<std::size_t> next{0};
+    std::mutex guard;
+    std::exception_ptr failure;
+    const auto work = [&] {
+        for (std::size_t chunk; (chunk = next++) < chunks;)
+            try {
+                one(chunk);
+            } catch (...) {
+                const std::lock_guard lock(guard);
+                failure = std::current_exception();
+                next = chunks;
+            }
+    };
+    std::vector<std::thread> others;
+    for (int i = 1; i < threadCount(); ++i)
+        others.emplace_back(work);
+    work();
+    for (std::thread& other : others)
+        other.join();
+    if (failure)
+        std::rethrow_exception(failure);
+}
+#endif
+
 void parallelChunks(std::size_t n, std::size_t grain,
                     const std::function<void(std::size_t, std::size_t, std::size_t)>& body) {
     const std::size_t chunks = chunkCount(n, grain);
@@ -41,10 +72,14 @@ void parallelChunks(std::size_t n, std::size_t grain,
             one(chunk);
         return;
     }
+#ifdef __SANITIZE_THREAD__
+    runOnPlainThreads(chunks, one);
+#else
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, chunks, 1), [&](const auto& range) {
         for (std::size_t chunk = range.begin(); chunk != range.end(); ++chunk)
             one(chunk);
     });
+#endif
 }
 
 } // namespace base
