@@ -29,8 +29,6 @@ json SurfaceOptions::parameters() const {
 }
 
 static std::string fallbackOf(const std::string& id) {
-    if (id == "manifold")
-        return "surface";
     return id == "support" ? "" : surface::option({}, id);
 }
 

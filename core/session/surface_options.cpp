@@ -19,9 +19,10 @@ static std::string namesOf(std::span<const surface::Named<E>> table) {
 }
 
 std::span<const CommandParameter> surfaceParameters() {
+    static const std::string manifolds = namesOf(surface::manifoldNames());
     static const std::string frames = namesOf(surface::frameNames()), weights = namesOf(surface::weightNames());
     static const CommandParameter rows[] = {
-        {"manifold", "choice", "", "what the points sample: a surface", "null", "surface", 0, 0},
+        {"manifold", "choice", "", "what the points sample", "null", manifolds.c_str(), 0, 0},
         {"frame", "choice", "", "where the normal of the local plane comes from", "null", frames.c_str(), 0, 0},
         {"weight", "choice", "", "how a point's weight falls with the distance", "null", weights.c_str(), 0, 0},
         {"support", "number", "model units",
@@ -33,6 +34,12 @@ std::span<const CommandParameter> surfaceParameters() {
          positive, largest},
         {"shrink-free", "boolean", "", "symmetric form that does not erode the model", "null", "", 0, 0},
         {"one-sheet", "boolean", "", "second pass that keeps near sheets apart", "null", "", 0, 0},
+        {"interpolating", "boolean", "", "weights that make the surface pass through the points", "null", "", 0, 0},
+        {"curvature-spacings", "number", "spacings",
+         "least support radius that curvature is taken on, for supports from neighbours", "null", "", 0, 1000},
+        {"apss-beta", "number", "", "what the frame apss fits: 1 spheres, 0 planes", "null", "", 0, 1},
+        {"rimls-sigma", "number", "", "how far normals may differ on one side of an edge, for the frame rimls", "null",
+         "", 0.01, 100},
     };
     return rows;
 }
@@ -47,7 +54,7 @@ SurfaceChange changed(const surface::SurfaceDefinition& base, const json& comple
     if (support && neighbours)
         throw base::Error("\"support\" and \"neighbours\" exclude each other", {}, "give one of them");
     for (const CommandParameter& p : surfaceParameters())
-        if (complete.contains(p.id) && std::string_view(p.id) != "manifold")
+        if (complete.contains(p.id))
             surface::setOption(out.definition, p.id, textOf(complete[p.id]));
     if (neighbours)
         out.definition.support = 0;

@@ -116,6 +116,9 @@ class Assembler {
             return eigenvector(s, Pick::Smallest);
         }
         case Frame::CovarianceAtCentroid:
+        case Frame::CentroidGradient:
+        case Frame::Apss:
+        case Frame::Rimls:
             break;
         }
         return normalAtCentroid();

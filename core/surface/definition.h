@@ -2,15 +2,22 @@
 // defaults, compared with ==, written to files and sessions under the names of INTERFACES (see definition_text.h).
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace surface {
 
-enum class Weight { Wendland, Gaussian };
-enum class Frame { Normals, Hyperplanes, Covariance, CovarianceAtCentroid };
+/// What the points sample. On a curve the surfels' normal channel holds unit tangents, or nothing (alg. 2.3).
+enum class Manifold { Surface, Curve };
+/// Wendland's C2 and C4 kernels, and the Gaussian cut where it falls below 1e-8 (alg. 2.1).
+enum class Weight { Wendland, WendlandC4, Gaussian };
+/// Where n comes from: alg. 2.4; centroid-gradient by the left convention of 2.2; apss and rimls (10.3, 10.4).
+enum class Frame { Normals, Hyperplanes, Covariance, CovarianceAtCentroid, CentroidGradient, Apss, Rimls };
 enum class Boundary { Auto, Limit, None };
 
 struct SurfaceDefinition {
+    Manifold manifold = Manifold::Surface;
     Frame frame = Frame::Normals;
     Weight weight = Weight::Wendland;
     /// One radius for all surfels, in model units (the scale of a Gaussian); 0: per surfel from its neighbours.
@@ -21,10 +28,22 @@ struct SurfaceDefinition {
     /// Off-centre limit in units of h: x is on the surface only where o(x) <= limit * h (alg. 6). Set by whoever
     /// resolves Boundary::Auto for a model; infinity for closed ones.
     float boundaryLimit = std::numeric_limits<float>::infinity();
-    bool shrinkFree = true; ///< the symmetric form mu = 1/2 (alg. 2.6); false is the dissertation's own, mu = 0
-    bool oneSheet = true;   ///< second pass where near sheets meet (|m|/w < 0.7)
+    bool shrinkFree = true;     ///< the symmetric form mu = 1/2 (alg. 2.6); false is the dissertation's own, mu = 0
+    bool oneSheet = true;       ///< second pass where near sheets meet (|m|/w < 0.7)
+    bool interpolating = false; ///< weights over r^2, so that the surface passes through the points (alg. 10.5)
+    /// Curvature is taken on supports that reach over at least so many spacings (alg. 2.6); 0: on those of the surface.
+    /// Known for supports from neighbours; one support for all is taken at its word.
+    float curvatureSpacings = 6;
+    float apssBeta = 1;      ///< 1 fits spheres, 0 planes (alg. 10.3)
+    float rimlsSigma = 0.8f; ///< how much normals may differ before they count as another side of an edge (alg. 10.4)
 
     float mu() const { return shrinkFree ? 0.5f : 0.0f; }
+    /// What supports are multiplied by where curvature is asked for.
+    float curvatureScale() const {
+        constexpr float pi = 3.14159265f;
+        const float spacings = std::sqrt(static_cast<float>(neighbours) / pi); // h / s, see `neighbours`
+        return support > 0 ? 1.0f : std::max(1.0f, curvatureSpacings / spacings);
+    }
     bool operator==(const SurfaceDefinition&) const = default;
 };
 

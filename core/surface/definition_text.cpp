@@ -8,17 +8,25 @@
 
 namespace surface {
 
-static constexpr Named<Weight> weights[] = {{Weight::Wendland, "wendland"}, {Weight::Gaussian, "gaussian"}};
+static constexpr Named<Manifold> manifolds[] = {{Manifold::Surface, "surface"}, {Manifold::Curve, "curve"}};
+static constexpr Named<Weight> weights[] = {
+    {Weight::Wendland, "wendland"}, {Weight::WendlandC4, "wendland-c4"}, {Weight::Gaussian, "gaussian"}};
 static constexpr Named<Frame> frames[] = {{Frame::Normals, "normals"},
                                           {Frame::Hyperplanes, "hyperplanes"},
                                           {Frame::Covariance, "covariance"},
-                                          {Frame::CovarianceAtCentroid, "covariance-at-centroid"}};
+                                          {Frame::CovarianceAtCentroid, "covariance-at-centroid"},
+                                          {Frame::CentroidGradient, "centroid-gradient"},
+                                          {Frame::Apss, "apss"},
+                                          {Frame::Rimls, "rimls"}};
 static constexpr Named<Boundary> boundaries[] = {
     {Boundary::Auto, "auto"}, {Boundary::Limit, "limit"}, {Boundary::None, "none"}};
 static constexpr Named<Projector> projectors[] = {
     {Projector::Basic, "basic"}, {Projector::Almost, "almost"}, {Projector::Orthogonal, "orthogonal"}};
 static constexpr Named<bool> switches[] = {{true, "on"}, {false, "off"}};
 
+std::span<const Named<Manifold>> manifoldNames() {
+    return manifolds;
+}
 std::span<const Named<Weight>> weightNames() {
     return weights;
 }
@@ -51,6 +59,9 @@ static E parseIn(std::span<const Named<E>> table, const char* what, std::string_
     throw base::Error("unknown " + std::string(what) + " '" + std::string(name) + "'", {}, "known are " + known);
 }
 
+const char* nameOf(Manifold manifold) {
+    return nameIn(manifoldNames(), manifold);
+}
 const char* nameOf(Weight weight) {
     return nameIn(weightNames(), weight);
 }
@@ -62,6 +73,9 @@ const char* nameOf(Boundary boundary) {
 }
 const char* nameOf(Projector projector) {
     return nameIn(projectorNames(), projector);
+}
+Manifold parseManifold(std::string_view name) {
+    return parseIn(manifoldNames(), "manifold", name);
 }
 Weight parseWeight(std::string_view name) {
     return parseIn(weightNames(), "weight", name);
@@ -104,6 +118,13 @@ static void setBoundary(SurfaceDefinition& d, std::string_view value) {
         d.boundaryLimit = parseLimit("boundary", value);
 }
 
+static float parseWithin(std::string_view name, std::string_view text, float least, float most, const char* range) {
+    const float value = parseNumber<float>(name, text, least, range);
+    if (!(value <= most))
+        throw base::Error("'" + std::string(text) + "' is no value for it", std::string(name), range);
+    return value;
+}
+
 static void setSupport(SurfaceDefinition& d, std::string_view value) {
     const char* range = "give a finite length above 0, or 0 for supports from neighbours";
     const float support = parseNumber<float>("support", value, 0, range);
@@ -124,6 +145,8 @@ struct OptionRow {
 
 using Definition = SurfaceDefinition;
 static constexpr OptionRow options[] = {
+    {"manifold", [](const Definition& d) -> std::string { return nameOf(d.manifold); },
+     [](Definition& d, std::string_view v) { d.manifold = parseManifold(v); }},
     {"frame", [](const Definition& d) -> std::string { return nameOf(d.frame); },
      [](Definition& d, std::string_view v) { d.frame = parseFrame(v); }},
     {"weight", [](const Definition& d) -> std::string { return nameOf(d.weight); },
@@ -144,6 +167,20 @@ static constexpr OptionRow options[] = {
      [](Definition& d, std::string_view v) { d.shrinkFree = parseIn<bool>(switches, "shrink-free", v); }},
     {"one-sheet", [](const Definition& d) -> std::string { return d.oneSheet ? "on" : "off"; },
      [](Definition& d, std::string_view v) { d.oneSheet = parseIn<bool>(switches, "one-sheet", v); }},
+    {"interpolating", [](const Definition& d) -> std::string { return d.interpolating ? "on" : "off"; },
+     [](Definition& d, std::string_view v) { d.interpolating = parseIn<bool>(switches, "interpolating", v); }},
+    {"curvature-spacings", [](const Definition& d) { return printed(d.curvatureSpacings); },
+     [](Definition& d, std::string_view v) {
+         d.curvatureSpacings = parseWithin("curvature-spacings", v, 0, 1000, "give a number from 0 to 1000");
+     }},
+    {"apss-beta", [](const Definition& d) { return printed(d.apssBeta); },
+     [](Definition& d, std::string_view v) {
+         d.apssBeta = parseWithin("apss-beta", v, 0, 1, "give a number from 0, planes, to 1, spheres");
+     }},
+    {"rimls-sigma", [](const Definition& d) { return printed(d.rimlsSigma); },
+     [](Definition& d, std::string_view v) {
+         d.rimlsSigma = parseWithin("rimls-sigma", v, 0.01f, 100, "give a number from 0.01 to 100");
+     }},
 };
 static constexpr auto names = [] {
     std::array<const char*, std::size(options)> out{};

@@ -19,23 +19,27 @@ struct Named {
     const char* name;
 };
 
-std::span<const Named<Weight>> weightNames();       ///< wendland, gaussian
-std::span<const Named<Frame>> frameNames();         ///< normals, hyperplanes, covariance, covariance-at-centroid
+std::span<const Named<Manifold>> manifoldNames();   ///< surface, curve
+std::span<const Named<Weight>> weightNames();       ///< wendland, wendland-c4, gaussian
+std::span<const Named<Frame>> frameNames();         ///< normals, hyperplanes, covariance, ..., apss, rimls
 std::span<const Named<Boundary>> boundaryNames();   ///< auto, limit, none; written, a limit is its number
 std::span<const Named<Projector>> projectorNames(); ///< basic, almost, orthogonal; `query` puts "project-" before them
 
+const char* nameOf(Manifold manifold);
 const char* nameOf(Weight weight);
 const char* nameOf(Frame frame);
 const char* nameOf(Boundary boundary);
 const char* nameOf(Projector projector);
 
 /// Throw base::Error naming the known ones.
+Manifold parseManifold(std::string_view name);
 Weight parseWeight(std::string_view name);
 Frame parseFrame(std::string_view name);
 Projector parseProjector(std::string_view name);
 
-/// Names of the options of a definition: frame, weight, support, neighbours, boundary, boundary-limit, shrink-free,
-/// one-sheet. `boundary` is auto, none or the limit in units of h; `boundary-limit` is what auto was resolved to.
+/// Names of the options of a definition: manifold, frame, weight, support, neighbours, boundary, boundary-limit,
+/// shrink-free, one-sheet, interpolating, curvature-spacings, apss-beta, rimls-sigma. `boundary` is auto, none or the
+/// limit in units of h; `boundary-limit` is what auto was resolved to.
 std::span<const char* const> optionNames();
 /// The value of one option as text. REQUIRES: a name of optionNames().
 std::string option(const SurfaceDefinition& definition, std::string_view name);

@@ -18,25 +18,32 @@ namespace surface {
 enum class Outer { None, Normals, Offsets };
 
 /// What happens to surfels by their normal's angle to a reference: nothing; those facing away are skipped (the second
-/// pass of RESAMPLING 4); normals are flipped to the reference's side (unoriented normals).
-enum class Facing { All, Skip, Flip };
+/// pass of RESAMPLING 4); normals are flipped to the reference's side (unoriented normals); weights are multiplied by
+/// exp(-|n - reference|^2 / sigma^2), the factor counting as constant (the refits of RIMLS, alg. 10.4).
+enum class Facing { All, Skip, Flip, Refit };
 constexpr float facingLimit = -0.17f;
+constexpr float leastInterpolation = 1e-12f;
 
 struct SumOptions {
     Weight weight = Weight::Wendland;
     Outer outer = Outer::None;
     Facing facing = Facing::All;
-    base::Vec3d reference; ///< unit vector for Skip and Flip
+    base::Vec3d reference; ///< unit vector for Skip and Flip; the gradient of the pass before for Refit
+    float sigma = 1;       ///< of Refit
+    float scale = 1;       ///< supports are multiplied by it
+    /// Weights over max(r^2, leastInterpolation) (alg. 10.5), r the distance over the support.
+    bool interpolating = false;
 };
 
 template <class T, int O>
 struct Moments {
     int samples = 0;    ///< surfels with weight
-    T unit = 0;         ///< sum theta unitOf(h)
+    T unit = 0;         ///< sum theta unitOf(h), with h scaled
     Jet<T, O> one;      ///< sum theta
     JetVec<T, O> q;     ///< sum theta q
     JetVec<T, O> n;     ///< sum theta n
     Jet<T, O> height;   ///< sum theta n.q
+    Jet<T, O> square;   ///< sum theta |q|^2
     Jet<T, O> outer[6]; ///< sum theta n n^T or q q^T, by `sym`
 };
 

@@ -22,6 +22,35 @@ const char* statusName(Status status) {
     return "";
 }
 
+const char* causeName(Cause cause) {
+    switch (cause) {
+    case Cause::None:
+        return "none";
+    case Cause::NoSupport:
+        return "no-support";
+    case Cause::OnePoint:
+        return "one-point";
+    case Cause::TooFew:
+        return "too-few";
+    case Cause::Coincident:
+        return "coincident";
+    case Cause::Collinear:
+        return "collinear";
+    case Cause::CancellingNormals:
+        return "cancelling-normals";
+    case Cause::ClosedGap:
+        return "closed-gap";
+    }
+    return "";
+}
+
+Surface Surface::withSupportScale(float scale) const {
+    assert(scale >= 1);
+    Surface out = *this;
+    out.m_supportScale = scale;
+    return out;
+}
+
 Frame Surface::effectiveFrame() const {
     const auto& layout = *m_tree.layout();
     const Frame frame = m_definition.frame;

@@ -24,12 +24,26 @@ namespace surface {
 enum class Status : unsigned char { Ok, Outside, Degenerate, NotConverged, BeyondBoundary };
 const char* statusName(Status status);
 
+/// Why there is no answer: the degenerate cases of alg. 2.4 by name. None where the status is Ok or BeyondBoundary.
+enum class Cause : unsigned char {
+    None,
+    NoSupport,         ///< no surfel has weight here
+    OnePoint,          ///< a single one has
+    TooFew,            ///< fewer than the frame needs
+    Coincident,        ///< all at one place
+    Collinear,         ///< all on one line
+    CancellingNormals, ///< |m|/w too small
+    ClosedGap,         ///< eigenvalues too close for an eigenvector
+};
+const char* causeName(Cause cause);
+
 /// How much to compute: each includes the ones before it.
 enum class Need { Value, Gradient, Hessian };
 
 template <class T>
 struct Evaluation {
     Status status = Status::Outside;
+    Cause cause = Cause::NoSupport;
     int samples = 0;              ///< surfels with weight
     T weight = 0;                 ///< w, sum of the weights
     T value = 0;                  ///< f, signed where the frame is oriented
@@ -61,6 +75,9 @@ class Surface {
 
     const tree::SurfelTree& tree() const { return m_tree; }
     const SurfaceDefinition& definition() const { return m_definition; }
+    /// The same surfels with all supports multiplied by `scale` (>= 1): where curvature is taken.
+    Surface withSupportScale(float scale) const;
+    float supportScale() const { return m_supportScale; }
 
     /// The definition's frame, or the nearest that the surfels have normals for: without a common sign hyperplanes
     /// stand in for summed normals, without normals covariance-at-centroid for both (alg. 2.6, defaults).
@@ -77,6 +94,7 @@ class Surface {
   private:
     tree::SurfelTree m_tree;
     SurfaceDefinition m_definition;
+    float m_supportScale = 1;
 };
 
 /// Principal curvatures and directions of the level set through x (alg. 7): k1 >= k2, positive on a sphere with outward
