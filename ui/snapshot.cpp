@@ -1,33 +1,9 @@
 #include "ui/snapshot.h"
 
+#include "core/process/spacing_sample.h"
 #include "ui/render/splat_scale.h"
 
-#include <algorithm>
-
 namespace ui {
-
-float typicalSpacing(const tree::SurfelTree& tree) {
-    constexpr std::uint32_t samples = 200;
-    constexpr std::size_t neighbours = 6;
-    std::vector<float> found;
-    std::vector<tree::Neighbour> near;
-    const std::uint32_t step = std::max(1u, tree.blockCount() / samples);
-    for (std::uint32_t number = 0; number < tree.blockCount(); number += step) {
-        const surfel::BlockPtr block = tree.block(number);
-        tree.nearest(block->surfel(0).position, neighbours + 1, near);
-        if (near.size() <= neighbours)
-            continue;
-        float sum = 0;
-        for (std::size_t k = 1; k < near.size(); ++k)
-            sum += std::sqrt(near[k].distanceSq);
-        found.push_back(0.93f * sum / static_cast<float>(neighbours));
-    }
-    if (found.empty())
-        return 0;
-    const auto middle = found.begin() + static_cast<std::ptrdiff_t>(found.size() / 2);
-    std::nth_element(found.begin(), middle, found.end());
-    return *middle;
-}
 
 Snapshot snapshotOf(const session::Document& document) {
     Snapshot out;
@@ -43,7 +19,7 @@ Snapshot snapshotOf(const session::Document& document) {
         out.redoLabel = document.redoLabel();
     out.modelBytes = document.surface().tree().bytes();
     out.historyBytes = document.historyBytes();
-    out.spacing = typicalSpacing(document.surface().tree());
+    out.spacing = process::typicalSpacing(document.surface().tree());
     out.splatScale = render::splatScaleOf(document.surface().tree());
     return out;
 }

@@ -13,7 +13,7 @@ struct Snapshot {
     bool canUndo = false, canRedo = false;
     std::string undoLabel, redoLabel;
     std::size_t modelBytes = 0, historyBytes = 0;
-    float spacing = 0;        ///< typical distance of neighbouring surfels, model units; 0 where there are too few
+    float spacing = 0;        ///< process::typicalSpacing, model units; 0 where there are too few
     float splatScale = 1;     ///< render::splatScaleOf the document's model
     double dabSeconds = 0;    ///< the last dab, resampling included
     std::uint64_t models = 0; ///< grows when another model takes the place of the old one: frame it
@@ -21,8 +21,5 @@ struct Snapshot {
 
 /// Everything but `dabSeconds` and `models`. Cost: blocks, not surfels.
 Snapshot snapshotOf(const session::Document& document);
-
-/// Median of alg. 2.6's spacing over some 200 surfels spread through the tree; 0 for fewer than 7 surfels.
-float typicalSpacing(const tree::SurfelTree& tree);
 
 } // namespace ui

@@ -1,9 +1,9 @@
 // The spacing that edits around a place aim at.
 #include "core/process/resample.h"
-#include "core/process/spacing_of.h"
+#include "core/process/spacing.h"
+#include "core/process/spacing_sample.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace process {
 
@@ -11,11 +11,6 @@ namespace process {
 constexpr std::size_t looked = 60, measuredOnes = 20, ring = 6;
 /// Supports count as made for the spacing where the two agree so far.
 constexpr float agreement = 1.6f;
-
-static float median(std::vector<float> values) {
-    std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
-    return values[values.size() / 2];
-}
 
 static float measuredSpacing(const std::vector<base::Vec3f>& near) {
     std::vector<float> spacings;
@@ -27,12 +22,9 @@ static float measuredSpacing(const std::vector<base::Vec3f>& near) {
         if (distances.size() < ring)
             continue;
         std::partial_sort(distances.begin(), distances.begin() + ring, distances.end());
-        double sum = 0;
-        for (std::size_t k = 0; k < ring; ++k)
-            sum += std::sqrt(static_cast<double>(distances[k]));
-        spacings.push_back(static_cast<float>(spacingOverDistance * sum / ring));
+        spacings.push_back(spacingFromRing(distances));
     }
-    return spacings.empty() ? 0.0f : median(std::move(spacings));
+    return summarise(std::move(spacings)).median;
 }
 
 float localSpacing(const surface::Surface& surface, const base::Vec3f& x) {
@@ -47,7 +39,7 @@ float localSpacing(const surface::Surface& surface, const base::Vec3f& x) {
     const float measured = measuredSpacing(near);
     if (measured == 0 || surface.definition().support > 0)
         return measured;
-    const float meant = spacingOf(surface.definition(), median(std::move(supports)));
+    const float meant = spacingOf(surface.definition(), summarise(std::move(supports)).median);
     return meant < agreement * measured && measured < agreement * meant ? meant : measured;
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/process/part_progress.h"
 #include "core/process/spacing_of.h"
+#include "core/process/spacing_sample.h"
 
 #include <algorithm>
 
@@ -9,12 +10,8 @@ namespace process {
 
 std::vector<float> spacingsOf(const Cloud& cloud, const base::Progress& progress) {
     std::vector<float> out(cloud.size());
-    cloud.forEach(6, progress, "Measuring spacing", [&](std::size_t i, const Neighbours& near) {
-        double sum = 0;
-        for (const float distanceSq : near.distanceSq)
-            sum += std::sqrt(static_cast<double>(distanceSq));
-        out[i] = near.size() ? static_cast<float>(spacingOverDistance * sum / static_cast<double>(near.size())) : 0.0f;
-    });
+    cloud.forEach(6, progress, "Measuring spacing",
+                  [&](std::size_t i, const Neighbours& near) { out[i] = spacingFromRing(near.distanceSq); });
     return out;
 }
 

@@ -3,6 +3,7 @@
 #include "core/base/parallel.h"
 #include "core/base/random.h"
 #include "core/process/samples.h"
+#include "core/process/spacing_sample.h"
 #include "core/process/supports.h"
 #include "support/registry.h"
 
@@ -28,6 +29,8 @@ class SpacingTest : public QObject {
     void gradingKeepsAtLeastHalf();
     void sameBitsAtAnyThreadCount();
     void cancelStops();
+    void sampledSpacingIsThatOfTheWhole();
+    void fewSurfelsHaveNoSampledSpacing();
 };
 
 static surfel::SurfelList hexagonal(int n, float a) {
@@ -206,6 +209,32 @@ void SpacingTest::cancelStops() {
     const auto list = randomPoints(30000, test::seed());
     const std::atomic<bool> cancel = true;
     QVERIFY_EXCEPTION_THROWN(spacings(list.items, base::Progress{{}, &cancel}), base::Cancelled);
+}
+
+void SpacingTest::sampledSpacingIsThatOfTheWhole() {
+    auto list = sample("knot").make(20000, test::seed());
+    assignSupports(list, {});
+    const double whole = static_cast<double>(summarise(spacings(list.items)).median);
+    const auto check = [&](const surfel::SurfelList& points) {
+        const auto built = tree::SurfelTree::build(points);
+        const double sampled = static_cast<double>(typicalSpacing(built));
+        QVERIFY2(std::abs(sampled / whole - 1) < 0.03, qPrintable(QString::number(sampled / whole)));
+        for (const SpacingSample& each : sampleSpacing(built))
+            QVERIFY(each.support > each.spacing);
+    };
+    check(list);
+    auto doubled = list;
+    doubled.items.insert(doubled.items.end(), list.items.begin(), list.items.end());
+    check(doubled);
+}
+
+void SpacingTest::fewSurfelsHaveNoSampledSpacing() {
+    QCOMPARE(typicalSpacing({}), 0.0f);
+    auto list = hexagonal(1, 0.1f); // 9
+    assignSupports(list, {});
+    QVERIFY(typicalSpacing(tree::SurfelTree::build(list)) > 0.09f);
+    list.items.resize(6);
+    QCOMPARE(typicalSpacing(tree::SurfelTree::build(list)), 0.0f);
 }
 
 static const test::Registered<SpacingTest> registered;

@@ -1,0 +1,24 @@
+// The spacing of a tree, sampled: for what needs to know it roughly and at once, such as the size of splats. All
+// measures of spacing are made of the same ring of neighbours (spacing.h).
+#pragma once
+
+#include "core/tree/surfel_tree.h"
+
+namespace process {
+
+/// Alg. 2.6's spacing where the nearest other positions are at these squared distances, ascending: 0.93 x the mean of
+/// the first six above zero; 0 where there are none.
+float spacingFromRing(std::span<const float> distancesSq);
+
+/// One surfel that was looked at.
+struct SpacingSample {
+    float spacing = 0, support = 0;
+};
+
+/// Some 256 surfels spread evenly through the tree, in tree order; none for fewer than 7 surfels. Cost: their searches.
+std::vector<SpacingSample> sampleSpacing(const tree::SurfelTree& tree);
+
+/// Their median spacing; 0 where there are none.
+float typicalSpacing(const tree::SurfelTree& tree);
+
+} // namespace process
