@@ -1,11 +1,11 @@
 // pointclay render: a picture of a model, by splats or by rays.
 #include "app/framing.h"
 #include "app/open_model.h"
-#include "app/picture.h"
 #include "app/subcommand.h"
 #include "app/surface_options.h"
 #include "core/io/safe_file.h"
 #include "ui/render/image_io.h"
+#include "ui/render/picture.h"
 
 #include <cstdio>
 #include <nlohmann/json.hpp>
@@ -21,7 +21,7 @@ struct Options {
     std::string size = "1280x720", eye, target, up;
     double fovDeg = 0; ///< 0: the camera's own
     double quality = 0;
-    PictureOptions picture;
+    render::PictureOptions picture;
     std::shared_ptr<SurfaceOptions> surface;
 };
 
@@ -66,7 +66,7 @@ render::Camera cameraOf(const Options& options, const tree::SurfelTree& model, c
     return out;
 }
 
-void writeStats(const std::string& path, const PictureStats& stats) {
+void writeStats(const std::string& path, const render::PictureStats& stats) {
     const nlohmann::ordered_json out{
         {"rays", stats.rays}, {"pixels", stats.pixels}, {"seconds", stats.seconds}, {"evaluations", stats.evaluations}};
     io::writeFile(path, out.dump(2) + "\n");
@@ -81,8 +81,8 @@ void run(Options options, Console& console) {
     openModel(context, options.model, options.surface->parameters(), console);
     const surface::Surface& surface = document.surface();
     const render::Camera camera = cameraOf(options, surface.tree(), document.provenance().origin);
-    PictureStats stats;
-    const render::Image image = draw(surface, camera, options.picture, stats, progress);
+    render::PictureStats stats;
+    const render::Image image = render::drawPicture(surface, camera, options.picture, stats, progress);
     render::savePng(image, options.image);
     if (!options.depth.empty())
         render::savePfm(image, options.depth);

@@ -2,13 +2,13 @@
 #include "app/command_help.h"
 #include "app/framing.h"
 #include "app/open_model.h"
-#include "app/picture.h"
 #include "app/subcommand.h"
 #include "core/base/error.h"
 #include "core/io/safe_file.h"
 #include "core/session/journal.h"
 #include "core/session/session_file.h"
 #include "ui/render/image_io.h"
+#include "ui/render/picture.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -71,9 +71,9 @@ void savePicture(const session::Document& document, const std::string& path, con
     const surface::Surface& surface = document.surface();
     if (surface.tree().empty())
         throw base::Error("there is no model to draw", path, "open one in the session or with --model");
-    PictureStats stats;
+    render::PictureStats stats;
     const render::Camera camera = closeUp(render::Camera::looking(surface.tree().bounds(), 1280, 720), surface.tree());
-    render::savePng(draw(surface, camera, {}, stats, progress), path);
+    render::savePng(render::drawPicture(surface, camera, {}, stats, progress), path);
 }
 
 void run(const Options& options, Console& console) {

@@ -6,7 +6,7 @@
 #include "core/session/recover.h"
 #include "ui/icon.h"
 #include "ui/render/image_io.h"
-#include "ui/render/smooth_image.h"
+#include "ui/render/picture.h"
 
 #include <chrono>
 #include <QDateTime>
@@ -185,10 +185,11 @@ void FileActions::exportImage() {
 void FileActions::writeImage(const fs::path& path) {
     m_failure.clear();
     const render::Camera camera = m_controller.camera();
-    const render::RenderOptions options{.shading = m_settings.shading, .splatScale = m_editor.snapshot().splatScale};
+    render::PictureOptions options;
+    options.style.shading = m_settings.shading;
     const auto work = [=](const surface::Surface& surface, const base::Progress& progress) {
-        render::Image image;
-        render::renderSmooth(*render::makeRenderer("cpu"), surface.tree(), camera, options, image);
+        render::PictureStats stats;
+        const render::Image image = render::drawPicture(surface, camera, options, stats, progress);
         progress.step(0.5, "Writing the image");
         render::savePng(image, path);
     };

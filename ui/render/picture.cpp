@@ -1,4 +1,4 @@
-#include "app/picture.h"
+#include "ui/render/picture.h"
 
 #include "ui/render/raycast_image.h"
 #include "ui/render/smooth_image.h"
@@ -6,31 +6,30 @@
 
 #include <chrono>
 
-namespace app {
+namespace render {
 
 /// Smooth outlines take four times the pixels; beyond this many the picture is fine enough without.
 constexpr std::size_t mostSmoothPixels = 16u << 20;
 
-static void drawSplats(const tree::SurfelTree& model, const render::Camera& camera, const PictureOptions& options,
-                       render::Image& out) {
-    render::RenderOptions style = options.style;
-    style.splatScale *= render::splatScaleOf(model);
-    const auto renderer = render::makeRenderer(options.backend);
+static void drawSplats(const tree::SurfelTree& model, const Camera& camera, const PictureOptions& options, Image& out) {
+    RenderOptions style = options.style;
+    style.splatScale *= splatScaleOf(model);
+    const auto renderer = makeRenderer(options.backend);
     if (out.colour.size() <= mostSmoothPixels)
-        render::renderSmooth(*renderer, model, camera, style, out);
+        renderSmooth(*renderer, model, camera, style, out);
     else
         renderer->render(model, camera, style, out);
 }
 
-render::Image draw(const surface::Surface& surface, const render::Camera& camera, const PictureOptions& options,
-                   PictureStats& stats, const base::Progress& progress) {
-    render::Image out;
+Image drawPicture(const surface::Surface& surface, const Camera& camera, const PictureOptions& options,
+                  PictureStats& stats, const base::Progress& progress) {
+    Image out;
     out.resize(camera.width, camera.height);
     stats.pixels = out.colour.size();
     const auto begin = std::chrono::steady_clock::now();
     if (options.rayCast) {
         raycast::CastCounts counts;
-        render::rayCast(surface, camera, options.style, out, counts, progress);
+        rayCast(surface, camera, options.style, out, counts, progress);
         stats.rays = counts.rays;
         stats.evaluations = counts.evaluations;
     } else {
@@ -41,4 +40,4 @@ render::Image draw(const surface::Surface& surface, const render::Camera& camera
     return out;
 }
 
-} // namespace app
+} // namespace render

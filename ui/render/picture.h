@@ -1,0 +1,28 @@
+// Pictures for files: what `render`, `run --render` and the window's export draw, each at its best.
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/surface/surface.h"
+#include "ui/render/renderer.h"
+
+#include <string>
+
+namespace render {
+
+struct PictureOptions {
+    bool rayCast = false;        ///< the true surface, every pixel; else splats
+    std::string backend = "cpu"; ///< of splats
+    RenderOptions style;         ///< its splatScale comes on top of splatScaleOf the model
+};
+
+/// What it cost, as `render --stats` tells it.
+struct PictureStats {
+    std::size_t rays = 0, pixels = 0, evaluations = 0;
+    double seconds = 0;
+};
+
+/// With smooth outlines up to 16 million pixels. Throws base::Error where the backend is missing; base::Cancelled.
+Image drawPicture(const surface::Surface& surface, const Camera& camera, const PictureOptions& options,
+                  PictureStats& stats, const base::Progress& progress);
+
+} // namespace render
