@@ -8,33 +8,58 @@
 
 using test::WindowFixture;
 
+/// POINTCLAY_RENDERER=gl for as long as it lives.
+class AskedForGl {
+  public:
+    AskedForGl() { qputenv("POINTCLAY_RENDERER", "gl"); }
+    ~AskedForGl() { qunsetenv("POINTCLAY_RENDERER"); }
+};
+
+/// Every function has a fresh window that is on the screen, or is skipped.
 class GlWindowTest : public QObject {
     Q_OBJECT
   private slots:
-    void initTestCase();
+    void init();
+    void cleanup();
     void glDrawsWhatTheCpuDraws();
     void strokesReachThePicture();
     void overlayIsLeftOutOfPictures();
-    void platformsWithoutGlAreRefused();
 
   private:
-    bool m_usable = false;
+    bool show();
+    QImage picture() { return m_fixture->window->viewport().picture(); }
+
+    AskedForGl m_asked;
+    std::unique_ptr<WindowFixture> m_fixture;
 };
 
-void GlWindowTest::initTestCase() {
-    qputenv("POINTCLAY_RENDERER", "gl");
+class GlRefusalTest : public QObject {
+    Q_OBJECT
+  private slots:
+    void platformsWithoutGlAreRefused();
+};
+
+void GlWindowTest::init() {
     QString why;
-    m_usable = ui::glUsable(true, why);
-    if (!m_usable)
-        qInfo("no OpenGL here: %s", qPrintable(why));
+    if (!ui::glUsable(true, why))
+        QSKIP(qPrintable("needs an X server with OpenGL 3.3, QT_QPA_PLATFORM=xcb under xvfb-run: " + why));
+    m_fixture = std::make_unique<WindowFixture>();
+    QVERIFY(dynamic_cast<ui::GlViewport*>(&m_fixture->window->viewport()));
+    QVERIFY(QTest::qWaitForWindowExposed(m_fixture->window.get()));
 }
 
-static bool show(WindowFixture& f) {
+void GlWindowTest::cleanup() {
+    m_fixture.reset();
+}
+
+/// Waits for a frame.
+bool GlWindowTest::show() {
+    ui::Viewport& viewport = m_fixture->window->viewport();
     bool painted = false;
-    f.window->viewport().framePainted = [&](double) { painted = true; };
-    f.window->controller().refresh();
+    viewport.framePainted = [&](double) { painted = true; };
+    m_fixture->window->controller().refresh();
     const bool done = QTest::qWaitFor([&] { return painted; }, 60000);
-    f.window->viewport().framePainted = nullptr;
+    viewport.framePainted = nullptr;
     return done;
 }
 
@@ -49,62 +74,53 @@ static double meanDifference(const QImage& a, const QImage& b) {
 }
 
 void GlWindowTest::glDrawsWhatTheCpuDraws() {
-    if (!m_usable)
-        QSKIP("needs an X server with OpenGL 3.3: QT_QPA_PLATFORM=xcb under xvfb-run");
-    WindowFixture f;
-    QVERIFY(dynamic_cast<ui::GlViewport*>(&f.window->viewport()));
-    QVERIFY(QTest::qWaitForWindowExposed(f.window.get()));
-    QVERIFY(f.make("torus", 20000));
-    QVERIFY(show(f));
-    const QImage gl = f.window->viewport().picture();
-    f.window->files().writeImage(f.file("cpu.png").toStdString()); // by the CPU renderer
-    QVERIFY(f.settle());
-    const QImage cpu(f.file("cpu.png"));
+    QVERIFY(m_fixture->make("torus", 20000));
+    QVERIFY(show());
+    const QImage gl = picture();
+    m_fixture->window->files().writeImage(m_fixture->file("cpu.png").toStdString()); // by the CPU renderer
+    QVERIFY(m_fixture->settle());
+    const QImage cpu(m_fixture->file("cpu.png"));
     QCOMPARE(gl.size(), cpu.size());
     const double difference = meanDifference(gl, cpu);
     QVERIFY2(difference < 1, qPrintable(QString::number(difference)));
 }
 
 void GlWindowTest::strokesReachThePicture() {
-    if (!m_usable)
-        QSKIP("needs an X server with OpenGL 3.3: QT_QPA_PLATFORM=xcb under xvfb-run");
-    WindowFixture f;
-    QVERIFY(QTest::qWaitForWindowExposed(f.window.get()));
+    WindowFixture& f = *m_fixture;
     QVERIFY(f.make("sphere", 20000));
-    QVERIFY(show(f));
-    const QImage before = f.window->viewport().picture();
+    QVERIFY(show());
+    const QImage before = picture();
     f.drag(f.centre(), f.centre() + QPointF(60, 0));
     QVERIFY(f.editor().snapshot().canUndo);
-    QVERIFY(show(f));
-    QVERIFY(meanDifference(before, f.window->viewport().picture()) > 0.05);
+    QVERIFY(show());
+    QVERIFY(meanDifference(before, picture()) > 0.05);
     f.window->undo();
     QVERIFY(f.settle());
-    QVERIFY(show(f));
-    QCOMPARE(f.window->viewport().picture(), before);
+    QVERIFY(show());
+    QCOMPARE(picture(), before);
 }
 
 void GlWindowTest::overlayIsLeftOutOfPictures() {
-    if (!m_usable)
-        QSKIP("needs an X server with OpenGL 3.3: QT_QPA_PLATFORM=xcb under xvfb-run");
-    WindowFixture f;
-    QVERIFY(QTest::qWaitForWindowExposed(f.window.get()));
+    WindowFixture& f = *m_fixture;
     QVERIFY(f.make("sphere", 20000));
-    QVERIFY(show(f));
-    const QImage plain = f.window->viewport().picture();
+    QVERIFY(show());
+    const QImage plain = picture();
     test::sendMouse(f.view(), QEvent::MouseMove, f.centre(), Qt::NoButton);
     QVERIFY(f.window->controller().cursor().contact);
-    QCOMPARE(f.window->viewport().picture(), plain);
+    QCOMPARE(picture(), plain);
 }
 
-void GlWindowTest::platformsWithoutGlAreRefused() {
+void GlRefusalTest::platformsWithoutGlAreRefused() {
     if (QGuiApplication::platformName() != "offscreen")
         QSKIP("needs the offscreen platform, which a GL widget would crash");
+    const AskedForGl asked;
     QString why;
     QVERIFY(!ui::glUsable(true, why));
     QVERIFY(why.contains("offscreen"));
-    WindowFixture f; // POINTCLAY_RENDERER=gl is set
+    WindowFixture f;
     QVERIFY(!dynamic_cast<ui::GlViewport*>(&f.window->viewport()));
 }
 
 static const test::Registered<GlWindowTest> registered;
+static const test::Registered<GlRefusalTest> registeredRefusal;
 #include "gl_window_test.moc"
