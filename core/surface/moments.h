@@ -58,6 +58,7 @@ void sum(ClusterSpan clusters, const base::Vec3d& x, const SumOptions& options, 
 
 extern template void sum(ClusterSpan, const base::Vec3f&, const SumOptions&, Moments<float, 0>&);
 extern template void sum(ClusterSpan, const base::Vec3f&, const SumOptions&, Moments<float, 1>&);
+extern template void sum(ClusterSpan, const base::Vec3f&, const SumOptions&, Moments<float, 2>&);
 extern template void sum(ClusterSpan, const base::Vec3d&, const SumOptions&, Moments<double, 0>&);
 extern template void sum(ClusterSpan, const base::Vec3d&, const SumOptions&, Moments<double, 1>&);
 extern template void sum(ClusterSpan, const base::Vec3d&, const SumOptions&, Moments<double, 2>&);

@@ -1,4 +1,10 @@
-// The vectorised sums as the kernel leaves them: one float per sum, in the order below. Internal to the room.
+// The vectorised sums as the kernel leaves them: one float per sum. Internal to the room.
+//
+// Every sum is that of a factor times a monomial over the surfels with weight. With theta, a and b from
+// theta_,k = a q_k and theta_,kl = b q_k q_l - a delta_kl:
+//     factors      order 0: theta;   order 1: a q (3);   order 2: a, b q q (6, by `sym`)
+//     monomials    1, q (3), n (3), n.q, |q|^2;   with outer products: n n^T or q q^T (6, by `sym`)
+// The sums stand factor by factor, each with all monomials; sum theta h comes last.
 #pragma once
 
 #include "core/surface/moments.h"
@@ -7,25 +13,20 @@
 
 namespace surface {
 
-/// Order of the sums: those of order 0, of order 1, then the outer products of order 0 and 1.
-///     0 theta   1 theta q (3)   4 theta n (3)   7 theta n.q   8 theta h
-///     9 a q (3)   12 a q q (6, symmetric)   18 a n q (9, row n)   27 a (n.q) q (3)
-///     then  theta y y (6);  a n n q (18, n n by `sym`, then q)  or  a q q q (10, symmetric)
-constexpr int sumsOfOrder0 = 9, sumsOfOrder1 = 30;
+/// Places of the monomials.
+enum Monomial : int { OneTerm, QTerm, NTerm = 4, HeightTerm = 7, SquareTerm = 8, OuterTerm = 9 };
+constexpr int monomialCount(Outer outer) {
+    return outer == Outer::None ? 9 : 15;
+}
+/// Places of the factors.
+enum Factor : int { ThetaFactor, SlopeFactor, PlainSlopeFactor = 4, BendFactor = 5 };
+constexpr int factorCount(int order) {
+    return order == 0 ? 1 : order == 1 ? 4 : 11;
+}
 constexpr int sumCount(int order, Outer outer) {
-    const int plain = order == 0 ? sumsOfOrder0 : sumsOfOrder1;
-    if (outer == Outer::None)
-        return plain;
-    return plain + 6 + (order == 0 ? 0 : outer == Outer::Normals ? 18 : 10);
+    return factorCount(order) * monomialCount(outer) + 1;
 }
-constexpr int maxSums = 56; // a multiple of 4 above sumCount(1, Outer::Normals)
-
-/// Entry of a symmetric tensor of order three among its ten: 000 001 002 011 012 022 111 112 122 222.
-constexpr int sym3(int j, int k, int l) {
-    const int ones = (j == 1) + (k == 1) + (l == 1), twos = (j == 2) + (k == 2) + (l == 2);
-    constexpr int place[4][4] = {{0, 2, 5, 9}, {1, 4, 8, 0}, {3, 7, 0, 0}, {6, 0, 0, 0}};
-    return place[ones][twos];
-}
+constexpr int maxSums = 168; // a multiple of 8 that holds sumCount(2, Outer::Normals)
 
 struct KernelInput {
     const float* const* clusters;
@@ -34,9 +35,13 @@ struct KernelInput {
     Weight weight;
     Facing facing;
     float reference[3];
+    float scale;              ///< of supports
+    float inverseSigmaSquare; ///< of Facing::Refit
+    bool interpolating;
 };
 
 /// Sums over all clusters into sums[0, sumCount(order, outer)); returns the number of surfels with weight.
+/// `sums` holds maxSums floats, 64-byte aligned.
 int sumKernel(int order, Outer outer, const KernelInput& in, float* sums);
 
 } // namespace surface
