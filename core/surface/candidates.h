@@ -1,6 +1,6 @@
 // Clusters near a box with their bounds in lanes, so that many positions in the box share one walk of the tree.
 //
-// `select` gives exactly the clusters, in the order, that the tree's own query would: the bits of an evaluation do not
+// `select` gives the clusters in the order of the tree, as the tree's own query does: the bits of an evaluation do not
 // depend on which of the two found them. Used by one thread at a time; its memory is kept between collections.
 #pragma once
 
@@ -13,7 +13,7 @@ class Candidates {
     /// Forgets what was collected.
     void clear() { m_box = {}; }
     /// All clusters that may have weight somewhere in `box`.
-    void collect(const tree::SurfelTree& tree, const base::Box3f& box);
+    void collect(const Surface& surface, const base::Box3f& box);
     bool covers(const base::Vec3f& x) const { return m_box.contains(x); }
     /// Those of them that may have weight at x. REQUIRES: covers(x).
     void select(const base::Vec3f& x, ClusterList& out) const;

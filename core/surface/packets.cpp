@@ -49,7 +49,7 @@ void forPackets(const Surface& surface, std::span<const base::Vec3f> x, float sl
                 const std::function<void(Source&, std::size_t)>& fn) {
     if (x.empty())
         return;
-    const float support = surface.tree().maxSupport();
+    const float support = surface.supportScale() * surface.tree().maxSupport();
     std::vector<std::uint32_t> order;
     if (x.size() > packetSize && meanDiagonal(x) > 4 * coherentReach * support)
         order = mortonOrder(x);

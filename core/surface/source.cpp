@@ -6,15 +6,50 @@ namespace surface {
 
 constexpr float slackOfUnit = 0.3f; ///< steps of projections and rays are mostly shorter
 
+static base::Mat3f rounded(const base::Mat3d& m) {
+    base::Mat3f out;
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 3; ++column)
+            out.m[row][column] = static_cast<float>(m.m[row][column]);
+    return out;
+}
+
+static Evaluationf rounded(const Evaluationd& e) {
+    Evaluationf out;
+    out.status = e.status;
+    out.cause = e.cause;
+    out.samples = e.samples;
+    out.weight = static_cast<float>(e.weight);
+    out.value = static_cast<float>(e.value);
+    out.centroid = base::cast<float>(e.centroid);
+    out.normal = base::cast<float>(e.normal);
+    out.gradient = base::cast<float>(e.gradient);
+    out.hessian = rounded(e.hessian);
+    out.normalGradient = rounded(e.normalGradient);
+    out.offCentre = static_cast<float>(e.offCentre);
+    out.unit = static_cast<float>(e.unit);
+    out.agreement = static_cast<float>(e.agreement);
+    return out;
+}
+
 void Source::gather(const base::Vec3f& x, ClusterList& out) const {
     if (m_candidates.covers(x))
         m_candidates.select(x, out);
     else
-        surface::gather(m_surface.tree(), x, out);
+        surface::gather(m_surface.tree(), x, out, m_surface.supportScale());
 }
 
 void Source::gather(const base::Vec3d& x, ClusterList& out) const {
-    surface::gather(m_surface.tree(), x, out);
+    surface::gather(m_surface.tree(), x, out, m_surface.supportScale());
+}
+
+Evaluationf Source::hessian(const base::Vec3f& x, ClusterSpan clusters, const Hint& hint) const {
+    if (m_surface.effectiveFrame() == Frame::Normals && !m_surface.definition().interpolating)
+        return Assembler<float, 2>(*this, clusters, x, hint).run();
+    ScratchClusters around;
+    const base::Vec3d at = base::cast<double>(x);
+    gather(at, around.list());
+    return rounded(Assembler<double, 2>(*this, around.span(), at, hint).run());
 }
 
 Evaluationf Source::evaluate(const base::Vec3f& x, Need need, const Hint& hint) {
@@ -22,8 +57,9 @@ Evaluationf Source::evaluate(const base::Vec3f& x, Need need, const Hint& hint) 
         expect(base::Box3f{x, x}.inflated(m_slack));
     ScratchClusters clusters;
     gather(x, clusters.list());
-    const Evaluationf out = need == Need::Value ? Assembler<float, 0>(*this, clusters.span(), x, hint).run()
-                                                : Assembler<float, 1>(*this, clusters.span(), x, hint).run();
+    const Evaluationf out = need == Need::Value      ? Assembler<float, 0>(*this, clusters.span(), x, hint).run()
+                            : need == Need::Gradient ? Assembler<float, 1>(*this, clusters.span(), x, hint).run()
+                                                     : hessian(x, clusters.span(), hint);
     if (out.unit > 0)
         m_slack = slackOfUnit * out.unit;
     return out;

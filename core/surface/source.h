@@ -22,7 +22,7 @@ class Source {
 
     const Surface& surface() const { return m_surface; }
     /// Collects for positions in `box` at once.
-    void expect(const base::Box3f& box) { m_candidates.collect(m_surface.tree(), box); }
+    void expect(const base::Box3f& box) { m_candidates.collect(m_surface, box); }
 
     bool covers(const base::Vec3f& x) const { return m_candidates.covers(x); }
 
@@ -33,6 +33,9 @@ class Source {
     void gather(const base::Vec3d& x, ClusterList& out) const;
 
   private:
+    /// In float for summed normals; the other frames go through the reference.
+    Evaluationf hessian(const base::Vec3f& x, ClusterSpan clusters, const Hint& hint) const;
+
     const Surface& m_surface;
     Steps m_steps;
     Candidates m_candidates;

@@ -36,10 +36,10 @@ struct alignas(32) BoundsLanes {
 
     /// Squared distances from x to the boxes.
     void distanceSq(const base::Vec3f& x, float (&out)[laneCount]) const;
-    /// Lanes that may have weight at x: distance(x, box) < maxSupport (alg. 5.1.2).
-    unsigned supporting(const base::Vec3f& x) const;
+    /// Lanes that may have weight at x, supports multiplied by `reach`: distance(x, box) < reach maxSupport (alg. 5.1.2).
+    unsigned supporting(const base::Vec3f& x, float reach = 1) const;
     /// Lanes that may have weight somewhere in `q`.
-    unsigned supporting(const base::Box3f& q) const;
+    unsigned supporting(const base::Box3f& q, float reach = 1) const;
     /// Lanes whose box comes within the root of `radiusSq` of `centre`.
     unsigned within(const base::Vec3f& centre, float radiusSq) const;
     /// Lanes whose surface bound meets the ray, and the intervals in which it does. Unused lanes give no sense: mask.
@@ -85,22 +85,25 @@ inline void BoundsLanes::distanceSq(const base::Vec3f& x, float (&out)[laneCount
     }
 }
 
-inline unsigned BoundsLanes::supporting(const base::Vec3f& x) const {
+inline unsigned BoundsLanes::supporting(const base::Vec3f& x, float reach) const {
     float d[laneCount];
     distanceSq(x, d);
     unsigned mask = 0;
-    for (int i = 0; i < laneCount; ++i)
-        mask |= d[i] < maxSupport[i] * maxSupport[i] ? laneBit[i] : 0;
+    for (int i = 0; i < laneCount; ++i) {
+        const float support = reach * maxSupport[i];
+        mask |= d[i] < support * support ? laneBit[i] : 0;
+    }
     return mask;
 }
 
-inline unsigned BoundsLanes::supporting(const base::Box3f& q) const {
+inline unsigned BoundsLanes::supporting(const base::Box3f& q, float reach) const {
     unsigned mask = 0;
     for (int i = 0; i < laneCount; ++i) {
         const float dx = larger(larger(loX[i] - q.hi.x, q.lo.x - hiX[i]), 0.0f);
         const float dy = larger(larger(loY[i] - q.hi.y, q.lo.y - hiY[i]), 0.0f);
         const float dz = larger(larger(loZ[i] - q.hi.z, q.lo.z - hiZ[i]), 0.0f);
-        mask |= dx * dx + dy * dy + dz * dz < maxSupport[i] * maxSupport[i] ? laneBit[i] : 0;
+        const float support = reach * maxSupport[i];
+        mask |= dx * dx + dy * dy + dz * dz < support * support ? laneBit[i] : 0;
     }
     return mask;
 }

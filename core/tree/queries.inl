@@ -36,20 +36,20 @@ void SurfelTree::forEachBlock(const Fn& fn) const {
 }
 
 template <class Fn>
-void SurfelTree::forClustersInSupport(const base::Vec3f& x, const Fn& fn) const {
+void SurfelTree::forClustersInSupport(const base::Vec3f& x, const Fn& fn, float reach) const {
     if (!m_root)
         return;
-    const auto select = [&](const surfel::BoundsLanes& lanes) { return lanes.supporting(x); };
+    const auto select = [&](const surfel::BoundsLanes& lanes) { return lanes.supporting(x, reach); };
     detail::descend(*m_root, 0, select, [&](std::uint32_t, const surfel::SurfelBlock& block) {
         detail::forLanes(select(block.boundsLanes()), [&](int cluster) { fn(block, cluster); });
     });
 }
 
 template <class Fn>
-void SurfelTree::forClustersInSupport(const base::Box3f& box, const Fn& fn) const {
+void SurfelTree::forClustersInSupport(const base::Box3f& box, const Fn& fn, float reach) const {
     if (!m_root)
         return;
-    const auto select = [&](const surfel::BoundsLanes& lanes) { return lanes.supporting(box); };
+    const auto select = [&](const surfel::BoundsLanes& lanes) { return lanes.supporting(box, reach); };
     detail::descend(*m_root, 0, select, [&](std::uint32_t, const surfel::SurfelBlock& block) {
         detail::forLanes(select(block.boundsLanes()), [&](int cluster) { fn(block, cluster); });
     });

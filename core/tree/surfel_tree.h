@@ -85,12 +85,13 @@ class SurfelTree {
 
     // --- queries; those that call back visit in tree order unless they say otherwise; `block` is a const SurfelBlock&
 
-    /// fn(block, cluster) for every cluster that may have weight at `x` (support query, alg. 5.1.2).
+    /// fn(block, cluster) for every cluster that may have weight at `x` (support query, alg. 5.1.2), supports multiplied
+    /// by `reach`.
     template <class Fn>
-    void forClustersInSupport(const base::Vec3f& x, const Fn& fn) const;
+    void forClustersInSupport(const base::Vec3f& x, const Fn& fn, float reach = 1) const;
     /// fn(block, cluster) for every cluster that may have weight somewhere in `box`; a superset for each x in it.
     template <class Fn>
-    void forClustersInSupport(const base::Box3f& box, const Fn& fn) const;
+    void forClustersInSupport(const base::Box3f& box, const Fn& fn, float reach = 1) const;
     /// fn(blockNumber, block) for every block that has a position within `radius` of `centre`, by its box.
     template <class Fn>
     void forBlocksInBall(const base::Vec3f& centre, float radius, const Fn& fn) const;
