@@ -56,6 +56,7 @@ constexpr FalloffRow rows[] = {
     {Falloff::Sharp, "sharp", "Sharp", sharp, sharpSlope},
     {Falloff::Linear, "linear", "Linear", linear, linearSlope},
     {Falloff::Constant, "constant", "Constant", constant, constantSlope},
+    {Falloff::Custom, "custom", "Custom curve", linear, linearSlope},
 };
 
 std::span<const FalloffRow> falloffTable() {
@@ -92,8 +93,18 @@ static void fill(float plateau, std::span<const float> r, std::span<float> weigh
     }
 }
 
-void weights(Falloff falloff, float plateau, std::span<const float> r, std::span<float> weight,
-             std::span<float> slope) {
+static void fill(const BrushCurve& curve, float plateau, std::span<const float> r, std::span<float> weight,
+                 std::span<float> slope) {
+    const float scale = 1 / (1 - plateau);
+    for (std::size_t i = 0; i < r.size(); ++i) {
+        const float t = std::max(0.0f, (r[i] - plateau) * scale);
+        weight[i] = r[i] < 1 ? curve.value(t) : 0.0f;
+        slope[i] = r[i] < 1 && r[i] > plateau ? curve.slope(t) * scale : 0.0f;
+    }
+}
+
+void weights(Falloff falloff, float plateau, std::span<const float> r, std::span<float> weight, std::span<float> slope,
+             const BrushCurve* curve) {
     switch (falloff) {
     case Falloff::Smooth:
         return fill<smooth, smoothSlope>(plateau, r, weight, slope);
@@ -107,6 +118,8 @@ void weights(Falloff falloff, float plateau, std::span<const float> r, std::span
         return fill<linear, linearSlope>(plateau, r, weight, slope);
     case Falloff::Constant:
         return fill<constant, constantSlope>(plateau, r, weight, slope);
+    case Falloff::Custom:
+        return curve ? fill(*curve, plateau, r, weight, slope) : fill<linear, linearSlope>(plateau, r, weight, slope);
     }
 }
 

@@ -1,13 +1,16 @@
 // How a dab fades from its centre (r = 0, weight 1) to its rim (r = 1, weight 0). One table of curves.
 #pragma once
 
+#include "core/sculpt/brush_curve.h"
+
 #include <span>
 #include <string_view>
 
 namespace sculpt {
 
-enum class Falloff { Smooth, Sphere, Root, Sharp, Linear, Constant };
+enum class Falloff { Smooth, Sphere, Root, Sharp, Linear, Constant, Custom };
 
+/// Of Custom, the curves are those without control points: linear.
 struct FalloffRow {
     Falloff falloff;
     const char* id; ///< as sessions name it: "smooth"
@@ -25,7 +28,9 @@ Falloff falloff(std::string_view id);
 float weight(Falloff falloff, float r);
 
 /// Weights and slopes of many distances r >= 0 at once, the hot loop's form: beyond the rim both are 0. Inside
-/// `plateau` (a part of the radius, below 1) the weight stays 1, and the curve runs from there to the rim.
-void weights(Falloff falloff, float plateau, std::span<const float> r, std::span<float> weight, std::span<float> slope);
+/// `plateau` (a part of the radius, below 1) the weight stays that of the centre, and the curve runs from there to the
+/// rim. `curve`: what Falloff::Custom is; null: its row's.
+void weights(Falloff falloff, float plateau, std::span<const float> r, std::span<float> weight, std::span<float> slope,
+             const BrushCurve* curve = nullptr);
 
 } // namespace sculpt

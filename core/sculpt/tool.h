@@ -8,22 +8,35 @@
 #include "core/surface/surface.h"
 
 #include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 
 namespace sculpt {
 
+class BrushStamp;
+class Connected;
+
 /// One application of a tool at an exact contact. Lengths in model units; directions of unit length.
 struct Dab {
     base::Vec3f centre;     ///< on the surface of the version that the stroke works on
     base::Vec3f normal;     ///< unit gradient there, facing the viewer
-    base::Vec3f areaNormal; ///< mean of the surfels' normals under the inner half of the brush, facing the viewer
-    base::Vec3f areaCentre; ///< mean of those surfels' positions
+    base::Vec3f areaNormal; ///< mean of the surfels' normals in the stroke's area of the normal, facing the viewer
+    base::Vec3f areaCentre; ///< mean of the surfels' positions in the stroke's area of the plane
     base::Vec3f view;       ///< direction of the ray
     base::Vec3f move;       ///< from here to the place of the next dab (Motion::Drag); zero otherwise
+    base::Vec3f travel;     ///< from the dab before to this one; zero for a stroke's first
     float radius = 0;
     float strength = 0; ///< 0 to 1, pressure and symmetry included; negative when inverted
     Falloff falloff = Falloff::Smooth;
+    std::shared_ptr<const BrushCurve> curve; ///< of Falloff::Custom
+    // What brush_factors.h multiplies by, for every tool alike.
+    bool oriented = true;                       ///< normals have meaningful signs
+    bool frontFacing = false;                   ///< only what faces the viewer
+    std::shared_ptr<const Connected> connected; ///< only these surfels of the version; null: all
+    std::shared_ptr<const BrushStamp> stamp;    ///< null: none
+    int stampLevel = 0;
+    base::Vec3f stampRight, stampUp;          ///< its axes, at right angles to areaNormal
     std::map<std::string, double> parameters; ///< the tool's own, complete with defaults
     float parameter(const char* id) const { return static_cast<float>(parameters.at(id)); }
 };

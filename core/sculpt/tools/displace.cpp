@@ -23,7 +23,7 @@ void Brush::place(const surfel::SurfelBlock& block, int cluster, BrushLanes& out
 
 void Brush::fade(const BrushLanes& at, float* weight, float* gradient) const {
     alignas(64) float slope[lanes];
-    weights(falloff, plateau, at.r, {weight, lanes}, slope);
+    weights(falloff, plateau, at.r, {weight, lanes}, slope, curve.get());
     const float scale = 1 / (radius * radius); // w'(r)/R u = w'(r)/(r R^2) (p - centre)
     for (std::size_t i = 0; i < lanes; ++i)
         gradient[i] = at.r[i] > 1e-12f ? slope[i] / at.r[i] * scale : 0.0f;

@@ -1,6 +1,7 @@
 // The loop that tools share: every surfel under the brush is carried along one direction by an amount that varies.
 //
-//     p' = p + (1 - mask) a(p) d                       d the dab's direction, a(p) the tool's amount
+//     p' = p + (1 - mask) a(p) d                       d the dab's direction, a(p) the tool's amount, times what
+//                                                      brush_factors.h has: front-facing, connected, stamp
 //     n' ~ cof(F) n = (1 + g.d) n - (d.n) g            F = I + d g^T,  g = (1 - mask) grad a
 //
 // The Jacobian of such a displacement has rank one, so that its cofactor matrix, which maps normals, needs no matrix.
@@ -11,7 +12,7 @@
 // Blocks are done in parallel and returned in tree order.
 #pragma once
 
-#include "core/sculpt/tool.h"
+#include "core/sculpt/brush_factors.h"
 
 namespace sculpt {
 
@@ -34,9 +35,12 @@ struct Brush {
     base::Vec3f centre;
     float radius = 0;
     Falloff falloff = Falloff::Smooth;
-    float plateau = 0; ///< part of the radius in which the weight is 1
+    float plateau = 0;                       ///< part of the radius in which the weight is 1
+    std::shared_ptr<const BrushCurve> curve; ///< of Falloff::Custom
+    BrushFactors factors; ///< what multiplies weights further; `displace` does it, loops of a tool's own must
 
-    explicit Brush(const Dab& dab) : centre(dab.centre), radius(dab.radius), falloff(dab.falloff) {}
+    explicit Brush(const Dab& dab)
+        : centre(dab.centre), radius(dab.radius), falloff(dab.falloff), curve(dab.curve), factors(dab) {}
     /// Places of a cluster's slots.
     void place(const surfel::SurfelBlock& block, int cluster, BrushLanes& out) const;
     /// Weight w(r) and the factor k of its gradient grad w = k (p - centre).
@@ -73,6 +77,7 @@ tree::Edit displace(const tree::SurfelTree& tree, const Brush& brush, const base
                                     continue;
                                 brush.place(*in.block, cluster, at);
                                 field(static_cast<const BrushLanes&>(at), by);
+                                brush.factors.multiply(in.number, *in.block, cluster, by.amount, by.gx, by.gy, by.gz);
                                 carry(*in.block, cluster, direction, by, changed);
                             }
                             if (changed)

@@ -28,6 +28,7 @@ Touched touched(const std::vector<BrushBlock>& blocks, const Brush& brush, float
                 continue;
             brush.place(*in.block, cluster, at);
             brush.fade(at, weight, gradient);
+            brush.factors.multiply(in.number, *in.block, cluster, weight);
             for (int lane = 0; lane < surfel::clusterSize; ++lane) {
                 const int slot = cluster * surfel::clusterSize + lane;
                 const float share = strength * weight[lane];
