@@ -4,6 +4,7 @@
 #include "app/subcommand.h"
 #include "app/surface_options.h"
 #include "core/io/safe_file.h"
+#include "core/process/curve_tube.h"
 #include "ui/render/image_io.h"
 #include "ui/render/picture.h"
 
@@ -79,7 +80,7 @@ void run(Options options, Console& console) {
     options.picture.rayCast = options.mode == "raycast";
     options.picture.style.shading = render::shading(options.shading);
     openModel(context, options.model, options.surface->parameters(), console);
-    const surface::Surface& surface = document.surface();
+    const surface::Surface surface = process::shownAs(document.surface(), progress);
     const render::Camera camera = cameraOf(options, surface.tree(), document.provenance().origin);
     render::PictureStats stats;
     const render::Image image = render::drawPicture(surface, camera, options.picture, stats, progress);

@@ -5,6 +5,7 @@
 #include "app/subcommand.h"
 #include "core/base/error.h"
 #include "core/io/safe_file.h"
+#include "core/process/curve_tube.h"
 #include "core/session/journal.h"
 #include "core/session/session_file.h"
 #include "ui/render/image_io.h"
@@ -68,7 +69,7 @@ ordered_json timingOf(const session::LineReport& report) {
 }
 
 void savePicture(const session::Document& document, const std::string& path, const base::Progress& progress) {
-    const surface::Surface& surface = document.surface();
+    const surface::Surface surface = process::shownAs(document.surface(), progress);
     if (surface.tree().empty())
         throw base::Error("there is no model to draw", path, "open one in the session or with --model");
     render::PictureStats stats;

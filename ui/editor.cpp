@@ -110,6 +110,7 @@ void Editor::Model::publishDocument() {
 void Editor::Model::publishStroke() {
     Snapshot out = shown;
     out.surface = stroke->surface();
+    out.surfels = out.surface.tree().size();
     out.dabSeconds = dabSeconds;
     publish(std::move(out));
 }

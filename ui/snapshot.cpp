@@ -1,5 +1,6 @@
 #include "ui/snapshot.h"
 
+#include "core/process/curve_tube.h"
 #include "core/process/spacing_sample.h"
 #include "ui/render/splat_scale.h"
 
@@ -7,7 +8,8 @@ namespace ui {
 
 Snapshot snapshotOf(const session::Document& document) {
     Snapshot out;
-    out.surface = document.surface();
+    out.surface = process::shownAs(document.surface());
+    out.surfels = document.surface().tree().size();
     out.path = document.provenance().path;
     out.origin = document.provenance().origin;
     out.modified = document.modified();
@@ -20,7 +22,7 @@ Snapshot snapshotOf(const session::Document& document) {
     out.modelBytes = document.surface().tree().bytes();
     out.historyBytes = document.historyBytes();
     out.spacing = process::typicalSpacing(document.surface().tree());
-    out.splatScale = render::splatScaleOf(document.surface().tree());
+    out.splatScale = render::splatScaleOf(out.surface.tree());
     return out;
 }
 

@@ -6,7 +6,8 @@
 namespace ui {
 
 struct Snapshot {
-    surface::Surface surface; ///< with the dabs of a stroke in progress
+    surface::Surface surface; ///< with the dabs of a stroke in progress; of a curve, the tube around it
+    std::size_t surfels = 0;  ///< of the model
     std::filesystem::path path;
     base::Vec3d origin;
     bool modified = false;

@@ -57,7 +57,7 @@ static QString milliseconds(double seconds) {
 void StatusLine::showModel(const Snapshot& snapshot) {
     for (QLabel* label : {m_surfels, m_memory, m_spacing})
         label->setVisible(!snapshot.surface.tree().empty());
-    m_surfels->setText(tr("%1 surfels").arg(QLocale::c().toString(qulonglong(snapshot.surface.tree().size()))));
+    m_surfels->setText(tr("%1 surfels").arg(QLocale::c().toString(qulonglong(snapshot.surfels))));
     m_memory->setText(tr("%1 + %2").arg(bytesText(snapshot.modelBytes), bytesText(snapshot.historyBytes)));
     m_spacing->setText(tr("spacing %1").arg(static_cast<double>(snapshot.spacing), 0, 'g', 3));
     m_dab->setVisible(snapshot.dabSeconds > 0);

@@ -19,6 +19,8 @@ using surface::Boundary;
 using surface::SurfaceDefinition;
 
 constexpr int orientNeighbours = 12;
+/// Of h: a curve ends at 3/14 h (alg. 0); uneven spacing alone stays below this.
+constexpr float curveLimit = 0.3f;
 
 void dropNonFinite(surfel::SurfelList& points) {
     const std::size_t words = points.layout->words();
@@ -111,6 +113,8 @@ void prepareNormals(surfel::SurfelList& points, LazyCloud& cloud, const SurfaceD
         for (surfel::Surfel& s : points.items)
             s.normal = {};
     makeUnit(points);
+    if (definition.manifold == surface::Manifold::Curve)
+        return; // what there is are tangents, and curves do without
     const bool oriented = points.layout->oriented || !declared;
     if (!std::all_of(points.items.begin(), points.items.end(), hasNormal))
         completeNormals(points, *cloud, part(progress, 0, 0.7));
@@ -136,8 +140,10 @@ void prepareSupports(surfel::SurfelList& points, LazyCloud& cloud, const Prepare
 surface::Surface withLimit(tree::SurfelTree tree, SurfaceDefinition definition, const base::Progress& progress) {
     if (definition.boundary != Boundary::Limit)
         definition.boundaryLimit = std::numeric_limits<float>::infinity();
+    if (definition.boundary == Boundary::Auto && definition.manifold == surface::Manifold::Curve)
+        definition.boundaryLimit = curveLimit;
     surface::Surface out(std::move(tree), definition);
-    if (definition.boundary != Boundary::Auto)
+    if (definition.boundary != Boundary::Auto || definition.manifold == surface::Manifold::Curve)
         return out;
     definition.boundaryLimit = automaticBoundaryLimit(out, progress);
     return {out.tree(), definition};

@@ -61,12 +61,43 @@ surfel::SurfelList makeClay(std::size_t count, std::uint64_t) {
     return sampleBlock({}, count);
 }
 
+/// A wire wound twelve times around a ring, at equal arc lengths, thicker on one side: `radius` beside each point.
+surfel::SurfelList makeCoil(std::size_t count, std::uint64_t) {
+    constexpr int fine = 1 << 15;
+    const auto at = [](double t) {
+        const double ring = 0.65 + 0.25 * std::cos(12 * t);
+        return base::Vec3d{ring * std::cos(t), 0.25 * std::sin(12 * t), ring * std::sin(t)};
+    };
+    std::vector<double> arc(fine + 1);
+    for (int i = 0; i < fine; ++i)
+        arc[i + 1] = arc[i] + distance(at(2 * std::numbers::pi * i / fine), at(2 * std::numbers::pi * (i + 1) / fine));
+    surfel::SurfelList out;
+    auto layout = std::make_shared<surfel::AttributeLayout>();
+    layout->add("radius", surfel::ScalarType::Float32);
+    out.layout = layout;
+    out.items.resize(count);
+    out.extra.resize(count * layout->words());
+    int step = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double length = arc.back() * static_cast<double>(i) / static_cast<double>(count);
+        while (arc[step + 1] <= length)
+            ++step;
+        const double t = 2 * std::numbers::pi * (step + (length - arc[step]) / (arc[step + 1] - arc[step])) / fine;
+        out.items[i].position = base::cast<float>(at(t));
+        write(*layout->find("radius"), std::span(out.extra).subspan(i * layout->words(), layout->words()),
+              0.03 + 0.015 * std::cos(t));
+    }
+    return out;
+}
+
 constexpr SampleRow table[] = {
     {"sphere", "Sphere", "A ball of clay, evenly sampled", makeSphere, 40000},
     {"torus", "Torus", "A ring", makeTorus, 40000},
     {"knot", "Knot", "A trefoil knot", makeKnot, 40000},
     {"clay", "Block of clay", "A block with rounded edges, to start sculpting from", makeClay, 60000},
     {"scan", "Simulated scan", "Raw points of a figure: several views, noise, holes, no normals", simulateScan, 60000},
+    {"coil", "Coil", "A curve in space with a radius per point: a wound wire", makeCoil, 2000,
+     surface::Manifold::Curve},
 };
 
 } // namespace

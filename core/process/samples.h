@@ -1,7 +1,9 @@
 // Sample models made by code, so that the program ships nobody's data: one table that menus, command line, tests and
-// pictures loop over. All have outward normals unless they simulate a raw scan. Same bits for the same parameters.
+// pictures loop over. All surfaces have outward normals unless they simulate a raw scan. Same bits for the same
+// parameters.
 #pragma once
 
+#include "core/surface/definition.h"
 #include "core/surfel/surfel.h"
 
 #include <string_view>
@@ -9,11 +11,12 @@
 namespace process {
 
 struct SampleRow {
-    const char* id;    ///< "sphere", "torus", "knot", "clay", "scan"
+    const char* id;    ///< "sphere", "torus", "knot", "clay", "scan", "coil"
     const char* label; ///< as a menu shows it
     const char* tip;
     surfel::SurfelList (*make)(std::size_t count, std::uint64_t seed);
-    std::size_t count; ///< surfels where nobody asks for another number
+    std::size_t count;                                       ///< surfels where nobody asks for another number
+    surface::Manifold manifold = surface::Manifold::Surface; ///< what they sample
 };
 
 std::span<const SampleRow> sampleTable();

@@ -1,5 +1,6 @@
 #include "core/session/live_stroke.h"
 
+#include "core/base/error.h"
 #include "core/session/commands.h"
 #include "core/session/journal.h"
 #include "core/session/stroke_json.h"
@@ -11,6 +12,9 @@ namespace session {
 static surface::Surface startOf(const Context& context, const sculpt::StrokeSettings& settings) {
     requireModel(context);
     sculpt::check(settings);
+    if (context.document.surface().definition().manifold == surface::Manifold::Curve)
+        throw base::Error("the model is a curve, which has nothing to sculpt", {},
+                          "set the surface option manifold to surface");
     return context.document.surface();
 }
 

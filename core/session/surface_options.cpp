@@ -58,6 +58,11 @@ SurfaceChange changed(const surface::SurfaceDefinition& base, const json& comple
             surface::setOption(out.definition, p.id, textOf(complete[p.id]));
     if (neighbours)
         out.definition.support = 0;
+    const surface::Frame frame = out.definition.frame;
+    if (out.definition.manifold == surface::Manifold::Curve &&
+        (frame == surface::Frame::Apss || frame == surface::Frame::Rimls))
+        throw base::Error("the frame " + std::string(surface::nameOf(frame)) + " defines surfaces, not curves", {},
+                          "choose covariance, covariance-at-centroid, centroid-gradient or hyperplanes");
     out.newSupports = support || neighbours || out.definition.weight != base.weight;
     return out;
 }
