@@ -1,9 +1,18 @@
-// Ray and surface (alg. 3.2): exact first hit by plane iteration inside the surface bounds, with marching as fallback.
+// Rays and the surface (alg. 3.2): the first hit, all hits along the ray, or whether there is any.
 //
-// The clusters' surface bounds are visited front to back; in each merged interval the iteration intersects the ray with
-// the plane at the current point until it stands still. Near silhouettes, and wherever the iteration leaves its
-// interval or a root might lie before the one it found, the interval is marched with the sign of the frame transported
-// along. A root counts where the frame is valid, o <= limit and the slope n.g is at least `minSlope`.
+// Two policies. `fast` finds the nearest oriented disc along the ray (disc_kernel.h), iterates planes from there to the
+// root, and marches around whatever makes that beginning doubtful: grazing rays, near sheets, rims, failing frames.
+// `robust` marches through all surface bounds, front to back, with the sign of the frame transported along the ray.
+// Surfels without oriented normals have no discs to trust: their bounds are walked by either policy, with planes and
+// sphere tracing in the fast one.
+//
+//     intersect.h     what callers see            ray_policy.h         fast and robust, first, any and all
+//     ray_probe.h     f along one ray             surface_intervals.h  where on the ray surface may be
+//     ray_roots.h     from near a root to it      ray_march.h          the first root in an interval
+//     ray_accept.h    which roots are surface     disc_kernel.h        nearest disc
+//
+// A root counts where the frame is valid, o <= limit and the slope n.g is at least `minSlope`. Curves have no hits.
+// Everything is const and may run on any thread; a ray gives the same bits alone and in any batch.
 #pragma once
 
 #include "core/surface/surface.h"
@@ -22,19 +31,40 @@ struct RayHit {
     base::Vec3<T> outward; ///< unit gradient with the frame's own sign
     T unit = 0;            ///< h at the hit
     T agreement = 0;
-    int evaluations = 0; ///< of f, spent on this ray
+    int evaluations = 0; ///< of f, spent on this ray (of all hits: since the hit before)
 };
 
 struct IntersectOptions {
     float tMin = 0; ///< hits closer than this are passed over
     float tMax = std::numeric_limits<float>::infinity();
-    bool robust = false; ///< march always, never trust the iteration
+    bool robust = false; ///< march always, never trust discs or planes
+    /// How far from the root a hit may be, in units of h; 0: as close as the precision allows. 1e-3 is for pictures.
+    double tolerance = 0;
 };
+
+/// Of the spacing: roots this close behind the start of a secondary ray, or behind another root, are that same place.
+constexpr double secondaryEpsilon = 1e-3;
 
 RayHit<float> intersect(const Surface& surface, const base::Rayf& ray, const IntersectOptions& options = {});
 RayHit<double> intersectReference(const Surface& surface, const base::Rayd& ray, const IntersectOptions& options = {});
-/// Many rays in parallel; the same bits as one by one.
+/// Many rays in parallel, best when neighbours in the list are neighbours in space.
 void intersect(const Surface& surface, std::span<const base::Rayf> rays, const IntersectOptions& options,
                std::span<RayHit<float>> out);
+
+/// All hits in [tMin, tMax], nearest first.
+std::vector<RayHit<float>> intersectAll(const Surface& surface, const base::Rayf& ray,
+                                        const IntersectOptions& options = {});
+std::vector<RayHit<double>> intersectAllReference(const Surface& surface, const base::Rayd& ray,
+                                                  const IntersectOptions& options = {});
+void intersectAll(const Surface& surface, std::span<const base::Rayf> rays, const IntersectOptions& options,
+                  std::span<std::vector<RayHit<float>>> out);
+
+/// Does the ray meet the surface? For shadows: the place of the hit is not refined, and a start on the surface is no
+/// hit, nor is what lies within `secondaryEpsilon` of it.
+bool intersectAny(const Surface& surface, const base::Rayf& ray, const IntersectOptions& options = {});
+bool intersectAnyReference(const Surface& surface, const base::Rayd& ray, const IntersectOptions& options = {});
+/// 1 for rays that hit, 0 for others.
+void intersectAny(const Surface& surface, std::span<const base::Rayf> rays, const IntersectOptions& options,
+                  std::span<std::uint8_t> out);
 
 } // namespace surface

@@ -1,0 +1,42 @@
+// Which roots are surface (alg. 3.2.2), and what a hit tells. Internal to the room.
+#pragma once
+
+#include "core/surface/ray_probe.h"
+
+#include <optional>
+
+namespace surface {
+
+/// Is the frame valid there, o within the limit, and f steep enough along its own normal (alg. 2.4, test 4)?
+template <class T>
+bool isSurface(const Evaluation<T>& at) {
+    return at.ok() && dot(at.normal, at.gradient) >= static_cast<T>(minSlope);
+}
+
+/// The hit at t with what an evaluation at most a tolerance away tells.
+template <class T>
+RayHit<T> hitAt(RayProbe<T>& probe, double t, const Evaluation<T>& at, const base::Vec3<T>& gradient) {
+    RayHit<T> out;
+    out.hit = true;
+    out.t = static_cast<T>(t);
+    out.position = base::cast<T>(probe.position(t));
+    out.outward = base::normalized(gradient);
+    out.normal = dot(out.outward, base::cast<T>(probe.direction())) > T(0) ? -out.outward : out.outward;
+    out.unit = at.unit;
+    out.agreement = at.agreement;
+    out.evaluations = probe.takeEvaluations();
+    return out;
+}
+
+/// The root at t, if it is surface in [tMin, tMax] and no jump of f.
+template <class T>
+std::optional<RayHit<T>> accept(RayProbe<T>& probe, double t) {
+    if (t < double(probe.options().tMin) || t > double(probe.options().tMax))
+        return std::nullopt;
+    const Evaluation<T> at = probe.sample(t, Need::Gradient).at;
+    if (!isSurface(at) || std::abs(double(at.value)) > 10 * probe.tolerance(at, t))
+        return std::nullopt;
+    return hitAt(probe, t, at, at.gradient);
+}
+
+} // namespace surface

@@ -1,0 +1,129 @@
+// The first root in an interval of a ray: marching with transported sign (alg. 3.2.4), in the fast policy with sphere
+// tracing (3.2.3) and plane iteration. Internal to the room.
+#pragma once
+
+#include "core/surface/ray_roots.h"
+
+namespace surface {
+
+/// What a march trusts besides its steps, and what it is asked for.
+struct MarchOptions {
+    bool trace = false; ///< take |f| for a distance and planes for the surface
+    bool refine = true; ///< else a sign change is enough, and hits are no closer than a step
+};
+
+template <class T>
+class RayMarch {
+  public:
+    RayMarch(RayProbe<T>& probe, const MarchOptions& options) : m_probe(probe), m_options(options) {}
+
+    /// The first hit in [begin, end]. `unit` is the least h met there. Of a ray `leaving` the surface at `begin` the
+    /// start counts as being on the side that the ray goes to.
+    std::optional<RayHit<T>> first(double begin, double end, double unit, bool leaving = false) {
+        m_unit = unit;
+        m_probe.expect(end, unit);
+        RaySample<T> last = m_probe.sample(begin);
+        bool iterate = m_options.trace;
+        if (leaving && departs(last))
+            iterate = false;
+        for (;;) {
+            if (iterate && last.usable())
+                if (const auto root = planeIteration(m_probe, last, end))
+                    if (const auto hit = accept(m_probe, *root))
+                        return hit;
+            iterate = m_options.trace;
+            if (last.t >= end)
+                return std::nullopt;
+            const double t = std::min(last.t + stepAfter(last, end - begin), end);
+            const RaySample<T> next = m_probe.sampleBeside(last, t);
+            if (const auto hit = between(last, next, splits))
+                return hit;
+            last = next;
+        }
+    }
+
+  private:
+    static constexpr int splits = 4;
+    static constexpr double steadyCosine = 0.7; ///< unoriented normals must agree this well to carry a sign across
+
+    /// A start on the surface gets the sign of the side that the ray goes to.
+    bool departs(RaySample<T>& s) const {
+        const double epsilon = secondaryEpsilon * spacingOfUnit * double(s.at.unit);
+        if (!s.usable() || std::abs(s.f()) > epsilon)
+            return false;
+        s.at.value = static_cast<T>(std::copysign(epsilon, s.slope(m_probe.direction()))) * s.sign;
+        return true;
+    }
+
+    double stepAfter(const RaySample<T>& last, double span) const {
+        constexpr double outside = 0.25;     // of h: the bounds end 0.3 h before all weight does
+        constexpr double march = 1.0 / 14;   // of h: a quarter of the spacing
+        constexpr double traceFactor = 0.85; // |g| stays below 1.05 up to 0.7 h: never jumps a root (alg. 3.2.3)
+        if (last.at.status == Status::Outside)
+            return outside * m_unit;
+        const double unit = last.at.unit > T(0) ? double(last.at.unit) : m_unit;
+        const double step = std::min(march * unit, std::max(span / 4, 1e-6 * unit));
+        return m_options.trace && last.usable() ? std::max(step, traceFactor * std::abs(last.f())) : step;
+    }
+
+    /// The first hit between two samples, splitting where the frame fails or turns too fast, or f may dip to zero.
+    std::optional<RayHit<T>> between(const RaySample<T>& a, const RaySample<T>& b, int levels) {
+        if (!a.usable() || !b.usable()) {
+            const bool fails =
+                (a.usable() || b.usable()) && a.at.status != Status::Outside && b.at.status != Status::Outside;
+            return fails && levels > 0 ? split(a, b, 0.5 * (a.t + b.t), levels) : std::nullopt;
+        }
+        if (!m_probe.oriented() && levels > 0 && std::abs(double(dot(a.at.normal, b.at.normal))) < steadyCosine)
+            return split(a, b, 0.5 * (a.t + b.t), levels);
+        if ((a.f() < 0) != (b.f() < 0))
+            return m_options.refine ? refined(a, b) : crossed(a, b);
+        if (const auto lowest = dip(a, b); lowest && levels > 0)
+            return split(a, b, *lowest, levels);
+        return std::nullopt;
+    }
+
+    std::optional<RayHit<T>> split(const RaySample<T>& a, const RaySample<T>& b, double t, int levels) {
+        const RaySample<T> middle = m_probe.sampleBeside(a.usable() ? a : b, t);
+        if (const auto hit = between(a, middle, levels - 1))
+            return hit;
+        RaySample<T> after = b;
+        m_probe.align(middle, after);
+        return between(middle, after, levels - 1);
+    }
+
+    /// Where two samples on one side slope towards a zero between them: the ray may pass through a sheet and out again.
+    std::optional<double> dip(const RaySample<T>& a, const RaySample<T>& b) const {
+        const double side = a.f() < 0 ? -1 : 1, fa = side * a.f(), fb = side * b.f();
+        const double down = -side * a.slope(m_probe.direction()), up = side * b.slope(m_probe.direction());
+        if (!(down > 0 && up > 0))
+            return std::nullopt;
+        // where the two tangents meet
+        const double span = b.t - a.t, x = (fa - fb + up * span) / (down + up);
+        if (!(x > 0 && x < span) || fa - down * x >= 0)
+            return std::nullopt;
+        return a.t + x;
+    }
+
+    std::optional<RayHit<T>> refined(const RaySample<T>& a, const RaySample<T>& b) {
+        const auto root = bracketed(m_probe, a, b);
+        return root ? accept(m_probe, *root) : std::nullopt;
+    }
+
+    /// The linear estimate, if the surface is there.
+    std::optional<RayHit<T>> crossed(const RaySample<T>& a, const RaySample<T>& b) {
+        const double t = a.t + (b.t - a.t) * a.f() / (a.f() - b.f());
+        const Evaluation<T> at = m_probe.sample(t, Need::Gradient).at;
+        // a jump of f keeps a value on both sides; a root has none half-way
+        if (!isSurface(at) || std::abs(double(at.value)) > 0.5 * std::max(std::abs(a.f()), std::abs(b.f())))
+            return refined(a, b);
+        if (t < double(m_probe.options().tMin) || t > double(m_probe.options().tMax))
+            return std::nullopt;
+        return hitAt(m_probe, t, at, at.gradient);
+    }
+
+    RayProbe<T>& m_probe;
+    MarchOptions m_options;
+    double m_unit = 0;
+};
+
+} // namespace surface

@@ -1,0 +1,100 @@
+// From near a root of f along a ray to the root itself: by slopes from a good guess, by planes from a sample close to
+// the surface, by false position between two signs. Internal to the room.
+#pragma once
+
+#include "core/surface/ray_accept.h"
+
+namespace surface {
+
+/// Newton's method along the ray from the first guess: t -= f / (g.d). The step's own error, step^2 |d.H.d| / 2 |g.d|
+/// with the derivative of n standing in for H, tells when no further evaluation is needed. Nothing where the ray
+/// grazes, the root is not near the guess or not surface, or it is no root that a ray meets from `side`, the sign of
+/// n.d at the disc.
+template <class T>
+std::optional<RayHit<T>> polished(RayProbe<T>& probe, double guess, double side) {
+    constexpr double steep = 0.1, reach = 0.3; // least |n.d|; of h
+    constexpr double leastBend = 0.05;         // times 1 / h: what the derivative of n may not tell
+    double t = guess;
+    for (int i = 0; i < 6; ++i) {
+        const Evaluation<T> at = probe.guess(t).at;
+        if (!isSurface(at))
+            return std::nullopt;
+        const base::Vec3d& d = probe.direction();
+        const base::Vec3d g = base::cast<double>(at.gradient);
+        const double unit = double(at.unit), slope = dot(g, d);
+        if (std::abs(slope) < steep || slope * side < 0)
+            return std::nullopt;
+        const double step = -double(at.value) / slope;
+        if (std::abs(t + step - guess) > reach * unit)
+            return std::nullopt;
+        t += step;
+        const base::Vec3d turn = base::cast<double>(at.normalGradient * base::cast<T>(d));
+        const double bend = std::max(std::abs(dot(turn, d)), leastBend / unit);
+        const bool small = std::abs(step) <= 1e-2 * unit || i > 2;
+        if (small && step * step * bend <= std::abs(slope) * probe.tolerance(at, t)) {
+            if (t < double(probe.options().tMin) || t > double(probe.options().tMax))
+                return std::nullopt;
+            return hitAt(probe, t, at, at.gradient + base::cast<T>(turn * step));
+        }
+    }
+    return std::nullopt;
+}
+
+/// Plane iteration (alg. 3.2.2) from a sample within the band where |f| bounds the distance, on a ray that does not
+/// graze: exact in a few steps, and at the first root.
+template <class T>
+std::optional<double> planeIteration(RayProbe<T>& probe, const RaySample<T>& start, double end) {
+    constexpr double band = 0.5, steep = 0.25; // of h; least |n.d|
+    if (std::abs(start.f()) > band * double(start.at.unit))
+        return std::nullopt;
+    RaySample<T> s = start;
+    double furthest = end;
+    for (int i = 0; i < 12; ++i) {
+        const double slope = s.slope(probe.direction());
+        // the root that comes first is met from the side where the start lies
+        if (std::abs(slope) < steep || slope * start.f() > 0)
+            return std::nullopt;
+        const double step = -s.f() / slope, t = s.t + step, still = probe.tolerance(s.at, s.t);
+        if (i == 0)
+            furthest = std::min(end, start.t + 1.5 * step) + still;
+        if (t < start.t - still || t > furthest)
+            return std::nullopt;
+        if (std::abs(step) <= still)
+            return t;
+        s = probe.sampleBeside(s, t);
+        if (!s.usable())
+            return std::nullopt;
+    }
+    return std::nullopt;
+}
+
+/// Illinois' false position on the transported f. Nothing where the frame fails inside. REQUIRES: different signs.
+template <class T>
+std::optional<double> bracketed(RayProbe<T>& probe, RaySample<T> a, RaySample<T> b) {
+    constexpr int refinements = 60;
+    double fa = a.f(), fb = b.f();
+    int moved = 0; // the end that moved last: -1 a, 1 b
+    for (int i = 0; i < refinements; ++i) {
+        double t = a.t + (b.t - a.t) * fa / (fa - fb);
+        if (!(t > a.t && t < b.t))
+            t = 0.5 * (a.t + b.t);
+        const RaySample<T> c = probe.sampleBeside(a, t);
+        if (!c.usable())
+            return std::nullopt;
+        const double fc = c.f(), still = probe.tolerance(c.at, t);
+        if (std::abs(fc) <= 0.1 * still || b.t - a.t <= still)
+            return t;
+        if ((fc < 0) == (fa < 0)) {
+            a = c, fa = fc;
+            fb *= moved == -1 ? 0.5 : 1;
+            moved = -1;
+        } else {
+            b = c, fb = fc;
+            fa *= moved == 1 ? 0.5 : 1;
+            moved = 1;
+        }
+    }
+    return std::nullopt;
+}
+
+} // namespace surface
