@@ -4,11 +4,13 @@
 //     Stroke --ray--> contact --Dab--> ToolRow::apply(version, dab) --Edit--> SurfelTree::apply --> next version
 #pragma once
 
+#include "core/base/mat3.h"
 #include "core/sculpt/falloff.h"
 #include "core/surface/surface.h"
 
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -17,17 +19,30 @@ namespace sculpt {
 class BrushStamp;
 class Connected;
 
+/// A dab that a stroke has done, as later dabs of the stroke remember it.
+struct PastDab {
+    base::Vec3f centre;
+    float radius, strength;
+};
+
 /// One application of a tool at an exact contact. Lengths in model units; directions of unit length.
 struct Dab {
-    base::Vec3f centre;     ///< on the surface of the version that the stroke works on
-    base::Vec3f normal;     ///< unit gradient there, facing the viewer
-    base::Vec3f areaNormal; ///< mean of the surfels' normals in the stroke's area of the normal, facing the viewer
-    base::Vec3f areaCentre; ///< mean of the surfels' positions in the stroke's area of the plane
-    base::Vec3f view;       ///< direction of the ray
-    base::Vec3f move;       ///< from here to the place of the next dab (Motion::Drag); zero otherwise
-    base::Vec3f travel;     ///< from the dab before to this one; zero for a stroke's first
+    base::Vec3f centre;       ///< on the surface of the version that the stroke works on
+    base::Vec3f normal;       ///< unit gradient there, facing the viewer
+    base::Vec3f areaNormal;   ///< mean of the surfels' normals in the stroke's area of the normal, facing the viewer
+    base::Vec3f areaCentre;   ///< mean of the surfels' positions in the stroke's area of the plane
+    base::Vec3f view;         ///< direction of the ray
+    base::Vec3f move;         ///< from here to the place of the next dab (Motion::Drag); zero otherwise
+    base::Vec3f travel;       ///< from the dab before to this one; zero for a stroke's first
+    float angle = 0;          ///< by how much the pointer turned about the contact (Motion::Turn), about areaNormal
+    base::Vec3f anchor;       ///< the stroke's first contact, of the same image as this dab
+    base::Vec3f anchorNormal; ///< the area normal there
+    base::Mat3f image = base::Mat3f::identity(); ///< what symmetry did to directions
+    const surface::Surface* first = nullptr;     ///< the version that the stroke began on; null: the present one
+    std::span<const PastDab> past;               ///< the stroke's dabs so far, all images, oldest first
     float radius = 0;
-    float strength = 0; ///< 0 to 1, pressure and symmetry included; negative when inverted
+    float strength = 0;      ///< 0 to 1, pressure and symmetry included; negative when inverted
+    bool footprints = false; ///< supports follow the stretch: where no resampling ties them to the target spacing
     Falloff falloff = Falloff::Smooth;
     std::shared_ptr<const BrushCurve> curve; ///< of Falloff::Custom
     // What brush_factors.h multiplies by, for every tool alike.
@@ -53,7 +68,17 @@ struct ToolParameter {
 /// How dabs follow the pointer.
 enum class Motion {
     Along, ///< a dab at every contact along the stroke, spaced by a part of the radius
-    Drag   ///< the first contact is held and carried in the plane that faces the viewer
+    Drag,  ///< the first contact is held and carried in the plane that faces the viewer
+    Turn   ///< the first contact is held; the pointer turns about it, seen along the first ray
+};
+
+/// What a tool may change.
+enum class Writes {
+    Shape,   ///< positions, normals and supports, by a formula in space
+    Surface, ///< the same, by what the surface is: neighbours have a say
+    Mask,
+    Colour,
+    Count ///< surfels go or come, and what they leave is evened out
 };
 
 struct ToolRow {
@@ -68,6 +93,7 @@ struct ToolRow {
     /// What the dab does to the surfels: positions and normals changed by its formula (told in the tool's header).
     /// Blocks in which nothing moves do not appear; what does not move keeps its bits. In parallel, deterministic.
     tree::Edit (*apply)(const surface::Surface& version, const Dab& dab);
+    Writes writes = Writes::Shape;
 };
 
 std::span<const ToolRow> toolTable();

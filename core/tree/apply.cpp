@@ -171,6 +171,7 @@ Rebuilt Application::assemble(const Node& node, std::uint32_t first) {
 SurfelTree SurfelTree::apply(const Edit& edit) const {
     if (edit.empty())
         return *this;
+    assert(!edit.layout || edit.layout->words() == m_layout->words());
     const std::size_t words = m_layout->words();
     if (!m_root) {
         assert(edit.blocks.empty());
@@ -181,7 +182,7 @@ SurfelTree SurfelTree::apply(const Edit& edit) const {
     assert(edit.blocks.empty() || edit.blocks.back().block < blockCount());
     for (std::size_t i = 1; i < edit.blocks.size(); ++i)
         assert(edit.blocks[i - 1].block < edit.blocks[i].block);
-    return {Application(*this, edit).run(), m_layout};
+    return {Application(*this, edit).run(), edit.layout ? edit.layout : m_layout};
 }
 
 } // namespace tree

@@ -38,7 +38,9 @@ struct BlockEdit {
 /// A difference between two versions, as tools make it.
 struct Edit {
     std::vector<BlockEdit> blocks; ///< ascending by block, no block twice
-    surfel::SurfelList inserted;   ///< same layout as the tree
+    surfel::SurfelList inserted;   ///< same words as the tree
+    /// The version's layout from now on, with the same words: what flags it gives meaning to. Null: as it was.
+    surfel::AttributeLayoutPtr layout;
     bool empty() const { return blocks.empty() && inserted.items.empty(); }
 };
 
@@ -85,8 +87,8 @@ class SurfelTree {
 
     // --- queries; those that call back visit in tree order unless they say otherwise; `block` is a const SurfelBlock&
 
-    /// fn(block, cluster) for every cluster that may have weight at `x` (support query, alg. 5.1.2), supports multiplied
-    /// by `reach`.
+    /// fn(block, cluster) for every cluster that may have weight at `x` (support query, alg. 5.1.2), supports
+    /// multiplied by `reach`.
     template <class Fn>
     void forClustersInSupport(const base::Vec3f& x, const Fn& fn, float reach = 1) const;
     /// fn(block, cluster) for every cluster that may have weight somewhere in `box`; a superset for each x in it.

@@ -1,6 +1,6 @@
 #include "core/sculpt/tools/smooth.h"
 
-#include "core/sculpt/tools/displace.h"
+#include "core/sculpt/tools/gather.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,41 +8,6 @@
 namespace sculpt {
 
 namespace {
-
-/// The surfels of the blocks under the brush that will move, in tree order.
-struct Touched {
-    std::vector<base::Vec3f> places;
-    std::vector<float> share;       ///< t of each
-    std::vector<int> slots;         ///< in its block
-    std::vector<std::size_t> first; ///< of each block, and the end
-};
-
-Touched touched(const std::vector<BrushBlock>& blocks, const Brush& brush, float strength) {
-    Touched out;
-    BrushLanes at;
-    alignas(64) float weight[lanes], gradient[lanes];
-    for (const BrushBlock& in : blocks) {
-        out.first.push_back(out.places.size());
-        for (int cluster = 0; cluster < in.block->clusterCount(); ++cluster) {
-            if (in.block->bounds(cluster).box.distanceSq(brush.centre) >= brush.radius * brush.radius)
-                continue;
-            brush.place(*in.block, cluster, at);
-            brush.fade(at, weight, gradient);
-            brush.factors.multiply(in.number, *in.block, cluster, weight);
-            for (int lane = 0; lane < surfel::clusterSize; ++lane) {
-                const int slot = cluster * surfel::clusterSize + lane;
-                const float share = strength * weight[lane];
-                if (slot >= in.block->size() || share == 0 || in.block->mask(slot) >= 1)
-                    continue;
-                out.places.push_back(in.block->position(slot));
-                out.share.push_back(share * (1 - in.block->mask(slot)));
-                out.slots.push_back(slot);
-            }
-        }
-    }
-    out.first.push_back(out.places.size());
-    return out;
-}
 
 /// One surfel towards the surface; false where there is no surface to go to.
 bool settle(surfel::SurfelBlock& block, int slot, float share, const surface::Evaluationf& e) {
@@ -72,7 +37,7 @@ static tree::Edit smooth(const surface::Surface& version, const Dab& dab) {
     if (strength == 0)
         return {};
     const std::vector<BrushBlock> blocks = blocksUnder(version.tree(), brush.centre, brush.radius);
-    const Touched list = touched(blocks, brush, strength);
+    const Gathered list = gather(blocks, brush);
     surface::SurfaceDefinition definition = version.definition();
     definition.shrinkFree = true;
     std::vector<surface::Evaluationf> at(list.places.size());
@@ -83,7 +48,7 @@ static tree::Edit smooth(const surface::Surface& version, const Dab& dab) {
         surfel::MutableBlockPtr changed = in.block->clone();
         bool moved = false;
         for (std::size_t i = list.first[b]; i < list.first[b + 1]; ++i)
-            moved |= settle(*changed, list.slots[i], list.share[i], at[i]);
+            moved |= settle(*changed, list.slots[i], strength * list.weight[i] * list.free[i], at[i]);
         if (!moved)
             return {};
         changed->seal();
