@@ -9,6 +9,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+
 namespace app {
 
 using base::Vec3d;
@@ -62,13 +64,17 @@ void answerInFloat(const Surface& surface, const Question& question, std::span<c
     }
 }
 
-/// Second derivatives are the reference's alone.
-void addCurvature(const Surface& surface, std::span<const Vec3d> x, std::span<Answer> out) {
-    base::parallelFor(x.size(), 16, [&](std::size_t i) {
-        const surface::Evaluationd e = surface.evaluateReference(x[i], Need::Hessian);
-        if (e.ok() || e.status == surface::Status::BeyondBoundary)
-            out[i].curvature = curvature(e);
-    });
+void addCurvature(const Surface& surface, std::span<const Vec3d> x, bool inDouble, std::span<Answer> out) {
+    if (inDouble) {
+        base::parallelFor(x.size(), 16, [&](std::size_t i) { out[i].curvature = curvatureReference(surface, x[i]); });
+        return;
+    }
+    std::vector<Vec3f> near(x.size());
+    std::transform(x.begin(), x.end(), near.begin(), [](const Vec3d& each) { return base::cast<float>(each); });
+    std::vector<surface::Curvature> found(x.size());
+    curvature(surface, near, found);
+    for (std::size_t i = 0; i < x.size(); ++i)
+        out[i].curvature = found[i];
 }
 
 /// Answers at positions relative to the origin. What is not finite is nowhere: Status::Outside.
@@ -83,7 +89,7 @@ std::vector<Answer> answer(const Surface& surface, const Question& question, std
     std::vector<Answer> found(finite.size()), out(x.size());
     (inDouble ? answerInDouble : answerInFloat)(surface, question, finite, found);
     if (question.curvature)
-        addCurvature(surface, finite, found);
+        addCurvature(surface, finite, inDouble, found);
     for (std::size_t k = 0; k < places.size(); ++k)
         out[places[k]] = found[k];
     return out;

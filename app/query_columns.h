@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/csv_writer.h"
+#include "core/surface/curvature.h"
 #include "core/surface/project.h"
 
 #include <optional>

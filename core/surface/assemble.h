@@ -2,14 +2,18 @@
 // `O` is the order of derivatives wanted.
 //
 //     sums at x -> near sheets? sums once more without those that face away
-//               -> c, d = x - c -> n by the frame (covariance-at-centroid: sums at c) -> sign
+//               -> c, d = x - c -> tests of alg. 2.4, each failure with its cause
+//               -> n by the frame (covariance-at-centroid: sums at c; centroid-gradient: sums of one order more) ->
+//               sign
 //               -> unoriented? sums once more with the surfels' normals on n's side
 //               -> f = (1-mu) n.d + mu sum theta n_i.(x - p_i) / w
+// apss has its own f by the same sums, rimls by sums with refitted weights; mu has no part in them.
 #pragma once
 
-#include "core/surface/frame_normal.h"
-#include "core/surface/moments.h"
+#include "core/surface/fields.h"
 #include "core/surface/source.h"
+
+#include <cassert>
 
 namespace surface {
 
@@ -18,16 +22,24 @@ template <class T>
 constexpr T leastWeight = std::is_same_v<T, float> ? T(1e-6) : T(1e-12);
 constexpr int leastSamples = 3;        ///< surfels in support that a frame needs (alg. 2.4, test 1)
 constexpr double leastAgreement = 0.2; ///< |m|/w below which summed normals cancel (test 2)
+constexpr double leastSpread = 1e-6;   ///< variance below which all are at one place, of h^2: what float can tell
 constexpr double oneSheetBelow = 0.7;  ///< |m|/w below which sheets are told apart (RESAMPLING 4)
+constexpr int refitPasses = 3;         ///< of rimls, the first without factors (alg. 10.4)
+constexpr double refitStill = 1e-3;    ///< |g - g_before|^2 that ends them
+/// Interpolating weights: this close to a surfel, in h, the answer is the surfel itself; its Hessian is taken a little
+/// above it, where formulas hold.
+constexpr double atSurfel = 1e-12, besideSurfel = 1e-5;
 
 template <class T, int O>
 class Assembler {
   public:
     Assembler(const Source& source, ClusterSpan clusters, const base::Vec3<T>& x, const Hint& hint)
         : m_source(source), m_surface(source.surface()), m_clusters(clusters), m_x(x),
-          m_hint(base::normalized(base::cast<double>(hint.direction))), m_frame(m_surface.effectiveFrame()),
+          m_side(base::normalized(base::cast<double>(hint.direction))), m_frame(m_surface.effectiveFrame()),
           m_normals(m_surface.tree().layout()->normals), m_oriented(m_normals && m_surface.tree().layout()->oriented) {
         m_options.weight = m_surface.definition().weight;
+        m_options.interpolating = m_surface.definition().interpolating;
+        m_options.scale = m_surface.supportScale();
         m_options.outer = m_frame == Frame::Hyperplanes  ? Outer::Normals
                           : m_frame == Frame::Covariance ? Outer::Offsets
                                                          : Outer::None;
@@ -36,24 +48,36 @@ class Assembler {
     Evaluation<T> run() {
         sum(m_clusters, m_x, m_options, m_moments);
         if (!(m_moments.one.v > leastWeight<T>))
-            return m_out;
+            return failed(Status::Outside, Cause::NoSupport);
         tellSheetsApart();
         centre();
-        m_out.status = Status::Degenerate;
-        if (m_out.samples < leastSamples)
+        if (const Cause cause = poverty(m_moments); cause != Cause::None)
+            return failed(Status::Degenerate, cause);
+        if (m_options.interpolating && m_normals && atSomeSurfel())
             return m_out;
-        FrameNormal<T, O> frame = frameNormal();
-        if (!frame.valid)
-            return m_out;
-        orient(frame.n);
-        if (m_normals && !m_oriented)
-            alignNormals(frame.n);
-        finish(frame.n);
+        const Field<T, O> found = field();
+        if (found.cause != Cause::None)
+            return failed(Status::Degenerate, found.cause);
+        store(found);
         return m_out;
     }
 
   private:
-    T agreementOf(const Moments<T, O>& m) const { return length(valueOf(m.n)) / m.one.v; }
+    using Vector = base::Vec3<T>;
+
+    static T agreementOf(const Moments<T, O>& m) { return length(valueOf(m.n)) / m.one.v; }
+
+    /// What was counted stays, so that a failure can be explained; what would be used as an answer is no number.
+    Evaluation<T> failed(Status status, Cause cause) {
+        constexpr T nan = std::numeric_limits<T>::quiet_NaN();
+        constexpr Vector none{nan, nan, nan};
+        m_out.status = status;
+        m_out.cause = cause;
+        m_out.value = m_out.offCentre = nan;
+        m_out.centroid = m_out.normal = m_out.gradient = none;
+        m_out.hessian = m_out.normalGradient = {{{nan, nan, nan}, {nan, nan, nan}, {nan, nan, nan}}};
+        return m_out;
+    }
 
     void tellSheetsApart() {
         m_out.agreement = m_normals ? agreementOf(m_moments) : T(1);
@@ -61,7 +85,9 @@ class Assembler {
             return;
         SumOptions options = m_options;
         options.facing = Facing::Skip;
-        options.reference = lengthSq(m_hint) > 0 ? m_hint : nearestNormal(m_clusters, base::cast<double>(m_x));
+        options.reference = lengthSq(m_side) > 0
+                                ? m_side
+                                : nearestNormal(m_clusters, base::cast<double>(m_x), m_surface.supportScale());
         Moments<T, O> kept;
         sum(m_clusters, m_x, options, kept);
         if (!(kept.one.v > leastWeight<T>))
@@ -75,7 +101,7 @@ class Assembler {
     void centre() {
         m_inverseWeight = inverse(m_moments.one);
         const JetVec<T, O> offset = m_moments.q * m_inverseWeight;
-        const base::Vec3<T> e = valueOf(offset);
+        const Vector e = valueOf(offset);
         m_out.samples = m_moments.samples;
         m_out.weight = m_moments.one.v;
         m_out.centroid = m_x + e;
@@ -89,39 +115,74 @@ class Assembler {
         }
     }
 
-    /// sum theta q q^T with q moving: q_a q_b - x_a q_b - x_b q_a + x_a x_b about x0.
-    static void movingOuter(const Moments<T, O>& m, Jet<T, O> (&s)[6]) {
-        for (int a = 0; a < 3; ++a)
-            for (int b = a; b < 3; ++b) {
-                Jet<T, O>& out = s[sym(a, b)];
-                out = m.outer[sym(a, b)];
-                if constexpr (O >= 1) {
-                    out = out - timesCoordinate(a, m.q[static_cast<std::size_t>(b)]) -
-                          timesCoordinate(b, m.q[static_cast<std::size_t>(a)]);
-                    if constexpr (O >= 2)
-                        out += timesCoordinate(a, timesCoordinate(b, m.one));
-                }
-            }
+    /// Test 1 of alg. 2.4 and whether the samples are all at one place.
+    static Cause poverty(const Moments<T, O>& m) {
+        if (!(m.one.v > leastWeight<T>))
+            return Cause::NoSupport;
+        if (m.samples < leastSamples)
+            return m.samples == 1 ? Cause::OnePoint : Cause::TooFew;
+        const T unit = m.unit / m.one.v, square = m.square.v / m.one.v;
+        const T spread = square - lengthSq(valueOf(m.q) / m.one.v);
+        return spread > T(leastSpread) * std::max(unit * unit, square) ? Cause::None : Cause::Coincident;
+    }
+
+    Field<T, O> field() {
+        const SurfaceDefinition& definition = m_surface.definition();
+        const bool sums = m_frame == Frame::Normals || m_frame == Frame::Apss || m_frame == Frame::Rimls;
+        if (sums && !(m_out.agreement >= T(leastAgreement)))
+            return {{}, {}, Cause::CancellingNormals};
+        if (m_frame == Frame::Apss)
+            return sphereField(m_moments, static_cast<T>(definition.apssBeta));
+        if (m_frame == Frame::Rimls)
+            return refitted();
+        FrameNormal<T, O> frame = frameNormal();
+        if (!frame.valid)
+            return {{}, {}, frame.cause};
+        orient(frame.n);
+        if (m_normals && !m_oriented)
+            alignNormals(frame.n);
+        return planeField(frame.n);
     }
 
     FrameNormal<T, O> frameNormal() {
         switch (m_frame) {
-        case Frame::Normals:
-            return m_out.agreement >= T(leastAgreement) ? normalisedSum(m_moments.n) : FrameNormal<T, O>{};
         case Frame::Hyperplanes:
             return eigenvector(m_moments.outer, Pick::Largest);
-        case Frame::Covariance: {
-            Jet<T, O> s[6];
-            movingOuter(m_moments, s);
-            return eigenvector(s, Pick::Smallest);
-        }
+        case Frame::Covariance:
+            return normalHere();
         case Frame::CovarianceAtCentroid:
+            return normalAtCentroid();
         case Frame::CentroidGradient:
+            return normalOfCentroidGradient();
+        case Frame::Normals:
         case Frame::Apss:
         case Frame::Rimls:
             break;
         }
-        return normalAtCentroid();
+        return normalisedSum(m_moments.n);
+    }
+
+    /// The covariance frame about x. Seen from beside a line of points, x and the line span a plane that is nothing but
+    /// an accident: whether they are on a line is asked about their centroid (alg. 2.4).
+    FrameNormal<T, O> normalHere() {
+        const Vector e = valueOf(m_moments.q) / m_moments.one.v;
+        T about[6];
+        for (int a = 0; a < 3; ++a)
+            for (int b = a; b < 3; ++b)
+                about[sym(a, b)] = m_moments.outer[sym(a, b)].v -
+                                   m_moments.one.v * e[static_cast<std::size_t>(a)] * e[static_cast<std::size_t>(b)];
+        const base::SymmetricEigen<T> eigen = base::symmetricEigen(detail::matrixOf(about));
+        FrameNormal<T, O> out;
+        if (!(eigen.value[1] >= T(1e-2) * eigen.value[2])) {
+            out.cause = Cause::Collinear;
+            return out;
+        }
+        Jet<T, O> s[6];
+        movingOuter(m_moments, s);
+        out = eigenvector(s, Pick::Smallest);
+        if (out.cause == Cause::Collinear)
+            out.cause = Cause::ClosedGap;
+        return out;
     }
 
     /// The covariance frame evaluated at y = c(x) (alg. 7, cov_c): N(y) composed with c(x).
@@ -132,20 +193,37 @@ class Assembler {
         ScratchClusters clusters;
         m_source.gather(m_out.centroid, clusters.list());
         sum(clusters.span(), m_out.centroid, options, there);
-        if (!(there.one.v > leastWeight<T>) || there.samples < leastSamples)
-            return {};
+        FrameNormal<T, O> out;
+        out.cause = poverty(there);
+        if (out.cause != Cause::None)
+            return out;
         Jet<T, O> s[6];
         movingOuter(there, s);
-        FrameNormal<T, O> out = eigenvector(s, Pick::Smallest);
+        out = eigenvector(s, Pick::Smallest);
         if (out.valid)
             for (Jet<T, O>& each : out.n)
                 each = compose(each, m_centroid);
         return out;
     }
 
+    /// Left singular vector of grad c (alg. 2.2). Third derivatives of weights are summed in double alone: whoever
+    /// wants this frame's Hessian asks the reference (source.cpp).
+    FrameNormal<T, O> normalOfCentroidGradient() const {
+        if constexpr (O < 2 || std::is_same_v<T, double>) {
+            Moments<T, O + 1> wide;
+            sum(m_clusters, m_x, m_options, wide);
+            Jet<T, O> s[6];
+            centroidGradientSquare(wide, s);
+            return eigenvector(s, Pick::Smallest, Eigenvalues::Squares);
+        } else {
+            assert(!"the Hessian of centroid-gradient is the reference's");
+            return {};
+        }
+    }
+
     /// Signs of alg. 2.4: by the surfels' normals where they are oriented, else by the hint, else as it came.
     void orient(JetVec<T, O>& n) const {
-        const base::Vec3<T> reference = m_oriented ? valueOf(m_moments.n) : base::cast<T>(m_hint);
+        const Vector reference = m_oriented ? valueOf(m_moments.n) : base::cast<T>(m_side);
         if (dot(valueOf(n), reference) < T(0))
             n = n * T(-1);
     }
@@ -162,39 +240,102 @@ class Assembler {
         m_out.agreement = agreementOf(m_moments);
     }
 
-    void finish(const JetVec<T, O>& n) {
+    Field<T, O> planeField(const JetVec<T, O>& n) const {
         const T mu = m_normals ? static_cast<T>(m_surface.definition().mu()) : T(0);
-        Jet<T, O> f = dot(n, m_d) * (T(1) - mu);
-        if (mu > T(0)) {
-            Jet<T, O> height = -m_moments.height; // sum theta n_i.(x - p_i)
-            for (int a = 0; a < 3; ++a)
-                height += timesCoordinate(a, m_moments.n[static_cast<std::size_t>(a)]);
-            f += height * m_inverseWeight * mu;
+        Field<T, O> out{dot(n, m_d) * (T(1) - mu), n, Cause::None};
+        if (mu > T(0))
+            out.f += movingHeight(m_moments) * m_inverseWeight * mu;
+        return out;
+    }
+
+    /// Robust implicit moving least squares (alg. 10.4, after Oeztireli, Guennebaud & Gross 2009):
+    /// f = sum w_i n_i.(x - p_i) / sum w_i with w_i = theta_i b_i, b_i = 1 in the first pass and then
+    /// exp(-|n_i - g|^2 / sigma^2) by the gradient g of the pass before. Gradient and Hessian are the exact derivatives
+    /// of the last pass's f with its b_i held constant; n is the sum of w_i n_i, normalised.
+    Field<T, O> refitted() const {
+        constexpr int P = O < 1 ? 1 : O; // g leads from pass to pass, whatever is asked for
+        SumOptions options = m_options;
+        options.sigma = m_surface.definition().rimlsSigma;
+        Moments<T, P> m;
+        Jet<T, P> f;
+        Vector g;
+        for (int pass = 0; pass < refitPasses; ++pass) {
+            sum(m_clusters, m_x, options, m);
+            if (!(m.one.v > leastWeight<T>))
+                return {{}, {}, Cause::CancellingNormals};
+            f = movingHeight(m) * inverse(m.one);
+            const Vector now{f.d[0], f.d[1], f.d[2]};
+            if (!(lengthSq(now - g) > T(refitStill)))
+                break;
+            g = now;
+            options.facing = Facing::Refit;
+            options.reference = base::cast<double>(g);
         }
-        store(f, n);
+        JetVec<T, O> sum;
+        for (std::size_t a = 0; a < 3; ++a)
+            sum[a] = truncated<O>(m.n[a]);
+        const FrameNormal<T, O> n = normalisedSum(sum);
+        return {truncated<O>(f), n.n, n.valid ? Cause::None : n.cause};
+    }
+
+    /// Where weights interpolate, a surfel at x is the answer itself: f = 0, c = p_i, n = g = n_i (alg. 10.5).
+    bool atSomeSurfel() {
+        constexpr int lanes = surfel::clusterSize;
+        for (const float* c : m_clusters)
+            for (int i = 0; i < lanes; ++i) {
+                const base::Vec3d p{c[i], c[lanes + i], c[2 * lanes + i]};
+                const base::Vec3d n{c[surfel::NormalX * lanes + i], c[surfel::NormalY * lanes + i],
+                                    c[surfel::NormalZ * lanes + i]};
+                const double h = static_cast<double>(c[surfel::Support * lanes + i] * m_options.scale);
+                if (lengthSq(n) > 0 && distance(p, base::cast<double>(m_x)) < atSurfel * h) {
+                    takeSurfel(base::cast<T>(p), base::normalized(base::cast<T>(n)), static_cast<T>(h));
+                    return true;
+                }
+            }
+        return false;
+    }
+
+    void takeSurfel(const Vector& p, Vector n, T h) {
+        if (!m_oriented && dot(base::cast<double>(n), m_side) < 0)
+            n = -n;
+        Field<T, O> out;
+        for (std::size_t a = 0; a < 3; ++a)
+            out.n[a].v = n[a];
+        if constexpr (O >= 1)
+            out.f.d = {n.x, n.y, n.z};
+        m_out.centroid = p;
+        m_out.offCentre = length(m_x - p);
+        store(out);
+        if constexpr (O >= 2) {
+            const Vector beside = m_x + n * (static_cast<T>(besideSurfel) * h);
+            ScratchClusters clusters;
+            m_source.gather(beside, clusters.list());
+            m_out.hessian = Assembler(m_source, clusters.span(), beside, {base::cast<float>(n)}).run().hessian;
+        }
+    }
+
+    void store(const Field<T, O>& field) {
+        m_out.value = field.f.v;
+        m_out.normal = valueOf(field.n);
+        if constexpr (O >= 1) {
+            m_out.gradient = {field.f.d[0], field.f.d[1], field.f.d[2]};
+            for (std::size_t a = 0; a < 3; ++a)
+                for (std::size_t k = 0; k < 3; ++k)
+                    m_out.normalGradient.m[a][k] = field.n[a].d[k];
+        }
+        if constexpr (O >= 2)
+            m_out.hessian = detail::matrixOf(field.f.dd.data());
         const float limit = m_surface.definition().boundaryLimit;
         const bool beyond = std::isfinite(limit) && m_out.offCentre > static_cast<T>(limit) * m_out.unit;
         m_out.status = beyond ? Status::BeyondBoundary : Status::Ok;
-    }
-
-    void store(const Jet<T, O>& f, const JetVec<T, O>& n) {
-        m_out.value = f.v;
-        m_out.normal = valueOf(n);
-        if constexpr (O >= 1) {
-            m_out.gradient = {f.d[0], f.d[1], f.d[2]};
-            for (std::size_t a = 0; a < 3; ++a)
-                for (std::size_t k = 0; k < 3; ++k)
-                    m_out.normalGradient.m[a][k] = n[a].d[k];
-        }
-        if constexpr (O >= 2)
-            m_out.hessian = detail::matrixOf(f.dd.data());
+        m_out.cause = Cause::None;
     }
 
     const Source& m_source;
     const Surface& m_surface;
     ClusterSpan m_clusters;
-    base::Vec3<T> m_x;
-    base::Vec3d m_hint; ///< unit, or zero for none
+    Vector m_x;
+    base::Vec3d m_side; ///< the hint's direction, unit, or zero for none
     Frame m_frame;
     bool m_normals, m_oriented;
     SumOptions m_options;

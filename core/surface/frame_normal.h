@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/surface/jet.h"
+#include "core/surface/surface.h"
 
 #include <algorithm>
 
@@ -11,6 +12,7 @@ template <class T, int O>
 struct FrameNormal {
     JetVec<T, O> n{};
     bool valid = false;
+    Cause cause = Cause::ClosedGap; ///< why it is not valid
 };
 
 /// m / |m|. REQUIRES for `valid`: |m| > 0.
@@ -18,11 +20,13 @@ template <class T, int O>
 FrameNormal<T, O> normalisedSum(const JetVec<T, O>& m) {
     const Jet<T, O> square = dot(m, m);
     if (!(square.v > T(0)))
-        return {};
-    return {m * inverseSqrt(square), true};
+        return {{}, false, Cause::CancellingNormals};
+    return {m * inverseSqrt(square), true, Cause::None};
 }
 
 enum class Pick { Smallest, Largest };
+/// What the matrix's eigenvalues are: what the tests of alg. 2.4 compare, or its squares (those of J J^T).
+enum class Eigenvalues { Plain, Squares };
 
 namespace detail {
 
@@ -50,14 +54,25 @@ base::Mat3<T> secondMatrix(const Jet<T, O>* s, int k, int l) {
     return matrixOf(v);
 }
 
-/// The tests of alg. 2.4: is the picked direction alone, and are the samples not all on a line?
+/// The tests of alg. 2.4 on ascending eigenvalues: is the picked direction alone, and are the samples not all on a
+/// line? None where it is.
 template <class T>
-bool gapIsOpen(const T (&l)[3], Pick pick) {
+Cause degeneracy(const T (&l)[3], Pick pick) {
     if (!(l[2] > T(0)))
-        return false;
+        return Cause::Coincident;
     if (pick == Pick::Largest)
-        return l[2] - l[1] >= T(0.1) * l[2];
-    return l[1] - l[0] >= T(1e-3) * l[2] && l[1] >= T(1e-2) * l[2];
+        return l[2] - l[1] >= T(0.1) * l[2] ? Cause::None : Cause::ClosedGap;
+    if (!(l[1] >= T(1e-2) * l[2]))
+        return Cause::Collinear;
+    return l[1] - l[0] >= T(1e-3) * l[2] ? Cause::None : Cause::ClosedGap;
+}
+
+template <class T>
+Cause degeneracy(const base::SymmetricEigen<T>& eigen, Pick pick, Eigenvalues values) {
+    T l[3];
+    for (int i = 0; i < 3; ++i)
+        l[i] = values == Eigenvalues::Plain ? eigen.value[i] : std::sqrt(std::max(eigen.value[i], T(0)));
+    return degeneracy(l, pick);
 }
 
 } // namespace detail
@@ -66,15 +81,16 @@ bool gapIsOpen(const T (&l)[3], Pick pick) {
 /// other eigenpairs of v v^T / (l0 - l): n_k = G S_k n; n_kl = G[S_kl n + (S_k - l_k) n_l + (S_l - l_l) n_k]
 /// - (n_k.n_l) n.
 template <class T, int O>
-FrameNormal<T, O> eigenvector(const Jet<T, O>* s, Pick pick) {
+FrameNormal<T, O> eigenvector(const Jet<T, O>* s, Pick pick, Eigenvalues values = Eigenvalues::Plain) {
     using base::Mat3, base::Vec3;
     const base::SymmetricEigen<T> eigen = base::symmetricEigen(detail::valueMatrix(s));
-    if (!detail::gapIsOpen(eigen.value, pick))
-        return {};
+    FrameNormal<T, O> out;
+    out.cause = detail::degeneracy(eigen, pick, values);
+    out.valid = out.cause == Cause::None;
+    if (!out.valid)
+        return out;
     const int chosen = pick == Pick::Smallest ? 0 : 2;
     const Vec3<T> n = eigen.vector[chosen];
-    FrameNormal<T, O> out;
-    out.valid = true;
     for (std::size_t a = 0; a < 3; ++a)
         out.n[a].v = n[a];
     if constexpr (O >= 1) {

@@ -4,6 +4,7 @@
 
 #include "core/base/mat3.h"
 
+#include <algorithm>
 #include <array>
 
 namespace surface {
@@ -13,11 +14,29 @@ constexpr int sym(int k, int l) {
     return k <= l ? k * (5 - k) / 2 + l : l * (5 - l) / 2 + k;
 }
 
+/// Place of the (j, k, l) entry of a symmetric 3x3x3 tensor among its ten: 000 001 002 011 012 022 111 112 122 222.
+constexpr int sym(int j, int k, int l) {
+    const int least = std::min({j, k, l}), most = std::max({j, k, l}), middle = j + k + l - least - most;
+    return least == 0 ? sym(middle, most) : least == 1 ? 4 + middle + most : 9;
+}
+
+/// fn(j, k, l) for the ten entries j <= k <= l of such a tensor.
+template <class Fn>
+constexpr void forTriples(const Fn& fn) {
+    for (int j = 0; j < 3; ++j)
+        for (int k = j; k < 3; ++k)
+            for (int l = k; l < 3; ++l)
+                fn(j, k, l);
+}
+
+/// Orders up to 3. Third derivatives are there for frames that read one derivative of the weights themselves.
 template <class T, int Order>
 struct Jet {
+    static_assert(Order >= 0 && Order <= 3);
     T v{};
-    std::array<T, Order >= 1 ? 3 : 0> d{};  ///< first derivatives
-    std::array<T, Order >= 2 ? 6 : 0> dd{}; ///< second derivatives, by `sym`
+    std::array<T, Order >= 1 ? 3 : 0> d{};    ///< first derivatives
+    std::array<T, Order >= 2 ? 6 : 0> dd{};   ///< second derivatives, by `sym`
+    std::array<T, Order >= 3 ? 10 : 0> ddd{}; ///< third derivatives, by `sym`
 
     Jet& operator+=(const Jet& o) {
         v += o.v;
@@ -25,6 +44,8 @@ struct Jet {
             d[k] += o.d[k];
         for (std::size_t k = 0; k < dd.size(); ++k)
             dd[k] += o.dd[k];
+        for (std::size_t k = 0; k < ddd.size(); ++k)
+            ddd[k] += o.ddd[k];
         return *this;
     }
     Jet& operator*=(T s) {
@@ -32,6 +53,8 @@ struct Jet {
         for (auto& each : d)
             each *= s;
         for (auto& each : dd)
+            each *= s;
+        for (auto& each : ddd)
             each *= s;
         return *this;
     }
@@ -57,6 +80,8 @@ Jet<T, O> operator-(const Jet<T, O>& a, const Jet<T, O>& b) {
         out.d[k] -= b.d[k];
     for (std::size_t k = 0; k < out.dd.size(); ++k)
         out.dd[k] -= b.dd[k];
+    for (std::size_t k = 0; k < out.ddd.size(); ++k)
+        out.ddd[k] -= b.ddd[k];
     return out;
 }
 
@@ -71,12 +96,18 @@ Jet<T, O> operator*(const Jet<T, O>& a, const Jet<T, O>& b) {
         for (int k = 0; k < 3; ++k)
             for (int l = k; l < 3; ++l)
                 out.dd[sym(k, l)] = a.dd[sym(k, l)] * b.v + a.d[k] * b.d[l] + a.d[l] * b.d[k] + a.v * b.dd[sym(k, l)];
+    if constexpr (O >= 3)
+        forTriples([&](int j, int k, int l) {
+            out.ddd[sym(j, k, l)] = a.ddd[sym(j, k, l)] * b.v + a.dd[sym(j, k)] * b.d[l] + a.dd[sym(j, l)] * b.d[k] +
+                                    a.dd[sym(k, l)] * b.d[j] + a.d[j] * b.dd[sym(k, l)] + a.d[k] * b.dd[sym(j, l)] +
+                                    a.d[l] * b.dd[sym(j, k)] + a.v * b.ddd[sym(j, k, l)];
+        });
     return out;
 }
 
 /// A function of a jet by its value and derivatives at a.v.
 template <class T, int O>
-Jet<T, O> chain(const Jet<T, O>& a, T f0, [[maybe_unused]] T f1, [[maybe_unused]] T f2) {
+Jet<T, O> chain(const Jet<T, O>& a, T f0, [[maybe_unused]] T f1, [[maybe_unused]] T f2, [[maybe_unused]] T f3) {
     Jet<T, O> out;
     out.v = f0;
     if constexpr (O >= 1)
@@ -86,6 +117,13 @@ Jet<T, O> chain(const Jet<T, O>& a, T f0, [[maybe_unused]] T f1, [[maybe_unused]
         for (int k = 0; k < 3; ++k)
             for (int l = k; l < 3; ++l)
                 out.dd[sym(k, l)] = f1 * a.dd[sym(k, l)] + f2 * a.d[k] * a.d[l];
+    if constexpr (O >= 3)
+        forTriples([&](int j, int k, int l) {
+            out.ddd[sym(j, k, l)] =
+                f1 * a.ddd[sym(j, k, l)] +
+                f2 * (a.dd[sym(j, k)] * a.d[l] + a.dd[sym(j, l)] * a.d[k] + a.dd[sym(k, l)] * a.d[j]) +
+                f3 * a.d[j] * a.d[k] * a.d[l];
+        });
     return out;
 }
 
@@ -93,14 +131,41 @@ Jet<T, O> chain(const Jet<T, O>& a, T f0, [[maybe_unused]] T f1, [[maybe_unused]
 template <class T, int O>
 Jet<T, O> inverse(const Jet<T, O>& a) {
     const T i = T(1) / a.v;
-    return chain(a, i, -i * i, T(2) * i * i * i);
+    return chain(a, i, -i * i, T(2) * i * i * i, T(-6) * i * i * i * i);
 }
 
 /// 1 / sqrt(a). REQUIRES: a.v > 0.
 template <class T, int O>
 Jet<T, O> inverseSqrt(const Jet<T, O>& a) {
     const T i = T(1) / a.v, s = std::sqrt(i);
-    return chain(a, s, T(-0.5) * s * i, T(0.75) * s * i * i);
+    return chain(a, s, T(-0.5) * s * i, T(0.75) * s * i * i, T(-1.875) * s * i * i * i);
+}
+
+/// The first derivative by x_k, a jet of one order less.
+template <class T, int O>
+Jet<T, O - 1> derivative(const Jet<T, O>& a, int k) {
+    Jet<T, O - 1> out;
+    out.v = a.d[k];
+    if constexpr (O >= 2)
+        for (int l = 0; l < 3; ++l)
+            out.d[l] = a.dd[sym(k, l)];
+    if constexpr (O >= 3)
+        for (int l = 0; l < 3; ++l)
+            for (int m = l; m < 3; ++m)
+                out.dd[sym(l, m)] = a.ddd[sym(k, l, m)];
+    return out;
+}
+
+/// The same without the derivatives beyond order P.
+template <int P, class T, int O>
+Jet<T, P> truncated(const Jet<T, O>& a) {
+    static_assert(P <= O);
+    Jet<T, P> out;
+    out.v = a.v;
+    std::copy_n(a.d.begin(), out.d.size(), out.d.begin());
+    std::copy_n(a.dd.begin(), out.dd.size(), out.dd.begin());
+    std::copy_n(a.ddd.begin(), out.ddd.size(), out.ddd.begin());
+    return out;
 }
 
 /// a times the coordinate x_axis - x0_axis, at x = x0: the value is zero, the derivatives are not.
@@ -112,6 +177,7 @@ Jet<T, O> timesCoordinate(int axis, [[maybe_unused]] const Jet<T, O>& a) {
     if constexpr (O >= 2)
         for (int k = 0; k < 3; ++k)
             out.dd[sym(axis, k)] += a.d[k] * T(k == axis ? 2 : 1);
+    static_assert(O <= 2);
     return out;
 }
 
@@ -138,6 +204,7 @@ JetVec<T, O> operator*(const JetVec<T, O>& a, std::type_identity_t<T> s) {
 /// The jet of x -> a(y(x)), where `a` holds derivatives in y at y(x).
 template <class T, int O>
 Jet<T, O> compose(const Jet<T, O>& a, [[maybe_unused]] const JetVec<T, O>& y) {
+    static_assert(O <= 2);
     Jet<T, O> out;
     out.v = a.v;
     if constexpr (O >= 1)

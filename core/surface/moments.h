@@ -62,5 +62,6 @@ extern template void sum(ClusterSpan, const base::Vec3f&, const SumOptions&, Mom
 extern template void sum(ClusterSpan, const base::Vec3d&, const SumOptions&, Moments<double, 0>&);
 extern template void sum(ClusterSpan, const base::Vec3d&, const SumOptions&, Moments<double, 1>&);
 extern template void sum(ClusterSpan, const base::Vec3d&, const SumOptions&, Moments<double, 2>&);
+extern template void sum(ClusterSpan, const base::Vec3d&, const SumOptions&, Moments<double, 3>&);
 
 } // namespace surface

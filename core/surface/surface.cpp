@@ -40,6 +40,8 @@ const char* causeName(Cause cause) {
         return "cancelling-normals";
     case Cause::ClosedGap:
         return "closed-gap";
+    case Cause::NoGradient:
+        return "no-gradient";
     }
     return "";
 }
@@ -54,13 +56,20 @@ Surface Surface::withSupportScale(float scale) const {
 Frame Surface::effectiveFrame() const {
     const auto& layout = *m_tree.layout();
     const Frame frame = m_definition.frame;
-    if (frame == Frame::Normals || frame == Frame::Hyperplanes) {
-        if (!layout.normals)
-            return Frame::CovarianceAtCentroid;
-        if (!layout.oriented)
-            return Frame::Hyperplanes;
+    switch (frame) {
+    case Frame::Normals:
+    case Frame::Hyperplanes:
+    case Frame::Apss:
+    case Frame::Rimls:
+        break;
+    case Frame::Covariance:
+    case Frame::CovarianceAtCentroid:
+    case Frame::CentroidGradient:
+        return frame;
     }
-    return frame;
+    if (!layout.normals)
+        return Frame::CovarianceAtCentroid;
+    return layout.oriented ? frame : Frame::Hyperplanes;
 }
 
 Evaluationf Surface::evaluate(const base::Vec3f& x, Need need, const Hint& hint) const {

@@ -34,12 +34,16 @@ enum class Cause : unsigned char {
     Collinear,         ///< all on one line
     CancellingNormals, ///< |m|/w too small
     ClosedGap,         ///< eigenvalues too close for an eigenvector
+    NoGradient,        ///< f does not tell a direction here: the centre of a fitted sphere, a stationary point
 };
 const char* causeName(Cause cause);
 
 /// How much to compute: each includes the ones before it.
 enum class Need { Value, Gradient, Hessian };
 
+/// Where the status is Outside or Degenerate, samples, weight, unit and agreement are what was counted, and everything
+/// else is NaN. For rimls (alg. 10.4) gradient and Hessian are the derivatives of the last pass's f with its factors
+/// held constant.
 template <class T>
 struct Evaluation {
     Status status = Status::Outside;
@@ -80,11 +84,13 @@ class Surface {
     float supportScale() const { return m_supportScale; }
 
     /// The definition's frame, or the nearest that the surfels have normals for: without a common sign hyperplanes
-    /// stand in for summed normals, without normals covariance-at-centroid for both (alg. 2.6, defaults).
+    /// stand in for summed normals, apss and rimls, without normals covariance-at-centroid for all of them (alg. 2.6,
+    /// defaults).
     Frame effectiveFrame() const;
 
     /// One position (one contact, one haptic step). Status is Ok, Outside, Degenerate or BeyondBoundary; in the last
-    /// case all numbers are valid. `need` Hessian is answered by the reference alone.
+    /// case all numbers are valid. With Need::Hessian, frames without vectorised sums for it are answered by the
+    /// reference, rounded.
     Evaluationf evaluate(const base::Vec3f& x, Need need = Need::Gradient, const Hint& hint = {}) const;
     /// Many positions, in parallel, best when neighbours in the list are neighbours in space. The same bits as one by
     /// one.
@@ -96,13 +102,5 @@ class Surface {
     SurfaceDefinition m_definition;
     float m_supportScale = 1;
 };
-
-/// Principal curvatures and directions of the level set through x (alg. 7): k1 >= k2, positive on a sphere with outward
-/// normals. REQUIRES: `e` was evaluated with Need::Hessian and has a gradient.
-struct Curvature {
-    double k1 = 0, k2 = 0;
-    base::Vec3d direction1, direction2;
-};
-Curvature curvature(const Evaluationd& e);
 
 } // namespace surface

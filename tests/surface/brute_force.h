@@ -15,21 +15,34 @@ namespace brute {
 using base::Mat3d, base::Vec3d;
 using surface::Frame, surface::Weight;
 
+/// Which surfels count and how: all; those not facing away from the reference; all, flipped to its side; all, by
+/// exp(-|n - reference|^2 / sigma^2).
+enum class Mode { All, Skip, Flip, Refit };
+
+/// What the last pass of rimls weighs by.
+struct Pass {
+    Mode mode = Mode::All;
+    Vec3d reference;
+};
+
 struct Answer {
     bool valid = false;
-    int samples = 0;
+    int samples = 0, samplesAtCentroid = 0;
     double f = 0, o = 0, unit = 0, agreement = 1;
     Vec3d c, n, g;
+    Pass pass;         ///< of rimls
+    double sphere = 1; ///< of apss: |q| h; its formulas as printed lose digits as that goes to zero
 };
 
 struct Model {
     std::vector<surfel::Surfel> surfels;
     surface::SurfaceDefinition definition;
     bool normals = true, oriented = true;
+    double scale = 1; ///< of all supports
 };
 
 inline Model modelOf(const surfel::SurfelList& list, const surface::SurfaceDefinition& definition) {
-    return {list.items, definition, list.layout->normals, list.layout->normals && list.layout->oriented};
+    return {list.items, definition, list.layout->normals, list.layout->normals && list.layout->oriented, 1};
 }
 
 /// Solves a 4x4 system by Gauss with full row pivoting.
@@ -94,50 +107,96 @@ inline std::pair<double, Vec3d> eigenpair(const Mat3d& s, bool largest) {
     return {dot(n, s * n), n};
 }
 
+/// A weight by the distance in units of its scale, with its derivatives.
+struct Phi {
+    double v = 0, d = 0, dd = 0;
+};
+
+inline Phi phi(Weight weight, double r) {
+    const double t = 1 - r;
+    switch (weight) {
+    case Weight::Wendland:
+        return {std::pow(t, 4) * (4 * r + 1), -20 * r * std::pow(t, 3), -20 * std::pow(t, 3) + 60 * r * t * t};
+    case Weight::WendlandC4:
+        return {std::pow(t, 6) * (35 * r * r + 18 * r + 3) / 3, -56.0 / 3 * r * std::pow(t, 5) * (5 * r + 1),
+                -56.0 / 3 * (std::pow(t, 5) * (10 * r + 1) - 5 * r * std::pow(t, 4) * (5 * r + 1))};
+    case Weight::Gaussian:
+        break;
+    }
+    const double v = std::exp(-r * r);
+    return {v, -2 * r * v, (4 * r * r - 2) * v};
+}
+
+/// phi over the square of r / reach.
+inline Phi interpolating(const Phi& p, double r, double reach) {
+    const double k = reach * reach;
+    return {k * p.v / (r * r), k * (p.d / (r * r) - 2 * p.v / (r * r * r)),
+            k * (p.dd / (r * r) - 4 * p.d / (r * r * r) + 6 * p.v / (r * r * r * r))};
+}
+
 /// Weighted sums that all frames share, with first derivatives.
 struct Sums {
     int count = 0;
     double w = 0, unit = 0;
-    Vec3d wk, p; ///< sum theta_k, sum theta (p - x)
-    Mat3d pk;    ///< sum (p - x)_a theta_k
-    Vec3d m;     ///< sum theta n
+    Vec3d wk, p;       ///< sum theta_k, sum theta (p - x)
+    Mat3d pk;          ///< sum (p - x)_a theta_k
+    Mat3d wkl, pkl[3]; ///< sum theta_kl, sum (p - x)_a theta_kl
+    Vec3d m;           ///< sum theta n
     Mat3d mk;
     double u = 0; ///< sum theta n.(x - p)
     Vec3d uk;
+    double np = 0, pp = 0; ///< sum theta n.(p - x), sum theta |p - x|^2, and with theta_k
+    Vec3d npk, ppk;
     Mat3d s; ///< hyperplanes: sum theta n n^T; covariance: sum theta (x-p)(x-p)^T, total derivatives
     Mat3d sk[3];
 };
 
-/// `reference` and `mode`: 0 all, 1 skip those facing away, 2 flip them.
-inline Sums sums(const Model& model, const Vec3d& x, bool hyperplanes, int mode, const Vec3d& reference) {
+inline Sums sums(const Model& model, const Vec3d& x, Mode mode = Mode::All, const Vec3d& reference = {}) {
     Sums out;
-    const bool gauss = model.definition.weight == Weight::Gaussian;
+    const Weight weight = model.definition.weight;
+    const bool hyperplanes = model.definition.frame == Frame::Hyperplanes;
+    const double reach = weight == Weight::Gaussian ? double(surface::gaussianReach) : 1;
+    const double sigma = double(model.definition.rimlsSigma);
     for (const surfel::Surfel& each : model.surfels) {
         const Vec3d away = x - base::cast<double>(each.position);
-        const double distance = length(away), h = each.support;
+        const double distance = length(away), h = model.scale * double(each.support);
         if (distance >= h)
             continue;
         Vec3d n = base::cast<double>(each.normal);
-        if (mode == 1 && dot(n, reference) <= double(-0.17f))
+        if (mode == Mode::Skip && dot(n, reference) <= double(-0.17f))
             continue;
-        if (mode == 2 && dot(n, reference) < 0)
+        if (mode == Mode::Flip && dot(n, reference) < 0)
             n = -n;
-        const double scale = gauss ? h / double(surface::gaussianReach) : h, r = distance / scale;
-        const double theta = gauss ? std::exp(-r * r) : std::pow(1 - r, 4) * (4 * r + 1);
-        const double alpha = gauss ? -2 * theta : -20 * std::pow(1 - r, 3);
+        const double scale = h / reach, r = distance / scale;
+        const double factor = mode == Mode::Refit ? std::exp(-lengthSq(n - reference) / (sigma * sigma)) : 1;
+        Phi radial = phi(weight, r);
+        if (model.definition.interpolating)
+            radial = interpolating(radial, r, reach);
+        const double theta = factor * radial.v;
         if (theta <= 0)
             continue;
-        const Vec3d slope = away * (alpha / (scale * scale)); // theta_,k
+        const Vec3d direction = away / distance;
+        const Vec3d slope = direction * (factor * radial.d / scale); // theta_,k
+        const Mat3d along = base::outer(direction, direction);
+        const Mat3d bend = along * (factor * radial.dd / (scale * scale)) +
+                           (Mat3d::identity() - along) * (factor * radial.d / (scale * distance)); // theta_,kl
         ++out.count;
         out.w += theta;
         out.unit += theta * scale;
         out.wk += slope;
         out.p -= away * theta;
         out.pk += outer(-away, slope);
+        out.wkl += bend;
+        for (std::size_t a = 0; a < 3; ++a)
+            out.pkl[a] += bend * -away[a];
         out.m += n * theta;
         out.mk += outer(n, slope);
         out.u += theta * dot(n, away);
         out.uk += slope * dot(n, away) + n * theta;
+        out.np -= theta * dot(n, away);
+        out.npk -= slope * dot(n, away);
+        out.pp += theta * lengthSq(away);
+        out.ppk += slope * lengthSq(away);
         const Vec3d& y = hyperplanes ? n : away;
         out.s += outer(y, y) * theta;
         for (int k = 0; k < 3; ++k) {
@@ -151,16 +210,103 @@ inline Sums sums(const Model& model, const Vec3d& x, bool hyperplanes, int mode,
     return out;
 }
 
-/// n and Dn (row a, column k) of an eigenvector frame.
-inline void eigenFrame(const Sums& s, bool largest, Vec3d& n, Mat3d& dn) {
-    const auto [l, v] = eigenpair(s.s, largest);
+/// dc_a/dx_k = (1/w) sum (p - c)_a theta_k.
+inline Mat3d centroidGradient(const Sums& s) {
+    const Vec3d e = s.p / s.w;
+    Mat3d j;
+    for (std::size_t a = 0; a < 3; ++a)
+        for (std::size_t k = 0; k < 3; ++k)
+            j.m[a][k] = (s.pk.m[a][k] - e[a] * s.wk[k]) / s.w;
+    return j;
+}
+
+/// n and Dn (row a, column k) of an eigenvector of s with derivatives sk.
+inline void eigenFrame(const Mat3d& s, const Mat3d (&sk)[3], bool largest, Vec3d& n, Mat3d& dn) {
+    const auto [l, v] = eigenpair(s, largest);
     n = v;
     for (int k = 0; k < 3; ++k) {
-        const Vec3d right = n * dot(n, s.sk[k] * n) - s.sk[k] * n;
-        const auto nk = bordered(s.s, l, n, right);
+        const Vec3d right = n * dot(n, sk[k] * n) - sk[k] * n;
+        const auto nk = bordered(s, l, n, right);
         for (std::size_t a = 0; a < 3; ++a)
             dn.m[a][k] = nk[a];
     }
+}
+
+/// Eigenvector of J J^T; J_,k from c_a,kl = (1/w) (sum (p - c)_a theta_kl - J_ak w_l - J_al w_k).
+inline void centroidGradientFrame(const Sums& s, Vec3d& n, Mat3d& dn) {
+    const Mat3d j = centroidGradient(s);
+    const Vec3d e = s.p / s.w;
+    Mat3d sk[3];
+    for (std::size_t k = 0; k < 3; ++k) {
+        Mat3d jk;
+        for (std::size_t a = 0; a < 3; ++a)
+            for (std::size_t l = 0; l < 3; ++l)
+                jk.m[a][l] =
+                    (s.pkl[a].m[k][l] - e[a] * s.wkl.m[k][l] - j.m[a][k] * s.wk[l] - j.m[a][l] * s.wk[k]) / s.w;
+        sk[k] = jk * transposed(j) + j * transposed(jk);
+    }
+    eigenFrame(j * transposed(j), sk, false, n, dn);
+}
+
+/// m / |m|.
+inline void normalFrame(const Sums& s, Vec3d& n, Mat3d& dn) {
+    const double rho = length(s.m);
+    n = s.m / rho;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Vec3d mk{s.mk.m[0][k], s.mk.m[1][k], s.mk.m[2][k]};
+        const Vec3d nk = (mk - n * dot(n, mk)) / rho;
+        for (std::size_t a = 0; a < 3; ++a)
+            dn.m[a][k] = nk[a];
+    }
+}
+
+/// Centre b and radius r of the fitted sphere, as alg. 10.3 prints them, with derivatives. REQUIRES: not a plane.
+inline void apss(const Model& model, const Sums& s, Answer& out) {
+    const double beta = double(model.definition.apssBeta);
+    const double above = s.np - dot(s.p, s.m) / s.w, below = s.pp - lengthSq(s.p) / s.w;
+    const double q = 0.5 * beta * above / below;
+    const Vec3d l = (s.m - s.p * (2 * q)) / s.w, b = l * (-0.5 / q);
+    const double c0 = -(dot(l, s.p) + q * s.pp) / s.w, r = std::sqrt(lengthSq(b) - c0 / q), sign = q < 0 ? -1 : 1;
+    out.f = sign * (length(b) - r);
+    out.sphere = std::abs(q) * out.unit;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Vec3d pk{s.pk.m[0][k], s.pk.m[1][k], s.pk.m[2][k]}, mk{s.mk.m[0][k], s.mk.m[1][k], s.mk.m[2][k]};
+        const double w = s.w, wk = s.wk[k];
+        const double aboveK = s.npk[k] - (dot(pk, s.m) + dot(s.p, mk)) / w + dot(s.p, s.m) * wk / (w * w);
+        const double belowK = s.ppk[k] - 2 * dot(s.p, pk) / w + lengthSq(s.p) * wk / (w * w);
+        const double qk = 0.5 * beta * (aboveK / below - above * belowK / (below * below));
+        const Vec3d lk = (mk - pk * (2 * q) - s.p * (2 * qk)) / w - l * (wk / w);
+        const double c0k = -(dot(lk, s.p) + dot(l, pk) + qk * s.pp + q * s.ppk[k]) / w - c0 * wk / w;
+        const Vec3d bk = lk * (-0.5 / q) + l * (0.5 * qk / (q * q));
+        const double rk = (dot(b, bk) - 0.5 * (c0k / q - c0 * qk / (q * q))) / r;
+        const Vec3d e{k == 0 ? 1.0 : 0, k == 1 ? 1.0 : 0, k == 2 ? 1.0 : 0};
+        const double slope = sign * (-dot(b, e - bk) / length(b) - rk);
+        out.g = k == 0 ? Vec3d{slope, 0, 0} : k == 1 ? Vec3d{out.g.x, slope, 0} : Vec3d{out.g.x, out.g.y, slope};
+    }
+    out.n = base::normalized(-b) * sign;
+}
+
+/// f, g and n of one pass (alg. 10.4): g the derivative with the factors held still.
+inline void rimlsPass(const Model& model, const Vec3d& x, const Pass& pass, Answer& out) {
+    const Sums s = sums(model, x, pass.mode, pass.reference);
+    out.samples = s.count;
+    out.f = s.u / s.w;
+    out.g = (s.uk - s.wk * out.f) / s.w; // uk holds sum w_i n_i too
+    out.n = base::normalized(s.m);
+}
+
+/// The passes as printed; returns the last.
+inline Pass rimls(const Model& model, const Vec3d& x, Pass pass, Answer& out) {
+    Vec3d before;
+    for (int i = 0; i < 3; ++i) {
+        if (i > 0)
+            pass = {Mode::Refit, before};
+        rimlsPass(model, x, pass, out);
+        if (lengthSq(out.g - before) <= 1e-3)
+            break;
+        before = out.g;
+    }
+    return pass;
 }
 
 inline Vec3d nearestNormal(const Model& model, const Vec3d& x) {
@@ -178,58 +324,102 @@ inline Vec3d nearestNormal(const Model& model, const Vec3d& x) {
 inline Answer evaluate(const Model& model, const Vec3d& x, const Vec3d& hint = {}) {
     Answer out;
     const Frame frame = model.definition.frame;
-    const bool hyperplanes = frame == Frame::Hyperplanes;
-    Sums s = sums(model, x, hyperplanes, 0, {});
+    Sums s = sums(model, x);
     if (s.w < 1e-12 || s.count < 3)
         return out;
-    int mode = 0;
+    Mode mode = Mode::All;
     Vec3d reference;
     if (model.oriented && model.definition.oneSheet && length(s.m) / s.w < 0.7) {
-        mode = 1;
+        mode = Mode::Skip;
         reference = lengthSq(hint) > 0 ? base::normalized(hint) : nearestNormal(model, x);
-        s = sums(model, x, hyperplanes, mode, reference);
+        s = sums(model, x, mode, reference);
     }
     const Vec3d e = s.p / s.w, d = -e; // c - x, x - c
-    Mat3d j;                           // dc_a/dx_k = (1/w) sum (p - c)_a theta_k
-    for (std::size_t a = 0; a < 3; ++a)
-        for (std::size_t k = 0; k < 3; ++k)
-            j.m[a][k] = (s.pk.m[a][k] - e[a] * s.wk[k]) / s.w;
+    const Mat3d j = centroidGradient(s);
+    out.valid = true;
     out.c = x + e;
     out.o = length(e);
     out.unit = s.unit / s.w;
     out.samples = s.count;
+    out.agreement = model.normals ? length(s.m) / s.w : 1;
+    if (frame == Frame::Apss) {
+        apss(model, s, out);
+        return out;
+    }
+    if (frame == Frame::Rimls) {
+        out.pass = rimls(model, x, {mode, reference}, out);
+        return out;
+    }
     Mat3d dn;
     if (frame == Frame::Normals) {
-        const double rho = length(s.m);
-        out.n = s.m / rho;
-        for (std::size_t k = 0; k < 3; ++k) {
-            const Vec3d mk{s.mk.m[0][k], s.mk.m[1][k], s.mk.m[2][k]};
-            const Vec3d nk = (mk - out.n * dot(out.n, mk)) / rho;
-            for (std::size_t a = 0; a < 3; ++a)
-                dn.m[a][k] = nk[a];
-        }
+        normalFrame(s, out.n, dn);
     } else if (frame == Frame::CovarianceAtCentroid) {
-        Mat3d there;
-        eigenFrame(sums(model, out.c, false, mode, reference), false, out.n, there);
-        dn = there * j;
+        const Sums there = sums(model, out.c, mode, reference);
+        out.samplesAtCentroid = there.count;
+        Mat3d dnThere;
+        eigenFrame(there.s, there.sk, false, out.n, dnThere);
+        dn = dnThere * j;
+    } else if (frame == Frame::CentroidGradient) {
+        centroidGradientFrame(s, out.n, dn);
     } else {
-        eigenFrame(s, hyperplanes, out.n, dn);
+        eigenFrame(s.s, s.sk, frame == Frame::Hyperplanes, out.n, dn);
     }
     const Vec3d side = model.oriented ? s.m : hint;
     if (dot(out.n, side) < 0)
         out.n = -out.n, dn *= -1;
     if (model.normals && !model.oriented) {
-        const Sums aligned = sums(model, x, hyperplanes, 2, out.n);
+        const Sums aligned = sums(model, x, Mode::Flip, out.n);
         s.m = aligned.m, s.u = aligned.u, s.uk = aligned.uk;
-    }
-    if (model.normals)
         out.agreement = length(s.m) / s.w;
+    }
     const double mu = model.normals && model.definition.shrinkFree ? 0.5 : 0;
     out.f = (1 - mu) * dot(out.n, d) + mu * s.u / s.w;
     const Vec3d plain = out.n - transposed(j) * out.n + transposed(dn) * d;
     out.g = plain * (1 - mu) + (s.uk - s.wk * (s.u / s.w)) * (mu / s.w);
-    out.valid = true;
     return out;
+}
+
+/// The same branch of f beside a position where it was answered: signs, sheets and the factors of rimls stay.
+inline Answer beside(const Model& model, const Answer& at, const Vec3d& y) {
+    if (model.definition.frame != Frame::Rimls)
+        return evaluate(model, y, at.n);
+    Answer out;
+    rimlsPass(model, y, at.pass, out);
+    return out;
+}
+
+/// Does the Gaussian's cut, where it is not quite zero, take or give samples within the reach of `difference`?
+inline bool cutMoves(const Model& model, const Answer& at, const Vec3d& x, double step) {
+    if (model.definition.weight != Weight::Gaussian)
+        return false;
+    for (std::size_t k = 0; k < 3; ++k)
+        for (int i : {-3, -2, -1, 1, 2, 3}) {
+            Vec3d y = x;
+            (k == 0 ? y.x : k == 1 ? y.y : y.z) += i * step;
+            const Answer there = beside(model, at, y);
+            if (there.samples != at.samples || there.samplesAtCentroid != at.samplesAtCentroid)
+                return true;
+        }
+    return false;
+}
+
+/// Derivative along axis k by differences of sixth order.
+template <class Fn>
+auto difference(const Fn& fn, const Vec3d& x, int k, double step) {
+    const Vec3d by{k == 0 ? step : 0, k == 1 ? step : 0, k == 2 ? step : 0};
+    const auto pair = [&](int i) { return fn(x + by * i) - fn(x - by * i); };
+    return (pair(1) * 45 - pair(2) * 9 + pair(3)) * (1 / (60 * step));
+}
+
+/// The Hessian by differences of the gradient.
+inline Mat3d hessian(const Model& model, const Vec3d& x, const Answer& at, double step) {
+    Mat3d out;
+    for (int k = 0; k < 3; ++k) {
+        const Vec3d column = difference([&](const Vec3d& y) { return beside(model, at, y).g; }, x, k, step);
+        for (std::size_t a = 0; a < 3; ++a)
+            out.m[a][k] = column[a];
+    }
+    return (out + transposed(out)) * 0.5;
 }
 
 /// Orthogonal projection by the plain fixed-point iteration of alg. 3.1 with the plane of alg. 2.6.
