@@ -75,12 +75,15 @@ void estimateNormals(surfel::SurfelList& points, int neighbours, const base::Pro
     setFlags(points, false);
 }
 
-void orientNormals(surfel::SurfelList& points, int neighbours, const base::Progress& progress) {
+bool orientNormals(surfel::SurfelList& points, int neighbours, const base::Progress& progress) {
     const Cloud cloud(points.items, part(progress, 0, 0.2));
     std::vector<base::Vec3f> normals(cloud.size());
     for (std::size_t i = 0; i < points.size(); ++i)
         normals[cloud.places()[i]] = points.items[i].normal;
-    orient(cloud, normals, neighbours, part(progress, 0.2, 1));
+    if (!orient(cloud, normals, neighbours, part(progress, 0.2, 1))) {
+        setFlags(points, false);
+        return false;
+    }
     for (std::size_t i = 0; i < points.size(); ++i) {
         // Coincident points may differ in their normals: each one turns towards what its place decided.
         base::Vec3f& n = points.items[i].normal;
@@ -88,6 +91,7 @@ void orientNormals(surfel::SurfelList& points, int neighbours, const base::Progr
             n = -n;
     }
     setFlags(points, true);
+    return true;
 }
 
 } // namespace process

@@ -10,7 +10,8 @@ namespace process {
 void estimateNormals(surfel::SurfelList& points, int neighbours = 18, const base::Progress& progress = {});
 
 /// Flips normals so that neighbours agree (spanning tree by likeness; the outermost points of each component must look
-/// outward); sets layout->oriented. In parallel, deterministic.
-void orientNormals(surfel::SurfelList& points, int neighbours = 12, const base::Progress& progress = {});
+/// outward); sets layout->oriented. On a surface that has no two sides all stays as it is and false is returned. In
+/// parallel, deterministic.
+bool orientNormals(surfel::SurfelList& points, int neighbours = 12, const base::Progress& progress = {});
 
 } // namespace process

@@ -46,11 +46,12 @@ void makeUnit(surfel::SurfelList& points) {
     }
 }
 
-void setOriented(surfel::SurfelList& points) {
-    if (points.layout->normals && points.layout->oriented)
+void setOriented(surfel::SurfelList& points, bool oriented) {
+    if (points.layout->normals && points.layout->oriented == oriented)
         return;
     auto layout = std::make_shared<surfel::AttributeLayout>(*points.layout);
-    layout->normals = layout->oriented = true;
+    layout->normals = true;
+    layout->oriented = oriented;
     points.layout = std::move(layout);
 }
 
@@ -58,12 +59,12 @@ bool hasNormal(const surfel::Surfel& s) {
     return s.normal != base::Vec3f{};
 }
 
-/// Estimates the normals that are missing. Where others are known, the estimates take their side.
-void completeNormals(surfel::SurfelList& points, const Cloud& cloud, const base::Progress& progress) {
+/// Estimates the normals that are missing. Where others are known, the estimates take their side. False where the
+/// surface has no sides to take.
+bool completeNormals(surfel::SurfelList& points, const Cloud& cloud, const base::Progress& progress) {
     std::vector<base::Vec3f> normals = normalsOf(cloud, 18, part(progress, 0, 0.5));
     const bool some = std::any_of(points.items.begin(), points.items.end(), hasNormal);
-    if (!some)
-        orient(cloud, normals, orientNeighbours, part(progress, 0.5, 1));
+    const bool sided = some || orient(cloud, normals, orientNeighbours, part(progress, 0.5, 1));
     std::vector<base::Vec3f> known(cloud.size());
     for (std::size_t i = 0; i < points.size(); ++i)
         known[cloud.places()[i]] += points.items[i].normal;
@@ -78,6 +79,7 @@ void completeNormals(surfel::SurfelList& points, const Cloud& cloud, const base:
         if (!hasNormal(points.items[i]))
             points.items[i].normal = base::dot(normals[place], side[place]) < 0 ? -normals[place] : normals[place];
     }
+    return sided;
 }
 
 /// Neighbourhoods are found where something must be estimated: a file that brings everything opens without them.
@@ -115,11 +117,11 @@ void prepareNormals(surfel::SurfelList& points, LazyCloud& cloud, const SurfaceD
     makeUnit(points);
     if (definition.manifold == surface::Manifold::Curve)
         return; // what there is are tangents, and curves do without
-    const bool oriented = points.layout->oriented || !declared;
+    bool oriented = points.layout->oriented || !declared;
     if (!std::all_of(points.items.begin(), points.items.end(), hasNormal))
-        completeNormals(points, *cloud, part(progress, 0, 0.7));
-    if (oriented)
-        setOriented(points);
+        oriented &= completeNormals(points, *cloud, part(progress, 0, 0.7));
+    if (oriented || !declared)
+        setOriented(points, oriented);
     else if (definition.frame == surface::Frame::Normals)
         orientNormals(points, orientNeighbours, part(progress, 0.7, 1));
 }

@@ -1,6 +1,7 @@
 // From loaded points to a surface: everything a raw scan lacks is estimated, everything it brings is kept.
 //
 //     normals absent            estimated from 18 neighbours, then oriented consistently   normals.h
+//                               (surfaces without two sides stay unoriented)
 //     supports absent or asked  from neighbours or one radius, by the definition           supports.h
 //     Boundary::Auto            limit from the model's own off-centre values               boundary_limit.h
 //     tree                      built                                                      tree/surfel_tree.h

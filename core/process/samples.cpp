@@ -61,6 +61,21 @@ surfel::SurfelList makeClay(std::size_t count, std::uint64_t) {
     return sampleBlock({}, count);
 }
 
+/// A strip with half a turn, its points on a golden lattice: one side, one rim, no normals.
+surfel::SurfelList makeMoebius(std::size_t count, std::uint64_t) {
+    surfel::SurfelList out;
+    out.items.resize(count);
+    const double golden = (std::sqrt(5.0) - 1) / 2;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double u = 2 * std::numbers::pi * (static_cast<double>(i) + 0.5) / static_cast<double>(count);
+        const double across = 0.6 * (std::fmod(golden * static_cast<double>(i), 1.0) - 0.5);
+        const double ring = 0.7 + across * std::cos(u / 2);
+        out.items[i].position =
+            base::cast<float>(base::Vec3d{ring * std::cos(u), across * std::sin(u / 2), -ring * std::sin(u)});
+    }
+    return out;
+}
+
 /// A wire wound twelve times around a ring, at equal arc lengths, thicker on one side: `radius` beside each point.
 surfel::SurfelList makeCoil(std::size_t count, std::uint64_t) {
     constexpr int fine = 1 << 15;
@@ -98,6 +113,7 @@ constexpr SampleRow table[] = {
     {"scan", "Simulated scan", "Raw points of a figure: several views, noise, holes, no normals", simulateScan, 60000},
     {"coil", "Coil", "A curve in space with a radius per point: a wound wire", makeCoil, 2000,
      surface::Manifold::Curve},
+    {"moebius", "M\u00f6bius strip", "A strip with half a turn: one side, one rim", makeMoebius, 20000},
 };
 
 } // namespace

@@ -1,5 +1,5 @@
 // Sample models made by code, so that the program ships nobody's data: one table that menus, command line, tests and
-// pictures loop over. All surfaces have outward normals unless they simulate a raw scan. Same bits for the same
+// pictures loop over. All surfaces have outward normals unless they simulate a raw scan or have no two sides. Same bits for the same
 // parameters.
 #pragma once
 
@@ -11,7 +11,7 @@
 namespace process {
 
 struct SampleRow {
-    const char* id;    ///< "sphere", "torus", "knot", "clay", "scan", "coil"
+    const char* id;    ///< "sphere", "torus", "knot", "clay", "scan", "coil", "moebius"
     const char* label; ///< as a menu shows it
     const char* tip;
     surfel::SurfelList (*make)(std::size_t count, std::uint64_t seed);

@@ -21,6 +21,7 @@ class NormalsTest : public QObject {
     void orientationCrossesSharpEdges();
     void everyComponentLooksOutward();
     void simulatedScanAgreesWithItsNeighbours();
+    void surfacesWithoutTwoSidesStayUnoriented();
     void flagsSayWhatIsKnown();
     void sameBitsAtAnyThreadCount();
     void degenerateInputGivesUnitNormals();
@@ -172,6 +173,22 @@ void NormalsTest::simulatedScanAgreesWithItsNeighbours() {
             return dot(a.position, d) < dot(b.position, d);
         });
         QVERIFY2(dot(top->normal, d) > 0, qPrintable(QString("seed %1").arg(test::seed())));
+    }
+}
+
+/// At any sampling, and with the strip's normals as they came; a strip cut across is a band with two sides.
+void NormalsTest::surfacesWithoutTwoSidesStayUnoriented() {
+    for (const std::size_t count : {300, 3000, 30000}) {
+        auto strip = sample("moebius").make(count, 1);
+        estimateNormals(strip);
+        const auto before = strip.items;
+        QVERIFY(!orientNormals(strip));
+        QVERIFY(strip.layout->normals && !strip.layout->oriented);
+        QVERIFY(strip.items == before);
+        std::erase_if(strip.items,
+                      [](const surfel::Surfel& s) { return s.position.x > 0 && std::abs(s.position.z) < 0.15f; });
+        QVERIFY(orientNormals(strip));
+        QVERIFY(strip.layout->oriented);
     }
 }
 
