@@ -1,7 +1,7 @@
 #include "core/surface/curve.h"
 
 #include "core/surface/clusters.h"
-#include "core/surface/frame_normal.h"
+#include "core/surface/fields.h"
 
 namespace surface {
 
@@ -69,13 +69,21 @@ class CurveAssembler {
             return {};
         }
         const FrameNormal<double, O> out = dominant();
-        m_out.cause = out.valid ? Cause::None : Cause::ClosedGap;
+        m_out.cause = out.cause;
         return out;
     }
 
     FrameNormal<double, O> dominant() const {
         if (m_frame == Frame::Hyperplanes)
             return eigenvector(m_moments.outer, Pick::Largest);
+        if (m_frame == Frame::CentroidGradient) {
+            Moments<double, O + 1> wide;
+            const ScratchClusters clusters(m_curve.tree(), m_x);
+            sum(clusters.span(), m_x, m_options, wide);
+            J s[6];
+            centroidGradientSquare(wide, s);
+            return eigenvector(s, Pick::Largest, Eigenvalues::Squares);
+        }
         if (m_frame != Frame::CovarianceAtCentroid)
             return covariance(m_moments);
         SumOptions options = m_options;
@@ -83,7 +91,7 @@ class CurveAssembler {
         const ScratchClusters clusters(m_curve.tree(), m_out.centroid);
         sum(clusters.span(), m_out.centroid, options, there);
         if (!(there.one.v > leastCurveWeight) || there.samples < leastCurveSamples)
-            return {};
+            return {{}, false, Cause::NoSupport};
         FrameNormal<double, O> out = covariance(there);
         for (J& each : out.n)
             each = compose(each, m_centroid);
@@ -92,11 +100,7 @@ class CurveAssembler {
 
     static FrameNormal<double, O> covariance(const Moments<double, O>& m) {
         J s[6];
-        for (int a = 0; a < 3; ++a)
-            for (int b = a; b < 3; ++b) // sum theta q q^T with q = p - x moving
-                s[sym(a, b)] = m.outer[sym(a, b)] - timesCoordinate(a, m.q[static_cast<std::size_t>(b)]) -
-                               timesCoordinate(b, m.q[static_cast<std::size_t>(a)]) +
-                               timesCoordinate(a, timesCoordinate(b, m.one));
+        movingOuter(m, s);
         return eigenvector(s, Pick::Largest);
     }
 
@@ -151,7 +155,7 @@ Frame effectiveCurveFrame(const Surface& curve) {
     const Frame frame = curve.definition().frame;
     if (frame == Frame::Hyperplanes && curve.tree().layout()->normals)
         return frame;
-    return frame == Frame::Covariance ? frame : Frame::CovarianceAtCentroid;
+    return frame == Frame::Covariance || frame == Frame::CentroidGradient ? frame : Frame::CovarianceAtCentroid;
 }
 
 CurveEvaluation evaluateCurve(const Surface& curve, const Vec3d& x, Need need) {
