@@ -20,9 +20,16 @@ void Sampling::start(const surface::Surface& surface, const base::Vec3f& contact
     m_spacing = process::localSpacing(surface, contact);
 }
 
+bool restructures(const tree::Edit& edit) {
+    return !edit.inserted.items.empty() ||
+           std::any_of(edit.blocks.begin(), edit.blocks.end(), [](const auto& each) { return each.removed.any(); });
+}
+
 static float largestMove(const tree::SurfelTree& before, const tree::Edit& edit) {
     std::vector<float> moves(edit.blocks.size(), 0.0f);
     base::parallelFor(moves.size(), 16, [&](std::size_t i) {
+        if (!edit.blocks[i].changed)
+            return;
         const surfel::BlockPtr old = before.block(edit.blocks[i].block);
         const surfel::SurfelBlock& now = *edit.blocks[i].changed;
         for (int slot = 0; slot < now.size(); ++slot)
@@ -35,6 +42,8 @@ void Sampling::note(const tree::SurfelTree& before, const tree::Edit& edit, cons
     if (edit.empty() || !started())
         return;
     const float move = largestMove(before, edit);
+    if (move == 0 && !restructures(edit))
+        return; // colours and masks ask for no other sampling
     m_travel += move;
     m_stretch *= 1 + move * steepest / dab.radius;
     add({dab.centre + dab.move * 0.5f, dab.radius + move});

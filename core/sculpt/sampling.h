@@ -10,6 +10,9 @@
 
 namespace sculpt {
 
+/// Surfels come or go, so that blocks and slots may get other numbers.
+bool restructures(const tree::Edit& edit);
+
 class Sampling {
   public:
     /// Call with the first contact. Until then, and on models too small to have a spacing, nothing is ever due.

@@ -1,6 +1,6 @@
 // What a stroke's settings may be: the one place that refuses them.
+#include "core/sculpt/stroke_settings.h"
 #include "core/base/error.h"
-#include "core/sculpt/stroke.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,12 +31,60 @@ static void checkParameter(const ToolRow& row, const std::string& id, double val
                       names.empty() ? "it has none" : "it has " + names);
 }
 
+constexpr MethodRow methods[] = {
+    {StrokeMethod::Space, "space", "Space", "Dabs evenly along the surface.", false},
+    {StrokeMethod::Dots, "dots", "Dots", "A dab wherever the pointer is seen: the faster it goes, the farther apart.",
+     false},
+    {StrokeMethod::Airbrush, "airbrush", "Airbrush", "Dabs evenly in time, also while the pointer rests.", false},
+    {StrokeMethod::Anchored, "anchored", "Anchored", "One dab where you press; drag for its size and turn.", true},
+    {StrokeMethod::Line, "line", "Line", "Dabs along the straight line from press to release.", true},
+};
+
+std::span<const MethodRow> methodTable() {
+    return methods;
+}
+
+const MethodRow& row(StrokeMethod method) {
+    return *std::find_if(std::begin(methods), std::end(methods),
+                         [&](const MethodRow& each) { return each.method == method; });
+}
+
+StrokeMethod method(std::string_view id) {
+    std::string known;
+    for (const MethodRow& each : methods) {
+        if (id == each.id)
+            return each.method;
+        known += known.empty() ? each.id : std::string(", ") + each.id;
+    }
+    throw base::Error("there is no stroke method '" + std::string(id) + "'", "method", "choose one of " + known);
+}
+
+bool lastOnly(const StrokeSettings& settings) {
+    const Motion motion = tool(settings.tool).motion;
+    return (motion == Motion::Along || motion == Motion::Follow) && row(settings.method).lastOnly;
+}
+
+static void checkSymmetry(const Symmetry& symmetry) {
+    inRange("radial", symmetry.copies, 1, 64);
+    inRange("radial-axis", symmetry.axis, 0, 2);
+}
+
 void check(const StrokeSettings& settings) {
     const ToolRow& row = tool(settings.tool);
     if (!(settings.radius > 0) || !std::isfinite(settings.radius))
         throw base::Error("radius is " + text(settings.radius), "stroke", "give a length greater than 0");
     inRange("strength", settings.strength, 0, 1);
     inRange("spacing", settings.spacing, 0.005, 10);
+    inRange("rate", settings.rate, 1, 500);
+    inRange("stabiliser", settings.stabiliser, 0, 100);
+    inRange("auto-smooth", settings.autoSmooth, 0, 1);
+    inRange("normal-radius", settings.normalRadius, 0, 2);
+    inRange("plane-radius", settings.planeRadius, 0, 2);
+    inRange("stamp-angle", settings.stampAngleRad, -100, 100);
+    checkSymmetry(settings.symmetry);
+    BrushCurve(settings.falloffCurve, "falloff-curve");
+    BrushCurve(settings.pressureStrength, "pressure-strength");
+    BrushCurve(settings.pressureRadius, "pressure-radius");
     for (const auto& [id, value] : settings.parameters)
         checkParameter(row, id, value);
 }

@@ -1,0 +1,251 @@
+#include "core/sculpt/stroke_dabs.h"
+
+#include "core/sculpt/brush_connected.h"
+#include "core/sculpt/stroke_accumulate.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace sculpt {
+
+using base::Vec3f;
+
+/// Neighbours of a connected surface are this many spacings apart at most: the widest that resampling leaves, with
+/// room.
+constexpr float connectedReach = 2.2f;
+/// A drag's weights are taken half a step ahead; what it may touch is known that far.
+constexpr float connectedMargin = 1.1f;
+/// Radius under the lightest pressure, as a part of the settings': a brush never vanishes.
+constexpr float leastRadius = 0.01f;
+
+namespace {
+
+class Stopwatch {
+  public:
+    double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - m_start).count(); }
+
+  private:
+    std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
+};
+
+/// What a person calls up: the upright axis (y) as it is seen; from straight above, away from the viewer.
+Vec3f seenUpwards(const Vec3f& view) {
+    const Vec3f upright{0, 1, 0}, up = upright - view * dot(view, upright);
+    if (length(up) > 1e-3f)
+        return normalized(up);
+    return {0, 0, view.y < 0 ? -1.0f : 1.0f};
+}
+
+} // namespace
+
+Dabs::Dabs(surface::Surface start, StrokeSettings settings, const base::Vec3d& origin,
+           std::shared_ptr<const BrushStamp> stamp)
+    : m_first(start), m_surface(start), m_base(std::move(start)), m_settings(std::move(settings)),
+      m_row(tool(m_settings.tool)), m_accumulate(m_settings.accumulate || m_row.motion != Motion::Along),
+      m_images(mirrors(m_settings.symmetry, origin)),
+      m_pressureStrength(m_settings.pressureStrength, "pressure-strength"),
+      m_pressureRadius(m_settings.pressureRadius, "pressure-radius"), m_anchors(m_images.size()),
+      m_places(m_images.size()) {
+    m_pattern.radius = m_settings.radius;
+    m_pattern.falloff = m_settings.falloff;
+    if (m_settings.falloff == Falloff::Custom)
+        m_pattern.curve = std::make_shared<BrushCurve>(m_settings.falloffCurve, "falloff-curve");
+    m_pattern.strength = m_settings.invert ? -m_settings.strength : m_settings.strength;
+    m_smoothing = m_settings.autoSmooth;
+    const bool spaced = m_settings.method == StrokeMethod::Space || m_settings.method == StrokeMethod::Line;
+    if (m_row.motion == Motion::Along && spaced && m_accumulate) {
+        const float share = std::min(1.0f, m_settings.spacing / usualSpacing);
+        m_pattern.strength *= share, m_smoothing *= share;
+    }
+    m_pattern.oriented = m_first.tree().layout()->oriented;
+    m_pattern.frontFacing = m_settings.frontFacing;
+    m_pattern.stamp = std::move(stamp);
+    m_pattern.footprints = !m_settings.resample;
+    for (const ToolParameter& parameter : m_row.parameters)
+        m_pattern.parameters[parameter.id] = parameter.fallback;
+    for (const auto& [id, value] : m_settings.parameters)
+        m_pattern.parameters[id] = value;
+}
+
+Dabs::Form Dabs::form(float pressure) const {
+    return {m_settings.radius * std::max(leastRadius, m_pressureRadius.value(pressure)),
+            m_pressureStrength.value(pressure),
+            {}};
+}
+
+Dabs::Contacts Dabs::contactsOf(const base::Rayf& ray) const {
+    Contacts out;
+    for (const Mirror& image : m_images)
+        out.push_back(contact(image.ray(ray)));
+    return out;
+}
+
+std::vector<float> Dabs::shares(const Contacts& contacts, float radius) {
+    std::vector<float> share(contacts.size(), 0.0f);
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        if (!contacts[i])
+            continue;
+        float overlap = 0;
+        for (const auto& other : contacts)
+            if (other)
+                overlap += std::max(0.0f, 1 - distance(contacts[i]->position, other->position) / (2 * radius));
+        share[i] = 1 / overlap;
+    }
+    return share;
+}
+
+Dab Dabs::dabOf(const Contact& at, std::size_t index, const Vec3f& view, const Form& form) {
+    Dab dab = m_pattern;
+    dab.radius = form.radius;
+    const Area area = areaAround(touched(), at, m_settings.normalRadius * form.radius);
+    const bool one = m_settings.planeRadius == m_settings.normalRadius;
+    dab.centre = at.position;
+    dab.normal = at.normal;
+    dab.areaNormal = area.normal;
+    dab.areaCentre = one ? area.centre : areaAround(touched(), at, m_settings.planeRadius * form.radius).centre;
+    dab.view = m_images[index].direction(view);
+    dab.strength = std::clamp(dab.strength * form.strength, -1.0f, 1.0f);
+    if (!m_anchors[index])
+        m_anchors[index] = {at.position, area.normal};
+    dab.anchor = m_anchors[index]->position, dab.anchorNormal = m_anchors[index]->normal;
+    dab.image = m_images[index].matrix();
+    if (m_places[index])
+        dab.travel = at.position - *m_places[index];
+    m_places[index] = at.position;
+    aim(dab, m_images[index], view, form);
+    return dab;
+}
+
+void Dabs::aim(Dab& dab, const Mirror& image, const Vec3f& view, const Form& form) const {
+    Vec3f up = image.direction(seenUpwards(view));
+    if (form.upwards != Vec3f{})
+        up = image.direction(form.upwards);
+    else if (m_settings.stampFollows && dab.travel != Vec3f{})
+        up = dab.travel;
+    const Vec3f& n = dab.areaNormal;
+    up = normalized(up - n * dot(n, up), perpendicular(n));
+    const Vec3f right = image.reflects() ? cross(n, up) : cross(up, n);
+    const float c = std::cos(m_settings.stampAngleRad), s = std::sin(m_settings.stampAngleRad);
+    dab.stampUp = up * c - right * s;
+    dab.stampRight = right * c + up * s;
+    if (dab.stamp && m_sampling.started())
+        dab.stampLevel = dab.stamp->levelFor(m_sampling.spacing() / dab.radius);
+}
+
+void Dabs::begin(const Contact& first) {
+    if (!m_depth)
+        m_depth = first.distance;
+    if (!m_sampling.started())
+        m_sampling.start(touched(), first.position);
+}
+
+/// Contacts and areas of all images are found before any of them is applied, so that a symmetric model keeps symmetric
+/// contacts.
+void Dabs::dabAt(const StrokeSample& sample, const Contact& first, const Form& form) {
+    begin(first);
+    const Contacts contacts = contactsOf(sample.ray);
+    const std::vector<float> share = shares(contacts, form.radius);
+    std::vector<Dab> all;
+    for (std::size_t i = 0; i < m_images.size(); ++i)
+        if (contacts[i]) {
+            Form shared = form;
+            shared.strength *= share[i];
+            all.push_back(dabOf(*contacts[i], i, sample.ray.direction, shared));
+        }
+    apply(all);
+}
+
+void Dabs::apply(std::span<const Dab> images) {
+    const Stopwatch watch;
+    for (const Dab& dab : images)
+        applyOne(dab);
+    if (m_settings.resample && m_accumulate && m_sampling.due())
+        m_surface = m_sampling.resample(m_surface);
+    ++m_count;
+    m_seconds.push_back(watch.seconds());
+}
+
+void Dabs::join(Dab& dab, const surface::Surface& version) const {
+    if (m_settings.connected && m_sampling.started())
+        dab.connected =
+            std::make_shared<Connected>(version.tree(), Contact{dab.centre, dab.normal, 0},
+                                        connectedMargin * dab.radius, connectedReach * m_sampling.spacing());
+}
+
+void Dabs::applyOne(Dab dab) {
+    join(dab, touched());
+    dab.first = &m_first;
+    dab.past = m_past;
+    if (m_accumulate)
+        pileUp(dab);
+    else
+        holdBack(dab);
+    m_past.push_back({dab.centre, dab.radius, dab.strength});
+}
+
+void Dabs::pileUp(Dab dab) {
+    const tree::Edit edit = m_row.apply(m_surface, dab);
+    commit(edit, dab);
+    if (m_smoothing == 0)
+        return;
+    if (restructures(edit))
+        join(dab, m_surface);
+    commit(smoothing(m_surface, dab), dab);
+}
+
+tree::Edit Dabs::smoothing(const surface::Surface& version, Dab dab) const {
+    if (m_smoothing == 0 || m_pattern.strength == 0)
+        return {};
+    static const ToolRow& smooth = tool("smooth");
+    dab.strength = std::min(1.0f, m_smoothing * std::abs(dab.strength / m_pattern.strength));
+    dab.parameters.clear();
+    for (const ToolParameter& parameter : smooth.parameters)
+        dab.parameters[parameter.id] = parameter.fallback;
+    return smooth.apply(version, dab);
+}
+
+/// A dab on the first version, of which only what goes farther than the dabs before is kept.
+void Dabs::holdBack(const Dab& dab) {
+    tree::Edit edit = m_row.apply(m_base, dab);
+    if (restructures(edit)) { // slots lose their first versions: begin anew from here
+        commit(edit, dab);
+        m_base = m_surface;
+        return;
+    }
+    const surface::Surface dabbed{m_base.tree().apply(edit), m_base.definition()};
+    for (const tree::BlockEdit& smoothed : smoothing(dabbed, dab).blocks) {
+        const auto at = std::lower_bound(edit.blocks.begin(), edit.blocks.end(), smoothed.block,
+                                         [](const tree::BlockEdit& each, std::uint32_t n) { return each.block < n; });
+        if (at != edit.blocks.end() && at->block == smoothed.block)
+            at->changed = smoothed.changed;
+        else
+            edit.blocks.insert(at, smoothed);
+    }
+    commit(farthest(m_base.tree(), m_surface.tree(), edit), dab);
+}
+
+void Dabs::commit(const tree::Edit& edit, const Dab& dab) {
+    if (edit.empty())
+        return;
+    if (m_settings.resample && m_row.writes != Writes::Count) // those make the sampling that they want
+        m_sampling.note(m_surface.tree(), edit, dab);
+    m_surface = {m_surface.tree().apply(edit), m_surface.definition()};
+}
+
+void Dabs::restart() {
+    m_surface = m_base = m_first;
+    m_sampling = {};
+    std::fill(m_anchors.begin(), m_anchors.end(), std::nullopt);
+    std::fill(m_places.begin(), m_places.end(), std::nullopt);
+    m_past.clear();
+    m_count = 0;
+    m_seconds.clear();
+}
+
+void Dabs::finish() {
+    if (m_settings.resample && m_sampling.pending())
+        m_surface = m_base = m_sampling.resample(m_surface);
+}
+
+} // namespace sculpt

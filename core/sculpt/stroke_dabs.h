@@ -1,0 +1,94 @@
+// The version that a stroke works on, and how one dab with all its images is done to it. What the ways of making dabs
+// (stroke_methods.h) have in common.
+//
+//     contacts of all images, exact, on one version -> Dab each, complete with areas, stamp and factors -> tool
+//       -> tool "smooth" where asked -> resampling where due
+//
+// Where mirrored brushes overlap they share the strength as Blender's feathering does: 1 / sum of (1 - distance / 2R).
+#pragma once
+
+#include "core/sculpt/brush_stamp.h"
+#include "core/sculpt/contact.h"
+#include "core/sculpt/mirror.h"
+#include "core/sculpt/sampling.h"
+#include "core/sculpt/stroke_sample.h"
+
+namespace sculpt {
+
+class Dabs {
+  public:
+    using Contacts = std::vector<std::optional<Contact>>; ///< one per image
+    /// What may differ from dab to dab beside the place.
+    struct Form {
+        float radius = 0;
+        float strength = 1;  ///< times the settings'
+        base::Vec3f upwards; ///< where the stamp's upper edge points; zero: as the settings say
+    };
+
+    Dabs(surface::Surface start, StrokeSettings settings, const base::Vec3d& origin,
+         std::shared_ptr<const BrushStamp> stamp);
+
+    const StrokeSettings& settings() const { return m_settings; }
+    const surface::Surface& surface() const { return m_surface; }
+    const std::vector<Mirror>& images() const { return m_images; }
+    /// The version that dabs touch: the present one, or where they do not accumulate the first.
+    const surface::Surface& touched() const { return m_accumulate ? m_surface : m_base; }
+    std::optional<Contact> contact(const base::Rayf& ray) const { return sculpt::contact(touched(), ray); }
+    /// Of the stroke's first dab, along its ray; stays at a restart.
+    const std::optional<float>& depth() const { return m_depth; }
+
+    /// Radius and strength under a pressure.
+    Form form(float pressure) const;
+    /// One dab with its images at the contacts of `sample`, whose own is `first`.
+    void dabAt(const StrokeSample& sample, const Contact& first, const Form& form);
+
+    // --- for those that hold what they touched first ---
+    Contacts contactsOf(const base::Rayf& ray) const;
+    /// Shares of the strength where images overlap.
+    static std::vector<float> shares(const Contacts& contacts, float radius);
+    /// Of image `index` of a ray along `view`.
+    Dab dabOf(const Contact& at, std::size_t index, const base::Vec3f& view, const Form& form);
+    /// These dabs, of all images, as one place of the stroke. REQUIRES: begin.
+    void apply(std::span<const Dab> images);
+    /// Notes the first contact: spacing, depth.
+    void begin(const Contact& first);
+
+    /// Back to the first version, as if no dab had been.
+    void restart();
+    /// The last resampling.
+    void finish();
+
+    int count() const { return m_count; }
+    std::span<const double> seconds() const { return m_seconds; }
+
+  private:
+    struct Anchor {
+        base::Vec3f position, normal;
+    };
+    void applyOne(Dab dab);
+    void pileUp(Dab dab);
+    void holdBack(const Dab& dab);
+    tree::Edit smoothing(const surface::Surface& version, Dab dab) const;
+    void commit(const tree::Edit& edit, const Dab& dab);
+    void aim(Dab& dab, const Mirror& image, const base::Vec3f& view, const Form& form) const;
+    void join(Dab& dab, const surface::Surface& version) const;
+
+    surface::Surface m_first, m_surface;
+    surface::Surface m_base; ///< what dabs that do not accumulate work on
+    StrokeSettings m_settings;
+    const ToolRow& m_row;
+    bool m_accumulate;
+    std::vector<Mirror> m_images;
+    Dab m_pattern;         ///< what all dabs have in common
+    float m_smoothing = 0; ///< strength of the smoothing after each
+    BrushCurve m_pressureStrength, m_pressureRadius;
+    Sampling m_sampling;
+    std::optional<float> m_depth;
+    std::vector<std::optional<Anchor>> m_anchors;     ///< of each image's first dab
+    std::vector<std::optional<base::Vec3f>> m_places; ///< of each image's last dab
+    std::vector<PastDab> m_past;
+    int m_count = 0;
+    std::vector<double> m_seconds;
+};
+
+} // namespace sculpt

@@ -1,0 +1,177 @@
+// The short ones: dots, airbrush, anchored, line; and which is which.
+#include "core/sculpt/stroke_methods.h"
+
+#include <cmath>
+
+namespace sculpt {
+
+namespace {
+
+class Dots : public Method {
+  public:
+    explicit Dots(Dabs& dabs) : m_dabs(dabs) {}
+    void add(const StrokeSample& sample, bool moved) override {
+        if (!moved)
+            return;
+        if (const auto touched = m_dabs.contact(sample.ray))
+            m_dabs.dabAt(sample, *touched, m_dabs.form(sample.pressure));
+    }
+
+  private:
+    Dabs& m_dabs;
+};
+
+class Airbrush : public Method {
+  public:
+    explicit Airbrush(Dabs& dabs) : m_dabs(dabs) {}
+    void add(const StrokeSample& sample, bool moved) override;
+
+  private:
+    bool dab(StrokeSample sample);
+
+    Dabs& m_dabs;
+    std::optional<StrokeSample> m_previous; ///< from the first contact on
+    double m_begin = 0, m_made = 0;         ///< seconds; dabs that are due since then, also those that missed
+};
+
+bool Airbrush::dab(StrokeSample sample) {
+    const auto touched = m_dabs.contact(sample.ray);
+    if (!touched)
+        return false;
+    Dabs::Form form = m_dabs.form(sample.pressure);
+    if (m_dabs.settings().accumulate)
+        form.strength *= sample.stride;
+    m_dabs.dabAt(sample, *touched, form);
+    return true;
+}
+
+void Airbrush::add(const StrokeSample& sample, bool) {
+    if (!m_previous) {
+        if (!dab(sample))
+            return;
+        m_begin = double(sample.seconds);
+    } else {
+        const double from = double(m_previous->seconds), span = double(sample.seconds) - from;
+        // A place in time is due where it is reached up to rounding: samples may fall right on it.
+        const double rate = double(m_dabs.settings().rate), reached = (double(sample.seconds) - m_begin) * rate + 1e-3;
+        for (int probes = 0; m_made + double(sample.stride) <= reached && probes < mostProbes; ++probes) {
+            m_made += double(sample.stride);
+            const double u = span > 0 ? (m_begin + m_made / rate - from) / span : 1;
+            dab(between(*m_previous, sample, static_cast<float>(std::clamp(u, 0.0, 1.0))));
+        }
+        m_made = std::max(m_made, std::floor(reached - double(sample.stride))); // none later than asked
+    }
+    m_previous = sample;
+}
+
+class Anchored : public Method {
+  public:
+    explicit Anchored(Dabs& dabs) : m_dabs(dabs) {}
+    void add(const StrokeSample& sample, bool moved) override;
+
+  private:
+    Dabs& m_dabs;
+    std::optional<StrokeSample> m_first;
+    Contact m_anchor;
+};
+
+void Anchored::add(const StrokeSample& sample, bool) {
+    if (!m_first) {
+        const auto touched = m_dabs.contact(sample.ray);
+        if (touched)
+            m_first = sample, m_anchor = *touched, m_dabs.begin(*touched);
+        return;
+    }
+    m_dabs.restart();
+    const base::Vec3f& plane = m_first->ray.direction;
+    const float facing = dot(sample.ray.direction, plane),
+                t = dot(m_anchor.position - sample.ray.origin, plane) / facing;
+    if (!(facing > 0.05f) || !(t > 0) || !std::isfinite(t))
+        return;
+    Dabs::Form form = m_dabs.form(sample.pressure);
+    form.upwards = sample.ray.at(t) - m_anchor.position;
+    form.radius = length(form.upwards);
+    if (form.radius > 1e-3f * m_dabs.settings().radius)
+        m_dabs.dabAt(*m_first, m_anchor, form);
+}
+
+class Line : public Method {
+  public:
+    explicit Line(Dabs& dabs) : m_dabs(dabs), m_space(makeSpace(dabs)) {}
+    void add(const StrokeSample& sample, bool moved) override;
+    void finish() override { m_space->finish(); }
+
+  private:
+    StrokeSample entrance(const StrokeSample& to) const;
+
+    Dabs& m_dabs;
+    std::unique_ptr<Method> m_space;
+    std::optional<StrokeSample> m_first;
+};
+
+/// The first sample where it meets the model, else the first place on the way to `to` that does.
+StrokeSample Line::entrance(const StrokeSample& to) const {
+    constexpr int steps = 256;
+    const auto meets = [&](float u) { return m_dabs.contact(between(*m_first, to, u).ray).has_value(); };
+    if (m_dabs.contact(m_first->ray))
+        return *m_first;
+    for (int k = 1; k <= steps; ++k)
+        if (meets(float(k) / steps)) {
+            float out = float(k - 1) / steps, in = float(k) / steps;
+            for (int halving = 0; halving < 10; ++halving) {
+                const float middle = 0.5f * (out + in);
+                (meets(middle) ? in : out) = middle;
+            }
+            return between(*m_first, to, in);
+        }
+    return *m_first;
+}
+
+void Line::add(const StrokeSample& sample, bool) {
+    if (!m_first) {
+        m_first = sample;
+        m_space->add(sample, true);
+        return;
+    }
+    m_dabs.restart();
+    m_space = makeSpace(m_dabs);
+    m_space->add(entrance(sample), true);
+    m_space->add(sample, true);
+}
+
+} // namespace
+
+std::unique_ptr<Method> makeDots(Dabs& dabs) {
+    return std::make_unique<Dots>(dabs);
+}
+std::unique_ptr<Method> makeAirbrush(Dabs& dabs) {
+    return std::make_unique<Airbrush>(dabs);
+}
+std::unique_ptr<Method> makeAnchored(Dabs& dabs) {
+    return std::make_unique<Anchored>(dabs);
+}
+std::unique_ptr<Method> makeLine(Dabs& dabs) {
+    return std::make_unique<Line>(dabs);
+}
+
+std::unique_ptr<Method> makeMethod(Dabs& dabs, Motion motion) {
+    if (motion == Motion::Drag)
+        return makeDrag(dabs);
+    if (motion == Motion::Turn)
+        return makeTurn(dabs);
+    switch (dabs.settings().method) {
+    case StrokeMethod::Space:
+        return makeSpace(dabs);
+    case StrokeMethod::Dots:
+        return makeDots(dabs);
+    case StrokeMethod::Airbrush:
+        return makeAirbrush(dabs);
+    case StrokeMethod::Anchored:
+        return makeAnchored(dabs);
+    case StrokeMethod::Line:
+        return makeLine(dabs);
+    }
+    return makeSpace(dabs);
+}
+
+} // namespace sculpt

@@ -1,0 +1,111 @@
+// Space: dabs evenly along the surface.
+#include "core/sculpt/stroke_methods.h"
+
+#include <algorithm>
+
+namespace sculpt {
+
+namespace {
+
+class Space : public Method {
+  public:
+    explicit Space(Dabs& dabs) : m_dabs(dabs) {}
+    void add(const StrokeSample& sample, bool moved) override;
+    void finish() override;
+
+  private:
+    std::optional<float> advance(const StrokeSample& to, float from, int& probes) const;
+    void touch(const StrokeSample& sample, const Contact& at);
+    void dab(const StrokeSample& sample, const Contact& at, const base::Vec3f& upwards);
+
+    Dabs& m_dabs;
+    std::optional<StrokeSample> m_previous;
+    std::optional<Contact> m_last; ///< of the last dab's own ray
+    float m_radius = 0;            ///< of the last dab
+    /// A first dab whose stamp follows the stroke waits for its direction.
+    std::optional<StrokeSample> m_waiting;
+};
+
+/// How far between the last two samples, at least `from`, the surface is next a dab's distance from the last contact.
+/// Where the contact jumps (the pointer crosses an outline) the place behind the jump counts.
+std::optional<float> Space::advance(const StrokeSample& to, float from, int& probes) const {
+    const float step = m_dabs.settings().spacing * m_radius * to.stride;
+    const float sweep = distance(to.ray.at(m_last->distance), m_previous->ray.at(m_last->distance));
+    const auto gapAt = [&](float u) {
+        const auto c = m_dabs.contact(between(*m_previous, to, u).ray);
+        return c ? distance(c->position, m_last->position) : -1.0f; // a miss is never far enough
+    };
+    for (float lo = from, ahead = step; lo < 1 && probes < mostProbes; ++probes) {
+        float hi = sweep > 0 ? std::min(1.0f, lo + std::max(ahead / sweep, 1e-4f)) : 1.0f;
+        float gap = gapAt(hi);
+        if (gap < step) {
+            ahead = std::max(step - std::max(gap, 0.0f), 0.1f * step);
+            lo = hi;
+            continue;
+        }
+        for (int k = 0; k < 10 && gap > 1.02f * step; ++k) {
+            const float middle = 0.5f * (lo + hi), there = gapAt(middle);
+            if (there >= step)
+                hi = middle, gap = there;
+            else
+                lo = middle;
+        }
+        return hi;
+    }
+    return {};
+}
+
+void Space::add(const StrokeSample& sample, bool) {
+    if (!m_last) {
+        if (const auto first = m_dabs.contact(sample.ray))
+            touch(sample, *first);
+    } else {
+        int probes = 0;
+        for (std::optional<float> u = 0.0f; (u = advance(sample, *u, probes));) {
+            const StrokeSample at = between(*m_previous, sample, *u);
+            if (const auto touched = m_dabs.contact(at.ray))
+                touch(at, *touched);
+            if (*u >= 1)
+                break;
+        }
+    }
+    m_previous = sample;
+}
+
+void Space::touch(const StrokeSample& sample, const Contact& at) {
+    const bool follows = m_dabs.settings().stampFollows && !m_dabs.settings().stamp.empty();
+    if (follows && !m_last) {
+        m_dabs.begin(at);
+        m_radius = m_dabs.form(sample.pressure).radius;
+        m_waiting = sample;
+    } else {
+        if (m_waiting)
+            dab(*m_waiting, *m_last, at.position - m_last->position);
+        m_waiting.reset();
+        dab(sample, at, {});
+    }
+    m_last = at;
+}
+
+void Space::dab(const StrokeSample& sample, const Contact& at, const base::Vec3f& upwards) {
+    Dabs::Form form = m_dabs.form(sample.pressure);
+    m_radius = form.radius;
+    if (m_dabs.settings().accumulate)
+        form.strength *= sample.stride;
+    form.upwards = upwards;
+    m_dabs.dabAt(sample, at, form);
+}
+
+void Space::finish() {
+    if (m_waiting)
+        dab(*m_waiting, *m_last, {});
+    m_waiting.reset();
+}
+
+} // namespace
+
+std::unique_ptr<Method> makeSpace(Dabs& dabs) {
+    return std::make_unique<Space>(dabs);
+}
+
+} // namespace sculpt
