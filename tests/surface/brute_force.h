@@ -329,7 +329,7 @@ inline Answer evaluate(const Model& model, const Vec3d& x, const Vec3d& hint = {
         return out;
     Mode mode = Mode::All;
     Vec3d reference;
-    if (model.oriented && model.definition.oneSheet && length(s.m) / s.w < 0.7) {
+    if (model.oriented && model.definition.oneSheet && length(s.m) / s.w < 0.9) {
         mode = Mode::Skip;
         reference = lengthSq(hint) > 0 ? base::normalized(hint) : nearestNormal(model, x);
         s = sums(model, x, mode, reference);
