@@ -8,7 +8,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 // After the main header.
-#include "core/surface/disc_lanes.h"
+#include "core/surface/disc_beam.h"
 
 #include <cassert>
 
@@ -17,20 +17,14 @@ namespace surface {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Of the support, along the ray: how far behind a nearest disc that faces along the ray another matters.
-constexpr float window = 0.7f;
-
-/// One ray's walk, in steps so that several can be under way: each ends by asking for the memory of the next.
-class Walk {
+/// One ray's walk, front to back, in steps so that several can be under way: each ends by asking for the memory of the
+/// next.
+class DiscWalk {
   public:
-    void start(const tree::Node& root, const base::Rayf& ray, float tMin, float tMax) {
-        m_ray = ray;
+    void start(const tree::Node& root, const base::Rayf& ray, const DiscRange& range) {
+        m_search.start(ray, range);
         m_slabs = Slabs(ray);
-        m_least = tMin;
-        m_most = tMax;
-        m_hit = {};
-        m_cluster = nullptr;
-        m_stack[0] = {tMin, root.level, &root};
+        m_stack[0] = {range.tMin, root.level, &root};
         m_count = 1;
     }
 
@@ -38,31 +32,21 @@ class Walk {
     bool step() {
         while (m_count > 0) {
             const Entry next = m_stack[--m_count];
-            if (next.enter > m_most)
+            if (next.enter > m_search.most())
                 continue;
             if (next.kind > isBlock)
                 openNode(*static_cast<const tree::Node*>(next.what));
             else if (next.kind == isBlock)
                 openBlock(*static_cast<const surfel::SurfelBlock*>(next.what));
             else
-                openCluster(static_cast<const float*>(next.what));
+                m_search.open(static_cast<const float*>(next.what));
             if (m_count > 0)
                 prefetch(m_stack[m_count - 1]);
             return true;
         }
         return false;
     }
-
-    DiscHit finish() {
-        if (m_cluster)
-            blend();
-        // of no account once something is crossed before it
-        if (!(m_hit.brushFirst < m_hit.nearest))
-            m_hit.brushFirst = m_hit.brushLast = DiscHit::none;
-        else
-            m_hit.brushLast = std::min(m_hit.brushLast, m_hit.nearest);
-        return m_hit;
-    }
+    DiscHit finish() { return m_search.finish(); }
 
   private:
     static constexpr int isBlock = 0, isCluster = -1; ///< kinds of entries; nodes have their level
@@ -81,10 +65,13 @@ class Walk {
 
     /// The nearest comes to lie on top.
     template <class Child>
-    void push(unsigned mask, const float* enter, int kind, const Child& child) {
+    void push(const surfel::BoundsLanes& bounds, unsigned used, int kind, const Child& child) {
+        HWY_ALIGN float enter[surfel::laneCount];
+        unsigned mask =
+            meeting<surfel::laneCount>(BoundsArrays(bounds), m_slabs, m_search.least(), m_search.most(), enter);
         const std::size_t bottom = m_count;
         assert(m_count + surfel::laneCount <= std::size(m_stack));
-        for (; mask != 0; mask &= mask - 1) {
+        for (mask &= used; mask != 0; mask &= mask - 1) {
             const auto i = static_cast<std::size_t>(std::countr_zero(mask));
             std::size_t at = m_count++;
             for (; at > bottom && m_stack[at - 1].enter < enter[i]; --at)
@@ -92,104 +79,34 @@ class Walk {
             m_stack[at] = {enter[i], kind, child(i)};
         }
     }
-
     void openNode(const tree::Node& node) {
-        HWY_ALIGN float enter[surfel::laneCount];
-        const unsigned mask = meeting(node, m_slabs, m_least, m_most, enter) & node.childMask();
         if (node.level == 1)
-            push(mask, enter, isBlock, [&](std::size_t i) -> const void* { return node.blocks[i].get(); });
+            push(node, node.childMask(), isBlock, [&](std::size_t i) -> const void* { return node.blocks[i].get(); });
         else
-            push(mask, enter, node.level - 1, [&](std::size_t i) -> const void* { return node.nodes[i].get(); });
+            push(node, node.childMask(), node.level - 1,
+                 [&](std::size_t i) -> const void* { return node.nodes[i].get(); });
     }
     void openBlock(const surfel::SurfelBlock& block) {
-        HWY_ALIGN float enter[surfel::laneCount];
-        const unsigned mask = meeting(block.boundsLanes(), m_slabs, m_least, m_most, enter) & block.clusterMask();
-        push(mask, enter, isCluster,
+        push(block.boundsLanes(), block.clusterMask(), isCluster,
              [&](std::size_t i) -> const void* { return block.channel(static_cast<int>(i), surfel::X); });
     }
 
-    void openCluster(const float* c) {
-        const D d;
-        const int width = static_cast<int>(hn::Lanes(d));
-        const V none = hn::Set(d, DiscHit::none);
-        for (int first = 0; first < lanes; first += width) {
-            const Crossings found = cross(d, c + first, m_ray);
-            const M ahead = hn::And(hn::Ge(found.t, hn::Set(d, m_least)), hn::Le(found.t, hn::Set(d, m_most)));
-            const M crossed = hn::And(found.crossed, ahead), brushed = hn::And(found.brushed, ahead);
-            if (HWY_UNLIKELY(!hn::AllFalse(d, brushed)))
-                noteBrushed(d, brushed, found);
-            if (hn::AllFalse(d, crossed))
-                continue;
-            const M against = hn::And(crossed, hn::Lt(found.slope, hn::Zero(d)));
-            m_hit.facing =
-                std::min(m_hit.facing, hn::GetLane(hn::MinOfLanes(d, hn::IfThenElse(against, found.t, none))));
-            const V t = hn::IfThenElse(crossed, found.t, none), least = hn::MinOfLanes(d, t);
-            if (hn::GetLane(least) < m_hit.nearest)
-                noteNearest(d, static_cast<std::size_t>(hn::FindFirstTrue(d, hn::Eq(t, least))), found, c);
-        }
-    }
-
-    void noteBrushed(D d, M brushed, const Crossings& found) {
-        const auto first = static_cast<std::size_t>(hn::FindFirstTrue(d, brushed));
-        const float from = hn::GetLane(hn::MinOfLanes(d, hn::IfThenElse(brushed, found.t, hn::Set(d, DiscHit::none))));
-        const float to = hn::GetLane(hn::MaxOfLanes(d, hn::IfThenElse(brushed, found.t, hn::Set(d, -DiscHit::none))));
-        m_hit.brushLast = m_hit.brushed() ? std::max(m_hit.brushLast, to) : to;
-        m_hit.brushFirst = std::min(m_hit.brushFirst, from);
-        if (!m_hit.crossed())
-            m_hit.support = lane(d, found.support, first);
-    }
-
-    void noteNearest(D d, std::size_t i, const Crossings& found, const float* cluster) {
-        m_hit.nearest = lane(d, found.t, i);
-        m_hit.cosine = lane(d, found.slope, i);
-        m_hit.support = lane(d, found.support, i);
-        m_cluster = cluster;
-        m_most = std::min(m_most, m_hit.nearest + (m_hit.cosine < 0 ? 0.0f : window * m_hit.support));
-    }
-
-    static float lane(D d, V v, std::size_t i) {
-        HWY_ALIGN float values[lanes];
-        hn::Store(v, d, values);
-        return values[i];
-    }
-
-    /// Crossings of the cluster's discs that face like the nearest, most weight to the discs crossed near their centre:
-    /// closer to the surface than the nearest disc by an order.
-    void blend() {
-        const D d;
-        const int width = static_cast<int>(hn::Lanes(d));
-        const V most = hn::Set(d, 0.5f * m_hit.support);
-        HWY_ALIGN float weights[lanes], offsets[lanes];
-        for (int first = 0; first < lanes; first += width) {
-            const Crossings found = cross(d, m_cluster + first, m_ray);
-            const V offset = hn::Sub(found.t, hn::Set(d, m_hit.nearest));
-            const M alike = hn::Gt(hn::Mul(found.slope, hn::Set(d, m_hit.cosine)), hn::Zero(d));
-            const M used = hn::And(hn::And(found.crossed, alike), hn::Lt(hn::Abs(offset), most));
-            hn::Store(hn::IfThenElseZero(used, found.weight), d, weights + first);
-            hn::Store(hn::IfThenElseZero(used, hn::Mul(found.weight, offset)), d, offsets + first);
-        }
-        const float total = sumOf(weights);
-        m_hit.guess = total > 0 ? m_hit.nearest + sumOf(offsets) / total : m_hit.nearest;
-    }
-
-    base::Rayf m_ray;
+    DiscSearch m_search;
     Slabs m_slabs;
-    float m_least = 0, m_most = 0;
-    const float* m_cluster = nullptr; ///< of the nearest disc
-    DiscHit m_hit;
     std::size_t m_count = 0;
     Entry m_stack[16 * surfel::laneCount]; ///< a walk leaves at most 7 entries on each level of the tree
 };
 
-void nearestDispatched(const tree::Node& root, std::span<const base::Rayf> rays, float tMin, float tMax,
-                       std::size_t flight, DiscHit* out) {
-    Walk walks[mostWalks];
-    std::size_t which[mostWalks], next = 0, active = 0;
+static void walkTogether(const tree::Node& root, std::span<const base::Rayf> rays, const DiscRange& range,
+                         DiscHit* out) {
+    constexpr std::size_t most = 8;
+    DiscWalk walks[most];
+    std::size_t which[most], next = 0, active = 0;
     const auto start = [&](std::size_t slot) {
-        walks[slot].start(root, rays[next], tMin, tMax);
+        walks[slot].start(root, rays[next], range);
         which[slot] = next++;
     };
-    while (active < std::min(flight, mostWalks) && next < rays.size())
+    while (active < most && next < rays.size())
         start(active++);
     while (active > 0)
         for (std::size_t i = 0; i < active;) {
@@ -205,6 +122,15 @@ void nearestDispatched(const tree::Node& root, std::span<const base::Rayf> rays,
                 which[i] = which[active];
             }
         }
+}
+
+void nearestDispatched(const tree::Node& root, std::span<const base::Rayf> rays, const DiscRange& range, DiscHit* out) {
+    constexpr std::size_t fewest = 4; // rays that share a beam with profit
+    DiscBeam beam;
+    if (rays.size() >= fewest && beam.collect(root, rays, range))
+        beam.run(rays, range, out);
+    else
+        walkTogether(root, rays, range, out);
 }
 
 bool chordDispatched(const float* cluster, const base::Rayf& ray, float& begin, float& end) {
@@ -235,14 +161,12 @@ namespace surface {
 HWY_EXPORT(nearestDispatched);
 HWY_EXPORT(chordDispatched);
 
-void nearestDiscs(const tree::SurfelTree& tree, std::span<const base::Rayf> rays, float tMin, float tMax, Flight flight,
+void nearestDiscs(const tree::SurfelTree& tree, std::span<const base::Rayf> rays, const DiscRange& range,
                   std::span<DiscHit> out) {
     assert(rays.size() == out.size());
     std::fill(out.begin(), out.end(), DiscHit{});
-    if (tree.empty())
-        return;
-    const std::size_t atOnce = flight == Flight::One ? 1 : mostWalks;
-    HWY_DYNAMIC_DISPATCH(nearestDispatched)(*tree.root(), rays, tMin, tMax, atOnce, out.data());
+    if (!tree.empty())
+        HWY_DYNAMIC_DISPATCH(nearestDispatched)(*tree.root(), rays, range, out.data());
 }
 
 std::optional<std::pair<float, float>> reachChord(const float* cluster, const base::Rayf& ray) {

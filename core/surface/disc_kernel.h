@@ -21,9 +21,11 @@ struct DiscHit {
     float nearest = none; ///< t of the first crossing
     float guess = none;   ///< where the surface itself is expected: crossings of the discs about it, blended
     float cosine = 0;     ///< n.d of the first disc crossed
-    float support = 0;    ///< its h, or else that of a disc brushed
-    /// Between these, discs are passed closely without a crossing, all of them before the nearest crossing.
-    float brushFirst = none, brushLast = none;
+    float support = 0;    ///< its h
+    /// Where a disc is first passed closely without a crossing, before the nearest crossing.
+    float brushFirst = none;
+    float brushLast = -none; ///< where last, if none is crossed
+    float brushSupport = 0;  ///< the largest h of discs passed so
     /// First crossing of a disc that faces against the ray, looked for closely behind a nearest one that faces along.
     float facing = none;
 
@@ -32,14 +34,17 @@ struct DiscHit {
     bool doubtful() const { return !crossed() || brushed() || (cosine > 0 && facing < none); }
     float first() const { return std::min(nearest, brushFirst); }
     float last() const { return crossed() ? nearest : brushLast; }
+    float reach() const { return crossed() ? support : brushSupport; }
 };
 
-/// Rays in flight at once: one where neighbours in the list share what they read, several where each misses the caches.
-enum class Flight { One, Several };
-constexpr std::size_t mostWalks = 8;
+/// Where on a ray to look, and the largest support of the model.
+struct DiscRange {
+    float tMin, tMax, maxSupport;
+};
 
-/// The discs first met in [tMin, tMax], for every ray. REQUIRES: normals, unit directions, rays.size() == out.size().
-void nearestDiscs(const tree::SurfelTree& tree, std::span<const base::Rayf> rays, float tMin, float tMax, Flight flight,
+/// The discs first met in `range`, for every ray. Neighbouring rays share what they read; of scattered ones
+/// several are under way at once. REQUIRES: normals, unit directions, tMin >= 0, rays.size() == out.size().
+void nearestDiscs(const tree::SurfelTree& tree, std::span<const base::Rayf> rays, const DiscRange& range,
                   std::span<DiscHit> out);
 
 /// From where to where, at most, the ray runs within surfaceReach * h of the surfels of a cluster.

@@ -25,6 +25,8 @@ using M = hn::Mask<D>;
 constexpr float coreReach = 0.3f;
 /// Of the support: a ray closer than this to the core of a disc that it does not cross may meet the surface there.
 constexpr float thickness = 0.04f;
+
+/// A ray prepared for boxes.
 struct Slabs {
     float origin[3], inverse[3];
 
@@ -39,27 +41,43 @@ struct Slabs {
     }
 };
 
-/// Lanes whose surface bound the ray meets in [least, most], and where it enters.
-HWY_INLINE unsigned meeting(const surfel::BoundsLanes& bounds, const Slabs& ray, float least, float most,
+/// Where bounds lie in memory: arrays of lanes.
+struct BoundsArrays {
+    const float *lo[3], *hi[3], *support;
+
+    explicit BoundsArrays(const surfel::BoundsLanes& b)
+        : lo{b.loX, b.loY, b.loZ}, hi{b.hiX, b.hiY, b.hiZ}, support(b.maxSupport) {}
+    /// 16 at once: seven arrays one behind the other.
+    explicit BoundsArrays(const float* group)
+        : lo{group, group + lanes, group + 2 * lanes}, hi{group + 3 * lanes, group + 4 * lanes, group + 5 * lanes},
+          support(group + 6 * lanes) {}
+};
+
+/// Lanes whose surface bound the ray meets in [least, most], and where it enters, a little early: nothing in a bound
+/// has a smaller t, rounding included, so that what a walk finds does not depend on its order.
+template <int count>
+HWY_INLINE unsigned meeting(const BoundsArrays& bounds, const Slabs& ray, float least, float most,
                             float* HWY_RESTRICT enter) {
-    const hn::CappedTag<float, surfel::laneCount> d;
+    const hn::CappedTag<float, count> d;
     const int width = static_cast<int>(hn::Lanes(d));
-    const float *lows[3] = {bounds.loX, bounds.loY, bounds.loZ}, *highs[3] = {bounds.hiX, bounds.hiY, bounds.hiZ};
+    const auto early = hn::Set(d, 0.999999f), late = hn::Set(d, 1.000001f);
     unsigned out = 0;
-    for (int first = 0; first < surfel::laneCount; first += width) {
-        const auto reach = hn::Mul(hn::Load(d, bounds.maxSupport + first), hn::Set(d, surfel::surfaceReach));
-        auto begin = hn::Set(d, least), end = hn::Set(d, most);
+    for (int first = 0; first < count; first += width) {
+        const auto reach = hn::Mul(hn::Load(d, bounds.support + first), hn::Set(d, surfel::surfaceReach));
+        auto begin = hn::Zero(d), end = hn::Set(d, std::numeric_limits<float>::max());
         for (int k = 0; k < 3; ++k) {
             const auto origin = hn::Set(d, ray.origin[k]), inverse = hn::Set(d, ray.inverse[k]);
-            const auto a = hn::Mul(hn::Sub(hn::Sub(hn::Load(d, lows[k] + first), reach), origin), inverse);
-            const auto b = hn::Mul(hn::Sub(hn::Add(hn::Load(d, highs[k] + first), reach), origin), inverse);
+            const auto a = hn::Mul(hn::Sub(hn::Sub(hn::Load(d, bounds.lo[k] + first), reach), origin), inverse);
+            const auto b = hn::Mul(hn::Sub(hn::Add(hn::Load(d, bounds.hi[k] + first), reach), origin), inverse);
             begin = hn::Max(begin, hn::Min(a, b));
             end = hn::Min(end, hn::Max(a, b));
         }
+        begin = hn::Max(hn::Mul(begin, early), hn::Set(d, least));
+        end = hn::Min(hn::Mul(end, late), hn::Set(d, most));
         hn::Store(begin, d, enter + first);
         std::uint8_t bits[8] = {};
         hn::StoreMaskBits(d, hn::Le(begin, end), bits);
-        out |= static_cast<unsigned>(bits[0]) << first;
+        out |= (bits[0] | static_cast<unsigned>(bits[1]) << 8) << first;
     }
     return out;
 }
@@ -94,35 +112,43 @@ HWY_INLINE V halfChord(D d, const Seen& seen, V reach) {
     return hn::Sqrt(hn::Max(hn::MulSub(reach, reach, seen.distanceSq), hn::Zero(d)));
 }
 
+/// How the ray passes the discs of a group of surfels.
 struct Crossings {
-    V t, weight; ///< of the crossing, or of the ray's nearest point; 1 at the disc's centre, 0 at its rim
-    V slope, support;
+    Seen seen;
+    V slope, height; ///< n.d, and of the centre over the ray's nearest point
     M crossed, brushed;
+
+    /// Where it crosses them, or is nearest to their centres.
+    V t() const { return hn::Add(seen.along, hn::IfThenElseZero(crossed, hn::Div(height, slope))); }
 };
 
 HWY_INLINE Crossings cross(D d, const float* c, const base::Rayf& ray) {
-    const Seen seen = see(d, c, ray);
-    V slope = hn::Zero(d), height = hn::Zero(d); // n.d, and of the centre over the ray's point
+    Crossings out;
+    out.seen = see(d, c, ray);
+    out.slope = out.height = hn::Zero(d);
     for (std::size_t k = 0; k < 3; ++k) {
         const V n = hn::Load(d, c + (surfel::NormalX + k) * lanes);
-        slope = hn::MulAdd(n, hn::Set(d, ray.direction[k]), slope);
-        height = hn::MulAdd(n, seen.q[k], height);
+        out.slope = hn::MulAdd(n, hn::Set(d, ray.direction[k]), out.slope);
+        out.height = hn::MulAdd(n, out.seen.q[k], out.height);
     }
-    const V reach = hn::Mul(seen.h, hn::Set(d, surfel::surfaceReach)), core = hn::Mul(seen.h, hn::Set(d, coreReach));
-    const V steep = hn::Abs(slope), high = hn::Abs(height);
-    const V coreChord = halfChord(d, seen, core);
-    Crossings out;
-    out.crossed = hn::Lt(high, hn::Mul(steep, halfChord(d, seen, reach)));
-    const V most = hn::MulAdd(seen.h, hn::Set(d, thickness), hn::Mul(steep, coreChord));
-    out.brushed = hn::AndNot(out.crossed, hn::And(hn::Gt(coreChord, hn::Zero(d)), hn::Lt(high, most)));
-    const V beyond = hn::IfThenElseZero(out.crossed, hn::Div(height, slope));
-    out.t = hn::Add(seen.along, beyond);
-    const V radiusSq = hn::Div(hn::MulAdd(beyond, beyond, seen.distanceSq), hn::Mul(reach, reach));
-    const V share = hn::Max(hn::Zero(d), hn::Sub(hn::Set(d, 1.0f), radiusSq));
-    out.weight = hn::IfThenElseZero(out.crossed, hn::Mul(hn::Mul(share, share), steep));
-    out.slope = slope;
-    out.support = seen.h;
+    // crossed: |height| below |slope| times half the chord
+    const V reach = hn::Mul(out.seen.h, hn::Set(d, surfel::surfaceReach));
+    const V chordSq = hn::MulSub(reach, reach, out.seen.distanceSq);
+    out.crossed = hn::Lt(hn::Mul(out.height, out.height), hn::Mul(hn::Mul(out.slope, out.slope), chordSq));
+    // in the core all the chord is higher, but not by more than the thickness
+    const V core = hn::Mul(out.seen.h, hn::Set(d, coreReach)), coreSq = hn::MulSub(core, core, out.seen.distanceSq);
+    const V over = hn::NegMulAdd(out.seen.h, hn::Set(d, thickness), hn::Abs(out.height));
+    const M close = hn::Lt(hn::Mul(over, hn::Abs(over)), hn::Mul(hn::Mul(out.slope, out.slope), coreSq));
+    out.brushed = hn::AndNot(out.crossed, hn::And(hn::Gt(coreSq, hn::Zero(d)), close));
     return out;
+}
+
+/// 1 for crossings at the disc's centre, 0 at its rim, less where it is crossed at a flat angle.
+HWY_INLINE V weightOf(D d, const Crossings& c, V t) {
+    const V beyond = hn::Sub(t, c.seen.along), reach = hn::Mul(c.seen.h, hn::Set(d, surfel::surfaceReach));
+    const V radiusSq = hn::Div(hn::MulAdd(beyond, beyond, c.seen.distanceSq), hn::Mul(reach, reach));
+    const V share = hn::Max(hn::Zero(d), hn::Sub(hn::Set(d, 1.0f), radiusSq));
+    return hn::IfThenElseZero(c.crossed, hn::Mul(hn::Mul(share, share), hn::Abs(c.slope)));
 }
 
 /// Lane by lane in one order on every instruction set.

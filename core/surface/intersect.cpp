@@ -41,7 +41,8 @@ class RayPacket {
             m_which[count] = i;
             m_rays[count++] = unit;
         }
-        nearestDiscs(m_surface.tree(), {m_rays, count}, m_options.tMin, m_options.tMax, m_flight, {m_hits, count});
+        nearestDiscs(m_surface.tree(), {m_rays, count}, {m_options.tMin, m_options.tMax, m_surface.tree().maxSupport()},
+                     {m_hits, count});
         share(count);
         return count;
     }
@@ -58,9 +59,7 @@ class RayPacket {
                 box.extend(m_rays[k].at(m_hits[k].guess));
                 support = std::max(support, m_hits[k].support);
             }
-        const bool coherent = box.empty() || box.diagonal() <= coherentReach * support;
-        m_flight = coherent ? Flight::One : Flight::Several;
-        if (coherent && !box.empty())
+        if (!box.empty() && box.diagonal() <= coherentReach * support)
             m_sources.guesses.expect(box.inflated(slack * support));
     }
 
@@ -68,7 +67,6 @@ class RayPacket {
     const IntersectOptions& m_options;
     RaySources m_sources;
     bool m_discs;
-    Flight m_flight = Flight::One;
     std::size_t m_which[packetSize];
     base::Rayf m_rays[packetSize];
     DiscHit m_hits[packetSize];

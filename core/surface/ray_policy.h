@@ -89,7 +89,7 @@ class RayPolicy {
             if (!disc.doubtful())
                 if (const auto hit = atDisc(disc, from))
                     return hit;
-            const double unit = unitOf(m_probe.surface().definition().weight, disc.support);
+            const double unit = unitOf(m_probe.surface().definition().weight, disc.reach());
             const double begin = std::max(from, double(disc.first()) - before * unit);
             const double end = std::min(double(disc.last()) + behind * unit, double(m_options.tMax));
             if (const auto hit = m_march.first(begin, end, unit))
@@ -104,10 +104,10 @@ class RayPolicy {
     DiscHit nearest(double from) {
         if (const DiscHit* known = std::exchange(m_known, nullptr))
             return *known;
+        const tree::SurfelTree& tree = m_probe.surface().tree();
         const base::Rayf ray = m_probe.rounded();
         DiscHit out;
-        nearestDiscs(m_probe.surface().tree(), {&ray, 1}, static_cast<float>(from), m_options.tMax, Flight::One,
-                     {&out, 1});
+        nearestDiscs(tree, {&ray, 1}, {static_cast<float>(from), m_options.tMax, tree.maxSupport()}, {&out, 1});
         return out;
     }
 
