@@ -16,33 +16,32 @@ constexpr float coherentReach = 12;
 /// A packet of rays with its first guesses, which are found together and share one neighbourhood.
 class RayPacket {
   public:
-    explicit RayPacket(const Surface& surface, const IntersectOptions& options)
-        : m_surface(surface), m_options(options), m_sources(surface), m_discs(!options.robust && hasDiscs(surface)) {}
+    explicit RayPacket(const RaySetting& setting) : m_setting(setting), m_sources(setting.surface) {}
 
     /// Calls fn(i, policy) for every ray of the packet.
     template <class Fn>
-    void run(std::span<const base::Rayf> rays, bool refine, const Fn& fn) {
-        const std::size_t found = m_discs ? guess(rays) : 0;
+    void run(std::span<const base::Rayf> rays, const Fn& fn) {
+        const std::size_t found = m_setting.discs ? guess(rays) : 0;
         for (std::size_t i = 0, k = 0; i < rays.size(); ++i) {
             const bool known = k < found && m_which[k] == i;
-            RayPolicy<float> policy(m_sources, rays[i], m_options, refine, known ? &m_hits[k++] : nullptr);
+            RayPolicy<float> policy(m_setting, m_sources, rays[i], known ? &m_hits[k++] : nullptr);
             fn(i, policy);
         }
     }
 
   private:
-    /// Discs of the rays that start far from the model; returns their number.
+    /// Discs of the rays that start outside; returns their number.
     std::size_t guess(std::span<const base::Rayf> rays) {
+        const float tMin = m_setting.options.tMin, tMax = m_setting.options.tMax;
         std::size_t count = 0;
         for (std::size_t i = 0; i < rays.size(); ++i) {
             const base::Rayf unit{rays[i].origin, rounded(rays[i].direction)};
-            if (!(lengthSq(unit.direction) > 0) || !isFar(m_surface, unit.at(m_options.tMin)))
+            if (!(lengthSq(unit.direction) > 0) || m_setting.bounds.contains(unit.at(tMin)))
                 continue;
             m_which[count] = i;
             m_rays[count++] = unit;
         }
-        nearestDiscs(m_surface.tree(), {m_rays, count}, {m_options.tMin, m_options.tMax, m_surface.tree().maxSupport()},
-                     {m_hits, count});
+        nearestDiscs(m_setting.surface.tree(), {m_rays, count}, {tMin, tMax, m_setting.maxSupport}, {m_hits, count});
         share(count);
         return count;
     }
@@ -63,78 +62,76 @@ class RayPacket {
             m_sources.guesses.expect(box.inflated(slack * support));
     }
 
-    const Surface& m_surface;
-    const IntersectOptions& m_options;
+    const RaySetting& m_setting;
     RaySources m_sources;
-    bool m_discs;
     std::size_t m_which[packetSize];
     base::Rayf m_rays[packetSize];
     DiscHit m_hits[packetSize];
 };
 
 template <class Fn>
-void forPackets(const Surface& surface, std::span<const base::Rayf> rays, const IntersectOptions& options, bool refine,
-                const Fn& fn) {
+void forPackets(const RaySetting& setting, std::span<const base::Rayf> rays, const Fn& fn) {
     base::parallelChunks(rays.size(), packetSize * packetsPerTask,
                          [&](std::size_t begin, std::size_t end, std::size_t) {
-                             RayPacket packet(surface, options);
+                             RayPacket packet(setting);
                              for (std::size_t first = begin; first < end; first += packetSize)
-                                 packet.run(rays.subspan(first, std::min(packetSize, end - first)), refine,
+                                 packet.run(rays.subspan(first, std::min(packetSize, end - first)),
                                             [&](std::size_t i, RayPolicy<float>& policy) { fn(first + i, policy); });
                          });
+}
+
+/// fn(policy) of one ray.
+template <class T, class Fn>
+auto alone(const RaySetting& setting, const base::Ray<T>& ray, const Fn& fn) {
+    RaySources sources(setting.surface);
+    RayPolicy<T> policy(setting, sources, ray);
+    return fn(policy);
 }
 
 } // namespace
 
 RayHit<float> intersect(const Surface& surface, const base::Rayf& ray, const IntersectOptions& options) {
-    RaySources sources(surface);
-    return RayPolicy<float>(sources, ray, options).first();
+    return alone({surface, options}, ray, [](auto& policy) { return policy.first(); });
 }
 
 RayHit<double> intersectReference(const Surface& surface, const base::Rayd& ray, const IntersectOptions& options) {
-    RaySources sources(surface);
-    return RayPolicy<double>(sources, ray, options).first();
+    return alone({surface, options}, ray, [](auto& policy) { return policy.first(); });
 }
 
 void intersect(const Surface& surface, std::span<const base::Rayf> rays, const IntersectOptions& options,
                std::span<RayHit<float>> out) {
     assert(rays.size() == out.size());
-    forPackets(surface, rays, options, true, [&](std::size_t i, RayPolicy<float>& policy) { out[i] = policy.first(); });
+    forPackets({surface, options}, rays, [&](std::size_t i, auto& policy) { out[i] = policy.first(); });
 }
 
 std::vector<RayHit<float>> intersectAll(const Surface& surface, const base::Rayf& ray,
                                         const IntersectOptions& options) {
-    RaySources sources(surface);
-    return RayPolicy<float>(sources, ray, options).all();
+    return alone({surface, options}, ray, [](auto& policy) { return policy.all(); });
 }
 
 std::vector<RayHit<double>> intersectAllReference(const Surface& surface, const base::Rayd& ray,
                                                   const IntersectOptions& options) {
-    RaySources sources(surface);
-    return RayPolicy<double>(sources, ray, options).all();
+    return alone({surface, options}, ray, [](auto& policy) { return policy.all(); });
 }
 
 void intersectAll(const Surface& surface, std::span<const base::Rayf> rays, const IntersectOptions& options,
                   std::span<std::vector<RayHit<float>>> out) {
     assert(rays.size() == out.size());
-    forPackets(surface, rays, options, true, [&](std::size_t i, RayPolicy<float>& policy) { out[i] = policy.all(); });
+    forPackets({surface, options}, rays, [&](std::size_t i, auto& policy) { out[i] = policy.all(); });
 }
 
 bool intersectAny(const Surface& surface, const base::Rayf& ray, const IntersectOptions& options) {
-    RaySources sources(surface);
-    return RayPolicy<float>(sources, ray, options, false).any();
+    return alone({surface, options, false}, ray, [](auto& policy) { return policy.any(); });
 }
 
 bool intersectAnyReference(const Surface& surface, const base::Rayd& ray, const IntersectOptions& options) {
-    RaySources sources(surface);
-    return RayPolicy<double>(sources, ray, options, false).any();
+    return alone({surface, options, false}, ray, [](auto& policy) { return policy.any(); });
 }
 
 void intersectAny(const Surface& surface, std::span<const base::Rayf> rays, const IntersectOptions& options,
                   std::span<std::uint8_t> out) {
     assert(rays.size() == out.size());
-    forPackets(surface, rays, options, false,
-               [&](std::size_t i, RayPolicy<float>& policy) { out[i] = policy.any() ? 1 : 0; });
+    forPackets({surface, options, false}, rays, [&](std::size_t i, auto& policy) { out[i] = policy.any() ? 1 : 0; });
 }
 
 } // namespace surface

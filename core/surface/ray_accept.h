@@ -31,7 +31,7 @@ RayHit<T> hitAt(RayProbe<T>& probe, double t, const Evaluation<T>& at, const bas
 /// The root at t, if it is surface in [tMin, tMax] and no jump of f.
 template <class T>
 std::optional<RayHit<T>> accept(RayProbe<T>& probe, double t) {
-    if (t < double(probe.options().tMin) || t > double(probe.options().tMax))
+    if (!probe.inRange(t))
         return std::nullopt;
     const Evaluation<T> at = probe.sample(t, Need::Gradient).at;
     if (!isSurface(at) || std::abs(double(at.value)) > 10 * probe.tolerance(at, t))

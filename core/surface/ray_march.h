@@ -6,16 +6,10 @@
 
 namespace surface {
 
-/// What a march trusts besides its steps, and what it is asked for.
-struct MarchOptions {
-    bool trace = false; ///< take |f| for a distance and planes for the surface
-    bool refine = true; ///< else a sign change is enough, and hits are no closer than a step
-};
-
 template <class T>
 class RayMarch {
   public:
-    RayMarch(RayProbe<T>& probe, const MarchOptions& options) : m_probe(probe), m_options(options) {}
+    explicit RayMarch(RayProbe<T>& probe) : m_probe(probe), m_setting(probe.setting()) {}
 
     /// The first hit in [begin, end]. `unit` is the least h met there. Of a ray `leaving` the surface at `begin` the
     /// start counts as being on the side that the ray goes to.
@@ -23,7 +17,7 @@ class RayMarch {
         m_unit = unit;
         m_probe.expect(end, unit);
         RaySample<T> last = m_probe.sample(begin);
-        bool iterate = m_options.trace;
+        bool iterate = m_setting.trace;
         if (leaving && departs(last))
             iterate = false;
         for (;;) {
@@ -31,7 +25,7 @@ class RayMarch {
                 if (const auto root = planeIteration(m_probe, last, end))
                     if (const auto hit = accept(m_probe, *root))
                         return hit;
-            iterate = m_options.trace;
+            iterate = m_setting.trace;
             if (last.t >= end)
                 return std::nullopt;
             const double t = std::min(last.t + stepAfter(last, end - begin), end);
@@ -63,7 +57,7 @@ class RayMarch {
             return outside * m_unit;
         const double unit = last.at.unit > T(0) ? double(last.at.unit) : m_unit;
         const double step = std::min(march * unit, std::max(span / 4, 1e-6 * unit));
-        return m_options.trace && last.usable() ? std::max(step, traceFactor * std::abs(last.f())) : step;
+        return m_setting.trace && last.usable() ? std::max(step, traceFactor * std::abs(last.f())) : step;
     }
 
     /// The first hit between two samples, splitting where the frame fails or turns too fast, or f may dip to zero.
@@ -73,10 +67,10 @@ class RayMarch {
                 (a.usable() || b.usable()) && a.at.status != Status::Outside && b.at.status != Status::Outside;
             return fails && levels > 0 ? split(a, b, 0.5 * (a.t + b.t), levels) : std::nullopt;
         }
-        if (!m_probe.oriented() && levels > 0 && std::abs(double(dot(a.at.normal, b.at.normal))) < steadyCosine)
+        if (!m_setting.oriented && levels > 0 && std::abs(double(dot(a.at.normal, b.at.normal))) < steadyCosine)
             return split(a, b, 0.5 * (a.t + b.t), levels);
         if ((a.f() < 0) != (b.f() < 0))
-            return m_options.refine ? refined(a, b) : crossed(a, b);
+            return m_setting.refine ? refined(a, b) : crossed(a, b);
         if (const auto lowest = dip(a, b); lowest && levels > 0)
             return split(a, b, *lowest, levels);
         return std::nullopt;
@@ -116,13 +110,13 @@ class RayMarch {
         // a jump of f keeps a value on both sides; a root has none half-way
         if (!isSurface(at) || std::abs(double(at.value)) > 0.5 * std::max(std::abs(a.f()), std::abs(b.f())))
             return refined(a, b);
-        if (t < double(m_probe.options().tMin) || t > double(m_probe.options().tMax))
+        if (!m_probe.inRange(t))
             return std::nullopt;
         return hitAt(m_probe, t, at, at.gradient);
     }
 
     RayProbe<T>& m_probe;
-    MarchOptions m_options;
+    const RaySetting& m_setting;
     double m_unit = 0;
 };
 

@@ -6,52 +6,28 @@
 
 namespace surface {
 
-/// Do the surfels have discs that the fast policy may begin at? Needs oriented normals, and a frame that can be
-/// iterated (cov is no distance off the surface, alg. 3.2.3).
-inline bool hasDiscs(const Surface& surface) {
-    const surfel::AttributeLayout& layout = *surface.tree().layout();
-    return layout.normals && layout.oriented && surface.effectiveFrame() != Frame::Covariance;
-}
-
-/// Can a ray that starts at x meet the surface only after it has entered the model's bounds?
-inline bool isFar(const Surface& surface, const base::Vec3f& x) {
-    const float reach = surface.tree().maxSupport();
-    return surface.tree().bounds().distanceSq(x) > reach * reach;
-}
-
 template <class T>
 class RayPolicy {
   public:
-    /// `first` may hold the discs met from tMin on, of a ray that starts far from the model.
-    RayPolicy(RaySources& sources, const base::Ray<T>& ray, const IntersectOptions& options, bool refine = true,
-              const DiscHit* first = nullptr)
-        : m_options(refine ? options : coarse(options)), m_probe(sources, ray, m_options), m_known(first),
-          m_discs(!options.robust && hasDiscs(m_probe.surface())),
-          m_march(m_probe, {!options.robust && m_probe.surface().effectiveFrame() != Frame::Covariance, refine}) {}
+    /// `known` may hold the discs met from tMin on, of a ray that starts outside the setting's bounds.
+    RayPolicy(const RaySetting& setting, RaySources& sources, const base::Ray<T>& ray, const DiscHit* known = nullptr)
+        : m_setting(setting), m_probe(setting, sources, ray), m_known(known), m_march(m_probe) {}
 
     RayHit<T> first() {
-        const auto hit = valid() ? next(m_options.tMin, false) : std::nullopt;
+        const auto hit = valid() ? next(m_setting.options.tMin, false) : std::nullopt;
         return hit ? *hit : missed();
     }
     std::vector<RayHit<T>> all() {
         std::vector<RayHit<T>> out;
-        auto hit = valid() ? next(m_options.tMin, false) : std::nullopt;
+        auto hit = valid() ? next(m_setting.options.tMin, false) : std::nullopt;
         for (; hit; hit = next(past(*hit), true))
             out.push_back(*hit);
         return out;
     }
-    bool any() { return valid() && next(double(m_options.tMin), true).has_value(); }
+    bool any() { return valid() && next(double(m_setting.options.tMin), true).has_value(); }
 
   private:
-    /// Where a sign change is enough.
-    static IntersectOptions coarse(IntersectOptions options) {
-        options.tolerance = std::max(options.tolerance, 0.02);
-        return options;
-    }
-    bool valid() const {
-        return lengthSq(m_probe.direction()) > 0 && !m_probe.surface().tree().empty() &&
-               m_probe.surface().definition().manifold == Manifold::Surface;
-    }
+    bool valid() const { return m_setting.any && lengthSq(m_probe.direction()) > 0; }
     RayHit<T> missed() {
         RayHit<T> out;
         out.evaluations = m_probe.takeEvaluations();
@@ -65,15 +41,16 @@ class RayPolicy {
     }
 
     std::optional<RayHit<T>> next(double from, bool leaving) {
-        return m_discs ? byDiscs(from, leaving) : byBounds(from, leaving);
+        return m_setting.discs ? byDiscs(from, leaving) : byBounds(from, leaving);
     }
 
     std::optional<RayHit<T>> byBounds(double from, bool leaving) {
         std::optional<RayHit<T>> out;
-        forSurfaceIntervals(m_probe.surface(), m_probe.rounded(), from, m_options.tMax, [&](const SurfaceInterval& i) {
-            out = m_march.first(i.begin, i.end, i.unit, leaving && i.begin == from);
-            return !out;
-        });
+        forSurfaceIntervals(m_setting.surface, m_probe.rounded(), from, m_setting.options.tMax,
+                            [&](const SurfaceInterval& i) {
+                                out = m_march.first(i.begin, i.end, i.unit, leaving && i.begin == from);
+                                return !out;
+                            });
         return out;
     }
 
@@ -82,20 +59,20 @@ class RayPolicy {
         constexpr double before = 0.5, behind = 1.0; // of h: the surface about a disc's crossing, along grazing rays
         if (const auto hit = nearStart(from, leaving))
             return hit;
-        while (from <= double(m_options.tMax)) {
+        while (from <= double(m_setting.options.tMax)) {
             const DiscHit disc = nearest(from);
             if (!disc.crossed() && !disc.brushed())
                 break;
             if (!disc.doubtful())
                 if (const auto hit = atDisc(disc, from))
                     return hit;
-            const double unit = unitOf(m_probe.surface().definition().weight, disc.reach());
+            const double unit = unitOf(m_setting.surface.definition().weight, disc.reach());
             const double begin = std::max(from, double(disc.first()) - before * unit);
-            const double end = std::min(double(disc.last()) + behind * unit, double(m_options.tMax));
+            const double end = std::min(double(disc.last()) + behind * unit, double(m_setting.options.tMax));
             if (const auto hit = m_march.first(begin, end, unit))
                 return hit;
             from = std::max(end, std::nextafter(from, std::numeric_limits<double>::infinity()));
-            if (!(end < double(m_options.tMax)))
+            if (!(end < double(m_setting.options.tMax)))
                 break;
         }
         return std::nullopt;
@@ -104,10 +81,10 @@ class RayPolicy {
     DiscHit nearest(double from) {
         if (const DiscHit* known = std::exchange(m_known, nullptr))
             return *known;
-        const tree::SurfelTree& tree = m_probe.surface().tree();
         const base::Rayf ray = m_probe.rounded();
         DiscHit out;
-        nearestDiscs(tree, {&ray, 1}, {static_cast<float>(from), m_options.tMax, tree.maxSupport()}, {&out, 1});
+        nearestDiscs(m_setting.surface.tree(), {&ray, 1},
+                     {static_cast<float>(from), m_setting.options.tMax, m_setting.maxSupport}, {&out, 1});
         return out;
     }
 
@@ -120,22 +97,21 @@ class RayPolicy {
     /// there.
     std::optional<RayHit<T>> nearStart(double& from, bool leaving) {
         constexpr double reach = 0.8; // of h
-        if (m_known || isFar(m_probe.surface(), base::cast<float>(m_probe.position(from))))
+        if (m_known || !m_setting.bounds.contains(base::cast<float>(m_probe.position(from))))
             return std::nullopt;
-        const Evaluation<T> at = m_probe.guess(from).at;
+        const Evaluation<T> at = m_probe.guess(from);
         if (at.status == Status::Outside)
             return std::nullopt;
-        const double unit = at.unit > T(0) ? double(at.unit) : double(m_probe.surface().tree().maxSupport());
-        const double end = std::min(from + reach * unit, double(m_options.tMax));
+        const double unit = at.unit > T(0) ? double(at.unit) : double(m_setting.maxSupport);
+        const double end = std::min(from + reach * unit, double(m_setting.options.tMax));
         const auto hit = m_march.first(from, end, unit, leaving);
         from = end;
         return hit;
     }
 
-    IntersectOptions m_options;
+    const RaySetting& m_setting;
     RayProbe<T> m_probe;
     const DiscHit* m_known;
-    bool m_discs;
     RayMarch<T> m_march;
 };
 

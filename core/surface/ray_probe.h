@@ -10,6 +10,32 @@ namespace surface {
 /// Spacing in units of h at the default of 38 neighbours: h = 3.5 s (alg. 2.6).
 constexpr double spacingOfUnit = 1 / 3.5;
 
+/// What all rays of a call have in common.
+struct RaySetting {
+    /// `refine` false: a sign change is enough.
+    RaySetting(const Surface& surface_, const IntersectOptions& options_, bool refine_ = true)
+        : surface(surface_), options(options_), refine(refine_), maxSupport(surface_.tree().maxSupport()),
+          bounds(surface_.tree().bounds().inflated(maxSupport)) {
+        const surfel::AttributeLayout& layout = *surface.tree().layout();
+        oriented = layout.normals && layout.oriented;
+        any = !surface.tree().empty() && surface.definition().manifold == Manifold::Surface;
+        trace = !options.robust && surface.effectiveFrame() != Frame::Covariance;
+        discs = trace && oriented;
+        if (!refine)
+            options.tolerance = std::max(options.tolerance, 0.02);
+    }
+
+    const Surface& surface;
+    IntersectOptions options;
+    bool refine;
+    bool any;      ///< may rays hit at all?
+    bool oriented; ///< do the surfels' normals give f a sign?
+    bool trace;    ///< fast, and |f| is like a distance (cov is none off the surface, alg. 3.2.3)
+    bool discs;    ///< fast, from discs
+    float maxSupport;
+    base::Box3f bounds; ///< where f is defined; rays that start outside meet discs before the surface
+};
+
 /// Where the evaluations of a ray find their surfels: first guesses of a packet of rays share one neighbourhood, steps
 /// along a ray collect their own.
 struct RaySources {
@@ -33,14 +59,12 @@ struct RaySample {
 template <class T>
 class RayProbe {
   public:
-    RayProbe(RaySources& sources, const base::Ray<T>& ray, const IntersectOptions& options)
-        : m_sources(sources), m_origin(base::cast<double>(ray.origin)),
-          m_direction(base::normalized(base::cast<double>(ray.direction))), m_options(options),
-          m_oriented(surface().tree().layout()->normals && surface().tree().layout()->oriented) {}
+    RayProbe(const RaySetting& setting, RaySources& sources, const base::Ray<T>& ray)
+        : m_setting(setting), m_sources(sources), m_origin(base::cast<double>(ray.origin)),
+          m_direction(base::normalized(base::cast<double>(ray.direction))) {}
 
-    const Surface& surface() const { return m_sources.steps.surface(); }
-    const IntersectOptions& options() const { return m_options; }
-    bool oriented() const { return m_oriented; }
+    const RaySetting& setting() const { return m_setting; }
+    bool inRange(double t) const { return t >= double(m_setting.options.tMin) && t <= double(m_setting.options.tMax); }
     const base::Vec3d& direction() const { return m_direction; }
     base::Vec3d position(double t) const { return m_origin + m_direction * t; }
     base::Rayf rounded() const { return {base::cast<float>(m_origin), base::cast<float>(m_direction)}; }
@@ -48,9 +72,9 @@ class RayProbe {
     int takeEvaluations() { return std::exchange(m_evaluations, 0); }
 
     /// Around the first guess: no neighbourhood is collected but the packet's.
-    RaySample<T> guess(double t) {
+    Evaluation<T> guess(double t) {
         ++m_evaluations;
-        return {t, m_sources.guesses.evaluate(base::cast<T>(position(t)), Need::Gradient), T(1)};
+        return m_sources.guesses.evaluate(base::cast<T>(position(t)), Need::Gradient);
     }
     /// Says how far ahead samples will be asked for, and in what unit of h.
     void expect(double end, double unit) {
@@ -69,7 +93,7 @@ class RayProbe {
         return out;
     }
     void align(const RaySample<T>& other, RaySample<T>& s) const {
-        if (m_oriented || !other.usable() || !s.usable())
+        if (m_setting.oriented || !other.usable() || !s.usable())
             return;
         s.sign = dot(s.at.normal, other.at.normal) * other.sign < T(0) ? T(-1) : T(1);
     }
@@ -82,7 +106,7 @@ class RayProbe {
     }
     /// How close to the root is close enough.
     double tolerance(const Evaluation<T>& at, double t) const {
-        return std::max(m_options.tolerance * double(at.unit), precision(at, t));
+        return std::max(m_setting.options.tolerance * double(at.unit), precision(at, t));
     }
 
   private:
@@ -99,10 +123,9 @@ class RayProbe {
         }
     }
 
+    const RaySetting& m_setting;
     RaySources& m_sources;
     base::Vec3d m_origin, m_direction;
-    const IntersectOptions& m_options;
-    bool m_oriented;
     double m_end = 0, m_unit = 0;
     int m_evaluations = 0;
 };

@@ -16,7 +16,7 @@ std::optional<RayHit<T>> polished(RayProbe<T>& probe, double guess, double side)
     constexpr double leastBend = 0.05;         // times 1 / h: what the derivative of n may not tell
     double t = guess;
     for (int i = 0; i < 6; ++i) {
-        const Evaluation<T> at = probe.guess(t).at;
+        const Evaluation<T> at = probe.guess(t);
         if (!isSurface(at))
             return std::nullopt;
         const base::Vec3d& d = probe.direction();
@@ -32,7 +32,7 @@ std::optional<RayHit<T>> polished(RayProbe<T>& probe, double guess, double side)
         const double bend = std::max(std::abs(dot(turn, d)), leastBend / unit);
         const bool small = std::abs(step) <= 1e-2 * unit || i > 2;
         if (small && step * step * bend <= std::abs(slope) * probe.tolerance(at, t)) {
-            if (t < double(probe.options().tMin) || t > double(probe.options().tMax))
+            if (!probe.inRange(t))
                 return std::nullopt;
             return hitAt(probe, t, at, at.gradient + base::cast<T>(turn * step));
         }
