@@ -1,9 +1,12 @@
 #include "core/surface/project.h"
 
+#include "core/surface/foot_step.h"
 #include "core/surface/packets.h"
+#include "core/surface/restarts.h"
 
 #include <algorithm>
 #include <cassert>
+#include <optional>
 
 namespace surface {
 
@@ -11,147 +14,278 @@ namespace {
 
 constexpr float packetSlack = 0.3f; ///< of h, around a packet: most feet lie within it
 
+/// From here on single precision hands over to double: what takes that long is nearly as far from two feet, and only
+/// the same arithmetic as the reference's is sure to choose the same.
+constexpr int hardAfter = 8;
+
 /// The iteration of alg. 3.1 for one position.
 template <class T>
 class Projecting {
   public:
     Projecting(Source& source, const base::Vec3<T>& x0, const ProjectOptions& options, const Hint& hint)
-        : m_source(source), m_options(options), m_hint(hint), m_x0(x0),
-          m_tolerance(options.tolerance > 0      ? options.tolerance
-                      : std::is_same_v<T, float> ? 1e-6
-                                                 : 1e-12) {}
+        : m_source(source), m_options(options), m_given(hint), m_x0(x0),
+          m_tolerance(static_cast<T>(options.tolerance > 0 ? options.tolerance
+                                     : exact               ? 1e-12
+                                                           : 1e-6)) {}
 
     Projection<T> run() {
-        m_y = m_x0;
-        m_at = evaluate(m_y);
-        if (!usable(m_at) && !recover())
-            return result(m_at.status);
-        for (m_iterations = 1; m_iterations <= m_options.maxIterations; ++m_iterations) {
-            const base::Vec3<T> way = target() - m_y;
-            if (length(way) <= smallest())
-                return settled();
-            relax(way);
-            const base::Vec3<T> step = way * m_relaxation;
-            if (!advance(m_y + step))
-                return result(m_at.status);
-        }
-        m_iterations = m_options.maxIterations;
-        return result(Status::NotConverged);
+        begin(m_x0);
+        Projection<T> out = usable(m_at) ? iterate() : result(m_at.status);
+        if (!m_hard && !settledNear(out))
+            out = restarted(out);
+        if constexpr (!exact)
+            if (m_hard)
+                return inDouble();
+        return out;
     }
 
   private:
+    static constexpr bool exact = std::is_same_v<T, double>;
+    static constexpr T epsilon = std::numeric_limits<T>::epsilon();
     static bool usable(const Evaluation<T>& e) { return e.ok() || e.status == Status::BeyondBoundary; }
+    static bool found(const Projection<T>& p) { return p.ok() || p.status == Status::BeyondBoundary; }
+    bool orthogonal() const { return m_options.projector == Projector::Orthogonal; }
+    bool basic() const { return m_options.projector == Projector::Basic; }
 
-    Need iterationNeed() const { return m_options.projector == Projector::Orthogonal ? Need::Gradient : Need::Value; }
-    Evaluation<T> evaluate(const base::Vec3<T>& y) const { return m_source.evaluate(y, iterationNeed(), m_hint); }
+    // --- one iteration
+
+    void begin(const base::Vec3<T>& y) {
+        m_hint = m_given;
+        m_y = y;
+        m_steps = m_slow = m_idle = 0;
+        m_damping = 1;
+        m_least = std::numeric_limits<T>::infinity();
+        evaluate(plainNeed());
+    }
+
+    Projection<T> iterate() {
+        for (;;) {
+            const Iterate<T> here = iterateHere();
+            const base::Vec3<T> step = stepFrom(here);
+            const T size = length(step);
+            if (size <= smallest())
+                return settled();
+            if (m_steps == (exact ? m_options.maxIterations : std::min(hardAfter, m_options.maxIterations)) ||
+                !gains(size))
+                break;
+            damp(size);
+            m_last = here;
+            m_lastStep = step * m_damping;
+            m_lastSize = size;
+            ++m_steps;
+            ++m_iterations;
+            if (!advance(needAfter(size)))
+                return result(m_at.status);
+        }
+        m_hard = !exact && m_steps < m_options.maxIterations;
+        return result(Status::NotConverged);
+    }
+
+    Need plainNeed() const { return orthogonal() || (exact && !basic()) ? Need::Gradient : Need::Value; }
+
+    /// Derivatives of the step's direction pay near the end (double), and where some steps have not led there (float).
+    Need needAfter(T size) const {
+        const Need last = size < T(1e-3) * m_at.unit ? m_options.need : Need::Value; // it may be the foot
+        if (basic())
+            return last;
+        const bool newton = exact ? size < T(shortStep) * m_at.unit || m_steps >= 6 : m_steps >= 3;
+        return std::max(last, !newton ? plainNeed() : orthogonal() ? Need::Hessian : Need::Gradient);
+    }
+
+    void evaluate(Need need) {
+        ++m_evaluations;
+        m_need = need;
+        m_at = m_source.evaluate(m_y, need, m_hint);
+        if (usable(m_at) && m_unoriented && lengthSq(m_given.direction) == 0) // keep the sign
+            m_hint.direction = base::cast<float>(m_at.normal);
+    }
 
     /// Last step that counts as standing still: the tolerance, but not below what positions can tell apart, nor below
     /// what the last bits of the direction do to the foot of a distant position.
     T smallest() const {
-        constexpr T epsilon = std::numeric_limits<T>::epsilon();
         const T size = std::max({std::abs(m_y.x), std::abs(m_y.y), std::abs(m_y.z)});
-        const T afar = m_options.projector == Projector::Basic ? T(0) : length(m_x0 - m_y);
-        return std::max(static_cast<T>(m_tolerance) * m_at.unit, epsilon * (T(2) * size + T(8) * afar));
+        const T afar = basic() ? T(0) : length(m_x0 - m_y);
+        return std::max(m_tolerance * m_at.unit, epsilon * (size + T(4) * afar));
     }
 
-    /// Where the plane at y sends the base point b: b - v (f + v'.(b - y)) / (v.v'), along v = n or g. Linearising f
-    /// by its own gradient gives orthogonal projection the fixed points of alg. 3.1, {f = 0, x0 - y along g}, and
-    /// Newton's rate towards the surface.
-    base::Vec3<T> target() const {
-        const base::Vec3<T>& b = m_options.projector == Projector::Basic ? m_y : m_x0;
-        const base::Vec3<T>& n = m_at.normal;
-        if (m_options.projector != Projector::Orthogonal)
-            return b - n * (m_at.value + dot(n, b - m_y));
-        const base::Vec3<T>& g = m_at.gradient;
-        const T slopeSq = lengthSq(g);
-        if (!(slopeSq > T(1e-4))) // a gradient that says nothing: go along n, the next point may be better
-            return b - n * (m_at.value + dot(n, b - m_y));
-        return b - g * ((m_at.value + dot(g, b - m_y)) / slopeSq);
+    Iterate<T> iterateHere() const {
+        const bool flat = m_need == Need::Value || !(lengthSq(m_at.gradient) > T(1e-4)); // says nothing: go by n
+        Iterate<T> out;
+        out.back = basic() ? base::Vec3<T>{} : m_x0 - m_y;
+        out.along = orthogonal() && !flat ? m_at.gradient : m_at.normal;
+        out.slope = flat ? m_at.normal * slopeAlongNormal() : m_at.gradient;
+        if (!(std::abs(dot(out.slope, out.along)) > T(0.1) * length(out.along)))
+            out.slope = m_at.normal;
+        out.value = m_at.value;
+        out.unit = m_at.unit;
+        out.meet();
+        return out;
     }
 
-    /// Chooses the part of the way to go. Tangentially the plain iteration multiplies the error by e kappa (alg. 3.1),
-    /// which two ways in a row tell (Irons & Tuck 1969); after two that hardly shrank the most allowed is halved, since
-    /// any part below 2/(1 + e kappa) converges.
-    void relax(const base::Vec3<T>& way) {
-        const T distance = length(way), last = length(m_lastWay);
-        if (m_iterations > 1 && m_options.projector != Projector::Basic) {
-            const base::Vec3<T> change = way - m_lastWay;
-            const T changeSq = lengthSq(change);
-            if (changeSq > T(0))
-                m_relaxation *= -dot(m_lastWay, change) / changeSq;
-            m_slow = distance > T(0.9) * last ? m_slow + 1 : 0;
-            if (m_slow >= 2) {
-                m_most *= T(0.5);
-                m_slow = 0;
-            }
-            m_relaxation = std::clamp(m_relaxation, std::min(T(0.1), m_most), m_most);
+    /// The slope of f along n, as the last step of a basic projection has shown it (secant).
+    T slopeAlongNormal() const {
+        if (!basic() || m_steps == 0)
+            return 1;
+        const T gone = dot(m_lastStep, m_last.slope); // what f would have lost on the plane there
+        return std::clamp((m_last.value - m_at.value) / -gone * length(m_last.slope), T(0.5), T(2));
+    }
+
+    base::Vec3<T> stepFrom(const Iterate<T>& here) const {
+        if (basic())
+            return here.plain();
+        const bool derivative = orthogonal() ? m_need == Need::Hessian : m_need >= Need::Gradient;
+        if (derivative) {
+            const base::Vec3<T> out = newton(here, orthogonal() ? m_at.hessian : m_at.normalGradient);
+            if (lengthSq(out) > T(0))
+                return out;
         }
-        m_lastWay = way;
+        TangentMatrix<T> w(base::normalized(here.along));
+        if (m_need != Need::Value)
+            w.add(orthogonal() && !derivative ? m_at.normalGradient * length(m_at.gradient) : bend(), here.parts);
+        if (m_steps > 0 && !derivative && w.tangentialSq(m_lastStep) > T(0.25) * lengthSq(m_lastStep))
+            w.learn(m_lastStep, m_last.plain() - here.plain());
+        return guarded(here, w);
+    }
+    const base::Mat3<T>& bend() const { return orthogonal() ? m_at.hessian : m_at.normalGradient; }
+
+    /// Whether steps still shrink. Where f jumps (overlapping scans, sheets told apart) they go round in circles.
+    bool gains(T size) {
+        m_idle = size < T(0.9) * m_least ? 0 : m_idle + 1;
+        m_least = std::min(m_least, size);
+        return m_idle < 12;
     }
 
-    /// Goes to y1, or part of the way where y1 has no surface to speak of.
-    bool advance(base::Vec3<T> y1) {
-        for (int halvings = 0; halvings < 8; ++halvings) {
-            const Evaluation<T> at = evaluate(y1);
-            if (usable(at)) {
-                m_y = y1;
-                m_at = at;
-                return true;
-            }
-            m_failure = at;
-            y1 = (m_y + y1) * T(0.5);
+    /// Oscillation damping of alg. 3.1: after two steps in a row that hardly shrank half as far, until they shrink.
+    void damp(T size) {
+        m_slow = m_steps > 0 && size > T(0.9) * m_lastSize ? m_slow + 1 : 0;
+        if (m_slow >= 2) {
+            m_damping *= T(0.5);
+            m_slow = 0;
+        } else if (m_steps > 0 && size < T(0.6) * m_lastSize) {
+            m_damping = std::min(T(1), T(2) * m_damping);
         }
-        m_at = m_failure;
-        return false;
     }
 
-    /// Outside all supports (alg. 3.1.3): on to the tangent plane of the nearest surfel, within 0.9 of its support;
-    /// where even that is of no use, to the surfel itself.
-    bool recover() {
-        std::vector<tree::Neighbour> nearest;
-        m_source.surface().tree().nearest(base::cast<float>(m_x0), 1, nearest);
-        if (nearest.empty())
-            return false;
-        const surfel::SurfelBlock& block = *nearest[0].block;
-        const base::Vec3<T> p = base::cast<T>(block.position(nearest[0].slot));
-        const base::Vec3<T> n = base::cast<T>(block.normal(nearest[0].slot));
-        const T reach = T(0.9) * static_cast<T>(block.support(nearest[0].slot));
-        base::Vec3<T> offset = m_x0 - p - n * dot(n, m_x0 - p);
-        if (lengthSq(n) == T(0))
-            offset = {};
-        const T away = length(offset);
-        if (away > reach)
-            offset *= reach / away;
-        for (const base::Vec3<T>& start : {p + offset, p}) {
-            m_at = evaluate(start);
-            m_y = start;
+    /// Goes by the last step, or part of it where the point there has no surface to speak of.
+    bool advance(Need need) {
+        const base::Vec3<T> y = m_y;
+        for (int halvings = 0; halvings < 8; ++halvings, m_lastStep *= T(0.5)) {
+            m_y = y + m_lastStep;
+            evaluate(need);
             if (usable(m_at))
                 return true;
         }
         return false;
     }
 
+    // --- ends
+
     Projection<T> settled() {
         if (std::abs(m_at.value) > T(10) * smallest())
             return result(Status::NotConverged);
-        if (m_options.need > iterationNeed())
-            m_at = m_source.evaluate(m_y, m_options.need, m_hint);
+        if (m_options.need > m_need)
+            evaluate(m_options.need);
         if (m_at.status == Status::BeyondBoundary)
             return result(m_options.checkBoundary ? Status::BeyondBoundary : Status::Ok);
         return result(m_at.status);
     }
 
-    Projection<T> result(Status status) const { return {status, m_y, m_at, m_iterations}; }
+    Projection<T> result(Status status) const { return {status, m_y, m_at, m_iterations, m_evaluations}; }
+
+    // --- recovery (alg. 3.1.3)
+
+    /// Whether there is a foot, and for closest points not so far that another must be nearer.
+    bool settledNear(const Projection<T>& p) {
+        if (!found(p))
+            return false;
+        if (!orthogonal() || distance(m_x0, p.foot) <= T(0.5) * p.at.unit)
+            return true;
+        return distance(m_x0, p.foot) <= static_cast<T>(restarts().nearest()) + T(0.25) * p.at.unit;
+    }
+
+    Restarts& restarts() {
+        if (!m_restarts)
+            m_restarts.emplace(m_source.surface().tree(), base::cast<float>(m_x0));
+        return *m_restarts;
+    }
+
+    /// From the nearest surfels, seen in different directions from x0, until a foot is near.
+    Projection<T> restarted(Projection<T> best) {
+        constexpr int most = 4;
+        bool first = true;
+        for (int tries = 0; tries < most; ++tries) {
+            const T limit = found(best) ? distance(m_x0, best.foot) : std::numeric_limits<T>::infinity();
+            const tree::Neighbour* start = restarts().next(static_cast<float>(limit));
+            if (!start)
+                break;
+            const Projection<T> out = from(*start);
+            restarts().tried(*start, found(out));
+            if (better(out, best) || (first && !found(best)))
+                best = out;
+            first = false;
+            if (m_hard || settledNear(best))
+                break;
+        }
+        best.iterations = m_iterations;
+        best.evaluations = m_evaluations;
+        return best;
+    }
+
+    bool better(const Projection<T>& a, const Projection<T>& b) const {
+        if (!found(a) || !found(b))
+            return found(a);
+        if (a.ok() != b.ok())
+            return a.ok();
+        return distanceSq(m_x0, a.foot) < distanceSq(m_x0, b.foot);
+    }
+
+    /// On the tangent plane of a surfel, within 0.9 of its support; where even that is of no use, at the surfel.
+    Projection<T> from(const tree::Neighbour& start) {
+        const surfel::SurfelBlock& block = *start.block;
+        const base::Vec3<T> p = base::cast<T>(block.position(start.slot));
+        const base::Vec3<T> n = base::cast<T>(block.normal(start.slot));
+        const T reach = T(0.9) * static_cast<T>(block.support(start.slot));
+        base::Vec3<T> offset = lengthSq(n) > T(0) ? m_x0 - p - n * dot(n, m_x0 - p) : base::Vec3<T>{};
+        const T away = length(offset);
+        if (away > reach)
+            offset *= reach / away;
+        begin(p + offset);
+        if (!usable(m_at))
+            begin(p);
+        return usable(m_at) ? iterate() : result(m_at.status);
+    }
+
+    /// The same in double. REQUIRES: T is float.
+    Projection<T> inDouble() {
+        ProjectOptions options = m_options;
+        options.tolerance = std::max(1e-8, options.tolerance);
+        options.need = Need::Value;
+        const Projection<double> there = Projecting<double>(m_source, base::cast<double>(m_x0), options, m_given).run();
+        m_iterations += there.iterations;
+        m_evaluations += there.evaluations;
+        m_y = base::cast<T>(there.foot);
+        if (there.status == Status::Outside || there.status == Status::Degenerate)
+            return result(there.status);
+        evaluate(std::max(plainNeed(), m_options.need));
+        return result(usable(m_at) ? there.status : m_at.status);
+    }
 
     Source& m_source;
     const ProjectOptions& m_options;
-    const Hint& m_hint;
+    const Hint& m_given;
+    Hint m_hint; ///< the one given; for unoriented frames else the last normal
+    const bool m_unoriented = !m_source.surface().tree().layout()->oriented;
     base::Vec3<T> m_x0, m_y;
-    double m_tolerance;
-    Evaluation<T> m_at, m_failure;
-    base::Vec3<T> m_lastWay;
-    T m_relaxation = 1, m_most = T(1.5);
-    int m_slow = 0, m_iterations = 0;
+    T m_tolerance;
+    Evaluation<T> m_at; ///< at m_y
+    Need m_need = Need::Value;
+    Iterate<T> m_last; ///< before the last step
+    base::Vec3<T> m_lastStep;
+    T m_lastSize = 0, m_damping = 1, m_least = 0;
+    int m_steps = 0, m_slow = 0, m_idle = 0; ///< of this start
+    int m_iterations = 0, m_evaluations = 0;
+    bool m_hard = false;
+    std::optional<Restarts> m_restarts;
 };
 
 } // namespace

@@ -19,8 +19,9 @@ template <class T>
 struct Projection {
     Status status = Status::Outside;
     base::Vec3<T> foot;
-    Evaluation<T> at; ///< evaluation at the foot, with gradient where the projector needed it or it was asked for
-    int iterations = 0;
+    Evaluation<T> at;    ///< evaluation at the foot, with gradient where the projector needed it or it was asked for
+    int iterations = 0;  ///< steps
+    int evaluations = 0; ///< of f, with or without derivatives
 
     bool ok() const { return status == Status::Ok; }
 };
