@@ -67,9 +67,10 @@ struct ToolParameter {
 
 /// How dabs follow the pointer.
 enum class Motion {
-    Along, ///< a dab at every contact along the stroke, spaced by a part of the radius
-    Drag,  ///< the first contact is held and carried in the plane that faces the viewer
-    Turn   ///< the first contact is held; the pointer turns about it, seen along the first ray
+    Along,  ///< a dab at every contact along the stroke, spaced by a part of the radius
+    Follow, ///< the same for tools that carry along dab.travel: closer dabs carry less far, not less strongly
+    Drag,   ///< the first contact is held and carried in the plane that faces the viewer
+    Turn    ///< the first contact is held; the pointer turns about it, seen along the first ray
 };
 
 /// What a tool may change.
