@@ -54,7 +54,7 @@ class Assembler {
             return failed(Status::Outside, Cause::NoSupport);
         tellSheetsApart();
         centre();
-        if (const Cause cause = poverty(m_moments); cause != Cause::None)
+        if (const Cause cause = poverty(m_moments, m_clusters, m_x); cause != Cause::None)
             return failed(Status::Degenerate, cause);
         if (m_options.interpolating && m_normals && atSomeSurfel())
             return m_out;
@@ -118,8 +118,21 @@ class Assembler {
         }
     }
 
-    /// Test 1 of alg. 2.4 and whether the samples are all at one place.
-    static Cause poverty(const Moments<T, O>& m) {
+    /// Test 1 of alg. 2.4 and whether the samples are all at one place. Interpolating weights bring every sum to one
+    /// place as x comes to a sample; there the question is put with plain ones.
+    Cause poverty(const Moments<T, O>& m, ClusterSpan clusters, const Vector& x) const {
+        if (!m_options.interpolating)
+            return poverty(m);
+        SumOptions options = m_options;
+        options.interpolating = false;
+        options.outer = Outer::None;
+        Moments<T, 0> plain;
+        sum(clusters, x, options, plain);
+        return poverty(plain);
+    }
+
+    template <int P>
+    static Cause poverty(const Moments<T, P>& m) {
         if (!(m.one.v > leastWeight<T>))
             return Cause::NoSupport;
         if (m.samples < leastSamples)
@@ -197,7 +210,7 @@ class Assembler {
         m_source.gather(m_out.centroid, clusters.list());
         sum(clusters.span(), m_out.centroid, options, there);
         FrameNormal<T, O> out;
-        out.cause = poverty(there);
+        out.cause = poverty(there, clusters.span(), m_out.centroid);
         if (out.cause != Cause::None)
             return out;
         Jet<T, O> s[6];

@@ -45,6 +45,16 @@ inline Model modelOf(const surfel::SurfelList& list, const surface::SurfaceDefin
     return {list.items, definition, list.layout->normals, list.layout->normals && list.layout->oriented, 1};
 }
 
+/// The part of the model within `radius` of x: all that a position near x can see, at less cost.
+inline Model near(const Model& model, const Vec3d& x, double radius) {
+    Model out = model;
+    out.surfels.clear();
+    for (const surfel::Surfel& each : model.surfels)
+        if (distance(base::cast<double>(each.position), x) <= radius)
+            out.surfels.push_back(each);
+    return out;
+}
+
 /// Solves a 4x4 system by Gauss with full row pivoting.
 inline std::array<double, 4> solve4(std::array<std::array<double, 5>, 4> a) {
     for (std::size_t k = 0; k < 4; ++k) {

@@ -2,10 +2,10 @@
 #include "brute_force.h"
 #include "core/process/prepare.h"
 #include "core/surface/project.h"
+#include "scans.h"
 #include "shapes.h"
 #include "support/registry.h"
 
-#include <fstream>
 #include <QtTest>
 
 using namespace surface;
@@ -24,30 +24,11 @@ void ScanTest::precisionsAgreeWithBruteForce_data() {
         QTest::addRow("%s", file) << QString(file);
 }
 
-/// Positions of plain text, or of an ascii PLY whose vertices begin with x y z; none where there is no such file.
-static surfel::SurfelList positionsOf(const std::string& path) {
-    std::ifstream in(path);
-    std::string line;
-    std::size_t count = std::numeric_limits<std::size_t>::max();
-    if (in.peek() == 'p')
-        while (std::getline(in, line) && line.rfind("end_header", 0) != 0)
-            if (line.rfind("element vertex ", 0) == 0)
-                count = std::stoul(line.substr(15));
-    surfel::SurfelList out;
-    while (out.size() < count && std::getline(in, line)) {
-        std::istringstream words(line);
-        surfel::Surfel s;
-        if (words >> s.position.x >> s.position.y >> s.position.z)
-            out.items.push_back(s);
-    }
-    return out;
-}
-
 void ScanTest::precisionsAgreeWithBruteForce() {
     if (test::dataFolder().empty())
         QSKIP("POINTCLAY_DATA names no folder of scans");
     QFETCH(QString, file);
-    surfel::SurfelList points = positionsOf(test::dataFolder() + "/" + file.toStdString());
+    surfel::SurfelList points = scans::positionsOf(test::dataFolder() + "/" + file.toStdString());
     if (points.items.empty())
         QSKIP("no such scan in the folder");
     process::PrepareOptions options;
