@@ -60,6 +60,11 @@ class Projecting {
 
     Projection<T> iterate() {
         for (;;) {
+            if (m_need < plainNeed()) {
+                if (valueSuffices())
+                    return settled();
+                evaluate(plainNeed());
+            }
             const Iterate<T> here = iterateHere();
             const base::Vec3<T> step = stepFrom(here);
             const T size = length(step);
@@ -88,11 +93,26 @@ class Projecting {
         const Need last = size < T(1e-3) * m_at.unit ? m_options.need : Need::Value; // it may be the foot
         if (basic())
             return last;
+        if (orthogonal() && !exact && m_options.need == Need::Value && staysParallel())
+            return Need::Value;
         const bool newton = exact ? size < T(shortStep) * m_at.unit || m_steps >= 6 : m_steps >= 3;
         return std::max(last, !newton ? plainNeed() : orthogonal() ? Need::Hessian : Need::Gradient);
     }
 
+    /// Whether the last step will hardly turn the gradient: as far as n's derivative tells, and the angle between the
+    /// two, which changes over lengths of h. Then a value may do to see that the step has led to a foot.
+    bool staysParallel() const {
+        const T turn = length(m_at.normalGradient * m_lastStep);
+        const T tilt = length(cross(m_at.gradient, m_at.normal)) * length(m_lastStep) / m_at.unit;
+        return (turn + tilt) * length(m_x0 - m_y - m_lastStep) <= smallest();
+    }
+    /// Whether it has: f vanishes and n has not turned.
+    bool valueSuffices() const {
+        return std::abs(m_at.value) <= smallest() && distance(m_at.normal, m_lastNormal) * length(m_x0 - m_y) <= smallest();
+    }
+
     void evaluate(Need need) {
+        m_lastNormal = m_at.normal;
         ++m_evaluations;
         m_need = need;
         m_at = m_source.evaluate(m_y, need, m_hint);
@@ -280,7 +300,7 @@ class Projecting {
     Evaluation<T> m_at; ///< at m_y
     Need m_need = Need::Value;
     Iterate<T> m_last; ///< before the last step
-    base::Vec3<T> m_lastStep;
+    base::Vec3<T> m_lastStep, m_lastNormal;
     T m_lastSize = 0, m_damping = 1, m_least = 0;
     int m_steps = 0, m_slow = 0, m_idle = 0; ///< of this start
     int m_iterations = 0, m_evaluations = 0;
