@@ -2,9 +2,14 @@
 //
 // `select` gives the clusters in the order of the tree, as the tree's own query does: the bits of an evaluation do not
 // depend on which of the two found them. Used by one thread at a time; its memory is kept between collections.
+//
+// Collecting is done in two steps, each of which asks the processor for the memory that the next one will read, so that
+// whoever does each step for several boxes in turn waits for none of it.
 #pragma once
 
 #include "core/surface/clusters.h"
+
+#include <vector>
 
 namespace surface {
 
@@ -13,13 +18,25 @@ class Candidates {
     /// Forgets what was collected.
     void clear() { m_box = {}; }
     /// All clusters that may have weight somewhere in `box`.
-    void collect(const Surface& surface, const base::Box3f& box);
+    void collect(const Surface& surface, const base::Box3f& box) {
+        findBlocks(surface, box);
+        fetchClusters();
+    }
+    /// The two steps of `collect`.
+    void findBlocks(const Surface& surface, const base::Box3f& box);
+    void fetchClusters();
+
     bool covers(const base::Vec3f& x) const { return m_box.contains(x); }
+    bool covers(const base::Box3f& box) const { return m_box.contains(box.lo) && m_box.contains(box.hi); }
     /// Those of them that may have weight at x. REQUIRES: covers(x).
     void select(const base::Vec3f& x, ClusterList& out) const;
 
   private:
+    void add(const surfel::SurfelBlock& block, int cluster);
+
     base::Box3f m_box;
+    float m_reach = 1;
+    std::vector<const surfel::SurfelBlock*> m_blocks;
     std::vector<float> m_bounds; ///< per group of 16: loX[16] loY loZ hiX hiY hiZ maxSupport, unused lanes empty
     std::vector<const float*> m_clusters;
 };

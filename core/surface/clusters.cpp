@@ -12,7 +12,12 @@ void ClusterList::grow() {
 
 void gather(const tree::SurfelTree& tree, const base::Vec3f& x, ClusterList& out, float scale) {
     tree.forClustersInSupport(
-        x, [&](const surfel::SurfelBlock& block, int cluster) { out.push_back(block.channel(cluster, surfel::X)); },
+        x,
+        [&](const surfel::SurfelBlock& block, int cluster) {
+            const float* data = block.channel(cluster, surfel::X);
+            prefetchCluster(data);
+            out.push_back(data);
+        },
         queryReach(scale));
 }
 

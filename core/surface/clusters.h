@@ -48,6 +48,18 @@ constexpr float queryReach(float scale) {
     return scale * 1.000001f;
 }
 
+/// Asks the processor for memory that will soon be read.
+inline void prefetch([[maybe_unused]] const void* from, [[maybe_unused]] std::size_t bytes) {
+#ifdef __GNUC__
+    for (std::size_t at = 0; at < bytes; at += 64)
+        __builtin_prefetch(static_cast<const char*>(from) + at);
+#endif
+}
+/// The channels of a cluster that evaluations read.
+inline void prefetchCluster(const float* cluster) {
+    prefetch(cluster, (surfel::Support + 1) * surfel::clusterSize * sizeof(float));
+}
+
 /// Clusters that may have weight at x, supports multiplied by `scale`, appended. For double positions the box is
 /// widened by its rounding; the weight itself decides.
 void gather(const tree::SurfelTree& tree, const base::Vec3f& x, ClusterList& out, float scale = 1);

@@ -87,6 +87,15 @@ HWY_INLINE void interpolate(V r, WeightLanes& w) {
     w.theta = hn::Mul(w.theta, inverse);
 }
 
+template <int order>
+HWY_INLINE void scale(V factor, WeightLanes& w) {
+    w.theta = hn::Mul(w.theta, factor);
+    if constexpr (order >= 1)
+        w.slope = hn::Mul(w.slope, factor);
+    if constexpr (order >= 2)
+        w.bend = hn::Mul(w.bend, factor);
+}
+
 /// Weights at r = |q| / h < 1.
 template <int order>
 HWY_INLINE WeightLanes weightsAt(V r, Weight weight, bool interpolating) {

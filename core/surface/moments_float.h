@@ -4,7 +4,7 @@
 // theta_,k = a q_k and theta_,kl = b q_k q_l - a delta_kl:
 //     factors      order 0: theta;   order 1: a q (3);   order 2: a, b q q (6, by `sym`)
 //     monomials    1, q (3), n (3), n.q, |q|^2;   with outer products: n n^T or q q^T (6, by `sym`)
-// The sums stand factor by factor, each with all monomials; sum theta h comes last.
+// The sums stand monomial by monomial, each with all factors, so that those of order 1 are a jet; sum theta h is last.
 #pragma once
 
 #include "core/surface/moments.h"
@@ -39,6 +39,8 @@ struct KernelInput {
     float inverseSigmaSquare; ///< of Facing::Refit
     bool interpolating;
 };
+
+KernelInput kernelInput(ClusterSpan clusters, const base::Vec3f& x, const SumOptions& options);
 
 /// Sums over all clusters into sums[0, sumCount(order, outer)); returns the number of surfels with weight.
 /// `sums` holds maxSums floats, 64-byte aligned.

@@ -10,6 +10,8 @@
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
 #include "core/surface/candidates.h"
 
+#include <utility>
+
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 // Per instruction set, after the main header.
@@ -19,103 +21,161 @@ HWY_BEFORE_NAMESPACE();
 namespace surface {
 namespace HWY_NAMESPACE {
 
+#if HWY_TARGET == HWY_AVX2
+/// For each of the 256 masks of eight lanes the numbers of those set, then zeros.
+struct PackedLanes {
+    std::uint8_t of[256][8] = {};
+    constexpr PackedLanes() {
+        for (int mask = 0; mask < 256; ++mask)
+            for (int lane = 0, count = 0; lane < 8; ++lane)
+                if (mask >> lane & 1)
+                    of[mask][count++] = static_cast<std::uint8_t>(lane);
+    }
+};
+static constexpr PackedLanes packedLanes;
+#endif
+
 constexpr std::size_t capacity = 128;            ///< dense surfels summed at once
 constexpr std::size_t stride = capacity + lanes; ///< a compressed store may write a whole cluster behind them
 
-/// Surfels in support in dense lanes. Only the first `count` of each row hold something.
+/// Surfels in support in dense lanes.
 struct Dense {
     /// Rows of the monomials that are picked as they are; Support takes the place of the 1.
     enum Row : int { Support = OneTerm };
     HWY_ALIGN float monomial[monomialCount(Outer::Normals)][stride];
     HWY_ALIGN float factor[factorCount(2)][stride];
-    std::size_t count;
 };
 
-/// Appends those of the cluster that are in support.
-HWY_INLINE void pick(const float* cluster, const KernelInput& in, Dense& out) {
+/// Calls fn with the constants 0 to n - 1: arrays of vectors stay in registers where all their indices are constants.
+template <std::size_t n, class Fn>
+HWY_INLINE void unrolled(const Fn& fn) {
+    [&]<std::size_t... k>(std::index_sequence<k...>) {
+        (fn(std::integral_constant<std::size_t, k>()), ...);
+    }
+    (std::make_index_sequence<n>());
+}
+
+/// The same over the six pairs k <= l of coordinates.
+template <class Fn>
+HWY_INLINE void forPairs(const Fn& fn) {
+    unrolled<3>([&](auto k) { unrolled<3 - k>([&](auto l) { fn(k, std::integral_constant<std::size_t, k + l>()); }); });
+}
+
+/// Three vectors in lanes. No array, for the same reason.
+struct V3 {
+    V x, y, z;
+};
+
+HWY_INLINE V3 load3(const float* from, std::size_t step) {
+    const D d;
+    return {hn::Load(d, from), hn::Load(d, from + step), hn::Load(d, from + 2 * step)};
+}
+HWY_INLINE V3 minus(const V3& a, const float* b) {
+    return {hn::Sub(a.x, constant(b[0])), hn::Sub(a.y, constant(b[1])), hn::Sub(a.z, constant(b[2]))};
+}
+HWY_INLINE V dot(const V3& a, const V3& b) {
+    return hn::MulAdd(a.z, b.z, hn::MulAdd(a.y, b.y, hn::Mul(a.x, b.x)));
+}
+HWY_INLINE V dot(const V3& a, const float* b) {
+    return dot(a, V3{constant(b[0]), constant(b[1]), constant(b[2])});
+}
+template <std::size_t k>
+HWY_INLINE V at(const V3& a) {
+    return k == 0 ? a.x : k == 1 ? a.y : a.z;
+}
+
+/// Moves the lanes of a mask to the front.
+#if HWY_TARGET == HWY_AVX2
+/// Highway's own way copies its table to the stack at each call when compiled by g++ 12.
+class Packing {
+  public:
+    HWY_INLINE explicit Packing(M keep) : m_indices(hn::Zero(hn::RebindToSigned<D>())) {
+        const hn::RebindToSigned<D> d;
+        std::uint8_t bits[8];
+        hn::StoreMaskBits(D(), keep, bits);
+        m_indices = hn::PromoteTo(d, hn::LoadU(hn::Rebind<std::uint8_t, D>(), packedLanes.of[bits[0]]));
+    }
+    HWY_INLINE V pack(V value) const { return hn::TableLookupLanes(value, hn::IndicesFromVec(D(), m_indices)); }
+
+  private:
+    hn::Vec<hn::RebindToSigned<D>> m_indices;
+};
+#else
+class Packing {
+  public:
+    HWY_INLINE explicit Packing(M keep) : m_keep(keep) {}
+    HWY_INLINE V pack(V value) const { return hn::Compress(value, m_keep); }
+
+  private:
+    M m_keep;
+};
+#endif
+
+/// Puts those of the cluster that are in support behind the `count` first; returns how many there are then.
+HWY_INLINE std::size_t pick(const float* cluster, const KernelInput& in, std::size_t count, Dense& out) {
     const D d;
     for (std::size_t first = 0; first < lanes; first += hn::Lanes(d)) {
         const float* c = cluster + first;
-        const auto channel = [&](int k) { return hn::Load(d, c + k * lanes); };
-        const V q[3] = {hn::Sub(channel(surfel::X), constant(in.x[0])), hn::Sub(channel(surfel::Y), constant(in.x[1])),
-                        hn::Sub(channel(surfel::Z), constant(in.x[2]))};
-        const V n[3] = {channel(surfel::NormalX), channel(surfel::NormalY), channel(surfel::NormalZ)};
-        const V h = hn::Mul(channel(surfel::Support), constant(in.scale));
-        const V distanceSq = hn::MulAdd(q[2], q[2], hn::MulAdd(q[1], q[1], hn::Mul(q[0], q[0])));
-        M keep = hn::Lt(distanceSq, hn::Mul(h, h));
-        if (in.facing == Facing::Skip) {
-            const V facing =
-                hn::MulAdd(n[2], constant(in.reference[2]),
-                           hn::MulAdd(n[1], constant(in.reference[1]), hn::Mul(n[0], constant(in.reference[0]))));
-            keep = hn::And(keep, hn::Gt(facing, constant(facingLimit)));
-        }
-        const auto append = [&](int row, V value) {
-            hn::StoreU(hn::Compress(value, keep), d, out.monomial[row] + out.count);
-        };
+        const V3 q = minus(load3(c, lanes), in.x), n = load3(c + surfel::NormalX * lanes, lanes);
+        const V h = hn::Mul(hn::Load(d, c + surfel::Support * lanes), constant(in.scale));
+        M keep = hn::Lt(dot(q, q), hn::Mul(h, h));
+        if (in.facing == Facing::Skip)
+            keep = hn::And(keep, hn::Gt(dot(n, in.reference), constant(facingLimit)));
+        const Packing packing(keep);
+        const auto append = [&](int row, V value) { hn::StoreU(packing.pack(value), d, out.monomial[row] + count); };
         append(Dense::Support, h);
-        for (int k = 0; k < 3; ++k) {
-            append(QTerm + k, q[k]);
-            append(NTerm + k, n[k]);
-        }
-        out.count += hn::CountTrue(d, keep);
+        append(QTerm, q.x), append(QTerm + 1, q.y), append(QTerm + 2, q.z);
+        append(NTerm, n.x), append(NTerm + 1, n.y), append(NTerm + 2, n.z);
+        count += hn::CountTrue(d, keep);
     }
+    return count;
 }
 
 /// Fills up to whole groups of 16 with surfels that add zeros.
-HWY_INLINE void pad(Dense& dense) {
+HWY_INLINE void pad(std::size_t count, Dense& dense) {
     const D d;
     for (std::size_t first = 0; first < lanes; first += hn::Lanes(d)) {
-        const std::size_t at = dense.count + first;
-        hn::StoreU(constant(1), d, dense.monomial[Dense::Support] + at);
-        for (int k = QTerm; k < HeightTerm; ++k)
-            hn::StoreU(hn::Zero(d), d, dense.monomial[k] + at);
+        hn::StoreU(constant(1), d, dense.monomial[Dense::Support] + count + first);
+        unrolled<HeightTerm - QTerm>(
+            [&](auto k) { hn::StoreU(hn::Zero(d), d, dense.monomial[QTerm + k] + count + first); });
     }
 }
 
 /// One group of lanes with its weights.
 struct Lanes {
-    V q[3], n[3], h, height, square, inverse;
+    V3 q, n;
+    V h, height, square, inverse;
     WeightLanes weight;
 };
 
-/// Weights of the surfels [at, at + lanes of D), zero from `end` on.
+/// Weights of the surfels from `at` on, zero from `end` on.
 template <int order>
 HWY_INLINE Lanes weigh(const KernelInput& in, const Dense& dense, std::size_t at, std::size_t end) {
     const D d;
-    const auto row = [&](int k) { return hn::Load(d, dense.monomial[k] + at); };
-    Lanes s{{row(QTerm), row(QTerm + 1), row(QTerm + 2)},
-            {row(NTerm), row(NTerm + 1), row(NTerm + 2)},
-            row(Dense::Support),
-            {},
-            {},
-            {},
-            {}};
-    s.square = hn::MulAdd(s.q[2], s.q[2], hn::MulAdd(s.q[1], s.q[1], hn::Mul(s.q[0], s.q[0])));
+    Lanes s;
+    s.q = load3(dense.monomial[QTerm] + at, stride);
+    s.n = load3(dense.monomial[NTerm] + at, stride);
+    s.h = hn::Load(d, dense.monomial[Dense::Support] + at);
+    s.square = dot(s.q, s.q);
     s.inverse = hn::Div(constant(1), s.h);
     s.weight = weightsAt<order>(hn::Mul(hn::Sqrt(s.square), s.inverse), in.weight, in.interpolating);
-    V factor = constant(1);
     if (in.facing == Facing::Flip) {
-        const V facing =
-            hn::MulAdd(s.n[2], constant(in.reference[2]),
-                       hn::MulAdd(s.n[1], constant(in.reference[1]), hn::Mul(s.n[0], constant(in.reference[0]))));
-        for (V& each : s.n)
-            each = hn::Xor(each, hn::And(facing, hn::SignBit(d)));
+        const V flip = hn::And(dot(s.n, in.reference), hn::SignBit(d));
+        s.n = {hn::Xor(s.n.x, flip), hn::Xor(s.n.y, flip), hn::Xor(s.n.z, flip)};
     }
     if (in.facing == Facing::Refit) {
-        const V off[3] = {hn::Sub(s.n[0], constant(in.reference[0])), hn::Sub(s.n[1], constant(in.reference[1])),
-                          hn::Sub(s.n[2], constant(in.reference[2]))};
-        const V offSq = hn::MulAdd(off[2], off[2], hn::MulAdd(off[1], off[1], hn::Mul(off[0], off[0])));
-        factor = hn::Exp(d, hn::Max(hn::Neg(hn::Mul(offSq, constant(in.inverseSigmaSquare))), constant(-80)));
+        const V3 off = minus(s.n, in.reference);
+        const V exponent = hn::Neg(hn::Mul(dot(off, off), constant(in.inverseSigmaSquare)));
+        scale<order>(hn::Exp(d, hn::Max(exponent, constant(-80))), s.weight);
     }
-    // A mask in place of a comparison with the rest: lanes behind the end have weight too, being at distance 0.
+    // What pads the lanes lies at distance 0 and has weight until here.
     const M inside = hn::FirstN(d, at < end ? end - at : 0);
-    factor = hn::IfThenElseZero(inside, factor);
-    s.weight.theta = hn::Mul(s.weight.theta, factor);
+    s.weight.theta = hn::IfThenElseZero(inside, s.weight.theta);
     if constexpr (order >= 1)
-        s.weight.slope = hn::Mul(s.weight.slope, factor);
+        s.weight.slope = hn::IfThenElseZero(inside, s.weight.slope);
     if constexpr (order >= 2)
-        s.weight.bend = hn::Mul(s.weight.bend, factor);
-    s.height = hn::MulAdd(s.n[2], s.q[2], hn::MulAdd(s.n[1], s.q[1], hn::Mul(s.n[0], s.q[0])));
+        s.weight.bend = hn::IfThenElseZero(inside, s.weight.bend);
+    s.height = dot(s.n, s.q);
     return s;
 }
 
@@ -123,169 +183,230 @@ HWY_INLINE void accumulate(V& sum, V factor, V value) {
     sum = hn::MulAdd(factor, value, sum);
 }
 
-/// Accumulators in memory, one row of 16 lanes for each sum.
+/// Sums in memory, 8 of the 16 lanes: lane i holds that of i and i + 8 together.
 template <int order, Outer outer>
 struct Rows {
     static constexpr int monomials = monomialCount(outer), sums = sumCount(order, outer), padded = (sums + 7) / 8 * 8;
-    HWY_ALIGN float row[padded * lanes];
+    static constexpr std::size_t width = lanes / 2;
+    HWY_ALIGN float row[padded * width];
+    HWY_ALIGN float lower[padded * width]; ///< lanes below 8, where registers hold no more
+
+    /// Takes the lanes from `first` on of one part's sum and adds them to the parts before, unless it is the first.
+    HWY_INLINE void put(std::size_t k, std::size_t first, V sum, bool fresh) {
+        float* to = row + k * width + first % width;
+#if HWY_MAX_BYTES >= 64
+        const hn::FixedTag<float, width> d;
+        const auto both = hn::Add(hn::LowerHalf(d, sum), hn::UpperHalf(d, sum));
+#else
+        const D d;
+        float* below = lower + k * width + first % width;
+        if (first < width) {
+            hn::Store(sum, d, below);
+            return;
+        }
+        const auto both = hn::Add(hn::Load(d, below), sum);
+#endif
+        hn::Store(fresh ? both : hn::Add(hn::Load(d, to), both), d, to);
+    }
+};
+
+/// The sums of order 0 without outer products, in their order.
+struct PlainSums {
+    V one, qx, qy, qz, nx, ny, nz, height, square, unit;
+
+    HWY_INLINE PlainSums() { one = qx = qy = qz = nx = ny = nz = height = square = unit = hn::Zero(D()); }
+    HWY_INLINE void add(const Lanes& s) {
+        const V theta = s.weight.theta;
+        one = hn::Add(one, theta);
+        accumulate(qx, theta, s.q.x), accumulate(qy, theta, s.q.y), accumulate(qz, theta, s.q.z);
+        accumulate(nx, theta, s.n.x), accumulate(ny, theta, s.n.y), accumulate(nz, theta, s.n.z);
+        accumulate(height, theta, s.height);
+        accumulate(square, theta, s.square);
+        accumulate(unit, theta, s.h);
+    }
+    template <class R>
+    HWY_INLINE void put(std::size_t first, bool fresh, R& rows) const {
+        const auto store = [&](std::size_t k, V sum) { rows.put(k, first, sum, fresh); };
+        store(OneTerm, one);
+        store(QTerm, qx), store(QTerm + 1, qy), store(QTerm + 2, qz);
+        store(NTerm, nx), store(NTerm + 1, ny), store(NTerm + 2, nz);
+        store(HeightTerm, height), store(SquareTerm, square), store(R::sums - 1, unit);
+    }
 };
 
 /// Order 0 without outer products: all in registers.
 template <class R>
-HWY_INLINE std::size_t sumPlain(const KernelInput& in, const Dense& dense, bool fresh, R& rows) {
+HWY_INLINE std::size_t sumPlain(const KernelInput& in, const Dense& dense, std::size_t count, bool fresh, R& rows) {
     const D d;
     std::size_t samples = 0;
     for (std::size_t first = 0; first < lanes; first += hn::Lanes(d)) {
-        V acc[R::sums];
-        for (int k = 0; k < R::sums; ++k)
-            acc[k] = fresh ? hn::Zero(d) : hn::Load(d, rows.row + static_cast<std::size_t>(k) * lanes + first);
-        for (std::size_t at = first; at < dense.count; at += lanes) {
-            const Lanes s = weigh<0>(in, dense, at, dense.count);
-            const V theta = s.weight.theta;
-            samples += hn::CountTrue(d, hn::Gt(theta, hn::Zero(d)));
-            acc[OneTerm] = hn::Add(acc[OneTerm], theta);
-            for (int k = 0; k < 3; ++k) {
-                accumulate(acc[QTerm + k], theta, s.q[k]);
-                accumulate(acc[NTerm + k], theta, s.n[k]);
-            }
-            accumulate(acc[HeightTerm], theta, s.height);
-            accumulate(acc[SquareTerm], theta, s.square);
-            accumulate(acc[R::sums - 1], theta, s.h);
+        PlainSums sums;
+        for (std::size_t at = first; at < count; at += lanes) {
+            const Lanes s = weigh<0>(in, dense, at, count);
+            samples += hn::CountTrue(d, hn::Gt(s.weight.theta, hn::Zero(d)));
+            sums.add(s);
         }
-        for (int k = 0; k < R::sums; ++k)
-            hn::Store(acc[k], d, rows.row + static_cast<std::size_t>(k) * lanes + first);
+        sums.put(first, fresh, rows);
     }
     return samples;
 }
 
 /// The factors and the monomials that are not picked as they are, for one group of lanes.
 template <int order, Outer outer>
-HWY_INLINE void prepare(const Lanes& s, std::size_t at, Dense& dense) {
+HWY_INLINE void prepare(const Lanes& s, std::size_t place, Dense& dense) {
     const D d;
-    const auto factor = [&](int k, V value) { hn::Store(value, d, dense.factor[k] + at); };
-    const auto monomial = [&](int k, V value) { hn::Store(value, d, dense.monomial[k] + at); };
+    const auto factor = [&](std::size_t k, V value) { hn::Store(value, d, dense.factor[k] + place); };
+    const auto monomial = [&](std::size_t k, V value) { hn::Store(value, d, dense.monomial[k] + place); };
     factor(ThetaFactor, s.weight.theta);
-    const V u[3] = {hn::Mul(s.q[0], s.inverse), hn::Mul(s.q[1], s.inverse), hn::Mul(s.q[2], s.inverse)};
+    const V3 u{hn::Mul(s.q.x, s.inverse), hn::Mul(s.q.y, s.inverse), hn::Mul(s.q.z, s.inverse)};
     if constexpr (order >= 1) {
         const V slope = hn::Mul(s.weight.slope, s.inverse);
-        for (int k = 0; k < 3; ++k)
-            factor(SlopeFactor + k, hn::Mul(slope, u[k]));
+        unrolled<3>([&](auto k) { factor(SlopeFactor + k, hn::Mul(slope, at<k>(u))); });
         if constexpr (order >= 2)
             factor(PlainSlopeFactor, hn::Mul(slope, s.inverse));
     }
     if constexpr (order >= 2) {
         const V bend = hn::Mul(hn::Mul(s.weight.bend, s.inverse), s.inverse);
-        for (int k = 0; k < 3; ++k)
-            for (int l = k; l < 3; ++l)
-                factor(BendFactor + sym(k, l), hn::Mul(hn::Mul(bend, u[k]), u[l]));
+        forPairs([&](auto k, auto l) { factor(BendFactor + sym(k, l), hn::Mul(hn::Mul(bend, at<k>(u)), at<l>(u))); });
     }
-    for (int k = 0; k < 3; ++k)
-        monomial(NTerm + k, s.n[k]);
+    unrolled<3>([&](auto k) { monomial(NTerm + k, at<k>(s.n)); });
     monomial(HeightTerm, s.height);
     monomial(SquareTerm, s.square);
     if constexpr (outer != Outer::None) {
-        const V* y = outer == Outer::Normals ? s.n : s.q;
-        for (int k = 0; k < 3; ++k)
-            for (int l = k; l < 3; ++l)
-                monomial(OuterTerm + sym(k, l), hn::Mul(y[k], y[l]));
+        const V3& y = outer == Outer::Normals ? s.n : s.q;
+        forPairs([&](auto k, auto l) { monomial(OuterTerm + sym(k, l), hn::Mul(at<k>(y), at<l>(y))); });
     }
 }
 
 /// Factors times monomials, a factor at a time so that its accumulators fit into registers.
 template <int order, Outer outer>
-HWY_INLINE std::size_t sumProducts(const KernelInput& in, Dense& dense, bool fresh, Rows<order, outer>& rows) {
-    using R = Rows<order, outer>;
+HWY_INLINE std::size_t sumProducts(const KernelInput& in, Dense& dense, std::size_t count, bool fresh,
+                                   Rows<order, outer>& rows) {
+    constexpr std::size_t monomials = monomialCount(outer);
     const D d;
     std::size_t samples = 0;
     for (std::size_t first = 0; first < lanes; first += hn::Lanes(d)) {
-        float* last = rows.row + (R::sums - 1) * lanes + first;
-        V unit = fresh ? hn::Zero(d) : hn::Load(d, last);
-        for (std::size_t at = first; at < dense.count; at += lanes) {
-            const Lanes s = weigh<order>(in, dense, at, dense.count);
+        V unit = hn::Zero(d);
+        for (std::size_t at = first; at < count; at += lanes) {
+            const Lanes s = weigh<order>(in, dense, at, count);
             samples += hn::CountTrue(d, hn::Gt(s.weight.theta, hn::Zero(d)));
             accumulate(unit, s.weight.theta, s.h);
             prepare<order, outer>(s, at, dense);
         }
-        hn::Store(unit, d, last);
+        rows.put(sumCount(order, outer) - 1, first, unit, fresh);
         for (std::size_t f = 0; f < factorCount(order); ++f) {
-            float* row = rows.row + f * R::monomials * lanes + first;
-            V acc[R::monomials];
-            for (std::size_t k = 0; k < R::monomials; ++k)
-                acc[k] = fresh ? hn::Zero(d) : hn::Load(d, row + k * lanes);
-            for (std::size_t at = first; at < dense.count; at += lanes) {
+            V acc[monomials];
+            unrolled<monomials>([&](auto k) { acc[k] = hn::Zero(d); });
+            for (std::size_t at = first; at < count; at += lanes) {
                 const V factor = hn::Load(d, dense.factor[f] + at);
                 acc[OneTerm] = hn::Add(acc[OneTerm], factor);
-                for (std::size_t k = QTerm; k < R::monomials; ++k)
-                    accumulate(acc[k], factor, hn::Load(d, dense.monomial[k] + at));
+                unrolled<monomials - 1>(
+                    [&](auto k) { accumulate(acc[k + 1], factor, hn::Load(d, dense.monomial[k + 1] + at)); });
             }
-            for (std::size_t k = 0; k < R::monomials; ++k)
-                hn::Store(acc[k], d, row + k * lanes);
+            unrolled<monomials>([&](auto k) { rows.put(k * factorCount(order) + f, first, acc[k], fresh); });
         }
     }
     return samples;
 }
 
-/// Adds up the 16 lanes of 4 sums: 16 -> 8 -> 4 by halves, then even and odd; the same adds on every instruction set.
-#if HWY_TARGET == HWY_SCALAR
-HWY_INLINE void reduceFour(const float* rows, float* out) {
-    for (int k = 0; k < 4; ++k) {
-        const float* row = rows + k * lanes;
+/// The first way.
+template <Weight weight>
+HWY_INLINE std::size_t sumClusters(const KernelInput& in, Rows<0, Outer::None>& rows) {
+    const D d;
+    const V3 x{constant(in.x[0]), constant(in.x[1]), constant(in.x[2])};
+    std::size_t samples = 0;
+    for (std::size_t first = 0; first < lanes; first += hn::Lanes(d)) {
+        PlainSums sums;
+        for (std::size_t c = 0; c < in.clusterCount; ++c) {
+            const float* cluster = in.clusters[c] + first;
+            const V3 p = load3(cluster, lanes);
+            Lanes s;
+            s.q = {hn::Sub(p.x, x.x), hn::Sub(p.y, x.y), hn::Sub(p.z, x.z)};
+            s.n = load3(cluster + surfel::NormalX * lanes, lanes);
+            s.h = hn::Mul(hn::Load(d, cluster + surfel::Support * lanes), constant(in.scale));
+            s.square = dot(s.q, s.q);
+            const V r = hn::Mul(hn::Sqrt(s.square), hn::Div(constant(1), s.h));
+            s.weight = weightsAt<0>(r, weight, false);
+            s.weight.theta = hn::IfThenElseZero(hn::Lt(s.square, hn::Mul(s.h, s.h)), s.weight.theta);
+            s.height = dot(s.n, s.q);
+            samples += hn::CountTrue(d, hn::Gt(s.weight.theta, hn::Zero(d)));
+            sums.add(s);
+        }
+        sums.put(first, true, rows);
+    }
+    return samples;
+}
+
+/// Adds up the lanes of 8 sums by halves, always the same adds: i and i + 8 (in Rows), i and i + 4, i and i + 2, the
+/// last two.
+#if HWY_MAX_BYTES >= 32
+HWY_INLINE void reduceEight(const float* rows, float* out) {
+    using D8 = hn::FixedTag<float, 8>;
+    const D8 d8;
+    const hn::Repartition<double, D8> pairs;
+    const auto quarter = [&](std::size_t k) { // the lower block of sum k, the upper of sum k + 4
+        const auto a = hn::Load(d8, rows + 8 * k), b = hn::Load(d8, rows + 8 * (k + 4));
+        return hn::Add(hn::ConcatLowerLower(d8, b, a), hn::ConcatUpperUpper(d8, b, a));
+    };
+    const auto eighth = [&](auto a, auto b) {
+        return hn::Add(hn::InterleaveLower(d8, a, b), hn::InterleaveUpper(d8, a, b));
+    };
+    const auto ab = hn::BitCast(pairs, eighth(quarter(0), quarter(1)));
+    const auto cd = hn::BitCast(pairs, eighth(quarter(2), quarter(3)));
+    const auto even = hn::BitCast(d8, hn::InterleaveLower(pairs, ab, cd));
+    const auto odd = hn::BitCast(d8, hn::InterleaveUpper(pairs, ab, cd));
+    hn::Store(hn::Add(even, odd), d8, out);
+}
+#else
+HWY_INLINE void reduceEight(const float* rows, float* out) {
+    for (int k = 0; k < 8; ++k, rows += 8) {
         float r[4];
         for (int i = 0; i < 4; ++i)
-            r[i] = (row[i] + row[i + 8]) + (row[i + 4] + row[i + 12]);
+            r[i] = rows[i] + rows[i + 4];
         out[k] = (r[0] + r[2]) + (r[1] + r[3]);
     }
 }
-#else
-HWY_INLINE void reduceFour(const float* rows, float* out) {
-    const hn::FixedTag<float, 4> d4;
-    using V4 = hn::Vec<hn::FixedTag<float, 4>>;
-    V4 r[4];
-    for (int k = 0; k < 4; ++k) {
-        const float* row = rows + k * lanes;
-        r[k] = hn::Add(hn::Add(hn::Load(d4, row), hn::Load(d4, row + 8)),
-                       hn::Add(hn::Load(d4, row + 4), hn::Load(d4, row + 12)));
-    }
-    // (a0+a2, b0+b2, a1+a3, b1+b3), and c, d likewise
-    const V4 ab = hn::Add(hn::InterleaveLower(d4, r[0], r[1]), hn::InterleaveUpper(d4, r[0], r[1]));
-    const V4 cd = hn::Add(hn::InterleaveLower(d4, r[2], r[3]), hn::InterleaveUpper(d4, r[2], r[3]));
-    hn::Store(hn::Add(hn::ConcatLowerLower(d4, cd, ab), hn::ConcatUpperUpper(d4, cd, ab)), d4, out);
-}
 #endif
 
-/// Sums what is dense. Of a list that goes on, whole groups of 16 only; the rest moves to the front.
 template <int order, Outer outer>
-HWY_INLINE std::size_t flush(const KernelInput& in, Dense& dense, bool fresh, Rows<order, outer>& rows) {
-    if constexpr (order == 0 && outer == Outer::None)
-        return sumPlain(in, dense, fresh, rows);
-    else
-        return sumProducts<order, outer>(in, dense, fresh, rows);
+HWY_INLINE void reduce(const Rows<order, outer>& rows, float* sums) {
+    for (int k = 0; k < rows.padded; k += 8)
+        reduceEight(rows.row + k * rows.width, sums + k);
 }
 
+template <Weight weight>
+int sumPlainly(const KernelInput& in, float* sums) {
+    Rows<0, Outer::None> rows;
+    const std::size_t samples = sumClusters<weight>(in, rows);
+    reduce(rows, sums);
+    return static_cast<int>(samples);
+}
+
+/// The second way. In parts of `capacity`, which leave the lanes as they are, being multiples of 16.
 template <int order, Outer outer>
 int sumAll(const KernelInput& in, float* sums) {
-    using R = Rows<order, outer>;
     Dense dense;
-    dense.count = 0;
-    R rows;
+    Rows<order, outer> rows;
     bool fresh = true;
-    std::size_t samples = 0;
-    for (std::size_t c = 0; c < in.clusterCount; ++c) {
-        pick(in.clusters[c], in, dense);
-        if (dense.count < capacity)
+    std::size_t samples = 0, count = 0;
+    for (std::size_t c = 0; c <= in.clusterCount; ++c) {
+        if (c < in.clusterCount)
+            count = pick(in.clusters[c], in, count, dense);
+        else
+            pad(count, dense);
+        if (c < in.clusterCount && count < capacity)
             continue;
-        const std::size_t left = dense.count - capacity;
-        dense.count = capacity;
-        samples += flush<order, outer>(in, dense, fresh, rows);
+        const std::size_t part = std::min(count, capacity);
+        if constexpr (order == 0 && outer == Outer::None)
+            samples += sumPlain(in, dense, part, fresh, rows);
+        else
+            samples += sumProducts<order, outer>(in, dense, part, fresh, rows);
         fresh = false;
-        dense.count = left;
-        for (int k = 0; k < HeightTerm; ++k)
+        count -= part;
+        for (int k = 0; k < HeightTerm && count > 0; ++k)
             std::copy_n(dense.monomial[k] + capacity, lanes, dense.monomial[k]);
     }
-    pad(dense);
-    samples += flush<order, outer>(in, dense, fresh, rows);
-    for (int k = 0; k < R::sums; k += 4)
-        reduceFour(rows.row + k * lanes, sums + k);
+    reduce(rows, sums);
     return static_cast<int>(samples);
 }
 
@@ -297,6 +418,12 @@ int sumOfOrder(int order, const KernelInput& in, float* sums) {
 }
 
 int sumDispatched(int order, Outer outer, const KernelInput& in, float* sums) {
+    if (order == 0 && outer == Outer::None && in.facing == Facing::All && !in.interpolating) {
+        if (in.weight == Weight::Wendland)
+            return sumPlainly<Weight::Wendland>(in, sums);
+        if (in.weight == Weight::WendlandC4)
+            return sumPlainly<Weight::WendlandC4>(in, sums);
+    }
     switch (outer) {
     case Outer::None:
         return sumOfOrder<Outer::None>(order, in, sums);

@@ -10,10 +10,13 @@ namespace surface {
 
 namespace {
 
-constexpr std::size_t packetSize = 32;
-constexpr std::size_t packetsPerTask = 8;
-/// In supports: packets whose boxes are larger share too little; where they are 4 times that, the batch is scattered.
-constexpr float coherentReach = 6;
+constexpr std::size_t packetSize = 32;   ///< positions at most
+constexpr std::size_t packetsAtOnce = 8; ///< in preparation, so that their memory arrives while others are prepared
+constexpr std::size_t positionsPerTask = 8 * packetSize;
+/// In supports, the diagonal of a packet's box. In a larger one too many clusters serve too few positions.
+constexpr float packetReach = 8;
+/// In supports: where consecutive positions lie that far apart, on average over packets, they are put in order.
+constexpr float scatteredReach = 32;
 
 base::Box3f boxOf(std::span<const base::Vec3f> x) {
     base::Box3f out;
@@ -22,7 +25,7 @@ base::Box3f boxOf(std::span<const base::Vec3f> x) {
     return out;
 }
 
-/// Mean diagonal of the packets' boxes.
+/// Mean diagonal of the boxes of `packetSize` consecutive positions.
 float meanDiagonal(std::span<const base::Vec3f> x) {
     double sum = 0;
     for (std::size_t begin = 0; begin < x.size(); begin += packetSize)
@@ -30,43 +33,66 @@ float meanDiagonal(std::span<const base::Vec3f> x) {
     return static_cast<float>(sum / static_cast<double>(base::chunkCount(x.size(), packetSize)));
 }
 
-/// Indices along a Morton curve through the box of all positions (10 bits an axis).
-std::vector<std::uint32_t> mortonOrder(std::span<const base::Vec3f> x) {
-    const tree::MortonGrid grid(boxOf(x));
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> keys(x.size());
-    base::parallelFor(x.size(), 4096, [&](std::size_t i) {
-        keys[i] = {grid.code(x[i]), static_cast<std::uint32_t>(i)};
-    });
-    std::sort(keys.begin(), keys.end());
+/// Indices in an order in which neighbours are close.
+std::vector<std::uint32_t> orderOf(std::span<const base::Vec3f> x, float support) {
     std::vector<std::uint32_t> out(x.size());
-    std::transform(keys.begin(), keys.end(), out.begin(), [](const auto& key) { return key.second; });
+    if (x.size() <= packetSize || !(meanDiagonal(x) > scatteredReach * support)) {
+        std::iota(out.begin(), out.end(), 0u);
+        return out;
+    }
+    const std::vector<tree::MortonKey> keys = tree::sortedKeys(x, boxOf(x));
+    std::transform(keys.begin(), keys.end(), out.begin(), [](tree::MortonKey key) { return tree::indexOf(key); });
     return out;
+}
+
+/// How many of the first of `order` make a packet, and the box around them.
+std::size_t cutPacket(std::span<const base::Vec3f> x, std::span<const std::uint32_t> order, float reach,
+                      base::Box3f& box) {
+    const std::size_t most = std::min(packetSize, order.size());
+    box = {x[order[0]], x[order[0]]};
+    std::size_t count = 1;
+    for (; count < most; ++count) {
+        base::Box3f larger = box;
+        larger.extend(x[order[count]]);
+        if (!(lengthSq(larger.hi - larger.lo) <= reach * reach))
+            break;
+        box = larger;
+    }
+    return count;
 }
 
 } // namespace
 
-void forPackets(const Surface& surface, std::span<const base::Vec3f> x, float slack,
-                const std::function<void(Source&, std::size_t)>& fn) {
+namespace detail {
+
+void forEachPacket(const Surface& surface, std::span<const base::Vec3f> x, float slack,
+                   const std::function<void(Source&, std::span<const std::uint32_t>)>& fn) {
     if (x.empty())
         return;
     const float support = surface.supportScale() * surface.tree().maxSupport();
-    std::vector<std::uint32_t> order;
-    if (x.size() > packetSize && meanDiagonal(x) > 4 * coherentReach * support)
-        order = mortonOrder(x);
-    const auto index = [&](std::size_t i) { return order.empty() ? i : order[i]; };
-    base::parallelChunks(x.size(), packetSize * packetsPerTask, [&](std::size_t begin, std::size_t end, std::size_t) {
-        Source source(surface, slack > 0 ? Steps::Close : Steps::Apart);
-        for (std::size_t first = begin; first < end; first += packetSize) {
-            const std::size_t last = std::min(end, first + packetSize);
-            base::Box3f box;
-            for (std::size_t i = first; i < last; ++i)
-                box.extend(x[index(i)]);
-            if (box.diagonal() <= (slack > 0 ? 2 : 1) * coherentReach * support)
-                source.expect(box.inflated(slack * support));
-            for (std::size_t i = first; i < last; ++i)
-                fn(source, index(i));
+    const std::vector<std::uint32_t> order = orderOf(x, support);
+    base::parallelChunks(x.size(), positionsPerTask, [&](std::size_t begin, std::size_t end, std::size_t) {
+        std::vector<Source> sources;
+        std::vector<std::span<const std::uint32_t>> packets;
+        while (begin < end) {
+            packets.clear();
+            for (std::size_t k = 0; k < packetsAtOnce && begin < end; ++k) {
+                base::Box3f box;
+                const std::span<const std::uint32_t> rest{order.data() + begin, end - begin};
+                packets.push_back(rest.first(cutPacket(x, rest, packetReach * support, box)));
+                begin += packets.back().size();
+                if (k == sources.size())
+                    sources.emplace_back(surface, slack > 0 ? Steps::Close : Steps::Apart);
+                sources[k].announce(box.inflated(slack * support));
+            }
+            for (std::size_t k = 0; k < packets.size(); ++k)
+                sources[k].fetch();
+            for (std::size_t k = 0; k < packets.size(); ++k)
+                fn(sources[k], packets[k]);
         }
     });
 }
+
+} // namespace detail
 
 } // namespace surface

@@ -36,15 +36,15 @@ void Source::gather(const base::Vec3f& x, ClusterList& out) const {
     if (m_candidates.covers(x))
         m_candidates.select(x, out);
     else
-        surface::gather(m_surface.tree(), x, out, m_surface.supportScale());
+        surface::gather(m_surface->tree(), x, out, m_surface->supportScale());
 }
 
 void Source::gather(const base::Vec3d& x, ClusterList& out) const {
-    surface::gather(m_surface.tree(), x, out, m_surface.supportScale());
+    surface::gather(m_surface->tree(), x, out, m_surface->supportScale());
 }
 
-Evaluationf Source::hessian(const base::Vec3f& x, ClusterSpan clusters, const Hint& hint) const {
-    if (m_surface.effectiveFrame() == Frame::Normals && !m_surface.definition().interpolating)
+Evaluationf Source::hessian(const base::Vec3f& x, const Hint& hint, ClusterSpan clusters) const {
+    if (m_surface->effectiveFrame() == Frame::Normals && !m_surface->definition().interpolating)
         return Assembler<float, 2>(*this, clusters, x, hint).run();
     ScratchClusters around;
     const base::Vec3d at = base::cast<double>(x);
@@ -52,17 +52,28 @@ Evaluationf Source::hessian(const base::Vec3f& x, ClusterSpan clusters, const Hi
     return rounded(Assembler<double, 2>(*this, around.span(), at, hint).run());
 }
 
-Evaluationf Source::evaluate(const base::Vec3f& x, Need need, const Hint& hint) {
+Evaluationf Source::assemble(const base::Vec3f& x, Need need, const Hint& hint, ClusterSpan clusters) const {
+    switch (need) {
+    case Need::Value:
+        return Assembler<float, 0>(*this, clusters, x, hint).run();
+    case Need::Gradient:
+        return Assembler<float, 1>(*this, clusters, x, hint).run();
+    case Need::Hessian:
+        break;
+    }
+    return hessian(x, hint, clusters);
+}
+
+void Source::evaluate(const base::Vec3f& x, Need need, const Hint& hint, Evaluationf& out) {
     if (m_steps == Steps::Close && m_slack > 0 && !m_candidates.covers(x))
         expect(base::Box3f{x, x}.inflated(m_slack));
     ScratchClusters clusters;
     gather(x, clusters.list());
-    const Evaluationf out = need == Need::Value      ? Assembler<float, 0>(*this, clusters.span(), x, hint).run()
-                            : need == Need::Gradient ? Assembler<float, 1>(*this, clusters.span(), x, hint).run()
-                                                     : hessian(x, clusters.span(), hint);
+    out = {};
+    if (!m_plain.applies() || !m_plain.evaluate(clusters.span(), x, need, out))
+        out = assemble(x, need, hint, clusters.span());
     if (out.unit > 0)
         m_slack = slackOfUnit * out.unit;
-    return out;
 }
 
 Evaluationd Source::evaluate(const base::Vec3d& x, Need need, const Hint& hint) {

@@ -82,7 +82,7 @@ Evaluationd Surface::evaluateReference(const base::Vec3d& x, Need need, const Hi
 
 void Surface::evaluate(std::span<const base::Vec3f> x, Need need, std::span<Evaluationf> out) const {
     assert(x.size() == out.size());
-    forPackets(*this, x, 0, [&](Source& source, std::size_t i) { out[i] = source.evaluate(x[i], need); });
+    forPackets(*this, x, 0, [&](Source& source, std::size_t i) { source.evaluate(x[i], need, {}, out[i]); });
 }
 
 } // namespace surface

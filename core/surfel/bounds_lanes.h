@@ -2,18 +2,17 @@
 //
 // A bound is a tight box of positions with the largest support radius among them. Unused lanes hold empty boxes with
 // support 0: infinitely far from everything, in no ball and in no box. Masks have bit i for lane i.
-// The loops are plain so that the compiler turns each into a few vector instructions; every operation is monotonic
-// in the bounds, so that a bound that contains another answers yes whenever the inner one does, bit for bit.
+// Every operation is monotonic in the bounds, so that a bound that contains another answers yes whenever the inner one
+// does, bit for bit.
 #pragma once
 
 #include "core/base/box.h"
 #include "core/base/ray.h"
+#include "core/surfel/lanes.h"
 
 #include <cstdint>
 
 namespace surfel {
-
-constexpr int laneCount = 8;
 
 /// How far from a cluster's samples the surface may run, as a part of their support: smaller loses ray hits (TREE.md).
 constexpr float surfaceReach = 0.7f;
@@ -46,16 +45,6 @@ struct alignas(32) BoundsLanes {
     unsigned meeting(const RaySlabs& ray, float (&enter)[laneCount], float (&leave)[laneCount]) const;
 };
 
-/// By value, unlike std::max and std::min, so that loops over lanes become vector instructions.
-inline float larger(float a, float b) {
-    return a < b ? b : a;
-}
-inline float smaller(float a, float b) {
-    return b < a ? b : a;
-}
-
-constexpr unsigned laneBit[laneCount] = {1, 2, 4, 8, 16, 32, 64, 128};
-
 inline RaySlabs::RaySlabs(const base::Rayf& ray) {
     for (std::size_t k = 0; k < 3; ++k) {
         origin[k] = ray.origin[k];
@@ -75,73 +64,57 @@ inline void BoundsLanes::set(int lane, const base::Box3f& box, float support) {
     maxSupport[lane] = support;
 }
 
+namespace detail {
+
+/// Squared distances from the box [lo, hi], a point where both are the same, to the lanes' boxes.
+inline Lanes distancesSq(const BoundsLanes& b, const base::Vec3f& lo, const base::Vec3f& hi) {
+    const Lanes zero(0.0f);
+    const Lanes dx = max(max(Lanes::load(b.loX) - hi.x, Lanes(lo.x) - Lanes::load(b.hiX)), zero);
+    const Lanes dy = max(max(Lanes::load(b.loY) - hi.y, Lanes(lo.y) - Lanes::load(b.hiY)), zero);
+    const Lanes dz = max(max(Lanes::load(b.loZ) - hi.z, Lanes(lo.z) - Lanes::load(b.hiZ)), zero);
+    return dx * dx + dy * dy + dz * dz;
+}
+
+} // namespace detail
+
 inline void BoundsLanes::distanceSq(const base::Vec3f& x, float (&out)[laneCount]) const {
-    const float px = x.x, py = x.y, pz = x.z; // copies, which no store to `out` can change
-    for (int i = 0; i < laneCount; ++i) {
-        const float dx = smaller(larger(px, loX[i]), hiX[i]) - px;
-        const float dy = smaller(larger(py, loY[i]), hiY[i]) - py;
-        const float dz = smaller(larger(pz, loZ[i]), hiZ[i]) - pz;
-        out[i] = dx * dx + dy * dy + dz * dz;
-    }
+    detail::distancesSq(*this, x, x).store(out);
 }
 
 inline unsigned BoundsLanes::supporting(const base::Vec3f& x, float reach) const {
-    float d[laneCount];
-    distanceSq(x, d);
-    unsigned mask = 0;
-    for (int i = 0; i < laneCount; ++i) {
-        const float support = reach * maxSupport[i];
-        mask |= d[i] < support * support ? laneBit[i] : 0;
-    }
-    return mask;
+    const Lanes support = Lanes(reach) * Lanes::load(maxSupport);
+    return less(detail::distancesSq(*this, x, x), support * support);
 }
 
 inline unsigned BoundsLanes::supporting(const base::Box3f& q, float reach) const {
-    unsigned mask = 0;
-    for (int i = 0; i < laneCount; ++i) {
-        const float dx = larger(larger(loX[i] - q.hi.x, q.lo.x - hiX[i]), 0.0f);
-        const float dy = larger(larger(loY[i] - q.hi.y, q.lo.y - hiY[i]), 0.0f);
-        const float dz = larger(larger(loZ[i] - q.hi.z, q.lo.z - hiZ[i]), 0.0f);
-        const float support = reach * maxSupport[i];
-        mask |= dx * dx + dy * dy + dz * dz < support * support ? laneBit[i] : 0;
-    }
-    return mask;
+    const Lanes support = Lanes(reach) * Lanes::load(maxSupport);
+    return less(detail::distancesSq(*this, q.lo, q.hi), support * support);
 }
 
 inline unsigned BoundsLanes::within(const base::Vec3f& centre, float radiusSq) const {
-    float d[laneCount];
-    distanceSq(centre, d);
-    unsigned mask = 0;
-    for (int i = 0; i < laneCount; ++i)
-        mask |= d[i] <= radiusSq ? laneBit[i] : 0;
-    return mask;
+    return lessOrEqual(detail::distancesSq(*this, centre, centre), radiusSq);
 }
 
 inline unsigned BoundsLanes::meeting(const RaySlabs& ray, float (&enter)[laneCount], float (&leave)[laneCount]) const {
     const float* lows[3] = {loX, loY, loZ};
     const float* highs[3] = {hiX, hiY, hiZ};
-    for (int i = 0; i < laneCount; ++i)
-        enter[i] = 0, leave[i] = std::numeric_limits<float>::infinity();
+    const Lanes reach = Lanes(surfaceReach) * Lanes::load(maxSupport);
+    Lanes first(0.0f), last(std::numeric_limits<float>::infinity());
+    unsigned beside = 0;
     for (int k = 0; k < 3; ++k) {
-        const float *lo = lows[k], *hi = highs[k], origin = ray.origin[k], inverse = ray.inverse[k];
+        const Lanes lo = Lanes::load(lows[k]) - reach, hi = Lanes::load(highs[k]) + reach, origin(ray.origin[k]);
         if (ray.parallel[k]) {
-            for (int i = 0; i < laneCount; ++i) {
-                const float reach = surfaceReach * maxSupport[i];
-                leave[i] = origin < lo[i] - reach || origin > hi[i] + reach ? -1.0f : leave[i];
-            }
+            beside |= less(origin, lo) | less(hi, origin);
             continue;
         }
-        for (int i = 0; i < laneCount; ++i) {
-            const float reach = surfaceReach * maxSupport[i];
-            const float a = (lo[i] - reach - origin) * inverse, b = (hi[i] + reach - origin) * inverse;
-            enter[i] = larger(enter[i], smaller(a, b));
-            leave[i] = smaller(leave[i], larger(a, b));
-        }
+        const Lanes inverse(ray.inverse[k]);
+        const Lanes a = (lo - origin) * inverse, b = (hi - origin) * inverse;
+        first = max(first, min(a, b));
+        last = min(last, max(a, b));
     }
-    unsigned mask = 0;
-    for (int i = 0; i < laneCount; ++i)
-        mask |= enter[i] <= leave[i] ? laneBit[i] : 0;
-    return mask;
+    first.store(enter);
+    last.store(leave);
+    return lessOrEqual(first, last) & ~beside;
 }
 
 } // namespace surfel

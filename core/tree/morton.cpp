@@ -55,17 +55,27 @@ static void radixPass(const std::vector<MortonKey>& in, std::vector<MortonKey>& 
     });
 }
 
-std::vector<MortonKey> sortedKeys(std::span<const surfel::Surfel> surfels, const base::Box3f& box) {
+/// `positionOf(i)` for i in [0, count).
+template <class Fn>
+static std::vector<MortonKey> sortedBy(std::size_t count, const base::Box3f& box, const Fn& positionOf) {
     const MortonGrid grid(box);
-    std::vector<MortonKey> keys(surfels.size()), other(surfels.size());
-    base::parallelFor(surfels.size(), grain, [&](std::size_t i) {
-        keys[i] = MortonKey(grid.code(surfels[i].position)) << 32 | static_cast<std::uint32_t>(i);
+    std::vector<MortonKey> keys(count), other(count);
+    base::parallelFor(count, grain, [&](std::size_t i) {
+        keys[i] = MortonKey(grid.code(positionOf(i))) << 32 | static_cast<std::uint32_t>(i);
     });
     for (int pass = 0; pass < 3; ++pass) {
         radixPass(keys, other, 32 + pass * digitBits);
         keys.swap(other);
     }
     return keys;
+}
+
+std::vector<MortonKey> sortedKeys(std::span<const surfel::Surfel> surfels, const base::Box3f& box) {
+    return sortedBy(surfels.size(), box, [&](std::size_t i) { return surfels[i].position; });
+}
+
+std::vector<MortonKey> sortedKeys(std::span<const base::Vec3f> positions, const base::Box3f& box) {
+    return sortedBy(positions.size(), box, [&](std::size_t i) { return positions[i]; });
 }
 
 /// Where to cut: the change of the highest bit within the middle 40 %, the one nearest to the middle among equals.

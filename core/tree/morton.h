@@ -1,6 +1,6 @@
 // Order along a Morton curve of 10 bits per axis (Morton 1966), by a stable parallel radix sort.
 //
-// Internal to the tree. Same order at any thread count.
+// Internal to the core. Same order at any thread count.
 #pragma once
 
 #include "core/base/box.h"
@@ -12,7 +12,7 @@
 
 namespace tree {
 
-/// Code in the high word, index of the surfel in the low word.
+/// Code in the high word, index of the surfel or position in the low word.
 using MortonKey = std::uint64_t;
 
 constexpr std::uint32_t codeOf(MortonKey key) {
@@ -33,8 +33,9 @@ class MortonGrid {
     double m_scale = 0;
 };
 
-/// Keys of all surfels, ascending. REQUIRES: `box` contains all positions.
+/// Keys of all surfels or positions, ascending. REQUIRES: `box` contains all positions.
 std::vector<MortonKey> sortedKeys(std::span<const surfel::Surfel> surfels, const base::Box3f& box);
+std::vector<MortonKey> sortedKeys(std::span<const base::Vec3f> positions, const base::Box3f& box);
 
 /// Cuts sorted keys into runs of at most `longest`: always where the highest bit of the code changes within the middle
 /// 40 %, so that no run straddles a far jump of the curve. Returns the ends of the runs.

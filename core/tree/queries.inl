@@ -46,13 +46,20 @@ void SurfelTree::forClustersInSupport(const base::Vec3f& x, const Fn& fn, float 
 }
 
 template <class Fn>
+void SurfelTree::forBlocksInSupport(const base::Box3f& box, const Fn& fn, float reach) const {
+    if (m_root)
+        detail::descend(
+            *m_root, 0, [&](const surfel::BoundsLanes& lanes) { return lanes.supporting(box, reach); }, fn);
+}
+
+template <class Fn>
 void SurfelTree::forClustersInSupport(const base::Box3f& box, const Fn& fn, float reach) const {
-    if (!m_root)
-        return;
-    const auto select = [&](const surfel::BoundsLanes& lanes) { return lanes.supporting(box, reach); };
-    detail::descend(*m_root, 0, select, [&](std::uint32_t, const surfel::SurfelBlock& block) {
-        detail::forLanes(select(block.boundsLanes()), [&](int cluster) { fn(block, cluster); });
-    });
+    forBlocksInSupport(
+        box,
+        [&](std::uint32_t, const surfel::SurfelBlock& block) {
+            detail::forLanes(block.boundsLanes().supporting(box, reach), [&](int cluster) { fn(block, cluster); });
+        },
+        reach);
 }
 
 template <class Fn>

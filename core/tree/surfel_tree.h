@@ -94,6 +94,9 @@ class SurfelTree {
     /// fn(block, cluster) for every cluster that may have weight somewhere in `box`; a superset for each x in it.
     template <class Fn>
     void forClustersInSupport(const base::Box3f& box, const Fn& fn, float reach = 1) const;
+    /// fn(blockNumber, block) for every block that may have weight somewhere in `box`, supports multiplied by `reach`.
+    template <class Fn>
+    void forBlocksInSupport(const base::Box3f& box, const Fn& fn, float reach = 1) const;
     /// fn(blockNumber, block) for every block that has a position within `radius` of `centre`, by its box.
     template <class Fn>
     void forBlocksInBall(const base::Vec3f& centre, float radius, const Fn& fn) const;
