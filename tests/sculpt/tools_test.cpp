@@ -1,7 +1,5 @@
-// What each tool does to a point, against its formula and against analytic shapes.
-#include "core/base/random.h"
-#include "core/sculpt/tool.h"
-#include "sculpt/shapes.h"
+// What draw, clay, smooth and grab do to a point, against their formulas and against analytic shapes.
+#include "sculpt/dabs.h"
 #include "support/registry.h"
 
 #include <QtTest>
@@ -13,7 +11,6 @@ class ToolsTest : public QObject {
   private slots:
     void drawRaisesThePlaneByTheFalloffExactly();
     void drawnNormalsAreThoseOfTheGraphOfTheFalloff();
-    void carriedNormalsMatchTheDeformationOfSmallTriangles();
     void clayNeverPassesItsPlaneAndFillsHollowsFirst();
     void invertedClayIsClayUpsideDown();
     void smoothKeepsASphereAndTakesItsNoise();
@@ -23,21 +20,8 @@ class ToolsTest : public QObject {
     void grabIsItsOwnInverseBackwards();
 };
 
-static Dab dabOf(const ToolRow& row, const base::Vec3f& centre, float radius, float strength) {
-    Dab dab;
-    dab.centre = dab.areaCentre = centre;
-    dab.normal = dab.areaNormal = {0, 0, 1};
-    dab.view = {0, 0, -1};
-    dab.radius = radius;
-    dab.strength = strength;
-    for (const ToolParameter& parameter : row.parameters)
-        dab.parameters[parameter.id] = parameter.fallback;
-    return dab;
-}
-
-static surface::Surface applied(const ToolRow& row, const surface::Surface& s, const Dab& dab) {
-    return {s.tree().apply(row.apply(s, dab)), s.definition()};
-}
+using test::applied;
+using test::dabOf;
 
 void ToolsTest::drawRaisesThePlaneByTheFalloffExactly() {
     const surface::Surface plane = test::surfaceOf(test::planePoints(80, 0.02));
@@ -65,38 +49,6 @@ void ToolsTest::drawnNormalsAreThoseOfTheGraphOfTheFalloff() {
         const double slope = r < 1 && r > 1e-9 ? 0.05 * 6 * r * (r - 1) / (r * 0.4) : 0; // of height over r, by x and y
         const base::Vec3d n = normalized(base::Vec3d{-slope * x, -slope * y, 1});
         QVERIFY(length(n - base::cast<double>(s.normal)) < 1e-5);
-    }
-}
-
-void ToolsTest::carriedNormalsMatchTheDeformationOfSmallTriangles() {
-    // Three surfels make a small tilted triangle; the tool carries its corners and its normal.
-    base::Random random(test::seed());
-    for (const ToolRow& row : toolTable()) {
-        if (std::string(row.id) == "smooth")
-            continue; // draws normals to the surface's on purpose
-        for (int k = 0; k < 200; ++k) {
-            const base::Vec3d n = random.unitVector(), u = perpendicular(n), v = cross(n, u);
-            const base::Vec3d p{random.uniform(-0.25, 0.25), random.uniform(-0.25, 0.25), random.uniform(-0.25, 0.25)};
-            constexpr double small = 2e-3;
-            surfel::SurfelList list;
-            list.layout = test::orientedLayout();
-            const base::Vec3d corners[] = {p, p + u * small, p + v * small};
-            for (int c = 0; c < 3; ++c) {
-                list.append(test::surfelAt(corners[c], n, 0.02), {});
-                list.items.back().colour = static_cast<surfel::Colour>(c);
-            }
-            const surface::Surface s = test::surfaceOf(list);
-            Dab dab = dabOf(row, {0, 0, 0}, 0.5f, 1);
-            dab.move = {0.02f, -0.01f, 0.03f};
-            base::Vec3d q[3], carried;
-            for (const surfel::Surfel& a : applied(row, s, dab).tree().surfels().items) {
-                q[a.colour] = base::cast<double>(a.position);
-                carried += base::cast<double>(a.normal) / 3;
-            }
-            const base::Vec3d expected = normalized(cross(q[1] - q[0], q[2] - q[0]));
-            const double error = length(expected - normalized(carried));
-            QVERIFY2(error < 2e-3, qPrintable(QString("%1: %2, seed %3").arg(row.id).arg(error).arg(test::seed())));
-        }
     }
 }
 

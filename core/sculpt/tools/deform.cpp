@@ -5,9 +5,6 @@
 
 namespace sculpt {
 
-/// Smallest change of volume at which normals still follow.
-constexpr float leastVolume = 0.05f;
-
 void ShiftLanes::set(std::size_t lane, const base::Vec3f& shift, const base::Mat3f& gradient) {
     for (std::size_t a = 0; a < 3; ++a) {
         d[a][lane] = shift[a];
@@ -70,12 +67,11 @@ void carry(const LanePlace& where, const ShiftLanes& shift, bool footprints, sur
         const float cxx = yy * zz - yz * zy, cxy = yz * zx - yx * zz, cxz = yx * zy - yy * zx;
         const float cyx = zy * xz - zz * xy, cyy = zz * xx - zx * xz, cyz = zx * xy - zy * xx;
         const float czx = xy * yz - xz * yy, czy = xz * yx - xx * yz, czz = xx * yy - xy * yx;
-        const float volume = xx * cxx + xy * cxy + xz * cxz;
         const float mx = cxx * nx[i] + cxy * ny[i] + cxz * nz[i], my = cyx * nx[i] + cyy * ny[i] + cyz * nz[i],
                     mz = czx * nx[i] + czy * ny[i] + czz * nz[i];
         const float length = std::sqrt(mx * mx + my * my + mz * mz);
         const bool moves = by.d[0][i] != 0 || by.d[1][i] != 0 || by.d[2][i] != 0;
-        const bool turns = moves && volume > leastVolume && length > 1e-12f;
+        const bool turns = moves && mx * nx[i] + my * ny[i] + mz * nz[i] > 0;
         const float scale = 1 / (turns ? length : 1.0f);
         nx[i] = turns ? mx * scale : nx[i], ny[i] = turns ? my * scale : ny[i], nz[i] = turns ? mz * scale : nz[i];
         support[i] = turns && footprints ? support[i] * std::sqrt(length) : support[i];

@@ -2,8 +2,9 @@
 //
 //     p' = p + D(p)        n' ~ cof(F) n,  F = I + grad D        h' = h sqrt(|cof(F) n|) where footprints follow
 //
-// D is the tool's displacement times the factors and 1 - mask. Where D folds space over (det F below 0.05, which only a
-// vertical rim or too long a step asks for) the normal stays. Normals are carried, never estimated anew.
+// D is the tool's displacement times the factors and 1 - mask. Where a dab would turn a normal by more than 90 degrees
+// (matter folded over along itself, which only a vertical rim or too long a step asks for) the normal stays. Normals
+// are carried, never estimated anew.
 //
 // A tool gives a Field: a callable (const LanePlace&, const BrushLanes&, ShiftLanes&) that fills displacements and
 // gradients from the lanes' places; `LanePlace` is for those that keep something for every surfel (gather.h). Lanes

@@ -1,0 +1,18 @@
+// Density: makes the sampling under the brush finer; inverted, coarser. The surface stays where it is.
+//
+//     target spacing  s' = factor * s, inverted s / factor       s: the spacing where the stroke began with it
+//     one dab changes the spacing by a factor of at most 1.5^|strength|, towards s'
+//     supports        h(p) = H(s) -> H(s'), changing by at most half the depth below the brush's rim
+//
+// A stroke that passes twice goes no further than s'; the next stroke starts from there. Supports are graded, because
+// neighbours with very different ones ripple (alg. 8.2.1): the full change needs room, and where a coarse target leaves
+// none the brush does as much as fits half its radius. Masked surfels stay; new ones are interpolated.
+#pragma once
+
+#include "core/sculpt/tool.h"
+
+namespace sculpt {
+
+extern const ToolRow densityTool;
+
+} // namespace sculpt

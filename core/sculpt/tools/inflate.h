@@ -1,0 +1,15 @@
+// Inflate: pushes the surface out (inverted: in) along its own normals, so that what is under the brush swells.
+//
+//     p' = p + a(p) n(p),   a = strength * 0.05 R * w(|p - centre| / R)        F = I + n (grad a)^T + a grad n
+//
+// n is the normal of the model's own frame at p (alg. 2.4), a smooth field whose gradient comes with it: the noise of
+// single normals is not blown up, and curvature turns the carried normals as it must.
+#pragma once
+
+#include "core/sculpt/tool.h"
+
+namespace sculpt {
+
+extern const ToolRow inflateTool;
+
+} // namespace sculpt
