@@ -35,5 +35,6 @@ Action addIntersect(CLI::App& command);
 Action addRender(CLI::App& command);
 Action addRun(CLI::App& command);
 Action addRecover(CLI::App& command);
+Action addBench(CLI::App& command);
 
 } // namespace app

@@ -15,6 +15,8 @@ std::span<const SubcommandRow> subcommandTable() {
         {"run", "Execute a session file", "pointclay run session.jsonl --model bunny.ply -o out.ply", addRun},
         {"recover", "Bring back the model of a journal that a crash has left",
          "pointclay recover ~/.local/state/pointclay/journal-4711.jsonl -o rescued.ply", addRecover},
+        {"bench", "Measure how fast this machine is, with the naive way beside each workload",
+         "pointclay bench evaluate rays-camera --threads 1 --json out.json", addBench},
     };
     return rows;
 }

@@ -27,7 +27,7 @@ void CommandLineTest::helpNamesEverySubcommandWithAnExample() {
     const Program program;
     const Outcome help = program.run({"--help"});
     QCOMPARE(help.code, 0);
-    for (const char* name : {"info", "convert", "query", "intersect", "render", "run", "recover"}) {
+    for (const char* name : {"info", "convert", "query", "intersect", "render", "run", "recover", "bench"}) {
         QVERIFY2(help.out.find(std::string("\n  ") + name) != std::string::npos, name);
         const Outcome own = program.run({name, "--help"});
         QCOMPARE(own.code, 0);

@@ -1,0 +1,157 @@
+// pointclay bench: items per second of every workload, with the naive way measured beside it in the same run.
+#include "app/open_model.h"
+#include "app/subcommand.h"
+#include "bench/measure.h"
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/io/safe_file.h"
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+namespace app {
+
+using bench::Measurement;
+using bench::Workload;
+using nlohmann::ordered_json;
+
+namespace {
+
+struct Options {
+    std::vector<std::string> names;
+    std::string model, json;
+    bench::SceneOptions scene;
+    double seconds = 1;
+};
+
+std::string knownNames() {
+    std::string out;
+    for (const Workload& workload : bench::workloadTable())
+        out += (out.empty() ? "" : ", ") + workload.name;
+    return out;
+}
+
+std::vector<const Workload*> chosen(const std::vector<std::string>& names) {
+    std::vector<const Workload*> out;
+    for (const std::string& name : names) {
+        out.push_back(bench::findWorkload(name));
+        if (!out.back())
+            throw UsageError("there is no workload '" + name + "'; choose among " + knownNames());
+    }
+    if (names.empty())
+        for (const Workload& workload : bench::workloadTable())
+            out.push_back(&workload);
+    return out;
+}
+
+std::unique_ptr<bench::Scene> sceneOf(const Options& options, Console& console) {
+    const base::Progress progress = console.progress();
+    if (options.model.empty())
+        return std::make_unique<bench::Scene>(options.scene, progress);
+    session::Document document;
+    session::Context context{document, {}, progress, {}, 0, {}, nullptr};
+    openModel(context, options.model, nlohmann::json::object(), console);
+    return std::make_unique<bench::Scene>(document.surface());
+}
+
+/// 9.61M, with three digits.
+std::string shortNumber(double value) {
+    constexpr const char* units[] = {"", "k", "M", "G", "T"};
+    std::size_t unit = 0;
+    for (; std::abs(value) >= 999.5 && unit + 1 < std::size(units); ++unit)
+        value /= 1000;
+    char text[32];
+    std::snprintf(text, sizeof text, "%#.3g", value);
+    std::string out = text;
+    if (out.ends_with('.'))
+        out.pop_back();
+    return out + units[unit];
+}
+
+std::string rowOf(const Workload& workload, std::size_t points, const Measurement& found) {
+    const double ours = found.ours.perSecond(), baseline = found.baseline ? found.baseline->perSecond() : 0;
+    char text[256];
+    std::snprintf(text, sizeof text, "%-20s %9s %7d %10s %12s %8s  %s", workload.name.c_str(),
+                  shortNumber(static_cast<double>(points)).c_str(), base::threadCount(), shortNumber(ours).c_str(),
+                  found.baseline ? shortNumber(baseline).c_str() : "-",
+                  found.baseline ? shortNumber(ours / baseline).c_str() : "-", workload.item.c_str());
+    return text;
+}
+
+ordered_json jsonOf(const Workload& workload, std::size_t points, const Measurement& found) {
+    ordered_json out{{"name", workload.name},
+                     {"points", points},
+                     {"threads", base::threadCount()},
+                     {"items", found.ours.items},
+                     {"seconds", found.ours.seconds},
+                     {"items_per_second", found.ours.perSecond()},
+                     {"baseline", nullptr},
+                     {"baseline_items_per_second", nullptr}};
+    if (found.baseline) {
+        out["baseline"] = workload.baseline;
+        out["baseline_items_per_second"] = found.baseline->perSecond();
+    }
+    return out;
+}
+
+void run(const Options& options, Console& console) {
+    const std::vector<const Workload*> workloads = chosen(options.names);
+    const std::unique_ptr<bench::Scene> scene = sceneOf(options, console);
+    ordered_json rows = ordered_json::array();
+    console.clear();
+    std::printf("%-20s %9s %7s %10s %12s %8s  %s\n", "name", "points", "threads", "items/s", "baseline/s", "ratio",
+                "item");
+    for (const Workload* workload : workloads) {
+        Measurement found;
+        try {
+            found = bench::measure(*workload, *scene, options.seconds, console.progress());
+        } catch (const base::Error& error) { // what the machine lacks; asked for by name it is a failure
+            if (!options.names.empty())
+                throw;
+            console.tell(workload->name + " left out: " + error.message());
+            continue;
+        }
+        console.clear();
+        std::puts(rowOf(*workload, scene->size(), found).c_str());
+        std::fflush(stdout);
+        rows.push_back(jsonOf(*workload, scene->size(), found));
+    }
+    if (!options.json.empty())
+        io::writeFile(options.json, rows.dump(2) + "\n");
+}
+
+std::string namesHelp() {
+    std::string out = "what to measure; all without names. An item is";
+    for (const Workload& workload : bench::workloadTable())
+        out += "\n  " + workload.name + ": a " + workload.item + ", " + workload.tip +
+               "; baseline: " + (workload.baseline.empty() ? "none" : workload.baseline);
+    return out + "\n  Baselines run in one thread.";
+}
+
+} // namespace
+
+Action addBench(CLI::App& command) {
+    auto options = std::make_shared<Options>();
+    command.add_option("WORKLOAD", options->names, namesHelp());
+    CLI::Option* model =
+        command.add_option("--model", options->model, std::string(modelHelp) + "; queries are made around its surfels")
+            ->type_name("MODEL");
+    command
+        .add_option("--points", options->scene.points, "surfels of a bumpy closed surface, 20 neighbours in support")
+        ->type_name("N")
+        ->check(CLI::Range(std::size_t(100), std::size_t(200'000'000)))
+        ->capture_default_str()
+        ->excludes(model);
+    command.add_option("--noise", options->scene.noisePercent, "of its positions, in percent of its radius")
+        ->type_name("PERCENT")
+        ->check(CLI::Range(0.0, 10.0))
+        ->capture_default_str()
+        ->excludes(model);
+    command.add_option("--seconds", options->seconds, "time for each workload, and again for its baseline")
+        ->check(CLI::Range(0.0, 3600.0))
+        ->capture_default_str();
+    command.add_option("--json", options->json, "the results as JSON, beside the table")->type_name("OUT.json");
+    return [options](Console& console) { run(*options, console); };
+}
+
+} // namespace app

@@ -1,0 +1,87 @@
+// Frames of splats at 1280 x 720 (BUDGETS P8).
+#include "bench/workload.h"
+#include "ui/render/renderer.h"
+#include "ui/render/splat_kernels.h"
+#include "ui/render/splat_scale.h"
+
+namespace bench {
+
+namespace {
+
+render::Camera view(Scene& scene) {
+    return render::Camera::looking(scene.surface().tree().bounds(), 1280, 720);
+}
+
+Run drawing(Scene& scene, const char* backend) {
+    struct State {
+        std::unique_ptr<render::Renderer> renderer;
+        render::RenderOptions options;
+        render::Camera camera;
+        render::Image image;
+    };
+    auto state = std::make_shared<State>();
+    state->renderer = render::makeRenderer(backend);
+    state->options.splatScale = render::splatScaleOf(scene.surface().tree());
+    state->camera = view(scene);
+    return [&tree = scene.surface().tree(), state] {
+        state->renderer->render(tree, state->camera, state->options, state->image);
+        keep(state->image);
+        return tree.size();
+    };
+}
+
+/// Every surfel as a square of its splat's size, the nearest wins the pixel, lit by its own normal: no blending.
+Run naiveDrawing(Scene& scene) {
+    struct State {
+        std::vector<surfel::Surfel> surfels;
+        render::Camera camera;
+        render::Image image;
+        float radiusOfSupport;
+    };
+    auto state = std::make_shared<State>();
+    state->surfels = scene.surface().tree().surfels().items;
+    state->camera = view(scene);
+    state->radiusOfSupport = render::splatRadiusOfSupport * render::splatScaleOf(scene.surface().tree());
+    return [state] {
+        const render::Camera& camera = state->camera;
+        render::Image& image = state->image;
+        image.resize(camera.width, camera.height);
+        const base::Vec3d light = -camera.forward();
+        for (const surfel::Surfel& s : state->surfels) {
+            const base::Vec3d p = camera.project(base::cast<double>(s.position));
+            if (p.z <= 0)
+                continue;
+            const double half = static_cast<double>(state->radiusOfSupport * s.support) * camera.focalPx() / p.z;
+            const int x0 = std::max(0, static_cast<int>(p.x - half)), y0 = std::max(0, static_cast<int>(p.y - half));
+            const int x1 = std::min(camera.width - 1, static_cast<int>(p.x + half)),
+                      y1 = std::min(camera.height - 1, static_cast<int>(p.y + half));
+            const double lit = std::abs(dot(base::cast<double>(s.normal), light));
+            const auto grey = static_cast<unsigned>(255 * std::min(1.0, lit));
+            for (int y = y0; y <= y1; ++y)
+                for (int x = x0; x <= x1; ++x) {
+                    const auto i = static_cast<std::size_t>(y) * static_cast<std::size_t>(camera.width) +
+                                   static_cast<std::size_t>(x);
+                    if (static_cast<float>(p.z) >= image.depth[i])
+                        continue;
+                    image.depth[i] = static_cast<float>(p.z);
+                    image.colour[i] = surfel::rgba(grey, grey, grey);
+                }
+        }
+        keep(image);
+        return state->surfels.size();
+    };
+}
+
+} // namespace
+
+std::vector<Workload> splatWorkloads() {
+    constexpr const char* naiveWay = "a loop of squares into a z-buffer, not blended";
+    return {
+        {"splat-cpu", "surfel", "a frame of 1280 x 720 by the renderer for machines without a GPU", naiveWay,
+         [](Scene& scene) { return drawing(scene, "cpu"); }, naiveDrawing},
+        {"splat-osmesa", "surfel", "the same frame by OpenGL in software", naiveWay,
+         [](Scene& scene) { return drawing(scene, "osmesa"); }, naiveDrawing},
+    };
+}
+
+} // namespace bench
