@@ -12,8 +12,9 @@ namespace surface {
 /// n.d at the disc.
 template <class T>
 std::optional<RayHit<T>> polished(RayProbe<T>& probe, double guess, double side) {
-    constexpr double steep = 0.1, reach = 0.3; // least |n.d|; of h
-    constexpr double leastBend = 0.05;         // times 1 / h: what the derivative of n may not tell
+    constexpr double steep = 0.05;        // least |n.d|
+    constexpr double high = 0.3, far = 1; // of h: how far across and along the ray the root may be
+    constexpr double leastBend = 0.05;    // times 1 / h: what the derivative of n may not tell
     double t = guess;
     for (int i = 0; i < 6; ++i) {
         const Evaluation<T> at = probe.guess(t);
@@ -25,7 +26,8 @@ std::optional<RayHit<T>> polished(RayProbe<T>& probe, double guess, double side)
         if (std::abs(slope) < steep || slope * side < 0)
             return std::nullopt;
         const double step = -double(at.value) / slope;
-        if (std::abs(t + step - guess) > reach * unit)
+        const double moved = std::abs(t + step - guess);
+        if (moved > far * unit || moved * std::abs(slope) > high * unit)
             return std::nullopt;
         t += step;
         const base::Vec3d turn = base::cast<double>(at.normalGradient * base::cast<T>(d));

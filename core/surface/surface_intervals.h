@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/surface/disc_kernel.h"
+#include "core/surface/surface.h"
 
 #include <algorithm>
 

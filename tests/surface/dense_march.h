@@ -50,9 +50,9 @@ inline std::optional<double> rootBetween(const Surface& surface, const base::Ray
     return t;
 }
 
-/// All roots in [from, to], or the first.
+/// All roots in [from, to], or the first; `within` the balls where surface may be, or wherever f is defined.
 inline std::vector<double> hits(const Surface& surface, const base::Rayd& ray, double from, double to,
-                                bool firstOnly = false) {
+                                bool firstOnly = false, bool within = true) {
     std::vector<double> out;
     const auto [enter, leave] = base::clip(
         ray, base::Box3d{base::cast<double>(surface.tree().bounds().lo), base::cast<double>(surface.tree().bounds().hi)}
@@ -62,7 +62,7 @@ inline std::vector<double> hits(const Surface& surface, const base::Rayd& ray, d
     Evaluationd before;
     for (double t = std::max(from, enter); t <= std::min(to, leave);) {
         const double away = beyondReach(surface, ray.at(t));
-        if (away > 0) {
+        if (away > (within ? 0.0 : 0.3 * double(surface.tree().maxSupport()))) {
             known = false;
             t += std::max(away, 1e-3 * double(surface.tree().maxSupport()));
             continue;
