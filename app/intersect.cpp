@@ -1,4 +1,4 @@
-// pointclay intersect: where rays first meet the surface, as CSV rows in their order.
+// pointclay intersect: where rays meet the surface, as CSV rows in their order.
 #include "core/surface/intersect.h"
 #include "app/csv_writer.h"
 #include "app/number_table.h"
@@ -8,6 +8,8 @@
 #include "core/base/parallel.h"
 #include "core/io/safe_file.h"
 
+#include <algorithm>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 namespace app {
@@ -19,40 +21,115 @@ namespace {
 constexpr std::size_t batchSize = 16384;
 
 struct Options {
-    std::string model, rays, out;
+    std::string model, rays, out, policy = "fast", hits = "first";
     std::shared_ptr<SurfaceOptions> surface;
 };
 
-std::vector<surface::RayHit<double>> hitInDouble(const surface::Surface& surface, std::span<const base::Rayd> rays) {
-    std::vector<surface::RayHit<double>> out(rays.size());
-    base::parallelFor(rays.size(), 16, [&](std::size_t i) { out[i] = intersectReference(surface, rays[i]); });
+using Hit = surface::RayHit<double>;
+
+Hit inDouble(const surface::RayHit<float>& hit) {
+    Hit out;
+    out.hit = hit.hit;
+    out.t = hit.t;
+    out.position = base::cast<double>(hit.position);
+    out.normal = base::cast<double>(hit.normal);
     return out;
 }
 
-std::vector<surface::RayHit<double>> hitInFloat(const surface::Surface& surface, std::span<const base::Rayd> rays) {
-    std::vector<base::Rayf> near(rays.size());
-    for (std::size_t i = 0; i < rays.size(); ++i)
-        near[i] = {base::cast<float>(rays[i].origin), base::normalized(base::cast<float>(rays[i].direction))};
-    std::vector<surface::RayHit<float>> hits(rays.size());
-    intersect(surface, near, {}, hits);
-    std::vector<surface::RayHit<double>> out(rays.size());
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-        out[i].hit = hits[i].hit;
-        out[i].t = hits[i].t;
-        out[i].position = base::cast<double>(hits[i].position);
-        out[i].normal = base::cast<double>(hits[i].normal);
+/// One batch of rays against a surface in one precision, in the ways that --hits names.
+class Batch {
+  public:
+    Batch(const surface::Surface& surface, std::span<const base::Rayd> rays, const surface::IntersectOptions& options,
+          bool precise)
+        : m_surface(surface), m_rays(rays), m_options(options), m_precise(precise) {
+        for (const base::Rayd& ray : precise ? std::span<const base::Rayd>() : rays)
+            m_near.push_back({base::cast<float>(ray.origin), base::normalized(base::cast<float>(ray.direction))});
     }
-    return out;
+
+    std::vector<Hit> first() const {
+        std::vector<Hit> out(m_rays.size());
+        if (m_precise) {
+            each([&](std::size_t i) { out[i] = intersectReference(m_surface, m_rays[i], m_options); });
+        } else {
+            std::vector<surface::RayHit<float>> hits(m_rays.size());
+            intersect(m_surface, m_near, m_options, hits);
+            std::transform(hits.begin(), hits.end(), out.begin(), inDouble);
+        }
+        return out;
+    }
+    std::vector<std::vector<Hit>> all() const {
+        std::vector<std::vector<Hit>> out(m_rays.size());
+        if (m_precise) {
+            each([&](std::size_t i) { out[i] = intersectAllReference(m_surface, m_rays[i], m_options); });
+        } else {
+            std::vector<std::vector<surface::RayHit<float>>> hits(m_rays.size());
+            intersectAll(m_surface, m_near, m_options, hits);
+            for (std::size_t i = 0; i < hits.size(); ++i)
+                std::transform(hits[i].begin(), hits[i].end(), std::back_inserter(out[i]), inDouble);
+        }
+        return out;
+    }
+    std::vector<std::uint8_t> any() const {
+        std::vector<std::uint8_t> out(m_rays.size());
+        if (m_precise)
+            each([&](std::size_t i) { out[i] = intersectAnyReference(m_surface, m_rays[i], m_options) ? 1 : 0; });
+        else
+            intersectAny(m_surface, m_near, m_options, out);
+        return out;
+    }
+
+  private:
+    template <class Body>
+    void each(const Body& body) const {
+        base::parallelFor(m_rays.size(), 16, body);
+    }
+
+    const surface::Surface& m_surface;
+    std::span<const base::Rayd> m_rays;
+    std::vector<base::Rayf> m_near;
+    surface::IntersectOptions m_options;
+    bool m_precise;
+};
+
+void write(CsvWriter& csv, const Hit& hit, const Vec3d& origin) {
+    csv.number(hit.t).vector(hit.position + origin).vector(hit.normal);
+    csv.endRow();
 }
 
-void write(CsvWriter& csv, const surface::RayHit<double>& hit, const Vec3d& origin) {
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+void writeFirst(CsvWriter& csv, const Hit& hit, const Vec3d& origin) {
     csv.integer(hit.hit ? 1 : 0);
     if (hit.hit)
-        csv.number(hit.t).vector(hit.position + origin).vector(hit.normal);
-    else
-        csv.number(nan).vector({nan, nan, nan}).vector({nan, nan, nan});
+        return write(csv, hit, origin);
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    csv.number(nan).vector({nan, nan, nan}).vector({nan, nan, nan});
     csv.endRow();
+}
+
+/// Rows of a batch whose first ray has the number `begin`.
+void writeBatch(CsvWriter& csv, const Batch& batch, const std::string& hits, std::size_t begin, const Vec3d& origin) {
+    if (hits == "first") {
+        for (const Hit& hit : batch.first())
+            writeFirst(csv, hit, origin);
+    } else if (hits == "any") {
+        for (const std::uint8_t hit : batch.any()) {
+            csv.integer(hit);
+            csv.endRow();
+        }
+    } else {
+        for (const std::vector<Hit>& ofRay : batch.all()) {
+            for (const Hit& hit : ofRay) {
+                csv.integer(static_cast<long long>(begin));
+                write(csv, hit, origin);
+            }
+            ++begin;
+        }
+    }
+}
+
+const char* headerOf(const std::string& hits) {
+    if (hits == "any")
+        return "hit\n";
+    return hits == "all" ? "ray,t,x,y,z,nx,ny,nz\n" : "hit,t,x,y,z,nx,ny,nz\n";
 }
 
 void run(const Options& options, Console& console) {
@@ -67,12 +144,14 @@ void run(const Options& options, Console& console) {
 
     io::SafeFile file(options.out);
     CsvWriter csv(options.surface->inDouble() ? 17 : 9);
-    file.write("hit,t,x,y,z,nx,ny,nz\n");
+    file.write(headerOf(options.hits));
+    surface::IntersectOptions how;
+    how.robust = options.policy == "robust";
     for (std::size_t begin = 0; begin < rays.size(); begin += batchSize) {
         progress.step(static_cast<double>(begin) / static_cast<double>(rays.size()), "Intersecting");
-        const auto batch = std::span(rays).subspan(begin, std::min(batchSize, rays.size() - begin));
-        for (const auto& hit : (options.surface->inDouble() ? hitInDouble : hitInFloat)(document.surface(), batch))
-            write(csv, hit, origin);
+        const auto some = std::span(rays).subspan(begin, std::min(batchSize, rays.size() - begin));
+        const Batch batch(document.surface(), some, how, options.surface->inDouble());
+        writeBatch(csv, batch, options.hits, begin, origin);
         file.write(csv.take());
     }
     file.commit();
@@ -92,6 +171,17 @@ Action addIntersect(CLI::App& command) {
                     "ray; a miss has hit 0 and nan")
         ->type_name("HITS.csv")
         ->required();
+    command
+        .add_option("--hits", options->hits,
+                    "first: a row for every ray; any: only the column hit, for shadows (a start on the surface is no "
+                    "hit); all: a row for every hit along a ray, ray,t,x,y,z,nx,ny,nz with rays counted from 0")
+        ->check(CLI::IsMember({"first", "any", "all"}))
+        ->capture_default_str();
+    command
+        .add_option("--policy", options->policy,
+                    "fast: iterate from the surfels' discs, march where that is doubtful; robust: always march")
+        ->check(CLI::IsMember({"fast", "robust"}))
+        ->capture_default_str();
     options->surface = addSurfaceOptions(command, true);
     return [options](Console& console) { run(*options, console); };
 }

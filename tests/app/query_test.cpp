@@ -25,6 +25,7 @@ class QueryTest : public QObject {
     void modelsServeAsPositions();
     void raysMeetTheSphere_data();
     void raysMeetTheSphere();
+    void allHitsAndAnyHitAreTold();
 };
 
 static std::string number(double value) {
@@ -234,6 +235,34 @@ void QueryTest::raysMeetTheSphere() {
         QVERIFY(base::dot(vectorAt(row, 5), direction) < 0);
     }
     QVERIFY(hits > 100);
+}
+
+/// In and out of the sphere, by either policy; shadows from its own surface.
+void QueryTest::allHitsAndAnyHitAreTold() {
+    const Program program;
+    program.write("r.csv", "ox,oy,oz,dx,dy,dz\n0,0,5,0,0,-1\n0,3,5,0,0,-1\n0.3,0,-4,0,0,1\n0,0,1,0,0,1\n");
+    for (const char* policy : {"fast", "robust"})
+        for (const char* precision : {"float", "double"}) {
+            const auto run = [&](const char* hits) {
+                const Outcome outcome =
+                    program.run({"intersect", "sample:sphere:4000", "--rays", "r.csv", "-o", "h.csv", "--hits", hits,
+                                 "--policy", policy, "--precision", precision});
+                QVERIFY2(outcome.code == 0, outcome.err.c_str());
+            };
+            run("all");
+            QCOMPARE(QString::fromStdString(program.read("h.csv")).split('\n')[0], QString("ray,t,x,y,z,nx,ny,nz"));
+            const auto all = rowsOf(program.read("h.csv"));
+            QVERIFY(all.size() >= 5);
+            const double expected[4][3] = {{0, 0, 1}, {0, 0, -1}, {0.3, 0, -0.954}, {0.3, 0, 0.954}};
+            const char* rays[4] = {"0", "0", "2", "2"};
+            for (std::size_t k = 0; k < 4; ++k) {
+                QCOMPARE(all[k + 1][0], std::string(rays[k]));
+                QVERIFY(base::distance(vectorAt(all[k + 1], 2), {expected[k][0], expected[k][1], expected[k][2]}) <
+                        0.02);
+            }
+            run("any");
+            QCOMPARE(program.read("h.csv").substr(0, 10), std::string("hit\n1\n0\n1\n"));
+        }
 }
 
 static const test::Registered<QueryTest> registered;
