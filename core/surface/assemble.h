@@ -65,6 +65,16 @@ class Assembler {
         return m_out;
     }
 
+    /// dc_a/dx_b at x, by the surfels that the answer kept to. REQUIRES: run() was called and f has a value.
+    base::Mat3<T> centroidGradient() const {
+        static_assert(O >= 1);
+        base::Mat3<T> out;
+        for (std::size_t a = 0; a < 3; ++a)
+            for (std::size_t k = 0; k < 3; ++k)
+                out.m[a][k] = m_centroid[a].d[k];
+        return out;
+    }
+
   private:
     using Vector = base::Vec3<T>;
 
