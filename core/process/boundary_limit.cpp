@@ -16,9 +16,12 @@ constexpr float closedGap = pi / 2; ///< a neighbourhood with no larger gap is c
 /// A sample of a rim looks into nearly half a plane of nothing, and o is 0.15 h on the last row of a straight one
 /// (alg. 6). What noise, tips and sharp edges make is rarely both.
 constexpr float rimGap = 5 * pi / 6, rimOffCentre = 0.12f;
+/// On coarse and narrow strips the last row lies a little farther inside; a rim must then be long to be believed.
+constexpr float coarseOffCentre = 0.1f;
 /// Rims shorter than this part of sqrt(n) spacings, some 1/12 of a half-sphere's, count as chance; measured on closed
 /// scans (0 to 0.17) and on open ones (from 0.24, the small holes under the Stanford bunny).
-constexpr double shortestRim = 0.2;
+constexpr double shortestRim = 0.2, longRim = 1;
+constexpr float bandLimit = 0.3f; ///< for bands so narrow that all their samples see a rim (alg. 6.2)
 
 /// Surfels at equal distances in tree order.
 std::vector<base::Vec3f> samplePositions(const tree::SurfelTree& tree) {
@@ -37,14 +40,16 @@ std::vector<base::Vec3f> samplePositions(const tree::SurfelTree& tree) {
 float angularGap(const tree::SurfelTree& tree, const base::Vec3f& x, const base::Vec3f& normal,
                  std::vector<float>& angles) {
     const base::Vec3f u = base::perpendicular(normal), v = base::cross(normal, u);
+    const bool oriented = tree.layout()->oriented;
     angles.clear();
     tree.forClustersInSupport(x, [&](const surfel::SurfelBlock& block, int cluster) {
         const int begin = cluster * surfel::clusterSize, end = std::min(block.size(), begin + surfel::clusterSize);
         for (int slot = begin; slot < end; ++slot) {
             const base::Vec3f q = block.position(slot) - x;
             const float a = base::dot(q, u), b = base::dot(q, v), reach = block.support(slot);
+            const float agrees = base::dot(block.normal(slot), normal);
             if (base::lengthSq(q) < reach * reach && a * a + b * b > 1e-6f * reach * reach &&
-                base::dot(block.normal(slot), normal) > 0.5f)
+                (oriented ? agrees : std::abs(agrees)) > 0.5f)
                 angles.push_back(std::atan2(b, a));
         }
     });
@@ -87,10 +92,14 @@ std::vector<Sample> look(const surface::Surface& surface, std::span<const base::
 }
 
 bool hasRim(std::span<const Sample> samples, std::size_t surfels) {
-    const auto open = std::count_if(samples.begin(), samples.end(),
-                                    [](const Sample& s) { return s.gap >= rimGap && s.offCentre > rimOffCentre; });
+    const auto open = [&](float offCentre) {
+        return static_cast<double>(std::count_if(samples.begin(), samples.end(), [&](const Sample& s) {
+            return s.gap >= rimGap && s.offCentre > offCentre;
+        }));
+    };
     const double expected = static_cast<double>(samples.size()) / std::sqrt(static_cast<double>(surfels));
-    return static_cast<double>(open) >= std::max(3.0, shortestRim * expected);
+    return open(rimOffCentre) >= std::max(3.0, shortestRim * expected) ||
+           open(coarseOffCentre) >= std::max(8.0, longRim * expected);
 }
 
 } // namespace
@@ -103,8 +112,10 @@ float automaticBoundaryLimit(const surface::Surface& surface, const base::Progre
     for (const Sample& s : samples)
         if (s.gap < closedGap)
             closed.push_back(s.offCentre);
-    if (closed.empty() || !hasRim(samples, surface.tree().size()))
+    if (!hasRim(samples, surface.tree().size()))
         return std::numeric_limits<float>::infinity();
+    if (closed.empty())
+        return bandLimit;
     const auto quantile = closed.begin() + static_cast<std::ptrdiff_t>((closed.size() - 1) * 99 / 100);
     std::nth_element(closed.begin(), quantile, closed.end());
     return std::clamp(1.3f * *quantile, 0.15f, 0.45f);
