@@ -1,7 +1,7 @@
 // One dab of every tool at an exact place, without resampling: the tool and the new version (BUDGETS P5, P6).
 #include "bench/naive_points.h"
+#include "bench/plain_dab.h"
 #include "bench/workload.h"
-#include "core/sculpt/tool.h"
 
 #include <Eigen/Dense>
 
@@ -14,7 +14,7 @@ namespace {
 /// BUDGETS' brush: 50k surfels of a million; of small models a twentieth.
 constexpr std::size_t mostUnderBrush = 50000;
 constexpr std::size_t places = 16;
-/// Displacement at the middle, in radii.
+/// Naive displacement at the middle, in radii.
 constexpr float depth = 0.05f;
 
 struct Brush {
@@ -35,21 +35,6 @@ std::vector<Brush> brushes(Scene& scene) {
     return out;
 }
 
-sculpt::Dab dabOf(const sculpt::ToolRow& row, const Brush& brush) {
-    sculpt::Dab dab;
-    dab.centre = dab.areaCentre = brush.at.position;
-    dab.normal = dab.areaNormal = base::normalized(brush.at.normal, {0, 0, 1});
-    dab.view = -dab.normal;
-    dab.radius = brush.radius;
-    dab.strength = 0.5f;
-    dab.move = dab.normal * (depth * brush.radius);
-    dab.travel = base::perpendicular(dab.normal) * (2 * depth * brush.radius);
-    dab.angle = 2 * depth;
-    for (const sculpt::ToolParameter& parameter : row.parameters)
-        dab.parameters[parameter.id] = parameter.fallback;
-    return dab;
-}
-
 Run dabbing(Scene& scene, const sculpt::ToolRow& row) {
     struct Each {
         sculpt::Dab dab;
@@ -57,7 +42,7 @@ Run dabbing(Scene& scene, const sculpt::ToolRow& row) {
     };
     std::vector<Each> dabs;
     for (const Brush& brush : brushes(scene))
-        dabs.push_back({dabOf(row, brush), brush.under});
+        dabs.push_back({plainDab(row, brush.at, brush.radius), brush.under});
     return [&surface = scene.surface(), &row, dabs = std::move(dabs), k = std::size_t(0)]() mutable {
         const Each& each = dabs[k++ % dabs.size()];
         keep(surface.tree().apply(row.apply(surface, each.dab)));

@@ -1,10 +1,8 @@
-// load-ply: a binary PLY of 27 bytes per point (position, normal, colour) to surfels, beside reading the bare bytes
-// into an array, which is the least that any loader must do. Items are points.
+// Text in, PLY out; `load-ply` is a workload of the table (workloads_bench.cpp). Items are points.
 #include "core/base/random.h"
 #include "core/io/formats.h"
 
 #include <benchmark/benchmark.h>
-#include <fstream>
 #include <memory>
 #include <unistd.h>
 
@@ -39,23 +37,11 @@ struct Sample {
     }
     std::filesystem::path file(const std::string& name) {
         if (!std::filesystem::exists(path / name))
-            name == "raw.ply" ? writeRaw(path / name) : io::write(path / name, model());
+            io::write(path / name, model());
         return path / name;
     }
 
   private:
-    /// Without alpha and comments: 27 bytes a point, as scanners' own programs write.
-    void writeRaw(const std::filesystem::path& to) {
-        std::ofstream out(to, std::ios::binary);
-        out << "ply\nformat binary_little_endian 1.0\nelement vertex " << points
-            << "\nproperty float x\nproperty float y\nproperty float z\nproperty float nx\nproperty float ny\n"
-               "property float nz\nproperty uchar red\nproperty uchar green\nproperty uchar blue\nend_header\n";
-        for (const surfel::Surfel& s : model().points.items) {
-            out.write(reinterpret_cast<const char*>(&s.position), 12);
-            out.write(reinterpret_cast<const char*>(&s.normal), 12);
-            out.write(reinterpret_cast<const char*>(&s.colour), 3);
-        }
-    }
     io::FileModel m_model;
 };
 
@@ -68,21 +54,10 @@ void report(benchmark::State& state) {
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(points));
 }
 
-void loadPly(benchmark::State& state, const char* name) {
-    const auto file = sample().file(name);
+void loadXyz(benchmark::State& state) {
+    const auto file = sample().file("points.xyz");
     for (auto _ : state)
         benchmark::DoNotOptimize(io::read(file).points.items.data());
-    report(state);
-}
-
-void baselineBytes(benchmark::State& state) {
-    const auto file = sample().file("raw.ply");
-    const auto size = std::filesystem::file_size(file);
-    for (auto _ : state) {
-        const auto bytes = std::make_unique_for_overwrite<char[]>(size);
-        std::ifstream(file, std::ios::binary).read(bytes.get(), static_cast<std::streamsize>(size));
-        benchmark::DoNotOptimize(bytes.get());
-    }
     report(state);
 }
 
@@ -95,7 +70,5 @@ void savePly(benchmark::State& state) {
 
 } // namespace
 
-BENCHMARK_CAPTURE(loadPly, binary_27_bytes, "raw.ply")->Name("load-ply")->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK(baselineBytes)->Name("load-ply/baseline-bytes")->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK_CAPTURE(loadPly, text, "points.xyz")->Name("load-xyz")->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(loadXyz)->Name("load-xyz")->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(savePly)->Name("save-ply")->Unit(benchmark::kMillisecond)->UseRealTime();

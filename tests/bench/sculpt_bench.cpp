@@ -1,6 +1,7 @@
 // One dab of each tool with 1k, 10k and 50k surfels under the brush, on models of 100k and 1M, with and without
-// resampling; items are the surfels under the brush. Beside it the naive way in the same run: one array of positions
-// and normals, a loop over the whole model per dab, no index.
+// resampling, and in a stroke; items are the surfels under the brush. The naive way stands beside the tools in the
+// table of workloads (workloads_bench.cpp).
+#include "bench/plain_dab.h"
 #include "core/process/resample.h"
 #include "core/sculpt/contact.h"
 #include "core/sculpt/sampling.h"
@@ -18,7 +19,7 @@ namespace {
 surfel::SurfelList sphere(std::size_t count) {
     surfel::SurfelList list;
     auto layout = std::make_shared<surfel::AttributeLayout>();
-    layout->normals = layout->oriented = true;
+    layout->normals = layout->oriented = layout->colours = true;
     list.layout = layout;
     const double support = std::sqrt(4 * 38 / double(count));
     for (std::size_t i = 0; i < count; ++i) {
@@ -45,19 +46,6 @@ float radiusOf(std::size_t count, std::size_t under) {
     return 2 * std::sqrt(float(under) / float(count));
 }
 
-sculpt::Dab dabOf(const sculpt::ToolRow& row, float radius, const Vec3f& centre) {
-    sculpt::Dab dab;
-    dab.centre = dab.areaCentre = centre;
-    dab.normal = dab.areaNormal = normalized(centre);
-    dab.view = -dab.normal;
-    dab.radius = radius;
-    dab.strength = 0.5f;
-    dab.move = dab.normal * (0.05f * radius);
-    for (const sculpt::ToolParameter& parameter : row.parameters)
-        dab.parameters[parameter.id] = parameter.fallback;
-    return dab;
-}
-
 /// Contacts wander so that neither caches nor the shape wear in: every dab starts from the untouched model.
 Vec3f wander(int k) {
     const double a = 0.7 * k, b = 0.4 + 0.3 * std::sin(0.31 * k);
@@ -70,7 +58,9 @@ void dab(benchmark::State& state, const sculpt::ToolRow& row, bool resampled) {
     const float radius = radiusOf(count, under);
     int k = 0;
     for (auto _ : state) {
-        const sculpt::Dab dab = dabOf(row, radius, wander(k++));
+        surfel::Surfel at;
+        at.position = at.normal = wander(k++);
+        const sculpt::Dab dab = bench::plainDab(row, at, radius);
         const tree::Edit edit = row.apply(start, dab);
         surface::Surface next(start.tree().apply(edit), start.definition());
         if (resampled) {
@@ -80,30 +70,6 @@ void dab(benchmark::State& state, const sculpt::ToolRow& row, bool resampled) {
             next = sampling.resample(next);
         }
         benchmark::DoNotOptimize(next);
-    }
-    state.SetItemsProcessed(state.iterations() * state.range(1));
-}
-
-/// Draw as a plain loop over everything.
-void naiveDraw(benchmark::State& state) {
-    const auto count = std::size_t(state.range(0)), under = std::size_t(state.range(1));
-    std::vector<surfel::Surfel> points = sphere(count).items;
-    const float radius = radiusOf(count, under);
-    int k = 0;
-    for (auto _ : state) {
-        const Vec3f c = wander(k++), n = normalized(c);
-        for (surfel::Surfel& s : points) {
-            const Vec3f q = s.position - c;
-            const float r = length(q) / radius;
-            if (r >= 1)
-                continue;
-            const float w = 1 + r * r * (2 * r - 3), slope = 6 * r * (r - 1),
-                        full = 0.5f * 0.05f * radius * (k & 1 ? 1 : -1);
-            s.position += n * (full * w);
-            const Vec3f g = q * (r > 0 ? full * slope / (r * radius * radius) : 0);
-            s.normal = normalized(s.normal * (1 + dot(g, n)) - g * dot(n, s.normal));
-        }
-        benchmark::ClobberMemory();
     }
     state.SetItemsProcessed(state.iterations() * state.range(1));
 }
@@ -139,7 +105,6 @@ const bool registered = [] {
         sizes(benchmark::RegisterBenchmark((name + "-resampled").c_str(), dab, row, true));
         sizes(benchmark::RegisterBenchmark((name + "-in-stroke").c_str(), strokeDab, row.id));
     }
-    sizes(benchmark::RegisterBenchmark("dab-draw-naive", naiveDraw));
     return true;
 }();
 

@@ -1,7 +1,7 @@
-// The tree: build, edit at a brush, difference, support and nearest queries; nanoflann beside them on the same points.
+// The tree: a thousand edits at brushes in a row, difference, support and nearest queries; nanoflann beside them on the
+// same points. Building and a single edit are workloads of the table (workloads_bench.cpp).
 //
 // BUDGETS P4 and P7. Edit benchmarks report the median and the worst of all edits in milliseconds as counters.
-#include "core/base/parallel.h"
 #include "core/base/random.h"
 #include "core/tree/surfel_tree.h"
 
@@ -115,23 +115,6 @@ const tree::SurfelTree& editedTree() {
         return version;
     }();
     return edited;
-}
-
-void treeBuild(benchmark::State& state) {
-    base::setThreadCount(static_cast<int>(state.range(0)));
-    cloud();
-    for (auto _ : state)
-        benchmark::DoNotOptimize(tree::SurfelTree::build(cloud()));
-    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(million));
-    state.counters["bytes_per_surfel"] = static_cast<double>(builtTree().bytes()) / static_cast<double>(million);
-    base::setThreadCount(0);
-}
-
-void treeBuildNanoflann(benchmark::State& state) {
-    const Points points = plainPoints();
-    for (auto _ : state)
-        StaticIndex index(3, points, nanoflann::KDTreeSingleIndexAdaptorParams(16));
-    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(million));
 }
 
 void treeApplyAtBrush(benchmark::State& state) {
@@ -273,8 +256,6 @@ void treeNearestNanoflann(benchmark::State& state) {
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(positions.size()));
 }
 
-BENCHMARK(treeBuild)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK(treeBuildNanoflann)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(treeApplyAtBrush)->Iterations(1000)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(treeApplyNanoflannDynamic)->Iterations(1000)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(treeDiffAfterDab)->Unit(benchmark::kMicrosecond);
