@@ -45,6 +45,14 @@ struct alignas(32) BoundsLanes {
     unsigned meeting(const RaySlabs& ray, float (&enter)[laneCount], float (&leave)[laneCount]) const;
 };
 
+/// By value, unlike std::max and std::min, so that loops over lanes become vector instructions.
+inline float larger(float a, float b) {
+    return a < b ? b : a;
+}
+inline float smaller(float a, float b) {
+    return b < a ? b : a;
+}
+
 inline RaySlabs::RaySlabs(const base::Rayf& ray) {
     for (std::size_t k = 0; k < 3; ++k) {
         origin[k] = ray.origin[k];
