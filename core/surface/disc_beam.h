@@ -17,18 +17,17 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// Slabs of all rays at once, by interval arithmetic.
 class BeamSlabs {
   public:
-    BeamSlabs(std::span<const base::Rayf> rays, float far) {
+    BeamSlabs(std::span<const base::Rayf> rays, const Slabs* slabs, float far) {
         for (std::size_t k = 0; k < 3; ++k) {
             Axis& axis = m_axes[k];
             float least = DiscHit::none, most = -DiscHit::none; // directions
-            for (const base::Rayf& ray : rays) {
-                const float inverse = Slabs(ray).inverse[k];
-                axis.originLo = std::min(axis.originLo, ray.origin[k]);
-                axis.originHi = std::max(axis.originHi, ray.origin[k]);
-                axis.inverseLo = std::min(axis.inverseLo, inverse);
-                axis.inverseHi = std::max(axis.inverseHi, inverse);
-                least = std::min(least, ray.direction[k]);
-                most = std::max(most, ray.direction[k]);
+            for (std::size_t i = 0; i < rays.size(); ++i) {
+                axis.originLo = std::min(axis.originLo, rays[i].origin[k]);
+                axis.originHi = std::max(axis.originHi, rays[i].origin[k]);
+                axis.inverseLo = std::min(axis.inverseLo, slabs[i].inverse[k]);
+                axis.inverseHi = std::max(axis.inverseHi, slabs[i].inverse[k]);
+                least = std::min(least, rays[i].direction[k]);
+                most = std::max(most, rays[i].direction[k]);
             }
             axis.pathLo = axis.originLo + std::min(0.0f, least) * far;
             axis.pathHi = axis.originHi + std::max(0.0f, most) * far;
@@ -81,12 +80,16 @@ class BeamSlabs {
 
 class DiscBeam {
   public:
-    /// False where the rays have too little in common; they are then better walked one by one.
+    static constexpr std::size_t most = 16; ///< rays
+
+    /// False where the rays have too little in common; they are then better walked one by one. REQUIRES: at most
+    /// `most`.
     bool collect(const tree::Node& root, std::span<const base::Rayf> rays, const DiscRange& range) {
         if (!alike(rays))
             return false;
         m_count = 0;
-        const BeamSlabs slabs(rays, farthest(root, rays, range));
+        std::transform(rays.begin(), rays.end(), m_slabs, [](const base::Rayf& ray) { return Slabs(ray); });
+        const BeamSlabs slabs(rays, m_slabs, farthest(root, rays, range));
         return collectFrom(root, slabs, range);
     }
 
@@ -94,7 +97,7 @@ class DiscBeam {
     void run(std::span<const base::Rayf> rays, const DiscRange& range, DiscHit* out) {
         arrange();
         for (std::size_t i = 0; i < rays.size(); ++i)
-            out[i] = runOne(rays[i], range);
+            out[i] = runOne(rays[i], m_slabs[i], range);
     }
 
   private:
@@ -159,8 +162,7 @@ class DiscBeam {
                 m_bounds[i / lanes * groupSize + k * lanes + i % lanes] = 0; // masked later
     }
 
-    DiscHit runOne(const base::Rayf& ray, const DiscRange& range) {
-        const Slabs slabs(ray);
+    DiscHit runOne(const base::Rayf& ray, const Slabs& slabs, const DiscRange& range) {
         m_search.start(ray, range);
         for (std::size_t first = 0; first < m_count && m_found[first].enter <= m_search.most(); first += lanes) {
             HWY_ALIGN float enter[lanes];
@@ -183,6 +185,7 @@ class DiscBeam {
         const surfel::SurfelBlock* block;
     };
 
+    Slabs m_slabs[most];
     DiscSearch m_search;
     std::size_t m_count = 0;
     Found m_found[capacity];

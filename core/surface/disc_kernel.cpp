@@ -127,10 +127,15 @@ static void walkTogether(const tree::Node& root, std::span<const base::Rayf> ray
 void nearestDispatched(const tree::Node& root, std::span<const base::Rayf> rays, const DiscRange& range, DiscHit* out) {
     constexpr std::size_t fewest = 4; // rays that share a beam with profit
     DiscBeam beam;
-    if (rays.size() >= fewest && beam.collect(root, rays, range))
-        beam.run(rays, range, out);
-    else
-        walkTogether(root, rays, range, out);
+    std::size_t done = 0;
+    while (rays.size() - done >= fewest) {
+        const auto run = rays.subspan(done, std::min(DiscBeam::most, rays.size() - done));
+        if (!beam.collect(root, run, range))
+            break;
+        beam.run(run, range, out + done);
+        done += run.size();
+    }
+    walkTogether(root, rays.subspan(done), range, out + done);
 }
 
 bool chordDispatched(const float* cluster, const base::Rayf& ray, float& begin, float& end) {

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t packetSize = 32, packetsPerTask = 8;
 /// In supports: packets whose first guesses spread further share too little (packets.cpp), and read too much anew.
-constexpr float coherentReach = 12;
+constexpr float coherentReach = 32;
 
 /// A packet of rays with its first guesses, which are found together and share one neighbourhood.
 class RayPacket {
