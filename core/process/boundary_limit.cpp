@@ -1,6 +1,7 @@
 #include "core/process/boundary_limit.h"
 
 #include "core/base/parallel.h"
+#include "core/surface/boundary.h"
 #include "core/surface/project.h"
 
 #include <algorithm>
@@ -13,15 +14,19 @@ namespace {
 constexpr std::size_t mostSamples = 20000; ///< a quantile of 1 % needs no more
 constexpr float pi = std::numbers::pi_v<float>;
 constexpr float closedGap = pi / 2; ///< a neighbourhood with no larger gap is closed
-/// A sample of a rim looks into nearly half a plane of nothing, and o is 0.15 h on the last row of a straight one
-/// (alg. 6). What noise, tips and sharp edges make is rarely both.
-constexpr float rimGap = 5 * pi / 6, rimOffCentre = 0.12f;
-/// On coarse and narrow strips the last row lies a little farther inside; a rim must then be long to be believed.
-constexpr float coarseOffCentre = 0.1f;
-/// Rims shorter than this part of sqrt(n) spacings, some 1/12 of a half-sphere's, count as chance; measured on closed
-/// scans (0 to 0.17) and on open ones (from 0.24, the small holes under the Stanford bunny).
-constexpr double shortestRim = 0.2, longRim = 1;
+/// Who may lie at a rim: a sample of one looks into nearly half a plane of nothing, and o is 0.13 h on the last row of
+/// a straight one (alg. 6), 0.1 h on that of a narrow strip.
+constexpr float rimGap = 2 * pi / 3, rimOffCentre = 0.08f;
+/// Who does: beyond a rim o grows to any limit within 0.3 h, while noise, tips and sharp edges have their maximum.
+constexpr float loosest = 0.45f, tightest = 0.15f, rimReach = 0.8f;
+/// Rims shorter than this part of sqrt(n) spacings, some 1/18 of a half-sphere's, count as chance; measured on closed
+/// scans (0 to 0.19) and on open ones (from 0.28: small holes in an elephant, and under the Stanford bunny 0.53).
+constexpr double shortestRim = 0.22;
 constexpr float bandLimit = 0.3f; ///< for bands so narrow that all their samples see a rim (alg. 6.2)
+/// By chance alone P(o > L) = exp(-(L / rms)^2) (alg. 6). The 99 % quantile of closed neighbourhoods tells rms; this
+/// times that is what one sample in 1e5 exceeds. (1.3, which alg. 6.2 names, is what one in 2400 exceeds: a handful of
+/// pinholes in every scan.)
+constexpr float rareOverQuantile = 1.58f; // sqrt(ln 1e5 / ln 100)
 
 /// Surfels at equal distances in tree order.
 std::vector<base::Vec3f> samplePositions(const tree::SurfelTree& tree) {
@@ -40,7 +45,7 @@ std::vector<base::Vec3f> samplePositions(const tree::SurfelTree& tree) {
 float angularGap(const tree::SurfelTree& tree, const base::Vec3f& x, const base::Vec3f& normal,
                  std::vector<float>& angles) {
     const base::Vec3f u = base::perpendicular(normal), v = base::cross(normal, u);
-    const bool oriented = tree.layout()->oriented;
+    const bool normals = tree.layout()->normals, oriented = tree.layout()->oriented;
     angles.clear();
     tree.forClustersInSupport(x, [&](const surfel::SurfelBlock& block, int cluster) {
         const int begin = cluster * surfel::clusterSize, end = std::min(block.size(), begin + surfel::clusterSize);
@@ -49,7 +54,7 @@ float angularGap(const tree::SurfelTree& tree, const base::Vec3f& x, const base:
             const float a = base::dot(q, u), b = base::dot(q, v), reach = block.support(slot);
             const float agrees = base::dot(block.normal(slot), normal);
             if (base::lengthSq(q) < reach * reach && a * a + b * b > 1e-6f * reach * reach &&
-                (oriented ? agrees : std::abs(agrees)) > 0.5f)
+                (!normals || (oriented ? agrees : std::abs(agrees)) > 0.5f))
                 angles.push_back(std::atan2(b, a));
         }
     });
@@ -65,6 +70,7 @@ float angularGap(const tree::SurfelTree& tree, const base::Vec3f& x, const base:
 struct Sample {
     float offCentre; ///< in units of h
     float gap;
+    base::Vec3f foot;
 };
 
 std::vector<Sample> look(const surface::Surface& surface, std::span<const base::Vec3f> x,
@@ -74,7 +80,7 @@ std::vector<Sample> look(const surface::Surface& surface, std::span<const base::
     options.tolerance = 1e-4;
     options.checkBoundary = false;
     constexpr std::size_t slab = 2048;
-    std::vector<Sample> out(x.size(), {0, std::numeric_limits<float>::quiet_NaN()}); // neither open nor closed
+    std::vector<Sample> out(x.size(), {0, std::numeric_limits<float>::quiet_NaN(), {}}); // neither open nor closed
     std::vector<surface::Projection<float>> feet(slab);
     for (std::size_t from = 0; from < x.size(); from += slab) {
         progress.step(static_cast<double>(from) / static_cast<double>(x.size()), "Looking for boundaries");
@@ -85,21 +91,27 @@ std::vector<Sample> look(const surface::Surface& surface, std::span<const base::
             for (std::size_t i = begin; i < end; ++i)
                 if (feet[i].ok())
                     out[from + i] = {feet[i].at.offCentre / feet[i].at.unit,
-                                     angularGap(surface.tree(), x[from + i], feet[i].at.normal, angles)};
+                                     angularGap(surface.tree(), x[from + i], feet[i].at.normal, angles), feet[i].foot};
         });
     }
     return out;
 }
 
-bool hasRim(std::span<const Sample> samples, std::size_t surfels) {
-    const auto open = [&](float offCentre) {
-        return static_cast<double>(std::count_if(samples.begin(), samples.end(), [&](const Sample& s) {
-            return s.gap >= rimGap && s.offCentre > offCentre;
-        }));
-    };
-    const double expected = static_cast<double>(samples.size()) / std::sqrt(static_cast<double>(surfels));
-    return open(rimOffCentre) >= std::max(3.0, shortestRim * expected) ||
-           open(coarseOffCentre) >= std::max(8.0, longRim * expected);
+/// Whether enough samples have a rim beside them for the loosest limit.
+bool hasRim(const surface::Surface& surface, std::span<const Sample> samples) {
+    surface::SurfaceDefinition definition = surface.definition();
+    definition.boundaryLimit = loosest;
+    const surface::Surface loose(surface.tree(), definition);
+    std::vector<char> beside(samples.size());
+    base::parallelFor(samples.size(), 64, [&](std::size_t i) {
+        if (!(samples[i].gap >= rimGap && samples[i].offCentre > rimOffCentre))
+            return;
+        const base::Vec3d foot = base::cast<double>(samples[i].foot);
+        const surface::RimSearch rim = surface::findRimPoint(loose, foot);
+        beside[i] = rim.ok() && distance(rim.point.position, foot) < double(rimReach) * rim.point.unit;
+    });
+    const double expected = static_cast<double>(samples.size()) / std::sqrt(static_cast<double>(surface.tree().size()));
+    return static_cast<double>(std::count(beside.begin(), beside.end(), 1)) >= std::max(3.0, shortestRim * expected);
 }
 
 } // namespace
@@ -112,13 +124,13 @@ float automaticBoundaryLimit(const surface::Surface& surface, const base::Progre
     for (const Sample& s : samples)
         if (s.gap < closedGap)
             closed.push_back(s.offCentre);
-    if (!hasRim(samples, surface.tree().size()))
+    if (!hasRim(surface, samples))
         return std::numeric_limits<float>::infinity();
     if (closed.empty())
         return bandLimit;
     const auto quantile = closed.begin() + static_cast<std::ptrdiff_t>((closed.size() - 1) * 99 / 100);
     std::nth_element(closed.begin(), quantile, closed.end());
-    return std::clamp(1.3f * *quantile, 0.15f, 0.45f);
+    return std::clamp(rareOverQuantile * *quantile, tightest, loosest);
 }
 
 } // namespace process
