@@ -29,7 +29,9 @@ class Candidates {
     bool covers(const base::Vec3f& x) const { return m_box.contains(x); }
     bool covers(const base::Box3f& box) const { return m_box.contains(box.lo) && m_box.contains(box.hi); }
     /// Those of them that may have weight at x. REQUIRES: covers(x).
-    void select(const base::Vec3f& x, ClusterList& out) const;
+    void select(const base::Vec3f& x, ClusterList& out) const { select(base::Box3f{x, x}, out); }
+    /// Those of them that may have weight somewhere in `box`. REQUIRES: covers(box).
+    void select(const base::Box3f& box, ClusterList& out) const;
 
   private:
     void add(const surfel::SurfelBlock& block, int cluster);
@@ -41,7 +43,7 @@ class Candidates {
     std::vector<const float*> m_clusters;
 };
 
-/// One bit per candidate of `groups` groups of 16, set where it may have weight at x.
-void supportKernel(const float* bounds, std::size_t groups, const base::Vec3f& x, std::uint16_t* bits);
+/// One bit per candidate of `groups` groups of 16, set where it may have weight somewhere in `box`.
+void supportKernel(const float* bounds, std::size_t groups, const base::Box3f& box, std::uint16_t* bits);
 
 } // namespace surface

@@ -10,29 +10,18 @@
 #define POINTCLAY_KERNEL_WEIGHTS_H
 #endif
 
+#include "core/surface/kernel_lanes.h"
 #include "core/surface/moments_float.h"
-#include "core/surfel/surfel_block.h"
 
 #include <hwy/contrib/math/math-inl.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace surface {
 namespace HWY_NAMESPACE {
-namespace hn = hwy::HWY_NAMESPACE;
-
-using D = hn::CappedTag<float, surfel::clusterSize>;
-using V = hn::Vec<D>;
-using M = hn::Mask<D>;
-constexpr int lanes = surfel::clusterSize;
-
 /// Those beyond the order asked for stay as they are.
 struct WeightLanes {
     V theta, slope, bend;
 };
-
-HWY_INLINE V constant(float value) {
-    return hn::Set(D(), value);
-}
 
 /// With t = 1 - r: theta = t^4 (5 - 4t), slope 20 t^3, bend 60 t^2 / r.
 template <int order>

@@ -29,12 +29,11 @@ KernelInput kernelInput(ClusterSpan clusters, const base::Vec3f& x, const SumOpt
 }
 
 template <int O>
-void sum(ClusterSpan clusters, const base::Vec3f& x, const SumOptions& options, Moments<float, O>& out) {
+void sum(const KernelInput& in, Outer outer, Moments<float, O>& out) {
     static_assert(sumCount(2, Outer::Normals) <= maxSums && maxSums % 8 == 0);
-    const KernelInput in = kernelInput(clusters, x, options);
     alignas(64) float sums[maxSums];
-    out.samples = sumKernel(O, options.outer, in, sums);
-    out.unit = unitOf(options.weight, sums[factorCount(O) * monomialCount(options.outer)]);
+    out.samples = sumKernel(O, outer, in, sums);
+    out.unit = unitOf(in.weight, sums[factorCount(O) * monomialCount(outer)]);
     out.one = jetOf<O>(sums, OneTerm);
     out.height = jetOf<O>(sums, HeightTerm);
     out.square = jetOf<O>(sums, SquareTerm);
@@ -42,11 +41,19 @@ void sum(ClusterSpan clusters, const base::Vec3f& x, const SumOptions& options, 
         out.q[static_cast<std::size_t>(k)] = jetOf<O>(sums, QTerm + k);
         out.n[static_cast<std::size_t>(k)] = jetOf<O>(sums, NTerm + k);
     }
-    if (options.outer != Outer::None)
+    if (outer != Outer::None)
         for (int k = 0; k < 6; ++k)
             out.outer[k] = jetOf<O>(sums, OuterTerm + k);
 }
 
+template <int O>
+void sum(ClusterSpan clusters, const base::Vec3f& x, const SumOptions& options, Moments<float, O>& out) {
+    sum(kernelInput(clusters, x, options), options.outer, out);
+}
+
+template void sum(const KernelInput&, Outer, Moments<float, 0>&);
+template void sum(const KernelInput&, Outer, Moments<float, 1>&);
+template void sum(const KernelInput&, Outer, Moments<float, 2>&);
 template void sum(ClusterSpan, const base::Vec3f&, const SumOptions&, Moments<float, 0>&);
 template void sum(ClusterSpan, const base::Vec3f&, const SumOptions&, Moments<float, 1>&);
 template void sum(ClusterSpan, const base::Vec3f&, const SumOptions&, Moments<float, 2>&);

@@ -41,6 +41,8 @@ struct KernelInput {
 };
 
 KernelInput kernelInput(ClusterSpan clusters, const base::Vec3f& x, const SumOptions& options);
+template <int O>
+void sum(const KernelInput& in, Outer outer, Moments<float, O>& out);
 
 /// Sums over all clusters into sums[0, sumCount(order, outer)); returns the number of surfels with weight.
 /// `sums` holds maxSums floats, 64-byte aligned.

@@ -1,16 +1,18 @@
-// The hot loop, compiled once per instruction set and chosen at run time (Google Highway).
+// The sums at a position, compiled once per instruction set and chosen at run time (Google Highway).
 //
-// First the surfels in support are picked out of the clusters, in their order, into dense lanes (about a fifth of what
-// the clusters hold has weight); then the sums run over the dense lanes alone. 16 virtual lanes: the i-th surfel in
-// support goes to lane i mod 16 of the accumulators, whatever the width of the registers; on narrower ones the lanes
-// are done in groups. Multiply-adds are explicit, roots and quotients exact, the reduction fixed. So AVX2 and AVX-512
-// give the same bits, and so do all lists of clusters that hold the surfels in support in tree order.
+// Two ways to sum, each always used for the same sums:
+//   - plain values of cheap weights over all lanes of the clusters, though only about a fifth have weight: putting
+//   those
+//     together would cost as much as it saves;
+//   - all else over dense lanes: first the surfels in support are picked out of the clusters, in their order.
+// 16 virtual lanes, whatever the width of the registers; on narrower ones they are done in groups. In the first way a
+// surfel's lane is its place in its cluster; in the second the i-th surfel in support goes to lane i mod 16.
+// Multiply-adds are explicit, roots and quotients exact, the reduction fixed. So AVX2 and AVX-512 give the same bits,
+// and so do all lists of clusters that hold the surfels in support in tree order.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/surface/moments_kernel.cpp"
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
 #include "core/surface/candidates.h"
-
-#include <utility>
 
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
@@ -20,20 +22,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace surface {
 namespace HWY_NAMESPACE {
-
-#if HWY_TARGET == HWY_AVX2
-/// For each of the 256 masks of eight lanes the numbers of those set, then zeros.
-struct PackedLanes {
-    std::uint8_t of[256][8] = {};
-    constexpr PackedLanes() {
-        for (int mask = 0; mask < 256; ++mask)
-            for (int lane = 0, count = 0; lane < 8; ++lane)
-                if (mask >> lane & 1)
-                    of[mask][count++] = static_cast<std::uint8_t>(lane);
-    }
-};
-static constexpr PackedLanes packedLanes;
-#endif
 
 constexpr std::size_t capacity = 128;            ///< dense surfels summed at once
 constexpr std::size_t stride = capacity + lanes; ///< a compressed store may write a whole cluster behind them
@@ -45,71 +33,6 @@ struct Dense {
     HWY_ALIGN float monomial[monomialCount(Outer::Normals)][stride];
     HWY_ALIGN float factor[factorCount(2)][stride];
 };
-
-/// Calls fn with the constants 0 to n - 1: arrays of vectors stay in registers where all their indices are constants.
-template <std::size_t n, class Fn>
-HWY_INLINE void unrolled(const Fn& fn) {
-    [&]<std::size_t... k>(std::index_sequence<k...>) {
-        (fn(std::integral_constant<std::size_t, k>()), ...);
-    }
-    (std::make_index_sequence<n>());
-}
-
-/// The same over the six pairs k <= l of coordinates.
-template <class Fn>
-HWY_INLINE void forPairs(const Fn& fn) {
-    unrolled<3>([&](auto k) { unrolled<3 - k>([&](auto l) { fn(k, std::integral_constant<std::size_t, k + l>()); }); });
-}
-
-/// Three vectors in lanes. No array, for the same reason.
-struct V3 {
-    V x, y, z;
-};
-
-HWY_INLINE V3 load3(const float* from, std::size_t step) {
-    const D d;
-    return {hn::Load(d, from), hn::Load(d, from + step), hn::Load(d, from + 2 * step)};
-}
-HWY_INLINE V3 minus(const V3& a, const float* b) {
-    return {hn::Sub(a.x, constant(b[0])), hn::Sub(a.y, constant(b[1])), hn::Sub(a.z, constant(b[2]))};
-}
-HWY_INLINE V dot(const V3& a, const V3& b) {
-    return hn::MulAdd(a.z, b.z, hn::MulAdd(a.y, b.y, hn::Mul(a.x, b.x)));
-}
-HWY_INLINE V dot(const V3& a, const float* b) {
-    return dot(a, V3{constant(b[0]), constant(b[1]), constant(b[2])});
-}
-template <std::size_t k>
-HWY_INLINE V at(const V3& a) {
-    return k == 0 ? a.x : k == 1 ? a.y : a.z;
-}
-
-/// Moves the lanes of a mask to the front.
-#if HWY_TARGET == HWY_AVX2
-/// Highway's own way copies its table to the stack at each call when compiled by g++ 12.
-class Packing {
-  public:
-    HWY_INLINE explicit Packing(M keep) : m_indices(hn::Zero(hn::RebindToSigned<D>())) {
-        const hn::RebindToSigned<D> d;
-        std::uint8_t bits[8];
-        hn::StoreMaskBits(D(), keep, bits);
-        m_indices = hn::PromoteTo(d, hn::LoadU(hn::Rebind<std::uint8_t, D>(), packedLanes.of[bits[0]]));
-    }
-    HWY_INLINE V pack(V value) const { return hn::TableLookupLanes(value, hn::IndicesFromVec(D(), m_indices)); }
-
-  private:
-    hn::Vec<hn::RebindToSigned<D>> m_indices;
-};
-#else
-class Packing {
-  public:
-    HWY_INLINE explicit Packing(M keep) : m_keep(keep) {}
-    HWY_INLINE V pack(V value) const { return hn::Compress(value, m_keep); }
-
-  private:
-    M m_keep;
-};
-#endif
 
 /// Puts those of the cluster that are in support behind the `count` first; returns how many there are then.
 HWY_INLINE std::size_t pick(const float* cluster, const KernelInput& in, std::size_t count, Dense& out) {
@@ -177,10 +100,6 @@ HWY_INLINE Lanes weigh(const KernelInput& in, const Dense& dense, std::size_t at
         s.weight.bend = hn::IfThenElseZero(inside, s.weight.bend);
     s.height = dot(s.n, s.q);
     return s;
-}
-
-HWY_INLINE void accumulate(V& sum, V factor, V value) {
-    sum = hn::MulAdd(factor, value, sum);
 }
 
 /// Sums in memory, 8 of the 16 lanes: lane i holds that of i and i + 8 together.
@@ -435,18 +354,19 @@ int sumDispatched(int order, Outer outer, const KernelInput& in, float* sums) {
     return sumOfOrder<Outer::Offsets>(order, in, sums);
 }
 
-/// distance(x, box) < support for boxes in lanes, by the same operations as the tree's own test.
-void supportDispatched(const float* bounds, std::size_t groups, const base::Vec3f& x, std::uint16_t* bits) {
+/// distance(box, bounds) < support for bounds in lanes, by the same operations as the tree's own test.
+void supportDispatched(const float* bounds, std::size_t groups, const base::Box3f& box, std::uint16_t* bits) {
     const D d;
     const int width = static_cast<int>(hn::Lanes(d));
-    const V at[3] = {hn::Set(d, x.x), hn::Set(d, x.y), hn::Set(d, x.z)};
+    const V lo[3] = {constant(box.lo.x), constant(box.lo.y), constant(box.lo.z)};
+    const V hi[3] = {constant(box.hi.x), constant(box.hi.y), constant(box.hi.z)};
     for (std::size_t g = 0; g < groups; ++g, bounds += 7 * lanes) {
         unsigned found = 0;
         for (int first = 0; first < lanes; first += width) {
             V square[3];
             for (int k = 0; k < 3; ++k) {
-                const V below = hn::Sub(hn::LoadU(d, bounds + k * lanes + first), at[k]);
-                const V above = hn::Sub(at[k], hn::LoadU(d, bounds + (3 + k) * lanes + first));
+                const V below = hn::Sub(hn::LoadU(d, bounds + k * lanes + first), hi[k]);
+                const V above = hn::Sub(lo[k], hn::LoadU(d, bounds + (3 + k) * lanes + first));
                 const V away = hn::Max(hn::Max(below, above), hn::Zero(d));
                 square[k] = hn::Mul(away, away);
             }
@@ -474,8 +394,8 @@ int sumKernel(int order, Outer outer, const KernelInput& in, float* sums) {
     return HWY_DYNAMIC_DISPATCH(sumDispatched)(order, outer, in, sums);
 }
 
-void supportKernel(const float* bounds, std::size_t groups, const base::Vec3f& x, std::uint16_t* bits) {
-    HWY_DYNAMIC_DISPATCH(supportDispatched)(bounds, groups, x, bits);
+void supportKernel(const float* bounds, std::size_t groups, const base::Box3f& box, std::uint16_t* bits) {
+    HWY_DYNAMIC_DISPATCH(supportDispatched)(bounds, groups, box, bits);
 }
 
 } // namespace surface

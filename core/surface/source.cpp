@@ -69,7 +69,6 @@ void Source::evaluate(const base::Vec3f& x, Need need, const Hint& hint, Evaluat
         expect(base::Box3f{x, x}.inflated(m_slack));
     ScratchClusters clusters;
     gather(x, clusters.list());
-    out = {};
     if (!m_plain.applies() || !m_plain.evaluate(clusters.span(), x, need, out))
         out = assemble(x, need, hint, clusters.span());
     if (out.unit > 0)

@@ -12,10 +12,20 @@ SummedNormals::SummedNormals(const Surface& surface) {
     const surfel::AttributeLayout& layout = *surface.tree().layout();
     m_applies = surface.effectiveFrame() == Frame::Normals && layout.normals && layout.oriented &&
                 definition.manifold == Manifold::Surface && !definition.interpolating;
-    m_options.weight = definition.weight;
-    m_options.scale = surface.supportScale();
+    SumOptions options;
+    options.weight = definition.weight;
+    options.scale = surface.supportScale();
+    m_sums = kernelInput({}, {}, options);
     m_mu = definition.mu();
     m_limit = definition.boundaryLimit;
+}
+
+KernelInput SummedNormals::input(ClusterSpan clusters, const Vec3f& x) const {
+    KernelInput out = m_sums;
+    out.clusters = clusters.data();
+    out.clusterCount = clusters.size();
+    out.x[0] = x.x, out.x[1] = x.y, out.x[2] = x.z;
+    return out;
 }
 
 struct SummedNormals::Sums {
@@ -52,16 +62,18 @@ bool SummedNormals::begin(const Sums& sums, const Vec3f& x, Evaluationf& out) co
 
 bool SummedNormals::values(ClusterSpan clusters, const Vec3f& x, Evaluationf& out) const {
     alignas(64) float s[maxSums];
-    const int samples = sumKernel(0, Outer::None, kernelInput(clusters, x, m_options), s);
+    const int samples = sumKernel(0, Outer::None, input(clusters, x), s);
     const Vec3f q{s[QTerm], s[QTerm + 1], s[QTerm + 2]}, m{s[NTerm], s[NTerm + 1], s[NTerm + 2]};
     const float w = s[OneTerm];
-    if (!begin({samples, w, unitOf(m_options.weight, s[monomialCount(Outer::None)]), s[SquareTerm], q, m}, x, out))
+    if (!begin({samples, w, unitOf(m_sums.weight, s[monomialCount(Outer::None)]), s[SquareTerm], q, m}, x, out))
         return false;
     const float inverseWeight = 1.0f / w;
     out.normal = m * std::sqrt(1.0f / lengthSq(m));
     out.value = -dot(out.normal, q * inverseWeight) * (1.0f - m_mu);
     if (m_mu > 0)
         out.value -= s[HeightTerm] * inverseWeight * m_mu;
+    out.gradient = {};
+    out.hessian = out.normalGradient = {};
     return true;
 }
 
@@ -99,11 +111,11 @@ static JetLanes inverseSqrt(const JetLanes& a) {
 
 bool SummedNormals::gradients(ClusterSpan clusters, const Vec3f& x, Evaluationf& out) const {
     alignas(64) float s[maxSums];
-    const int samples = sumKernel(1, Outer::None, kernelInput(clusters, x, m_options), s);
+    const int samples = sumKernel(1, Outer::None, input(clusters, x), s);
     constexpr int width = factorCount(1);
     const auto at = [&](int monomial) { return s[monomial * width]; };
     const Vec3f values{at(QTerm), at(QTerm + 1), at(QTerm + 2)}, normals{at(NTerm), at(NTerm + 1), at(NTerm + 2)};
-    const float unit = unitOf(m_options.weight, at(monomialCount(Outer::None)));
+    const float unit = unitOf(m_sums.weight, at(monomialCount(Outer::None)));
     if (!begin({samples, at(OneTerm), unit, at(SquareTerm), values, normals}, x, out))
         return false;
 
@@ -130,12 +142,13 @@ bool SummedNormals::gradients(ClusterSpan clusters, const Vec3f& x, Evaluationf&
     }
     out.value = f.value();
     out.gradient = f.derivative();
+    out.hessian = {};
     return true;
 }
 
 bool SummedNormals::hessians(ClusterSpan clusters, const Vec3f& x, Evaluationf& out) const {
     Moments<float, 2> m;
-    sum(clusters, x, m_options, m);
+    sum(input(clusters, x), Outer::None, m);
     if (!begin({m.samples, m.one.v, m.unit, m.square.v, valueOf(m.q), valueOf(m.n)}, x, out))
         return false;
     const Jet<float, 2> inverseWeight = inverse(m.one);

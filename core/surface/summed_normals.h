@@ -3,7 +3,7 @@
 // assembler takes over; where it answers, its numbers are the assembler's.
 #pragma once
 
-#include "core/surface/moments.h"
+#include "core/surface/moments_float.h"
 #include "core/surface/surface.h"
 
 namespace surface {
@@ -14,11 +14,16 @@ class SummedNormals {
 
     /// Is this case that of the surface at all?
     bool applies() const { return m_applies; }
-    /// Computes everything up to `need` into a fresh evaluation; false, with `out` left as it is, where the position is
-    /// special. REQUIRES: applies().
+    Weight weight() const { return m_sums.weight; }
+    float supportScale() const { return m_sums.scale; }
+    float mu() const { return m_mu; }
+    float boundaryLimit() const { return m_limit; }
+    /// Computes everything up to `need`; false, with `out` left as it is, where the position is special.
+    /// REQUIRES: applies().
     bool evaluate(ClusterSpan clusters, const base::Vec3f& x, Need need, Evaluationf& out) const;
 
   private:
+    KernelInput input(ClusterSpan clusters, const base::Vec3f& x) const;
     bool values(ClusterSpan clusters, const base::Vec3f& x, Evaluationf& out) const;
     bool gradients(ClusterSpan clusters, const base::Vec3f& x, Evaluationf& out) const;
     bool hessians(ClusterSpan clusters, const base::Vec3f& x, Evaluationf& out) const;
@@ -26,7 +31,7 @@ class SummedNormals {
     bool begin(const Sums& sums, const base::Vec3f& x, Evaluationf& out) const;
 
     bool m_applies;
-    SumOptions m_options;
+    KernelInput m_sums; ///< without clusters and position
     float m_mu, m_limit;
 };
 
