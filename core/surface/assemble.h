@@ -1,7 +1,7 @@
 // Second stage of an evaluation: from the sums over surfels to n, f, g, Hessian and status. Shared by both precisions;
 // `O` is the order of derivatives wanted.
 //
-//     sums at x -> near sheets? sums once more without those that face away
+//     sums at x -> near sheets? sums once more without those that face away (sheets.h)
 //               -> c, d = x - c -> tests of alg. 2.4, each failure with its cause
 //               -> n by the frame (covariance-at-centroid: sums at c; centroid-gradient: sums of one order more) ->
 //               sign
@@ -11,6 +11,7 @@
 #pragma once
 
 #include "core/surface/fields.h"
+#include "core/surface/sheets.h"
 #include "core/surface/source.h"
 
 #include <cassert>
@@ -23,12 +24,8 @@ constexpr T leastWeight = std::is_same_v<T, float> ? T(1e-6) : T(1e-12);
 constexpr int leastSamples = 3;        ///< surfels in support that a frame needs (alg. 2.4, test 1)
 constexpr double leastAgreement = 0.2; ///< |m|/w below which summed normals cancel (test 2)
 constexpr double leastSpread = 1e-6;   ///< variance below which all are at one place, of h^2: what float can tell
-/// |m|/w below which sheets are told apart. RESAMPLING 4 says 0.7; but then a wall tilted by 0.5 rad pulls the other by
-/// up to 0.06 spacings before it is noticed, where 0.9 keeps every frame and weight within 0.02. A sheet bent so much
-/// on its own has next to no weight on what faces away.
-constexpr double oneSheetBelow = 0.9;
-constexpr int refitPasses = 3;      ///< of rimls, the first without factors (alg. 10.4)
-constexpr double refitStill = 1e-3; ///< |g - g_before|^2 that ends them
+constexpr int refitPasses = 3;         ///< of rimls, the first without factors (alg. 10.4)
+constexpr double refitStill = 1e-3;    ///< |g - g_before|^2 that ends them
 /// Interpolating weights: this close to a surfel, in h, the answer is the surfel itself; its Hessian is taken a little
 /// above it, where formulas hold.
 constexpr double atSurfel = 1e-12, besideSurfel = 1e-5;
@@ -74,6 +71,12 @@ class Assembler {
                 out.m[a][k] = m_centroid[a].d[k];
         return out;
     }
+    /// grad h at x, likewise. REQUIRES: T is double.
+    base::Vec3<T> unitGradient() const {
+        static_assert(O >= 1 && std::is_same_v<T, double>);
+        const auto& w = m_moments.one;
+        return (m_moments.unitSlope - base::Vec3<T>{w.d[0], w.d[1], w.d[2]} * m_out.unit) / w.v;
+    }
 
   private:
     using Vector = base::Vec3<T>;
@@ -96,18 +99,32 @@ class Assembler {
         m_out.agreement = m_normals ? agreementOf(m_moments) : T(1);
         if (!m_oriented || !m_surface.definition().oneSheet || m_out.agreement >= T(oneSheetBelow))
             return;
+        m_towards = lengthSq(m_side) > 0 ? m_side
+                                         : nearestNormal(m_clusters, base::cast<double>(m_x), m_surface.supportScale());
         SumOptions options = m_options;
         options.facing = Facing::Skip;
-        options.reference = lengthSq(m_side) > 0
-                                ? m_side
-                                : nearestNormal(m_clusters, base::cast<double>(m_x), m_surface.supportScale());
+        options.reference = m_towards;
         Moments<T, O> kept;
         sum(m_clusters, m_x, options, kept);
         if (!(kept.one.v > leastWeight<T>))
             return;
-        m_options = options;
-        m_moments = kept;
-        m_out.agreement = agreementOf(kept);
+        m_twoSheets = true;
+        m_share = shareOfFacingAway(m_out.agreement);
+        m_moments = mixed(m_moments, kept, m_share);
+        m_out.agreement = agreementOf(m_moments);
+    }
+
+    /// Sums over the sheet that was chosen at x, whatever else is asked for.
+    template <int P>
+    void sumSheet(ClusterSpan clusters, const Vector& x, SumOptions options, Moments<T, P>& out) const {
+        sum(clusters, x, options, out);
+        if (!m_twoSheets)
+            return;
+        options.facing = Facing::Skip;
+        options.reference = m_towards;
+        Moments<T, P> kept;
+        sum(clusters, x, options, kept);
+        out = mixed(out, kept, m_share);
     }
 
     /// c = sum theta p / w, d = x - c, o = |d|, h.
@@ -218,7 +235,7 @@ class Assembler {
         Moments<T, O> there;
         ScratchClusters clusters;
         m_source.gather(m_out.centroid, clusters.list());
-        sum(clusters.span(), m_out.centroid, options, there);
+        sumSheet(clusters.span(), m_out.centroid, options, there);
         FrameNormal<T, O> out;
         out.cause = poverty(there, clusters.span(), m_out.centroid);
         if (out.cause != Cause::None)
@@ -237,7 +254,7 @@ class Assembler {
     FrameNormal<T, O> normalOfCentroidGradient() const {
         if constexpr (O < 2 || std::is_same_v<T, double>) {
             Moments<T, O + 1> wide;
-            sum(m_clusters, m_x, m_options, wide);
+            sumSheet(m_clusters, m_x, m_options, wide);
             Jet<T, O> s[6];
             centroidGradientSquare(wide, s);
             return eigenvector(s, Pick::Smallest, Eigenvalues::Squares);
@@ -286,7 +303,10 @@ class Assembler {
         Jet<T, P> f;
         Vector g;
         for (int pass = 0; pass < refitPasses; ++pass) {
-            sum(m_clusters, m_x, options, m);
+            if (pass == 0)
+                sumSheet(m_clusters, m_x, options, m);
+            else
+                sum(m_clusters, m_x, options, m);
             if (!(m.one.v > leastWeight<T>))
                 return {{}, {}, Cause::CancellingNormals};
             f = movingHeight(m) * inverse(m.one);
@@ -336,7 +356,11 @@ class Assembler {
             const Vector beside = m_x + n * (static_cast<T>(besideSurfel) * h);
             ScratchClusters clusters;
             m_source.gather(beside, clusters.list());
-            m_out.hessian = Assembler(m_source, clusters.span(), beside, {base::cast<float>(n)}).run().hessian;
+            const Evaluation<T> near = Assembler(m_source, clusters.span(), beside, {base::cast<float>(n)}).run();
+            if (near.cause != Cause::None)
+                failed(Status::Degenerate, near.cause);
+            else
+                m_out.hessian = near.hessian;
         }
     }
 
@@ -365,6 +389,9 @@ class Assembler {
     Frame m_frame;
     bool m_normals, m_oriented;
     SumOptions m_options;
+    bool m_twoSheets = false;
+    base::Vec3d m_towards; ///< where the sheet that is kept faces, if there are two
+    T m_share = 1;         ///< part of what faces away that counts then
     Moments<T, O> m_moments;
     Jet<T, O> m_inverseWeight;
     JetVec<T, O> m_d{}, m_centroid{}; ///< x - c, and c relative to where x is

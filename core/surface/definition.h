@@ -29,7 +29,7 @@ struct SurfaceDefinition {
     /// resolves Boundary::Auto for a model; infinity for closed ones.
     float boundaryLimit = std::numeric_limits<float>::infinity();
     bool shrinkFree = true;     ///< the symmetric form mu = 1/2 (alg. 2.6); false is the dissertation's own, mu = 0
-    bool oneSheet = true;       ///< second pass where near sheets meet (|m|/w < 0.9)
+    bool oneSheet = true;       ///< second pass where near sheets meet (sheets.h)
     bool interpolating = false; ///< weights over r^2, so that the surface passes through the points (alg. 10.5)
     /// Curvature is taken on supports that reach over at least so many spacings (alg. 2.6); 0: on those of the surface.
     /// Known for supports from neighbours; one support for all is taken at its word.

@@ -5,19 +5,12 @@
 // derivatives from the bordered system [S - l, n; n^T, 0] [n_k; *] = [(l_k - S_k) n; 0].
 #pragma once
 
-#include "core/surface/surface.h"
+#include "brute_sums.h"
 
 #include <array>
 #include <vector>
 
 namespace brute {
-
-using base::Mat3d, base::Vec3d;
-using surface::Frame, surface::Weight;
-
-/// Which surfels count and how: all; those not facing away from the reference; all, flipped to its side; all, by
-/// exp(-|n - reference|^2 / sigma^2).
-enum class Mode { All, Skip, Flip, Refit };
 
 /// What the last pass of rimls weighs by.
 struct Pass {
@@ -27,33 +20,13 @@ struct Pass {
 
 struct Answer {
     bool valid = false;
-    int samples = 0, samplesAtCentroid = 0;
+    int samples = 0, samplesAtCentroid = 0, flipped = 0;
     double f = 0, o = 0, unit = 0, agreement = 1;
     Vec3d c, n, g;
+    double share = -1; ///< of what faces away, where there are two sheets
     Pass pass;         ///< of rimls
     double sphere = 1; ///< of apss: |q| h; its formulas as printed lose digits as that goes to zero
 };
-
-struct Model {
-    std::vector<surfel::Surfel> surfels;
-    surface::SurfaceDefinition definition;
-    bool normals = true, oriented = true;
-    double scale = 1; ///< of all supports
-};
-
-inline Model modelOf(const surfel::SurfelList& list, const surface::SurfaceDefinition& definition) {
-    return {list.items, definition, list.layout->normals, list.layout->normals && list.layout->oriented, 1};
-}
-
-/// The part of the model within `radius` of x: all that a position near x can see, at less cost.
-inline Model near(const Model& model, const Vec3d& x, double radius) {
-    Model out = model;
-    out.surfels.clear();
-    for (const surfel::Surfel& each : model.surfels)
-        if (distance(base::cast<double>(each.position), x) <= radius)
-            out.surfels.push_back(each);
-    return out;
-}
 
 /// Solves a 4x4 system by Gauss with full row pivoting.
 inline std::array<double, 4> solve4(std::array<std::array<double, 5>, 4> a) {
@@ -117,105 +90,26 @@ inline std::pair<double, Vec3d> eigenpair(const Mat3d& s, bool largest) {
     return {dot(n, s * n), n};
 }
 
-/// A weight by the distance in units of its scale, with its derivatives.
-struct Phi {
-    double v = 0, d = 0, dd = 0;
-};
-
-inline Phi phi(Weight weight, double r) {
-    const double t = 1 - r;
-    switch (weight) {
-    case Weight::Wendland:
-        return {std::pow(t, 4) * (4 * r + 1), -20 * r * std::pow(t, 3), -20 * std::pow(t, 3) + 60 * r * t * t};
-    case Weight::WendlandC4:
-        return {std::pow(t, 6) * (35 * r * r + 18 * r + 3) / 3, -56.0 / 3 * r * std::pow(t, 5) * (5 * r + 1),
-                -56.0 / 3 * (std::pow(t, 5) * (10 * r + 1) - 5 * r * std::pow(t, 4) * (5 * r + 1))};
-    case Weight::Gaussian:
-        break;
-    }
-    const double v = std::exp(-r * r);
-    return {v, -2 * r * v, (4 * r * r - 2) * v};
+/// How much those facing away count, by |m|/w of all: a quintic step from 0 at 0.82 to 1 at 0.92.
+inline double shareOf(const Sums& all) {
+    const double t = std::clamp((length(all.m) / all.w - 0.82) / 0.1, 0.0, 1.0);
+    return t * t * t * (10 - 15 * t + 6 * t * t);
 }
 
-/// phi over the square of r / reach.
-inline Phi interpolating(const Phi& p, double r, double reach) {
-    const double k = reach * reach;
-    return {k * p.v / (r * r), k * (p.d / (r * r) - 2 * p.v / (r * r * r)),
-            k * (p.dd / (r * r) - 4 * p.d / (r * r * r) + 6 * p.v / (r * r * r * r))};
-}
-
-/// Weighted sums that all frames share, with first derivatives.
-struct Sums {
-    int count = 0;
-    double w = 0, unit = 0;
-    Vec3d wk, p;       ///< sum theta_k, sum theta (p - x)
-    Mat3d pk;          ///< sum (p - x)_a theta_k
-    Mat3d wkl, pkl[3]; ///< sum theta_kl, sum (p - x)_a theta_kl
-    Vec3d m;           ///< sum theta n
-    Mat3d mk;
-    double u = 0; ///< sum theta n.(x - p)
-    Vec3d uk;
-    double np = 0, pp = 0; ///< sum theta n.(p - x), sum theta |p - x|^2, and with theta_k
-    Vec3d npk, ppk;
-    Mat3d s; ///< hyperplanes: sum theta n n^T; covariance: sum theta (x-p)(x-p)^T, total derivatives
-    Mat3d sk[3];
-};
-
-inline Sums sums(const Model& model, const Vec3d& x, Mode mode = Mode::All, const Vec3d& reference = {}) {
-    Sums out;
-    const Weight weight = model.definition.weight;
-    const bool hyperplanes = model.definition.frame == Frame::Hyperplanes;
-    const double reach = weight == Weight::Gaussian ? double(surface::gaussianReach) : 1;
-    const double sigma = double(model.definition.rimlsSigma);
-    for (const surfel::Surfel& each : model.surfels) {
-        const Vec3d away = x - base::cast<double>(each.position);
-        const double distance = length(away), h = model.scale * double(each.support);
-        if (distance >= h)
-            continue;
-        Vec3d n = base::cast<double>(each.normal);
-        if (mode == Mode::Skip && dot(n, reference) <= double(-0.17f))
-            continue;
-        if (mode == Mode::Flip && dot(n, reference) < 0)
-            n = -n;
-        const double scale = h / reach, r = distance / scale;
-        const double factor = mode == Mode::Refit ? std::exp(-lengthSq(n - reference) / (sigma * sigma)) : 1;
-        Phi radial = phi(weight, r);
-        if (model.definition.interpolating)
-            radial = interpolating(radial, r, reach);
-        const double theta = factor * radial.v;
-        if (theta <= 0)
-            continue;
-        const Vec3d direction = away / distance;
-        const Vec3d slope = direction * (factor * radial.d / scale); // theta_,k
-        const Mat3d along = base::outer(direction, direction);
-        const Mat3d bend = along * (factor * radial.dd / (scale * scale)) +
-                           (Mat3d::identity() - along) * (factor * radial.d / (scale * distance)); // theta_,kl
-        ++out.count;
-        out.w += theta;
-        out.unit += theta * scale;
-        out.wk += slope;
-        out.p -= away * theta;
-        out.pk += outer(-away, slope);
-        out.wkl += bend;
-        for (std::size_t a = 0; a < 3; ++a)
-            out.pkl[a] += bend * -away[a];
-        out.m += n * theta;
-        out.mk += outer(n, slope);
-        out.u += theta * dot(n, away);
-        out.uk += slope * dot(n, away) + n * theta;
-        out.np -= theta * dot(n, away);
-        out.npk -= slope * dot(n, away);
-        out.pp += theta * lengthSq(away);
-        out.ppk += slope * lengthSq(away);
-        const Vec3d& y = hyperplanes ? n : away;
-        out.s += outer(y, y) * theta;
-        for (int k = 0; k < 3; ++k) {
-            out.sk[k] += outer(y, y) * slope[static_cast<std::size_t>(k)];
-            if (!hyperplanes) {
-                const Vec3d e{k == 0 ? 1.0 : 0, k == 1 ? 1.0 : 0, k == 2 ? 1.0 : 0};
-                out.sk[k] += (outer(e, away) + outer(away, e)) * theta;
-            }
-        }
+/// kept + share (all - kept), the share held still.
+inline Sums mixed(const Sums& all, const Sums& kept, double share) {
+    const auto mix = [share](const auto& a, const auto& k) { return k + (a - k) * share; };
+    Sums out = kept;
+    out.count = share > 0 ? all.count : kept.count;
+    out.w = mix(all.w, kept.w), out.unit = mix(all.unit, kept.unit), out.u = mix(all.u, kept.u);
+    out.np = mix(all.np, kept.np), out.pp = mix(all.pp, kept.pp);
+    out.wk = mix(all.wk, kept.wk), out.uk = mix(all.uk, kept.uk);
+    out.npk = mix(all.npk, kept.npk), out.ppk = mix(all.ppk, kept.ppk);
+    out.p = mix(all.p, kept.p), out.m = mix(all.m, kept.m), out.pk = mix(all.pk, kept.pk);
+    out.mk = mix(all.mk, kept.mk), out.wkl = mix(all.wkl, kept.wkl), out.s = mix(all.s, kept.s);
+    for (std::size_t k = 0; k < 3; ++k) {
+        out.pkl[k] = mix(all.pkl[k], kept.pkl[k]);
+        out.sk[k] = mix(all.sk[k], kept.sk[k]);
     }
     return out;
 }
@@ -297,21 +191,21 @@ inline void apss(const Model& model, const Sums& s, Answer& out) {
 }
 
 /// f, g and n of one pass (alg. 10.4): g the derivative with the factors held still.
-inline void rimlsPass(const Model& model, const Vec3d& x, const Pass& pass, Answer& out) {
-    const Sums s = sums(model, x, pass.mode, pass.reference);
+inline void rimlsPass(const Sums& s, Answer& out) {
     out.samples = s.count;
     out.f = s.u / s.w;
     out.g = (s.uk - s.wk * out.f) / s.w; // uk holds sum w_i n_i too
     out.n = base::normalized(s.m);
 }
 
-/// The passes as printed; returns the last.
-inline Pass rimls(const Model& model, const Vec3d& x, Pass pass, Answer& out) {
+/// The passes as printed, the first over `first`; returns what the last weighs by.
+inline Pass rimls(const Model& model, const Vec3d& x, const Sums& first, Answer& out) {
     Vec3d before;
+    Pass pass;
     for (int i = 0; i < 3; ++i) {
         if (i > 0)
             pass = {Mode::Refit, before};
-        rimlsPass(model, x, pass, out);
+        rimlsPass(i > 0 ? sums(model, x, pass.mode, pass.reference) : first, out);
         if (lengthSq(out.g - before) <= 1e-3)
             break;
         before = out.g;
@@ -331,18 +225,28 @@ inline Vec3d nearestNormal(const Model& model, const Vec3d& x) {
     return out;
 }
 
-inline Answer evaluate(const Model& model, const Vec3d& x, const Vec3d& hint = {}) {
+/// Derivative along axis k by differences of sixth order.
+template <class Fn>
+auto difference(const Fn& fn, const Vec3d& x, int k, double step) {
+    const Vec3d by{k == 0 ? step : 0, k == 1 ? step : 0, k == 2 ? step : 0};
+    const auto pair = [&](int i) { return fn(x + by * i) - fn(x - by * i); };
+    return (pair(1) * 45 - pair(2) * 9 + pair(3)) * (1 / (60 * step));
+}
+
+/// A share >= 0 is that of another position, held still.
+inline Answer evaluate(const Model& model, const Vec3d& x, const Vec3d& hint = {}, double atShare = -1) {
     Answer out;
     const Frame frame = model.definition.frame;
     Sums s = sums(model, x);
     if (s.w < 1e-12 || s.count < 3)
         return out;
-    Mode mode = Mode::All;
     Vec3d reference;
-    if (model.oriented && model.definition.oneSheet && length(s.m) / s.w < 0.9) {
-        mode = Mode::Skip;
+    double share = 1;
+    const bool two = model.oriented && model.definition.oneSheet && length(s.m) / s.w < 0.92;
+    if (two) {
         reference = lengthSq(hint) > 0 ? base::normalized(hint) : nearestNormal(model, x);
-        s = sums(model, x, mode, reference);
+        share = atShare >= 0 ? atShare : shareOf(s);
+        s = mixed(s, sums(model, x, Mode::Skip, reference), share);
     }
     const Vec3d e = s.p / s.w, d = -e; // c - x, x - c
     const Mat3d j = centroidGradient(s);
@@ -351,21 +255,24 @@ inline Answer evaluate(const Model& model, const Vec3d& x, const Vec3d& hint = {
     out.o = length(e);
     out.unit = s.unit / s.w;
     out.samples = s.count;
+    out.share = two ? share : -1;
     out.agreement = model.normals ? length(s.m) / s.w : 1;
     if (frame == Frame::Apss) {
         apss(model, s, out);
         return out;
     }
     if (frame == Frame::Rimls) {
-        out.pass = rimls(model, x, {mode, reference}, out);
+        out.pass = rimls(model, x, s, out);
         return out;
     }
     Mat3d dn;
     if (frame == Frame::Normals) {
         normalFrame(s, out.n, dn);
     } else if (frame == Frame::CovarianceAtCentroid) {
-        const Sums there = sums(model, out.c, mode, reference);
+        Sums there = sums(model, out.c);
         out.samplesAtCentroid = there.count;
+        if (two)
+            there = mixed(there, sums(model, out.c, Mode::Skip, reference), share);
         Mat3d dnThere;
         eigenFrame(there.s, there.sk, false, out.n, dnThere);
         dn = dnThere * j;
@@ -381,6 +288,7 @@ inline Answer evaluate(const Model& model, const Vec3d& x, const Vec3d& hint = {
         const Sums aligned = sums(model, x, Mode::Flip, out.n);
         s.m = aligned.m, s.u = aligned.u, s.uk = aligned.uk;
         out.agreement = length(s.m) / s.w;
+        out.flipped = aligned.flipped;
     }
     const double mu = model.normals && model.definition.shrinkFree ? 0.5 : 0;
     out.f = (1 - mu) * dot(out.n, d) + mu * s.u / s.w;
@@ -392,33 +300,26 @@ inline Answer evaluate(const Model& model, const Vec3d& x, const Vec3d& hint = {
 /// The same branch of f beside a position where it was answered: signs, sheets and the factors of rimls stay.
 inline Answer beside(const Model& model, const Answer& at, const Vec3d& y) {
     if (model.definition.frame != Frame::Rimls)
-        return evaluate(model, y, at.n);
+        return evaluate(model, y, at.n, at.share);
     Answer out;
-    rimlsPass(model, y, at.pass, out);
+    rimlsPass(sums(model, y, at.pass.mode, at.pass.reference), out);
     return out;
 }
 
-/// Does the Gaussian's cut, where it is not quite zero, take or give samples within the reach of `difference`?
-inline bool cutMoves(const Model& model, const Answer& at, const Vec3d& x, double step) {
-    if (model.definition.weight != Weight::Gaussian)
-        return false;
-    for (std::size_t k = 0; k < 3; ++k)
+/// Does the set of samples change within the reach of `difference`, where that is a step: at the Gaussian's cut, and
+/// where a normal across n is turned to the other side?
+inline bool stepsNear(const Model& model, const Answer& at, const Vec3d& x, double step) {
+    const bool cut = model.definition.weight == Weight::Gaussian;
+    for (std::size_t k = 0; k < 3 && (cut || (model.normals && !model.oriented)); ++k)
         for (int i : {-3, -2, -1, 1, 2, 3}) {
             Vec3d y = x;
             (k == 0 ? y.x : k == 1 ? y.y : y.z) += i * step;
             const Answer there = beside(model, at, y);
-            if (there.samples != at.samples || there.samplesAtCentroid != at.samplesAtCentroid)
+            const bool other = there.samples != at.samples || there.samplesAtCentroid != at.samplesAtCentroid;
+            if (there.flipped != at.flipped || (cut && other))
                 return true;
         }
     return false;
-}
-
-/// Derivative along axis k by differences of sixth order.
-template <class Fn>
-auto difference(const Fn& fn, const Vec3d& x, int k, double step) {
-    const Vec3d by{k == 0 ? step : 0, k == 1 ? step : 0, k == 2 ? step : 0};
-    const auto pair = [&](int i) { return fn(x + by * i) - fn(x - by * i); };
-    return (pair(1) * 45 - pair(2) * 9 + pair(3)) * (1 / (60 * step));
 }
 
 /// The Hessian by differences of the gradient.

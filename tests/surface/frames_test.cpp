@@ -73,7 +73,7 @@ void FramesTest::planesAreExact() {
                 QVERIFY2(std::abs(entry) <= 1e-9, qPrintable(QString::number(entry)));
         const Evaluationf f = surface.evaluate(at);
         QVERIFY2(f.ok() && std::abs(f.value - at.z) <= 1e-6f * 0.4f, qPrintable(QString::number(f.value - at.z)));
-        QVERIFY2(distance(f.gradient, Vec3f{0, 0, 1}) <= 2e-5f,
+        QVERIFY2(distance(f.gradient, Vec3f{0, 0, 1}) <= (definition.interpolating ? 2e-4f : 2e-5f),
                  qPrintable(QString::number(distance(f.gradient, {0, 0, 1}))));
     }
 }
@@ -227,17 +227,15 @@ void FramesTest::interpolatingWeightsPassThroughThePoints() {
     for (std::size_t i = 0; i < list.size(); i += 41) {
         const surfel::Surfel& s = list.items[i];
         const Vec3d p = base::cast<double>(s.position), n = base::normalized(base::cast<double>(s.normal));
-        const Evaluationd e = surface.evaluateReference(p, Need::Hessian);
+        const Evaluationd e = surface.evaluateReference(p);
         const Evaluationf f = surface.evaluate(s.position);
         QVERIFY(e.ok() && f.ok());
         QVERIFY(e.value == 0 && f.value == 0 && e.centroid == p && f.centroid == s.position);
         QVERIFY(distance(e.normal, n) <= 1e-14 && distance(e.gradient, n) <= 1e-14);
         QVERIFY(distance(base::cast<double>(f.gradient), n) <= 1e-6);
         const Evaluationd near = surface.evaluateReference(p + random.unitVector() * (1e-4 * h));
-        if (kind == Frame::CentroidGradient) { // c - p_i = r^2 A + O(r^3): grad c has rank one
-            QCOMPARE(near.cause, Cause::Collinear);
+        if (kind == Frame::CentroidGradient && !near.ok()) // c - p_i = r^2 A + O(r^3): grad c has nearly rank one
             continue;
-        }
         QVERIFY2(near.ok() && std::abs(near.value) <= 2e-4 * h, qPrintable(QString::number(near.value / h)));
         if (limit)
             QVERIFY2(distance(near.gradient, n) <= 5e-3, qPrintable(QString::number(distance(near.gradient, n))));

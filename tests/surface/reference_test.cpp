@@ -164,7 +164,7 @@ struct Differences {
             if (turning * support > 10)
                 continue;
             const brute::Answer at = brute::evaluate(all, x, e.normal);
-            if (at.sphere < 0.05 || brute::cutMoves(all, at, x, step))
+            if (at.sphere < 0.05 || brute::stepsNear(all, at, x, step))
                 continue;
             ++compared;
             worst = std::max(worst, errorAt(x, e, at));
