@@ -7,6 +7,7 @@
 #include "app/surface_options.h"
 #include "core/base/parallel.h"
 #include "core/io/safe_file.h"
+#include "core/process/curve_tube.h"
 
 #include <algorithm>
 #include <iterator>
@@ -142,6 +143,7 @@ void run(const Options& options, Console& console) {
     for (base::Rayd& ray : rays)
         ray.origin -= origin;
 
+    const surface::Surface surface = process::shownAs(document.surface(), progress); // a curve's tube
     io::SafeFile file(options.out);
     CsvWriter csv(options.surface->inDouble() ? 17 : 9);
     file.write(headerOf(options.hits));
@@ -150,7 +152,7 @@ void run(const Options& options, Console& console) {
     for (std::size_t begin = 0; begin < rays.size(); begin += batchSize) {
         progress.step(static_cast<double>(begin) / static_cast<double>(rays.size()), "Intersecting");
         const auto some = std::span(rays).subspan(begin, std::min(batchSize, rays.size() - begin));
-        const Batch batch(document.surface(), some, how, options.surface->inDouble());
+        const Batch batch(surface, some, how, options.surface->inDouble());
         writeBatch(csv, batch, options.hits, begin, origin);
         file.write(csv.take());
     }

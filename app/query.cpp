@@ -1,4 +1,5 @@
 // pointclay query: f, its derivatives and projections at positions, as CSV rows in their order.
+#include "app/curve_answers.h"
 #include "app/number_table.h"
 #include "app/open_model.h"
 #include "app/query_columns.h"
@@ -31,6 +32,8 @@ surface::Evaluationd widened(const surface::Evaluationf& e) {
     out.normal = base::cast<double>(e.normal);
     out.gradient = base::cast<double>(e.gradient);
     out.offCentre = e.offCentre;
+    out.agreement = e.agreement;
+    out.cause = e.cause;
     return out;
 }
 
@@ -87,8 +90,9 @@ std::vector<Answer> answer(const Surface& surface, const Question& question, std
             finite.push_back(x[i]);
         }
     std::vector<Answer> found(finite.size()), out(x.size());
-    (inDouble ? answerInDouble : answerInFloat)(surface, question, finite, found);
-    if (question.curvature)
+    const bool curve = surface.definition().manifold == surface::Manifold::Curve;
+    (curve ? answerOnCurve : inDouble ? answerInDouble : answerInFloat)(surface, question, finite, found);
+    if (question.curvature && !curve)
         addCurvature(surface, finite, inDouble, found);
     for (std::size_t k = 0; k < places.size(); ++k)
         out[places[k]] = found[k];
@@ -107,6 +111,7 @@ void query(const Options& options, Console& console) {
     session::Context context{document, {}, progress, {}, 0, {}, nullptr};
     const std::vector<Vec3d> points = readPoints(options.points, progress);
     openModel(context, options.model, options.surface->parameters(), console);
+    question.check(document.surface().definition().manifold);
     const Vec3d origin = document.provenance().origin;
 
     io::SafeFile file(options.out);

@@ -82,6 +82,33 @@ std::span<const WhatRow> whatTable() {
          {},
          Need::Hessian,
          writeCurvature},
+        {"agreement",
+         "agreement",
+         "length of the mean normal: 1 on one flat sheet, 0 where normals cancel",
+         {},
+         Need::Value,
+         [](CsvWriter& out, const Answer& a, const Vec3d&) { out.number(numberOf(a, a.at.agreement)); },
+         Asks::Surface},
+        {"cause",
+         "cause",
+         "why there is no answer",
+         {},
+         Need::Value,
+         [](CsvWriter& out, const Answer& a, const Vec3d&) { out.word(surface::causeName(a.at.cause)); }},
+        {"tangent",
+         "tx,ty,tz",
+         "unit tangent of a curve",
+         {},
+         Need::Gradient,
+         [](CsvWriter& out, const Answer& a, const Vec3d&) { out.vector(vectorOf(a, a.tangent)); },
+         Asks::Curve},
+        {"curvature-vector",
+         "kx,ky,kz",
+         "curvature vector of a curve, towards its centre of curvature",
+         {},
+         Need::Hessian,
+         [](CsvWriter& out, const Answer& a, const Vec3d&) { out.vector(vectorOf(a, a.curvatureVector)); },
+         Asks::Curve},
         {"project-basic", foot, "a point of the surface near by", Projector::Basic, Need::Value, writeFoot},
         {"project-almost", foot, "a point of the surface along its plane's normal", Projector::Almost, Need::Value,
          writeFoot},
@@ -95,6 +122,15 @@ std::string Question::header() const {
     for (const WhatRow* row : rows)
         out += std::string(",") + row->columns;
     return out + "\n";
+}
+
+void Question::check(surface::Manifold manifold) const {
+    const Asks wrong = manifold == surface::Manifold::Curve ? Asks::Surface : Asks::Curve;
+    for (const WhatRow* row : rows)
+        if (row->of == wrong)
+            throw UsageError(
+                "--what: " + std::string(row->id) +
+                (wrong == Asks::Curve ? " is asked of curves (--manifold curve)" : " is asked of surfaces"));
 }
 
 Status Question::status(const Answer& answer) const {

@@ -16,7 +16,11 @@ struct Answer {
     surface::Evaluationd at; ///< of the position
     surface::Curvature curvature;
     surface::Projection<double> projection;
+    base::Vec3d tangent, curvatureVector; ///< of a curve
 };
+
+/// What a question makes sense on.
+enum class Asks { Both, Surface, Curve };
 
 struct WhatRow {
     const char* id;
@@ -26,6 +30,7 @@ struct WhatRow {
     surface::Need need;                          ///< at the position, for the others
     /// Writes the columns; `valid` is false where there is no answer.
     void (*write)(CsvWriter& out, const Answer& answer, const base::Vec3d& origin);
+    Asks of = Asks::Both;
 };
 
 std::span<const WhatRow> whatTable();
@@ -39,6 +44,8 @@ struct Question {
     std::optional<surface::Projector> projector;
 
     std::string header() const;
+    /// Throws UsageError where something makes no sense on this kind of model.
+    void check(surface::Manifold manifold) const;
     /// The first of evaluation and projection that is not all right.
     surface::Status status(const Answer& answer) const;
 };

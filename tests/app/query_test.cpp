@@ -26,6 +26,8 @@ class QueryTest : public QObject {
     void raysMeetTheSphere_data();
     void raysMeetTheSphere();
     void allHitsAndAnyHitAreTold();
+    void causesAndAgreementAreTold();
+    void curvesAnswerTheSameQuestions();
 };
 
 static std::string number(double value) {
@@ -263,6 +265,59 @@ void QueryTest::allHitsAndAnyHitAreTold() {
             run("any");
             QCOMPARE(program.read("h.csv").substr(0, 10), std::string("hit\n1\n0\n1\n"));
         }
+}
+
+void QueryTest::causesAndAgreementAreTold() {
+    const Program program;
+    const auto rows = ask(program, {{0, 0, 1.01}, {0, 9, 0}}, "agreement,cause", "double");
+    QCOMPARE(rows.size(), std::size_t(3));
+    QCOMPARE(rows[0].at(4) + " " + rows[0].at(5), std::string("agreement cause"));
+    QVERIFY(std::stod(rows[1].at(4)) > 0.9 && std::stod(rows[1].at(4)) <= 1);
+    QCOMPARE(rows[1].at(5), std::string("none"));
+    QCOMPARE(rows[2].at(3), std::string("outside"));
+    QCOMPARE(rows[2].at(5), std::string("no-support"));
+    QCOMPARE(program.run({"query", "sample:sphere:4000", "--at", "p.txt", "--what", "tangent", "-o", "o.csv"}).code, 2);
+}
+
+/// A circle of points with radius 2: its foot, tangent and curvature vector; rays meet its tube.
+void QueryTest::curvesAnswerTheSameQuestions() {
+    const Program program;
+    std::string circle;
+    for (int i = 0; i < 2000; ++i)
+        circle +=
+            line({2 * std::cos(i * 0.001 * 3.14159265358979), 2 * std::sin(i * 0.001 * 3.14159265358979), 5}) + "\n";
+    program.write("circle.xyz", circle);
+    program.write("p.txt", line({2.05, 0, 5.02}) + "\n" + line({0, 40, 5}) + "\n");
+    const auto outcome = program.run({"query", "circle.xyz", "--manifold", "curve", "--support", "0.2", "--at", "p.txt",
+                                      "--what", "value,curvature,tangent,curvature-vector,project-orthogonal", "-o",
+                                      "o.csv", "--precision", "double"});
+    QVERIFY2(outcome.code == 0, outcome.err.c_str());
+    const auto rows = rowsOf(program.read("o.csv"));
+    QCOMPARE(rows.size(), std::size_t(3));
+    const auto& row = rows[1];
+    QCOMPARE(row.at(3), std::string("ok"));
+    const double radius = 2 - 0.04 / 28 / 2; // alg. 0: kappa h^2 / 28
+    QVERIFY(std::abs(std::stod(row.at(4)) - std::hypot(2.05 - radius, 0.02)) < 1e-3);
+    QVERIFY(std::abs(std::stod(row.at(5)) - 0.5) < 0.05 && std::stod(row.at(6)) == 0);
+    QVERIFY(std::abs(std::abs(vectorAt(row, 13).y) - 1) < 1e-3);
+    QVERIFY(distance(vectorAt(row, 16), {-0.5, 0, 0}) < 0.05);
+    QVERIFY(distance(vectorAt(row, 19), {radius, 0, 5}) < 1e-4);
+    QCOMPARE(rows[2].at(3), std::string("outside"));
+    program.write("rays.csv", "ox,oy,oz,dx,dy,dz\n5,0,5,-1,0,0\n0,0,9,0,0,-1\n");
+    QCOMPARE(program
+                 .run({"intersect", "circle.xyz", "--manifold", "curve", "--support", "0.2", "--rays", "rays.csv", "-o",
+                       "h.csv"})
+                 .code,
+             0);
+    const auto hits = rowsOf(program.read("h.csv"));
+    QCOMPARE(hits.at(1).at(0), std::string("1"));
+    QVERIFY(std::abs(std::stod(hits.at(1).at(1)) - (5 - radius - 0.025)) < 1e-3); // an eighth of the support
+    QCOMPARE(hits.at(2).at(0), std::string("0"));
+    QCOMPARE(program
+                 .run({"query", "circle.xyz", "--manifold", "curve", "--frame", "apss", "--at", "p.txt", "--what",
+                       "value", "-o", "o.csv"})
+                 .code,
+             1);
 }
 
 static const test::Registered<QueryTest> registered;
