@@ -16,6 +16,7 @@ class JacobianTest : public QObject {
     void footprintsFollowTheStretchOfArea();
     void swollenAndLayeredSpheresHaveTheNormalsOfTheirShape();
     void factorsBendNormalsToo();
+    void masksBendNormalsToo();
 };
 
 /// A surfel and its four neighbours at e along two tangents, numbered by their colours.
@@ -156,6 +157,29 @@ void JacobianTest::factorsBendNormalsToo() {
                      fy = (heightAt(x, y + e) - heightAt(x, y - e)) / (2 * e);
         QVERIFY(std::abs(double(s.position.z) - heightAt(x, y)) < 1e-6);
         QVERIFY(length(normalized(base::Vec3d{-fx, -fy, 1}) - base::cast<double>(s.normal)) < 3e-3);
+    }
+}
+
+void JacobianTest::masksBendNormalsToo() {
+    // Where the mask rises evenly, what it leaves of a flat lift is a slope, and the normals know.
+    surfel::SurfelList points = test::planePoints(60, 0.02);
+    for (surfel::Surfel& s : points.items)
+        s.mask = std::clamp(0.5f + 2 * s.position.x, 0.0f, 1.0f);
+    const surface::Surface plane = test::surfaceOf(points);
+    for (const char* id : {"draw", "blob"}) { // by one direction, and by a full Jacobian
+        Dab dab = dabOf(tool(id), {}, 0.5f, 1);
+        dab.falloff = Falloff::Constant;
+        if (dab.parameters.contains("magnify"))
+            dab.parameters["magnify"] = 0;
+        int looked = 0;
+        for (const surfel::Surfel& s : applied(tool(id), plane, dab).tree().surfels().items) {
+            if (std::abs(s.position.x) > 0.15f || std::abs(s.position.y) > 0.3f)
+                continue; // away from the kinks of the mask
+            QVERIFY(std::abs(s.position.z - 0.025f * (0.5f - 2 * s.position.x)) < 1e-6f);
+            QVERIFY(length(s.normal - normalized(base::Vec3f{0.05f, 0, 1})) < 1e-3f);
+            ++looked;
+        }
+        QVERIFY(looked > 100);
     }
 }
 

@@ -12,6 +12,7 @@ class ShapeToolsTest : public QObject {
     Q_OBJECT
   private slots:
     void drawSharpHasATip();
+    void drawSharpHasAnEdgeAlongTheStroke();
     void clayStripsAreSquareAndNeverPassTheirPlane();
     void inflateSwellsASphereIntoASphere();
     void layerNeverExceedsItsHeight();
@@ -50,6 +51,19 @@ void ShapeToolsTest::drawSharpHasATip() {
         if (r > 1e-3 && r < 0.1)
             QVERIFY(std::abs(std::hypot(double(each.normal.x), double(each.normal.y)) / double(each.normal.z) - 0.16) <
                     0.04);
+    }
+}
+
+void ShapeToolsTest::drawSharpHasAnEdgeAlongTheStroke() {
+    Dab dab = dabOf(tool("draw-sharp"), {0.003f, 0.001f, 0}, 0.4f, -0.8f);
+    dab.travel = {0, 0.04f, 0.01f};
+    for (const surfel::Surfel& each : applied(tool("draw-sharp"), plane(), dab).tree().surfels().items) {
+        const double x = double(each.position.x - dab.centre.x), y = double(each.position.y - dab.centre.y);
+        const double r = std::hypot(x, y) / 0.4, left = std::max(0.0, 1 - std::abs(x) / 0.4);
+        const double expected = 0.8 * 0.1 * 0.4 * double(weight(Falloff::Smooth, float(r))) * left * left;
+        QVERIFY(std::abs(double(each.position.z) - expected) < 1e-6);
+        if (std::abs(y) < 0.01 && std::abs(x) > 1e-3 && std::abs(x) < 0.04)
+            QVERIFY(double(each.normal.x) * x > 0 && std::abs(double(each.normal.x)) > 0.1); // away from the crest
     }
 }
 

@@ -1,5 +1,6 @@
 #include "core/sculpt/tools/clay_strips.h"
 
+#include "core/sculpt/tools/along_surface.h"
 #include "core/sculpt/tools/displace.h"
 
 #include <algorithm>
@@ -78,10 +79,9 @@ static tree::Edit clayStrips(const surface::Surface& version, const Dab& dab) {
     if (full == 0)
         return {};
     const base::Vec3f up = dab.strength < 0 ? -dab.areaNormal : dab.areaNormal;
-    const base::Vec3f flat = dab.travel - up * dot(up, dab.travel);
-    const base::Vec3f along = length(flat) > 1e-3f * dab.radius ? normalized(flat) : base::Vec3f{};
+    const base::Vec3f across = acrossStroke(dab), along = cross(across, dab.areaNormal);
     const float top = dot(up, dab.areaCentre - dab.centre) + dab.parameter("offset") * dab.radius;
-    return displace(version.tree(), brush, up, Strip{brush, up, along, cross(up, along), top, full});
+    return displace(version.tree(), brush, up, Strip{brush, up, along, across, top, full});
 }
 
 const ToolRow clayStripsTool{"clay-strips",

@@ -127,7 +127,7 @@ static tree::Edit clone(const surface::Surface& version, const Dab& dab) {
     options.tMax = 2 * dab.radius;
     surface::intersect(first, rays, options, hits);
     const float full = std::min(1.0f, std::abs(dab.strength));
-    return deform(blocks, brush, [&](const LanePlace& where, const BrushLanes& at, ShiftLanes& out) {
+    return deform(version.tree(), blocks, brush, [&](const LanePlace& where, const BrushLanes& at, ShiftLanes& out) {
         alignas(64) float weight[lanes], gradient[lanes];
         brush.fade(at, weight, gradient);
         out.clear();

@@ -1,5 +1,7 @@
 #include "core/sculpt/tools/deform.h"
 
+#include "core/sculpt/tools/mask_slope.h"
+
 #include <cmath>
 #include <cstring>
 
@@ -31,7 +33,8 @@ void multiply(const BrushFactors& factors, const LanePlace& where, ShiftLanes& b
 }
 
 /// Does any lane move? Multiplies by what the mask leaves.
-static bool unmask(const float* mask, const ShiftLanes& by, ShiftLanes& out) {
+static bool unmask(const tree::SurfelTree& tree, const LanePlace& where, const ShiftLanes& by, ShiftLanes& out) {
+    const float* mask = where.in.block->channel(where.cluster, surfel::Mask);
     bool moves = false;
     for (std::size_t i = 0; i < lanes; ++i) {
         const float free = 1 - mask[i];
@@ -42,13 +45,22 @@ static bool unmask(const float* mask, const ShiftLanes& by, ShiftLanes& out) {
         }
         moves |= out.d[0][i] != 0 || out.d[1][i] != 0 || out.d[2][i] != 0;
     }
-    return moves;
+    MaskSlopes slopes;
+    if (!moves || !maskSlopes(tree, *where.in.block, where.cluster, slopes))
+        return moves;
+    const float* g[3] = {slopes.gx, slopes.gy, slopes.gz};
+    for (std::size_t a = 0; a < 3; ++a)
+        for (std::size_t b = 0; b < 3; ++b)
+            for (std::size_t i = 0; i < lanes; ++i)
+                out.j[a][b][i] -= by.d[a][i] * g[b][i];
+    return true;
 }
 
-void carry(const LanePlace& where, const ShiftLanes& shift, bool footprints, surfel::MutableBlockPtr& changed) {
+void carry(const tree::SurfelTree& tree, const LanePlace& where, const ShiftLanes& shift, bool footprints,
+           surfel::MutableBlockPtr& changed) {
     const int cluster = where.cluster;
     ShiftLanes by;
-    if (!unmask(where.in.block->channel(cluster, surfel::Mask), shift, by))
+    if (!unmask(tree, where, shift, by))
         return;
     if (!changed)
         changed = where.in.block->clone();

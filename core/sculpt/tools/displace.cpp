@@ -1,5 +1,7 @@
 #include "core/sculpt/tools/displace.h"
 
+#include "core/sculpt/tools/mask_slope.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -8,8 +10,8 @@ namespace sculpt {
 /// Below 0 the deformation would turn inside out, which only a vertical rim asks for.
 constexpr float leastStretch = 0.05f;
 
-void carry(const surfel::SurfelBlock& block, int cluster, const base::Vec3f& d, const AmountLanes& by, bool footprints,
-           surfel::MutableBlockPtr& changed) {
+void carry(const tree::SurfelTree& tree, const surfel::SurfelBlock& block, int cluster, const base::Vec3f& d,
+           const AmountLanes& by, bool footprints, surfel::MutableBlockPtr& changed) {
     const float* mask = block.channel(cluster, surfel::Mask);
     alignas(64) float amount[lanes];
     bool moves = false;
@@ -21,6 +23,8 @@ void carry(const surfel::SurfelBlock& block, int cluster, const base::Vec3f& d, 
         return;
     if (!changed)
         changed = block.clone();
+    MaskSlopes slopes;
+    maskSlopes(tree, block, cluster, slopes);
     float* x = changed->channel(cluster, surfel::X);
     float* y = changed->channel(cluster, surfel::Y);
     float* z = changed->channel(cluster, surfel::Z);
@@ -30,7 +34,9 @@ void carry(const surfel::SurfelBlock& block, int cluster, const base::Vec3f& d, 
     float* support = changed->channel(cluster, surfel::Support);
     for (std::size_t i = 0; i < lanes; ++i) {
         const float free = 1 - mask[i];
-        const float gx = by.gx[i] * free, gy = by.gy[i] * free, gz = by.gz[i] * free;
+        const float gx = by.gx[i] * free - by.amount[i] * slopes.gx[i],
+                    gy = by.gy[i] * free - by.amount[i] * slopes.gy[i],
+                    gz = by.gz[i] * free - by.amount[i] * slopes.gz[i];
         const float stretch = std::max(leastStretch, 1 + gx * d.x + gy * d.y + gz * d.z);
         const float tilt = d.x * nx[i] + d.y * ny[i] + d.z * nz[i];
         const float mx = stretch * nx[i] - tilt * gx, my = stretch * ny[i] - tilt * gy,

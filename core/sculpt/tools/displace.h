@@ -2,7 +2,7 @@
 // varies.
 //
 //     p' = p + (1 - mask) a(p) d                       d the dab's direction, a(p) the tool's amount times the factors
-//     n' ~ cof(F) n = (1 + g.d) n - (d.n) g            F = I + d g^T,  g = (1 - mask) grad a
+//     n' ~ cof(F) n = (1 + g.d) n - (d.n) g            F = I + d g^T,  g = (1 - mask) grad a - a grad mask
 //     h' = h sqrt(|cof(F) n|)                          where footprints follow: |cof(F) n| is the stretch of area
 //
 // The Jacobian of such a displacement has rank one, so that its cofactor matrix, which maps normals, needs no matrix.
@@ -22,9 +22,9 @@ struct AmountLanes {
     alignas(64) float gx[lanes], gy[lanes], gz[lanes];
 };
 
-/// Carries one cluster; makes `changed` from `block` at the first lane that moves.
-void carry(const surfel::SurfelBlock& block, int cluster, const base::Vec3f& direction, const AmountLanes& by,
-           bool footprints, surfel::MutableBlockPtr& changed);
+/// Carries one cluster of a version; makes `changed` from `block` at the first lane that moves.
+void carry(const tree::SurfelTree& tree, const surfel::SurfelBlock& block, int cluster, const base::Vec3f& direction,
+           const AmountLanes& by, bool footprints, surfel::MutableBlockPtr& changed);
 
 /// The whole dab of a tool that moves along one direction.
 template <class Field>
@@ -39,7 +39,7 @@ tree::Edit displace(const tree::SurfelTree& tree, const Brush& brush, const base
                               field(static_cast<const BrushLanes&>(at), by);
                               if (!free)
                                   brush.factors.multiply(in.number, *in.block, cluster, by.amount, by.gx, by.gy, by.gz);
-                              carry(*in.block, cluster, direction, by, brush.footprints, changed);
+                              carry(tree, *in.block, cluster, direction, by, brush.footprints, changed);
                           });
 }
 

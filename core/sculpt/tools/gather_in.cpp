@@ -1,24 +1,22 @@
 #include "core/sculpt/tools/gather_in.h"
 
+#include "core/sculpt/tools/along_surface.h"
+
 #include <algorithm>
 
 namespace sculpt {
 
 /// Agreement of the summed normals below which a fold counts as closing, and above which as open.
-constexpr float closed = 0.6f, open = 0.75f;
+constexpr float closed = 0.75f, open = 0.95f;
 /// Surfels asked in the middle, and the part of the radius that counts as the middle.
 constexpr std::size_t asked = 32;
 constexpr float middle = 0.25f;
 
 GatherIn::GatherIn(const Brush& brush, const Dab& dab, const base::Vec3f& lift, float rate)
     : m_brush(brush), m_lift(lift) {
-    const base::Vec3f n = dab.areaNormal, flat = dab.travel - n * dot(n, dab.travel);
-    if (length(flat) > 1e-3f * dab.radius) {
-        const base::Vec3f across = cross(n, normalized(flat));
-        m_spread = outer(across, across) * rate;
-    } else {
-        m_spread = (base::Mat3f::identity() - outer(n, n)) * rate;
-    }
+    const base::Vec3f n = dab.areaNormal, across = acrossStroke(dab);
+    const bool round = across == base::Vec3f{};
+    m_spread = (round ? base::Mat3f::identity() - outer(n, n) : outer(across, across)) * rate;
 }
 
 void GatherIn::operator()(const LanePlace&, const BrushLanes& at, ShiftLanes& out) const {

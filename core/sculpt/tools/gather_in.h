@@ -24,7 +24,7 @@ class GatherIn {
 };
 
 /// 1 on an open surface, 0 where the middle of the brush lies in a fold that closes: the smallest |m|/w of the surfels
-/// there, from 0.6 to 0.75. Drawing together goes no further there.
+/// there, from 0.75 to 0.95. Drawing together goes no further there.
 float foldBrake(const surface::Surface& version, const Dab& dab);
 
 } // namespace sculpt

@@ -21,7 +21,7 @@ static tree::Edit inflate(const surface::Surface& version, const Dab& dab) {
     const Gathered list = gather(blocks, brush);
     std::vector<surface::Evaluationf> e(list.places.size());
     version.evaluate(list.places, surface::Need::Gradient, e);
-    return deform(blocks, brush, [&](const LanePlace& where, const BrushLanes& at, ShiftLanes& out) {
+    return deform(version.tree(), blocks, brush, [&](const LanePlace& where, const BrushLanes& at, ShiftLanes& out) {
         alignas(64) float weight[lanes], gradient[lanes];
         brush.fade(at, weight, gradient);
         out.clear();

@@ -113,7 +113,7 @@ static tree::Edit layer(const surface::Surface& version, const Dab& dab) {
     const Gathered list = gather(blocks, brush);
     const std::vector<Foot> feet = feetOf(first, list.places);
     const Layering layering(first, dab);
-    return deform(blocks, brush, [&](const LanePlace& where, const BrushLanes&, ShiftLanes& out) {
+    return deform(version.tree(), blocks, brush, [&](const LanePlace& where, const BrushLanes&, ShiftLanes& out) {
         out.clear();
         list.forCluster(where.index, where.cluster, [&](std::size_t i, std::size_t lane) {
             const base::Vec3f outwards = dab.oriented ? where.in.block->normal(list.slots[i]) : dab.areaNormal;

@@ -24,7 +24,7 @@ const ToolRow nudgeTool{"nudge",
                         "",
                         "Pushes the surface along itself, the way the stroke goes.",
                         Motion::Follow,
-                        0.75,
+                        0.5,
                         {},
                         nudge};
 

@@ -3,7 +3,7 @@
 //     p' = p - strength * 0.1 * w(|p - centre| / R) * t       t = (across . (p - centre)) across
 //
 // across lies in the brush's plane at right angles to the stroke; where the stroke has no direction yet t is all of
-// p - centre that lies in the plane. Nothing moves out of the plane. Where a fold closes (summed normals below 0.6 of
+// p - centre that lies in the plane. Nothing moves out of the plane. Where a fold closes (summed normals below 0.75 of
 // the weights under the middle of the brush) pinching fades out and stops (RESAMPLING, section 7): gather_in.h.
 #pragma once
 
