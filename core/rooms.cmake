@@ -20,6 +20,7 @@ pointclay_room(sculpt core/sculpt process)
 target_compile_options(pointclay_sculpt PRIVATE -fno-math-errno -fno-trapping-math)
 
 pointclay_room(io core/io process)
+pointclay_link(io PNG::PNG JPEG::JPEG)
 
 pointclay_room(session core/session sculpt io)
 pointclay_link(session nlohmann_json::nlohmann_json)

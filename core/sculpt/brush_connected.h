@@ -22,7 +22,7 @@ class Connected {
 
     using Slots = std::bitset<surfel::blockCapacity>;
     /// Of a block of that version, by number; null where none of its surfels is connected.
-    const Slots* slots(std::uint32_t block) const {
+    const Slots* slotsOf(std::uint32_t block) const {
         const auto found = m_blocks.find(block);
         return found == m_blocks.end() ? nullptr : &found->second;
     }

@@ -105,7 +105,7 @@ void BrushFactors::fill(std::uint32_t number, const SurfelBlock& block, int clus
         press(block, cluster, out);
     if (!m_connected)
         return;
-    const Connected::Slots* slots = m_connected->slots(number);
+    const Connected::Slots* slots = m_connected->slotsOf(number);
     for (std::size_t i = 0; i < clusterSize; ++i)
         if (!slots || !slots->test(static_cast<std::size_t>(cluster) * clusterSize + i))
             out.value[i] = out.gx[i] = out.gy[i] = out.gz[i] = 0;

@@ -68,9 +68,10 @@ Dabs::Dabs(surface::Surface start, StrokeSettings settings, const base::Vec3d& o
         m_pattern.parameters[id] = value;
 }
 
-Dabs::Form Dabs::form(float pressure) const {
-    return {m_settings.radius * std::max(leastRadius, m_pressureRadius.value(pressure)),
-            m_pressureStrength.value(pressure),
+Dabs::Form Dabs::form(const StrokeSample& sample) const {
+    const bool addsUp = m_accumulate && m_row.motion == Motion::Along;
+    return {m_settings.radius * std::max(leastRadius, m_pressureRadius.value(sample.pressure)),
+            m_pressureStrength.value(sample.pressure) * (addsUp ? sample.stride : 1.0f),
             {}};
 }
 

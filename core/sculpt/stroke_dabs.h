@@ -37,8 +37,8 @@ class Dabs {
     /// Of the stroke's first dab, along its ray; stays at a restart.
     const std::optional<float>& depth() const { return m_depth; }
 
-    /// Radius and strength under a pressure.
-    Form form(float pressure) const;
+    /// Radius and strength at a sample, by its pressure and, where dabs add up, its stride.
+    Form form(const StrokeSample& sample) const;
     /// One dab with its images at the contacts of `sample`, whose own is `first`.
     void dabAt(const StrokeSample& sample, const Contact& first, const Form& form);
 

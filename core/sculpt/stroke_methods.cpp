@@ -14,7 +14,7 @@ class Dots : public Method {
         if (!moved)
             return;
         if (const auto touched = m_dabs.contact(sample.ray))
-            m_dabs.dabAt(sample, *touched, m_dabs.form(sample.pressure));
+            m_dabs.dabAt(sample, *touched, m_dabs.form(sample));
     }
 
   private:
@@ -38,9 +38,7 @@ bool Airbrush::dab(StrokeSample sample) {
     const auto touched = m_dabs.contact(sample.ray);
     if (!touched)
         return false;
-    Dabs::Form form = m_dabs.form(sample.pressure);
-    if (m_dabs.settings().accumulate)
-        form.strength *= sample.stride;
+    Dabs::Form form = m_dabs.form(sample);
     m_dabs.dabAt(sample, *touched, form);
     return true;
 }
@@ -88,7 +86,7 @@ void Anchored::add(const StrokeSample& sample, bool) {
                 t = dot(m_anchor.position - sample.ray.origin, plane) / facing;
     if (!(facing > 0.05f) || !(t > 0) || !std::isfinite(t))
         return;
-    Dabs::Form form = m_dabs.form(sample.pressure);
+    Dabs::Form form = m_dabs.form(sample);
     form.upwards = sample.ray.at(t) - m_anchor.position;
     form.radius = length(form.upwards);
     if (form.radius > 1e-3f * m_dabs.settings().radius)

@@ -76,7 +76,7 @@ void Space::touch(const StrokeSample& sample, const Contact& at) {
     const bool follows = m_dabs.settings().stampFollows && !m_dabs.settings().stamp.empty();
     if (follows && !m_last) {
         m_dabs.begin(at);
-        m_radius = m_dabs.form(sample.pressure).radius;
+        m_radius = m_dabs.form(sample).radius;
         m_waiting = sample;
     } else {
         if (m_waiting)
@@ -88,10 +88,8 @@ void Space::touch(const StrokeSample& sample, const Contact& at) {
 }
 
 void Space::dab(const StrokeSample& sample, const Contact& at, const base::Vec3f& upwards) {
-    Dabs::Form form = m_dabs.form(sample.pressure);
+    Dabs::Form form = m_dabs.form(sample);
     m_radius = form.radius;
-    if (m_dabs.settings().accumulate)
-        form.strength *= sample.stride;
     form.upwards = upwards;
     m_dabs.dabAt(sample, at, form);
 }

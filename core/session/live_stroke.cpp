@@ -1,6 +1,7 @@
 #include "core/session/live_stroke.h"
 
 #include "core/base/error.h"
+#include "core/io/grey_image.h"
 #include "core/session/commands.h"
 #include "core/session/journal.h"
 #include "core/session/stroke_json.h"
@@ -18,11 +19,21 @@ static surface::Surface startOf(const Context& context, const sculpt::StrokeSett
     return context.document.surface();
 }
 
+static std::shared_ptr<const sculpt::BrushStamp> stampOf(const std::string& image) {
+    if (image.empty())
+        return {};
+    io::GreyImage grey = io::readGreyImage(image);
+    return std::make_shared<sculpt::BrushStamp>(grey.width, grey.height, std::move(grey.values));
+}
+
 LiveStroke::LiveStroke(Context& context, sculpt::StrokeSettings settings)
     : m_context(context), m_settings(std::move(settings)),
-      m_stroke(startOf(context, m_settings), m_settings, context.document.provenance().origin) {}
+      m_stroke(startOf(context, m_settings), m_settings, context.document.provenance().origin,
+               stampOf(m_settings.stamp)) {}
 
 bool LiveStroke::add(const sculpt::StrokeSample& sample) {
+    if (sculpt::lastOnly(m_settings) && m_samples.size() > 1) // what lies between has no say
+        m_samples.pop_back();
     m_samples.push_back(recordable(sample, m_context.document.provenance().origin));
     return m_stroke.add(m_samples.back());
 }

@@ -15,7 +15,7 @@ namespace session {
 
 class LiveStroke {
   public:
-    /// Throws base::Error for settings out of range, and where no model is open.
+    /// Throws base::Error for settings out of range, for a stamp that is no image, and where no model is open.
     LiveStroke(Context& context, sculpt::StrokeSettings settings);
 
     /// Returns true where at least one dab was made: then `surface()` is a new version.

@@ -190,8 +190,7 @@ void CommandTest::aStrokeThatMissesLeavesNoStep() {
 void CommandTest::everyToolUndoesToTheSameHash() {
     for (const sculpt::ToolRow& tool : sculpt::toolTable()) {
         Workbench bench;
-        bench.run(test::newSphere());
-        bench.run(test::strokeAt(0));
+        test::makeWorkpiece(bench);
         const std::string before = bench.hash();
         bench.context.dabs = 0;
         bench.run(test::strokeAt(0.05, tool.id));

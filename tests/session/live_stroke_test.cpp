@@ -76,11 +76,13 @@ void LiveStrokeTest::aLiveStrokeIsWhatItsLineReplays() {
         Workbench live, replayed;
         session::Journal journal(live.path("j.jsonl"));
         live.context.journal = &journal;
-        live.run(test::newSphere());
+        test::makeWorkpiece(live);
         StrokeSettings settings;
         settings.tool = tool.id;
         settings.radius = 0.3f;
         settings.symmetry.x = true;
+        if (settings.tool == "clone") // from itself it would copy what is there
+            settings.parameters["x"] = 0.3;
         session::LiveStroke stroke(live.context, settings);
         const json rows{{"samples", test::samplesAt(0.1)}};
         bool dabbed = false;

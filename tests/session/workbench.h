@@ -54,18 +54,31 @@ inline json newSphere(int count = 3000) {
     return {{"op", "new"}, {"sample", "sphere"}, {"count", count}};
 }
 
-/// Rays along -z over the front of the sphere from x = -0.4 to 0.4 at height `y`.
+/// Rays along -z over the front of the sphere from x = -0.4 to 0.4 in a shallow arc that begins at height `y`.
 inline json samplesAt(double y, int count = 12) {
     json out = json::array();
     for (int k = 0; k < count; ++k) {
         const double part = static_cast<double>(k) / (count - 1);
-        out.push_back({0.8 * part - 0.4, y, 5.0, 0.0, 0.0, -1.0, 0.5 + 0.5 * part, 0.02 * k});
+        out.push_back({0.8 * part - 0.4, y + 0.1 * part * part, 5.0, 0.0, 0.0, -1.0, 0.5 + 0.5 * part, 0.02 * k});
     }
     return out;
 }
 
 inline json strokeAt(double y, const std::string& tool = "draw") {
-    return {{"op", "stroke"}, {"tool", tool}, {"radius", 0.3}, {"samples", samplesAt(y)}};
+    json out{{"op", "stroke"}, {"tool", tool}, {"radius", 0.3}, {"samples", samplesAt(y)}};
+    if (tool == "clone") // from itself it would copy what is there
+        out["x"] = 0.3;
+    return out;
+}
+
+/// A sphere with uneven spacing, relief and colours, on which every tool finds work.
+inline void makeWorkpiece(Workbench& bench) {
+    bench.run(newSphere());
+    for (const char* tool : {"grab", "draw", "paint"}) {
+        json stroke = strokeAt(0, tool);
+        stroke["resample"] = tool == std::string_view("draw");
+        bench.run(stroke);
+    }
 }
 
 } // namespace test

@@ -1,0 +1,23 @@
+#include "core/io/grey_image.h"
+
+#include "core/io/file_bytes.h"
+
+#include <algorithm>
+
+namespace io {
+
+static bool startsWith(std::span<const unsigned char> bytes, std::initializer_list<unsigned char> magic) {
+    return bytes.size() >= magic.size() && std::equal(magic.begin(), magic.end(), bytes.begin());
+}
+
+GreyImage readGreyImage(const std::filesystem::path& path) {
+    const FileBytes file(path);
+    const std::span bytes(reinterpret_cast<const unsigned char*>(file.bytes().data()), file.size());
+    if (startsWith(bytes, {0x89, 'P', 'N', 'G'}))
+        return readPng(bytes, path.string());
+    if (startsWith(bytes, {0xff, 0xd8, 0xff}))
+        return readJpeg(bytes, path.string());
+    file.fail("is neither PNG nor JPEG", "convert it to one of them");
+}
+
+} // namespace io
