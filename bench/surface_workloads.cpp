@@ -4,6 +4,10 @@
 #include "bench/workload.h"
 #include "core/surface/curvature.h"
 #include "core/surface/project.h"
+#include "core/surface/self.h"
+
+#include <atomic>
+#include <numeric>
 
 namespace bench {
 
@@ -14,6 +18,7 @@ using surface::Projector;
 namespace {
 
 constexpr std::size_t batchSize = 16384, naiveBatch = 1024;
+constexpr std::size_t batchOfBlocks = 128; ///< about as many surfels
 /// Of projections, in units of h, as BUDGETS has it.
 constexpr double tolerance = 1e-5;
 constexpr const char* naiveWay = "nanoflann radius search, Eigen double";
@@ -48,6 +53,39 @@ Run evaluation(Scene& scene, Order order, Need need) {
     };
 }
 
+/// One call for each position.
+Run singleEvaluation(Scene& scene) {
+    auto batches = std::make_shared<Batches<Vec3f>>(scene.coherent(), naiveBatch);
+    return [&surface = scene.surface(), batches] {
+        for (const Vec3f& x : batches->next())
+            keep(surface.evaluate(x, Need::Value));
+        return batches->size();
+    };
+}
+
+Run selfEvaluation(Scene& scene, Need need) {
+    struct State {
+        std::vector<std::uint32_t> all;
+        Batches<std::uint32_t> batches;
+        static std::vector<std::uint32_t> numbers(std::size_t count) {
+            std::vector<std::uint32_t> out(count);
+            std::iota(out.begin(), out.end(), 0u);
+            return out;
+        }
+        explicit State(std::size_t blocks) : all(numbers(blocks)), batches(all, batchOfBlocks) {}
+    };
+    auto state = std::make_shared<State>(scene.surface().tree().blockCount());
+    return [&surface = scene.surface(), state, need] {
+        std::atomic<std::size_t> count = 0;
+        evaluateSelf(surface, state->batches.next(), need,
+                     [&](std::uint32_t, const surfel::SurfelBlock& block, std::span<const surface::SelfLanes> at) {
+                         keep(at);
+                         count += static_cast<std::size_t>(block.size());
+                     });
+        return count.load();
+    };
+}
+
 /// Calls `one` for some positions in a row.
 template <class Fn>
 Run naively(Scene& scene, Order order, const Fn& one) {
@@ -77,6 +115,18 @@ Workload evaluating(const char* name, const char* tip, Order order, Need need) {
                     keep(naive.evaluate(x, need));
                 });
             }};
+}
+
+Workload evaluatingSingly(const char* name, const char* tip) {
+    Workload out = evaluating(name, tip, Order::Coherent, Need::Value);
+    out.ours = singleEvaluation;
+    return out;
+}
+
+Workload evaluatingSelf(const char* name, const char* tip, Need need) {
+    Workload out = evaluating(name, tip, Order::Self, need);
+    out.ours = [need](Scene& scene) { return selfEvaluation(scene, need); };
+    return out;
 }
 
 Workload projecting(const char* name, Projector projector) {
@@ -132,9 +182,10 @@ std::vector<Workload> surfaceWorkloads() {
     return {
         evaluating("evaluate", "value, centroid and normal, positions along a space-filling curve", Order::Coherent,
                    Need::Value),
+        evaluatingSingly("evaluate-single", "the same, one call for each position"),
         evaluating("evaluate-scattered", "the same in random order", Order::Scattered, Need::Value),
-        evaluating("evaluate-self", "the same at the surfels themselves, in the tree's order", Order::Self,
-                   Need::Value),
+        evaluatingSelf("evaluate-self", "the same at the surfels themselves, in the tree's order", Need::Value),
+        evaluatingSelf("evaluate-self-gradient", "with the gradient, at the surfels themselves", Need::Gradient),
         evaluating("evaluate-gradient", "with the gradient, positions along a space-filling curve", Order::Coherent,
                    Need::Gradient),
         projecting("project-basic", Projector::Basic),
