@@ -51,7 +51,7 @@ static const char* const sheet = R"(
     QToolBar#corner { background: #24262a; padding: 0 6px; margin: 0; }
     QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
     QToolBar#corner QToolButton { padding: 0 4px; margin: 0; border: none; }
-    QToolBar#tools QToolButton { min-width: 92px; padding: 5px 6px; text-align: left; }
+    QToolBar#tools QToolButton { padding: 5px 6px; }
     QToolButton#axis { min-width: 44px; background: #3a3e45; }
     QToolButton#axis:checked { background: #4b4034; }
     QLabel#heading { color: #aeb4be; font-weight: bold; padding-top: 8px; }
