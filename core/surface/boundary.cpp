@@ -13,12 +13,13 @@ namespace {
 constexpr int maxIterations = 30;
 constexpr double tolerance = 1e-12; ///< of the last step, in units of h
 constexpr double longestStep = 0.3; ///< of Newton's, in units of h
-constexpr double leastSlope = 1e-3; ///< of o along the surface: without it o leads nowhere
+constexpr double leastSlope = 1e-3; ///< of o^2 along the surface, in units of h: without it o leads nowhere
 
-/// f and o^2 - (L h)^2 with their gradients, but for that of h, which only neighbours can tell.
+/// f and e = o^2 - (L h)^2 with their gradients.
 struct Conditions {
     Evaluationd at;
-    Vec3d slope; ///< grad o^2
+    double excess = 0; ///< e
+    Vec3d slope;       ///< grad e = 2 (I - J)^T (x - c) - 2 L^2 h grad h
 
     bool usable() const { return at.ok() || at.status == Status::BeyondBoundary; }
 };
@@ -33,7 +34,9 @@ Conditions conditionsAt(const Surface& surface, const Vec3d& x, const Hint& hint
     if (!out.usable())
         return out;
     const Vec3d d = x - out.at.centroid;
-    out.slope = (d - transposed(assembler.centroidGradient()) * d) * 2;
+    const double limit = static_cast<double>(surface.definition().boundaryLimit), reach = limit * out.at.unit;
+    out.excess = lengthSq(d) - reach * reach;
+    out.slope = (d - transposed(assembler.centroidGradient()) * d - assembler.unitGradient() * (limit * reach)) * 2;
     return out;
 }
 
@@ -41,14 +44,12 @@ Conditions conditionsAt(const Surface& surface, const Vec3d& x, const Hint& hint
 class RimNewton {
   public:
     RimNewton(const Surface& surface, const Vec3d& start, const Hint& hint)
-        : m_surface(surface), m_limit(static_cast<double>(surface.definition().boundaryLimit)), m_hint(hint),
-          m_x(start) {}
+        : m_surface(surface), m_unoriented(!surface.tree().layout()->oriented), m_hint(hint), m_x(start) {}
 
     RimSearch run() {
         RimSearch out;
-        m_here = conditionsAt(m_surface, m_x, m_hint);
+        evaluate();
         for (; m_here.usable(); ++out.iterations) {
-            m_hint.direction = base::cast<float>(m_here.at.normal);
             const Vec3d step = next();
             const double size = length(step), unit = m_here.at.unit;
             out.status = Status::NotConverged;
@@ -69,66 +70,71 @@ class RimNewton {
     }
 
   private:
-    /// dy = a g + b t with g.dy = -f and grad O.dy = -O, t the part of grad O along the surface.
+    /// dy = a g + b t with g.dy = -f and grad e.dy = -e, t the part of grad e along the surface.
     Vec3d next() {
         const Vec3d& g = m_here.at.gradient;
-        const double gg = lengthSq(g), unit = m_here.at.unit, reach = m_limit * unit;
-        m_outward = m_here.slope - g * (dot(m_here.slope, g) / gg);
-        const double steep = length(m_outward);
-        const double excess = m_here.at.offCentre * m_here.at.offCentre - reach * reach;
-        m_outward = m_outward / steep;
-        const double gain = steep - 2 * m_limit * reach * m_unitSlope;
-        if (!(gg > 0) || !(gain > leastSlope * reach))
+        const double gg = lengthSq(g), unit = m_here.at.unit;
+        const Vec3d along = m_here.slope - g * (dot(m_here.slope, g) / gg);
+        const double steep = length(along);
+        m_outward = along / steep;
+        if (!(gg > 0) || !(steep > leastSlope * unit))
             return m_outward * std::numeric_limits<double>::quiet_NaN();
         const double a = -m_here.at.value / gg;
-        return g * a + m_outward * ((-excess - a * dot(m_here.slope, g)) / gain);
+        return g * a + m_outward * ((-m_here.excess - a * dot(m_here.slope, g)) / steep);
     }
 
     bool advance(Vec3d step) {
-        const Vec3d before = m_x, outward = m_outward;
-        const double unit = m_here.at.unit;
+        const Vec3d before = m_x;
         for (int halvings = 0; halvings < 8; ++halvings, step *= 0.5) {
             m_x = before + step;
-            m_here = conditionsAt(m_surface, m_x, m_hint);
-            if (!m_here.usable())
-                continue;
-            const double along = dot(step, outward); // the slope of h as the step has shown it
-            if (std::abs(along) > 1e-9 * unit)
-                m_unitSlope = std::clamp((m_here.at.unit - unit) / along, -0.5, 0.5);
-            return true;
+            evaluate();
+            if (m_here.usable())
+                return true;
         }
         return false;
+    }
+
+    void evaluate() {
+        m_here = conditionsAt(m_surface, m_x, m_hint);
+        if (m_unoriented && m_here.usable()) // keep the sign
+            m_hint.direction = base::cast<float>(m_here.at.normal);
     }
 
     RimPoint point() const { return {m_x, base::normalized(m_here.at.gradient), m_outward, m_here.at.unit}; }
 
     const Surface& m_surface;
-    double m_limit;
-    Hint m_hint; ///< keeps the sign of frames that have none
+    bool m_unoriented;
+    Hint m_hint; ///< the one given; for frames without a sign the last normal
     Vec3d m_x, m_outward;
     Conditions m_here;
-    double m_unitSlope = 0;
 };
 
 /// One direction of traceRim.
 class Tracing {
   public:
     Tracing(const Surface& surface, const RimPoint& seed, double sense, const TraceOptions& options)
-        : m_surface(surface), m_options(options), m_sense(sense), m_seed(seed), m_at(seed),
+        : m_surface(surface), m_options(options), m_sense(sense), m_at(seed),
           m_step(0.25 * options.longestStep * seed.unit) {}
 
-    /// Appends points until the rim closes (true) or ends.
+    /// Appends points to the seed until the rim closes (true) or ends. Where f has a step, the way from the seed may
+    /// lead into a loop that does not come back to it: then the loop alone is kept (found as Brent 1980 finds cycles).
     bool run(std::vector<RimPoint>& out) {
-        const std::size_t first = out.size();
+        std::size_t mark = 0, nextMark = 64;
         while (out.size() < m_options.mostPoints) {
             RimPoint next;
             if (!go(next))
                 return false;
-            if (out.size() > first + 1 && passesSeed(next))
+            if (out.size() > mark + 2 && passes(out[mark], next)) {
+                out.erase(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(mark));
                 return true;
+            }
             out.push_back(next);
             choose(next);
             m_at = next;
+            if (out.size() == nextMark) {
+                mark = nextMark - 1;
+                nextMark *= 2;
+            }
         }
         return false;
     }
@@ -136,21 +142,31 @@ class Tracing {
   private:
     Vec3d along(const RimPoint& p) const { return p.tangent() * m_sense; }
 
-    /// The next point, half as far as often as it takes to find it where the rim was heading.
+    /// The sign of frames that have none. Others are asked as everybody asks them.
+    Hint hint() const { return m_surface.tree().layout()->oriented ? Hint{} : Hint{base::cast<float>(m_at.normal)}; }
+
+    /// The next point, half as far as often as it takes to find it where the rim was heading; else farther, over the
+    /// steps that f has where near sheets meet.
     bool go(RimPoint& next) {
-        for (; m_step > m_options.shortestStep * m_at.unit; m_step *= 0.5) {
-            const RimSearch found =
-                findRimPoint(m_surface, m_at.position + along(m_at) * m_step, {base::cast<float>(m_at.normal)});
-            if (!found.ok())
-                continue;
-            next = found.point;
-            const Vec3d way = next.position - m_at.position;
-            const double gone = length(way), turned = angle(along(m_at), along(next));
-            if (gone > 0.5 * m_step && gone < 1.5 * m_step && turned < 4 * m_options.turn &&
-                dot(way, along(m_at)) > 0.9 * gone && dot(next.normal, m_at.normal) > 0.5)
+        const double first = m_step;
+        for (; m_step > m_options.shortestStep * m_at.unit; m_step *= 0.5)
+            if (leadsOn(next))
                 return true;
-        }
+        for (m_step = 2 * first; m_step <= m_options.longestStep * m_at.unit; m_step *= 2)
+            if (leadsOn(next))
+                return true;
         return false;
+    }
+
+    bool leadsOn(RimPoint& next) const {
+        const RimSearch found = findRimPoint(m_surface, m_at.position + along(m_at) * m_step, hint());
+        if (!found.ok())
+            return false;
+        next = found.point;
+        const Vec3d way = next.position - m_at.position;
+        const double gone = length(way);
+        return gone > 0.5 * m_step && gone < 1.5 * m_step && angle(along(m_at), along(next)) < 4 * m_options.turn &&
+               dot(way, along(m_at)) > 0.9 * gone && dot(next.normal, m_at.normal) > 0.5;
     }
 
     /// By the curvature just seen, at most twice as far as before.
@@ -161,12 +177,12 @@ class Tracing {
                             std::min(2 * m_step, m_options.longestStep * next.unit));
     }
 
-    /// Whether the seed lies between the current point and the next.
-    bool passesSeed(const RimPoint& next) const {
-        const Vec3d way = next.position - m_at.position, home = m_seed.position - m_at.position;
+    /// Whether `mark` lies between the current point and the next.
+    bool passes(const RimPoint& mark, const RimPoint& next) const {
+        const Vec3d way = next.position - m_at.position, home = mark.position - m_at.position;
         const double part = dot(home, way) / lengthSq(way);
         return part > 0 && part <= 1 && length(home - way * part) < 0.25 * length(way) &&
-               dot(along(next), along(m_seed)) > 0.5 && dot(next.normal, m_seed.normal) > 0.5;
+               dot(along(next), along(mark)) > 0.5 && dot(next.normal, mark.normal) > 0.5;
     }
 
     static double angle(const Vec3d& a, const Vec3d& b) { return std::atan2(length(cross(a, b)), dot(a, b)); }
@@ -174,7 +190,7 @@ class Tracing {
     const Surface& m_surface;
     const TraceOptions& m_options;
     double m_sense; ///< 1 along the tangents, -1 against them
-    RimPoint m_seed, m_at;
+    RimPoint m_at;
     double m_step;
 };
 
@@ -203,10 +219,14 @@ Rim traceRim(const Surface& surface, const RimPoint& seed, const TraceOptions& o
     out.closed = Tracing(surface, seed, 1, options).run(out.points);
     if (out.closed)
         return out;
-    std::vector<RimPoint> before;
-    Tracing(surface, seed, -1, options).run(before);
+    std::vector<RimPoint> before{seed};
+    if (Tracing(surface, seed, -1, options).run(before)) { // a loop, as it is the other way round
+        std::reverse(before.begin(), before.end());
+        return {std::move(before), true, 0};
+    }
     std::reverse(before.begin(), before.end());
-    out.points.insert(out.points.begin(), before.begin(), before.end());
+    before.insert(before.end(), out.points.begin() + 1, out.points.end());
+    out.points = std::move(before);
     return out;
 }
 

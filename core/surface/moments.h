@@ -37,14 +37,15 @@ struct SumOptions {
 
 template <class T, int O>
 struct Moments {
-    int samples = 0;    ///< surfels with weight
-    T unit = 0;         ///< sum theta unitOf(h), with h scaled
-    Jet<T, O> one;      ///< sum theta
-    JetVec<T, O> q;     ///< sum theta q
-    JetVec<T, O> n;     ///< sum theta n
-    Jet<T, O> height;   ///< sum theta n.q
-    Jet<T, O> square;   ///< sum theta |q|^2
-    Jet<T, O> outer[6]; ///< sum theta n n^T or q q^T, by `sym`
+    int samples = 0;         ///< surfels with weight
+    T unit = 0;              ///< sum theta unitOf(h), with h scaled
+    base::Vec3<T> unitSlope; ///< sum grad theta unitOf(h): in double and from order 1 on, which rims need
+    Jet<T, O> one;           ///< sum theta
+    JetVec<T, O> q;          ///< sum theta q
+    JetVec<T, O> n;          ///< sum theta n
+    Jet<T, O> height;        ///< sum theta n.q
+    Jet<T, O> square;        ///< sum theta |q|^2
+    Jet<T, O> outer[6];      ///< sum theta n n^T or q q^T, by `sym`
 };
 
 /// Arrays of the clusters to sum over: each points at a cluster's channels (surfel_block.h). Those without support add

@@ -118,8 +118,12 @@ void sum(ClusterSpan clusters, const Vec3d& x, const SumOptions& options, Moment
             if (!(w.phi > 0))
                 continue;
             ++out.samples;
-            out.unit += w.phi * (options.weight == Weight::Gaussian ? h / static_cast<double>(gaussianReach) : h);
-            add(jetOf<O>(w, q, h), q, n, options.outer, out);
+            const Jet<double, O> theta = jetOf<O>(w, q, h);
+            const double unit = options.weight == Weight::Gaussian ? h / static_cast<double>(gaussianReach) : h;
+            out.unit += theta.v * unit;
+            if constexpr (O >= 1)
+                out.unitSlope += Vec3d{theta.d[0], theta.d[1], theta.d[2]} * unit;
+            add(theta, q, n, options.outer, out);
         }
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <unordered_map>
 
 namespace surface {
@@ -14,8 +15,9 @@ namespace {
 
 /// In units of h: o from which a surfel may have a rim near it. The last row of a regular sheet has 0.13 (alg. 6).
 constexpr double seedOffCentre = 0.1;
-constexpr double seedReach = 1;  ///< in units of h: a rim farther off than that is another surfel's
-constexpr double sameRim = 0.02; ///< in units of h: how far a rim point may be from the polyline of its rim
+constexpr double seedReach = 1; ///< in units of h: a rim farther off than that is another surfel's
+constexpr double onRim = 0.02;  ///< in units of h: how far a rim point may be from the polyline of its rim
+constexpr double sameRim = 0.1; ///< in units of h: two rims that are so close for half their way are one
 constexpr std::size_t slab = 65536;
 
 /// Rim points by their surfels, in tree order.
@@ -68,17 +70,26 @@ class Traced {
                 {rim.points[0].position, rim.points[0].position, rim.points[0].tangent(), number});
     }
 
-    /// The rim that goes through p, or -1.
-    std::ptrdiff_t rimAt(const RimPoint& p) const {
+    /// The rim that comes within `reach` of p, or -1.
+    std::ptrdiff_t rimAt(const RimPoint& p, double reach) const {
         const Key centre = keyOf(p.position);
         for (std::int64_t i = 0; i < 27; ++i) {
             const auto cell = m_cells.find({centre[0] + i % 3 - 1, centre[1] + i / 3 % 3 - 1, centre[2] + i / 9 - 1});
             if (cell == m_cells.end())
                 continue;
             for (const Segment& s : cell->second)
-                if (distanceTo(s, p.position) < sameRim * p.unit && std::abs(dot(s.tangent, p.tangent())) > 0.5)
+                if (distanceTo(s, p.position) < reach * p.unit && std::abs(dot(s.tangent, p.tangent())) > 0.5)
                     return static_cast<std::ptrdiff_t>(s.rim);
         }
+        return -1;
+    }
+
+    /// The rim that half the points of `rim` are close to, or -1.
+    std::ptrdiff_t sameAs(const Rim& rim) const {
+        std::map<std::ptrdiff_t, std::size_t> votes;
+        for (const RimPoint& p : rim.points)
+            if (const std::ptrdiff_t other = rimAt(p, sameRim); other >= 0 && 2 * ++votes[other] > rim.points.size())
+                return other;
         return -1;
     }
 
@@ -106,7 +117,7 @@ class Traced {
         return distance(p, s.a + way * part);
     }
 
-    double m_cell; ///< at least as long as a segment, and half of one more than `sameRim`
+    double m_cell; ///< at least as long as a segment, and `sameRim` more than half of one
     std::unordered_map<Key, std::vector<Segment>, KeyHash> m_cells;
 };
 
@@ -124,14 +135,19 @@ std::vector<Rim> findRims(const Surface& surface, const base::Progress& progress
     for (std::size_t i = 0; i < seeds.size(); ++i) {
         if (i % 64 == 0)
             progress.step(0.7 + 0.3 * static_cast<double>(i) / static_cast<double>(seeds.size()), "Following rims");
-        std::ptrdiff_t rim = traced.rimAt(seeds[i]);
-        if (rim < 0) {
-            rim = static_cast<std::ptrdiff_t>(out.size());
-            out.push_back(traceRim(surface, seeds[i], options));
-            traced.add(out.back(), out.size() - 1);
+        std::ptrdiff_t place = traced.rimAt(seeds[i], onRim);
+        if (place < 0) {
+            Rim rim = traceRim(surface, seeds[i], options);
+            place = traced.sameAs(rim);
+            if (place < 0) {
+                place = static_cast<std::ptrdiff_t>(out.size());
+                traced.add(rim, out.size());
+                out.push_back(std::move(rim));
+            }
         }
-        ++out[static_cast<std::size_t>(rim)].surfels;
+        ++out[static_cast<std::size_t>(place)].surfels;
     }
+    std::erase_if(out, [](const Rim& rim) { return rim.points.size() < 2; }); // nowhere to go from there
     std::stable_sort(out.begin(), out.end(), [](const Rim& a, const Rim& b) { return a.length() > b.length(); });
     return out;
 }
