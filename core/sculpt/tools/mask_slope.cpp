@@ -40,7 +40,7 @@ bool maskSlopes(const tree::SurfelTree& tree, const surfel::SurfelBlock& block, 
     const int first = cluster * surfel::clusterSize, end = std::min(block.size(), first + surfel::clusterSize);
     const float* mask = block.channel(cluster, surfel::Mask);
     const auto [least, most] = std::minmax_element(mask, mask + (end - first));
-    // Clusters reach over some spacings: where all of one are free, so are the nearest of the next but for its rim.
+    // The rim of a mask is some spacings wide: a cluster of one value lies beside it, not in it.
     if (*least == *most)
         return false;
     for (int slot = first; slot < end; ++slot) {
