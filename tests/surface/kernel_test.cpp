@@ -1,4 +1,5 @@
 // The float kernel's sums against plain loops in double, and their independence of how the clusters were found.
+#include "core/surface/assemble.h"
 #include "core/surface/clusters.h"
 #include "core/surface/definition_text.h"
 #include "core/surface/packets.h"
@@ -23,6 +24,7 @@ class KernelTest : public QObject {
     void singleBatchAndScatteredGiveTheSameBits();
     void supportScaleReachesAllSurfels();
     void hessiansFollowTheReference();
+    void shortWayGivesTheNumbersOfTheAssembler();
 };
 
 namespace {
@@ -362,6 +364,54 @@ void KernelTest::hessiansFollowTheReference() {
                         qPrintable(QString("%1: %2 %3").arg(weight.name).arg(f.hessian[k][l]).arg(d.hessian[k][l])));
         }
     }
+}
+
+/// Largest difference of two answers' numbers, in units of h where they are lengths, relative where derivatives.
+static float difference(const Evaluationf& a, const Evaluationf& b) {
+    float out = std::max({std::abs(a.value - b.value), distance(a.centroid, b.centroid), std::abs(a.unit - b.unit),
+                          std::abs(a.offCentre - b.offCentre)}) /
+                b.unit;
+    out = std::max({out, distance(a.normal, b.normal), std::abs(a.agreement - b.agreement),
+                    distance(a.gradient, b.gradient), std::abs(a.weight - b.weight) / b.weight});
+    for (int k = 0; k < 3; ++k)
+        for (int l = 0; l < 3; ++l)
+            out = std::max({out, std::abs(a.normalGradient[k][l] - b.normalGradient[k][l]) * b.unit,
+                            std::abs(a.hessian[k][l] - b.hessian[k][l]) * b.unit});
+    return out;
+}
+
+void KernelTest::shortWayGivesTheNumbersOfTheAssembler() {
+    base::Random random(test::seed());
+    const surfel::SurfelList list = shapes::jittered(shapes::torus(1, 0.4, 0.06, 0.21), 0.01, test::seed());
+    for (const bool shrinkFree : {true, false})
+        for (const float limit : {0.1f, std::numeric_limits<float>::infinity()}) {
+            SurfaceDefinition definition = shapes::definitionOf(Frame::Normals, shrinkFree);
+            definition.boundaryLimit = limit;
+            const Surface surface = shapes::surfaceOf(list, definition);
+            const SummedNormals shortWay(surface);
+            QVERIFY(shortWay.applies());
+            const Source source(surface);
+            int taken = 0;
+            for (int i = 0; i < 400; ++i) {
+                const Vec3f x = near(list, random, 0.2);
+                const ScratchClusters clusters(surface.tree(), x);
+                for (const Need need : {Need::Value, Need::Gradient, Need::Hessian}) {
+                    Evaluationf found;
+                    if (!shortWay.evaluate(clusters.span(), x, need, found))
+                        continue;
+                    ++taken;
+                    const Evaluationf expected =
+                        need == Need::Value      ? Assembler<float, 0>(source, clusters.span(), x, {}).run()
+                        : need == Need::Gradient ? Assembler<float, 1>(source, clusters.span(), x, {}).run()
+                                                 : Assembler<float, 2>(source, clusters.span(), x, {}).run();
+                    QVERIFY(found.status == expected.status && found.cause == expected.cause);
+                    QCOMPARE(found.samples, expected.samples);
+                    QVERIFY2(difference(found, expected) <= 1e-5f,
+                             qPrintable(QString::number(difference(found, expected))));
+                }
+            }
+            QVERIFY(taken > 600);
+        }
 }
 
 static const test::Registered<KernelTest> registered;

@@ -51,7 +51,7 @@ void BoundsLanesTest::lanesAnswerLikeBoxes() {
         const BoundsLanes lanes = randomLanes(random);
         const base::Vec3f x = randomPoint(random);
         const base::Box3f q = randomBox(random);
-        const float radius = static_cast<float>(random.below(9)) * 0.25f;
+        const float radius = static_cast<float>(random.below(9)) * 0.25f, reach = 1 + radius;
         float distanceSq[laneCount];
         lanes.distanceSq(x, distanceSq);
         for (int i = 0; i < laneCount; ++i) {
@@ -60,6 +60,9 @@ void BoundsLanesTest::lanesAnswerLikeBoxes() {
             QVERIFY(distanceSq[i] == box.distanceSq(x));
             QCOMPARE((lanes.supporting(x) >> i & 1) != 0, box.distanceSq(x) < support * support);
             QCOMPARE((lanes.supporting(q) >> i & 1) != 0, boxDistanceSq(box, q) < support * support);
+            const float far = reach * support;
+            QCOMPARE((lanes.supporting(x, reach) >> i & 1) != 0, box.distanceSq(x) < far * far);
+            QCOMPARE((lanes.supporting(q, reach) >> i & 1) != 0, boxDistanceSq(box, q) < far * far);
             QCOMPARE((lanes.within(x, radius * radius) >> i & 1) != 0, box.distanceSq(x) <= radius * radius);
         }
     }

@@ -183,6 +183,10 @@ void BuildTest::keysAreSortedAndComplete() {
         expected.push_back(MortonKey(grid.code(list.items[i].position)) << 32 | i);
     std::sort(expected.begin(), expected.end());
     QVERIFY(keys == expected);
+    std::vector<base::Vec3f> positions;
+    for (const surfel::Surfel& s : list.items)
+        positions.push_back(s.position);
+    QVERIFY(sortedKeys(positions, box) == expected);
     // The corners of the grid: all bits of the longest axis at its end, none at the origin.
     QCOMPARE(grid.code(box.lo), 0u);
     QCOMPARE(MortonGrid({{0, 0, 0}, {1, 1, 1}}).code({1, 1, 1}), (1u << 30) - 1);

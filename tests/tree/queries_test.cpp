@@ -14,6 +14,7 @@ class QueriesTest : public QObject {
     void supportQueryFindsTheClustersOfBruteForce();
     void supportQueryCoversEverySurfelWithWeight();
     void boxQueryCoversEveryPositionInTheBox();
+    void reachMultipliesSupports();
     void ballQueryFindsTheBlocksOfBruteForce();
     void rayVisitsEveryClusterThatItMeetsInOrder();
     void rayAlongAnAxisMeetsBordersItRunsIn();
@@ -136,6 +137,38 @@ void QueriesTest::boxQueryCoversEveryPositionInTheBox() {
             tree.forClustersInSupport(base::Box3f{centre, centre},
                                       [&](const SurfelBlock& b, int c) { atDegenerateBox.emplace_back(&b, c); });
             QVERIFY2(atPoint == atDegenerateBox, seedText());
+        }
+}
+
+void QueriesTest::reachMultipliesSupports() {
+    for (const SurfelTree& tree : m_trees)
+        for (const base::Vec3f& x : positions(100)) {
+            const float reach = static_cast<float>(m_random.uniform(1, 3));
+            const base::Box3f box = base::Box3f{x, x}.inflated(static_cast<float>(m_random.uniform(0, 0.1)));
+            std::vector<Cluster> expected, found, inBox;
+            std::vector<std::uint32_t> blocks, blocksInBox;
+            tree.forEachBlock([&](std::uint32_t, const SurfelBlock& block) {
+                for (int cluster = 0; cluster < block.clusterCount(); ++cluster) {
+                    const float far = reach * block.bounds(cluster).maxSupport;
+                    if (block.bounds(cluster).box.distanceSq(x) < far * far)
+                        expected.emplace_back(&block, cluster);
+                }
+            });
+            tree.forClustersInSupport(
+                x, [&](const SurfelBlock& b, int cluster) { found.emplace_back(&b, cluster); }, reach);
+            QVERIFY2(found == expected, seedText());
+            // the box around x holds at least as much, and its blocks are those that may
+            tree.forClustersInSupport(
+                box, [&](const SurfelBlock& b, int cluster) { inBox.emplace_back(&b, cluster); }, reach);
+            for (const Cluster& each : found)
+                QVERIFY2(std::find(inBox.begin(), inBox.end(), each) != inBox.end(), seedText());
+            tree.forEachBlock([&](std::uint32_t number, const SurfelBlock& block) {
+                if (block.boundsLanes().supporting(box, reach) != 0)
+                    blocks.push_back(number);
+            });
+            tree.forBlocksInSupport(
+                box, [&](std::uint32_t number, const SurfelBlock&) { blocksInBox.push_back(number); }, reach);
+            QVERIFY2(std::includes(blocksInBox.begin(), blocksInBox.end(), blocks.begin(), blocks.end()), seedText());
         }
 }
 
