@@ -11,8 +11,9 @@
 //     ray_roots.h     from near a root to it      ray_march.h          the first root in an interval
 //     ray_accept.h    which roots are surface     disc_kernel.h        nearest disc
 //
-// A root counts where the frame is valid, o <= limit and the slope n.g is at least `minSlope`. Curves have no hits.
-// Everything is const and may run on any thread; a ray gives the same bits alone and in any batch.
+// A root counts where the frame is valid, o <= limit (and `maxOffCentre`, where there is no limit) and the slope n.g is
+// at least `minSlope`. Curves have no hits. Everything is const and may run on any thread; a ray gives the same bits
+// alone and in any batch.
 #pragma once
 
 #include "core/surface/surface.h"
@@ -21,6 +22,10 @@ namespace surface {
 
 /// Which zeros of f are surface: the mesher and the ray caster use the same constant (RULES-4 B2).
 constexpr double minSlope = 0.3;
+/// In units of h, also of surfaces without a boundary limit: where all surfels in support lie to one side so much, f
+/// vanishes between near sheets and beside sharp parts without anything being there (alg. 6, 8). Holes of radius up to
+/// 0.75 h stay closed.
+constexpr double maxOffCentre = 0.5;
 
 template <class T>
 struct RayHit {

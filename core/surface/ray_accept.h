@@ -10,7 +10,8 @@ namespace surface {
 /// Is the frame valid there, o within the limit, and f steep enough along its own normal (alg. 2.4, test 4)?
 template <class T>
 bool isSurface(const Evaluation<T>& at) {
-    return at.ok() && dot(at.normal, at.gradient) >= static_cast<T>(minSlope);
+    return at.ok() && dot(at.normal, at.gradient) >= static_cast<T>(minSlope) &&
+           at.offCentre <= static_cast<T>(maxOffCentre) * at.unit;
 }
 
 /// The hit at t with what an evaluation at most a tolerance away tells.
@@ -28,15 +29,21 @@ RayHit<T> hitAt(RayProbe<T>& probe, double t, const Evaluation<T>& at, const bas
     return out;
 }
 
-/// The root at t, if it is surface in [tMin, tMax] and no jump of f.
+/// A place where f changes its sign.
+struct RayRoot {
+    double t = 0;
+    double step = 0; ///< what f jumps by there, where the surface has a crack that counts as closed
+};
+
+/// The root, if it is surface in [tMin, tMax], and f no jump but a crack.
 template <class T>
-std::optional<RayHit<T>> accept(RayProbe<T>& probe, double t) {
-    if (!probe.inRange(t))
+std::optional<RayHit<T>> accept(RayProbe<T>& probe, const RayRoot& root) {
+    if (!probe.inRange(root.t))
         return std::nullopt;
-    const Evaluation<T> at = probe.sample(t, Need::Gradient).at;
-    if (!isSurface(at) || std::abs(double(at.value)) > 10 * probe.tolerance(at, t))
+    const Evaluation<T> at = probe.sample(root.t, Need::Gradient).at;
+    if (!isSurface(at) || std::abs(double(at.value)) > std::max(10 * probe.tolerance(at, root.t), root.step))
         return std::nullopt;
-    return hitAt(probe, t, at, at.gradient);
+    return hitAt(probe, root.t, at, at.gradient);
 }
 
 } // namespace surface

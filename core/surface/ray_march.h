@@ -16,7 +16,7 @@ class RayMarch {
     std::optional<RayHit<T>> first(double begin, double end, double unit, bool leaving = false) {
         m_unit = unit;
         m_probe.expect(end, unit);
-        RaySample<T> last = m_probe.sample(begin);
+        RaySample<T> before, last = m_probe.sample(begin);
         bool iterate = m_setting.trace;
         if (leaving && departs(last))
             iterate = false;
@@ -30,14 +30,17 @@ class RayMarch {
                 return std::nullopt;
             const double t = std::min(last.t + stepAfter(last, end - begin), end);
             const RaySample<T> next = m_probe.sampleBeside(last, t);
+            if (const auto hit = inDip(before, last, next, dips))
+                return hit;
             if (const auto hit = between(last, next, splits))
                 return hit;
+            before = last;
             last = next;
         }
     }
 
   private:
-    static constexpr int splits = 4;
+    static constexpr int splits = 4, dips = 2;  ///< how often intervals are divided for a reason
     static constexpr double steadyCosine = 0.7; ///< unoriented normals must agree this well to carry a sign across
 
     /// A start on the surface gets the sign of the side that the ray goes to.
@@ -62,7 +65,7 @@ class RayMarch {
         return m_setting.trace && last.usable() ? std::max(step, traceFactor * std::abs(last.f())) : step;
     }
 
-    /// The first hit between two samples, splitting where the frame fails or turns too fast, or f may dip to zero.
+    /// The first hit between two samples, splitting where the frame fails or turns too fast.
     std::optional<RayHit<T>> between(const RaySample<T>& a, const RaySample<T>& b, int levels) {
         if (!a.usable() || !b.usable()) {
             const bool fails =
@@ -73,9 +76,29 @@ class RayMarch {
             return split(a, b, 0.5 * (a.t + b.t), levels);
         if ((a.f() < 0) != (b.f() < 0))
             return m_setting.refine ? refined(a, b) : crossed(a, b);
-        if (const auto lowest = dip(a, b); lowest && levels > 0)
-            return split(a, b, *lowest, levels);
         return std::nullopt;
+    }
+
+    /// The first hit about the lowest of three samples on one side: the ray may pass through a sheet and out again
+    /// between them. Looks where a parabola through them is lowest, and once more.
+    std::optional<RayHit<T>> inDip(const RaySample<T>& a, const RaySample<T>& b, const RaySample<T>& c, int levels) {
+        constexpr double low = 0.1; // of h: what falls and rises about a zero by steps of a fraction of h is lower
+        if (levels == 0 || !a.usable() || !b.usable() || !c.usable())
+            return std::nullopt;
+        const double side = b.f() < 0 ? -1 : 1, fa = side * a.f(), fb = side * b.f(), fc = side * c.f();
+        if (!(fa > fb && fc > fb && fb < low * double(b.at.unit)))
+            return std::nullopt;
+        const double ab = b.t - a.t, bc = c.t - b.t, down = (fa - fb) / ab, up = (fc - fb) / bc;
+        const double t = b.t + 0.5 * (down * bc - up * ab) / (down + up);
+        const bool early = t < b.t;
+        const RaySample<T> middle = m_probe.sampleBeside(b, t);
+        if (const auto hit = between(early ? a : b, middle, splits))
+            return hit;
+        if (const auto hit = between(middle, early ? b : c, splits))
+            return hit;
+        if (side * middle.f() < fb)
+            return inDip(early ? a : b, middle, early ? b : c, levels - 1);
+        return inDip(early ? middle : a, b, early ? c : middle, levels - 1);
     }
 
     std::optional<RayHit<T>> split(const RaySample<T>& a, const RaySample<T>& b, double t, int levels) {
@@ -85,19 +108,6 @@ class RayMarch {
         RaySample<T> after = b;
         m_probe.align(middle, after);
         return between(middle, after, levels - 1);
-    }
-
-    /// Where two samples on one side slope towards a zero between them: the ray may pass through a sheet and out again.
-    std::optional<double> dip(const RaySample<T>& a, const RaySample<T>& b) const {
-        const double side = a.f() < 0 ? -1 : 1, fa = side * a.f(), fb = side * b.f();
-        const double down = -side * a.slope(m_probe.direction()), up = side * b.slope(m_probe.direction());
-        if (!(down > 0 && up > 0))
-            return std::nullopt;
-        // where the two tangents meet
-        const double span = b.t - a.t, x = (fa - fb + up * span) / (down + up);
-        if (!(x > 0 && x < span) || fa - down * x >= 0)
-            return std::nullopt;
-        return a.t + x;
     }
 
     std::optional<RayHit<T>> refined(const RaySample<T>& a, const RaySample<T>& b) {

@@ -14,6 +14,7 @@ template <class T>
 std::optional<RayHit<T>> polished(RayProbe<T>& probe, double guess, double side) {
     constexpr double steep = 0.05;        // least |n.d|
     constexpr double high = 0.3, far = 1; // of h: how far across and along the ray the root may be
+    constexpr double nearSheets = 0.95;   // agreement
     constexpr double leastBend = 0.05;    // times 1 / h: what the derivative of n may not tell
     double t = guess;
     for (int i = 0; i < 6; ++i) {
@@ -32,8 +33,11 @@ std::optional<RayHit<T>> polished(RayProbe<T>& probe, double guess, double side)
         t += step;
         const base::Vec3d turn = base::cast<double>(at.normalGradient * base::cast<T>(d));
         const double bend = std::max(std::abs(dot(turn, d)), leastBend / unit);
-        const bool small = std::abs(step) <= 1e-2 * unit || i > 2;
-        if (small && step * step * bend <= std::abs(slope) * probe.tolerance(at, t)) {
+        // f has steps where near sheets part
+        const double most = double(at.agreement) < nearSheets ? probe.tolerance(at, t)
+                            : i > 2                           ? far * unit
+                                                              : 1e-2 * unit;
+        if (std::abs(step) <= most && step * step * bend <= std::abs(slope) * probe.tolerance(at, t)) {
             if (!probe.inRange(t))
                 return std::nullopt;
             return hitAt(probe, t, at, at.gradient + base::cast<T>(turn * step));
@@ -45,7 +49,7 @@ std::optional<RayHit<T>> polished(RayProbe<T>& probe, double guess, double side)
 /// Plane iteration (alg. 3.2.2) from a sample within the band where |f| bounds the distance, on a ray that does not
 /// graze: exact in a few steps, and at the first root.
 template <class T>
-std::optional<double> planeIteration(RayProbe<T>& probe, const RaySample<T>& start, double end) {
+std::optional<RayRoot> planeIteration(RayProbe<T>& probe, const RaySample<T>& start, double end) {
     constexpr double band = 0.5, steep = 0.25; // of h; least |n.d|
     if (std::abs(start.f()) > band * double(start.at.unit))
         return std::nullopt;
@@ -62,7 +66,7 @@ std::optional<double> planeIteration(RayProbe<T>& probe, const RaySample<T>& sta
         if (t < start.t - still || t > furthest)
             return std::nullopt;
         if (std::abs(step) <= still)
-            return t;
+            return RayRoot{t};
         s = probe.sampleBeside(s, t);
         if (!s.usable())
             return std::nullopt;
@@ -70,22 +74,38 @@ std::optional<double> planeIteration(RayProbe<T>& probe, const RaySample<T>& sta
     return std::nullopt;
 }
 
-/// Illinois' false position on the transported f. Nothing where the frame fails inside. REQUIRES: different signs.
+/// What f jumps by between two samples on either side of a crack: where the second pass for near sheets begins, f has
+/// small steps, and a surface that crosses zero there would let rays through. Zero for true jumps, which are no roots:
+/// from one sheet to another normals turn.
 template <class T>
-std::optional<double> bracketed(RayProbe<T>& probe, RaySample<T> a, RaySample<T> b) {
-    constexpr int refinements = 60;
+double crackBetween(const RayProbe<T>& probe, const RaySample<T>& a, const RaySample<T>& b) {
+    constexpr double widest = 0.1, steady = 0.9; // of h; least cosine of the normals
+    const double step = b.f() - a.f(), along = a.slope(probe.direction()), behind = b.slope(probe.direction());
+    const bool alike = double(dot(a.at.normal, b.at.normal) * a.sign * b.sign) >= steady;
+    return alike && along * step > 0 && behind * step > 0 && std::abs(step) <= widest * double(b.at.unit)
+               ? std::abs(step)
+               : 0;
+}
+
+/// Illinois' false position on the transported f, then bisection. Nothing where the frame fails inside. REQUIRES:
+/// different signs.
+template <class T>
+std::optional<RayRoot> bracketed(RayProbe<T>& probe, RaySample<T> a, RaySample<T> b) {
+    constexpr int falsePositions = 16, refinements = 70;
     double fa = a.f(), fb = b.f();
     int moved = 0; // the end that moved last: -1 a, 1 b
     for (int i = 0; i < refinements; ++i) {
         double t = a.t + (b.t - a.t) * fa / (fa - fb);
-        if (!(t > a.t && t < b.t))
+        if (!(t > a.t && t < b.t) || i >= falsePositions)
             t = 0.5 * (a.t + b.t);
         const RaySample<T> c = probe.sampleBeside(a, t);
         if (!c.usable())
             return std::nullopt;
         const double fc = c.f(), still = probe.tolerance(c.at, t);
-        if (std::abs(fc) <= 0.1 * still || b.t - a.t <= still)
-            return t;
+        if (std::abs(fc) <= 0.1 * still)
+            return RayRoot{t};
+        if (b.t - a.t <= still)
+            return RayRoot{t, crackBetween(probe, a, b)};
         if ((fc < 0) == (fa < 0)) {
             a = c, fa = fc;
             fb *= moved == -1 ? 0.5 : 1;

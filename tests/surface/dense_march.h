@@ -25,7 +25,12 @@ inline double beyondReach(const Surface& surface, const Vec3d& x) {
     return std::sqrt(double(found[0].distanceSq)) - double(surfel::surfaceReach * support);
 }
 
-/// The root of the transported f between two samples by bisection, where it is surface; its t.
+inline bool isSurface(const Evaluationd& e) {
+    return e.ok() && dot(e.normal, e.gradient) >= surface::minSlope && e.offCentre <= surface::maxOffCentre * e.unit;
+}
+
+/// The root of the transported f between two samples by bisection, where it is surface; its t. Cracks count as closed:
+/// steps of f up to 0.1 h along the slope of both sides, whose normals agree.
 inline std::optional<double> rootBetween(const Surface& surface, const base::Rayd& ray, double a, const Evaluationd& ea,
                                          double signA, double b) {
     const double fa = ea.value * signA;
@@ -43,11 +48,16 @@ inline std::optional<double> rootBetween(const Surface& surface, const base::Ray
             b = t;
         }
     }
-    const double t = 0.5 * (a + b);
-    const Evaluationd e = surface.evaluateReference(ray.at(t), Need::Gradient);
-    if (!e.ok() || std::abs(e.value) > 1e-9 * e.unit || !(dot(e.normal, e.gradient) >= surface::minSlope))
+    const Evaluationd at = surface.evaluateReference(ray.at(a), Need::Gradient);
+    Evaluationd beyond = surface.evaluateReference(ray.at(b), Need::Gradient);
+    if (dot(at.normal, beyond.normal) < 0)
+        beyond.normal = -beyond.normal, beyond.value = -beyond.value;
+    const double step = beyond.value - at.value;
+    const bool closed = std::abs(step) <= 0.1 * at.unit && dot(at.normal, beyond.normal) >= 0.9 &&
+                        dot(at.normal, ray.direction) * step > 0 && dot(beyond.normal, ray.direction) * step > 0;
+    if (!isSurface(at) || (std::abs(at.value) > 1e-9 * at.unit && !closed))
         return std::nullopt;
-    return t;
+    return 0.5 * (a + b);
 }
 
 /// All roots in [from, to], or the first; `within` the balls where surface may be, or wherever f is defined.
