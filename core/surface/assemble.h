@@ -3,8 +3,8 @@
 //
 //     sums at x -> near sheets? sums once more without those that face away (sheets.h)
 //               -> c, d = x - c -> tests of alg. 2.4, each failure with its cause
-//               -> n by the frame (covariance-at-centroid: sums at c; centroid-gradient: sums of one order more) ->
-//               sign
+//               -> n by the frame (sums at c for covariance-at-centroid, of one order more for centroid-gradient)
+//               -> its sign
 //               -> unoriented? sums once more with the surfels' normals on n's side
 //               -> f = (1-mu) n.d + mu sum theta n_i.(x - p_i) / w
 // apss has its own f by the same sums, rimls by sums with refitted weights; mu has no part in them.
