@@ -108,9 +108,11 @@ void RayAgreementTest::everyDefinitionAgreesWithDenseMarching() {
         reference.add(truth, d.hit, d.t, d.unit, 1e-6);
     }
     // a grazing ray may pass a wave of the noise that the other way of looking meets
-    QVERIFY2(fast.hits > 10 && fast.differ() <= 1, qPrintable("fast: " + fast.text()));
-    QVERIFY2(robust.differ() <= 1, qPrintable("robust: " + robust.text()));
-    QVERIFY2(reference.differ() <= 1, qPrintable("double: " + reference.text()));
+    // and the plain covariance frame turns away from the surface beyond 0.26 h (alg. 2.4), with zeros of its own
+    const int most = static_cast<Frame>(frame) == Frame::Covariance ? 4 : 1;
+    QVERIFY2(fast.hits > 10 && fast.differ() <= most, qPrintable("fast: " + fast.text()));
+    QVERIFY2(robust.differ() <= most, qPrintable("robust: " + robust.text()));
+    QVERIFY2(reference.differ() <= most, qPrintable("double: " + reference.text()));
 }
 
 /// Conservativeness (alg. 5.2.1): what marching without bounds accepts on a closed surface is in their union.

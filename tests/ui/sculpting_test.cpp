@@ -65,6 +65,10 @@ void SculptingTest::everyToolMovesPointsAndUndoBringsTheHashBack() {
     for (QAction* tool : f.window->toolBar().toolActions()) {
         tool->trigger();
         f.drag(place, place + QPointF(30, 20));
+        if (tool->text() == "Clone" || tool->text() == "Smear") { // no source, no colours: nothing to carry
+            QVERIFY(!f.editor().snapshot().canUndo);
+            continue;
+        }
         QVERIFY2(f.editor().snapshot().canUndo, qPrintable(tool->text()));
         const base::Hash128 sculpted = f.hash();
         QVERIFY2(!(sculpted == start), qPrintable(tool->text()));
