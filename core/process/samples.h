@@ -1,6 +1,6 @@
 // Sample models made by code, so that the program ships nobody's data: one table that menus, command line, tests and
-// pictures loop over. All surfaces have outward normals unless they simulate a raw scan or have no two sides. Same bits for the same
-// parameters.
+// pictures loop over. All surfaces have outward normals unless they simulate a raw scan or have no two sides. Same bits
+// for the same parameters.
 #pragma once
 
 #include "core/surface/definition.h"

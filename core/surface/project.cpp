@@ -108,7 +108,8 @@ class Projecting {
     }
     /// Whether it has: f vanishes and n has not turned.
     bool valueSuffices() const {
-        return std::abs(m_at.value) <= smallest() && distance(m_at.normal, m_lastNormal) * length(m_x0 - m_y) <= smallest();
+        return std::abs(m_at.value) <= smallest() &&
+               distance(m_at.normal, m_lastNormal) * length(m_x0 - m_y) <= smallest();
     }
 
     void evaluate(Need need) {

@@ -35,7 +35,8 @@ struct alignas(32) BoundsLanes {
 
     /// Squared distances from x to the boxes.
     void distanceSq(const base::Vec3f& x, float (&out)[laneCount]) const;
-    /// Lanes that may have weight at x, supports multiplied by `reach`: distance(x, box) < reach maxSupport (alg. 5.1.2).
+    /// Lanes that may have weight at x, supports multiplied by `reach`: distance(x, box) < reach maxSupport
+    /// (alg. 5.1.2).
     unsigned supporting(const base::Vec3f& x, float reach = 1) const;
     /// Lanes that may have weight somewhere in `q`.
     unsigned supporting(const base::Box3f& q, float reach = 1) const;
