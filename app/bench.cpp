@@ -68,13 +68,33 @@ std::string shortNumber(double value) {
     return out + units[unit];
 }
 
+/// 0.281 0.534 0.601: the median, the 99th of a hundred and the longest.
+std::string milliseconds(const std::optional<bench::Latency>& latency) {
+    if (!latency)
+        return "-";
+    std::string out;
+    for (const double seconds : {latency->median, latency->p99, latency->max}) {
+        char text[32];
+        std::snprintf(text, sizeof text, "%s%.3f", out.empty() ? "" : " ", 1e3 * seconds);
+        out += text;
+    }
+    return out;
+}
+
+ordered_json jsonOf(const std::optional<bench::Latency>& latency) {
+    if (!latency)
+        return nullptr;
+    return {{"p50", 1e3 * latency->median}, {"p99", 1e3 * latency->p99}, {"max", 1e3 * latency->max}};
+}
+
 std::string rowOf(const Workload& workload, std::size_t points, const Measurement& found) {
     const double ours = found.ours.perSecond(), baseline = found.baseline ? found.baseline->perSecond() : 0;
-    char text[256];
-    std::snprintf(text, sizeof text, "%-20s %9s %7d %10s %12s %8s  %s", workload.name.c_str(),
+    char text[320];
+    std::snprintf(text, sizeof text, "%-24s %9s %7d %10s %12s %8s %26s  %s", workload.name.c_str(),
                   shortNumber(static_cast<double>(points)).c_str(), base::threadCount(), shortNumber(ours).c_str(),
                   found.baseline ? shortNumber(baseline).c_str() : "-",
-                  found.baseline ? shortNumber(ours / baseline).c_str() : "-", workload.item.c_str());
+                  found.baseline ? shortNumber(ours / baseline).c_str() : "-", milliseconds(found.latency).c_str(),
+                  workload.item.c_str());
     return text;
 }
 
@@ -86,7 +106,9 @@ ordered_json jsonOf(const Workload& workload, std::size_t points, const Measurem
                      {"seconds", found.ours.seconds},
                      {"items_per_second", found.ours.perSecond()},
                      {"baseline", nullptr},
-                     {"baseline_items_per_second", nullptr}};
+                     {"baseline_items_per_second", nullptr},
+                     {"ms", jsonOf(found.latency)},
+                     {"baseline_ms", jsonOf(found.baselineLatency)}};
     if (found.baseline) {
         out["baseline"] = workload.baseline;
         out["baseline_items_per_second"] = found.baseline->perSecond();
@@ -99,8 +121,8 @@ void run(const Options& options, Console& console) {
     const std::unique_ptr<bench::Scene> scene = sceneOf(options, console);
     ordered_json rows = ordered_json::array();
     console.clear();
-    std::printf("%-20s %9s %7s %10s %12s %8s  %s\n", "name", "points", "threads", "items/s", "baseline/s", "ratio",
-                "item");
+    std::printf("%-24s %9s %7s %10s %12s %8s %26s  %s\n", "name", "points", "threads", "items/s", "baseline/s", "ratio",
+                "ms p50, p99, max", "item");
     for (const Workload* workload : workloads) {
         Measurement found;
         try {
@@ -125,7 +147,8 @@ std::string namesHelp() {
     for (const Workload& workload : bench::workloadTable())
         out += "\n  " + workload.name + ": a " + workload.item + ", " + workload.tip +
                "; baseline: " + (workload.baseline.empty() ? "none" : workload.baseline);
-    return out + "\n  Baselines run in one thread.";
+    return out + "\n  Baselines run in one thread. What somebody waits for has the milliseconds of single runs beside "
+                 "the rate.";
 }
 
 } // namespace

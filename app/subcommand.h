@@ -32,6 +32,7 @@ Action addInfo(CLI::App& command);
 Action addConvert(CLI::App& command);
 Action addQuery(CLI::App& command);
 Action addIntersect(CLI::App& command);
+Action addBoundary(CLI::App& command);
 Action addRender(CLI::App& command);
 Action addRun(CLI::App& command);
 Action addRecover(CLI::App& command);

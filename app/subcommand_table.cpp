@@ -10,6 +10,8 @@ std::span<const SubcommandRow> subcommandTable() {
          "pointclay query bunny.ply --at points.xyz --what value,normal,project-orthogonal -o out.csv", addQuery},
         {"intersect", "Meet rays with the surface, into a CSV file",
          "pointclay intersect bunny.ply --rays rays.csv -o hits.csv", addIntersect},
+        {"boundary", "Trace the rims of an open surface, into a CSV or OBJ file",
+         "pointclay boundary sample:moebius -o rims.obj", addBoundary},
         {"render", "Draw a model into an image file, without a window",
          "pointclay render bunny.ply -o bunny.png --size 800x600 --mode raycast", addRender},
         {"run", "Execute a session file", "pointclay run session.jsonl --model bunny.ply -o out.ply", addRun},

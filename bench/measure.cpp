@@ -15,15 +15,22 @@ double secondsSince(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Runs until `seconds` are over, once at least.
-Rate repetition(const Run& run, double seconds) {
+/// Runs until `seconds` are over, once at least; each run's own time is added to `runs`.
+Rate repetition(const Run& run, double seconds, std::vector<double>& runs) {
     Rate out;
     const auto start = Clock::now();
     do {
+        const double begin = out.seconds;
         out.items += run();
         out.seconds = secondsSince(start);
+        runs.push_back(out.seconds - begin);
     } while (out.seconds < seconds);
     return out;
+}
+
+Latency latencyOf(std::vector<double> runs) {
+    std::ranges::sort(runs);
+    return {runs[runs.size() / 2], runs[runs.size() * 99 / 100], runs.back()};
 }
 
 Rate median(std::vector<Rate> rates) {
@@ -43,20 +50,27 @@ Measurement measure(const Workload& workload, Scene& scene, double seconds, cons
             runs.push_back(std::move(naive));
     const double slice = seconds / static_cast<double>(wantedRepetitions);
     std::vector<std::vector<Rate>> rates(runs.size());
-    for (const Run& run : runs) {
+    std::vector<std::vector<double>> times(runs.size());
+    for (std::size_t i = 0; i < runs.size(); ++i) {
         step(0);
-        repetition(run, 0.5 * slice); // warms up
+        repetition(runs[i], 0.5 * slice, times[i]); // warms up
+        times[i].clear();
     }
     const auto start = Clock::now();
     const double wanted = seconds * static_cast<double>(runs.size());
     for (std::size_t k = 0; k < wantedRepetitions && (k < leastRepetitions || secondsSince(start) < wanted); ++k)
         for (std::size_t i = 0; i < runs.size(); ++i) {
             step(std::min(1.0, secondsSince(start) / wanted));
-            rates[i].push_back(repetition(runs[i], slice));
+            rates[i].push_back(repetition(runs[i], slice, times[i]));
         }
-    Measurement out{median(rates[0]), {}};
-    if (rates.size() > 1)
+    Measurement out{median(rates[0]), {}, {}, {}};
+    if (workload.awaited)
+        out.latency = latencyOf(times[0]);
+    if (rates.size() > 1) {
         out.baseline = median(rates[1]);
+        if (workload.awaited)
+            out.baselineLatency = latencyOf(times[1]);
+    }
     return out;
 }
 

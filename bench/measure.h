@@ -1,5 +1,6 @@
 // Items per second of a workload and of its baseline, side by side: after a warm-up both are repeated in turns, so that
-// whatever slows the machine down slows both, and the median repetition of each counts.
+// whatever slows the machine down slows both, and the median repetition of each counts. Where runs are waited for, each
+// is timed as well.
 #pragma once
 
 #include "bench/workload.h"
@@ -15,9 +16,15 @@ struct Rate {
     double perSecond() const { return static_cast<double>(items) / seconds; }
 };
 
+/// Of single runs, in seconds.
+struct Latency {
+    double median = 0, p99 = 0, max = 0;
+};
+
 struct Measurement {
     Rate ours;
     std::optional<Rate> baseline;
+    std::optional<Latency> latency, baselineLatency; ///< where the workload is awaited
 };
 
 /// Takes about `seconds` for each of the two, longer where three repetitions do. Throws base::Cancelled, base::Error.

@@ -75,13 +75,56 @@ Run naiveEditing(Scene& scene) {
     };
 }
 
+/// After many edits one after the other, each at one of a few places.
+surface::Surface edited(Scene& scene) {
+    tree::SurfelTree version = scene.surface().tree();
+    const std::vector<surfel::Surfel> places = scene.places(brushes);
+    const std::size_t edits = std::min<std::size_t>(1000, version.size() / 10);
+    for (std::size_t k = 0; k < edits; ++k)
+        version = version.apply(brushEdit(version, places[k % brushes], k).edit);
+    return {version, scene.surface().definition()};
+}
+
+/// Around the brushes' places, those of one after those of another.
+Run evaluating(Scene& scene, surface::Surface surface) {
+    const std::size_t perPlace = std::min<std::size_t>(512, scene.size() / brushes);
+    struct State {
+        surface::Surface surface;
+        std::vector<base::Vec3f> at;
+        std::vector<surface::Evaluationf> out;
+    };
+    auto state = std::make_shared<State>();
+    state->surface = std::move(surface);
+    std::vector<tree::Neighbour> near;
+    for (const surfel::Surfel& place : scene.places(brushes)) {
+        scene.surface().tree().nearest(place.position, perPlace, near);
+        std::ranges::sort(near, {}, [](const tree::Neighbour& n) { return std::pair(n.blockNumber, n.slot); });
+        for (const tree::Neighbour& n : near)
+            state->at.push_back(n.block->position(n.slot));
+    }
+    state->out.resize(state->at.size());
+    return [state] {
+        state->surface.evaluate(state->at, surface::Need::Value, state->out);
+        keep(state->out);
+        return state->at.size();
+    };
+}
+Run evaluatingEdited(Scene& scene) {
+    return evaluating(scene, edited(scene));
+}
+Run evaluatingUnedited(Scene& scene) {
+    return evaluating(scene, scene.surface());
+}
+
 } // namespace
 
 std::vector<Workload> treeWorkloads() {
     return {
         {"build", "surfel", "a tree from surfels in no order", "nanoflann, static index", building, naiveBuilding},
         {"edit", "edit", "1000 surfels removed and 1000 inserted at a brush", "nanoflann, dynamic index", editing,
-         naiveEditing},
+         naiveEditing, true},
+        {"evaluate-edited", "position", "evaluation in a batch where 1000 edits were done at brushes",
+         "the same before the edits", evaluatingEdited, evaluatingUnedited},
     };
 }
 

@@ -27,6 +27,8 @@ struct Workload {
     std::function<Run(Scene&)> ours;
     /// One thread. Null where there is no baseline. An empty Run where it does not speak the scene's surface.
     std::function<Run(Scene&)> naive;
+    /// A run is what somebody waits for: how long each takes is told beside the rate.
+    bool awaited = false;
 };
 
 /// All workloads in the order they are told.

@@ -24,3 +24,4 @@ pointclay_link(io PNG::PNG JPEG::JPEG)
 
 pointclay_room(session core/session sculpt io)
 pointclay_link(session nlohmann_json::nlohmann_json)
+pointclay_unhurried(pointclay_session)

@@ -1,5 +1,6 @@
-// A packet of neighbouring rays: the clusters that any of them may meet are collected once, then every ray looks
-// through them 16 boxes at a time. For kernels that are compiled once per instruction set.
+// A packet of neighbouring rays walks the tree together, front to back: nodes and blocks are opened that any of them
+// may meet, a cluster's box is then tested against 16 rays at a time. For kernels that are compiled once per
+// instruction set.
 #if defined(POINTCLAY_DISC_BEAM_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef POINTCLAY_DISC_BEAM_H
 #undef POINTCLAY_DISC_BEAM_H
@@ -8,6 +9,10 @@
 #endif
 
 #include "core/surface/disc_search.h"
+
+#include <hwy/cache_control.h>
+
+#include <cassert>
 
 HWY_BEFORE_NAMESPACE();
 namespace surface {
@@ -80,36 +85,59 @@ class BeamSlabs {
 
 class DiscBeam {
   public:
-    static constexpr std::size_t most = 16; ///< rays
+    static constexpr std::size_t most = lanes; ///< rays
 
     /// False where the rays have too little in common; they are then better walked one by one. REQUIRES: at most
     /// `most`.
-    bool collect(const tree::Node& root, std::span<const base::Rayf> rays, const DiscRange& range) {
-        if (!alike(rays))
-            return false;
-        m_count = 0;
-        std::transform(rays.begin(), rays.end(), m_slabs, [](const base::Rayf& ray) { return Slabs(ray); });
-        const BeamSlabs slabs(rays, m_slabs, farthest(root, rays, range));
-        return collectFrom(root, slabs, range);
-    }
-
-    /// What a walk of every ray would find.
-    void run(std::span<const base::Rayf> rays, const DiscRange& range, DiscHit* out) {
-        arrange();
-        for (std::size_t i = 0; i < rays.size(); ++i)
-            out[i] = runOne(rays[i], m_slabs[i], range);
-    }
-
-  private:
-    static constexpr std::size_t capacity = 128, groupSize = 7 * lanes;
-
-    /// Do the rays go about the same way?
     static bool alike(std::span<const base::Rayf> rays) {
         constexpr float spread = 0.2f; // of directions
         for (const base::Rayf& ray : rays)
             if (lengthSq(ray.direction - rays[0].direction) > spread * spread)
                 return false;
         return true;
+    }
+
+    /// What a walk of every ray would find.
+    void run(const tree::Node& root, std::span<const base::Rayf> rays, const DiscRange& range, DiscHit* out) {
+        start(rays, range);
+        const BeamSlabs slabs(rays, m_slabs, farthest(root, rays, range));
+        m_count = 0;
+        m_stack[m_count++] = {range.tMin, root.level, &root};
+        while (m_count > 0) {
+            const Entry next = m_stack[--m_count];
+            if (next.enter > m_most)
+                continue;
+            if (next.kind == isBlock)
+                openBlock(*static_cast<const surfel::SurfelBlock*>(next.what), slabs, range.tMin);
+            else
+                openNode(*static_cast<const tree::Node*>(next.what), slabs, range.tMin);
+        }
+        for (std::size_t i = 0; i < rays.size(); ++i)
+            out[i] = m_searches[i].finish();
+    }
+
+  private:
+    static constexpr int isBlock = 0; ///< kind of entries; nodes have their level
+    struct Entry {
+        float enter;
+        int kind;
+        const void* what;
+    };
+
+    void start(std::span<const base::Rayf> rays, const DiscRange& range) {
+        m_most = range.tMax;
+        for (std::size_t i = 0; i < most; ++i) {
+            const bool used = i < rays.size();
+            m_ends[i] = used ? range.tMax : -1; // the others meet nothing
+            if (used) {
+                m_slabs[i] = Slabs(rays[i]);
+                m_searches[i].start(rays[i], range);
+            }
+            for (std::size_t k = 0; k < 3; ++k) {
+                m_origins[k * lanes + i] = used ? m_slabs[i].origin[k] : 0;
+                m_inverses[k * lanes + i] = used ? m_slabs[i].inverse[k] : 1;
+            }
+        }
     }
     /// No ray is in the model's bounds at larger t.
     static float farthest(const tree::Node& root, std::span<const base::Rayf> rays, const DiscRange& range) {
@@ -121,76 +149,105 @@ class DiscBeam {
         return std::min(range.tMax, 1.001f * (box.diagonal() + 2 * range.maxSupport));
     }
 
-    bool collectFrom(const tree::Node& node, const BeamSlabs& slabs, const DiscRange& range) {
+    /// The nearest child comes to lie on top.
+    void openNode(const tree::Node& node, const BeamSlabs& slabs, float least) {
         HWY_ALIGN float enter[surfel::laneCount];
-        unsigned mask = slabs.meeting(node, range.tMin, range.tMax, enter) & node.childMask();
+        unsigned mask = slabs.meeting(node, least, m_most, enter) & node.childMask();
+        const std::size_t bottom = m_count;
+        assert(m_count + surfel::laneCount <= std::size(m_stack));
         for (; mask != 0; mask &= mask - 1) {
             const auto i = static_cast<std::size_t>(std::countr_zero(mask));
-            if (!(node.level == 1 ? collectBlock(*node.blocks[i], slabs, range)
-                                  : collectFrom(*node.nodes[i], slabs, range)))
-                return false;
+            const bool blocks = node.level == 1;
+            const void* child =
+                blocks ? static_cast<const void*>(node.blocks[i].get()) : static_cast<const void*>(node.nodes[i].get());
+            prefetch(child, 5);
+            std::size_t at = m_count++;
+            for (; at > bottom && m_stack[at - 1].enter < enter[i]; --at)
+                m_stack[at] = m_stack[at - 1];
+            m_stack[at] = {enter[i], blocks ? isBlock : node.level - 1, child};
         }
-        return true;
     }
-    bool collectBlock(const surfel::SurfelBlock& block, const BeamSlabs& slabs, const DiscRange& range) {
+
+    /// All clusters that some ray meets are asked for before the first is opened.
+    void openBlock(const surfel::SurfelBlock& block, const BeamSlabs& slabs, float least) {
         HWY_ALIGN float enter[surfel::laneCount];
-        unsigned mask = slabs.meeting(block.boundsLanes(), range.tMin, range.tMax, enter) & block.clusterMask();
+        unsigned mask = slabs.meeting(block.boundsLanes(), least, m_most, enter) & block.clusterMask();
+        unsigned rays[surfel::laneCount], met = 0;
         for (; mask != 0; mask &= mask - 1) {
             const int i = std::countr_zero(mask);
-            if (m_count == capacity)
-                return false;
-            m_found[m_count++] = {enter[i], i, &block};
-        }
-        return true;
-    }
-
-    /// Front to back, with their bounds in groups of 16.
-    void arrange() {
-        std::sort(m_found, m_found + m_count, [](const Found& a, const Found& b) { return a.enter < b.enter; });
-        for (std::size_t i = 0; i < m_count; ++i) {
-            const surfel::ClusterBounds bounds = m_found[i].block->bounds(m_found[i].cluster);
-            float* at = m_bounds + i / lanes * groupSize + i % lanes;
-            for (std::size_t k = 0; k < 3; ++k) {
-                at[k * lanes] = bounds.box.lo[k];
-                at[(3 + k) * lanes] = bounds.box.hi[k];
-            }
-            at[6 * lanes] = bounds.maxSupport;
-            m_clusters[i] = m_found[i].block->channel(m_found[i].cluster, surfel::X);
-        }
-        for (std::size_t i = m_count; i % lanes != 0; ++i)
-            for (std::size_t k = 0; k < 7; ++k)
-                m_bounds[i / lanes * groupSize + k * lanes + i % lanes] = 0; // masked later
-    }
-
-    DiscHit runOne(const base::Rayf& ray, const Slabs& slabs, const DiscRange& range) {
-        m_search.start(ray, range);
-        for (std::size_t first = 0; first < m_count && m_found[first].enter <= m_search.most(); first += lanes) {
-            HWY_ALIGN float enter[lanes];
-            unsigned mask = meeting<lanes>(BoundsArrays(m_bounds + first / lanes * groupSize), slabs, range.tMin,
-                                           m_search.most(), enter);
-            if (m_count - first < lanes)
-                mask &= (1u << (m_count - first)) - 1;
-            for (; mask != 0; mask &= mask - 1) {
-                const auto i = static_cast<std::size_t>(std::countr_zero(mask));
-                if (enter[i] <= m_search.most())
-                    m_search.open(m_clusters[first + i]);
+            rays[i] = raysMeeting(block.boundsLanes(), i, least);
+            if (rays[i] != 0) {
+                met |= 1u << i;
+                prefetch(block.channel(i, surfel::X), 7);
             }
         }
-        return m_search.finish();
+        if (met == 0)
+            return;
+        for (; met != 0; met &= met - 1) {
+            const int i = std::countr_zero(met);
+            openCluster(block.channel(i, surfel::X), rays[i]);
+        }
+        m_most = latestEnd();
+    }
+    void openCluster(const float* cluster, unsigned rays) {
+        const D d;
+        for (int first = 0; first < lanes; first += static_cast<int>(hn::Lanes(d))) {
+            const Discs discs = Discs::load(d, cluster, first);
+            for (unsigned left = rays; left != 0; left &= left - 1) {
+                const auto ray = static_cast<std::size_t>(std::countr_zero(left));
+                m_searches[ray].meet(cluster, discs);
+                m_ends[ray] = m_searches[ray].most();
+            }
+        }
     }
 
-    struct Found {
-        float enter;
-        int cluster;
-        const surfel::SurfelBlock* block;
-    };
+    /// Those that meet the bound of a cluster before their end: as `meeting`, with rays in the lanes.
+    unsigned raysMeeting(const surfel::BoundsLanes& bounds, int cluster, float least) const {
+        const D d;
+        const int width = static_cast<int>(hn::Lanes(d));
+        const float reach = bounds.maxSupport[cluster] * surfel::surfaceReach;
+        const float lo[3] = {bounds.loX[cluster] - reach, bounds.loY[cluster] - reach, bounds.loZ[cluster] - reach};
+        const float hi[3] = {bounds.hiX[cluster] + reach, bounds.hiY[cluster] + reach, bounds.hiZ[cluster] + reach};
+        unsigned out = 0;
+        for (int first = 0; first < lanes; first += width) {
+            V begin = hn::Zero(d), end = hn::Set(d, std::numeric_limits<float>::max());
+            for (int k = 0; k < 3; ++k) {
+                const V origin = hn::Load(d, m_origins + k * lanes + first),
+                        inverse = hn::Load(d, m_inverses + k * lanes + first);
+                const V a = hn::Mul(hn::Sub(hn::Set(d, lo[k]), origin), inverse);
+                const V b = hn::Mul(hn::Sub(hn::Set(d, hi[k]), origin), inverse);
+                begin = hn::Max(begin, hn::Min(a, b));
+                end = hn::Min(end, hn::Max(a, b));
+            }
+            begin = hn::Max(hn::Mul(begin, hn::Set(d, earlyBy)), hn::Set(d, least));
+            end = hn::Min(hn::Mul(end, hn::Set(d, lateBy)), hn::Load(d, m_ends + first));
+            std::uint8_t bits[8] = {};
+            hn::StoreMaskBits(d, hn::Le(begin, end), bits);
+            out |= (bits[0] | static_cast<unsigned>(bits[1]) << 8) << first;
+        }
+        return out;
+    }
 
+    float latestEnd() const {
+        const D d;
+        V out = hn::Load(d, m_ends);
+        for (int first = static_cast<int>(hn::Lanes(d)); first < lanes; first += static_cast<int>(hn::Lanes(d)))
+            out = hn::Max(out, hn::Load(d, m_ends + first));
+        return hn::GetLane(hn::MaxOfLanes(d, out));
+    }
+
+    static void prefetch(const void* from, int lines) {
+        for (int i = 0; i < lines; ++i)
+            hwy::Prefetch(static_cast<const char*>(from) + 64 * i);
+    }
+
+    HWY_ALIGN float m_origins[3 * lanes], m_inverses[3 * lanes];
+    HWY_ALIGN float m_ends[lanes]; ///< of each ray's search
+    float m_most = 0;              ///< the latest of them
     Slabs m_slabs[most];
-    DiscSearch m_search;
+    DiscSearch m_searches[most];
     std::size_t m_count = 0;
-    Found m_found[capacity];
-    const float* m_clusters[capacity];
-    HWY_ALIGN float m_bounds[capacity / lanes * groupSize];
+    Entry m_stack[16 * surfel::laneCount]; ///< a walk leaves at most 7 entries on each level of the tree
 };
 
 } // namespace HWY_NAMESPACE

@@ -130,9 +130,9 @@ void nearestDispatched(const tree::Node& root, std::span<const base::Rayf> rays,
     std::size_t done = 0;
     while (rays.size() - done >= fewest) {
         const auto run = rays.subspan(done, std::min(DiscBeam::most, rays.size() - done));
-        if (!beam.collect(root, run, range))
+        if (!DiscBeam::alike(run))
             break;
-        beam.run(run, range, out + done);
+        beam.run(root, run, range, out + done);
         done += run.size();
     }
     walkTogether(root, rays.subspan(done), range, out + done);
@@ -143,8 +143,9 @@ bool chordDispatched(const float* cluster, const base::Rayf& ray, float& begin, 
     const int width = static_cast<int>(hn::Lanes(d));
     begin = DiscHit::none, end = -DiscHit::none;
     for (int first = 0; first < lanes; first += width) {
-        const Seen seen = see(d, cluster + first, ray);
-        const V half = halfChord(d, seen, hn::Mul(seen.h, hn::Set(d, surfel::surfaceReach)));
+        const Discs discs = Discs::load(d, cluster, first);
+        const Seen seen = see(d, discs, ray);
+        const V half = halfChord(d, seen, hn::Mul(discs.h, hn::Set(d, surfel::surfaceReach)));
         const M met = hn::Gt(half, hn::Zero(d));
         if (hn::AllFalse(d, met))
             continue;

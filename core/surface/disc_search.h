@@ -36,28 +36,15 @@ class DiscSearch {
 
     void open(const float* c) {
         const D d;
-        const int width = static_cast<int>(hn::Lanes(d));
-        const V none = hn::Set(d, DiscHit::none);
-        for (int first = 0; first < lanes; first += width) {
-            const Crossings found = cross(d, c + first, m_ray);
-            if (hn::AllFalse(d, hn::Or(found.crossed, found.brushed)))
-                continue;
-            const V t = found.t();
-            const M ahead = hn::And(hn::Ge(t, hn::Set(d, m_least)), hn::Le(t, hn::Set(d, m_most)));
-            const M crossed = hn::And(found.crossed, ahead), brushed = hn::And(found.brushed, ahead);
-            if (HWY_UNLIKELY(!hn::AllFalse(d, brushed)))
-                noteBrushed(d, brushed, t, found.seen.h);
-            if (hn::AllFalse(d, crossed))
-                continue;
-            const M against = hn::And(crossed, hn::Lt(found.slope, hn::Zero(d)));
-            const V front = hn::IfThenElse(against, t, none), any = hn::IfThenElse(crossed, t, none);
-            m_hit.facing = std::min(m_hit.facing, hn::GetLane(hn::MinOfLanes(d, front)));
-            const V least = hn::MinOfLanes(d, any);
-            if (comesBefore(hn::GetLane(least), c)) {
-                const auto i = static_cast<std::size_t>(hn::FindFirstTrue(d, hn::Eq(any, least)));
-                noteNearest(hn::GetLane(least), lane(d, found.slope, i), lane(d, found.seen.h, i), c);
-            }
-        }
+        for (int first = 0; first < lanes; first += static_cast<int>(hn::Lanes(d)))
+            meet(c, Discs::load(d, c, first));
+    }
+    /// Some discs of the cluster c.
+    HWY_INLINE void meet(const float* c, const Discs& discs) {
+        const D d;
+        const Crossings found = cross(d, discs, m_ray);
+        if (!hn::AllFalse(d, hn::Or(found.crossed, found.brushed)))
+            note(c, discs, found);
     }
 
     DiscHit finish() {
@@ -74,6 +61,28 @@ class DiscSearch {
     }
 
   private:
+    HWY_INLINE void note(const float* c, const Discs& discs, const Crossings& found) {
+        const D d;
+        const V t = found.t(), none = hn::Set(d, DiscHit::none);
+        const M ahead = hn::And(hn::Ge(t, hn::Set(d, m_least)), hn::Le(t, hn::Set(d, m_most)));
+        const M crossed = hn::And(found.crossed, ahead), brushed = hn::And(found.brushed, ahead);
+        if (HWY_UNLIKELY(!hn::AllFalse(d, brushed)))
+            noteBrushed(d, brushed, t, discs.h);
+        if (hn::AllFalse(d, crossed))
+            return;
+        const V any = hn::IfThenElse(crossed, t, none), least = hn::MinOfLanes(d, any);
+        const float nearest = hn::GetLane(least);
+        const M along = hn::And(crossed, hn::Ge(found.slope, hn::Zero(d)));
+        float facing = nearest;
+        if (HWY_UNLIKELY(!hn::AllFalse(d, along)))
+            facing = hn::GetLane(hn::MinOfLanes(d, hn::IfThenElse(along, none, any)));
+        m_hit.facing = std::min(m_hit.facing, facing);
+        if (comesBefore(nearest, c)) {
+            const auto i = static_cast<std::size_t>(hn::FindFirstTrue(d, hn::Eq(any, least)));
+            noteNearest(nearest, lane(d, found.slope, i), lane(d, discs.h, i), c);
+        }
+    }
+
     /// Of crossings at one t, that of the cluster with the smaller bytes counts.
     bool comesBefore(float t, const float* c) const {
         if (t != m_hit.nearest)
@@ -114,8 +123,10 @@ class DiscSearch {
         const V most = hn::Set(d, 0.5f * m_hit.support);
         HWY_ALIGN float weights[lanes], offsets[lanes];
         for (int first = 0; first < lanes; first += width) {
-            const Crossings found = cross(d, m_cluster + first, m_ray);
-            const V t = found.t(), weight = weightOf(d, found, t), offset = hn::Sub(t, hn::Set(d, m_hit.nearest));
+            const Discs discs = Discs::load(d, m_cluster, first);
+            const Crossings found = cross(d, discs, m_ray);
+            const V t = found.t(), weight = weightOf(d, discs, found, t),
+                    offset = hn::Sub(t, hn::Set(d, m_hit.nearest));
             const M alike = hn::Gt(hn::Mul(found.slope, hn::Set(d, m_hit.cosine)), hn::Zero(d));
             const M used = hn::And(hn::And(found.crossed, alike), hn::Lt(hn::Abs(offset), most));
             hn::Store(hn::IfThenElseZero(used, weight), d, weights + first);

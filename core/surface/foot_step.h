@@ -65,7 +65,6 @@ class TangentMatrix {
         m_vv += (T(2) * ev * sv - both * sv * sv) / square;
     }
 
-    T tangentialSq(const base::Vec3<T>& r) const { return dot(r, m_u) * dot(r, m_u) + dot(r, m_v) * dot(r, m_v); }
     T smallest() const { return T(0.5) * (m_uu + m_vv) - radius(); }
 
     /// The inverse times r, with all eigenvalues taken as `least` or more.
@@ -94,16 +93,46 @@ class TangentMatrix {
 constexpr double leastEstimated = 0.5; ///< of W's eigenvalues, while Dv is estimated or the step is long
 constexpr double leastExact = 0.05;    ///< with Dv itself and a short step
 constexpr double shortStep = 0.1;      ///< in units of h
+constexpr double smallBend = 0.2;      ///< |s Dv| up to which a series does
 constexpr double longestStep = 0.5;    ///< along the surface, in units of h
 
-/// r across the plane plus W^-1 r along it, by an estimate of W.
-template <class T>
-base::Vec3<T> guarded(const Iterate<T>& at, const TangentMatrix<T>& w) {
+/// r across the plane plus `inverse` of r along it, which is W^-1 r by some estimate of W.
+template <class T, class Inverse>
+base::Vec3<T> guardedBy(const Iterate<T>& at, const Inverse& inverse) {
     const base::Vec3<T> r = at.plain();
     const base::Vec3<T> across = at.along * (dot(at.along, r) / lengthSq(at.along));
-    const base::Vec3<T> p = w.solve(r - across, T(leastEstimated));
-    const T size = length(p), reach = T(longestStep) * at.unit;
-    return across + (size > reach ? p * (reach / size) : p);
+    const base::Vec3<T> p = inverse(r - across);
+    const T square = lengthSq(p), reach = T(longestStep) * at.unit;
+    return across + (square > reach * reach ? p * (reach / std::sqrt(square)) : p);
+}
+template <class T>
+base::Vec3<T> guarded(const Iterate<T>& at, const TangentMatrix<T>& w) {
+    return guardedBy(at, [&](const base::Vec3<T>& r) { return w.solve(r, T(leastEstimated)); });
+}
+/// Nothing is known of W.
+template <class T>
+base::Vec3<T> guarded(const Iterate<T>& at) {
+    return guardedBy(at, [](const base::Vec3<T>& r) { return r; });
+}
+
+/// The same where s Dv is small, W^-1 by its series: three terms leave an error of smallBend^3. False where it is not.
+template <class T>
+bool guardedBySeries(const Iterate<T>& at, const base::Mat3<T>& dv, T factor, base::Vec3<T>& out) {
+    const T s = at.parts * factor;
+    T square = 0;
+    for (const auto& row : dv.m)
+        square += row[0] * row[0] + row[1] * row[1] + row[2] * row[2];
+    if (!(s * s * square <= T(smallBend * smallBend)))
+        return false;
+    const base::Vec3<T> r = at.plain();
+    const T inverse = T(1) / lengthSq(at.along);
+    const auto tangential = [&](const base::Vec3<T>& v) { return v - at.along * (dot(at.along, v) * inverse); };
+    const base::Vec3<T> t = tangential(r), once = tangential(dv * t) * s, twice = tangential(dv * once) * s;
+    const base::Vec3<T> p = t - once + twice;
+    if (!(lengthSq(p) <= T(longestStep * longestStep) * at.unit * at.unit))
+        return false;
+    out = r - t + p;
+    return true;
 }
 
 /// Newton's step with Dv, or zero where the guard forbids it.

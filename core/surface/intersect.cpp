@@ -1,6 +1,7 @@
 #include "core/surface/intersect.h"
 
 #include "core/base/parallel.h"
+#include "core/surface/ray_order.h"
 #include "core/surface/ray_policy.h"
 
 #include <cassert>
@@ -71,13 +72,21 @@ class RayPacket {
 
 template <class Fn>
 void forPackets(const RaySetting& setting, std::span<const base::Rayf> rays, const Fn& fn) {
-    base::parallelChunks(rays.size(), packetSize * packetsPerTask,
-                         [&](std::size_t begin, std::size_t end, std::size_t) {
-                             RayPacket packet(setting);
-                             for (std::size_t first = begin; first < end; first += packetSize)
-                                 packet.run(rays.subspan(first, std::min(packetSize, end - first)),
-                                            [&](std::size_t i, RayPolicy<float>& policy) { fn(first + i, policy); });
-                         });
+    const std::vector<std::uint32_t> order = viewOrder(rays, setting.surface.tree().bounds());
+    base::parallelChunks(
+        rays.size(), packetSize * packetsPerTask, [&](std::size_t begin, std::size_t end, std::size_t) {
+            RayPacket packet(setting);
+            base::Rayf ordered[packetSize];
+            for (std::size_t first = begin; first < end; first += packetSize) {
+                const std::size_t count = std::min(packetSize, end - first);
+                const auto number = [&](std::size_t i) {
+                    return order.empty() ? first + i : static_cast<std::size_t>(order[first + i]);
+                };
+                for (std::size_t i = 0; i < count; ++i)
+                    ordered[i] = rays[number(i)];
+                packet.run({ordered, count}, [&](std::size_t i, RayPolicy<float>& policy) { fn(number(i), policy); });
+            }
+        });
 }
 
 /// fn(policy) of one ray.
@@ -88,20 +97,27 @@ auto alone(const RaySetting& setting, const base::Ray<T>& ray, const Fn& fn) {
     return fn(policy);
 }
 
+template <class T>
+RayHit<T> firstOf(RayPolicy<T>& policy) {
+    RayHit<T> out;
+    policy.first(out);
+    return out;
+}
+
 } // namespace
 
 RayHit<float> intersect(const Surface& surface, const base::Rayf& ray, const IntersectOptions& options) {
-    return alone({surface, options}, ray, [](auto& policy) { return policy.first(); });
+    return alone({surface, options}, ray, [](auto& policy) { return firstOf<float>(policy); });
 }
 
 RayHit<double> intersectReference(const Surface& surface, const base::Rayd& ray, const IntersectOptions& options) {
-    return alone({surface, options}, ray, [](auto& policy) { return policy.first(); });
+    return alone({surface, options}, ray, [](auto& policy) { return firstOf<double>(policy); });
 }
 
 void intersect(const Surface& surface, std::span<const base::Rayf> rays, const IntersectOptions& options,
                std::span<RayHit<float>> out) {
     assert(rays.size() == out.size());
-    forPackets({surface, options}, rays, [&](std::size_t i, auto& policy) { out[i] = policy.first(); });
+    forPackets({surface, options}, rays, [&](std::size_t i, auto& policy) { policy.first(out[i]); });
 }
 
 std::vector<RayHit<float>> intersectAll(const Surface& surface, const base::Rayf& ray,

@@ -160,13 +160,26 @@ class Projecting {
             if (lengthSq(out) > T(0))
                 return out;
         }
+        base::Vec3<T> out;
+        if (m_need != Need::Value && !derivative && guardedBySeries(here, m_at.normalGradient, bendFactor(), out))
+            return out;
+        const bool learns = m_steps > 0 && !derivative && alongSurface(m_lastStep, here.along);
+        if (m_need == Need::Value && !learns)
+            return guarded(here);
         TangentMatrix<T> w(base::normalized(here.along));
         if (m_need != Need::Value)
-            w.add(orthogonal() && !derivative ? m_at.normalGradient * length(m_at.gradient) : bend(), here.parts);
-        if (m_steps > 0 && !derivative && w.tangentialSq(m_lastStep) > T(0.25) * lengthSq(m_lastStep))
+            w.add(derivative ? bend() : m_at.normalGradient * bendFactor(), here.parts);
+        if (learns)
             w.learn(m_lastStep, m_last.plain() - here.plain());
         return guarded(here, w);
     }
+    /// Whether at least half of a step is, so that it tells how the direction turns there.
+    static bool alongSurface(const base::Vec3<T>& step, const base::Vec3<T>& direction) {
+        const T across = dot(step, direction);
+        return across * across < T(0.75) * lengthSq(step) * lengthSq(direction);
+    }
+    /// The gradient turns about as the frame's normal does.
+    T bendFactor() const { return orthogonal() ? length(m_at.gradient) : T(1); }
     const base::Mat3<T>& bend() const { return orthogonal() ? m_at.hessian : m_at.normalGradient; }
 
     /// Whether steps still shrink. Where f jumps (overlapping scans, sheets told apart) they go round in circles.

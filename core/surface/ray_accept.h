@@ -16,8 +16,7 @@ bool isSurface(const Evaluation<T>& at) {
 
 /// The hit at t with what an evaluation at most a tolerance away tells.
 template <class T>
-RayHit<T> hitAt(RayProbe<T>& probe, double t, const Evaluation<T>& at, const base::Vec3<T>& gradient) {
-    RayHit<T> out;
+void hitAt(RayProbe<T>& probe, double t, const Evaluation<T>& at, const base::Vec3<T>& gradient, RayHit<T>& out) {
     out.hit = true;
     out.t = static_cast<T>(t);
     out.position = base::cast<T>(probe.position(t));
@@ -26,6 +25,11 @@ RayHit<T> hitAt(RayProbe<T>& probe, double t, const Evaluation<T>& at, const bas
     out.unit = at.unit;
     out.agreement = at.agreement;
     out.evaluations = probe.takeEvaluations();
+}
+template <class T>
+RayHit<T> hitAt(RayProbe<T>& probe, double t, const Evaluation<T>& at, const base::Vec3<T>& gradient) {
+    RayHit<T> out;
+    hitAt(probe, t, at, gradient, out);
     return out;
 }
 

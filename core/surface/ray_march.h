@@ -26,7 +26,7 @@ class RayMarch {
                     if (const auto hit = accept(m_probe, *root))
                         return hit;
             iterate = m_setting.trace;
-            if (last.t >= end)
+            if (last.t >= end && !follows(last, end, begin))
                 return std::nullopt;
             const double t = std::min(last.t + stepAfter(last, end - begin), end);
             const RaySample<T> next = m_probe.sampleBeside(last, t);
@@ -49,6 +49,19 @@ class RayMarch {
         if (!s.usable() || std::abs(s.f()) > epsilon)
             return false;
         s.at.value = static_cast<T>(std::copysign(epsilon, s.slope(m_probe.direction()))) * s.sign;
+        return true;
+    }
+
+    /// From a disc that is crossed at a flat angle it may be far to the surface: goes on while the ray comes closer to
+    /// a surface that is near already.
+    bool follows(const RaySample<T>& last, double& end, double begin) {
+        constexpr double near = 0.2, further = 0.5, most = 10; // of h
+        const double unit = double(last.at.unit), still = std::min(end + further * unit, m_probe.mostT());
+        if (!m_setting.discs || !last.usable() || !(still > end) || end > begin + most * unit ||
+            std::abs(last.f()) > near * unit || last.f() * last.slope(m_probe.direction()) > 0)
+            return false;
+        end = still;
+        m_probe.expect(end, m_unit);
         return true;
     }
 
@@ -76,6 +89,34 @@ class RayMarch {
             return split(a, b, 0.5 * (a.t + b.t), levels);
         if ((a.f() < 0) != (b.f() < 0))
             return m_setting.refine ? refined(a, b) : crossed(a, b);
+        return passesThrough(a, b) ? atTurn(a, b) : std::nullopt;
+    }
+
+    /// Between near sheets and about sharp parts f tells of the nearest sheet alone: where normals turn between two
+    /// samples on one side, and the plane at one of them is crossed between them, the ray may have been on the other.
+    bool passesThrough(const RaySample<T>& a, const RaySample<T>& b) const {
+        constexpr double turned = 0.9; // cosine of the normals at most
+        if (!m_setting.oriented || double(dot(a.at.normal, b.at.normal)) >= turned)
+            return false;
+        const base::Vec3d& d = m_probe.direction();
+        const double span = b.t - a.t, down = a.slope(d) * (a.f() < 0 ? 1 : -1), up = b.slope(d) * (b.f() < 0 ? -1 : 1);
+        return std::abs(a.f()) < down * span || std::abs(b.f()) < up * span;
+    }
+
+    /// The first hit about the place where f goes over from one sheet to the other: if either is crossed, then next to
+    /// it.
+    std::optional<RayHit<T>> atTurn(RaySample<T> a, RaySample<T> b) {
+        constexpr int halvings = 6;
+        for (int i = 0; i < halvings; ++i) {
+            const RaySample<T> c = m_probe.sampleBeside(a, 0.5 * (a.t + b.t));
+            if (!c.usable())
+                return std::nullopt;
+            if ((c.f() < 0) != (a.f() < 0)) {
+                const auto hit = between(a, c, 0);
+                return hit ? hit : between(c, b, 0);
+            }
+            (dot(c.at.normal, a.at.normal) > dot(c.at.normal, b.at.normal) ? a : b) = c;
+        }
         return std::nullopt;
     }
 

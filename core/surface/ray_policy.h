@@ -13,26 +13,27 @@ class RayPolicy {
     RayPolicy(const RaySetting& setting, RaySources& sources, const base::Ray<T>& ray, const DiscHit* known = nullptr)
         : m_setting(setting), m_probe(setting, sources, ray), m_known(known), m_march(m_probe) {}
 
-    RayHit<T> first() {
-        const auto hit = valid() ? next(m_setting.options.tMin, false) : std::nullopt;
-        return hit ? *hit : missed();
+    void first(RayHit<T>& out) {
+        if (!valid() || !next(double(m_setting.options.tMin), false, out)) {
+            out = {};
+            out.evaluations = m_probe.takeEvaluations();
+        }
     }
     std::vector<RayHit<T>> all() {
         std::vector<RayHit<T>> out;
-        auto hit = valid() ? next(m_setting.options.tMin, false) : std::nullopt;
-        for (; hit; hit = next(past(*hit), true))
-            out.push_back(*hit);
+        RayHit<T> hit;
+        bool more = valid() && next(double(m_setting.options.tMin), false, hit);
+        for (; more; more = next(past(hit), true, hit))
+            out.push_back(hit);
         return out;
     }
-    bool any() { return valid() && next(double(m_setting.options.tMin), true).has_value(); }
+    bool any() {
+        RayHit<T> hit;
+        return valid() && next(double(m_setting.options.tMin), true, hit);
+    }
 
   private:
     bool valid() const { return m_setting.any && lengthSq(m_probe.direction()) > 0; }
-    RayHit<T> missed() {
-        RayHit<T> out;
-        out.evaluations = m_probe.takeEvaluations();
-        return out;
-    }
     /// Far enough behind a hit to find the next.
     double past(const RayHit<T>& hit) const {
         const double size = length(m_probe.position(double(hit.t)));
@@ -40,42 +41,47 @@ class RayPolicy {
         return double(hit.t) + std::max(secondaryEpsilon * spacingOfUnit * double(hit.unit), rounding);
     }
 
-    std::optional<RayHit<T>> next(double from, bool leaving) {
-        return m_setting.discs ? byDiscs(from, leaving) : byBounds(from, leaving);
+    /// The first hit from `from` on; `out` means nothing where there is none.
+    bool next(double from, bool leaving, RayHit<T>& out) {
+        return m_setting.discs ? byDiscs(from, leaving, out) : byBounds(from, leaving, out);
+    }
+    static bool take(const std::optional<RayHit<T>>& hit, RayHit<T>& out) {
+        if (hit)
+            out = *hit;
+        return hit.has_value();
     }
 
-    std::optional<RayHit<T>> byBounds(double from, bool leaving) {
-        std::optional<RayHit<T>> out;
+    bool byBounds(double from, bool leaving, RayHit<T>& out) {
+        bool found = false;
         forSurfaceIntervals(m_setting.surface, m_probe.rounded(), from, m_setting.options.tMax,
                             [&](const SurfaceInterval& i) {
-                                out = m_march.first(i.begin, i.end, i.unit, leaving && i.begin == from);
-                                return !out;
+                                found = take(m_march.first(i.begin, i.end, i.unit, leaving && i.begin == from), out);
+                                return !found;
                             });
-        return out;
+        return found;
     }
 
     /// From disc to disc; what a doubtful one might hide is marched.
-    std::optional<RayHit<T>> byDiscs(double from, bool leaving) {
+    bool byDiscs(double from, bool leaving, RayHit<T>& out) {
         constexpr double before = 0.5, behind = 1.0; // of h: the surface about a disc's crossing, along grazing rays
-        if (const auto hit = nearStart(from, leaving))
-            return hit;
+        if (nearStart(from, leaving, out))
+            return true;
         while (from <= double(m_setting.options.tMax)) {
             const DiscHit disc = nearest(from);
             if (!disc.crossed() && !disc.brushed())
                 break;
-            if (!disc.doubtful())
-                if (const auto hit = atDisc(disc, from))
-                    return hit;
+            if (!disc.doubtful() && atDisc(disc, from, out))
+                return true;
             const double unit = unitOf(m_setting.surface.definition().weight, disc.reach());
             const double begin = std::max(from, double(disc.first()) - before * unit);
             const double end = std::min(double(disc.last()) + behind * unit, double(m_setting.options.tMax));
-            if (const auto hit = m_march.first(begin, end, unit))
-                return hit;
+            if (take(m_march.first(begin, end, unit), out))
+                return true;
             from = std::max(end, std::nextafter(from, std::numeric_limits<double>::infinity()));
             if (!(end < double(m_setting.options.tMax)))
                 break;
         }
-        return std::nullopt;
+        return false;
     }
 
     DiscHit nearest(double from) {
@@ -88,25 +94,24 @@ class RayPolicy {
         return out;
     }
 
-    std::optional<RayHit<T>> atDisc(const DiscHit& disc, double from) {
-        auto hit = polished(m_probe, double(disc.guess), double(disc.cosine));
-        return hit && double(hit->t) >= from ? hit : std::nullopt;
+    bool atDisc(const DiscHit& disc, double from, RayHit<T>& out) {
+        return polished(m_probe, double(disc.guess), double(disc.cosine), out) && double(out.t) >= from;
     }
 
     /// Starting near the surface there may be a root with its discs behind: marches until it is left, and moves `from`
     /// there.
-    std::optional<RayHit<T>> nearStart(double& from, bool leaving) {
+    bool nearStart(double& from, bool leaving, RayHit<T>& out) {
         constexpr double reach = 0.8; // of h
         if (m_known || !m_setting.bounds.contains(base::cast<float>(m_probe.position(from))))
-            return std::nullopt;
-        const Evaluation<T> at = m_probe.guess(from);
+            return false;
+        const Evaluation<T>& at = m_probe.guess(from);
         if (at.status == Status::Outside)
-            return std::nullopt;
+            return false;
         const double unit = at.unit > T(0) ? double(at.unit) : double(m_setting.maxSupport);
         const double end = std::min(from + reach * unit, double(m_setting.options.tMax));
-        const auto hit = m_march.first(from, end, unit, leaving);
+        const bool found = take(m_march.first(from, end, unit, leaving), out);
         from = end;
-        return hit;
+        return found;
     }
 
     const RaySetting& m_setting;

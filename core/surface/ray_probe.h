@@ -41,6 +41,18 @@ struct RaySetting {
 struct RaySources {
     explicit RaySources(const Surface& surface) : guesses(surface, Steps::Apart), steps(surface, Steps::Close) {}
     Source guesses, steps;
+    /// Room for one evaluation: making one anew takes longer than much of what is done with it.
+    template <class T>
+    Evaluation<T>& room() {
+        if constexpr (std::is_same_v<T, float>)
+            return m_single;
+        else
+            return m_double;
+    }
+
+  private:
+    Evaluation<float> m_single;
+    Evaluation<double> m_double;
 };
 
 template <class T>
@@ -65,16 +77,22 @@ class RayProbe {
 
     const RaySetting& setting() const { return m_setting; }
     bool inRange(double t) const { return t >= double(m_setting.options.tMin) && t <= double(m_setting.options.tMax); }
+    double mostT() const { return double(m_setting.options.tMax); }
     const base::Vec3d& direction() const { return m_direction; }
     base::Vec3d position(double t) const { return m_origin + m_direction * t; }
     base::Rayf rounded() const { return {base::cast<float>(m_origin), base::cast<float>(m_direction)}; }
     /// Evaluations since the last call.
     int takeEvaluations() { return std::exchange(m_evaluations, 0); }
 
-    /// Around the first guess: no neighbourhood is collected but the packet's.
-    Evaluation<T> guess(double t) {
+    /// Around the first guess: no neighbourhood is collected but the packet's. Good until the next call.
+    const Evaluation<T>& guess(double t) {
         ++m_evaluations;
-        return m_sources.guesses.evaluate(base::cast<T>(position(t)), Need::Gradient);
+        Evaluation<T>& out = m_sources.template room<T>();
+        if constexpr (std::is_same_v<T, float>)
+            m_sources.guesses.evaluate(base::cast<T>(position(t)), Need::Gradient, {}, out);
+        else
+            out = m_sources.guesses.evaluate(base::cast<T>(position(t)), Need::Gradient);
+        return out;
     }
     /// Says how far ahead samples will be asked for, and in what unit of h.
     void expect(double end, double unit) {

@@ -7,43 +7,42 @@
 namespace surface {
 
 /// Newton's method along the ray from the first guess: t -= f / (g.d). The step's own error, step^2 |d.H.d| / 2 |g.d|
-/// with the derivative of n standing in for H, tells when no further evaluation is needed. Nothing where the ray
+/// with the derivative of n standing in for H, tells when no further evaluation is needed. False where the ray
 /// grazes, the root is not near the guess or not surface, or it is no root that a ray meets from `side`, the sign of
 /// n.d at the disc.
 template <class T>
-std::optional<RayHit<T>> polished(RayProbe<T>& probe, double guess, double side) {
+bool polished(RayProbe<T>& probe, double guess, double side, RayHit<T>& out) {
     constexpr double steep = 0.05;        // least |n.d|
     constexpr double high = 0.3, far = 1; // of h: how far across and along the ray the root may be
     constexpr double nearSheets = 0.95;   // agreement
-    constexpr double leastBend = 0.05;    // times 1 / h: what the derivative of n may not tell
+    constexpr double leastBend = 0.1;     // times 1 / h: what the derivative of n may not tell
     double t = guess;
     for (int i = 0; i < 6; ++i) {
-        const Evaluation<T> at = probe.guess(t);
+        const Evaluation<T>& at = probe.guess(t);
         if (!isSurface(at))
-            return std::nullopt;
+            return false;
         const base::Vec3d& d = probe.direction();
         const base::Vec3d g = base::cast<double>(at.gradient);
         const double unit = double(at.unit), slope = dot(g, d);
         if (std::abs(slope) < steep || slope * side < 0)
-            return std::nullopt;
+            return false;
         const double step = -double(at.value) / slope;
         const double moved = std::abs(t + step - guess);
         if (moved > far * unit || moved * std::abs(slope) > high * unit)
-            return std::nullopt;
+            return false;
         t += step;
         const base::Vec3d turn = base::cast<double>(at.normalGradient * base::cast<T>(d));
         const double bend = std::max(std::abs(dot(turn, d)), leastBend / unit);
         // f has steps where near sheets part
-        const double most = double(at.agreement) < nearSheets ? probe.tolerance(at, t)
-                            : i > 2                           ? far * unit
-                                                              : 1e-2 * unit;
-        if (std::abs(step) <= most && step * step * bend <= std::abs(slope) * probe.tolerance(at, t)) {
+        const double still = probe.tolerance(at, t), most = double(at.agreement) < nearSheets ? still : far * unit;
+        if (std::abs(step) <= most && step * step * bend <= std::abs(slope) * still) {
             if (!probe.inRange(t))
-                return std::nullopt;
-            return hitAt(probe, t, at, at.gradient + base::cast<T>(turn * step));
+                return false;
+            hitAt(probe, t, at, at.gradient + base::cast<T>(turn * step), out);
+            return true;
         }
     }
-    return std::nullopt;
+    return false;
 }
 
 /// Plane iteration (alg. 3.2.2) from a sample within the band where |f| bounds the distance, on a ray that does not

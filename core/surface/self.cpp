@@ -49,11 +49,7 @@ void SelfEvaluator::evaluateCluster(const surfel::SurfelBlock& block, int cluste
     const base::Box3f box = block.bounds(cluster).box;
     m_near.clear();
     m_candidates.select(box, m_near);
-    const std::size_t aligned = 16; // floats of 64 bytes
-    m_scratch.resize(std::max(m_scratch.size(), selfScratch(m_near.size()) + aligned));
-    float* scratch = m_scratch.data();
-    while (reinterpret_cast<std::uintptr_t>(scratch) % 64 != 0)
-        ++scratch;
+    float* scratch = m_scratch.room(selfRows, m_near.size());
     const SelfInput in{block.channel(cluster, surfel::X),
                        box,
                        m_near.span(),

@@ -13,6 +13,7 @@
 #pragma once
 
 #include "core/surface/candidates.h"
+#include "core/surface/pick_scratch.h"
 #include "core/surface/summed_normals.h"
 
 #include <functional>
@@ -56,7 +57,7 @@ class SelfEvaluator {
     SummedNormals m_plain;
     Candidates m_candidates;
     ClusterList m_near;
-    std::vector<float> m_scratch;
+    PickScratch m_scratch;
 };
 
 /// Calls fn(blockNumber, block, evaluations) for the blocks of the given numbers, or all, in parallel. What fn does

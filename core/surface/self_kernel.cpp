@@ -11,52 +11,26 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 // Per instruction set, after the main header.
+#include "core/surface/kernel_pick.h"
 #include "core/surface/kernel_weights.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace surface {
 namespace HWY_NAMESPACE {
 
-/// The surfels around, one row for each channel, and one for 1 / h.
-struct Around {
-    enum Row : int { InverseSupport = surfel::Support + 1, rows };
-    const float* row[rows];
-    std::size_t count = 0;
-};
-
-HWY_INLINE V outside(V lo, V hi, V p) {
-    return hn::Max(hn::Max(hn::Sub(lo, p), hn::Sub(p, hi)), hn::Zero(D()));
-}
+/// Rows are the channels, then 1 / h.
+enum AroundRow : int { InverseSupport = surfel::Support + 1 };
+using Around = Picked<selfRows>;
 
 HWY_INLINE Around pickAround(const SelfInput& in, float* scratch) {
-    const D d;
-    const std::size_t stride = (in.around.size() + 1) * lanes;
-    std::size_t count = 0;
-    const V3 lo{constant(in.box.lo.x), constant(in.box.lo.y), constant(in.box.lo.z)};
-    const V3 hi{constant(in.box.hi.x), constant(in.box.hi.y), constant(in.box.hi.z)};
-    for (const float* cluster : in.around)
-        for (std::size_t first = 0; first < lanes; first += hn::Lanes(d)) {
-            const float* c = cluster + first;
-            const V3 p = load3(c, lanes), n = load3(c + surfel::NormalX * lanes, lanes);
-            const V h = hn::Mul(hn::Load(d, c + surfel::Support * lanes), constant(in.scale));
-            const V3 away{outside(lo.x, hi.x, p.x), outside(lo.y, hi.y, p.y), outside(lo.z, hi.z, p.z)};
-            const V reach = hn::Mul(h, constant(queryReach(1)));
-            const M keep = hn::Lt(dot(away, away), hn::Mul(reach, reach));
-            const Packing packing(keep);
-            const auto append = [&](int row, V value) {
-                hn::StoreU(packing.pack(value), d, scratch + static_cast<std::size_t>(row) * stride + count);
-            };
-            append(surfel::X, p.x), append(surfel::Y, p.y), append(surfel::Z, p.z);
-            append(surfel::NormalX, n.x), append(surfel::NormalY, n.y), append(surfel::NormalZ, n.z);
-            append(surfel::Support, h);
-            append(Around::InverseSupport, hn::Div(constant(1), h));
-            count += hn::CountTrue(d, keep);
-        }
-    Around out;
-    for (std::size_t k = 0; k < Around::rows; ++k)
-        out.row[k] = scratch + k * stride;
-    out.count = count;
-    return out;
+    const BoxLanes box(in.box);
+    return pickFrom<selfRows>(in.around, scratch, [&](const float* c, const auto& append) {
+        const V3 p = load3(c, lanes), n = load3(c + surfel::NormalX * lanes, lanes);
+        const V h = hn::Mul(hn::Load(D(), c + surfel::Support * lanes), constant(in.scale));
+        const V reach = hn::Mul(h, constant(queryReach(1)));
+        append(hn::Lt(box.distanceSq(p), hn::Mul(reach, reach)), p.x, p.y, p.z, n.x, n.y, n.z, h,
+               hn::Div(constant(1), h));
+    });
 }
 
 /// One surfel around, against all positions: y = x - p points away from it.
@@ -68,7 +42,7 @@ struct Pair {
         const auto channel = [&](int k) { return constant(around.row[k][i]); };
         y = {hn::Sub(x.x, channel(surfel::X)), hn::Sub(x.y, channel(surfel::Y)), hn::Sub(x.z, channel(surfel::Z))};
         n = {channel(surfel::NormalX), channel(surfel::NormalY), channel(surfel::NormalZ)};
-        inverse = channel(Around::InverseSupport);
+        inverse = channel(InverseSupport);
         squareY = dot(y, y);
         r = hn::Mul(hn::Sqrt(squareY), inverse);
     }

@@ -15,12 +15,10 @@ struct SelfInput {
     bool gradient;
 };
 
-/// Floats of scratch that `selfKernel` needs for so many clusters around; 64-byte aligned.
-constexpr std::size_t selfScratch(std::size_t clusters) {
-    return 8 * (clusters + 1) * surfel::clusterSize;
-}
+constexpr std::size_t selfRows = surfel::Support + 2; ///< that `selfKernel` picks into
 
-/// Evaluates at the 16 surfels; returns a bit for each that is special, whose numbers are not to be used.
+/// Evaluates at the 16 surfels; returns a bit for each that is special, whose numbers are not to be used. `scratch` has
+/// room for selfRows.
 unsigned selfKernel(const SelfInput& in, float* scratch, SelfLanes& out);
 
 } // namespace surface

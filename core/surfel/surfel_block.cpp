@@ -1,5 +1,7 @@
 #include "core/surfel/surfel_block.h"
 
+#include "core/base/clones.h"
+
 #include <bit>
 #include <cassert>
 #include <cstdlib>
@@ -81,16 +83,40 @@ void SurfelBlock::setExtra(int slot, std::span<const std::uint32_t> in) {
         std::memcpy(channel(slot / clusterSize, Extra + static_cast<int>(k)) + slot % clusterSize, &in[k], 4);
 }
 
+/// Least and most of 16 values, halves against each other.
+[[gnu::always_inline]] static inline void range(const float* value, float& least, float& most) {
+    float lo[8], hi[8];
+    for (int i = 0; i < 8; ++i)
+        lo[i] = smaller(value[i], value[i + 8]), hi[i] = larger(value[i], value[i + 8]);
+    for (int i = 0; i < 4; ++i)
+        lo[i] = smaller(lo[i], lo[i + 4]), hi[i] = larger(hi[i], hi[i + 4]);
+    least = smaller(smaller(lo[0], lo[1]), smaller(lo[2], lo[3]));
+    most = larger(larger(hi[0], hi[1]), larger(hi[2], hi[3]));
+}
+
+/// Bounds of a full cluster; `data` are its channels.
+POINTCLAY_CLONES
+static void fullBounds(const float* data, ClusterBounds& out) {
+    range(data + X * clusterSize, out.box.lo.x, out.box.hi.x);
+    range(data + Y * clusterSize, out.box.lo.y, out.box.hi.y);
+    range(data + Z * clusterSize, out.box.lo.z, out.box.hi.z);
+    float least;
+    range(data + Support * clusterSize, least, out.maxSupport);
+}
+
 void SurfelBlock::seal() {
     m_box = {};
     m_maxSupport = 0;
     for (int cluster = 0; cluster < clusterCount(); ++cluster) {
         ClusterBounds bounds;
         const int lanes = std::min(clusterSize, m_size - cluster * clusterSize);
-        for (int lane = 0; lane < lanes; ++lane) {
-            bounds.box.extend(position(cluster * clusterSize + lane));
-            bounds.maxSupport = std::max(bounds.maxSupport, channel(cluster, Support)[lane]);
-        }
+        if (lanes == clusterSize)
+            fullBounds(channel(cluster, X), bounds);
+        else
+            for (int lane = 0; lane < lanes; ++lane) {
+                bounds.box.extend(position(cluster * clusterSize + lane));
+                bounds.maxSupport = std::max(bounds.maxSupport, channel(cluster, Support)[lane]);
+            }
         m_bounds.set(cluster, bounds.box, bounds.maxSupport);
         m_box.extend(bounds.box);
         m_maxSupport = std::max(m_maxSupport, bounds.maxSupport);

@@ -12,7 +12,7 @@ using test::Program;
 
 class CommandLineTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void helpNamesEverySubcommandWithAnExample();
     void helpOfRunNamesEveryCommandAndTool();
     void wrongUsageIsTwo_data();

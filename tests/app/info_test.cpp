@@ -11,7 +11,7 @@ using test::Program;
 
 class InfoTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void theObjectHasTheContractsKeys();
     void aGridIsDescribedExactly();
     void fewPointsAreDescribedWithoutASurface();

@@ -14,7 +14,7 @@ using test::rowsOf;
 
 class QueryTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void columnsFollowTheContract_data();
     void columnsFollowTheContract();
     void rowsKeepTheirOrderAndPlaces();

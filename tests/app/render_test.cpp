@@ -12,7 +12,7 @@ using test::Program;
 
 class RenderTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void depthIsTheDistanceToTheSphere_data();
     void depthIsTheDistanceToTheSphere();
     void statsHaveTheContractsKeys();

@@ -12,7 +12,7 @@ using test::Program;
 
 class RunTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void outputsAreWritten();
     void threadsDoNotShow();
     void savedAndOpenedAreTheSame();

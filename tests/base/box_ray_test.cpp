@@ -8,7 +8,7 @@ using namespace base;
 
 class BoxRayTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void emptyBoxContainsNothingAndGrowsToWhatItIsGiven();
     void distanceIsThatOfTheNearestPoint();
     void clippedIntervalIsInsideAndItsEndsAreOnTheBox();

@@ -9,7 +9,7 @@ using namespace base;
 
 class Mat3Test : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void eigenvectorsRebuildTheMatrix();
     void closeEigenvaluesKeepTheirDigits();
     void cofactorMapsNormalsLikeTheInverseTranspose();

@@ -13,7 +13,7 @@ using namespace base;
 
 class ParallelTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void everyItemIsVisitedOnce();
     void chunksDoNotDependOnThreads();
     void anExceptionReachesTheCaller();

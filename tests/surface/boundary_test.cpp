@@ -14,7 +14,7 @@ using base::Vec3d, base::Vec3f;
 
 class BoundaryTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void straightRimsLieWhereTheoryPutsThem_data();
     void straightRimsLieWhereTheoryPutsThem();
     void rimPointsFulfilBothConditions();

@@ -333,20 +333,4 @@ inline Mat3d hessian(const Model& model, const Vec3d& x, const Answer& at, doubl
     return (out + transposed(out)) * 0.5;
 }
 
-/// Orthogonal projection by the plain fixed-point iteration of alg. 3.1 with the plane of alg. 2.6.
-inline bool projectOrthogonally(const Model& model, const Vec3d& x0, Vec3d& foot) {
-    foot = x0;
-    for (int i = 0; i < 400; ++i) {
-        const Answer a = evaluate(model, foot);
-        if (!a.valid)
-            return false;
-        const Vec3d next = x0 - a.g * ((a.f + dot(a.n, x0 - foot)) / dot(a.n, a.g));
-        const double step = distance(next, foot);
-        foot = next;
-        if (step < 1e-13 * a.unit)
-            return true;
-    }
-    return false;
-}
-
 } // namespace brute

@@ -12,7 +12,7 @@ using shapes::definitionOf, shapes::surfelAt;
 
 class CausesTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void nothingNearBy();
     void onePointAndTwo();
     void manyAtOnePlace();

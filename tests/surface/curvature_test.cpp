@@ -14,7 +14,7 @@ using shapes::definitionOf, shapes::surfelAt;
 
 class CurvatureTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void spheres_data();
     void spheres();
     void cylinders_data() { spheres_data(); }

@@ -52,7 +52,7 @@ constexpr Frame frames[] = {Frame::Covariance, Frame::CovarianceAtCentroid, Fram
 
 class CurveTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void lineIsExact();
     void circleShrinksByItsMoment();
     void helixShrinksByItsCurvature();

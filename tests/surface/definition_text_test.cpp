@@ -11,7 +11,7 @@ using namespace surface;
 
 class DefinitionTextTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void namesComeBackAsTheirValues();
     void wordsBringBackTheSameBits();
     void boundaryIsAWordOrANumber();

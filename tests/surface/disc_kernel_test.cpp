@@ -13,7 +13,7 @@ using base::Vec3d, base::Vec3f;
 
 class DiscKernelTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void walksFindTheNearestOfAllDiscs();
     void packetsGiveTheBitsOfSingleRays_data();
     void packetsGiveTheBitsOfSingleRays();

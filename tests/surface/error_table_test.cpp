@@ -1,10 +1,14 @@
-// The table of errors against the float64 brute force, per frame, weight and model: f in units of h, the gradient, and
-// principal curvatures times h, of the float64 reference and of float32. It is printed, and held to bounds.
+// The table of errors against the float64 brute force, per frame, weight and model: f in units of h, the gradient,
+// principal curvatures times h, and the three foot points in units of h, of the float64 reference and of float32. It is
+// printed, and held to bounds.
+//
+// Basic projections promise some point of the surface near by: theirs is |f| of brute force at the foot. The others
+// must be on the foot that the plain iteration reaches, where that converges.
 //
 // Positions lie around the surface, up to 0.2 h off it. Left out, and counted, are those where the frame turns by more
 // than `mostTurn` radians per h: an eigenvector near its closing gap multiplies every rounding by that, squared for
 // curvature. Scans are patches of the files in the folder that POINTCLAY_DATA names.
-#include "brute_force.h"
+#include "brute_feet.h"
 #include "core/process/prepare.h"
 #include "core/surface/curvature.h"
 #include "core/surface/definition_text.h"
@@ -19,7 +23,7 @@ using base::Vec3d, base::Vec3f;
 
 class ErrorTableTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void errors_data();
     void errors();
 };
@@ -32,11 +36,13 @@ constexpr int positions = 12;
 /// Worst over the positions.
 struct Errors {
     double f = 0, g = 0, k = 0;
+    double feet[3] = {}; ///< by Projector
 };
 
 struct Row {
     Errors reference, single;
     int compared = 0, turning = 0, failed = 0;
+    int feet = 0; ///< how many were compared
 };
 
 void raise(double& worst, double error) {
@@ -67,6 +73,30 @@ double turnOf(const Evaluationd& e) {
         for (const double entry : row)
             out = std::max(out, std::abs(entry));
     return out * e.unit;
+}
+
+/// Compares the feet of x, an ok position of brute force where the frame's normal is `hint`.
+void compareFeet(const Surface& surface, const brute::Model& local, const Vec3f& at, const Vec3d& hint, double unit,
+                 Row& out) {
+    const Vec3d x = base::cast<double>(at);
+    const Hint side{surface.tree().layout()->oriented ? Vec3f{} : base::cast<float>(hint)};
+    for (const auto& each : projectorNames()) {
+        ProjectOptions options;
+        options.projector = each.value;
+        Vec3d plain;
+        const Projection<double> d = projectReference(surface, x, options, side);
+        const Projection<float> f = project(surface, at, options, side);
+        if (!d.ok() || !f.ok() || !brute::project(local, x, each.value, plain, hint))
+            continue;
+        ++out.feet;
+        const auto error = [&](const Vec3d& foot) {
+            return each.value == Projector::Basic ? std::abs(brute::evaluate(local, foot, hint).f) / unit
+                                                  : distance(foot, plain) / unit;
+        };
+        const auto index = static_cast<std::size_t>(each.value);
+        raise(out.reference.feet[index], error(d.foot));
+        raise(out.single.feet[index], error(base::cast<double>(f.foot)));
+    }
 }
 
 Row compare(const Surface& surface) {
@@ -104,6 +134,7 @@ Row compare(const Surface& surface) {
         curvature(surface, {&at, 1}, {&single, 1});
         raise(out.reference.k, difference(reference, expected, oriented) * b.unit);
         raise(out.single.k, difference(single, expected, oriented) * b.unit);
+        compareFeet(surface, local, at, d.normal, b.unit, out);
     }
     return out;
 }
@@ -157,7 +188,8 @@ void ErrorTableTest::errors() {
     const surfel::SurfelList list = modelNamed(name);
     if (list.items.empty())
         QSKIP("no such scan in the folder");
-    qInfo("%-8s %-22s %-11s | float64  f/h  gradient   k h | float32  f/h  gradient   k h | positions, turning, failed",
+    qInfo("%-8s %-22s %-11s | float64 f/h gradient     k h    basic  almost orthogonal | float32 f/h gradient     k h"
+          "    basic  almost orthogonal | positions, turning, failed; feet",
           qPrintable(name), "frame", "weight");
     for (const auto& frame : frameNames())
         for (const auto& weight : weightNames()) {
@@ -166,10 +198,13 @@ void ErrorTableTest::errors() {
                 for (surfel::Surfel& s : scaled.items)
                     s.support *= gaussianReach * gaussianScale;
             const Row row = compare(shapes::surfaceOf(scaled, shapes::definitionOf(frame.value, true, weight.value)));
-            const QString text = QString::asprintf(
-                "%-8s %-22s %-11s | %8.1e %8.1e %8.1e | %8.1e %8.1e %8.1e | %d %d %d", qPrintable(name), frame.name,
-                weight.name, row.reference.f, row.reference.g, row.reference.k, row.single.f, row.single.g,
-                row.single.k, row.compared, row.turning, row.failed);
+            const auto numbers = [](const Errors& e) {
+                return QString::asprintf("%8.1e %8.1e %8.1e %8.1e %8.1e %8.1e", e.f, e.g, e.k, e.feet[0], e.feet[1],
+                                         e.feet[2]);
+            };
+            const QString text = QString::asprintf("%-8s %-22s %-11s | ", qPrintable(name), frame.name, weight.name) +
+                                 numbers(row.reference) + " | " + numbers(row.single) +
+                                 QString::asprintf(" | %d %d %d; %d", row.compared, row.turning, row.failed, row.feet);
             qInfo("%s", qPrintable(text));
             QVERIFY2(row.compared >= (frame.value == Frame::Covariance ? 1 : positions / 2), qPrintable(text));
             // The formulas of apss as printed, which brute force uses, lose digits where the sphere is nearly a plane.
@@ -179,6 +214,10 @@ void ErrorTableTest::errors() {
             QVERIFY2(row.reference.k <= (gaussian || apss ? 2e-5 : 1e-6), qPrintable(text));
             QVERIFY2(row.single.f <= 3e-7 && row.single.g <= 2e-6, qPrintable(text));
             QVERIFY2(row.single.k <= (gaussian ? 2e-5 : 5e-6), qPrintable(text));
+            QVERIFY2(2 * row.feet >= 3 * row.compared, qPrintable(text));
+            for (std::size_t i = 0; i < std::size(row.reference.feet); ++i)
+                QVERIFY2(row.reference.feet[i] <= (apss ? 1e-9 : 1e-10) && row.single.feet[i] <= 2e-5,
+                         qPrintable(text));
         }
 }
 

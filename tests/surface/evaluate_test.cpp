@@ -14,7 +14,7 @@ using shapes::definitionOf, shapes::sameBits;
 
 class EvaluateTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void planesAreExactInDouble_data();
     void planesAreExactInDouble();
     void spheresHaveTheRadiusOfTheTheory();

@@ -17,7 +17,7 @@ using base::Vec3d, base::Vec3f;
 
 class FootTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void planesAreMetInOneStep();
     void spheresHaveTheRadiusOfTheory();
     void feetOfTranslatesAlongTheGradientAreTheSame();

@@ -12,7 +12,7 @@ using shapes::definitionOf, shapes::surfelAt;
 
 class FramesTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void planesAreExact_data();
     void planesAreExact();
     void spheresAreExactWithApss();

@@ -12,7 +12,7 @@ using namespace surface;
 
 class InstructionSetsTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void avx2AndAvx512GiveTheSameBits_data();
     void avx2AndAvx512GiveTheSameBits();
     void sumsHaveTheSameBits();

@@ -12,7 +12,7 @@ using base::Vec3d, base::Vec3f;
 
 class IntersectTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void spheresAreHitFirstUpToTheirSilhouette_data();
     void spheresAreHitFirstUpToTheirSilhouette();
     void raysBesideMiss();

@@ -14,7 +14,7 @@ using shapes::sameBits;
 
 class KernelTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void sumsAreThoseOfPlainLoops_data();
     void sumsAreThoseOfPlainLoops();
     void denseNeighbourhoodsAreSummedInParts();

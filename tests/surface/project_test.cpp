@@ -13,7 +13,7 @@ using base::Vec3d, base::Vec3f;
 
 class ProjectTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void feetKeepTheirPromise_data();
     void feetKeepTheirPromise();
     void projectingAFootMovesNothing();

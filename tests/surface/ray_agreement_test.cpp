@@ -13,7 +13,7 @@ using base::Vec3d, base::Vec3f;
 
 class RayAgreementTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void everyDefinitionAgreesWithDenseMarching_data();
     void everyDefinitionAgreesWithDenseMarching();
     void hitsLieInTheSurfaceBounds();

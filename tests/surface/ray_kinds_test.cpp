@@ -11,7 +11,7 @@ using base::Vec3d, base::Vec3f;
 
 class RayKindsTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void sphereHitsLieWhereTheyShould_data();
     void sphereHitsLieWhereTheyShould();
     void allHitsOfATorusAreFound_data();

@@ -1,5 +1,5 @@
 // The reference against an independent brute force, and its derivatives against finite differences.
-#include "brute_force.h"
+#include "brute_feet.h"
 #include "core/surface/definition_text.h"
 #include "shapes.h"
 #include "support/registry.h"
@@ -11,7 +11,7 @@ using base::Vec3d;
 
 class ReferenceTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void agreesWithBruteForce_data();
     void agreesWithBruteForce();
     void orthogonalFeetAgreeWithBruteForce();
@@ -132,7 +132,7 @@ void ReferenceTest::orthogonalFeetAgreeWithBruteForce() {
             const Vec3d x = nearTorus(random, 0.05);
             const Projection<double> p = projectReference(surface, x);
             Vec3d foot;
-            QVERIFY(brute::projectOrthogonally(all, x, foot));
+            QVERIFY(brute::project(all, x, Projector::Orthogonal, foot));
             QVERIFY2(p.ok(), statusName(p.status));
             QVERIFY2(distance(p.foot, foot) <= 1e-9 * support,
                      qPrintable(QString("%1, round %2: %3").arg(nameOf(frame)).arg(i).arg(distance(p.foot, foot))));

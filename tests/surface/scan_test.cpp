@@ -1,5 +1,5 @@
 // Real scans against brute force in both precisions. The folder is POINTCLAY_DATA.
-#include "brute_force.h"
+#include "brute_feet.h"
 #include "core/process/prepare.h"
 #include "core/surface/project.h"
 #include "scans.h"
@@ -13,7 +13,7 @@ using base::Vec3d, base::Vec3f;
 
 class ScanTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void precisionsAgreeWithBruteForce_data();
     void precisionsAgreeWithBruteForce();
 };
@@ -55,7 +55,8 @@ void ScanTest::precisionsAgreeWithBruteForce() {
         const Projection<double> p = projectReference(surface, base::cast<double>(x));
         const Projection<float> q = project(surface, x);
         Vec3d foot;
-        if (!p.ok() || !q.ok() || d.agreement < 0.9 || !brute::projectOrthogonally(all, base::cast<double>(x), foot))
+        if (!p.ok() || !q.ok() || d.agreement < 0.9 ||
+            !brute::project(all, base::cast<double>(x), Projector::Orthogonal, foot))
             continue;
         ++projected;
         QVERIFY2(distance(p.foot, foot) <= 1e-9 * b.unit, qPrintable(where));

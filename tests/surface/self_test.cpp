@@ -13,7 +13,7 @@ using shapes::sameBits;
 
 class SelfTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void valuesAndGradientsFollowTheReference_data();
     void valuesAndGradientsFollowTheReference();
     void nearSheetsKeepToTheirOwn();

@@ -11,7 +11,7 @@ using shapes::definitionOf, shapes::sameBits;
 
 class StatusTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void fewOrCancellingSurfelsAreDegenerate();
     void farPositionsAreOutside();
     void hintChoosesTheSignOfUnorientedFrames();

@@ -12,7 +12,7 @@ using shapes::definitionOf, shapes::pi, shapes::surfelAt;
 
 class TheoryTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void meanSquaredDistances();
     void zeroSetOfASphere_data();
     void zeroSetOfASphere();

@@ -14,7 +14,7 @@ using shapes::definitionOf, shapes::surfelAt;
 
 class ThinPartsTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void sheetsStayWhereTheyAre_data();
     void sheetsStayWhereTheyAre();
     void agreementTellsHowNearTheOtherSheetIs();

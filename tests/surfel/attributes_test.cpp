@@ -11,7 +11,7 @@ using namespace surfel;
 
 class AttributesTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void wordsFollowTheTypes();
     void valuesComeBackExactly();
     void valuesAreRoundedAndClamped();

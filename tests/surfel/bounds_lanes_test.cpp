@@ -9,7 +9,7 @@ using namespace surfel;
 
 class BoundsLanesTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void lanesAnswerLikeBoxes();
     void rayIntervalsAreThoseOfClip();
     void emptyLanesAnswerNo();

@@ -11,7 +11,7 @@ using namespace surfel;
 
 class SurfelBlockTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void surfelsComeBackBitForBit();
     void sealedBoundsAreTight();
     void paddingIsFarAndFinite();

@@ -10,7 +10,7 @@ using namespace tree;
 
 class ApplyTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void randomEditsKeepContentAndInvariants_data();
     void randomEditsKeepContentAndInvariants();
     void editIsTheSameAtAnyThreadCount();

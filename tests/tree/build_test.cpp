@@ -10,7 +10,7 @@ using namespace tree;
 
 class BuildTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void treeHoldsEverySurfelOnce_data();
     void treeHoldsEverySurfelOnce();
     void buildIsTheSameAtAnyThreadCount();

@@ -8,7 +8,7 @@ using namespace tree;
 
 class DiffTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void diffIsTheUnsharedBlocks_data();
     void diffIsTheUnsharedBlocks();
     void diffTurnsOneContentIntoTheOther();

@@ -7,7 +7,7 @@ using namespace tree;
 
 class NearestTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void distancesAreThoseOfBruteForce();
     void equalDistancesComeByBlockAndSlot();
     void nothingBeyondMaxDistance();

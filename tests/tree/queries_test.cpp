@@ -9,7 +9,7 @@ using surfel::SurfelBlock;
 
 class QueriesTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void initTestCase();
     void supportQueryFindsTheClustersOfBruteForce();
     void supportQueryCoversEverySurfelWithWeight();

@@ -17,7 +17,7 @@ using surface::Projector;
 
 class NaiveSurfaceTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void evaluationsAreTheReferences();
     void feetAreTheReferences();
     void hitsAreOursUpToTheTolerance();

@@ -12,7 +12,7 @@ using bench::Workload;
 
 class WorkloadTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void theContractsNamesAreThere();
     void everyRunDoesItsItems_data();
     void everyRunDoesItsItems();
@@ -29,9 +29,9 @@ void WorkloadTest::theContractsNamesAreThere() {
         QCOMPARE(workload.baseline.empty(), !workload.naive);
         QCOMPARE(bench::findWorkload(workload.name), &workload);
     }
-    for (const char* name :
-         {"build", "evaluate", "evaluate-scattered", "project-basic", "project-almost", "project-orthogonal",
-          "rays-camera", "rays-random", "curvature", "edit", "splat-cpu", "splat-osmesa", "load-ply"})
+    for (const char* name : {"build", "evaluate", "evaluate-scattered", "project-basic", "project-almost",
+                             "project-orthogonal", "rays-camera", "rays-random", "curvature", "edit", "undo",
+                             "dab-draw-10k-resampled", "splat-cpu", "splat-osmesa", "load-ply"})
         QVERIFY2(names.contains(name), name);
     for (const sculpt::ToolRow& row : sculpt::toolTable())
         QVERIFY2(names.contains(std::string("dab-") + row.id), row.id);
