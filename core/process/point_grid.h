@@ -73,6 +73,7 @@ class PointGrid {
         return key - x - y - 1 + static_cast<std::uint64_t>(row / 3) * x + static_cast<std::uint64_t>(row % 3) * y;
     }
     Place placeOf(const base::Vec3f& p) const;
+    std::vector<std::uint32_t> orderOf(std::span<const Place> places) const; ///< by cell, stable
     static std::uint64_t keyOf(const Place& c);
     const Cell* find(std::uint64_t key) const;
     std::uint32_t findOrAdd(std::uint64_t key);
@@ -82,7 +83,7 @@ class PointGrid {
 
     base::Vec3f m_origin;
     float m_scale;
-    std::vector<Cell> m_cells;         ///< in order of their first point
+    std::vector<Cell> m_cells;         ///< by key; later ones in order of their first point
     std::vector<std::int32_t> m_table; ///< open addressing, -1 for empty; a power of two
     std::vector<Ranked> m_ranked;      ///< the cells by key, that is by x, then y, then z
     std::vector<Entry> m_entries;

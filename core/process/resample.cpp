@@ -26,8 +26,8 @@ float spacingOf(const surface::SurfaceDefinition& definition, float support) {
 }
 
 /// The steps after which no gap and no close pair is left among what was touched.
-static void mergeAndFill(SampleSet& set, ScanResult& found, std::size_t& firstNew) {
-    merge(set, found.pairs);
+static void mergeAndFill(SampleSet& set, ScanResult& found, float distance, std::size_t& firstNew) {
+    merge(set, found.pairs, distance);
     std::erase_if(found.gaps, [&](const Gap& gap) { return set.is(gap.from, Gone) || set.is(gap.from, Scan); });
     std::vector<Gap> more = scan(set).gaps; // around what went
     std::vector<Gap> gaps;
@@ -49,20 +49,24 @@ tree::Edit resample(const surface::Surface& version, const tree::Selection& touc
     definition.shrinkFree = true;
     const surface::Surface ground(frozen.tree(), definition);
 
-    SampleSet set(version, touched, options, ground);
+    const tree::Selection restless = restlessOf(version, touched, options);
+    if (restless.empty() && !options.relaxAll)
+        return {};
+    SampleSet set(version, touched, restless, options, ground);
     ScanResult found = scan(set);
     std::size_t firstNew = 0;
-    mergeAndFill(set, found, firstNew);
+    const float closeSq = closeDistance * closeDistance;
+    mergeAndFill(set, found, options.merge, firstNew);
+    set.options.merge = mergeDistance;
+    std::erase_if(found.pairs, [&](const ClosePair& pair) { return pair.distanceSq >= closeSq; });
     wake(set, found.pairs, firstNew);
     relax(set);
     if (!changed(set))
         return {};
     set.rebuildGrid();
-    for (std::size_t i = 0; i < set.size(); ++i)
-        if (set.is(i, Moved) && !set.is(i, Gone))
-            set.scanAround(i, (fillReach + relaxStep) * set.spacing);
+    set.scanNearMoved(fillReach + relaxStep);
     found = scan(set);
-    mergeAndFill(set, found, firstNew);
+    mergeAndFill(set, found, mergeDistance, firstNew);
     return settle(set);
 }
 

@@ -1,6 +1,7 @@
 // Resampling: lets the sampling follow a deformation, by the scheme of RESAMPLING (merge, fill, relax, settle). In one
 // call, on the surfels that an edit touched:
 //
+//     look    which surfels have something too near or room beside them                      resample_look.cpp
 //     merge   of two surfels closer than 0.60 s one goes                                      resample_merge.cpp
 //     fill    where a surfel has room beside it at 1.05 s, the surface gets a new one         resample_fill.cpp
 //     relax   surfels near new ones and near close pairs repel each other along the surface   resample_relax.cpp
@@ -8,13 +9,13 @@
 //     settle  what moved or is new lands exactly on the frozen surface, with its own height   resample_settle.cpp
 //
 // Every projection is onto the frozen version, never onto the moving set, in the form without drift, so that repeated
-// calls do not erode the model. What need not move keeps every bit. Masked surfels neither move nor vanish; open
+// calls do not erode the model. What need not move keeps every bit. Fully masked surfels neither move nor vanish; open
 // borders stay where they are. Colours and further attributes are interpolated on the frozen version.
 //
 // The result is an Edit of the version, the same bits at any thread count. s is the target spacing.
 #pragma once
 
-#include "core/surface/surface.h"
+#include "core/process/spacing_field.h"
 #include "core/tree/selection.h"
 
 namespace process {
@@ -24,6 +25,11 @@ struct ResampleOptions {
     float support = 0;     ///< reach of new and moved surfels; 0: by the definition, from the spacing
     int sweeps = 3;        ///< of relaxation
     bool relaxAll = false; ///< relax all that was touched, not only what needs it
+    /// Pairs closer than this part of the spacing lose one before gaps are filled. Larger ones thin an even sampling
+    /// that would pass as good enough, so that it is filled again at the spacing asked for.
+    float merge = 0.60f;
+    /// Targets that vary. `spacing` is then the largest of them; supports of new and moved surfels follow the target.
+    std::shared_ptr<const SpacingField> field;
 };
 
 /// What has to change so that the touched part of `version` has the target spacing. `frozen`: the surface to stay on,
@@ -43,6 +49,10 @@ struct ResampleResult {
 /// or so fine that the model would not fit; base::Cancelled.
 ResampleResult resampleAll(const surface::Surface& surface, float spacing, int maxRounds = 12,
                            const base::Progress& progress = {});
+
+/// The same with a spacing that follows the curvature. Throws as well for limits that are not 0 < finest <= coarsest.
+ResampleResult resampleByCurvature(const surface::Surface& surface, const CurvatureSpacing& by, int maxRounds = 12,
+                                   const base::Progress& progress = {});
 
 /// Reach of a surfel at spacing s, h = s sqrt(K / pi), as the definition has it; and back.
 float supportOf(const surface::SurfaceDefinition& definition, float spacing);

@@ -1,9 +1,12 @@
 #include "core/process/resample_blend.h"
 
+#include "core/base/clones.h"
 #include "core/base/parallel.h"
 #include "core/process/resample_land.h"
+#include "core/surface/packets.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace process {
@@ -20,28 +23,55 @@ static float weightAt(surface::Weight kind, float distanceSq, float support) {
     return t * t * (4 * r + 1);
 }
 
+/// Squared distances of a cluster from x, and a bit for each within the support.
+POINTCLAY_CLONES
+static unsigned within(const float* cluster, const base::Vec3f& x, float* __restrict distanceSq) {
+    const float *px = cluster, *py = px + surfel::clusterSize, *pz = py + surfel::clusterSize;
+    const float* h = cluster + surfel::Support * surfel::clusterSize;
+    const float cx = x.x, cy = x.y, cz = x.z;
+    std::uint32_t in[surfel::clusterSize];
+    for (int i = 0; i < surfel::clusterSize; ++i) {
+        const float dx = px[i] - cx, dy = py[i] - cy, dz = pz[i] - cz;
+        distanceSq[i] = dx * dx + dy * dy + dz * dz;
+        in[i] = distanceSq[i] < h[i] * h[i] ? 1u << i : 0u;
+    }
+    unsigned out = 0;
+    for (const std::uint32_t bit : in)
+        out |= bit;
+    return out;
+}
+
 constexpr std::size_t grain = 32;
+/// In spacings: how far around a place blocks are collected for those that follow.
+constexpr float slack = 3;
 
 Blender::Blender(const surface::Surface& frozen, float spacing, std::span<const base::Vec3f> places)
-    : m_frozen(frozen), m_layout(*frozen.tree().layout()), m_facing(m_layout), m_limit(heightLimit * spacing) {
+    : m_frozen(frozen), m_layout(*frozen.tree().layout()), m_facing(m_layout), m_limit(heightLimit * spacing),
+      m_slack(slack * spacing) {
     collectBlocks(places);
     m_needed = std::vector<std::atomic<std::uint8_t>>(m_blocks.size() * surfel::blockCapacity);
     m_measured.resize(m_needed.size());
-    base::parallelFor(places.size(), grain, [&](std::size_t i) { markNeeded(places[i]); });
+    base::parallelChunks(places.size(), grain, [&](std::size_t begin, std::size_t end, std::size_t) {
+        Near near;
+        for (std::size_t i = begin; i < end; ++i)
+            markNeeded(places[i], near);
+    });
     measure();
 }
 
 void Blender::collectBlocks(std::span<const base::Vec3f> places) {
     std::vector<std::vector<const surfel::SurfelBlock*>> parts(base::chunkCount(places.size(), grain));
     base::parallelChunks(places.size(), grain, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
-        auto& part = parts[chunk];
-        for (std::size_t i = begin; i < end; ++i)
-            m_frozen.tree().forClustersInSupport(places[i], [&](const surfel::SurfelBlock& block, int) {
-                if (part.empty() || part.back() != &block)
-                    part.push_back(&block);
-            });
-        std::sort(part.begin(), part.end());
-        part.erase(std::unique(part.begin(), part.end()), part.end());
+        base::Box3f done;
+        for (std::size_t i = begin; i < end; ++i) {
+            if (done.contains(places[i]))
+                continue;
+            done = base::Box3f{places[i], places[i]}.inflated(m_slack);
+            m_frozen.tree().forBlocksInSupport(
+                done, [&](std::uint32_t, const surfel::SurfelBlock& block) { parts[chunk].push_back(&block); });
+        }
+        std::sort(parts[chunk].begin(), parts[chunk].end());
+        parts[chunk].erase(std::unique(parts[chunk].begin(), parts[chunk].end()), parts[chunk].end());
     });
     for (const auto& part : parts)
         m_blocks.insert(m_blocks.end(), part.begin(), part.end());
@@ -49,30 +79,43 @@ void Blender::collectBlocks(std::span<const base::Vec3f> places) {
     m_blocks.erase(std::unique(m_blocks.begin(), m_blocks.end()), m_blocks.end());
 }
 
-std::size_t Blender::placeOf(const surfel::SurfelBlock* block) const {
-    return static_cast<std::size_t>(std::lower_bound(m_blocks.begin(), m_blocks.end(), block) - m_blocks.begin());
+void Blender::lookAround(const base::Vec3f& x, Near& near) const {
+    if (near.box.contains(x))
+        return;
+    near.box = base::Box3f{x, x}.inflated(m_slack);
+    near.blocks.clear();
+    m_frozen.tree().forBlocksInSupport(near.box, [&](std::uint32_t, const surfel::SurfelBlock& block) {
+        const auto at = std::lower_bound(m_blocks.begin(), m_blocks.end(), &block);
+        if (at != m_blocks.end() && *at == &block)
+            near.blocks.push_back({&block, static_cast<std::size_t>(at - m_blocks.begin())});
+    });
 }
 
 template <class Fn>
-void Blender::forWeights(const base::Vec3f& x, const Fn& fn) const {
+void Blender::forWeights(const base::Vec3f& x, Near& near, const Fn& fn) const {
     const surface::Weight kind = m_frozen.definition().weight;
-    m_frozen.tree().forClustersInSupport(x, [&](const surfel::SurfelBlock& block, int cluster) {
-        const std::size_t first = placeOf(&block) * surfel::blockCapacity;
-        const int end = std::min(block.size(), (cluster + 1) * surfel::clusterSize);
-        for (int slot = cluster * surfel::clusterSize; slot < end; ++slot)
-            if (const float w = weightAt(kind, distanceSq(block.position(slot), x), block.support(slot)); w > 0)
-                fn(block, slot, first + static_cast<std::size_t>(slot), w);
+    lookAround(x, near);
+    for (const auto& [block, which] : near.blocks)
+        for (unsigned left = block->boundsLanes().supporting(x); left != 0; left &= left - 1) {
+            const int cluster = std::countr_zero(left);
+            float distanceSq[surfel::clusterSize];
+            for (unsigned in = within(block->channel(cluster, surfel::X), x, distanceSq); in != 0; in &= in - 1) {
+                const int lane = std::countr_zero(in), slot = cluster * surfel::clusterSize + lane;
+                if (const float w = weightAt(kind, distanceSq[lane], block->support(slot)); w > 0)
+                    fn(*block, slot, which * surfel::blockCapacity + static_cast<std::size_t>(slot), w);
+            }
+        }
+}
+
+void Blender::markNeeded(const base::Vec3f& x, Near& near) {
+    forWeights(x, near, [&](const surfel::SurfelBlock&, int, std::size_t index, float) {
+        if (m_needed[index].load(std::memory_order_relaxed) == 0)
+            m_needed[index].store(1, std::memory_order_relaxed);
     });
 }
 
-void Blender::markNeeded(const base::Vec3f& x) {
-    forWeights(x, [&](const surfel::SurfelBlock&, int, std::size_t index, float) {
-        m_needed[index].store(1, std::memory_order_relaxed);
-    });
-}
-
-Blender::Measured Blender::measured(const base::Vec3f& p, const base::Vec3f& n) const {
-    const surface::Evaluationf e = m_frozen.evaluate(p, surface::Need::Gradient, {n});
+Blender::Measured Blender::measured(surface::Source& source, const base::Vec3f& p, const base::Vec3f& n) const {
+    const surface::Evaluationf e = source.evaluate(p, surface::Need::Gradient, {n});
     const float slope = length(e.gradient);
     Measured out;
     if (!(e.ok() || e.status == surface::Status::BeyondBoundary) || !(slope > 0.05f))
@@ -85,12 +128,17 @@ Blender::Measured Blender::measured(const base::Vec3f& p, const base::Vec3f& n) 
 }
 
 void Blender::measure() {
-    base::parallelFor(m_blocks.size(), 4, [&](std::size_t b) {
-        for (int slot = 0; slot < m_blocks[b]->size(); ++slot) {
-            const std::size_t index = b * surfel::blockCapacity + static_cast<std::size_t>(slot);
-            if (m_needed[index].load(std::memory_order_relaxed))
-                m_measured[index] = measured(m_blocks[b]->position(slot), m_blocks[b]->normal(slot));
-        }
+    std::vector<std::uint32_t> needed;
+    for (std::uint32_t index = 0; index < m_needed.size(); ++index)
+        if (m_needed[index].load(std::memory_order_relaxed))
+            needed.push_back(index);
+    const auto slotOf = [](std::uint32_t index) { return static_cast<int>(index % surfel::blockCapacity); };
+    std::vector<base::Vec3f> places(needed.size());
+    for (std::size_t k = 0; k < needed.size(); ++k)
+        places[k] = m_blocks[needed[k] / surfel::blockCapacity]->position(slotOf(needed[k]));
+    surface::forPackets(m_frozen, places, 0, [&](surface::Source& source, std::size_t k) {
+        const surfel::SurfelBlock& block = *m_blocks[needed[k] / surfel::blockCapacity];
+        m_measured[needed[k]] = measured(source, places[k], block.normal(slotOf(needed[k])));
     });
 }
 
@@ -136,11 +184,11 @@ struct Carried {
 
 } // namespace
 
-void Blender::at(const base::Vec3f& x, const base::Vec3f& gradient, Blend& out) const {
+void Blender::at(const base::Vec3f& x, const base::Vec3f& gradient, Near& near, Blend& out) const {
     Carried facing(m_layout), all(m_layout);
     double height = 0;
     base::Vec3d tilt;
-    forWeights(x, [&](const surfel::SurfelBlock& block, int slot, std::size_t index, float w) {
+    forWeights(x, near, [&](const surfel::SurfelBlock& block, int slot, std::size_t index, float w) {
         const base::Vec3f n = block.normal(slot);
         if (m_facing.oriented() && dot(n, gradient) <= -0.17f)
             return all.add(block, slot, w);

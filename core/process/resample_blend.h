@@ -10,6 +10,7 @@
 #pragma once
 
 #include "core/process/resample_set.h"
+#include "core/surface/source.h"
 
 #include <atomic>
 
@@ -28,8 +29,13 @@ class Blender {
     /// Measures what averages at `places` will need, in parallel.
     Blender(const surface::Surface& frozen, float spacing, std::span<const base::Vec3f> places);
 
-    /// Any thread. REQUIRES: x is one of the places. `gradient`: unit gradient there.
-    void at(const base::Vec3f& x, const base::Vec3f& gradient, Blend& out) const;
+    /// The blocks around some places, kept from one to the next.
+    struct Near {
+        base::Box3f box;                                                        ///< of places that they serve
+        std::vector<std::pair<const surfel::SurfelBlock*, std::size_t>> blocks; ///< in tree order; which one it is
+    };
+    /// One thread per `near`. REQUIRES: x is one of the places. `gradient`: unit gradient there.
+    void at(const base::Vec3f& x, const base::Vec3f& gradient, Near& near, Blend& out) const;
 
   private:
     struct Measured {
@@ -37,18 +43,19 @@ class Blender {
         base::Vec3f tilt, gradient;
     };
     void collectBlocks(std::span<const base::Vec3f> places);
-    void markNeeded(const base::Vec3f& x);
+    void lookAround(const base::Vec3f& x, Near& near) const;
+    void markNeeded(const base::Vec3f& x, Near& near);
     void measure();
-    std::size_t placeOf(const surfel::SurfelBlock* block) const;
     /// fn(block, slot, index into m_measured, weight) for the surfels with weight at x.
     template <class Fn>
-    void forWeights(const base::Vec3f& x, const Fn& fn) const;
-    Measured measured(const base::Vec3f& position, const base::Vec3f& normal) const;
+    void forWeights(const base::Vec3f& x, Near& near, const Fn& fn) const;
+    Measured measured(surface::Source& source, const base::Vec3f& position, const base::Vec3f& normal) const;
 
     const surface::Surface& m_frozen;
     const surfel::AttributeLayout& m_layout;
     Facing m_facing;
     float m_limit;                                    ///< of heights
+    float m_slack;                                    ///< how far around a place blocks are collected
     std::vector<const surfel::SurfelBlock*> m_blocks; ///< by address, for finding
     std::vector<std::atomic<std::uint8_t>> m_needed;  ///< 128 per block
     std::vector<Measured> m_measured;

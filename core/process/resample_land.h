@@ -7,7 +7,7 @@
 // left in the symmetric form (RESAMPLING, section 2).
 #pragma once
 
-#include "core/surface/surface.h"
+#include "core/surface/source.h"
 
 namespace process {
 
@@ -23,7 +23,7 @@ float centredValue(const surface::Surface& surface, const base::Vec3f& x, const 
 
 /// At most `steps` steps from x0, until one is shorter than `tolerance` (model units). Not ok: no surface there.
 /// REQUIRES: steps >= 1.
-Landing land(const surface::Surface& surface, const base::Vec3f& x0, const base::Vec3f& hint, int steps,
-             float tolerance);
+/// What lands with one source one after the other should lie side by side.
+Landing land(surface::Source& source, const base::Vec3f& x0, const base::Vec3f& hint, int steps, float tolerance);
 
 } // namespace process

@@ -17,8 +17,8 @@ static std::int64_t victim(const SampleSet& set, const ClosePair& pair) {
     return onBorder(set, pair.b) && !onBorder(set, pair.a) ? pair.a : pair.b;
 }
 
-void merge(SampleSet& set, const std::vector<ClosePair>& pairs) {
-    const float limitSq = mergeDistance * mergeDistance * set.spacing * set.spacing;
+void merge(SampleSet& set, const std::vector<ClosePair>& pairs, float distance) {
+    const float limitSq = distance * distance;
     for (const ClosePair& pair : pairs) {
         if (pair.distanceSq >= limitSq)
             break;
@@ -28,7 +28,8 @@ void merge(SampleSet& set, const std::vector<ClosePair>& pairs) {
         if (gone < 0)
             continue;
         set.mark(static_cast<std::size_t>(gone), Gone);
-        set.scanAround(static_cast<std::size_t>(gone), (fillReach + closeDistance) * set.spacing);
+        set.scanAround(static_cast<std::size_t>(gone),
+                       (fillReach + closeDistance) * set.target[static_cast<std::size_t>(gone)]);
     }
 }
 

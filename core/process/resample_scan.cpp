@@ -69,26 +69,26 @@ struct Around {
 
 struct Scanner {
     const SampleSet& set;
-    float closeSq, reachSq, clearSq;
+    float closeSq; ///< in units of the targets
 
-    explicit Scanner(const SampleSet& s) : set(s) {
-        closeSq = closeDistance * closeDistance * s.spacing * s.spacing;
-        reachSq = fillReach * fillReach * s.spacing * s.spacing;
-        clearSq = fillClear * fillClear * s.spacing * s.spacing;
-    }
+    explicit Scanner(const SampleSet& s) : set(s) { closeSq = lookedAt(s.options) * lookedAt(s.options); }
 
     bool asked(std::uint32_t i) const { return set.is(i, Scan) && !set.is(i, Gone); }
 
     void look(std::uint32_t i, Around& around, ScanResult& out) const {
         const base::Vec3f p = set.position[i], n = set.normal[i];
-        Ring ring(normalized(n, base::Vec3f{0, 0, 1}), fillDistance * set.spacing);
+        const float target = set.target[i], clearSq = fillClear * fillClear * target * target;
+        const float reachSq = std::max(fillReach, lookedAt(set.options) * (1 + grading)) *
+                              std::max(fillReach, lookedAt(set.options) * (1 + grading)) * target * target;
+        Ring ring(normalized(n, base::Vec3f{0, 0, 1}), fillDistance * target);
         around.measureFrom(p);
         for (std::size_t k = 0; k < around.sq.size(); ++k) {
             const std::uint32_t j = around.index[k];
             if (!(around.sq[k] < reachSq) || j == i || !set.facing.same(n, set.normal[j]))
                 continue;
-            if (around.sq[k] < closeSq)
-                close(i, j, around.sq[k], out);
+            const float mean = 0.5f * (target + set.target[j]), distanceSq = around.sq[k] / (mean * mean);
+            if (distanceSq < closeSq)
+                close(i, j, distanceSq, out);
             ring.take(base::Vec3f{around.x[k], around.y[k], around.z[k]} - p, clearSq);
         }
         if (set.is(i, Masked))

@@ -13,10 +13,12 @@ namespace process {
 /// Do two normals belong to one sheet? By the layout: signed, unsigned, or no normals and every pair passes.
 class Facing {
   public:
+    static constexpr float leastCosine = 0.17f;
+
     explicit Facing(const surfel::AttributeLayout& layout) : m_known(layout.normals), m_oriented(layout.oriented) {}
     bool same(const base::Vec3f& a, const base::Vec3f& b) const {
         const float c = dot(a, b);
-        return !m_known || (m_oriented ? c : std::abs(c)) > 0.17f;
+        return !m_known || (m_oriented ? c : std::abs(c)) > leastCosine;
     }
     bool known() const { return m_known; }
     bool oriented() const { return m_oriented; }
@@ -46,6 +48,7 @@ struct SampleSet {
     float pinned, grown;
 
     std::vector<base::Vec3f> position, normal;
+    std::vector<float> target; ///< of each its own target spacing; `spacing` is the largest
     std::vector<std::uint8_t> flags;
 
     /// Of the samples that the version has: where they come from.
@@ -61,8 +64,9 @@ struct SampleSet {
     /// Where an awake sample of the version lay on the frozen surface (g_i of step 0); unset for others.
     std::vector<base::Vec3f> oldGradient;
 
-    SampleSet(const surface::Surface& version, const tree::Selection& touched, const ResampleOptions& options,
-              const surface::Surface& frozen);
+    /// Of the touched, those near restless ones (all where all are to relax): nothing happens to others.
+    SampleSet(const surface::Surface& version, const tree::Selection& touched, const tree::Selection& restless,
+              const ResampleOptions& options, const surface::Surface& frozen);
     std::size_t size() const { return position.size(); }
     std::size_t oldCount() const { return source.size(); }
     bool is(std::size_t i, unsigned flag) const { return (flags[i] & flag) != 0; }
@@ -72,17 +76,20 @@ struct SampleSet {
     /// May it move or vanish?
     bool free(std::size_t i) const { return is(i, Touched) && !is(i, Masked); }
 
+    float targetAt(const base::Vec3f& x) const { return options.field ? options.field->at(x) : spacing; }
     std::uint32_t bear(const base::Vec3f& place, const base::Vec3f& direction);
     void rebuildGrid();
     /// Marks Scan on the touched within `radius` of a sample.
     void scanAround(std::size_t i, float radius);
+    /// The same around all that moved, in parallel; `reach` in units of their targets.
+    void scanNearMoved(float reach);
 
   private:
-    void collect(const tree::Selection& touched);
+    void collect(const tree::Selection& touched, const tree::Selection& restless);
 };
 
 // --- distances of the scheme, in spacings ---
-constexpr float mergeDistance = 0.60f; ///< closer pairs lose one
+constexpr float mergeDistance = 0.60f; ///< closer pairs lose one, but for ResampleOptions::merge at the beginning
 constexpr float closeDistance = 0.70f; ///< closer pairs wake their surroundings
 constexpr float fillDistance = 1.05f;  ///< where a surfel looks for room
 constexpr float fillClear = 0.675f;    ///< room: nothing so near
@@ -94,11 +101,21 @@ constexpr float relaxRate = 0.20f;
 constexpr float relaxStep = 0.30f;   ///< longest step of a sweep
 constexpr float heightLimit = 0.25f; ///< largest height of a sample over the surface that is kept
 constexpr float fillReach = fillDistance + fillClear;
+/// Farthest that a resampling acts from a restless surfel: a new one, what it wakes, and what finds room beside that.
+constexpr float farReach = 2 * (fillDistance + fillStray) + wakeDistance + fillReach + 3 * relaxStep;
 
 // --- the steps, in their order ---
 
+/// Of the touched, those that have something too near or room beside them, or nearly so: worth a scan. In parallel.
+tree::Selection restlessOf(const surface::Surface& version, const tree::Selection& touched,
+                           const ResampleOptions& options);
+/// Pairs so close are looked at, in spacings.
+inline float lookedAt(const ResampleOptions& options) {
+    return std::max(closeDistance, options.merge);
+}
+
 struct ClosePair {
-    float distanceSq;
+    float distanceSq;   ///< in units of the mean of their targets
     std::uint32_t a, b; ///< a < b
 };
 /// A place that may have room: direction `k` of eight around sample `from`.
@@ -108,14 +125,14 @@ struct Gap {
     base::Vec3f place;
 };
 struct ScanResult {
-    std::vector<ClosePair> pairs; ///< closer than closeDistance, at least one free; ascending (distance, a, b)
+    std::vector<ClosePair> pairs; ///< closer than lookedAt, at least one free; ascending (distance, a, b)
     std::vector<Gap> gaps;        ///< ascending (from, k)
 };
 /// Looks at all samples marked Scan, and unmarks them. In parallel.
 ScanResult scan(SampleSet& set);
 
-/// Removes one of every pair closer than mergeDistance, closest first. Marks Scan around what went.
-void merge(SampleSet& set, const std::vector<ClosePair>& pairs);
+/// Removes one of every pair closer than `distance` spacings, closest first. Marks Scan around what went.
+void merge(SampleSet& set, const std::vector<ClosePair>& pairs, float distance);
 /// Adds samples in gaps. Returns the number of the first.
 std::size_t fill(SampleSet& set, std::vector<Gap> gaps);
 /// Wakes what is near new samples (from `firstNew` on) and close pairs.

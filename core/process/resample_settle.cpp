@@ -2,6 +2,7 @@
 #include "core/process/resample_blend.h"
 #include "core/process/resample_land.h"
 #include "core/process/resample_set.h"
+#include "core/surface/packets.h"
 
 #include <cmath>
 
@@ -11,6 +12,8 @@ namespace {
 
 constexpr int steps = 12;
 constexpr float tolerance = 1e-5f; ///< of the support
+/// In units of h: they lie near the surface already.
+constexpr float packetSlack = 0.1f;
 constexpr std::size_t grain = 32;
 
 /// What becomes of one sample that moved or is new.
@@ -35,11 +38,14 @@ std::vector<std::uint32_t> landAll(SampleSet& set, std::vector<Landing>& landing
         if (set.is(i, Moved) && !set.is(i, Gone))
             out.push_back(i);
     landings.resize(out.size());
-    base::parallelFor(out.size(), grain, [&](std::size_t k) {
+    std::vector<base::Vec3f> places(out.size());
+    for (std::size_t k = 0; k < out.size(); ++k)
+        places[k] = set.position[out[k]];
+    surface::forPackets(set.frozen, places, packetSlack, [&](surface::Source& source, std::size_t k) {
         const std::uint32_t i = out[k];
-        landings[k] = land(set.frozen, set.position[i], set.normal[i], steps, tolerance * set.options.support);
-        const float far = set.spacing * set.spacing;
-        landings[k].ok = landings[k].ok && distanceSq(landings[k].place, set.position[i]) < far;
+        landings[k] = land(source, places[k], set.normal[i], steps, tolerance * set.options.support);
+        const float far = set.target[i] * set.target[i];
+        landings[k].ok = landings[k].ok && distanceSq(landings[k].place, places[k]) < far;
         if (!landings[k].ok)
             set.unmark(i, Moved), set.mark(i, set.is(i, New) ? Gone : 0);
     });
@@ -52,15 +58,16 @@ std::vector<std::uint32_t> landAll(SampleSet& set, std::vector<Landing>& landing
     return out;
 }
 
-Settled settled(const SampleSet& set, std::uint32_t i, const Landing& y, const Blender& blender) {
+Settled settled(const SampleSet& set, std::uint32_t i, const Landing& y, const Blender& blender, Blender::Near& near) {
     Blend blend;
     base::Vec3f g = y.gradient;
     if (dot(g, set.normal[i]) < 0 && set.facing.known())
         g = -g;
-    blender.at(y.place, g, blend);
+    blender.at(y.place, g, near, blend);
     Settled out;
     out.surfel.position = y.place + g * blend.height;
-    out.surfel.support = set.options.support;
+    out.surfel.support =
+        set.options.field ? supportOf(set.version.definition(), set.targetAt(y.place)) : set.options.support;
     out.surfel.colour = blend.colour;
     if (set.is(i, New)) {
         out.surfel.mask = blend.mask;
@@ -69,6 +76,7 @@ Settled settled(const SampleSet& set, std::uint32_t i, const Landing& y, const B
         base::Vec3f was = set.oldGradient[i];
         if (dot(was, set.normal[i]) < 0)
             was = -was;
+        out.surfel.mask = set.block[set.source[i].block]->mask(set.source[i].slot);
         out.surfel.normal = normalized(rotated(set.normal[i], was, g), g);
     }
     if (!set.facing.known())
@@ -123,8 +131,11 @@ tree::Edit settle(SampleSet& set) {
         places[k] = landings[k].place;
     const Blender blender(set.frozen, set.spacing, places);
     std::vector<Settled> all(which.size());
-    base::parallelFor(which.size(), grain,
-                      [&](std::size_t k) { all[k] = settled(set, which[k], landings[k], blender); });
+    base::parallelChunks(which.size(), grain, [&](std::size_t begin, std::size_t end, std::size_t) {
+        Blender::Near near;
+        for (std::size_t k = begin; k < end; ++k)
+            all[k] = settled(set, which[k], landings[k], blender, near);
+    });
     return editOf(set, which, all);
 }
 

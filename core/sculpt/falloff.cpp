@@ -1,5 +1,6 @@
 #include "core/sculpt/falloff.h"
 
+#include "core/base/clones.h"
 #include "core/base/error.h"
 
 #include <algorithm>
@@ -83,7 +84,8 @@ float weight(Falloff falloff, float r) {
 
 /// Both curves are inlined into the loop, which then runs in vector registers.
 template <float (*Weight)(float), float (*Slope)(float)>
-static void fill(float plateau, std::span<const float> r, std::span<float> weight, std::span<float> slope) {
+[[gnu::always_inline]] static inline void fill(float plateau, std::span<const float> r, std::span<float> weight,
+                                               std::span<float> slope) {
     const float scale = 1 / (1 - plateau);
     for (std::size_t i = 0; i < r.size(); ++i) {
         const float t = std::min(1.0f, std::max(0.0f, (r[i] - plateau) * scale));
@@ -103,6 +105,7 @@ static void fill(const BrushCurve& curve, float plateau, std::span<const float> 
     }
 }
 
+POINTCLAY_CLONES
 void weights(Falloff falloff, float plateau, std::span<const float> r, std::span<float> weight, std::span<float> slope,
              const BrushCurve* curve) {
     switch (falloff) {

@@ -1,22 +1,22 @@
 #include "core/sculpt/sampling.h"
 
-#include "core/base/parallel.h"
 #include "core/process/resample.h"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace sculpt {
 
-/// In spacings: between the 3 and 5 that RESAMPLING found equal.
-constexpr float travelLimit = 4;
-constexpr float stretchLimit = 1.5f;
-/// Steepest slope of the falloffs that have one, in weights per radius; others count as this.
-constexpr float steepest = 2;
+/// Where resampling is due somewhere, blocks beyond these are done with it.
+constexpr StretchRange doneBeyond{0.75f, 1.2f};
+/// Two even the sampling nearly as well as three.
+constexpr int sweeps = 2;
 /// Balls are united while that makes none larger than this.
 constexpr float unitedGrowth = 1.25f;
 
-void Sampling::start(const surface::Surface& surface, const base::Vec3f& contact) {
+void Sampling::start(const surface::Surface& surface, const base::Vec3f& contact, bool graded) {
+    m_graded = graded && surface.definition().support <= 0;
     m_spacing = process::localSpacing(surface, contact);
 }
 
@@ -25,27 +25,13 @@ bool restructures(const tree::Edit& edit) {
            std::any_of(edit.blocks.begin(), edit.blocks.end(), [](const auto& each) { return each.removed.any(); });
 }
 
-static float largestMove(const tree::SurfelTree& before, const tree::Edit& edit) {
-    std::vector<float> moves(edit.blocks.size(), 0.0f);
-    base::parallelFor(moves.size(), 16, [&](std::size_t i) {
-        if (!edit.blocks[i].changed)
-            return;
-        const surfel::BlockPtr old = before.block(edit.blocks[i].block);
-        const surfel::SurfelBlock& now = *edit.blocks[i].changed;
-        for (int slot = 0; slot < now.size(); ++slot)
-            moves[i] = std::max(moves[i], distanceSq(old->position(slot), now.position(slot)));
-    });
-    return moves.empty() ? 0.0f : std::sqrt(*std::max_element(moves.begin(), moves.end()));
-}
-
 void Sampling::note(const tree::SurfelTree& before, const tree::Edit& edit, const Dab& dab) {
     if (edit.empty() || !started())
         return;
-    const float move = largestMove(before, edit);
+    const float move = m_stretches.note(before, edit, m_spacing);
     if (move == 0 && !restructures(edit))
         return; // colours and masks ask for no other sampling
-    m_travel += move;
-    m_stretch *= 1 + move * steepest / dab.radius;
+    m_range = m_stretches.range();
     add({dab.centre + dab.move * 0.5f, dab.radius + move});
 }
 
@@ -68,39 +54,48 @@ void Sampling::add(Ball ball) {
     m_balls.push_back(ball);
 }
 
-bool Sampling::due() const {
-    return m_travel > travelLimit * m_spacing || m_stretch > stretchLimit;
-}
-
 tree::Selection Sampling::touched(const tree::SurfelTree& tree) const {
-    tree::Selection all;
+    std::map<std::uint32_t, std::bitset<surfel::blockCapacity>> all;
     for (const Ball& ball : m_balls)
         tree.forBlocksInBall(ball.centre, ball.radius, [&](std::uint32_t number, const surfel::SurfelBlock& block) {
-            tree::SelectedBlock selected{number, {}};
+            auto& slots = all[number];
+            if (slots.count() == static_cast<std::size_t>(block.size()))
+                return;
             for (int slot = 0; slot < block.size(); ++slot)
                 if (distanceSq(block.position(slot), ball.centre) < ball.radius * ball.radius)
-                    selected.slots.set(static_cast<std::size_t>(slot));
-            if (selected.slots.any())
-                all.push_back(selected);
+                    slots.set(static_cast<std::size_t>(slot));
         });
-    std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.block < b.block; });
-    tree::Selection united;
-    for (const tree::SelectedBlock& each : all)
-        if (!united.empty() && united.back().block == each.block)
-            united.back().slots |= each.slots;
-        else
-            united.push_back(each);
-    return united;
+    tree::Selection out;
+    for (const auto& [number, slots] : all)
+        if (slots.any())
+            out.push_back({number, slots});
+    return out;
+}
+
+surface::Surface Sampling::resampled(const surface::Surface& surface, const tree::Selection& touched) const {
+    process::ResampleOptions options;
+    options.spacing = m_spacing;
+    options.sweeps = sweeps;
+    if (m_graded) {
+        options.field =
+            std::make_shared<process::SpacingField>(surface.tree(), process::spacingOf(surface.definition(), 1.0f));
+        options.spacing = options.field->coarsest();
+    }
+    return {surface.tree().apply(process::resample(surface, touched, options)), surface.definition()};
+}
+
+surface::Surface Sampling::resampleDue(const surface::Surface& surface) {
+    const tree::Selection where = m_stretches.take(surface.tree(), doneBeyond);
+    m_range = m_stretches.range();
+    return resampled(surface, where);
 }
 
 surface::Surface Sampling::resample(const surface::Surface& surface) {
-    process::ResampleOptions options;
-    options.spacing = m_spacing;
-    const tree::Edit edit = process::resample(surface, touched(surface.tree()), options);
-    m_travel = 0;
-    m_stretch = 1;
+    const surface::Surface out = resampled(surface, touched(surface.tree()));
+    m_stretches.clear();
+    m_range = {};
     m_balls.clear();
-    return {surface.tree().apply(edit), surface.definition()};
+    return out;
 }
 
 } // namespace sculpt

@@ -64,6 +64,9 @@ void Stroke::finish() {
 const surface::Surface& Stroke::surface() const {
     return m_state->dabs.surface();
 }
+std::optional<float> Stroke::depth() const {
+    return m_state->dabs.depth();
+}
 int Stroke::dabs() const {
     return m_state->dabs.count();
 }

@@ -17,6 +17,8 @@
 #include "core/sculpt/stroke_sample.h"
 #include "core/sculpt/stroke_settings.h"
 
+#include <optional>
+
 namespace sculpt {
 
 class Stroke {
@@ -36,6 +38,8 @@ class Stroke {
     void finish();
 
     const surface::Surface& surface() const;
+    /// Of the first contact along its ray, once there is one.
+    std::optional<float> depth() const;
     /// Places where the tool was applied in this version; images do not count.
     int dabs() const;
     /// Seconds that each of them took, images and resampling included.

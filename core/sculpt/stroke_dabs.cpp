@@ -138,7 +138,7 @@ void Dabs::begin(const Contact& first) {
     if (!m_depth)
         m_depth = first.distance;
     if (!m_sampling.started())
-        m_sampling.start(touched(), first.position);
+        m_sampling.start(touched(), first.position, m_settings.graded);
 }
 
 /// Contacts and areas of all images are found before any of them is applied, so that a symmetric model keeps symmetric
@@ -162,7 +162,7 @@ void Dabs::apply(std::span<const Dab> images) {
     for (const Dab& dab : images)
         applyOne(dab);
     if (m_settings.resample && m_accumulate && m_sampling.due())
-        m_surface = m_sampling.resample(m_surface);
+        m_surface = m_sampling.resampleDue(m_surface);
     ++m_count;
     m_seconds.push_back(watch.seconds());
 }

@@ -33,7 +33,10 @@ class Dabs {
     const std::vector<Mirror>& images() const { return m_images; }
     /// The version that dabs touch: the present one, or where they do not accumulate the first.
     const surface::Surface& touched() const { return m_accumulate ? m_surface : m_base; }
-    std::optional<Contact> contact(const base::Rayf& ray) const { return sculpt::contact(touched(), ray); }
+    /// Tools that take surfels away stay on the surface that the stroke began on, and do not dig on through the hole.
+    std::optional<Contact> contact(const base::Rayf& ray) const {
+        return sculpt::contact(m_row.writes == Writes::Count ? m_first : touched(), ray);
+    }
     /// Of the stroke's first dab, along its ray; stays at a restart.
     const std::optional<float>& depth() const { return m_depth; }
 

@@ -1,6 +1,7 @@
 // What a stroke's settings may be: the one place that refuses them.
 #include "core/sculpt/stroke_settings.h"
 #include "core/base/error.h"
+#include "core/sculpt/stroke_options.h"
 
 #include <algorithm>
 #include <cmath>
@@ -60,8 +61,7 @@ StrokeMethod method(std::string_view id) {
 }
 
 bool lastOnly(const StrokeSettings& settings) {
-    const Motion motion = tool(settings.tool).motion;
-    return (motion == Motion::Along || motion == Motion::Follow) && row(settings.method).lastOnly;
+    return !holds(tool(settings.tool)) && row(settings.method).lastOnly;
 }
 
 static void checkSymmetry(const Symmetry& symmetry) {
@@ -69,22 +69,20 @@ static void checkSymmetry(const Symmetry& symmetry) {
     inRange("radial-axis", symmetry.axis, 0, 2);
 }
 
+static void checkOption(const StrokeOption& option, const StrokeSettings& settings) {
+    if (const auto* number = std::get_if<float StrokeSettings::*>(&option.field))
+        inRange(option.id, double(settings.**number) * option.range.scale, option.range.min, option.range.max);
+    if (const auto* curve = std::get_if<CurvePoints StrokeSettings::*>(&option.field))
+        BrushCurve(settings.**curve, option.id);
+}
+
 void check(const StrokeSettings& settings) {
     const ToolRow& row = tool(settings.tool);
     if (!(settings.radius > 0) || !std::isfinite(settings.radius))
         throw base::Error("radius is " + text(settings.radius), "stroke", "give a length greater than 0");
-    inRange("strength", settings.strength, 0, 1);
-    inRange("spacing", settings.spacing, 0.005, 10);
-    inRange("rate", settings.rate, 1, 500);
-    inRange("stabiliser", settings.stabiliser, 0, 100);
-    inRange("auto-smooth", settings.autoSmooth, 0, 1);
-    inRange("normal-radius", settings.normalRadius, 0, 2);
-    inRange("plane-radius", settings.planeRadius, 0, 2);
-    inRange("stamp-angle", settings.stampAngleRad, -100, 100);
+    for (const StrokeOption& option : strokeOptionTable())
+        checkOption(option, settings);
     checkSymmetry(settings.symmetry);
-    BrushCurve(settings.falloffCurve, "falloff-curve");
-    BrushCurve(settings.pressureStrength, "pressure-strength");
-    BrushCurve(settings.pressureRadius, "pressure-radius");
     for (const auto& [id, value] : settings.parameters)
         checkParameter(row, id, value);
 }

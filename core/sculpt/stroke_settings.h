@@ -44,6 +44,7 @@ struct StrokeSettings {
     CurvePoints falloffCurve{{0, 1}, {1, 0}}; ///< of Falloff::Custom: weight over distance in radii
     Symmetry symmetry;
     bool resample = true;                     ///< let the sampling follow the deformation
+    bool graded = false;                      ///< its target spacing is that of the supports at each place
     float spacing = 0.1f;                     ///< distance of dabs as a part of the radius
     std::map<std::string, double> parameters; ///< the tool's own; missing ones take their defaults
 
@@ -67,6 +68,11 @@ struct StrokeSettings {
 
     bool operator==(const StrokeSettings&) const = default;
 };
+
+/// The first contact is held and goes with the pointer; methods and spacing have no say.
+inline bool holds(const ToolRow& tool) {
+    return tool.motion == Motion::Drag || tool.motion == Motion::Turn;
+}
 
 /// The result depends on the first and the last sample alone.
 bool lastOnly(const StrokeSettings& settings);

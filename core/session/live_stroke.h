@@ -25,6 +25,8 @@ class LiveStroke {
 
     const surface::Surface& surface() const { return m_stroke.surface(); }
     int dabs() const { return m_stroke.dabs(); }
+    /// Of the first contact along its ray, once there is one.
+    std::optional<float> depth() const { return m_stroke.depth(); }
 
   private:
     Context& m_context;

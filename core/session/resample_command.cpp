@@ -7,8 +7,12 @@ namespace session {
 
 static void resample(Context& context, const nlohmann::json& complete) {
     requireModel(context);
-    const auto spacing = complete.at("spacing").get<float>();
-    process::ResampleResult result = process::resampleAll(context.document.surface(), spacing, 12, context.progress);
+    const auto spacing = complete.at("spacing").get<float>(), tolerance = complete.at("tolerance").get<float>();
+    const surface::Surface& surface = context.document.surface();
+    const process::CurvatureSpacing by{tolerance, spacing * complete.at("finest").get<float>(),
+                                       spacing * complete.at("coarsest").get<float>()};
+    process::ResampleResult result = tolerance > 0 ? process::resampleByCurvature(surface, by, 12, context.progress)
+                                                   : process::resampleAll(surface, spacing, 12, context.progress);
     if (!result.settled)
         context.messages.push_back("resampling stopped after " + std::to_string(result.rounds) +
                                    " rounds, before the last points came to rest");
@@ -18,6 +22,12 @@ static void resample(Context& context, const nlohmann::json& complete) {
 CommandRow resampleCommand() {
     static const CommandParameter parameters[] = {
         {"spacing", "number", "model units", "distance of neighbouring points to reach", "", "", positive, largest},
+        {"tolerance", "number", "model units",
+         "above 0 the distance follows the curvature: the root of this over it, between the two limits; neighbouring "
+         "distances differ by a tenth at most",
+         "0", "", 0, largest},
+        {"finest", "number", "spacings", "shortest distance, where it follows the curvature", "0.5", "", 0.01, 1},
+        {"coarsest", "number", "spacings", "longest distance, where it follows the curvature", "2", "", 1, 100},
     };
     return {"resample", "Resample", "Makes the points even, on the surface that they define now.",
             parameters, true,       false,

@@ -50,6 +50,10 @@ CommandRow strokeCommand() {
         {"falloff", "choice", "", "how a dab fades from its centre to its rim", "\"smooth\"", falloffs.c_str(), 0, 0},
         {"symmetry", "list", "", "axes across which the stroke is mirrored: \"x\", \"y\", \"z\"", "[]", "", 0, 0},
         {"resample", "boolean", "", "lets the sampling follow the deformation", "true", "", 0, 0},
+        {"graded", "boolean", "",
+         "resamples to the spacing that the points have at each place, as \"resample\" by curvature left it; false: to "
+         "that of the stroke's first contact",
+         "false", "", 0, 0},
         {"spacing", "number", "radii", "distance of dabs along the stroke", "0.1", "", 0.005, 10},
         {"method", "choice", "",
          "how samples become dabs: evenly along the surface, one each, evenly in time, one that is drawn large, evenly "

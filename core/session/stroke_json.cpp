@@ -77,6 +77,7 @@ json strokeLine(const StrokeSettings& settings, std::span<const StrokeSample> sa
               {"falloff", sculpt::row(settings.falloff).id},
               {"symmetry", std::move(symmetry)},
               {"resample", settings.resample},
+              {"graded", settings.graded},
               {"spacing", settings.spacing},
               {"method", sculpt::row(settings.method).id},
               {"rate", settings.rate},
@@ -135,6 +136,7 @@ StrokeSettings strokeSettings(const json& complete) {
     out.symmetry.copies = complete.at("radial").get<int>();
     out.symmetry.axis = complete.at("radial-axis") == "x" ? 0 : complete.at("radial-axis") == "y" ? 1 : 2;
     out.resample = complete.at("resample").get<bool>();
+    out.graded = complete.at("graded").get<bool>();
     out.spacing = complete.at("spacing").get<float>();
     out.method = sculpt::method(complete.at("method").get<std::string>());
     out.rate = complete.at("rate").get<float>();

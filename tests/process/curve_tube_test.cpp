@@ -13,7 +13,7 @@ using surface::Manifold;
 
 class CurveTubeTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void surfelsStandAtTheirRadiusFromTheCurve();
     void normalsLookAwayFromTheCurve();
     void tubeIsASurfaceWithoutHoles();

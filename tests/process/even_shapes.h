@@ -68,11 +68,12 @@ inline process::Summary spacingOver(const surface::Surface& surface, double s) {
 
 /// The same measured within each sheet: 0.93 x mean distance of the 6 nearest that face as the surfel does. Where a
 /// fold closes (summed normals below 0.6 of the weights) there is no saying what a sheet is, and nothing counts.
-inline process::Summary spacingOfSheets(const surface::Surface& surface, double s) {
+template <class Among>
+process::Summary spacingOfSheets(const surface::Surface& surface, double s, const Among& among) {
     std::vector<float> out;
     std::vector<tree::Neighbour> near;
     for (const surfel::Surfel& at : surface.tree().surfels().items) {
-        if (surface.evaluate(at.position, surface::Need::Value).agreement < 0.6f)
+        if (!among(at) || surface.evaluate(at.position, surface::Need::Value).agreement < 0.6f)
             continue;
         surface.tree().nearest(at.position, 40, near);
         double sum = 0;
@@ -83,6 +84,10 @@ inline process::Summary spacingOfSheets(const surface::Surface& surface, double 
         out.push_back(static_cast<float>(found == 6 ? 0.93 * sum / 6 / s : 1e9));
     }
     return process::summarise(std::move(out));
+}
+
+inline process::Summary spacingOfSheets(const surface::Surface& surface, double s) {
+    return spacingOfSheets(surface, s, [](const surfel::Surfel&) { return true; });
 }
 
 inline std::string hashOf(const surface::Surface& surface) {

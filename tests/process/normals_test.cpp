@@ -11,7 +11,7 @@ using namespace process;
 
 class NormalsTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void planesAreExact();
     void spheresAndToriAreWithinAHundredthOfARadian();
     void noiseTurnsThemLittle();

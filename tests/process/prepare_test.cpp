@@ -20,7 +20,7 @@ using surface::SurfaceDefinition;
 
 class PrepareTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void everySampleBecomesASurface_data();
     void everySampleBecomesASurface();
     void whatCameWithThePointsIsKept();

@@ -11,7 +11,7 @@ using namespace process;
 
 class SamplesTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void everySampleHasTheCountAskedForAndUnitSize_data();
     void everySampleHasTheCountAskedForAndUnitSize();
     void sameParametersGiveTheSameBits();

@@ -17,7 +17,7 @@ using surface::Weight;
 
 class SpacingTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void hexagonalSpacingIsTheRootOfAreaPerPoint();
     void agreesWithBruteForce();
     void duplicatesDoNotMatter();

@@ -11,7 +11,7 @@ using namespace sculpt;
 
 class BrushCurveTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void twoPointsMakeTheLineBitForBit();
     void curvesGoThroughTheirPointsAndNeverBeyondThem();
     void slopesAreTheDerivativesAndContinuous();

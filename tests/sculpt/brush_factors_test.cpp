@@ -14,7 +14,7 @@ using base::Vec3f;
 
 class BrushFactorsTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void stampsAreTheirImageWithExactSlopes();
     void halvedStampsKeepTheirMean();
     void connectedIsTheWholeBrushOnOneSheet();

@@ -11,13 +11,14 @@ using test::dabOf;
 
 class ChannelToolsTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void maskAddsItsWeightAndSwitchesTheLayout();
     void paintMixesByItsWeightAndSwitchesTheLayout();
     void faintPaintAddsUp();
     void smearCarriesColoursWithTheStroke();
     void eraseTakesWhatIsUnderTheBrush();
     void eraseLeavesTheLastSurfels();
+    void eraseDoesNotDigOnThroughItsHole();
     void aHoleStaysOpenUnderLaterStrokes();
     void relaxEvensTheSpacingAndKeepsTheSurface();
     void densityReachesItsFactorAndKeepsTheSurface();
@@ -134,6 +135,19 @@ void ChannelToolsTest::eraseTakesWhatIsUnderTheBrush() {
 void ChannelToolsTest::eraseLeavesTheLastSurfels() {
     const surface::Surface plane = test::surfaceOf(test::planePoints(8, s));
     QVERIFY(tool("erase").apply(plane, dabOf(tool("erase"), {}, 5, 1)).empty());
+}
+
+void ChannelToolsTest::eraseDoesNotDigOnThroughItsHole() {
+    const surface::Surface sphere = test::surfaceOf(test::spherePoints(8000));
+    StrokeSettings settings;
+    settings.tool = "erase", settings.radius = 0.2f, settings.strength = 1;
+    std::vector<StrokeSample> round;
+    for (int k = 0; k <= 60; ++k) // to and fro over the same place
+        round.push_back({{{0.2f * std::sin(0.3f * float(k)), 0, 5}, {0, 0, -1}}, 1, 0});
+    const surface::Surface after = test::stroked(sphere, settings, round);
+    QVERIFY(after.tree().size() < sphere.tree().size());
+    for (const surfel::Surfel& each : test::without(sphere, after))
+        QVERIFY(each.position.z > 0);
 }
 
 void ChannelToolsTest::aHoleStaysOpenUnderLaterStrokes() {

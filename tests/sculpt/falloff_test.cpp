@@ -10,7 +10,7 @@ using namespace sculpt;
 
 class FalloffTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void curvesRunFromOneToTheirRimWithoutRising();
     void slopesAreTheDerivatives();
     void smoothIsFlatAtBothEnds();

@@ -11,7 +11,7 @@ using test::dabOf;
 
 class JacobianTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void normalsFollowTheTangentsOfEveryFormula();
     void footprintsFollowTheStretchOfArea();
     void swollenAndLayeredSpheresHaveTheNormalsOfTheirShape();

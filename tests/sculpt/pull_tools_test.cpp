@@ -11,7 +11,7 @@ using test::dabOf;
 
 class PullToolsTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void elasticGrabIsTheKelvinlet();
     void elasticGrabKeepsVolumeWhereAskedTo();
     void snakeHookWithoutTaperIsGrab();

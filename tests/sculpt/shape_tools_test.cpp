@@ -10,11 +10,12 @@ using test::dabOf;
 
 class ShapeToolsTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void drawSharpHasATip();
     void drawSharpHasAnEdgeAlongTheStroke();
     void clayStripsAreSquareAndNeverPassTheirPlane();
     void inflateSwellsASphereIntoASphere();
+    void shrinkingStopsBeforeTwoSidesMeet();
     void layerNeverExceedsItsHeight();
     void layerCarriesFineReliefOnTop();
     void blobSpreadsAndCreaseGathers();
@@ -102,6 +103,30 @@ void ShapeToolsTest::inflateSwellsASphereIntoASphere() {
             QVERIFY(std::abs(length(each.position) - (1 + 0.2f * strength)) < 2e-4f);
             QVERIFY(length(each.normal - normalized(each.position)) < 3e-3f);
         }
+    }
+}
+
+void ShapeToolsTest::shrinkingStopsBeforeTwoSidesMeet() {
+    surfel::SurfelList plate = test::planePoints(60, s);
+    const std::size_t side = plate.items.size();
+    for (std::size_t i = 0; i < side; ++i) {
+        surfel::Surfel& above = plate.items[i];
+        above.position.z = 3 * float(s);
+        surfel::Surfel below = above;
+        below.position.z = -above.position.z, below.normal = -above.normal;
+        plate.items.push_back(below);
+    }
+    for (const float radius : {0.3f, 0.6f, 1.2f}) { // with the last, one dab goes half through
+        surface::Surface now = test::surfaceOf(plate);
+        const Dab dab = dabOf(tool("inflate"), {0, 0, 3 * float(s)}, radius, -1);
+        for (int k = 0; k < 8; ++k)
+            now = applied(tool("inflate"), now, dab);
+        float thinnest = 1;
+        for (const surfel::Surfel& each : now.tree().surfels().items) {
+            QVERIFY(each.normal.z * each.position.z > 0); // on its own side, and facing out
+            thinnest = std::min(thinnest, std::abs(each.position.z));
+        }
+        QVERIFY(radius > 0.6f || thinnest < 2.5f * float(s));
     }
 }
 

@@ -14,7 +14,7 @@ using base::Vec3f;
 
 class StrokeMethodsTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void initTestCase();
     void aLineIsSpaceBetweenItsEnds();
     void aLineForgetsWhatLiesBetween();

@@ -12,7 +12,7 @@ using namespace sculpt;
 
 class StrokeTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void dabsAreSpacedAlongTheSurface();
     void dabsAreSpacedOnSteepSlopesToo();
     void manySamplesMakeTheSameNumberOfDabsAsFew();

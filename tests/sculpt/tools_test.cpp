@@ -8,7 +8,7 @@ using namespace sculpt;
 
 class ToolsTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void drawRaisesThePlaneByTheFalloffExactly();
     void drawnNormalsAreThoseOfTheGraphOfTheFalloff();
     void clayNeverPassesItsPlaneAndFillsHollowsFirst();

@@ -14,7 +14,7 @@ using test::Workbench;
 
 class CommandTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void everyRowIsWhole();
     void fallbacksPassTheirOwnCheck();
     void whatIsWrongIsRefused_data();

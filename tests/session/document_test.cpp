@@ -10,7 +10,7 @@ using test::Workbench;
 
 class DocumentTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void undoAndRedoBringBackTheSameBits();
     void aNewStepDropsRedo();
     void theBudgetDropsTheOldestStepsFirst();

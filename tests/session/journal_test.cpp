@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 
 class JournalTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void recoveryGivesTheLastCommandsModel();
     void aTornLastLineIsLeftOut();
     void aLineThatIsNoCommandIsToldWithItsNumber();

@@ -16,7 +16,7 @@ using test::Workbench;
 
 class LiveStrokeTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void linesComeBackBitForBit();
     void samplesSurviveLargeOrigins();
     void aLiveStrokeIsWhatItsLineReplays();

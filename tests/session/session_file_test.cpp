@@ -12,7 +12,7 @@ using test::Workbench;
 
 class SessionFileTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void blankLinesAndCommentsAreSkipped();
     void everyLineIsReported();
     void errorsNameFileAndLine_data();

@@ -14,7 +14,7 @@ using test::Workbench;
 
 class StrokeOptionsTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void everyOptionComesBackBitForBit();
     void defaultsAreThePlainBrush();
     void everyMethodReplaysFromItsJournal();
@@ -41,7 +41,7 @@ static StrokeSettings unusual(base::Random& random) {
     out.symmetry = {true, false, true, int(1 + random.below(64)), int(random.below(3))};
     out.accumulate = false;
     out.autoSmooth = float(random.uniform());
-    out.frontFacing = out.connected = out.stampFollows = true;
+    out.frontFacing = out.connected = out.stampFollows = out.graded = true;
     out.normalRadius = float(random.uniform(0, 2)), out.planeRadius = float(random.uniform(0, 2));
     out.stamp = "/somewhere/ümage.png";
     out.stampAngleRad = float(random.uniform(-6.2, 6.2));

@@ -1,8 +1,11 @@
 #include "core/sculpt/tools/deform.h"
 
+#include "core/base/clones.h"
 #include "core/sculpt/tools/mask_slope.h"
+#include "core/sculpt/tools/moved_lanes.h"
 
 #include <cmath>
+
 #include <cstring>
 
 namespace sculpt {
@@ -33,44 +36,40 @@ void multiply(const BrushFactors& factors, const LanePlace& where, ShiftLanes& b
 }
 
 /// Does any lane move? Multiplies by what the mask leaves.
-static bool unmask(const tree::SurfelTree& tree, const LanePlace& where, const ShiftLanes& by, ShiftLanes& out) {
-    const float* mask = where.in.block->channel(where.cluster, surfel::Mask);
-    bool moves = false;
-    for (std::size_t i = 0; i < lanes; ++i) {
-        const float free = 1 - mask[i];
-        for (std::size_t a = 0; a < 3; ++a) {
-            out.d[a][i] = by.d[a][i] * free;
-            for (std::size_t b = 0; b < 3; ++b)
-                out.j[a][b][i] = by.j[a][b][i] * free;
-        }
-        moves |= out.d[0][i] != 0 || out.d[1][i] != 0 || out.d[2][i] != 0;
+POINTCLAY_CLONES
+static bool unmask(const float* mask, const ShiftLanes& by, ShiftLanes& out) {
+    int moves = 0;
+    for (std::size_t a = 0; a < 3; ++a) {
+        for (std::size_t i = 0; i < lanes; ++i)
+            out.d[a][i] = by.d[a][i] * (1 - mask[i]);
+        for (std::size_t i = 0; i < lanes; ++i)
+            moves |= out.d[a][i] != 0 ? 1 : 0;
+        for (std::size_t b = 0; b < 3; ++b)
+            for (std::size_t i = 0; i < lanes; ++i)
+                out.j[a][b][i] = by.j[a][b][i] * (1 - mask[i]);
     }
+    return moves != 0;
+}
+
+/// What the slope of the mask adds to the gradient.
+static void slopeMask(const tree::SurfelTree& tree, const LanePlace& where, const ShiftLanes& by, ShiftLanes& out) {
     MaskSlopes slopes;
-    if (!moves || !maskSlopes(tree, *where.in.block, where.cluster, slopes))
-        return moves;
+    if (!maskSlopes(tree, *where.in.block, where.cluster, slopes))
+        return;
     const float* g[3] = {slopes.gx, slopes.gy, slopes.gz};
     for (std::size_t a = 0; a < 3; ++a)
         for (std::size_t b = 0; b < 3; ++b)
             for (std::size_t i = 0; i < lanes; ++i)
                 out.j[a][b][i] -= by.d[a][i] * g[b][i];
-    return true;
 }
 
-void carry(const tree::SurfelTree& tree, const LanePlace& where, const ShiftLanes& shift, bool footprints,
-           surfel::MutableBlockPtr& changed) {
-    const int cluster = where.cluster;
-    ShiftLanes by;
-    if (!unmask(tree, where, shift, by))
-        return;
-    if (!changed)
-        changed = where.in.block->clone();
-    float* x = changed->channel(cluster, surfel::X);
-    float* y = changed->channel(cluster, surfel::Y);
-    float* z = changed->channel(cluster, surfel::Z);
-    float* nx = changed->channel(cluster, surfel::NormalX);
-    float* ny = changed->channel(cluster, surfel::NormalY);
-    float* nz = changed->channel(cluster, surfel::NormalZ);
-    float* support = changed->channel(cluster, surfel::Support);
+/// cof(F) n in lanes.
+POINTCLAY_CLONES
+static void turnLanes(const surfel::SurfelBlock& block, int cluster, const ShiftLanes& by, MovedLanes& out) {
+    const float* nx = block.channel(cluster, surfel::NormalX);
+    const float* ny = block.channel(cluster, surfel::NormalY);
+    const float* nz = block.channel(cluster, surfel::NormalZ);
+#pragma GCC ivdep
     for (std::size_t i = 0; i < lanes; ++i) {
         const float xx = 1 + by.j[0][0][i], xy = by.j[0][1][i], xz = by.j[0][2][i];
         const float yx = by.j[1][0][i], yy = 1 + by.j[1][1][i], yz = by.j[1][2][i];
@@ -81,16 +80,25 @@ void carry(const tree::SurfelTree& tree, const LanePlace& where, const ShiftLane
         const float czx = xy * yz - xz * yy, czy = xz * yx - xx * yz, czz = xx * yy - xy * yx;
         const float mx = cxx * nx[i] + cxy * ny[i] + cxz * nz[i], my = cyx * nx[i] + cyy * ny[i] + cyz * nz[i],
                     mz = czx * nx[i] + czy * ny[i] + czz * nz[i];
-        const float length = std::sqrt(mx * mx + my * my + mz * mz);
-        const bool moves = by.d[0][i] != 0 || by.d[1][i] != 0 || by.d[2][i] != 0;
-        const bool turns = moves && mx * nx[i] + my * ny[i] + mz * nz[i] > 0;
-        const float scale = 1 / (turns ? length : 1.0f);
-        nx[i] = turns ? mx * scale : nx[i], ny[i] = turns ? my * scale : ny[i], nz[i] = turns ? mz * scale : nz[i];
-        support[i] = turns && footprints ? support[i] * std::sqrt(length) : support[i];
-        x[i] = moves ? x[i] + by.d[0][i] : x[i];
-        y[i] = moves ? y[i] + by.d[1][i] : y[i];
-        z[i] = moves ? z[i] + by.d[2][i] : z[i];
+        const float dx = by.d[0][i], dy = by.d[1][i], dz = by.d[2][i];
+        const float far = std::abs(dx) + std::abs(dy) + std::abs(dz), moves = far > 0 ? 1.0f : 0.0f;
+        out.m[0][i] = mx, out.m[1][i] = my, out.m[2][i] = mz;
+        out.d[0][i] = dx, out.d[1][i] = dy, out.d[2][i] = dz;
+        out.turns[i] = mx * nx[i] + my * ny[i] + mz * nz[i] > 0 ? moves : 0.0f;
     }
+}
+
+void carry(const tree::SurfelTree& tree, const LanePlace& where, const ShiftLanes& shift, bool footprints,
+           surfel::MutableBlockPtr& changed) {
+    ShiftLanes by;
+    if (!unmask(where.in.block->channel(where.cluster, surfel::Mask), shift, by))
+        return;
+    slopeMask(tree, where, shift, by);
+    if (!changed)
+        changed = where.in.block->clone();
+    MovedLanes moved;
+    turnLanes(*where.in.block, where.cluster, by, moved);
+    move(*changed, where.cluster, moved, footprints);
 }
 
 } // namespace sculpt

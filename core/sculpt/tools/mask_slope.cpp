@@ -36,11 +36,21 @@ static base::Vec3f slopeAt(const tree::SurfelTree& tree, const surfel::SurfelBlo
     return base::cast<float>(transposed(cofactor(a)) * base::cast<double>(rise) / determinant(a));
 }
 
+/// Slots past the end have none.
+static bool varies(const surfel::SurfelBlock& block, int cluster) {
+    const float* mask = block.channel(cluster, surfel::Mask);
+    int differ = 0;
+    for (int i = 1; i < surfel::clusterSize; ++i)
+        differ |= mask[i] != mask[0] ? 1 : 0;
+    return differ != 0;
+}
+
 bool maskSlopes(const tree::SurfelTree& tree, const surfel::SurfelBlock& block, int cluster, MaskSlopes& out) {
+    if (!varies(block, cluster))
+        return false;
     const int first = cluster * surfel::clusterSize, end = std::min(block.size(), first + surfel::clusterSize);
     const float* mask = block.channel(cluster, surfel::Mask);
     const auto [least, most] = std::minmax_element(mask, mask + (end - first));
-    // The rim of a mask is some spacings wide: a cluster of one value lies beside it, not in it.
     if (*least == *most)
         return false;
     for (int slot = first; slot < end; ++slot) {

@@ -15,7 +15,8 @@ struct MaskSlopes {
     alignas(64) float gx[surfel::clusterSize] = {}, gy[surfel::clusterSize] = {}, gz[surfel::clusterSize] = {};
 };
 
-/// Fills `out` for a cluster and returns true; false where the mask does not vary around it (gradients are 0).
+/// Fills `out` for a cluster and returns true; false where the mask does not vary within it
+/// (gradients are 0): its rim is some spacings wide, so that a cluster of one value lies beside it, not in it.
 bool maskSlopes(const tree::SurfelTree& tree, const surfel::SurfelBlock& block, int cluster, MaskSlopes& out);
 
 } // namespace sculpt

@@ -1,32 +1,107 @@
 #include "core/sculpt/tools/smooth.h"
 
-#include "core/sculpt/tools/gather.h"
+#include "core/base/clones.h"
+#include "core/base/parallel.h"
+#include "core/sculpt/tools/brush.h"
+#include "core/surface/self.h"
 
-#include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace sculpt {
 
 namespace {
 
-/// One surfel towards the surface; false where there is no surface to go to.
-bool settle(surfel::SurfelBlock& block, int slot, float share, const surface::Evaluationf& e) {
-    const float slopeSq = lengthSq(e.gradient);
-    if (e.status != surface::Status::Ok && e.status != surface::Status::BeyondBoundary)
-        return false;
-    if (!(slopeSq > 0.01f))
-        return false;
-    base::Vec3f normal = e.gradient / std::sqrt(slopeSq);
-    // A step of more than the spacing comes from a fold, where f is no distance.
-    const float limit = 0.25f * e.unit;
-    const float step = std::clamp(e.value / std::sqrt(slopeSq), -limit, limit);
-    block.setPosition(slot, block.position(slot) - normal * (share * step));
-    const base::Vec3f old = block.normal(slot);
-    if (dot(normal, old) < 0)
-        normal = -normal;
-    if (old != base::Vec3f{})
-        block.setNormal(slot, normalized(old * (1 - share) + normal * share, old));
-    return true;
+/// Blocks per task, which share one evaluator.
+constexpr std::size_t grain = 8;
+/// Flattest gradient that tells a direction, squared.
+constexpr float flattestSq = 0.01f;
+/// A step of more than the spacing comes from a fold, where f is no distance: of h.
+constexpr float longest = 0.25f;
+
+/// Shares of a block's surfels, 0 for what stays, and the clusters in which any is not 0.
+struct Shares {
+    alignas(64) float of[surfel::blockCapacity];
+    unsigned clusters = 0;
+
+    Shares(const Brush& brush, const BrushBlock& in, float strength) {
+        for (int cluster = 0; cluster < in.block->clusterCount(); ++cluster) {
+            float* share = of + cluster * surfel::clusterSize;
+            if (!brush.reaches(*in.block, cluster) || !brush.weigh(in, cluster, share))
+                continue;
+            for (std::size_t i = 0; i < lanes; ++i)
+                share[i] *= strength;
+            clusters |= 1u << cluster;
+        }
+    }
+    const float* ofCluster(int cluster) const { return of + cluster * surfel::clusterSize; }
+};
+
+/// Takes the share from surfels where there is no surface to go to. Returns whether any is left.
+bool leaveOut(const surface::SelfLanes& e, const float* share, float* left) {
+    bool any = false;
+    for (std::size_t i = 0; i < lanes; ++i) {
+        const bool there = e.status[i] == surface::Status::Ok || e.status[i] == surface::Status::BeyondBoundary;
+        left[i] = there ? share[i] : 0.0f;
+        const float sq = e.gradient[0][i] * e.gradient[0][i] + e.gradient[1][i] * e.gradient[1][i] +
+                         e.gradient[2][i] * e.gradient[2][i];
+        left[i] = sq > flattestSq ? left[i] : 0.0f;
+        any |= left[i] != 0;
+    }
+    return any;
+}
+
+/// Draws a cluster to the surface.
+POINTCLAY_CLONES
+void settle(surfel::SurfelBlock& block, int cluster, const float* share, const surface::SelfLanes& e) {
+    float* x = block.channel(cluster, surfel::X);
+    float* y = block.channel(cluster, surfel::Y);
+    float* z = block.channel(cluster, surfel::Z);
+    float* nx = block.channel(cluster, surfel::NormalX);
+    float* ny = block.channel(cluster, surfel::NormalY);
+    float* nz = block.channel(cluster, surfel::NormalZ);
+#pragma GCC ivdep
+    for (std::size_t i = 0; i < lanes; ++i) {
+        const float t = share[i];
+        const bool moves = t != 0;
+        float gx = e.gradient[0][i], gy = e.gradient[1][i], gz = e.gradient[2][i];
+        const float slope = std::sqrt(gx * gx + gy * gy + gz * gz), scale = 1 / (moves ? slope : 1.0f);
+        gx *= scale, gy *= scale, gz *= scale;
+        const float limit = longest * e.unit[i], full = e.value[i] * scale;
+        const float step = t * (full > limit ? limit : full < -limit ? -limit : full);
+        x[i] = moves ? x[i] - gx * step : x[i];
+        y[i] = moves ? y[i] - gy * step : y[i];
+        z[i] = moves ? z[i] - gz * step : z[i];
+        const float side = gx * nx[i] + gy * ny[i] + gz * nz[i] < 0 ? -t : t, stay = 1 - t;
+        const float mx = nx[i] * stay + gx * side, my = ny[i] * stay + gy * side, mz = nz[i] * stay + gz * side;
+        const float length = std::sqrt(mx * mx + my * my + mz * mz);
+        const bool known = nx[i] != 0 || ny[i] != 0 || nz[i] != 0, turns = moves && known && length > 0;
+        const float unit = 1 / (turns ? length : 1.0f);
+        nx[i] = turns ? mx * unit : nx[i], ny[i] = turns ? my * unit : ny[i], nz[i] = turns ? mz * unit : nz[i];
+    }
+}
+
+/// The block after the dab; null where nothing moves.
+surfel::BlockPtr smoothed(const Brush& brush, const BrushBlock& in, float strength, surface::SelfEvaluator& self) {
+    const Shares shares(brush, in, strength);
+    if (shares.clusters == 0)
+        return {};
+    surface::SelfLanes at[surfel::clustersPerBlock];
+    self.evaluate(*in.block, shares.clusters, surface::Need::Gradient, at);
+    surfel::MutableBlockPtr changed;
+    for (unsigned left = shares.clusters; left != 0; left &= left - 1) {
+        const int cluster = std::countr_zero(left);
+        const surface::SelfLanes& e = at[cluster];
+        alignas(64) float share[lanes];
+        if (!leaveOut(e, shares.ofCluster(cluster), share))
+            continue;
+        if (!changed)
+            changed = in.block->clone();
+        settle(*changed, cluster, share, e);
+    }
+    if (changed)
+        changed->seal();
+    return changed;
 }
 
 } // namespace
@@ -36,24 +111,17 @@ static tree::Edit smooth(const surface::Surface& version, const Dab& dab) {
     const float strength = std::abs(dab.strength);
     if (strength == 0)
         return {};
-    const std::vector<BrushBlock> blocks = blocksUnder(version.tree(), brush.centre, brush.radius);
-    const Gathered list = gather(blocks, brush);
     surface::SurfaceDefinition definition = version.definition();
     definition.shrinkFree = true;
-    std::vector<surface::Evaluationf> at(list.places.size());
-    surface::Surface(version.tree(), definition).evaluate(list.places, surface::Need::Gradient, at);
-    return changeBlocks(blocks, [&](const BrushBlock& in, std::size_t b) -> surfel::BlockPtr {
-        if (list.first[b] == list.first[b + 1])
-            return {};
-        surfel::MutableBlockPtr changed = in.block->clone();
-        bool moved = false;
-        for (std::size_t i = list.first[b]; i < list.first[b + 1]; ++i)
-            moved |= settle(*changed, list.slots[i], strength * list.weight[i] * list.free[i], at[i]);
-        if (!moved)
-            return {};
-        changed->seal();
-        return changed;
+    const surface::Surface ground(version.tree(), definition);
+    const std::vector<BrushBlock> blocks = blocksUnder(version.tree(), brush.centre, brush.radius);
+    std::vector<surfel::BlockPtr> changed(blocks.size());
+    base::parallelChunks(blocks.size(), grain, [&](std::size_t begin, std::size_t end, std::size_t) {
+        surface::SelfEvaluator self(ground);
+        for (std::size_t i = begin; i < end; ++i)
+            changed[i] = smoothed(brush, blocks[i], strength, self);
     });
+    return editOf(blocks, std::move(changed));
 }
 
 const ToolRow smoothTool{"smooth",

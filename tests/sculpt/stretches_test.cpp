@@ -1,0 +1,89 @@
+#include "core/sculpt/stretches.h"
+
+#include "sculpt/shapes.h"
+#include "support/registry.h"
+
+#include <QtTest>
+
+using namespace sculpt;
+using base::Vec3f;
+
+class StretchesTest : public QObject {
+    Q_OBJECT
+  private Q_SLOTS:
+    void whatMovesAsOnePieceIsNotStretched();
+    void stretchIsMeasuredSinceItWasTaken();
+    void onlyBlocksBeyondTheLimitsAreTaken();
+};
+
+constexpr double s = 0.02;
+
+static tree::SurfelTree plane() {
+    return tree::SurfelTree::build(test::planePoints(60, s));
+}
+
+/// Every block with its surfels where `to` puts them; unchanged blocks are left out.
+template <class To>
+static tree::Edit moved(const tree::SurfelTree& tree, const To& to) {
+    tree::Edit edit;
+    tree.forEachBlock([&](std::uint32_t number, const surfel::SurfelBlock& block) {
+        const surfel::MutableBlockPtr out = block.clone();
+        bool any = false;
+        for (int slot = 0; slot < block.size(); ++slot) {
+            const Vec3f p = to(block.position(slot));
+            any |= p != block.position(slot);
+            out->setPosition(slot, p);
+        }
+        out->seal();
+        if (any)
+            edit.blocks.push_back({number, out, {}});
+    });
+    return edit;
+}
+
+void StretchesTest::whatMovesAsOnePieceIsNotStretched() {
+    const tree::SurfelTree start = plane();
+    Stretches stretches;
+    const float way = stretches.note(start, moved(start, [](Vec3f p) { return Vec3f{-p.y, p.x, 2}; }), float(s));
+    QVERIFY(way > 2 && way < 5);
+    QVERIFY2(std::abs(stretches.range().most - 1) < 1e-4f && std::abs(stretches.range().least - 1) < 1e-4f,
+             qPrintable(QString::number(double(stretches.range().most))));
+}
+
+void StretchesTest::stretchIsMeasuredSinceItWasTaken() {
+    tree::SurfelTree now = plane();
+    Stretches stretches;
+    for (int k = 1; k <= 3; ++k) { // 1.2, 1.44, 1.73 along x
+        const tree::Edit edit = moved(now, [](Vec3f p) { return Vec3f{1.2f * p.x, p.y, p.z}; });
+        stretches.note(now, edit, float(s));
+        now = now.apply(edit);
+        const float full = std::pow(1.2f, float(k));
+        QVERIFY2(stretches.range().most < full * 1.001f && stretches.range().most > 1 + 0.85f * (full - 1),
+                 qPrintable(QString::number(double(stretches.range().most))));
+        QVERIFY(std::abs(stretches.range().least - 1) < 1e-3f);
+    }
+    QVERIFY(tree::sizeOf(stretches.take(now, {0.5f, 1.5f})) > now.size() - 100); // x = 0 stays
+    QVERIFY(stretches.range().most == 1 && stretches.take(now, {0.5f, 1.5f}).empty());
+    stretches.note(now, moved(now, [](Vec3f p) { return p * 0.5f; }), float(s));
+    QVERIFY(stretches.range().least < 0.6f && stretches.range().most == 1);
+}
+
+void StretchesTest::onlyBlocksBeyondTheLimitsAreTaken() {
+    const tree::SurfelTree start = plane();
+    Stretches stretches;
+    // The right side is carried along as a piece and the middle is torn out.
+    const tree::Edit edit = moved(start, [](Vec3f p) {
+        return Vec3f{p.x < 0 ? p.x : p.x < 0.2f ? 3 * p.x : p.x + 0.4f, p.y, p.z};
+    });
+    stretches.note(start, edit, float(s));
+    const tree::SurfelTree now = start.apply(edit);
+    const tree::Selection taken = stretches.take(now, {0.5f, 1.5f});
+    QVERIFY(!taken.empty() && tree::sizeOf(taken) < now.size() / 2);
+    for (const auto& [number, chosen] : taken)
+        for (int slot = 0; slot < now.block(number)->size(); ++slot)
+            QVERIFY(!chosen[std::size_t(slot)] || now.block(number)->position(slot).x > 0);
+    QVERIFY(stretches.range().most < 1.5f);
+}
+
+static const test::Registered<StretchesTest> registered;
+#include "stretches_test.moc"
