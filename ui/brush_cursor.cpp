@@ -27,8 +27,7 @@ static QPolygonF tiltedCircle(const BrushCursor& cursor, const render::Camera& c
     return out;
 }
 
-/// Light on dark, so that it is seen on any clay.
-static void stroke(QPainter& painter, const QPainterPath& path, const QColor& colour, double width) {
+void strokeOnDark(QPainter& painter, const QPainterPath& path, const QColor& colour, double width) {
     painter.setPen(QPen(QColor(0, 0, 0, 110), width + 2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter.drawPath(path);
     painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
@@ -43,18 +42,24 @@ void paint(QPainter& painter, const BrushCursor& cursor, const render::Camera& c
     QPainterPath path;
     if (cursor.contact) {
         path.addPolygon(tiltedCircle(cursor, camera));
-        stroke(painter, path, colour, 1.6);
+        strokeOnDark(painter, path, colour, 1.6);
         const Vec3d tip = cursor.contact->position + cursor.contact->normal * (0.4 * cursor.radius);
         QPainterPath stick(place(camera, cursor.contact->position));
         if (camera.project(tip).z > 0)
             stick.lineTo(place(camera, tip));
-        stroke(painter, stick, colour, 1.6);
+        strokeOnDark(painter, stick, colour, 1.6);
         painter.setPen(Qt::NoPen);
         painter.setBrush(colour);
         painter.drawEllipse(place(camera, cursor.contact->position), 2.5, 2.5);
     } else if (cursor.radiusPx > 0) {
         painter.setPen(QPen(QColor(255, 255, 255, 70), 1.2, Qt::DashLine));
         painter.drawEllipse(cursor.pointer, cursor.radiusPx, cursor.radiusPx);
+    }
+    if (!cursor.label.isEmpty()) {
+        QPainterPath text;
+        text.addText(cursor.pointer + QPointF(16, -12), painter.font(), cursor.label);
+        strokeOnDark(painter, text, QColor(0, 0, 0, 150), 1);
+        painter.fillPath(text, Qt::white);
     }
     painter.restore();
 }

@@ -6,8 +6,11 @@
 
 #include <optional>
 #include <QPointF>
+#include <QString>
 
+class QColor;
 class QPainter;
+class QPainterPath;
 
 namespace ui {
 
@@ -22,7 +25,11 @@ struct BrushCursor {
     double radiusPx = 0;   ///< device pixels, where there is no contact
     QPointF pointer;       ///< device pixels
     bool inverted = false; ///< digs instead of builds: another colour
+    QString label;         ///< beside the pointer, while something is changed by moving it; may be empty
 };
+
+/// Light on dark, so that it is seen on any clay: for whatever is painted over the model.
+void strokeOnDark(QPainter& painter, const QPainterPath& path, const QColor& colour, double width);
 
 /// Paints in device pixels of `camera`'s image.
 void paint(QPainter& painter, const BrushCursor& cursor, const render::Camera& camera);

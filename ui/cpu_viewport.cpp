@@ -28,6 +28,7 @@ void CpuViewport::receive(RenderThread::Result result) {
         return;
     }
     m_picture = std::move(result.picture);
+    m_input = result.input;
     update();
     if (framePainted)
         framePainted(result.seconds);
@@ -44,6 +45,8 @@ void CpuViewport::paintEvent(QPaintEvent*) {
         painter.drawImage(rect(), m_picture); // until the picture for the new size comes
     if (paintOverlay)
         paintOverlay(painter);
+    if (shown)
+        shown(m_input);
 }
 
 } // namespace ui

@@ -26,6 +26,7 @@ class CpuViewport : public QWidget, public Viewport {
     void receive(RenderThread::Result result);
 
     QImage m_picture;
+    std::uint64_t m_input = 0; ///< that it shows
     std::unique_ptr<RenderThread> m_thread;
 };
 

@@ -3,6 +3,7 @@
 #include "core/session/journal.h"
 #include "core/session/live_stroke.h"
 #include "core/session/recover.h"
+#include "ui/stroke_pacer.h"
 
 #include <algorithm>
 #include <chrono>
@@ -21,14 +22,16 @@ struct Editor::Model {
     std::unique_ptr<session::Journal> journal;
     std::optional<session::Context> strokeContext; ///< what `stroke` refers to
     std::optional<session::LiveStroke> stroke;
+    StrokePacer pacer;
     std::uint64_t models = 0;
     double dabSeconds = 0;
-    Snapshot shown; ///< the last published
+    std::uint64_t input = 0; ///< the last in a stroke
+    Snapshot shown;          ///< the last published
 
     void perform(CommandTask& task);
     void perform(SideTask& task);
     void perform(BeginStroke& task);
-    void perform(AddSample& task);
+    void perform(AddSamples& task);
     void perform(EndStroke&);
     void perform(CancelStroke&);
 
@@ -39,6 +42,9 @@ struct Editor::Model {
     void publish(Snapshot snapshot);
     void publishDocument();
     void publishStroke();
+    template <class Wanted>
+    void addPiece(const std::vector<sculpt::StrokeSample>& samples, std::uint64_t last, const Wanted& wanted);
+    void addSlice(const sculpt::StrokeSample& sample, std::uint64_t last);
     bool finishStroke(); ///< false where there is none
     void dropStroke();
     void tell(const std::vector<std::string>& messages);
@@ -49,7 +55,7 @@ bool Editor::Model::guarded(const Work& work) {
     const auto report = [this](auto signal, const QString& text) {
         Editor* target = &editor;
         QMetaObject::invokeMethod(
-            target, [=] { emit(target->*signal)(text); }, Qt::QueuedConnection);
+            target, [=] { std::invoke(signal, target, text); }, Qt::QueuedConnection);
     };
     editor.m_cancel = editor.m_closing.load();
     try {
@@ -73,7 +79,7 @@ base::Progress Editor::Model::progress() {
         *last = Clock::now();
         const QString text = QString::fromUtf8(doing.data(), static_cast<qsizetype>(doing.size()));
         QMetaObject::invokeMethod(
-            target, [=] { emit target->progressed(share, text); }, Qt::QueuedConnection);
+            target, [=] { Q_EMIT target->progressed(share, text); }, Qt::QueuedConnection);
     };
     return {report, &editor.m_cancel};
 }
@@ -86,7 +92,7 @@ void Editor::Model::tell(const std::vector<std::string>& messages) {
     for (const auto& message : messages) {
         const QString text = QString::fromStdString(message);
         QMetaObject::invokeMethod(
-            &editor, [target = &editor, text] { emit target->told(text); }, Qt::QueuedConnection);
+            &editor, [target = &editor, text] { Q_EMIT target->told(text); }, Qt::QueuedConnection);
     }
 }
 
@@ -104,6 +110,7 @@ void Editor::Model::publishDocument() {
     Snapshot out = snapshotOf(document);
     out.models = models;
     out.dabSeconds = dabSeconds;
+    out.input = input;
     publish(std::move(out));
 }
 
@@ -112,6 +119,7 @@ void Editor::Model::publishStroke() {
     out.surface = stroke->surface();
     out.surfels = out.surface.tree().size();
     out.dabSeconds = dabSeconds;
+    out.input = input;
     publish(std::move(out));
 }
 
@@ -155,24 +163,40 @@ void Editor::Model::perform(SideTask& task) {
 void Editor::Model::perform(BeginStroke& task) {
     dropStroke();
     strokeContext.emplace(context());
+    pacer = StrokePacer(task.settings);
     guarded([&] { stroke.emplace(*strokeContext, task.settings); });
     editor.finished({}, true, 0);
 }
 
-void Editor::Model::perform(AddSample& task) {
-    if (stroke) {
-        const auto start = Clock::now();
-        const int before = stroke->dabs();
-        bool dabbed = false;
-        if (!guarded([&] { dabbed = stroke->add(task.sample); }))
-            dropStroke();
-        else if (dabbed) {
-            const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-            dabSeconds = seconds / std::max(1, stroke->dabs() - before);
-            publishStroke();
-        }
-    }
+/// In slices: between them the picture is published and a cancelled stroke ends.
+void Editor::Model::perform(AddSamples& task) {
+    const auto wanted = [this] { return stroke && editor.m_strokeCancels == 0 && !editor.m_closing; };
+    if (wanted())
+        addPiece(pacer.paced(task.samples, stroke->depth()), task.input, wanted);
     editor.finished({}, true, 0);
+}
+
+template <class Wanted>
+void Editor::Model::addPiece(const std::vector<sculpt::StrokeSample>& samples, std::uint64_t last,
+                             const Wanted& wanted) {
+    for (std::size_t i = 0; i < samples.size() && wanted(); ++i)
+        addSlice(samples[i], i + 1 == samples.size() ? last : 0);
+    editor.m_takenInput = last;
+}
+
+void Editor::Model::addSlice(const sculpt::StrokeSample& sample, std::uint64_t last) {
+    const auto start = Clock::now();
+    const int before = stroke->dabs();
+    bool changed = false;
+    if (!guarded([&] { changed = stroke->add(sample); }))
+        return dropStroke();
+    pacer.took(std::chrono::duration<double>(Clock::now() - start).count(), stroke->dabs() - before);
+    if (!changed)
+        return;
+    if (last != 0)
+        editor.m_changingInput = input = last;
+    dabSeconds = pacer.dabSeconds();
+    publishStroke();
 }
 
 void Editor::Model::perform(EndStroke&) {
@@ -182,6 +206,7 @@ void Editor::Model::perform(EndStroke&) {
 }
 
 void Editor::Model::perform(CancelStroke&) {
+    --editor.m_strokeCancels;
     if (stroke) {
         dropStroke();
         publishDocument();
@@ -227,7 +252,7 @@ void Editor::finished(std::function<void(bool)> then, bool done, int commands) {
         if (then)
             then(done);
         if (m_waiting == 0)
-            emit idled();
+            Q_EMIT idled();
     };
     QMetaObject::invokeMethod(this, onInterface, Qt::QueuedConnection);
 }
@@ -240,7 +265,7 @@ void Editor::deliver() {
         m_snapshot = std::move(*m_fresh);
         m_fresh.reset();
     }
-    emit changed();
+    Q_EMIT changed();
 }
 
 void Editor::run(nlohmann::json command, std::function<void(bool)> then) {
@@ -278,8 +303,8 @@ void Editor::beginStroke(const sculpt::StrokeSettings& settings) {
     push(BeginStroke{settings});
 }
 
-void Editor::addSample(const sculpt::StrokeSample& sample) {
-    push(AddSample{sample});
+void Editor::addSample(const sculpt::StrokeSample& sample, std::uint64_t input) {
+    push(AddSamples{{sample}, input});
 }
 
 void Editor::endStroke() {
@@ -287,6 +312,7 @@ void Editor::endStroke() {
 }
 
 void Editor::cancelStroke() {
+    ++m_strokeCancels;
     push(CancelStroke{});
 }
 

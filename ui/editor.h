@@ -3,7 +3,7 @@
 //
 //     interface                              model thread
 //     run(command, then)  ---- TaskQueue -->  session::run            --> changed(), then(done)
-//     beginStroke, addSample...              session::LiveStroke::add --> changed() after dabs
+//     beginStroke, addSample... (merged)     session::LiveStroke::add --> changed() after every slice of dabs
 //     endStroke                              finish, commit, journal  --> changed()
 //     cancelStroke                           drops the LiveStroke     --> changed(), as if nothing had been
 //
@@ -43,8 +43,10 @@ class Editor : public QObject {
     void recover(std::filesystem::path journal, std::function<void(bool done)> then = {});
     void runAside(SideTask task);
     void beginStroke(const sculpt::StrokeSettings& settings);
-    void addSample(const sculpt::StrokeSample& sample);
+    /// `input`: what Snapshot::input says once it is in the picture.
+    void addSample(const sculpt::StrokeSample& sample, std::uint64_t input = 0);
     void endStroke();
+    /// As if it had not been: what still waits of it is not done any more.
     void cancelStroke();
     /// Asks the command that is running to stop; it then leaves the model as it was.
     void cancelWork() { m_cancel = true; }
@@ -54,15 +56,21 @@ class Editor : public QObject {
 
     /// Something is running or waiting.
     bool busy() const { return m_waiting > 0; }
+    /// Jobs that run or wait, a piece of a stroke being one.
+    int waiting() const { return m_waiting; }
     /// A command or side task is among it, so that the model may soon be another.
     bool working() const { return m_commands > 0; }
     /// A stroke may begin: the model is not about to be another, and nothing that takes long is before it.
     bool ready() const { return m_replacing == 0 && (!working() || m_workingSince.elapsed() < patienceMs); }
     const Snapshot& snapshot() const { return m_snapshot; }
+    /// Of a stroke's input: the last that the engine has taken, and the last of these that changed the model. The
+    /// latter comes with a snapshot.
+    std::uint64_t takenInput() const { return m_takenInput; }
+    std::uint64_t changingInput() const { return m_changingInput; }
     /// Of the document's content once all that was asked is done. Blocks: for tests and reports.
     base::Hash128 hashWhenDone();
 
-  signals:
+  Q_SIGNALS:
     void changed();                               ///< snapshot() is new
     void progressed(double share, QString doing); ///< of a running command, 0 to 1
     void told(QString message);                   ///< one sentence for the person
@@ -81,6 +89,8 @@ class Editor : public QObject {
     TaskQueue m_queue;
     std::atomic<bool> m_cancel = false;
     std::atomic<bool> m_closing = false;
+    std::atomic<int> m_strokeCancels = 0; ///< asked, not yet done
+    std::atomic<std::uint64_t> m_takenInput = 0, m_changingInput = 0;
     bool m_discardJournal = false;
     Snapshot m_snapshot;
     int m_waiting = 0;

@@ -83,7 +83,7 @@ QString FileActions::folder() const {
 
 void FileActions::remember(const fs::path& path) {
     m_settings.remember(path.string());
-    emit recentChanged();
+    Q_EMIT recentChanged();
 }
 
 void FileActions::showFailure(const QString& title) {
@@ -165,8 +165,8 @@ void FileActions::write(const fs::path& path, std::function<void()> then) {
         if (!done)
             return showFailure(tr("Could not save %1").arg(textOf(whole.filename())));
         remember(whole);
-        emit m_editor.told(isNative(whole) ? tr("Saved %1").arg(textOf(whole))
-                                           : tr("Wrote %1; a .ply would keep everything").arg(textOf(whole)));
+        Q_EMIT m_editor.told(isNative(whole) ? tr("Saved %1").arg(textOf(whole))
+                                             : tr("Wrote %1; a .ply would keep everything").arg(textOf(whole)));
         if (then)
             then();
     });
@@ -195,7 +195,7 @@ void FileActions::writeImage(const fs::path& path) {
     };
     m_editor.runAside({"Drawing the image", work, [this, path](bool done) {
                            if (done)
-                               emit m_editor.told(tr("Wrote %1").arg(textOf(path)));
+                               Q_EMIT m_editor.told(tr("Wrote %1").arg(textOf(path)));
                            else
                                showFailure(tr("Could not write %1").arg(textOf(path.filename())));
                        }});
@@ -206,7 +206,7 @@ void FileActions::writeImage(const fs::path& path) {
 void FileActions::unlessUnsaved(std::function<void()> next) {
     if (m_editor.busy()) { // what is under way decides whether there is something to lose
         if (m_editor.working())
-            emit m_editor.told(tr("Waiting for what is under way; Esc stops it."));
+            Q_EMIT m_editor.told(tr("Waiting for what is under way; Esc stops it."));
         const auto again = [this, next = std::move(next)] { unlessUnsaved(next); };
         connect(&m_editor, &Editor::idled, this, again, Qt::SingleShotConnection);
         return;
@@ -266,7 +266,7 @@ void FileActions::recover(const fs::path& journal) {
         if (!done)
             return showFailure(tr("Could not recover"));
         session::removeJournal(journal); // this window's own journal holds it all now
-        emit m_editor.told(tr("Recovered. Save it to keep it."));
+        Q_EMIT m_editor.told(tr("Recovered. Save it to keep it."));
     });
 }
 

@@ -34,7 +34,7 @@ class FileActions : public QObject {
     /// Runs `next` at once, after saving, or never: as the person decides about unsaved work.
     void unlessUnsaved(std::function<void()> next);
 
-  signals:
+  Q_SIGNALS:
     void recentChanged();
 
   private:

@@ -121,6 +121,8 @@ void GlViewport::paintGL() {
     }
     if (framePainted)
         framePainted(seconds);
+    if (shown)
+        shown(m_frame.input);
 }
 
 QImage GlViewport::picture() {

@@ -56,7 +56,7 @@ void MainWindow::buildFileMenu() {
     file->addSeparator();
     addAction(*file, "recover", tr("Re&cover Lost Work…"), {}, [this] {
         if (!m_files->offerRecovery())
-            emit m_editor->told(tr("No other lost work was found."));
+            Q_EMIT m_editor->told(tr("No other lost work was found."));
     });
     file->addSeparator();
     addAction(*file, "quit", tr("&Close"), QKeySequence("Ctrl+Q"), [this] { close(); });
@@ -78,6 +78,7 @@ void MainWindow::buildEditMenu() {
     QMenu* edit = addMenu("edit", tr("&Edit"));
     m_undo = addAction(*edit, "undo", tr("Undo"), QKeySequence("Ctrl+Z"), [this] { undo(); });
     m_redo = addAction(*edit, "redo", tr("Redo"), QKeySequence("Ctrl+Shift+Z"), [this] { redo(); });
+    m_redo->setShortcuts({QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")});
     auto* escapeKey = new QShortcut(QKeySequence(Qt::Key_Escape), this);
     connect(escapeKey, &QShortcut::activated, this, &MainWindow::escape);
 }
@@ -89,6 +90,9 @@ void MainWindow::buildBrushMenu() {
     constexpr double step = 1.15;
     addAction(*brush, "", tr("Larger"), QKeySequence("]"), [this] { m_controller->scaleRadius(step); });
     addAction(*brush, "", tr("Smaller"), QKeySequence("["), [this] { m_controller->scaleRadius(1 / step); });
+    constexpr double part = 0.05;
+    addAction(*brush, "", tr("Stronger"), QKeySequence("Shift+]"), [this] { m_controller->shiftStrength(part); });
+    addAction(*brush, "", tr("Weaker"), QKeySequence("Shift+["), [this] { m_controller->shiftStrength(-part); });
 }
 
 void MainWindow::buildModelMenu() {

@@ -92,7 +92,9 @@ void MainWindow::buildBars() {
     dock->setWidget(m_panel);
     addDockWidget(Qt::RightDockWidgetArea, dock);
     connect(m_panel, &PropertiesPanel::edited, this, &MainWindow::settingsEdited);
-    connect(m_controller, &ViewController::radiusChanged, m_panel, &PropertiesPanel::refresh);
+    connect(m_controller, &ViewController::brushChanged, m_panel, &PropertiesPanel::refresh);
+    connect(m_controller, &ViewController::sourceChanged, m_panel, &PropertiesPanel::showSource);
+    connect(m_controller, &ViewController::hinted, this, [this](const QString& what) { m_status->tell(what); });
 }
 
 void MainWindow::connectEditor() {

@@ -1,21 +1,23 @@
 #include "ui/number_slider.h"
 
+#include "ui/value_bar.h"
+
 #include <algorithm>
 #include <cmath>
 #include <QDoubleSpinBox>
-#include <QGridLayout>
-#include <QLabel>
+#include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QSignalBlocker>
-#include <QSlider>
 
 namespace ui {
 
-/// 0 to 1 along the slider.
+/// 0 to 1 along the bar.
 static double shareOf(const NumberRange& range, double value) {
     if (!(range.max > range.min))
         return 0;
-    return range.logarithmic ? std::log(value / range.min) / std::log(range.max / range.min)
-                             : (value - range.min) / (range.max - range.min);
+    const double inside = std::clamp(value, range.min, range.max);
+    return range.logarithmic ? std::log(inside / range.min) / std::log(range.max / range.min)
+                             : (inside - range.min) / (range.max - range.min);
 }
 
 static double valueOf(const NumberRange& range, double share) {
@@ -23,60 +25,94 @@ static double valueOf(const NumberRange& range, double share) {
                              : range.min + (range.max - range.min) * share;
 }
 
+static double lowest(const NumberRange& range) {
+    return std::isnan(range.typedMin) ? range.min : range.typedMin;
+}
+static double highest(const NumberRange& range) {
+    return std::isnan(range.typedMax) ? range.max : range.typedMax;
+}
+
 NumberSlider::NumberSlider(const QString& label, const QString& tip, const NumberRange& range, QWidget* parent)
-    : QWidget(parent), m_slider(new QSlider(Qt::Horizontal)), m_box(new QDoubleSpinBox) {
-    auto* grid = new QGridLayout(this);
-    grid->setContentsMargins(0, 0, 0, 0);
-    grid->setVerticalSpacing(1);
-    grid->addWidget(new QLabel(label), 0, 0);
-    grid->addWidget(m_box, 0, 1);
-    grid->addWidget(m_slider, 1, 0, 1, 2);
-    grid->setColumnStretch(0, 1);
+    : QWidget(parent), m_bar(new ValueBar(label)), m_box(new QDoubleSpinBox) {
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(0);
+    row->addWidget(m_bar);
+    row->addWidget(m_box);
     setToolTip(tip);
-    m_box->setFixedWidth(104);
+    m_box->hide();
+    m_box->setFixedHeight(ValueBar::height);
     m_box->setKeyboardTracking(false);
-    m_box->setAlignment(Qt::AlignRight);
+    m_box->setButtonSymbols(QAbstractSpinBox::NoButtons);
     m_box->setAccessibleName(label);
-    m_slider->setRange(0, steps);
-    m_slider->setPageStep(steps / 10);
-    m_slider->setAccessibleName(label);
+    m_box->installEventFilter(this);
+    m_bar->setRange(0, steps);
+    m_bar->setPageStep(steps / 10);
+    m_bar->setSingleStep(steps / 100);
+    m_bar->setAccessibleName(label);
     setRange(range);
-    connect(m_slider, &QSlider::valueChanged, this, &NumberSlider::slid);
-    connect(m_box, &QDoubleSpinBox::valueChanged, this, &NumberSlider::typed);
+    connect(m_bar, &QSlider::valueChanged, this, &NumberSlider::slid);
+    connect(m_bar, &ValueBar::clicked, this, &NumberSlider::beginTyping);
+    connect(m_box, &QDoubleSpinBox::editingFinished, this, [this] { endTyping(true); });
 }
 
 void NumberSlider::setRange(const NumberRange& range) {
     m_range = range;
     const QSignalBlocker quiet(m_box);
     m_box->setDecimals(range.decimals);
-    m_box->setRange(range.min, range.max);
+    m_box->setRange(lowest(range), highest(range));
     m_box->setSuffix(range.unit.isEmpty() ? QString() : " " + range.unit);
-    if (range.logarithmic)
-        m_box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
-    else
-        m_box->setSingleStep((range.max - range.min) / 100);
     setValue(m_value);
 }
 
 void NumberSlider::setValue(double value) {
-    m_value = std::clamp(value, m_range.min, m_range.max);
+    m_value = std::clamp(value, lowest(m_range), highest(m_range));
     showValue();
 }
 
 void NumberSlider::showValue() {
-    const QSignalBlocker quietBox(m_box), quietSlider(m_slider);
+    const QSignalBlocker quietBox(m_box), quietBar(m_bar);
     m_box->setValue(m_value);
-    m_slider->setValue(static_cast<int>(std::lround(shareOf(m_range, m_value) * steps)));
+    m_bar->setText(m_box->text());
+    m_bar->setValue(static_cast<int>(std::lround(shareOf(m_range, m_value) * steps)));
 }
 
 void NumberSlider::slid(int step) {
     setValue(valueOf(m_range, static_cast<double>(step) / steps));
-    emit edited(m_value);
+    Q_EMIT edited(m_value);
 }
 
-void NumberSlider::typed(double value) {
-    setValue(value);
-    emit edited(m_value);
+void NumberSlider::beginTyping() {
+    m_bar->hide();
+    m_box->show();
+    m_box->setFocus();
+    m_box->selectAll();
+}
+
+void NumberSlider::endTyping(bool take) {
+    if (m_box->isHidden())
+        return;
+    const double typed = m_box->value();
+    m_box->hide();
+    m_bar->show();
+    if (take && typed != m_value && std::abs(typed - m_value) > 0.5 * std::pow(10, -m_range.decimals)) {
+        setValue(typed);
+        Q_EMIT edited(m_value);
+    } else
+        showValue();
+}
+
+/// Escape forgets what is typed.
+bool NumberSlider::eventFilter(QObject* object, QEvent* event) {
+    const bool escape = (event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress) &&
+                        static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape;
+    if (object == m_box && escape) {
+        event->accept();
+        if (event->type() == QEvent::KeyPress)
+            endTyping(false);
+        return true;
+    }
+    return QWidget::eventFilter(object, event);
 }
 
 } // namespace ui

@@ -1,13 +1,14 @@
-// A number with a name: a slider for the hand, a box for the exact value, both showing the same.
+// A number with a name: a bar for the hand, and in its place a box for the exact value while one is typed.
 #pragma once
 
+#include <limits>
 #include <QWidget>
 
 class QDoubleSpinBox;
-class QLabel;
-class QSlider;
 
 namespace ui {
+
+class ValueBar;
 
 /// What a NumberSlider shows and allows.
 struct NumberRange {
@@ -15,6 +16,8 @@ struct NumberRange {
     bool logarithmic = false; ///< REQUIRES: min > 0
     int decimals = 2;
     QString unit; ///< behind the number; may be empty
+    /// What may be typed; the bar spans min to max. NaN: the same.
+    double typedMin = std::numeric_limits<double>::quiet_NaN(), typedMax = typedMin;
 };
 
 class NumberSlider : public QWidget {
@@ -23,24 +26,28 @@ class NumberSlider : public QWidget {
     NumberSlider(const QString& label, const QString& tip, const NumberRange& range, QWidget* parent = nullptr);
 
     double value() const { return m_value; }
-    /// Clamped to the range; does not emit.
+    /// Clamped to what may be typed; does not emit.
     void setValue(double value);
     /// The value stays where the new range allows it; does not emit.
     void setRange(const NumberRange& range);
 
-  signals:
+  Q_SIGNALS:
     void edited(double value); ///< by the person
+
+  protected:
+    bool eventFilter(QObject* object, QEvent* event) override;
 
   private:
     void slid(int step);
-    void typed(double value);
+    void beginTyping();
+    void endTyping(bool take);
     void showValue();
 
     static constexpr int steps = 1000;
     NumberRange m_range;
     double m_value = 0;
-    QSlider* m_slider;
-    QDoubleSpinBox* m_box;
+    ValueBar* m_bar;
+    QDoubleSpinBox* m_box; ///< hidden unless one types
 };
 
 } // namespace ui

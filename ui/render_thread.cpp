@@ -48,15 +48,23 @@ std::optional<Frame> RenderThread::next() {
 
 RenderThread::Result RenderThread::draw(const Frame& frame) {
     Result out;
+    out.input = frame.input;
     render::Camera camera = frame.camera;
-    out.reduced = frame.moving && m_fullSeconds > fluentSeconds && camera.width > 1 && camera.height > 1;
+    const bool same = m_drawn && m_drawn->camera == camera && m_drawn->options == frame.options;
+    double& usual = same ? m_updateSeconds : m_fullSeconds;
+    out.reduced = frame.moving && usual > fluentSeconds && camera.width > 1 && camera.height > 1;
     if (out.reduced)
         camera.width /= 2, camera.height /= 2;
+    m_drawn.reset();
     const auto start = Clock::now();
-    m_renderer->render(frame.model, camera, frame.options, m_image);
+    m_renderer->update(frame.model, camera, frame.options, m_image);
     out.seconds = std::chrono::duration<double>(Clock::now() - start).count();
     // A quarter of the pixels costs at least a quarter of the time: a guess that never switches back too late.
-    m_fullSeconds = out.reduced ? std::max(m_fullSeconds * 0.9, out.seconds * 1.5) : out.seconds;
+    usual = out.reduced ? std::max(usual * 0.9, out.seconds * 1.5) : out.seconds;
+    if (!out.reduced)
+        m_drawn = frame;
+    if (!same)
+        m_updateSeconds = 0;
     const QImage view(reinterpret_cast<const uchar*>(m_image.colour.data()), m_image.width, m_image.height,
                       QImage::Format_RGBX8888);
     out.picture = view.convertToFormat(QImage::Format_RGB32);

@@ -1,7 +1,8 @@
 // Draws frames away from the interface's thread. Only the latest request counts: a newer one replaces what waits.
 //
 // While frames follow each other and a full one takes longer than `fluentSeconds`, it draws at half resolution; the
-// full picture follows when nothing new has come for `restSeconds`.
+// full picture follows when nothing new has come for `restSeconds`. Frames from the same place, such as those of a
+// stroke, draw only what has changed (Renderer::update).
 #pragma once
 
 #include "ui/viewport.h"
@@ -18,10 +19,11 @@ class RenderThread {
     static constexpr double fluentSeconds = 0.030, restSeconds = 0.12;
 
     struct Result {
-        QImage picture;       ///< RGB32, of the size asked for
-        double seconds = 0;   ///< that the renderer took
-        bool reduced = false; ///< drawn at half resolution and enlarged
-        QString trouble;      ///< not empty: no picture, and why
+        std::uint64_t input = 0; ///< of the frame
+        QImage picture;          ///< RGB32, of the size asked for
+        double seconds = 0;      ///< that the renderer took
+        bool reduced = false;    ///< drawn at half resolution and enlarged
+        QString trouble;         ///< not empty: no picture, and why
     };
     using Deliver = std::function<void(Result)>;
 
@@ -44,8 +46,10 @@ class RenderThread {
     bool m_ending = false;
     std::optional<Frame> m_unrefined; ///< drawn reduced; to be drawn in full at rest
     double m_fullSeconds = 0;         ///< what a full frame took or would take
-    render::Image m_image;            ///< kept for its memory
-    std::thread m_thread;             ///< last: it uses all of the above
+    double m_updateSeconds = 0;       ///< the same of one from where the last was seen
+    std::optional<Frame> m_drawn;     ///< the last one drawn in full, while it is in m_image
+    render::Image m_image;
+    std::thread m_thread; ///< last: it uses all of the above
 };
 
 } // namespace ui

@@ -1,5 +1,7 @@
 #include "ui/settings.h"
 
+#include "core/base/error.h"
+
 #include <algorithm>
 #include <QSettings>
 #include <QStringList>
@@ -18,17 +20,13 @@ const sculpt::ToolRow& Settings::toolRow() const {
     return row ? *row : sculpt::toolTable().front();
 }
 
-ToolChoice Settings::choice(const sculpt::ToolRow& row) const {
-    ToolChoice out{row.strength, {}};
+sculpt::StrokeSettings Settings::choice(const sculpt::ToolRow& row) const {
     const auto found = tools.find(row.id);
-    if (found != tools.end())
-        out.strength = found->second.strength;
-    for (const auto& p : row.parameters) {
-        out.parameters[p.id] = p.fallback;
-        if (found != tools.end() && found->second.parameters.contains(p.id))
-            out.parameters[p.id] = found->second.parameters.at(p.id);
-    }
-    return out;
+    return found != tools.end() ? found->second : sculpt::defaultsOf(row);
+}
+
+sculpt::StrokeSettings& Settings::edit(const sculpt::ToolRow& row) {
+    return tools.try_emplace(row.id, sculpt::defaultsOf(row)).first->second;
 }
 
 void Settings::remember(const std::string& file) {
@@ -39,18 +37,19 @@ void Settings::remember(const std::string& file) {
 }
 
 sculpt::StrokeSettings strokeSettings(const Settings& settings, const sculpt::ToolRow& row, float radius, bool flip) {
-    const ToolChoice choice = settings.choice(row);
-    sculpt::StrokeSettings out;
-    out.tool = row.id;
+    sculpt::StrokeSettings out = settings.choice(row);
     out.radius = radius;
-    out.strength = static_cast<float>(choice.strength);
-    out.invert = settings.invert != flip;
-    out.falloff = settings.falloff;
+    out.invert = out.invert != flip;
     out.symmetry = settings.symmetry;
     out.resample = settings.resample;
-    out.spacing = static_cast<float>(settings.spacing);
-    out.parameters = choice.parameters;
     return out;
+}
+
+static sculpt::Falloff rowValue(const sculpt::FalloffRow& row) {
+    return row.falloff;
+}
+static sculpt::StrokeMethod rowValue(const sculpt::MethodRow& row) {
+    return row.method;
 }
 
 // --- reading: each value is taken only where it is a finite number in its range ---
@@ -62,12 +61,64 @@ static void readNumber(const QSettings& store, const QString& key, double min, d
         value = number;
 }
 
+/// "0,1;0.5,0.75;1,0"; what is no curve keeps the value.
+static void readCurve(const QSettings& store, const QString& key, sculpt::CurvePoints& value) {
+    sculpt::CurvePoints points;
+    for (const QString& pair : store.value(key).toString().split(';', Qt::SkipEmptyParts)) {
+        const QStringList numbers = pair.split(',');
+        bool okX = false, okY = false;
+        points.push_back({numbers.front().toFloat(&okX), numbers.back().toFloat(&okY)});
+        if (numbers.size() != 2 || !okX || !okY)
+            return;
+    }
+    try {
+        sculpt::BrushCurve checked(points);
+        value = points;
+    } catch (const base::Error&) {
+    }
+}
+
+template <class Rows, class Value>
+static void readRow(const QSettings& store, const QString& key, const Rows& rows, Value& value) {
+    const std::string id = store.value(key).toString().toStdString();
+    for (const auto& row : rows)
+        if (id == row.id)
+            value = rowValue(row);
+}
+
+static void readOption(const QSettings& store, const QString& key, const sculpt::StrokeOption& option,
+                       sculpt::StrokeSettings& out) {
+    if (!store.contains(key))
+        return;
+    const auto read = [&](auto field) {
+        auto& value = out.*field;
+        using Value = std::decay_t<decltype(value)>;
+        if constexpr (std::is_same_v<Value, float>) {
+            const double scale = option.range.scale;
+            double number = double(value) * scale;
+            readNumber(store, key, option.range.min, option.range.max, number);
+            value = static_cast<float>(number / scale);
+        } else if constexpr (std::is_same_v<Value, bool>)
+            value = store.value(key).toBool();
+        else if constexpr (std::is_same_v<Value, std::string>)
+            value = store.value(key).toString().toStdString();
+        else if constexpr (std::is_same_v<Value, sculpt::CurvePoints>)
+            readCurve(store, key, value);
+        else if constexpr (std::is_same_v<Value, sculpt::Falloff>)
+            readRow(store, key, sculpt::falloffTable(), value);
+        else
+            readRow(store, key, sculpt::methodTable(), value);
+    };
+    std::visit(read, option.field);
+}
+
 static void readTools(const QSettings& store, Settings& out) {
     for (const auto& row : sculpt::toolTable()) {
         const QString group = QString("tools/%1/").arg(row.id);
-        ToolChoice choice = out.choice(row);
-        const ToolChoice fallback = choice;
-        readNumber(store, group + "strength", 0, 1, choice.strength);
+        const sculpt::StrokeSettings fallback = sculpt::defaultsOf(row);
+        sculpt::StrokeSettings choice = fallback;
+        for (const auto& option : sculpt::strokeOptionTable())
+            readOption(store, group + option.id, option, choice);
         for (const auto& p : row.parameters)
             readNumber(store, group + "parameters/" + p.id, p.min, p.max, choice.parameters[p.id]);
         if (choice != fallback)
@@ -76,10 +127,6 @@ static void readTools(const QSettings& store, Settings& out) {
 }
 
 static void readTableRows(const QSettings& store, Settings& out) {
-    const std::string falloff = store.value("brush/falloff").toString().toStdString();
-    for (const auto& row : sculpt::falloffTable())
-        if (falloff == row.id)
-            out.falloff = row.falloff;
     const std::string shading = store.value("view/shading").toString().toStdString();
     for (const auto& row : render::shadingTable())
         if (shading == row.id)
@@ -92,6 +139,15 @@ static void readTableRows(const QSettings& store, Settings& out) {
         out.shiftTool = shiftTool;
 }
 
+static void readSymmetry(const QSettings& store, sculpt::Symmetry& out) {
+    const QString planes = store.value("brush/symmetry").toString();
+    out.x = planes.contains('x'), out.y = planes.contains('y'), out.z = planes.contains('z');
+    double copies = out.copies, axis = out.axis;
+    readNumber(store, "brush/radial", 1, 64, copies);
+    readNumber(store, "brush/radialAxis", 0, 2, axis);
+    out.copies = static_cast<int>(copies), out.axis = static_cast<int>(axis);
+}
+
 Settings readSettings(const QSettings& store) {
     Settings out;
     readTableRows(store, out);
@@ -100,11 +156,11 @@ Settings readSettings(const QSettings& store) {
         out.radiusUnit = RadiusUnit::Model;
     readNumber(store, "brush/radiusPx", Settings::minRadiusPx, Settings::maxRadiusPx, out.radiusPx);
     readNumber(store, "brush/radiusModel", 1e-30, 1e30, out.radiusModel);
-    readNumber(store, "brush/spacing", Settings::minSpacing, Settings::maxSpacing, out.spacing);
-    const QString symmetry = store.value("brush/symmetry").toString();
-    out.symmetry = {symmetry.contains('x'), symmetry.contains('y'), symmetry.contains('z')};
-    out.invert = store.value("brush/invert", out.invert).toBool();
+    readSymmetry(store, out.symmetry);
     out.resample = store.value("brush/resample", out.resample).toBool();
+    for (const QString& key : store.allKeys())
+        if (key.startsWith("panel/"))
+            out.groups[key.mid(6).toStdString()] = store.value(key).toBool();
     for (const QString& file : store.value("files/recent").toStringList())
         if (out.recentFiles.size() < Settings::recentLimit)
             out.recentFiles.push_back(file.toStdString());
@@ -113,13 +169,38 @@ Settings readSettings(const QSettings& store) {
     return out;
 }
 
+static QVariant stored(const sculpt::StrokeOption& option, const sculpt::StrokeSettings& settings) {
+    const auto text = [&](auto field) -> QVariant {
+        const auto& value = settings.*field;
+        using Value = std::decay_t<decltype(value)>;
+        if constexpr (std::is_same_v<Value, float>)
+            return double(value) * option.range.scale;
+        else if constexpr (std::is_same_v<Value, bool>)
+            return value;
+        else if constexpr (std::is_same_v<Value, std::string>)
+            return QString::fromStdString(value);
+        else if constexpr (std::is_same_v<Value, sculpt::CurvePoints>) {
+            QStringList pairs;
+            for (const auto& p : value)
+                pairs << QString("%1,%2").arg(double(p.x), 0, 'g', 9).arg(double(p.y), 0, 'g', 9);
+            return pairs.join(';');
+        } else
+            return QString(sculpt::row(value).id);
+    };
+    return std::visit(text, option.field);
+}
+
 static void writeTools(const Settings& settings, QSettings& store) {
     store.remove("tools");
     for (const auto& [id, choice] : settings.tools) {
         const QString group = QString("tools/%1/").arg(QString::fromStdString(id));
-        store.setValue(group + "strength", choice.strength);
+        const sculpt::StrokeSettings fallback = sculpt::defaultsOf(sculpt::tool(id));
+        for (const auto& option : sculpt::strokeOptionTable())
+            if (const QVariant value = stored(option, choice); value != stored(option, fallback))
+                store.setValue(group + option.id, value);
         for (const auto& [name, value] : choice.parameters)
-            store.setValue(group + "parameters/" + QString::fromStdString(name), value);
+            if (value != fallback.parameters.at(name))
+                store.setValue(group + "parameters/" + QString::fromStdString(name), value);
     }
 }
 
@@ -129,12 +210,14 @@ void writeSettings(const Settings& settings, QSettings& store) {
     store.setValue("brush/radiusUnit", settings.radiusUnit == RadiusUnit::Model ? "model" : "pixels");
     store.setValue("brush/radiusPx", settings.radiusPx);
     store.setValue("brush/radiusModel", settings.radiusModel);
-    store.setValue("brush/falloff", sculpt::row(settings.falloff).id);
-    store.setValue("brush/spacing", settings.spacing);
     const auto& s = settings.symmetry;
     store.setValue("brush/symmetry", QString(s.x ? "x" : "") + (s.y ? "y" : "") + (s.z ? "z" : ""));
-    store.setValue("brush/invert", settings.invert);
+    store.setValue("brush/radial", s.copies);
+    store.setValue("brush/radialAxis", s.axis);
     store.setValue("brush/resample", settings.resample);
+    store.remove("panel");
+    for (const auto& [id, open] : settings.groups)
+        store.setValue(QString("panel/") + QString::fromStdString(id), open);
     writeTools(settings, store);
     for (const auto& row : render::shadingTable())
         if (row.shading == settings.shading)

@@ -1,11 +1,12 @@
 // What the window remembers between two runs: a plain value with defaults, compared with ==, read from and written to
-// QSettings. Nothing here changes a model; a stroke takes what it needs with strokeSettings().
+// QSettings. Each tool has its own options; radius, symmetry and resampling are everybody's. Nothing here changes a
+// model; a stroke takes what it needs with strokeSettings().
 //
 // Reading is forgiving: what is missing, unknown or out of range keeps its default, so that a settings file of another
 // version never stops the program.
 #pragma once
 
-#include "core/sculpt/stroke.h"
+#include "core/sculpt/stroke_options.h"
 #include "ui/render/renderer.h"
 
 #include <QByteArray>
@@ -21,36 +22,29 @@ enum class RadiusUnit {
     Model   ///< the brush keeps its size on the model
 };
 
-/// What a person has set for one tool; absent entries are the table's defaults.
-struct ToolChoice {
-    double strength = 0.5;
-    std::map<std::string, double> parameters;
-    bool operator==(const ToolChoice&) const = default;
-};
-
 struct Settings {
     std::string tool;                 ///< id of the chosen tool; empty: the table's first
     std::string shiftTool = "smooth"; ///< the tool while Shift is held
     RadiusUnit radiusUnit = RadiusUnit::Pixels;
     double radiusPx = 50;
     double radiusModel = 0.1;
-    sculpt::Falloff falloff = sculpt::Falloff::Smooth;
-    double spacing = 0.1; ///< of dabs, as a part of the radius
     sculpt::Symmetry symmetry;
-    bool invert = false;
     bool resample = true;
-    std::map<std::string, ToolChoice> tools;
+    std::map<std::string, sculpt::StrokeSettings> tools; ///< by id, what a person has set; else sculpt::defaultsOf
+    std::map<std::string, bool> groups;                  ///< of the panel, by id: open or shut by a person
     render::Shading shading = render::Shading::Matcap;
     std::vector<std::string> recentFiles; ///< newest first, at most `recentLimit`
     QByteArray geometry, windowState;     ///< as QMainWindow saves them
 
     static constexpr std::size_t recentLimit = 10;
-    static constexpr double minRadiusPx = 2, maxRadiusPx = 500, minSpacing = 0.01, maxSpacing = 1;
+    static constexpr double minRadiusPx = 2, maxRadiusPx = 500;
     bool operator==(const Settings&) const = default;
 
     const sculpt::ToolRow& toolRow() const;
-    /// The person's choice for a tool, complete with the table's defaults.
-    ToolChoice choice(const sculpt::ToolRow& row) const;
+    /// The options of a tool; radius, symmetry and resampling have no meaning in it.
+    sculpt::StrokeSettings choice(const sculpt::ToolRow& row) const;
+    /// The same to change: from now on the person's own.
+    sculpt::StrokeSettings& edit(const sculpt::ToolRow& row);
     void remember(const std::string& file);
 };
 

@@ -19,6 +19,9 @@ std::span<const GestureRow> gestureTable() {
         {"Middle button", "Move the view"},
         {"Wheel", "Nearer and farther, towards the pointer"},
         {"Hold F and move", "Radius of the brush"},
+        {"Hold Shift+F and move", "Strength of the tool"},
+        {"Ctrl + click, with Clone", "Where to copy from"},
+        {"Click a number", "Type its value; drag it to change it, with Shift finely"},
         {"Esc", "Take back the stroke in progress; stop long work"},
     };
     return table;

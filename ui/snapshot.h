@@ -17,10 +17,11 @@ struct Snapshot {
     float spacing = 0;        ///< process::typicalSpacing, model units; 0 where there are too few
     float splatScale = 1;     ///< render::splatScaleOf the document's model
     double dabSeconds = 0;    ///< the last dab, resampling included
+    std::uint64_t input = 0;  ///< the last pointer event of a stroke that it holds, as the interface counts them
     std::uint64_t models = 0; ///< grows when another model takes the place of the old one: frame it
 };
 
-/// Everything but `dabSeconds` and `models`. Cost: blocks, not surfels.
+/// Everything but `dabSeconds`, `input` and `models`. Cost: blocks, not surfels.
 Snapshot snapshotOf(const session::Document& document);
 
 } // namespace ui

@@ -28,7 +28,7 @@ class StatusLine : public QStatusBar {
     void tell(const QString& message, bool error = false);
     QString message() const;
 
-  signals:
+  Q_SIGNALS:
     void cancelled(); ///< the person asked the work to stop
 
   private:

@@ -2,37 +2,36 @@
 
 namespace ui {
 
-static std::size_t waitingSamples(const std::deque<Task>& tasks) {
-    std::size_t n = 0;
-    while (n < tasks.size() && std::holds_alternative<AddSample>(tasks[tasks.size() - 1 - n]))
-        ++n;
-    return n;
-}
-
-/// Keeps the samples 0, 2, 4, ... of the run at the back: the first of a stroke decides its contact.
-static void thin(std::deque<Task>& tasks, std::size_t run) {
-    const std::size_t start = tasks.size() - run;
-    std::size_t kept = start;
-    for (std::size_t i = 0; i < run; i += 2, ++kept)
-        if (kept != start + i)
-            tasks[kept] = std::move(tasks[start + i]);
-    tasks.erase(tasks.begin() + static_cast<std::ptrdiff_t>(kept), tasks.end());
+/// Keeps the samples 0, 2, 4, ... and the last: the first of a stroke decides its contact.
+static void thin(std::vector<sculpt::StrokeSample>& samples) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < samples.size(); ++i)
+        if (i % 2 == 0 || i + 1 == samples.size())
+            samples[kept++] = samples[i];
+    samples.resize(kept);
 }
 
 std::size_t TaskQueue::push(Task task) {
-    std::size_t dropped = 0;
+    std::size_t fewer = 0;
     {
         const std::lock_guard lock(m_mutex);
-        const std::size_t run = waitingSamples(m_tasks), before = m_tasks.size();
-        if (std::holds_alternative<AddSample>(task) && run >= maxWaitingSamples)
-            thin(m_tasks, run);
-        else if (std::holds_alternative<CancelStroke>(task))
-            m_tasks.erase(m_tasks.end() - static_cast<std::ptrdiff_t>(run), m_tasks.end());
-        dropped = before - m_tasks.size();
+        auto* waiting = m_tasks.empty() ? nullptr : std::get_if<AddSamples>(&m_tasks.back());
+        const auto* more = std::get_if<AddSamples>(&task);
+        if (waiting && more) {
+            waiting->samples.insert(waiting->samples.end(), more->samples.begin(), more->samples.end());
+            waiting->input = more->input;
+            while (waiting->samples.size() > maxWaitingSamples)
+                thin(waiting->samples);
+            return 1;
+        }
+        if (waiting && std::holds_alternative<CancelStroke>(task)) {
+            m_tasks.pop_back();
+            fewer = 1;
+        }
         m_tasks.push_back(std::move(task));
     }
     m_filled.notify_one();
-    return dropped;
+    return fewer;
 }
 
 std::optional<Task> TaskQueue::pop() {
@@ -40,7 +39,7 @@ std::optional<Task> TaskQueue::pop() {
     m_filled.wait(lock, [this] { return m_closed || !m_tasks.empty(); });
     if (m_closed)
         return {};
-    Task out = std::move(m_tasks.front());
+    std::optional<Task> out(std::move(m_tasks.front()));
     m_tasks.pop_front();
     return out;
 }

@@ -1,5 +1,5 @@
 // What the interface asks of the model thread, in order. Pointer input that arrives faster than dabs can be done is
-// merged here, before it is recorded, so that it never queues up for seconds.
+// merged here into one piece of path, before it is recorded, so that it never queues up; see also stroke_pacer.h.
 //
 // Threads: `push` and `close` from any, `pop` from the one that works.
 #pragma once
@@ -12,6 +12,7 @@
 #include <mutex>
 #include <optional>
 #include <variant>
+#include <vector>
 
 namespace ui {
 
@@ -29,19 +30,22 @@ struct SideTask {
 struct BeginStroke {
     sculpt::StrokeSettings settings;
 };
-struct AddSample {
-    sculpt::StrokeSample sample;
+/// A piece of the pointer's way.
+struct AddSamples {
+    std::vector<sculpt::StrokeSample> samples;
+    std::uint64_t input = 0; ///< the pointer event of the last, as the interface counts them
 };
 struct EndStroke {};
 struct CancelStroke {};
-using Task = std::variant<CommandTask, SideTask, BeginStroke, AddSample, EndStroke, CancelStroke>;
+using Task = std::variant<CommandTask, SideTask, BeginStroke, AddSamples, EndStroke, CancelStroke>;
 
 class TaskQueue {
   public:
-    /// Samples that wait at most; beyond it every second one is dropped, the first and the newest of a stroke never.
-    static constexpr std::size_t maxWaitingSamples = 6;
+    /// Samples of the piece that waits, at most; beyond it every second one is dropped, its first and the newest never.
+    static constexpr std::size_t maxWaitingSamples = 64;
 
-    /// Returns how many waiting tasks were dropped for it.
+    /// Samples join the piece that waits behind all else; a cancelled stroke's piece goes. Returns by how many fewer
+    /// tasks wait than if it had simply been put behind them.
     std::size_t push(Task task);
     /// Waits for the next task; empty once the queue is closed, whatever is still in it.
     std::optional<Task> pop();

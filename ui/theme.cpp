@@ -52,9 +52,24 @@ static const char* const sheet = R"(
     QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
     QToolBar#corner QToolButton { padding: 0 4px; margin: 0; border: none; }
     QToolBar#tools QToolButton { padding: 5px 6px; }
-    QToolButton#axis { min-width: 44px; background: #3a3e45; }
-    QToolButton#axis:checked { background: #4b4034; }
-    QLabel#heading { color: #aeb4be; font-weight: bold; padding-top: 8px; }
+    QToolButton#plain, QToolButton#tool-parameter { background: #3a3e45; padding: 2px 6px; min-height: 16px; }
+    QToolButton#plain:hover { background: #474c54; }
+    QToolButton#plain:checked { background: #5c4630; }
+    QToolButton#plain:pressed { background: #1d1f22; }
+    QToolButton#heading { background: #35383e; color: #c6cbd3; font-weight: bold; text-align: left; border: none;
+        border-radius: 0; padding: 3px 8px; }
+    QToolButton#heading:hover { background: #3d4147; }
+    QLabel#title { font-weight: bold; font-size: 11pt; }
+    QLabel#faint { color: #b6bcc6; }
+    QLabel#hint { color: #d9b48e; }
+    QLabel#stamp-picture { background: #1d1f22; border: 1px solid #1b1d20; border-radius: 4px; }
+    QComboBox { background: #3a3e45; border: 1px solid transparent; border-radius: 4px; padding: 1px 6px;
+        min-height: 18px; }
+    QComboBox:hover { background: #474c54; }
+    QComboBox:disabled { color: #6a7079; }
+    QComboBox::drop-down { border: none; width: 16px; }
+    QComboBox::down-arrow { image: url(:/icons/down.svg); width: 10px; height: 10px; }
+    QCheckBox { spacing: 6px; color: #c6cbd3; }
     QLabel#cell { color: #aeb4be; padding: 0 7px; border-left: 1px solid #1b1d20; }
     QStatusBar { background: #24262a; }
     QStatusBar::item { border: none; }
@@ -62,6 +77,11 @@ static const char* const sheet = R"(
     QSlider::sub-page:horizontal { background: #9c6a3c; border-radius: 2px; }
     QSlider::handle:horizontal { background: #dcdfe4; width: 10px; margin: -4px 0; border-radius: 5px; }
     QScrollArea { border: none; }
+    QScrollBar:vertical { background: #2d3035; width: 8px; margin: 0; }
+    QScrollBar::handle:vertical { background: #4a4f58; border-radius: 3px; min-height: 24px; margin: 1px; }
+    QScrollBar::handle:vertical:hover { background: #5d636e; }
+    QScrollBar::add-line:vertical, QScrollBar::sub-line:vertical { height: 0; }
+    QScrollBar::add-page:vertical, QScrollBar::sub-page:vertical { background: none; }
     QToolTip { background: #3a3e45; color: #dcdfe4; border: 1px solid #1b1d20; padding: 3px; }
     QProgressBar { background: #1d1f22; border: none; border-radius: 3px; text-align: center; max-height: 16px; }
     QProgressBar::chunk { background: #9c6a3c; border-radius: 3px; }

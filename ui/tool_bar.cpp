@@ -50,7 +50,7 @@ ToolBar::ToolBar(Settings& settings, QWidget* parent) : QToolBar(tr("Tools"), pa
     addWidget(grid);
     connect(m_tools, &QActionGroup::triggered, this, [this, &settings](QAction* action) {
         settings.tool = action->data().toString().toStdString();
-        emit chosen();
+        Q_EMIT chosen();
     });
 }
 

@@ -17,7 +17,7 @@ class ToolBar : public QToolBar {
     /// One action per row, in the table's order; `data()` is the tool's id.
     QList<QAction*> toolActions() const;
 
-  signals:
+  Q_SIGNALS:
     void chosen(); ///< settings.tool has changed
 
   private:

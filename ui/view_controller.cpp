@@ -1,6 +1,7 @@
 #include "ui/view_controller.h"
 
 #include "core/surface/intersect.h"
+#include "ui/symmetry_overlay.h"
 
 #include <numbers>
 #include <QMouseEvent>
@@ -34,6 +35,7 @@ render::Camera ViewController::camera() const {
 void ViewController::refresh(bool moving) {
     Frame frame{m_editor.snapshot().surface.tree(), camera(), {}, moving};
     frame.options.shading = m_settings.shading;
+    frame.input = std::max(m_editor.snapshot().input, m_viewInput);
     frame.options.splatScale = m_editor.snapshot().splatScale;
     m_viewport.show(frame);
     updateCursor();
@@ -50,6 +52,7 @@ void ViewController::followModel() {
     const Snapshot& snapshot = m_editor.snapshot();
     if (snapshot.models != m_models) {
         m_models = snapshot.models;
+        chooseSource({});
         const render::Camera now = camera();
         m_view = OrbitView::threeQuarter(boxesOf(snapshot.surface.tree()), now.width, now.height);
     }
@@ -97,7 +100,13 @@ void ViewController::updateCursor() {
     m_cursor.pointer = m_pointer.place;
     m_cursor.contact.reset();
     m_cursor.radiusPx = 0;
-    m_cursor.inverted = m_settings.invert != m_pointer.modifiers.testFlag(Qt::ControlModifier);
+    const sculpt::StrokeSettings choice = m_settings.choice(m_settings.toolRow());
+    m_cursor.inverted = choice.invert != m_pointer.modifiers.testFlag(Qt::ControlModifier);
+    m_cursor.label.clear();
+    if (m_drag && m_drag->what == Dragged::Radius)
+        m_cursor.label = tr("Radius %1").arg(draggedRadius(), 0, 'g', 3);
+    else if (m_drag)
+        m_cursor.label = tr("Strength %1").arg(double(choice.strength), 0, 'f', 2);
     if (m_inside && (m_gesture == Gesture::None || m_gesture == Gesture::Sculpt)) {
         m_cursor.contact = contactAt(m_pointer.place);
         if (m_cursor.contact)
@@ -114,7 +123,16 @@ void ViewController::paintOverlay(QPainter& painter) const {
     const double scale = 1 / m_viewport.widget()->devicePixelRatioF();
     painter.save();
     painter.scale(scale, scale);
-    paint(painter, m_cursor, camera());
+    const Snapshot& now = m_editor.snapshot();
+    const render::Camera seen = camera();
+    if (m_settings.symmetry != sculpt::Symmetry{} && !now.surface.tree().empty())
+        paint(painter, SymmetryOverlay{m_settings.symmetry, now.origin, now.surface.tree().bounds(), m_cursor.contact},
+              seen);
+    if (m_source && sculpt::hasSource(m_settings.toolRow())) {
+        const bool going = m_gesture == Gesture::Sculpt && m_cursor.contact;
+        paintSource(painter, *m_source + (going ? m_cursor.contact->position - m_strokeStart : Vec3d{}), seen);
+    }
+    paint(painter, m_cursor, seen);
     painter.restore();
 }
 
@@ -124,11 +142,36 @@ void ViewController::scaleRadius(double factor) {
     else
         m_settings.radiusModel = std::clamp(m_settings.radiusModel * factor, 1e-30, 1e30);
     updateCursor();
-    emit radiusChanged();
+    Q_EMIT brushChanged();
 }
 
-void ViewController::dragRadius(double dx) {
-    scaleRadius(std::exp(dx / 150));
+void ViewController::shiftStrength(double by) {
+    sculpt::StrokeSettings& tool = m_settings.edit(m_settings.toolRow());
+    tool.strength = static_cast<float>(std::clamp(double(tool.strength) + by, 0.0, 1.0));
+    updateCursor();
+    Q_EMIT brushChanged();
+}
+
+/// Half the range for 150 pixels.
+void ViewController::dragValue(double dx) {
+    if (m_drag->what == Dragged::Radius)
+        scaleRadius(std::exp(dx / 150));
+    else
+        shiftStrength(dx / 300);
+}
+
+double& ViewController::draggedRadius() {
+    return m_settings.radiusUnit == RadiusUnit::Pixels ? m_settings.radiusPx : m_settings.radiusModel;
+}
+
+void ViewController::endDrag(bool keep) {
+    const ValueDrag drag = *std::exchange(m_drag, std::nullopt);
+    if (!keep && drag.what == Dragged::Radius)
+        draggedRadius() = drag.before;
+    else if (!keep)
+        m_settings.edit(m_settings.toolRow()).strength = static_cast<float>(drag.before);
+    updateCursor();
+    Q_EMIT brushChanged();
 }
 
 // --- strokes ---
@@ -137,7 +180,14 @@ void ViewController::beginStroke(const Pointer& pointer, const BrushContact& con
     const bool smoothing = pointer.modifiers.testFlag(Qt::ShiftModifier);
     const sculpt::ToolRow& row = smoothing ? sculpt::tool(m_settings.shiftTool) : m_settings.toolRow();
     const bool flip = pointer.modifiers.testFlag(Qt::ControlModifier);
-    m_editor.beginStroke(strokeSettings(m_settings, row, static_cast<float>(worldRadius(contact.position)), flip));
+    sculpt::StrokeSettings settings =
+        strokeSettings(m_settings, row, static_cast<float>(worldRadius(contact.position)), flip);
+    if (sculpt::hasSource(row)) {
+        const Vec3d away = *m_source - contact.position;
+        settings.parameters["x"] = away.x, settings.parameters["y"] = away.y, settings.parameters["z"] = away.z;
+    }
+    m_strokeStart = contact.position;
+    m_editor.beginStroke(settings);
     m_gesture = Gesture::Sculpt;
     m_strokeClock.start();
     addSample(pointer);
@@ -149,7 +199,15 @@ void ViewController::addSample(const Pointer& pointer) {
     sample.ray = {base::cast<float>(ray.origin), base::normalized(base::cast<float>(ray.direction))};
     sample.pressure = pointer.pressure;
     sample.seconds = static_cast<float>(static_cast<double>(m_strokeClock.nsecsElapsed()) * 1e-9);
-    m_editor.addSample(sample);
+    m_editor.addSample(sample, m_inputs);
+}
+
+void ViewController::chooseSource(const std::optional<Vec3d>& place) {
+    m_source = place;
+    const Vec3d shown = place.value_or(Vec3d{}) + m_editor.snapshot().origin;
+    const auto number = [](double value) { return QString::number(value, 'g', 4); };
+    Q_EMIT sourceChanged(place ? QString("(%1, %2, %3)").arg(number(shown.x), number(shown.y), number(shown.z))
+                               : QString());
 }
 
 bool ViewController::cancel() {
@@ -158,12 +216,8 @@ bool ViewController::cancel() {
         m_editor.cancelStroke();
         return true;
     }
-    if (m_radiusBefore) {
-        double& radius = m_settings.radiusUnit == RadiusUnit::Pixels ? m_settings.radiusPx : m_settings.radiusModel;
-        radius = *m_radiusBefore;
-        m_radiusBefore.reset();
-        updateCursor();
-        emit radiusChanged();
+    if (m_drag) {
+        endDrag(false);
         return true;
     }
     return false;
@@ -172,13 +226,19 @@ bool ViewController::cancel() {
 // --- gestures ---
 
 void ViewController::press(const Pointer& pointer) {
+    ++m_inputs;
     if (m_gesture != Gesture::None)
         return;
     m_pointer = pointer;
     m_button = pointer.button;
     const bool left = pointer.button == Qt::LeftButton && !pointer.modifiers.testFlag(Qt::AltModifier);
     const auto contact = left && m_editor.ready() ? contactAt(pointer.place) : std::nullopt;
-    if (contact)
+    const bool copies = sculpt::hasSource(m_settings.toolRow()) && !pointer.modifiers.testFlag(Qt::ShiftModifier);
+    if (contact && copies && pointer.modifiers.testFlag(Qt::ControlModifier))
+        chooseSource(contact->position);
+    else if (contact && copies && !m_source)
+        Q_EMIT hinted(tr("Ctrl+click on the model first: where to copy from."));
+    else if (contact)
         beginStroke(pointer, *contact);
     else if (pointer.button == Qt::LeftButton || pointer.button == Qt::RightButton)
         m_gesture = Gesture::Orbit;
@@ -188,25 +248,28 @@ void ViewController::press(const Pointer& pointer) {
 }
 
 void ViewController::move(const Pointer& pointer) {
+    ++m_inputs;
     const QPointF by = pointer.place - m_pointer.place;
     const int height = camera().height;
     m_pointer = pointer;
     m_inside = true;
-    if (m_radiusBefore && m_gesture == Gesture::None)
-        return dragRadius(by.x());
+    if (m_drag && m_gesture == Gesture::None)
+        return dragValue(by.x());
     if (m_gesture == Gesture::Sculpt)
         addSample(pointer);
     else if (m_gesture == Gesture::Orbit)
         m_view.orbit(by.x(), by.y(), height);
     else if (m_gesture == Gesture::Pan)
         m_view.pan(by.x(), by.y(), height);
-    if (m_gesture == Gesture::Orbit || m_gesture == Gesture::Pan)
+    if (m_gesture == Gesture::Orbit || m_gesture == Gesture::Pan) {
+        m_viewInput = m_inputs;
         refresh(true);
-    else
+    } else
         updateCursor();
 }
 
 void ViewController::release(const Pointer& pointer) {
+    ++m_inputs;
     m_pointer = pointer;
     if (pointer.button != m_button)
         return;
@@ -241,7 +304,8 @@ bool ViewController::eventFilter(QObject*, QEvent* event) {
     case QEvent::Leave:
     case QEvent::FocusOut:
         m_inside = false;
-        m_radiusBefore.reset();
+        if (m_drag)
+            endDrag(true);
         updateCursor();
         return false;
     case QEvent::Resize:
@@ -296,10 +360,12 @@ bool ViewController::key(QKeyEvent& event, bool pressed) {
                                                         : Qt::NoModifier;
     m_pointer.modifiers = pressed ? event.modifiers() | changes : event.modifiers() & ~Qt::KeyboardModifiers(changes);
     if (event.key() == Qt::Key_F && !event.isAutoRepeat()) {
-        const bool pixels = m_settings.radiusUnit == RadiusUnit::Pixels;
-        m_radiusBefore.reset();
+        if (m_drag)
+            endDrag(true);
         if (pressed && m_gesture == Gesture::None && event.modifiers() == Qt::NoModifier)
-            m_radiusBefore = pixels ? m_settings.radiusPx : m_settings.radiusModel;
+            m_drag = ValueDrag{Dragged::Radius, draggedRadius()};
+        else if (pressed && m_gesture == Gesture::None && event.modifiers() == Qt::ShiftModifier)
+            m_drag = ValueDrag{Dragged::Strength, double(m_settings.choice(m_settings.toolRow()).strength)};
     }
     updateCursor();
     return false;

@@ -6,7 +6,8 @@
 //     left beside it, right  orbit (left with Alt: anywhere)
 //     middle                 pan
 //     wheel                  nearer and farther, towards what lies under the pointer
-//     F and moving           radius; [ and ]: in steps
+//     F, Shift+F and moving  radius, strength; [ and ]: radius in steps
+//     Ctrl+left              with a tool that copies: where from
 //
 // Interface's thread only. Pixels here are device pixels.
 #pragma once
@@ -29,6 +30,8 @@ namespace ui {
 class ViewController : public QObject {
     Q_OBJECT
   public:
+    enum class Gesture { None, Sculpt, Orbit, Pan };
+
     /// All three outlive the controller.
     ViewController(Editor& editor, Settings& settings, Viewport& viewport, QObject* parent = nullptr);
 
@@ -36,6 +39,8 @@ class ViewController : public QObject {
     void turnTo(const NamedView& view);
     /// Radius times `factor`, in whichever unit is chosen.
     void scaleRadius(double factor);
+    /// Strength of the chosen tool, `by` more.
+    void shiftStrength(double by);
     /// Esc: drops the stroke or the change of radius in progress; false where there was none.
     bool cancel();
     /// Settings that show in the picture have changed.
@@ -44,15 +49,21 @@ class ViewController : public QObject {
     const OrbitView& view() const { return m_view; }
     render::Camera camera() const;
     const BrushCursor& cursor() const { return m_cursor; }
+    /// Presses, moves and releases so far: the number of the last.
+    std::uint64_t inputs() const { return m_inputs; }
+    Gesture gesture() const { return m_gesture; }
+    /// Where tools that copy copy from, in stored coordinates; nothing before it is chosen.
+    const std::optional<base::Vec3d>& source() const { return m_source; }
 
-  signals:
-    void radiusChanged();
+  Q_SIGNALS:
+    void brushChanged();               ///< radius or strength, here
+    void sourceChanged(QString place); ///< in the file's coordinates; empty: none
+    void hinted(QString what);         ///< what the person has to do first
 
   protected:
     bool eventFilter(QObject* object, QEvent* event) override;
 
   private:
-    enum class Gesture { None, Sculpt, Orbit, Pan };
     struct Pointer {
         QPointF place; ///< device pixels
         Qt::MouseButton button = Qt::NoButton;
@@ -69,7 +80,10 @@ class ViewController : public QObject {
 
     void beginStroke(const Pointer& pointer, const BrushContact& contact);
     void addSample(const Pointer& pointer);
-    void dragRadius(double dx);
+    void chooseSource(const std::optional<base::Vec3d>& place);
+    void dragValue(double dx);
+    double& draggedRadius(); ///< in whichever unit is chosen
+    void endDrag(bool keep);
     std::optional<BrushContact> contactAt(const QPointF& place) const;
     double worldRadius(const base::Vec3d& contact) const;
     double pixelsAt(const base::Vec3d& p) const; ///< per model unit there
@@ -86,8 +100,16 @@ class ViewController : public QObject {
     Qt::MouseButton m_button = Qt::NoButton; ///< that began the gesture and ends it
     Pointer m_pointer;                       ///< where it was last
     bool m_inside = false;
-    std::optional<double> m_radiusBefore; ///< while F is held: what Esc goes back to
+    enum class Dragged { Radius, Strength };
+    struct ValueDrag {
+        Dragged what;
+        double before; ///< what Esc goes back to
+    };
+    std::optional<ValueDrag> m_drag;     ///< while F is held
+    std::optional<base::Vec3d> m_source; ///< of tools that copy
+    base::Vec3d m_strokeStart;           ///< contact where the stroke in progress began
     QElapsedTimer m_strokeClock;
+    std::uint64_t m_inputs = 0, m_viewInput = 0; ///< all; the last that moved the view
     BrushCursor m_cursor;
 };
 

@@ -20,6 +20,8 @@ struct Frame {
     render::Camera camera; ///< its size is the viewport's in device pixels
     render::RenderOptions options;
     bool moving = false; ///< more will follow at once: speed before quality
+    /// The last pointer event (ViewController counts them) whose effect it shows.
+    std::uint64_t input = 0;
 };
 
 /// Interface's thread only.
@@ -35,6 +37,7 @@ class Viewport {
 
     std::function<void(QPainter&)> paintOverlay;  ///< over each picture, in widget coordinates
     std::function<void(double)> framePainted;     ///< seconds that the renderer took
+    std::function<void(std::uint64_t)> shown;     ///< on the screen now: Frame::input of the picture
     std::function<void(const QString&)> troubled; ///< the renderer failed: what a person should read
 };
 

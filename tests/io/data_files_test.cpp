@@ -4,7 +4,7 @@
 
 class DataFilesTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void everyFileLoadsWithItsCountOrIsRefused_data();
     void everyFileLoadsWithItsCountOrIsRefused();
     void everyFileOfTheReadmeWasTried();

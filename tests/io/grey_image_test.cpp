@@ -13,7 +13,7 @@
 
 class GreyImageTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void greyPngsKeepEveryValue();
     void coloursBecomeTheirLuma();
     void deepPngsKeepSixteenBits();

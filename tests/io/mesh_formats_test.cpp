@@ -9,7 +9,7 @@ using io::FileModel;
 
 class MeshFormatsTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void objVerticesHaveColoursAndWeights_data();
     void objVerticesHaveColoursAndWeights();
     void objNormalsFollowTheCornersOfFaces();

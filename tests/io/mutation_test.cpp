@@ -5,7 +5,7 @@
 
 class MutationTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void damagedFilesLoadOrAreRefused_data();
     void damagedFilesLoadOrAreRefused();
 };

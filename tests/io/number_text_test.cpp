@@ -7,7 +7,7 @@
 
 class NumberTextTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void printedNumbersReadBackToTheSameBits();
     void knownSpellingsAreUnderstood_data();
     void knownSpellingsAreUnderstood();

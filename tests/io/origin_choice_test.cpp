@@ -9,7 +9,7 @@ using base::Vec3d;
 
 class OriginChoiceTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void modelsNearZeroKeepTheirCoordinates();
     void farModelsGetARoundedMiddle();
     void floatErrorIsSmallAfterwards();

@@ -6,7 +6,7 @@ using io::FileModel;
 
 class PlyReaderTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void elementsBeforeTheVerticesArePassedOver();
     void connectivityIsCountedAndNotKept();
     void listsAmongVertexPropertiesAreLeftOut();

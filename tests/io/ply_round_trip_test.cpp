@@ -14,7 +14,7 @@ using surfel::ScalarType;
 
 class PlyRoundTripTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void nativeFilesBringBackEveryBit();
     void smallFloatsNearAFarOriginSurvive();
     void movedDoublesWinOverStaleFloats();

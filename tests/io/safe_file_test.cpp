@@ -9,7 +9,7 @@ namespace fs = std::filesystem;
 
 class SafeFileTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void targetIsUntouchedUntilCommit();
     void withoutCommitNothingIsLeft();
     void linksStayLinksAndPermissionsStay();

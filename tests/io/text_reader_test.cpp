@@ -7,7 +7,7 @@ using io::FileModel;
 
 class TextReaderTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void delimitersAndCommentsAreUnderstood_data();
     void delimitersAndCommentsAreUnderstood();
     void columnsTellWhatTheyAre_data();

@@ -11,7 +11,7 @@ using render::Camera;
 
 class CameraTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void rayAndProjectUndoEachOther();
     void theMiddleOfTheImageIsTheTarget();
     void axesAreOrthonormalEvenWhenLookingAlongUp();

@@ -12,7 +12,7 @@ using base::Vec3d;
 
 class CpuSplatterTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void tiltedPlaneHasOneNormalAndPlanarDepth();
     void sphereHasNoHoles_data();
     void sphereHasNoHoles();
@@ -27,6 +27,7 @@ class CpuSplatterTest : public QObject {
     void sameBitsAtAnyThreadCount();
     void transparentBackgroundHasNoAlpha();
     void anEmptyModelIsBackground();
+    void updatesAreTheWholePicture();
 };
 
 static Camera smallCamera() {
@@ -333,6 +334,49 @@ void CpuSplatterTest::anEmptyModelIsBackground() {
     QCOMPARE(image.colour.size(), std::size_t(321 * 243));
     for (const float depth : image.depth)
         QVERIFY(std::isinf(depth));
+}
+
+/// Versions of a stroke, of an undo, of another model, and views, one after the other into the same image.
+void CpuSplatterTest::updatesAreTheWholePicture() {
+    const auto start = test::built(test::disc({0, 0, 0}, {0, 0, 1}, 1, 0.01));
+    std::vector<tree::SurfelTree> versions{start};
+    for (int dab = 0; dab < 6; ++dab) { // moves, removes and adds surfels about a place
+        const base::Vec3f centre{0.12f * float(dab) - 0.3f, 0.05f * float(dab), 0};
+        tree::Edit edit;
+        edit.inserted.layout = start.layout();
+        versions.back().forEachBlock([&](std::uint32_t number, const surfel::SurfelBlock& block) {
+            std::bitset<surfel::blockCapacity> gone;
+            for (int slot = 0; slot < block.size(); ++slot)
+                if (distance(block.position(slot), centre) < 0.15f) {
+                    gone[static_cast<std::size_t>(slot)] = true;
+                    surfel::Surfel moved = block.surfel(slot);
+                    moved.position.z += 0.03f * float(dab % 3);
+                    if (slot % 5 != dab % 5)
+                        edit.inserted.items.push_back(moved);
+                }
+            if (gone.any())
+                edit.blocks.push_back({number, {}, gone});
+        });
+        versions.push_back(versions.back().apply(edit));
+    }
+    versions.push_back(versions[2]);
+    versions.push_back(versions[2]);
+    versions.push_back(test::built(test::disc({0, 0, 0}, {0, 0.6, 0.8}, 1, 0.02)));
+    versions.push_back(start);
+    Camera camera = smallCamera();
+    RenderOptions options;
+    CpuSplatter splatter;
+    Image image;
+    for (std::size_t k = 0; k < versions.size(); ++k) {
+        if (k == 5)
+            camera.eye.x += 0.1;
+        if (k == 7)
+            options.shading = Shading::Normal;
+        splatter.update(versions[k], camera, options, image);
+        CpuSplatter fresh;
+        const Image whole = test::drawn(fresh, versions[k], camera, options);
+        QVERIFY2(image.colour == whole.colour && image.depth == whole.depth, qPrintable(QString::number(k)));
+    }
 }
 
 static const test::Registered<CpuSplatterTest> registered;

@@ -12,7 +12,7 @@ using base::Vec3d;
 
 class GlSplatterTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void samePictureAsTheCpu_data();
     void samePictureAsTheCpu();
     void quadsDrawWhatPointsDraw();

@@ -14,7 +14,7 @@ using namespace render;
 
 class ImageIoTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void pngKeepsEveryPixel();
     void pfmKeepsEveryDepthFromBottomToTop();
     void aMissingFolderIsAnErrorWithItsName();

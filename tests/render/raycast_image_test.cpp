@@ -13,7 +13,7 @@ using base::Vec3d;
 
 class RaycastImageTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void planeIsMetAtItsDepth();
     void sphereIsMetAtItsDepthAndNowhereElse();
     void splatsAgreeWithTheTrueSurface();

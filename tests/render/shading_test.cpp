@@ -11,7 +11,7 @@ using base::Vec3f;
 
 class ShadingTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void everyShadingIsFoundByItsName();
     void theRayFrameIsARotationThatFacesTheEye();
     void clayUsesTheWholeRangeAndClipsNothing();

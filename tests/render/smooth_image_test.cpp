@@ -10,7 +10,7 @@ using namespace render;
 
 class SmoothImageTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void colourIsTheMeanOfFourWeightedByAlpha();
     void outlinesGetTheirShareOfThePixel();
 };

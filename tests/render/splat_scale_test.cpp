@@ -7,7 +7,7 @@
 
 class SplatScaleTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void usualSupportsAreLeftAlone();
     void otherSupportsGetTheUsualSplats();
     void fewSurfelsHaveNoSpacing();

@@ -20,7 +20,7 @@ QCoreApplication* makeApplication(int& argc, char** argv) {
 
 class ApplicationTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void textIsReadableOnEveryGround();
 };
 

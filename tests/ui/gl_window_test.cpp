@@ -18,7 +18,7 @@ class AskedForGl {
 /// Every function has a fresh window that is on the screen, or is skipped.
 class GlWindowTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void init();
     void cleanup();
     void glDrawsWhatTheCpuDraws();
@@ -35,7 +35,7 @@ class GlWindowTest : public QObject {
 
 class GlRefusalTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void platformsWithoutGlAreRefused();
 };
 

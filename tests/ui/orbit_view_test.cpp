@@ -11,7 +11,7 @@ using base::Vec3d;
 
 class OrbitViewTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void cameraAndViewAreInverse();
     void orbitKeepsTheTargetInThePicture();
     void panFollowsThePointer();

@@ -3,6 +3,7 @@
 #include "core/session/recover.h"
 #include "core/session/session_file.h"
 #include "support/registry.h"
+#include "ui/status_line.h"
 #include "ui/tool_bar.h"
 #include "window_fixture.h"
 
@@ -14,7 +15,7 @@ using test::WindowFixture;
 
 class SculptingTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void everyToolMovesPointsAndUndoBringsTheHashBack();
     void recordedSessionReplaysToTheSameHashWithoutAWindow();
     void escapeTakesAStrokeBackWithoutATrace();
@@ -24,12 +25,16 @@ class SculptingTest : public QObject {
     void wheelZoomsTowardsThePointer();
     void cursorLiesAtTheExactContact();
     void symmetricStrokeWorksOnBothSides();
+    void symmetryIsShownOverThePictureOnly();
     void controlInverts();
     void shiftUsesTheSmoothingTool();
     void penPressureChangesStrength();
     void bracketsAndFChangeTheRadius();
     void modelRadiusKeepsItsSizeOnTheModel();
     void floodOfInputIsMergedNotQueued();
+    void escapeEndsAStrokeThatWaits();
+    void shiftFChangesTheStrength();
+    void cloneCopiesFromWhereControlClicked();
     void killedSessionsAreRecovered();
 };
 
@@ -226,6 +231,31 @@ void SculptingTest::symmetricStrokeWorksOnBothSides() {
     QVERIFY(std::abs((left - radius) / (right - radius) - 1) < 0.05f);
 }
 
+void SculptingTest::symmetryIsShownOverThePictureOnly() {
+    WindowFixture f;
+    QVERIFY(f.make("sphere", 4000));
+    QTRY_VERIFY(!f.window->viewport().picture().isNull());
+    QTest::qWait(300); // the picture at rest
+    const auto seen = [&] {
+        f.view().update();
+        QCoreApplication::processEvents();
+        return f.view().grab().toImage();
+    };
+    const QImage plain = seen(), picture = f.window->viewport().picture();
+    QVERIFY(plain == seen());
+    std::vector<QImage> shown{plain};
+    for (const sculpt::Symmetry& symmetry :
+         {sculpt::Symmetry{true}, sculpt::Symmetry{false, true}, sculpt::Symmetry{false, false, false, 5, 1}}) {
+        f.window->settings().symmetry = symmetry;
+        shown.push_back(seen());
+        for (std::size_t i = 0; i + 1 < shown.size(); ++i)
+            QVERIFY(shown[i] != shown.back());
+    }
+    QVERIFY(f.window->viewport().picture() == picture);
+    f.window->settings().symmetry = {};
+    QVERIFY(seen() == plain);
+}
+
 void SculptingTest::controlInverts() {
     WindowFixture f;
     QVERIFY(f.make("sphere", 6000));
@@ -339,9 +369,14 @@ void SculptingTest::floodOfInputIsMergedNotQueued() {
     f.window->settings().radiusPx = 100;
     constexpr int flood = 3000;
     f.press(f.centre());
-    for (int k = 0; k < flood; ++k) // no event loop between: faster than any hand
+    for (int k = 0; k < flood; ++k) { // no event loop between: faster than any hand
         test::sendMouse(f.view(), QEvent::MouseMove,
                         f.centre() + QPointF(60 * std::sin(k * 0.01), 60 * std::cos(k * 0.01)), Qt::LeftButton);
+        if (k % 50 == 0) { // what is done is counted off
+            QCoreApplication::processEvents();
+            QVERIFY2(f.editor().waiting() <= 3, qPrintable(QString::number(f.editor().waiting())));
+        }
+    }
     f.release(f.centre() + QPointF(0, 60));
     QVERIFY(f.settle());
     const std::size_t recorded = recordedSamples(f.journal());
@@ -351,6 +386,82 @@ void SculptingTest::floodOfInputIsMergedNotQueued() {
     session::Context context{document, {}, {}, {}, 0, {}, nullptr};
     session::replay(f.journal(), context);
     QVERIFY(document.hash() == f.hash());
+}
+
+void SculptingTest::escapeEndsAStrokeThatWaits() {
+    WindowFixture f;
+    QVERIFY(f.make("sphere", 60000));
+    const base::Hash128 start = f.hash();
+    const QByteArray journal = contentOf(f.journal());
+    f.window->settings().radiusPx = 300;
+    f.press(f.centre());
+    for (int k = 0; k < 1000; ++k)
+        test::sendMouse(f.view(), QEvent::MouseMove, f.centre() + QPointF(100 * std::sin(k * 0.1), k * 0.1),
+                        Qt::LeftButton);
+    f.window->controller().cancel();
+    f.press(f.centre()); // another one right behind it is none of its business
+    f.moveTo(f.centre() + QPointF(50, 0));
+    QVERIFY(reachOf(f).highest > 1.001f * reachOf(f).lowest);
+    f.window->controller().cancel();
+    QVERIFY(f.settle());
+    QVERIFY(f.hash() == start);
+    QCOMPARE(contentOf(f.journal()), journal);
+    QVERIFY(reachOf(f).highest < 1.001f * reachOf(f).lowest);
+}
+
+void SculptingTest::shiftFChangesTheStrength() {
+    WindowFixture f;
+    QVERIFY(f.make("sphere", 3000));
+    const auto strength = [&] { return f.window->settings().choice(f.window->settings().toolRow()).strength; };
+    const double radius = f.window->settings().radiusPx;
+    f.window->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(f.window.get()));
+    f.view().setFocus();
+    test::sendMouse(f.view(), QEvent::MouseMove, f.centre(), Qt::NoButton);
+    const float start = strength();
+    QTest::keyPress(&f.view(), Qt::Key_F, Qt::ShiftModifier);
+    test::sendMouse(f.view(), QEvent::MouseMove, f.centre() + QPointF(60, 0), Qt::NoButton, Qt::ShiftModifier);
+    QVERIFY(!f.window->controller().cursor().label.isEmpty());
+    QTest::keyRelease(&f.view(), Qt::Key_F, Qt::ShiftModifier);
+    QVERIFY(std::abs(strength() - start - 0.2f) < 1e-5f);
+    QTest::keyPress(&f.view(), Qt::Key_F, Qt::ShiftModifier);
+    test::sendMouse(f.view(), QEvent::MouseMove, f.centre() + QPointF(600, 0), Qt::NoButton, Qt::ShiftModifier);
+    QCOMPARE(strength(), 1.0f);
+    QTest::keyClick(&f.view(), Qt::Key_Escape);
+    QVERIFY(std::abs(strength() - start - 0.2f) < 1e-5f);
+    QCOMPARE(f.window->settings().radiusPx, radius);
+    QVERIFY(f.window->controller().cursor().label.isEmpty());
+}
+
+void SculptingTest::cloneCopiesFromWhereControlClicked() {
+    WindowFixture f;
+    QVERIFY(f.make("sphere", 30000));
+    const QPointF bump = f.centre() + QPointF(-90, 0), other = f.centre() + QPointF(90, 0);
+    f.window->settings().radiusPx = 25;
+    for (int k = 0; k < 8; ++k)
+        f.drag(bump, bump + QPointF(2, 0));
+    const auto heightAt = [&](QPointF at) {
+        test::sendMouse(f.view(), QEvent::MouseMove, at, Qt::NoButton);
+        return base::length(f.window->controller().cursor().contact->position);
+    };
+    const double bare = heightAt(other), bumped = heightAt(bump);
+    QVERIFY(bumped > bare * 1.002);
+    for (QAction* tool : f.window->toolBar().toolActions())
+        if (tool->text() == "Clone")
+            tool->trigger();
+    f.window->settings().radiusPx = 60;
+    const base::Hash128 before = f.hash();
+    f.drag(other, other + QPointF(1, 0)); // nothing chosen yet: nothing done, and the person is told
+    QVERIFY(f.hash() == before);
+    QVERIFY(f.window->statusLine().message().contains("Ctrl"));
+    f.press(bump, Qt::ControlModifier);
+    f.release(bump, Qt::ControlModifier);
+    QVERIFY(f.hash() == before);
+    QVERIFY(f.window->controller().source());
+    f.drag(other, other + QPointF(1, 0));
+    QVERIFY2(heightAt(other) - bare > 0.4 * (bumped - bare), qPrintable(QString::number(heightAt(other) - bare)));
+    QVERIFY(f.make("sphere", 3000));
+    QVERIFY(!f.window->controller().source()); // another model, another place
 }
 
 void SculptingTest::killedSessionsAreRecovered() {

@@ -10,12 +10,33 @@ using namespace ui;
 
 class SettingsTest : public QObject {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void whatIsWrittenIsReadBack();
     void nonsenseKeepsTheDefaults();
     void recentFilesAreFewAndNewestFirst();
     void strokesTakeWhatThePersonChose();
 };
+
+/// Another value than the default, whatever kind the option is.
+static void change(const sculpt::StrokeOption& option, sculpt::StrokeSettings& out) {
+    const auto set = [&](auto field) {
+        auto& value = out.*field;
+        using Value = std::decay_t<decltype(value)>;
+        if constexpr (std::is_same_v<Value, float>)
+            value = static_cast<float>((0.9 * option.range.low + 0.1 * option.range.high) / option.range.scale);
+        else if constexpr (std::is_same_v<Value, bool>)
+            value = !value;
+        else if constexpr (std::is_same_v<Value, std::string>)
+            value = "/a folder/ö.png";
+        else if constexpr (std::is_same_v<Value, sculpt::CurvePoints>)
+            value = {{0, 0.25f}, {1.0f / 3, 0.7f}, {1, 0.125f}};
+        else if constexpr (std::is_same_v<Value, sculpt::Falloff>)
+            value = sculpt::falloffTable().back().falloff;
+        else
+            value = sculpt::methodTable().back().method;
+    };
+    std::visit(set, option.field);
+}
 
 static Settings unusual() {
     Settings out;
@@ -25,16 +46,15 @@ static Settings unusual() {
     out.radiusUnit = RadiusUnit::Model;
     out.radiusPx = 77.25;
     out.radiusModel = 0.1 + 1e-13;
-    out.falloff = sculpt::falloffTable().back().falloff;
-    out.spacing = 0.37;
-    out.symmetry = {true, false, true};
-    out.invert = true;
+    out.symmetry = {true, false, true, 7, 1};
     out.resample = false;
+    out.groups = {{"brush", false}, {"stamp", true}};
     for (const auto& tool : sculpt::toolTable()) {
-        ToolChoice choice{0.125, {}};
+        sculpt::StrokeSettings& choice = out.edit(tool);
         for (const auto& p : tool.parameters)
             choice.parameters[p.id] = p.min + 0.75 * (p.max - p.min);
-        out.tools[tool.id] = choice;
+        for (const auto& option : sculpt::strokeOptionTable())
+            change(option, choice);
     }
     out.shading = render::shadingTable().back().shading;
     out.recentFiles = {"/a/b c.ply", "/ü.xyz"};
@@ -62,8 +82,15 @@ void SettingsTest::nonsenseKeepsTheDefaults() {
     store.setValue("brush/tool", "no such tool");
     store.setValue("brush/radiusPx", -4);
     store.setValue("brush/radiusModel", "nan");
-    store.setValue("brush/spacing", "wide");
-    store.setValue("brush/falloff", 17);
+    store.setValue("brush/radial", 1000);
+    const QString group = QString("tools/%1/").arg(sculpt::toolTable().front().id);
+    store.setValue(group + "spacing", "wide");
+    store.setValue(group + "falloff", 17);
+    store.setValue(group + "method", "none");
+    for (const char* curve : {"0,1", "0,1;1", "0,1;0,0", "a,b;1,1", "0,1;1,7"}) {
+        store.setValue(group + "falloff-curve", curve);
+        QVERIFY2(readSettings(store) == Settings{}, curve);
+    }
     store.setValue("view/shading", "");
     store.setValue(QString("tools/%1/strength").arg(sculpt::toolTable().front().id), 40);
     QVERIFY(readSettings(store) == Settings{});
@@ -87,9 +114,10 @@ void SettingsTest::strokesTakeWhatThePersonChose() {
         const auto stroke = strokeSettings(settings, row, 0.25f, false);
         QCOMPARE(stroke.tool, std::string(row.id));
         QCOMPARE(stroke.radius, 0.25f);
-        QCOMPARE(stroke.strength, 0.125f);
+        QCOMPARE(stroke.strength, 0.1f);
         QVERIFY(stroke.symmetry == settings.symmetry);
         QVERIFY(stroke.invert && !stroke.resample);
+        QVERIFY(stroke.falloff == sculpt::Falloff::Custom && stroke.falloffCurve.size() == 3);
         QVERIFY(stroke.parameters == settings.tools.at(row.id).parameters);
         QVERIFY(!strokeSettings(settings, row, 0.25f, true).invert);
         sculpt::check(stroke);

@@ -79,24 +79,47 @@ void drawTile(const Frame& frame, const TileArea& area, std::span<const BinEntry
 
 } // namespace
 
-void CpuSplatter::render(const tree::SurfelTree& model, const Camera& camera, const RenderOptions& options,
-                         Image& out) {
-    const ViewFrame view(camera);
-    const SplatStyle style = splatStyle(model, options);
-    if (out.width != camera.width || out.height != camera.height)
-        out.resize(camera.width, camera.height);
-    visibleBlocks(model, view, style.radiusOfSupport, m_visible);
-    m_bins.fill(m_visible, view, style.radiusOfSupport);
-    const Frame frame{view, style, shadingStyle(options.shading), options.transparent, out};
-    const auto tiles = static_cast<std::size_t>(m_bins.columns()) * static_cast<std::size_t>(m_bins.rows());
-    base::parallelFor(tiles, 1, [&](std::size_t t) {
+void CpuSplatter::drawTiles(const Setting& setting, std::span<const std::uint32_t> tiles, Image& out) {
+    const ViewFrame view(setting.camera);
+    m_bins.fill(m_visible, view, setting.style.radiusOfSupport);
+    const Frame frame{view, setting.style, shadingStyle(setting.options.shading), setting.options.transparent, out};
+    base::parallelFor(tiles.size(), 1, [&](std::size_t i) {
         thread_local Scratch scratch;
-        TileArea area{static_cast<int>(t) % m_bins.columns() * tileWidth,
-                      static_cast<int>(t) / m_bins.columns() * tileHeight, 0, 0};
+        const auto t = static_cast<int>(tiles[i]);
+        TileArea area{t % m_bins.columns() * tileWidth, t / m_bins.columns() * tileHeight, 0, 0};
         area.width = std::min(tileWidth, view.width - area.left);
         area.height = std::min(tileHeight, view.height - area.top);
-        drawTile(frame, area, m_bins.tile(static_cast<int>(t)), scratch);
+        drawTile(frame, area, m_bins.tile(t), scratch);
     });
+}
+
+void CpuSplatter::render(const tree::SurfelTree& model, const Camera& camera, const RenderOptions& options,
+                         Image& out) {
+    m_setting.reset();
+    update(model, camera, options, out);
+}
+
+void CpuSplatter::update(const tree::SurfelTree& model, const Camera& camera, const RenderOptions& options,
+                         Image& out) {
+    const ViewFrame view(camera);
+    const Setting setting{camera, options, splatStyle(model, options)};
+    const float reach = setting.style.radiusOfSupport;
+    const bool sameSize = out.width == camera.width && out.height == camera.height;
+    TileMask mask(view);
+    if (m_setting == setting && sameSize) {
+        addChangedTiles(m_model, model, view, reach, mask);
+        mask.close();
+        visibleBlocks(model, view, reach, m_visible, &mask);
+    } else {
+        if (!sameSize)
+            out.resize(camera.width, camera.height);
+        mask.add({true, 0, 0, camera.width - 1, camera.height - 1, 0});
+        visibleBlocks(model, view, reach, m_visible);
+    }
+    m_setting.reset(); // for as long as the picture is neither the one nor the other
+    drawTiles(setting, mask.tiles(), out);
+    m_model = model;
+    m_setting = setting;
 }
 
 } // namespace render

@@ -4,11 +4,15 @@
 //     -> per tile, in parallel: gather, visibility, attributes (splat_kernels), shade (shading)
 //
 // A frame costs what is visible: blocks outside the view are skipped by the walk, hidden clusters by the tile, front to
-// back. Nothing is kept between versions but memory. Same bits at any thread count.
+// back. `update` from the same place costs what has changed: versions share the blocks that an edit leaves alone, and
+// only tiles that a new or a gone block can touch are drawn again, to the same bits as the whole picture. Same bits at
+// any thread count.
 #pragma once
 
 #include "ui/render/renderer.h"
 #include "ui/render/splat_kernels.h"
+
+#include <optional>
 
 namespace render {
 
@@ -16,9 +20,21 @@ class CpuSplatter : public Renderer {
   public:
     const char* name() const override { return "cpu"; }
     void render(const tree::SurfelTree& model, const Camera& camera, const RenderOptions& options, Image& out) override;
+    void update(const tree::SurfelTree& model, const Camera& camera, const RenderOptions& options, Image& out) override;
 
   private:
-    std::vector<VisibleBlock> m_visible;
+    /// What the last picture was drawn with, apart from the model.
+    struct Setting {
+        Camera camera;
+        RenderOptions options;
+        SplatStyle style;
+        bool operator==(const Setting&) const = default;
+    };
+    void drawTiles(const Setting& setting, std::span<const std::uint32_t> tiles, Image& out);
+
+    std::optional<Setting> m_setting;
+    tree::SurfelTree m_model;            ///< of the last picture
+    std::vector<VisibleBlock> m_visible; ///< that the tiles to be drawn are binned from
     TileBins m_bins;
 };
 

@@ -53,6 +53,11 @@ class Renderer {
     /// Draws a version. Implementations keep what the previous version shares with this one.
     virtual void render(const tree::SurfelTree& model, const Camera& camera, const RenderOptions& options,
                         Image& out) = 0;
+    /// The same picture for less where little has changed. REQUIRES: `out` holds what this renderer's last call of
+    /// either drew, untouched.
+    virtual void update(const tree::SurfelTree& model, const Camera& camera, const RenderOptions& options, Image& out) {
+        render(model, camera, options, out);
+    }
 };
 
 /// "cpu", "osmesa" or "egl". Throws base::Error where the machine lacks it, telling what to install.

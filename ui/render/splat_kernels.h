@@ -39,6 +39,7 @@ struct SplatStyle {
     float radiusOfSupport = splatRadiusOfSupport;
     bool oriented = false; ///< otherwise splats turn to the eye
     bool colours = false;  ///< sum colours and masks too
+    bool operator==(const SplatStyle&) const = default;
 };
 
 /// One splat in view coordinates.

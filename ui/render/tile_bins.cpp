@@ -2,6 +2,8 @@
 
 #include "core/base/parallel.h"
 
+#include <tuple>
+
 namespace render {
 
 /// Chunks keep a counter per tile; more of them than this would cost more than they help.
@@ -9,6 +11,16 @@ constexpr std::size_t maxChunks = 64, minGrain = 32;
 
 static bool inOneTile(const ScreenBounds& b) {
     return b.left / tileWidth == b.right / tileWidth && b.top / tileHeight == b.bottom / tileHeight;
+}
+
+/// By depth, then by place, so that it does not matter where in the tree a block is: versions may differ in that.
+static bool before(const BinEntry& a, const BinEntry& b) {
+    if (a.nearest != b.nearest)
+        return a.nearest < b.nearest;
+    if (a.block == b.block)
+        return false;
+    const base::Vec3f p = a.block->box().lo, q = b.block->box().lo;
+    return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z);
 }
 
 void TileBins::place(Chunk& chunk, const ScreenBounds& b, const BinEntry& entry) const {
@@ -65,8 +77,7 @@ void TileBins::fill(std::span<const VisibleBlock> blocks, const ViewFrame& view,
     });
     base::parallelFor(tiles, 16, [&](std::size_t t) {
         std::stable_sort(m_entries.begin() + static_cast<std::ptrdiff_t>(m_begin[t]),
-                         m_entries.begin() + static_cast<std::ptrdiff_t>(m_begin[t + 1]),
-                         [](const BinEntry& a, const BinEntry& b) { return a.nearest < b.nearest; });
+                         m_entries.begin() + static_cast<std::ptrdiff_t>(m_begin[t + 1]), before);
     });
 }
 

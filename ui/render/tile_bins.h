@@ -1,15 +1,13 @@
 // Which clusters of surfels can touch which tile of the image: a counting sort in two parallel passes.
 //
 // A block that lies in one tile is entered once; a wider one is entered by its clusters' own bounds. Entries of a tile
-// are in order of their nearest depth (ties in tree order), so that a tile can stop when everything left is hidden.
+// are in order of their nearest depth (ties by place), so that a tile can stop when everything left is hidden.
 // The same at any thread count.
 #pragma once
 
 #include "ui/render/visible_blocks.h"
 
 namespace render {
-
-constexpr int tileWidth = 32, tileHeight = 32;
 
 struct BinEntry {
     const surfel::SurfelBlock* block = nullptr;

@@ -36,6 +36,7 @@ struct ScreenBounds {
     bool visible = false;
     int left = 0, top = 0, right = -1, bottom = -1; ///< pixels, inclusive, clipped to the image
     float nearest = 0;                              ///< lower bound of the depth along `forward`; may be negative
+    bool operator==(const ScreenBounds&) const = default;
 };
 
 /// Conservative bounds of everything within `reach` of the box.

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "core/tree/surfel_tree.h"
-#include "ui/render/view_frame.h"
+#include "ui/render/tile_mask.h"
 
 namespace render {
 
@@ -13,9 +13,14 @@ struct VisibleBlock {
     ScreenBounds bounds;
 };
 
-/// Blocks with splats in the image, in tree order. `reachOfSupport`: a splat's radius as a part of its support.
-/// The tree must outlive the result.
+/// Blocks with splats in the image, in tree order; with `only`, those that touch its tiles. `reachOfSupport`: a splat's
+/// radius as a part of its support. The tree must outlive the result.
 void visibleBlocks(const tree::SurfelTree& model, const ViewFrame& view, float reachOfSupport,
-                   std::vector<VisibleBlock>& out);
+                   std::vector<VisibleBlock>& out, const TileMask* only = nullptr);
+
+/// Adds the tiles that can look different in two versions: those touched by blocks that they do not share at the same
+/// place of the tree. Cost: what differs.
+void addChangedTiles(const tree::SurfelTree& from, const tree::SurfelTree& to, const ViewFrame& view,
+                     float reachOfSupport, TileMask& out);
 
 } // namespace render
