@@ -84,7 +84,10 @@ std::string milliseconds(const std::optional<bench::Latency>& latency) {
 ordered_json jsonOf(const std::optional<bench::Latency>& latency) {
     if (!latency)
         return nullptr;
-    return {{"p50", 1e3 * latency->median}, {"p99", 1e3 * latency->p99}, {"max", 1e3 * latency->max}};
+    return {{"p50", 1e3 * latency->median},
+            {"p95", 1e3 * latency->p95},
+            {"p99", 1e3 * latency->p99},
+            {"max", 1e3 * latency->max}};
 }
 
 std::string rowOf(const Workload& workload, std::size_t points, const Measurement& found) {

@@ -127,6 +127,15 @@ Action addRender(CLI::App& command) {
     command.add_option("--backend", options->picture.backend, "what draws splats; the machine may lack osmesa and egl")
         ->check(CLI::IsMember({"cpu", "osmesa", "egl"}))
         ->capture_default_str();
+    command
+        .add_option("--detail", options->picture.style.detailPx,
+                    "representatives stand for parts of the model where their splats' radius is at most this; 0 draws "
+                    "every surfel, more than 1 is how a moving view looks")
+        ->type_name("PX")
+        ->check(CLI::Range(0.0, 64.0))
+        ->capture_default_str();
+    command.add_flag("--closed", options->picture.style.closed,
+                     "the model has no opening: parts that face away are not drawn");
     command.add_flag("--transparent", options->picture.style.transparent, "leave the background out");
     command
         .add_option("--quality", options->quality,

@@ -30,7 +30,7 @@ Rate repetition(const Run& run, double seconds, std::vector<double>& runs) {
 
 Latency latencyOf(std::vector<double> runs) {
     std::ranges::sort(runs);
-    return {runs[runs.size() / 2], runs[runs.size() * 99 / 100], runs.back()};
+    return {runs[runs.size() / 2], runs[runs.size() * 95 / 100], runs[runs.size() * 99 / 100], runs.back()};
 }
 
 Rate median(std::vector<Rate> rates) {

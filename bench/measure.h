@@ -18,7 +18,7 @@ struct Rate {
 
 /// Of single runs, in seconds.
 struct Latency {
-    double median = 0, p99 = 0, max = 0;
+    double median = 0, p95 = 0, p99 = 0, max = 0;
 };
 
 struct Measurement {

@@ -11,6 +11,9 @@
 
 namespace ui {
 
+/// As long as nothing new came, the view rests.
+constexpr int restMs = 120;
+
 static QSurfaceFormat wantedFormat() {
     QSurfaceFormat out;
     out.setRenderableType(QSurfaceFormat::OpenGL);
@@ -77,6 +80,11 @@ bool glUsable(bool software, QString& why) {
 
 GlViewport::GlViewport(QWidget* parent) : QOpenGLWidget(parent) {
     setFormat(wantedFormat());
+    m_rest.setSingleShot(true);
+    connect(&m_rest, &QTimer::timeout, this, [this] {
+        m_settling = true;
+        update();
+    });
 }
 
 GlViewport::~GlViewport() {
@@ -93,7 +101,17 @@ void GlViewport::dropSplatter() {
 
 void GlViewport::show(const Frame& frame) {
     m_frame = frame;
+    m_settling = false;
+    m_rest.stop();
     update();
+}
+
+float GlViewport::detailPx() const {
+    if (!m_withOverlay) // for keeping
+        return m_frame.options.detailPx;
+    if (m_settling)
+        return std::max(m_frame.options.detailPx, m_pacer.settling(m_lastDetail));
+    return m_frame.moving ? m_pacer.moving() : m_frame.options.detailPx;
 }
 
 void GlViewport::initializeGL() {
@@ -111,10 +129,16 @@ void GlViewport::initializeGL() {
 
 void GlViewport::paintGL() {
     const auto start = std::chrono::steady_clock::now();
+    render::RenderOptions options = m_frame.options;
+    options.detailPx = detailPx();
     if (m_splatter)
-        m_splatter->drawTo(defaultFramebufferObject(), m_frame.model, m_frame.camera, m_frame.options);
+        m_splatter->drawTo(defaultFramebufferObject(), m_frame.model, m_frame.camera, options);
     context()->functions()->glFinish();
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    m_lastDetail = options.detailPx;
+    m_pacer.drew(options.detailPx, seconds);
+    if (options.detailPx > m_frame.options.detailPx)
+        m_rest.start(m_settling ? 0 : restMs);
     if (paintOverlay && m_withOverlay) {
         QPainter painter(this);
         paintOverlay(painter);

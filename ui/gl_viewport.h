@@ -1,12 +1,16 @@
 // The viewport of OpenGL: the blended splatter in a QOpenGLWidget's framebuffer, the overlay painted over it.
 //
+// While the view moves, a DetailPacer keeps frames within a budget; when it rests, the picture settles to its best.
+//
 // Construct it only where `glUsable` says so: on some platforms a QOpenGLWidget crashes when shown.
 #pragma once
 
+#include "ui/render/detail_pacer.h"
 #include "ui/viewport.h"
 
 #include <memory>
 #include <QOpenGLWidget>
+#include <QTimer>
 
 namespace render {
 class GlSplatter;
@@ -37,9 +41,14 @@ class GlViewport : public QOpenGLWidget, public Viewport {
 
   private:
     void dropSplatter();
+    float detailPx() const;
 
     QString m_name = "OpenGL";
     Frame m_frame;
+    render::DetailPacer m_pacer{0.016};
+    float m_lastDetail = 0;
+    bool m_settling = false;
+    QTimer m_rest;                                  ///< runs while a coarse picture waits for the view to rest
     std::unique_ptr<render::GlSplatter> m_splatter; ///< lives while its context does
     bool m_withOverlay = true;
 };

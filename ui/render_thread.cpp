@@ -33,38 +33,58 @@ std::optional<Frame> RenderThread::next() {
     const auto asked = [this] { return m_ending || m_request; };
     if (!m_unrefined)
         m_asked.wait(lock, asked);
-    else if (!m_asked.wait_for(lock, std::chrono::duration<double>(restSeconds), asked)) {
-        Frame full = std::move(*m_unrefined);
+    else if (!m_asked.wait_for(lock, std::chrono::duration<double>(m_settling ? 0 : restSeconds), asked)) {
+        Frame finer = std::move(*m_unrefined);
         m_unrefined.reset();
-        full.moving = false;
-        return full;
+        finer.moving = false;
+        m_settling = true;
+        return finer;
     }
     if (m_ending)
         return {};
+    m_settling = false;
     std::optional<Frame> out = std::move(m_request);
     m_request.reset();
     return out;
+}
+
+/// Whether a frame can be made by drawing over what is in the image.
+static bool samePlace(const Frame& a, const Frame& b) {
+    render::RenderOptions options = a.options;
+    options.detailPx = b.options.detailPx;
+    return a.camera == b.camera && options == b.options;
 }
 
 RenderThread::Result RenderThread::draw(const Frame& frame) {
     Result out;
     out.input = frame.input;
     render::Camera camera = frame.camera;
-    const bool same = m_drawn && m_drawn->camera == camera && m_drawn->options == frame.options;
-    double& usual = same ? m_updateSeconds : m_fullSeconds;
-    out.reduced = frame.moving && usual > fluentSeconds && camera.width > 1 && camera.height > 1;
+    render::RenderOptions options = frame.options;
+    const bool same = m_drawn && samePlace(*m_drawn, frame);
+    const bool update = frame.moving && same && m_updateSeconds <= fluentSeconds;
+    if (update)
+        options.detailPx = m_drawn->options.detailPx;
+    else if (frame.moving)
+        options.detailPx = m_pacer.moving();
+    else if (m_settling)
+        options.detailPx = m_pacer.settling(m_lastDetail);
+    out.reduced = frame.moving && !update && m_pacer.overwhelmed() && camera.width > 1 && camera.height > 1;
     if (out.reduced)
         camera.width /= 2, camera.height /= 2;
+    const bool over = same && options.detailPx == m_drawn->options.detailPx;
     m_drawn.reset();
     const auto start = Clock::now();
-    m_renderer->update(frame.model, camera, frame.options, m_image);
+    m_renderer->update(frame.model, camera, options, m_image);
     out.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    out.detailPx = m_lastDetail = options.detailPx;
     // A quarter of the pixels costs at least a quarter of the time: a guess that never switches back too late.
-    usual = out.reduced ? std::max(usual * 0.9, out.seconds * 1.5) : out.seconds;
-    if (!out.reduced)
+    if (!over)
+        m_pacer.drew(options.detailPx, out.reduced ? 3 * out.seconds : out.seconds);
+    m_updateSeconds = over ? out.seconds : 0;
+    if (!out.reduced) {
         m_drawn = frame;
-    if (!same)
-        m_updateSeconds = 0;
+        m_drawn->options = options;
+    }
     const QImage view(reinterpret_cast<const uchar*>(m_image.colour.data()), m_image.width, m_image.height,
                       QImage::Format_RGBX8888);
     out.picture = view.convertToFormat(QImage::Format_RGB32);
@@ -83,7 +103,7 @@ void RenderThread::work() {
             result.trouble = QString::fromUtf8(error.what());
         }
         m_unrefined.reset();
-        if (result.reduced)
+        if (result.reduced || result.detailPx > frame->options.detailPx)
             m_unrefined = frame;
         m_deliver(std::move(result));
     }

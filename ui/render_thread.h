@@ -1,10 +1,12 @@
 // Draws frames away from the interface's thread. Only the latest request counts: a newer one replaces what waits.
 //
-// While frames follow each other and a full one takes longer than `fluentSeconds`, it draws at half resolution; the
-// full picture follows when nothing new has come for `restSeconds`. Frames from the same place, such as those of a
-// stroke, draw only what has changed (Renderer::update).
+// While frames follow each other, a DetailPacer chooses how coarse they are drawn so that one takes `fluentSeconds` at
+// most; where even the coarsest takes longer, they have half the resolution. When nothing new has come for
+// `restSeconds` the picture settles: finer from frame to frame up to its best. Frames from the same place, such as
+// those of a stroke, draw only what has changed (Renderer::update), as fine as it was.
 #pragma once
 
+#include "ui/render/detail_pacer.h"
 #include "ui/viewport.h"
 
 #include <condition_variable>
@@ -16,12 +18,13 @@ namespace ui {
 
 class RenderThread {
   public:
-    static constexpr double fluentSeconds = 0.030, restSeconds = 0.12;
+    static constexpr double fluentSeconds = 0.016, restSeconds = 0.12;
 
     struct Result {
         std::uint64_t input = 0; ///< of the frame
         QImage picture;          ///< RGB32, of the size asked for
         double seconds = 0;      ///< that the renderer took
+        float detailPx = 0;      ///< that it was drawn with
         bool reduced = false;    ///< drawn at half resolution and enlarged
         QString trouble;         ///< not empty: no picture, and why
     };
@@ -44,10 +47,12 @@ class RenderThread {
     std::condition_variable m_asked;
     std::optional<Frame> m_request;
     bool m_ending = false;
-    std::optional<Frame> m_unrefined; ///< drawn reduced; to be drawn in full at rest
-    double m_fullSeconds = 0;         ///< what a full frame took or would take
-    double m_updateSeconds = 0;       ///< the same of one from where the last was seen
-    std::optional<Frame> m_drawn;     ///< the last one drawn in full, while it is in m_image
+    std::optional<Frame> m_unrefined; ///< drawn coarsely; to be drawn finer at rest
+    bool m_settling = false;          ///< m_unrefined needs no further rest
+    render::DetailPacer m_pacer{fluentSeconds};
+    float m_lastDetail = 0;
+    double m_updateSeconds = 0;   ///< what the last frame from the same place took
+    std::optional<Frame> m_drawn; ///< the last one drawn in all its pixels, while it is in m_image; its detailPx counts
     render::Image m_image;
     std::thread m_thread; ///< last: it uses all of the above
 };

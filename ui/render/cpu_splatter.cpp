@@ -93,6 +93,13 @@ void CpuSplatter::drawTiles(const Setting& setting, std::span<const std::uint32_
     });
 }
 
+Sight CpuSplatter::sight(const ViewFrame& view, const Setting& setting) {
+    m_details.use(setting.style.radiusOfSupport, setting.style.oriented);
+    const bool details = setting.options.detailPx > 0 || setting.options.closed;
+    return {view, setting.style.radiusOfSupport, details ? &m_details : nullptr, setting.options.detailPx,
+            setting.options.closed && setting.style.oriented};
+}
+
 void CpuSplatter::render(const tree::SurfelTree& model, const Camera& camera, const RenderOptions& options,
                          Image& out) {
     m_setting.reset();
@@ -103,21 +110,24 @@ void CpuSplatter::update(const tree::SurfelTree& model, const Camera& camera, co
                          Image& out) {
     const ViewFrame view(camera);
     const Setting setting{camera, options, splatStyle(model, options)};
-    const float reach = setting.style.radiusOfSupport;
+    const Sight seen = sight(view, setting);
     const bool sameSize = out.width == camera.width && out.height == camera.height;
     TileMask mask(view);
-    if (m_setting == setting && sameSize) {
-        addChangedTiles(m_model, model, view, reach, mask);
+    const bool same = m_setting == setting && sameSize;
+    m_setting.reset(); // for as long as the picture is neither the one nor the other
+    if (same) {
+        addChangedTiles(m_model, model, seen, mask);
         mask.close();
-        visibleBlocks(model, view, reach, m_visible, &mask);
+        visibleBlocks(model, seen, m_visible, &mask);
     } else {
         if (!sameSize)
             out.resize(camera.width, camera.height);
         mask.add({true, 0, 0, camera.width - 1, camera.height - 1, 0});
-        visibleBlocks(model, view, reach, m_visible);
+        visibleBlocks(model, seen, m_visible);
     }
-    m_setting.reset(); // for as long as the picture is neither the one nor the other
     drawTiles(setting, mask.tiles(), out);
+    m_details.forget(m_model, model);
+    m_details.takeDropped();
     m_model = model;
     m_setting = setting;
 }

@@ -3,10 +3,10 @@
 //     walk the tree (visible_blocks) -> bins of clusters per tile (tile_bins)
 //     -> per tile, in parallel: gather, visibility, attributes (splat_kernels), shade (shading)
 //
-// A frame costs what is visible: blocks outside the view are skipped by the walk, hidden clusters by the tile, front to
-// back. `update` from the same place costs what has changed: versions share the blocks that an edit leaves alone, and
-// only tiles that a new or a gone block can touch are drawn again, to the same bits as the whole picture. Same bits at
-// any thread count.
+// A frame costs what is visible: blocks outside the view are skipped by the walk, small nodes answer with their
+// representatives, hidden clusters are skipped by the tile, front to back. `update` from the same place costs what has
+// changed: versions share the blocks that an edit leaves alone, and only tiles that a new or a gone block can touch are
+// drawn again, to the same bits as the whole picture. Same bits at any thread count.
 #pragma once
 
 #include "ui/render/renderer.h"
@@ -22,6 +22,8 @@ class CpuSplatter : public Renderer {
     void render(const tree::SurfelTree& model, const Camera& camera, const RenderOptions& options, Image& out) override;
     void update(const tree::SurfelTree& model, const Camera& camera, const RenderOptions& options, Image& out) override;
 
+    const DetailCache& details() const { return m_details; }
+
   private:
     /// What the last picture was drawn with, apart from the model.
     struct Setting {
@@ -30,10 +32,12 @@ class CpuSplatter : public Renderer {
         SplatStyle style;
         bool operator==(const Setting&) const = default;
     };
+    Sight sight(const ViewFrame& view, const Setting& setting);
     void drawTiles(const Setting& setting, std::span<const std::uint32_t> tiles, Image& out);
 
     std::optional<Setting> m_setting;
-    tree::SurfelTree m_model;            ///< of the last picture
+    tree::SurfelTree m_model; ///< of the last picture
+    DetailCache m_details;
     std::vector<VisibleBlock> m_visible; ///< that the tiles to be drawn are binned from
     TileBins m_bins;
 };

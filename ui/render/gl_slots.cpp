@@ -23,44 +23,75 @@ static void pack(const surfel::SurfelBlock& block, GlSurfel* out) {
 }
 
 GlSlots::~GlSlots() {
-    m_gl.deleteBuffers(1, &m_buffer);
+    m_gl.deleteBuffers(static_cast<GLsizei>(m_pages.size()), m_pages.data());
+}
+
+static GLuint newPage(const GlFunctions& gl, std::size_t slots) {
+    GLuint out = 0;
+    gl.genBuffers(1, &out);
+    gl.bindBuffer(GL_COPY_WRITE_BUFFER, out);
+    gl.bufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(slots * slotBytes), nullptr, GL_DYNAMIC_DRAW);
+    return out;
 }
 
 void GlSlots::grow(std::size_t wanted) {
     if (wanted <= m_capacity)
         return;
-    const std::size_t capacity = m_capacity == 0 ? wanted : std::max(wanted, m_capacity + m_capacity / 4);
-    GLuint bigger = 0;
-    m_gl.genBuffers(1, &bigger);
-    m_gl.bindBuffer(GL_COPY_WRITE_BUFFER, bigger);
-    m_gl.bufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(capacity * slotBytes), nullptr, GL_DYNAMIC_DRAW);
-    if (m_buffer) {
-        m_gl.bindBuffer(GL_COPY_READ_BUFFER, m_buffer);
-        m_gl.copyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0,
-                               static_cast<GLsizeiptr>(m_capacity * slotBytes));
-        m_gl.deleteBuffers(1, &m_buffer);
-    }
+    const std::size_t capacity =
+        m_capacity == 0 ? wanted : std::max(wanted, m_capacity + std::min(m_capacity / 4, slotsPerPage));
     for (std::size_t slot = m_capacity; slot < capacity; ++slot)
-        m_free.push_back(static_cast<std::uint32_t>(slot));
-    m_buffer = bigger;
+        m_free.push_back(slot);
+    const std::size_t begun = m_capacity % slotsPerPage;
+    if (begun > 0) { // the last page was not a full one
+        const std::size_t size = std::min(slotsPerPage, capacity - (m_pages.size() - 1) * slotsPerPage);
+        const GLuint bigger = newPage(m_gl, size);
+        m_gl.bindBuffer(GL_COPY_READ_BUFFER, m_pages.back());
+        m_gl.copyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0,
+                               static_cast<GLsizeiptr>(begun * slotBytes));
+        m_gl.deleteBuffers(1, &m_pages.back());
+        m_pages.back() = bigger;
+    }
+    while (m_pages.size() * slotsPerPage < capacity)
+        m_pages.push_back(newPage(m_gl, std::min(slotsPerPage, capacity - m_pages.size() * slotsPerPage)));
     m_capacity = capacity;
 }
 
-void GlSlots::upload(std::span<const surfel::BlockPtr> blocks, std::span<const std::uint32_t> places) {
-    m_gl.bindBuffer(GL_COPY_WRITE_BUFFER, m_buffer);
+void GlSlots::upload(std::span<const surfel::SurfelBlock* const> blocks, std::span<const std::size_t> slots) {
     for (std::size_t begin = 0, end = 0; begin < blocks.size(); begin = end) {
-        for (end = begin + 1;
-             end < blocks.size() && end - begin < slotsPerUpload && places[end] == places[end - 1] + 1;)
+        for (end = begin + 1; end < blocks.size() && end - begin < slotsPerUpload && slots[end] == slots[end - 1] + 1 &&
+                              slots[end] % slotsPerPage != 0;)
             ++end;
         // Slots are longer than most blocks; what lies behind a block's end is never drawn.
         m_staging.resize((end - begin) * surfel::blockCapacity);
         for (std::size_t i = begin; i < end; ++i)
             pack(*blocks[i], m_staging.data() + (i - begin) * surfel::blockCapacity);
-        m_gl.bufferSubData(GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(places[begin] * slotBytes),
+        m_gl.bindBuffer(GL_COPY_WRITE_BUFFER, m_pages[slots[begin] / slotsPerPage]);
+        m_gl.bufferSubData(GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(slots[begin] % slotsPerPage * slotBytes),
                            static_cast<GLsizeiptr>((end - begin) * slotBytes), m_staging.data());
         ++m_uploads;
         m_uploadedBytes += (end - begin) * slotBytes;
     }
+}
+
+void GlSlots::place(std::span<const surfel::SurfelBlock* const> blocks) {
+    if (blocks.empty())
+        return;
+    grow(m_slotOf.size() + blocks.size());
+    std::sort(m_free.begin(), m_free.end());
+    const auto taken = m_free.begin() + static_cast<std::ptrdiff_t>(blocks.size());
+    const std::vector<std::size_t> slots(m_free.begin(), taken);
+    m_free.erase(m_free.begin(), taken);
+    for (std::size_t i = 0; i < slots.size(); ++i)
+        m_slotOf[blocks[i]] = slots[i];
+    upload(blocks, slots);
+}
+
+void GlSlots::release(const surfel::SurfelBlock* block) {
+    const auto found = m_slotOf.find(block);
+    if (found == m_slotOf.end())
+        return;
+    m_free.push_back(found->second);
+    m_slotOf.erase(found);
 }
 
 void GlSlots::show(const tree::SurfelTree& model) {
@@ -68,19 +99,26 @@ void GlSlots::show(const tree::SurfelTree& model) {
     if (model == m_shown)
         return;
     const tree::Diff change = tree::diff(m_shown, model);
-    for (const surfel::BlockPtr& block : change.removed) {
-        const auto found = m_slotOf.find(block.get());
-        m_free.push_back(found->second);
-        m_slotOf.erase(found);
-    }
-    std::sort(m_free.begin(), m_free.end());
-    grow(m_slotOf.size() + change.added.size());
-    std::vector<std::uint32_t> slots(m_free.begin(), m_free.begin() + static_cast<std::ptrdiff_t>(change.added.size()));
-    m_free.erase(m_free.begin(), m_free.begin() + static_cast<std::ptrdiff_t>(change.added.size()));
-    for (std::size_t i = 0; i < slots.size(); ++i)
-        m_slotOf[change.added[i].get()] = slots[i];
-    upload(change.added, slots);
+    for (const surfel::BlockPtr& block : change.removed)
+        release(block.get());
+    std::vector<const surfel::SurfelBlock*> added;
+    for (const surfel::BlockPtr& block : change.added)
+        added.push_back(block.get());
+    place(added);
     m_shown = model;
+}
+
+void GlSlots::hold(std::span<const surfel::SurfelBlock* const> proxies) {
+    std::vector<const surfel::SurfelBlock*> fresh;
+    for (const surfel::SurfelBlock* proxy : proxies)
+        if (!holds(proxy))
+            fresh.push_back(proxy);
+    place(fresh);
+}
+
+void GlSlots::drop(std::span<const surfel::BlockPtr> proxies) {
+    for (const surfel::BlockPtr& proxy : proxies)
+        release(proxy.get());
 }
 
 } // namespace render

@@ -61,11 +61,11 @@ void GlSplatter::setView(const GlProgram& program, const Frame& frame) const {
     m_gl.uniform1i(program.at("oriented"), frame.style.oriented ? 1 : 0);
 }
 
-void GlSplatter::bindAttributes(GLint firstSurfel, GLuint divisor) const {
+void GlSplatter::bindAttributes(std::size_t page, GLint firstSurfel, GLuint divisor) const {
     const auto at = [&](std::size_t offset) {
         return reinterpret_cast<const void*>(static_cast<std::size_t>(firstSurfel) * sizeof(GlSurfel) + offset);
     };
-    m_gl.bindBuffer(GL_ARRAY_BUFFER, m_slots.buffer());
+    m_gl.bindBuffer(GL_ARRAY_BUFFER, m_slots.buffer(page));
     m_gl.vertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(GlSurfel), at(offsetof(GlSurfel, position)));
     m_gl.vertexAttribPointer(1, 4, GL_INT_2_10_10_10_REV, GL_TRUE, sizeof(GlSurfel), at(offsetof(GlSurfel, normal)));
     m_gl.vertexAttribPointer(2, 1, GL_FLOAT, GL_FALSE, sizeof(GlSurfel), at(offsetof(GlSurfel, support)));
@@ -77,15 +77,19 @@ void GlSplatter::bindAttributes(GLint firstSurfel, GLuint divisor) const {
 }
 
 void GlSplatter::drawPass(const Frame& frame, SplatPass pass) {
-    if (!m_firsts.empty()) {
-        setView(program(SplatShape::Point, pass), frame);
-        bindAttributes(0, 0);
-        m_gl.multiDrawArrays(GL_POINTS, m_firsts.data(), m_counts.data(), static_cast<GLsizei>(m_firsts.size()));
+    setView(program(SplatShape::Point, pass), frame);
+    for (std::size_t page = 0; page < m_points.size(); ++page) {
+        const Points& points = m_points[page];
+        if (points.firsts.empty())
+            continue;
+        bindAttributes(page, 0, 0);
+        m_gl.multiDrawArrays(GL_POINTS, points.firsts.data(), points.counts.data(),
+                             static_cast<GLsizei>(points.firsts.size()));
     }
     if (!m_large.empty())
         setView(program(SplatShape::Quad, pass), frame);
     for (const surfel::SurfelBlock* block : m_large) {
-        bindAttributes(m_slots.first(block), 1);
+        bindAttributes(m_slots.page(block), m_slots.first(block), 1);
         m_gl.drawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, block->size());
     }
 }
@@ -101,11 +105,13 @@ static float pointSize(const VisibleBlock& visible, const ViewFrame& view, float
 }
 
 void GlSplatter::splats(const Frame& frame) {
-    m_firsts.clear(), m_counts.clear(), m_large.clear();
+    m_points.assign(m_slots.pages(), {});
+    m_large.clear();
     for (const VisibleBlock& visible : m_visible)
         if (pointSize(visible, frame.view, frame.style.radiusOfSupport) <= m_maxPointSize) {
-            m_firsts.push_back(m_slots.first(visible.block));
-            m_counts.push_back(visible.block->size());
+            Points& points = m_points[m_slots.page(visible.block)];
+            points.firsts.push_back(m_slots.first(visible.block));
+            points.counts.push_back(visible.block->size());
         } else {
             m_large.push_back(visible.block);
         }
@@ -176,6 +182,22 @@ void GlSplatter::shade(const Frame& frame, GLuint framebuffer, bool depth) {
     m_gl.bindBuffer(GL_ARRAY_BUFFER, 0);
 }
 
+/// Brings the version and what is drawn of it into slots, and finds what that is.
+void GlSplatter::look(const tree::SurfelTree& model, const Frame& frame) {
+    m_details.use(frame.style.radiusOfSupport, frame.style.oriented);
+    const bool details = frame.options.detailPx > 0 || frame.options.closed;
+    visibleBlocks(model,
+                  {frame.view, frame.style.radiusOfSupport, details ? &m_details : nullptr, frame.options.detailPx,
+                   frame.options.closed && frame.style.oriented},
+                  m_visible);
+    m_slots.show(model);
+    std::vector<const surfel::SurfelBlock*> proxies;
+    for (const VisibleBlock& visible : m_visible)
+        if (!m_slots.holds(visible.block))
+            proxies.push_back(visible.block);
+    m_slots.hold(proxies);
+}
+
 void GlSplatter::drawTo(GLuint framebuffer, const tree::SurfelTree& model, const Camera& camera,
                         const RenderOptions& options) {
     const SplatStyle style = splatStyle(model, options);
@@ -186,13 +208,15 @@ void GlSplatter::drawTo(GLuint framebuffer, const tree::SurfelTree& model, const
                 0,
                 1,
                 framebuffer != 0 && framebuffer == m_targets.output()};
-    m_slots.show(model);
     m_targets.resize(camera.width, camera.height);
-    visibleBlocks(model, frame.view, style.radiusOfSupport, m_visible);
+    look(model, frame);
     if (!model.empty()) {
         // Depths from the nearest to the farthest splat with the bias of both passes, without any fixed planes.
         const base::Box3f box = model.bounds();
-        const float reach = style.radiusOfSupport * model.maxSupport() * (2 + layerDepth);
+        float support = model.maxSupport();
+        for (const VisibleBlock& visible : m_visible)
+            support = std::max(support, visible.block->maxSupport());
+        const float reach = style.radiusOfSupport * support * (2 + layerDepth);
         const float middle = frame.view.toView(box.centre()).z, toCorner = 0.5f * box.diagonal();
         const float pixels =
             (filterDepth + layerDepth) * filterPx * frame.view.step * std::max(middle + toCorner, 0.0f);
@@ -202,6 +226,9 @@ void GlSplatter::drawTo(GLuint framebuffer, const tree::SurfelTree& model, const
     }
     splats(frame);
     shade(frame, framebuffer, frame.depth);
+    m_details.forget(m_shown, model);
+    m_slots.drop(m_details.takeDropped());
+    m_shown = model;
 }
 
 /// GL's lowest row comes first; ours is the top one.

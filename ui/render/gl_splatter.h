@@ -41,6 +41,7 @@ class GlSplatter {
     void drawTo(Image& out, const tree::SurfelTree& model, const Camera& camera, const RenderOptions& options);
 
     const GlSlots& storage() const { return m_slots; }
+    const DetailCache& details() const { return m_details; }
     /// Largest point sprite used; splats that may be larger become quads. For tests.
     void limitPointSize(float pixels) { m_maxPointSize = std::min(m_maxPointSize, pixels); }
 
@@ -50,7 +51,8 @@ class GlSplatter {
     void drawPass(const Frame& frame, SplatPass pass);
     void shade(const Frame& frame, GLuint framebuffer, bool depth);
     void setView(const GlProgram& program, const Frame& frame) const;
-    void bindAttributes(GLint firstSurfel, GLuint divisor) const;
+    void bindAttributes(std::size_t page, GLint firstSurfel, GLuint divisor) const;
+    void look(const tree::SurfelTree& model, const Frame& frame);
     const GlProgram& program(SplatShape shape, SplatPass pass) const {
         return *m_programs[static_cast<std::size_t>(shape) * 2 + static_cast<std::size_t>(pass)];
     }
@@ -62,9 +64,14 @@ class GlSplatter {
     GlProgram m_shade;
     GLuint m_vertexArray = 0;
     float m_maxPointSize = 1;
+    DetailCache m_details;
+    tree::SurfelTree m_shown; ///< that m_details belong to
     std::vector<VisibleBlock> m_visible;
-    std::vector<GLint> m_firsts; ///< of the blocks drawn as points
-    std::vector<GLsizei> m_counts;
+    struct Points {
+        std::vector<GLint> firsts;
+        std::vector<GLsizei> counts;
+    };
+    std::vector<Points> m_points;                    ///< of each page, the blocks drawn as points
     std::vector<const surfel::SurfelBlock*> m_large; ///< blocks drawn as quads
 };
 

@@ -31,6 +31,10 @@ struct RenderOptions {
     Shading shading = Shading::Matcap;
     bool transparent = false; ///< background with alpha 0
     float splatScale = 1;     ///< times the usual splat radius
+    /// Where a node's representatives have discs of at most this radius in pixels, they are drawn instead of its
+    /// surfels. About 1 cannot be seen; more is for views that move. 0: every surfel.
+    float detailPx = 1;
+    bool closed = false; ///< oriented and without an opening: parts that face away need not be drawn
     bool operator==(const RenderOptions&) const = default;
 };
 

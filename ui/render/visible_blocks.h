@@ -1,26 +1,35 @@
-// Which blocks of a version a camera can see: a walk of the tree that skips what lies outside the view.
+// What of a version a camera can see: a walk of the tree that skips what lies outside the view, and lets a node that is
+// small in the image answer with its representatives (node_detail.h) instead of its blocks.
 //
-// The place for level of detail: a node that is small in the image can answer with fewer surfels than its blocks have.
+// The choice follows from the node and the view alone, so that what two versions share looks the same in both.
 #pragma once
 
-#include "core/tree/surfel_tree.h"
+#include "ui/render/detail_cache.h"
 #include "ui/render/tile_mask.h"
 
 namespace render {
 
 struct VisibleBlock {
-    const surfel::SurfelBlock* block = nullptr;
+    const surfel::SurfelBlock* block = nullptr; ///< of the tree, or a node's proxy
     ScreenBounds bounds;
 };
 
-/// Blocks with splats in the image, in tree order; with `only`, those that touch its tiles. `reachOfSupport`: a splat's
-/// radius as a part of its support. The tree must outlive the result.
-void visibleBlocks(const tree::SurfelTree& model, const ViewFrame& view, float reachOfSupport,
-                   std::vector<VisibleBlock>& out, const TileMask* only = nullptr);
+/// How a version is looked at.
+struct Sight {
+    const ViewFrame& view;
+    float reachOfSupport;           ///< a splat's radius as a part of its support
+    DetailCache* details = nullptr; ///< null: blocks alone
+    float detailPx = 0;  ///< representatives show where their discs' usual radius is at most this many pixels
+    bool closed = false; ///< leave out nodes that look away from the eye with all their normals
+};
 
-/// Adds the tiles that can look different in two versions: those touched by blocks that they do not share at the same
-/// place of the tree. Cost: what differs.
-void addChangedTiles(const tree::SurfelTree& from, const tree::SurfelTree& to, const ViewFrame& view,
-                     float reachOfSupport, TileMask& out);
+/// Blocks and proxies with splats in the image, in tree order; with `only`, those that touch its tiles. The tree and
+/// the cache must outlive the result. Makes the details it needs: with all cores if there is no `only`.
+void visibleBlocks(const tree::SurfelTree& model, const Sight& sight, std::vector<VisibleBlock>& out,
+                   const TileMask* only = nullptr);
+
+/// Adds the tiles that can look different in two versions: those touched by blocks and proxies that they do not share
+/// at the same place of the tree. Cost: what differs.
+void addChangedTiles(const tree::SurfelTree& from, const tree::SurfelTree& to, const Sight& sight, TileMask& out);
 
 } // namespace render
