@@ -35,13 +35,10 @@ float meanDiagonal(std::span<const base::Vec3f> x) {
 
 /// Indices in an order in which neighbours are close.
 std::vector<std::uint32_t> orderOf(std::span<const base::Vec3f> x, float support) {
+    if (x.size() > packetSize && meanDiagonal(x) > scatteredReach * support)
+        return tree::sortedIndices(x, boxOf(x));
     std::vector<std::uint32_t> out(x.size());
-    if (x.size() <= packetSize || !(meanDiagonal(x) > scatteredReach * support)) {
-        std::iota(out.begin(), out.end(), 0u);
-        return out;
-    }
-    const std::vector<tree::MortonKey> keys = tree::sortedKeys(x, boxOf(x));
-    std::transform(keys.begin(), keys.end(), out.begin(), [](tree::MortonKey key) { return tree::indexOf(key); });
+    std::iota(out.begin(), out.end(), 0u);
     return out;
 }
 

@@ -63,10 +63,7 @@ std::vector<std::uint32_t> viewOrder(std::span<const base::Rayf> rays, const Box
         all.extend(place);
     if (!scattered(places, all))
         return {};
-    const std::vector<tree::MortonKey> keys = tree::sortedKeys(places, all);
-    std::vector<std::uint32_t> out(rays.size());
-    std::transform(keys.begin(), keys.end(), out.begin(), [](tree::MortonKey key) { return tree::indexOf(key); });
-    return out;
+    return tree::sortedIndices(places, all);
 }
 
 } // namespace surface

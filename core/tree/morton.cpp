@@ -2,6 +2,7 @@
 
 #include "core/base/parallel.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <utility>
@@ -76,6 +77,13 @@ std::vector<MortonKey> sortedKeys(std::span<const surfel::Surfel> surfels, const
 
 std::vector<MortonKey> sortedKeys(std::span<const base::Vec3f> positions, const base::Box3f& box) {
     return sortedBy(positions.size(), box, [&](std::size_t i) { return positions[i]; });
+}
+
+std::vector<std::uint32_t> sortedIndices(std::span<const base::Vec3f> positions, const base::Box3f& box) {
+    const std::vector<MortonKey> keys = sortedKeys(positions, box);
+    std::vector<std::uint32_t> out(keys.size());
+    std::transform(keys.begin(), keys.end(), out.begin(), indexOf);
+    return out;
 }
 
 /// Where to cut: the change of the highest bit within the middle 40 %, the one nearest to the middle among equals.

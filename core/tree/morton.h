@@ -36,6 +36,8 @@ class MortonGrid {
 /// Keys of all surfels or positions, ascending. REQUIRES: `box` contains all positions.
 std::vector<MortonKey> sortedKeys(std::span<const surfel::Surfel> surfels, const base::Box3f& box);
 std::vector<MortonKey> sortedKeys(std::span<const base::Vec3f> positions, const base::Box3f& box);
+/// Indices of the positions in that order.
+std::vector<std::uint32_t> sortedIndices(std::span<const base::Vec3f> positions, const base::Box3f& box);
 
 /// Cuts sorted keys into runs of at most `longest`: always where the highest bit of the code changes within the middle
 /// 40 %, so that no run straddles a far jump of the curve. Returns the ends of the runs.
