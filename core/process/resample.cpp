@@ -27,6 +27,7 @@ float spacingOf(const surface::SurfaceDefinition& definition, float support) {
 
 /// The steps after which no gap and no close pair is left among what was touched.
 static void mergeAndFill(SampleSet& set, ScanResult& found, float distance, std::size_t& firstNew) {
+    dropStrays(set, found.strays);
     merge(set, found.pairs, distance);
     std::erase_if(found.gaps, [&](const Gap& gap) { return set.is(gap.from, Gone) || set.is(gap.from, Scan); });
     std::vector<Gap> more = scan(set).gaps; // around what went

@@ -2,7 +2,8 @@
 // call, on the surfels that an edit touched:
 //
 //     look    which surfels have something too near or room beside them                      resample_look.cpp
-//     merge   of two surfels closer than 0.60 s one goes                                      resample_merge.cpp
+//     merge   crumbs of folds go, that few of their own sheet bear; of two surfels closer than 0.60 s one goes
+//                                                                                             resample_merge.cpp
 //     fill    where a surfel has room beside it at 1.05 s, the surface gets a new one         resample_fill.cpp
 //     relax   surfels near new ones and near close pairs repel each other along the surface   resample_relax.cpp
 //     merge and fill once more

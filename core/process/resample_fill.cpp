@@ -28,6 +28,16 @@ bool occupied(const SampleSet& set, const PointGrid& grid, const base::Vec3f& x,
     return found;
 }
 
+/// Would a sample there stand alone among others that face elsewhere?
+bool stray(const SampleSet& set, const base::Vec3f& x, const base::Vec3f& n, float radius) {
+    int alike = 0, others = 0;
+    set.grid.forNear(x, radius, [&](const PointGrid::Entry& e) {
+        if (!set.is(e.index, Gone) && distanceSq(e.position, x) < radius * radius)
+            ++(set.facing.same(n, set.normal[e.index]) ? alike : others);
+    });
+    return isStray(alike, others);
+}
+
 bool acceptable(const SampleSet& set, const Gap& gap, const Landing& y) {
     const base::Vec3f n = set.normal[gap.from];
     const float stray = fillStray * set.target[gap.from];
@@ -82,7 +92,9 @@ std::size_t fill(SampleSet& set, std::vector<Gap> gaps) {
         for (std::size_t i = 0; i < asked.size(); ++i)
             places[i] = asked[i].place;
         surface::forPackets(set.frozen, places, packetSlack, [&](surface::Source& source, std::size_t i) {
-            found[i] = land(source, places[i], set.normal[asked[i].from], steps, tolerance * set.target[asked[i].from]);
+            const float target = set.target[asked[i].from];
+            found[i] = land(source, places[i], set.normal[asked[i].from], steps, tolerance * target);
+            found[i].ok = found[i].ok && !stray(set, found[i].place, found[i].gradient, fillReach * target);
         });
         for (std::size_t i = 0; i < asked.size(); ++i) {
             if (!acceptable(set, asked[i], found[i]))

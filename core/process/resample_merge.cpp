@@ -17,6 +17,16 @@ static std::int64_t victim(const SampleSet& set, const ClosePair& pair) {
     return onBorder(set, pair.b) && !onBorder(set, pair.a) ? pair.a : pair.b;
 }
 
+static void remove(SampleSet& set, std::size_t i) {
+    set.mark(i, Gone);
+    set.scanAround(i, (fillReach + closeDistance) * set.target[i]);
+}
+
+void dropStrays(SampleSet& set, const std::vector<std::uint32_t>& strays) {
+    for (const std::uint32_t i : strays)
+        remove(set, i);
+}
+
 void merge(SampleSet& set, const std::vector<ClosePair>& pairs, float distance) {
     const float limitSq = distance * distance;
     for (const ClosePair& pair : pairs) {
@@ -25,11 +35,8 @@ void merge(SampleSet& set, const std::vector<ClosePair>& pairs, float distance) 
         if (set.is(pair.a, Gone) || set.is(pair.b, Gone))
             continue;
         const std::int64_t gone = victim(set, pair);
-        if (gone < 0)
-            continue;
-        set.mark(static_cast<std::size_t>(gone), Gone);
-        set.scanAround(static_cast<std::size_t>(gone),
-                       (fillReach + closeDistance) * set.target[static_cast<std::size_t>(gone)]);
+        if (gone >= 0)
+            remove(set, static_cast<std::size_t>(gone));
     }
 }
 

@@ -81,15 +81,25 @@ struct Scanner {
         const float reachSq = std::max(fillReach, lookedAt(set.options) * (1 + grading)) *
                               std::max(fillReach, lookedAt(set.options) * (1 + grading)) * target * target;
         Ring ring(normalized(n, base::Vec3f{0, 0, 1}), fillDistance * target);
+        int alike = 0, others = 0;
         around.measureFrom(p);
         for (std::size_t k = 0; k < around.sq.size(); ++k) {
             const std::uint32_t j = around.index[k];
-            if (!(around.sq[k] < reachSq) || j == i || !set.facing.same(n, set.normal[j]))
+            if (!(around.sq[k] < reachSq) || j == i)
                 continue;
+            if (!set.facing.same(n, set.normal[j])) {
+                ++others;
+                continue;
+            }
+            ++alike;
             const float mean = 0.5f * (target + set.target[j]), distanceSq = around.sq[k] / (mean * mean);
             if (distanceSq < closeSq)
                 close(i, j, distanceSq, out);
             ring.take(base::Vec3f{around.x[k], around.y[k], around.z[k]} - p, clearSq);
+        }
+        if (set.free(i) && isStray(alike, others)) {
+            out.strays.push_back(i);
+            return;
         }
         if (set.is(i, Masked))
             return; // was not moved: what room it has, it had
@@ -142,7 +152,8 @@ ScanResult scan(SampleSet& set) {
     });
     ScanResult out;
     for (const ScanResult& part : parts)
-        gather(out.pairs, part.pairs), gather(out.gaps, part.gaps);
+        gather(out.strays, part.strays), gather(out.pairs, part.pairs), gather(out.gaps, part.gaps);
+    std::sort(out.strays.begin(), out.strays.end());
     std::sort(out.pairs.begin(), out.pairs.end(), [](const ClosePair& a, const ClosePair& b) {
         return std::tie(a.distanceSq, a.a, a.b) < std::tie(b.distanceSq, b.a, b.b);
     });

@@ -104,6 +104,13 @@ constexpr float fillReach = fillDistance + fillClear;
 /// Farthest that a resampling acts from a restless surfel: a new one, what it wakes, and what finds room beside that.
 constexpr float farReach = 2 * (fillDistance + fillStray) + wakeDistance + fillReach + 3 * relaxStep;
 
+/// Is it the crumb of a fold: hardly any of its own sheet within fillReach of it, and many that face elsewhere? Nothing
+/// that so few bear can be called a surface. (Beside the corner of a box stand about 2 of its own and 5 others; on a
+/// plate one spacing thick, half and half.)
+constexpr bool isStray(int alike, int others) {
+    return others >= 8 && others >= 3 * alike;
+}
+
 // --- the steps, in their order ---
 
 /// Of the touched, those that have something too near or room beside them, or nearly so: worth a scan. In parallel.
@@ -125,12 +132,15 @@ struct Gap {
     base::Vec3f place;
 };
 struct ScanResult {
-    std::vector<ClosePair> pairs; ///< closer than lookedAt, at least one free; ascending (distance, a, b)
-    std::vector<Gap> gaps;        ///< ascending (from, k)
+    std::vector<std::uint32_t> strays; ///< free samples that no sheet bears; ascending
+    std::vector<ClosePair> pairs;      ///< closer than lookedAt, at least one free; ascending (distance, a, b)
+    std::vector<Gap> gaps;             ///< ascending (from, k)
 };
 /// Looks at all samples marked Scan, and unmarks them. In parallel.
 ScanResult scan(SampleSet& set);
 
+/// Removes samples that no sheet bears. Marks Scan around what went.
+void dropStrays(SampleSet& set, const std::vector<std::uint32_t>& strays);
 /// Removes one of every pair closer than `distance` spacings, closest first. Marks Scan around what went.
 void merge(SampleSet& set, const std::vector<ClosePair>& pairs, float distance);
 /// Adds samples in gaps. Returns the number of the first.

@@ -31,6 +31,12 @@ base::Vec3f rotated(const base::Vec3f& v, const base::Vec3f& a, const base::Vec3
     return v - h * (dot(h, v) / (1 + c)) + b * (2 * dot(a, v));
 }
 
+/// A normal that leans further than this from the surface belongs to a fold; then the surface's own takes its place.
+constexpr float leastUpright = 0.5f;
+base::Vec3f upright(const base::Vec3f& n, const base::Vec3f& g) {
+    return dot(n, g) < leastUpright ? g : n;
+}
+
 /// Landings of all samples that need one; those that find no surface go back to where they were, or go.
 std::vector<std::uint32_t> landAll(SampleSet& set, std::vector<Landing>& landings) {
     std::vector<std::uint32_t> out;
@@ -77,7 +83,7 @@ Settled settled(const SampleSet& set, std::uint32_t i, const Landing& y, const B
         if (dot(was, set.normal[i]) < 0)
             was = -was;
         out.surfel.mask = set.block[set.source[i].block]->mask(set.source[i].slot);
-        out.surfel.normal = normalized(rotated(set.normal[i], was, g), g);
+        out.surfel.normal = upright(normalized(rotated(set.normal[i], was, g), g), g);
     }
     if (!set.facing.known())
         out.surfel.normal = {};

@@ -15,6 +15,7 @@ class SamplingLawsTest : public QObject {
     Q_OBJECT
   private Q_SLOTS:
     void aHundredHeavyStrokesStayWellSampled();
+    void aHornIsWellSampledToItsTip();
     void pinchingStopsBeforeAFoldCloses();
     void gradedStrokesKeepTheGrading();
 };
@@ -99,6 +100,34 @@ void SamplingLawsTest::aHundredHeavyStrokesStayWellSampled() {
     for (const surfel::Surfel& gone : test::without(start, now))
         QVERIFY(gone.mask == 0);
     QVERIFY2(test::without(start, now).size() > count / 3, qPrintable(told));
+}
+
+void SamplingLawsTest::aHornIsWellSampledToItsTip() {
+    const double s = test::sphereSpacing(count);
+    for (const double spacings : {6.0, 8.0, 12.0}) {
+        StrokeSettings settings;
+        settings.tool = "snake-hook";
+        settings.radius = float(spacings * s);
+        settings.strength = 1;
+        const float r = settings.radius;
+        std::vector<StrokeSample> samples; // from the side of the ball, ten radii outwards, waving
+        for (float x = 0.8f; x < 0.8f + 10 * r; x += 0.3f * r)
+            samples.push_back({{{x, 0.3f * std::sin(3 * x), 4}, {0, 0, -1}}, 1, 0});
+        const surface::Surface horn = test::stroked(test::surfaceOf(test::spherePoints(count)), settings, samples);
+        const auto ofHorn = [](const surfel::Surfel& each) { return each.position.x > 1.05f; };
+        const process::Summary even = test::spacingOfSheets(horn, s, ofHorn);
+        const Holes holes = holesOf(horn, s, 4000, ofHorn);
+        const QString told = QString("radius %1 s: to %2, spacing %3 to %4, %5 outside, %6 in support at least")
+                                 .arg(spacings)
+                                 .arg(horn.tree().bounds().hi.x)
+                                 .arg(even.min)
+                                 .arg(even.max)
+                                 .arg(holes.outside)
+                                 .arg(holes.least);
+        qInfo("%s", qPrintable(told));
+        QVERIFY2(horn.tree().bounds().hi.x > 1 + 7 * r, qPrintable(told));
+        QVERIFY2(even.min >= 0.6f && even.max <= 1.6f && holes.outside == 0 && holes.least >= 6, qPrintable(told));
+    }
 }
 
 /// A groove along x, then the same dab of pinch a hundred times to and fro along it. `braked`: the tool; else its
