@@ -3,14 +3,13 @@
 
 #include "app/csv_writer.h"
 #include "app/open_model.h"
+#include "app/polyline_file.h"
 #include "app/subcommand.h"
 #include "app/surface_options.h"
 #include "core/io/safe_file.h"
 #include "core/surface/rims.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -20,8 +19,6 @@ using base::Vec3d;
 using surface::Rim, surface::RimPoint;
 
 namespace {
-
-constexpr int digits = 17; ///< rims are traced in float64
 
 struct Options {
     std::string model, out;
@@ -38,34 +35,16 @@ void appendCsv(CsvWriter& csv, const Rim& rim, long long number, const Vec3d& or
     }
 }
 
-/// `v` and `vn` for every point, then one `l`, which a closed rim ends where it began.
-std::string objOf(const Rim& rim, std::size_t before, const Vec3d& origin) {
-    const auto row = [](const char* key, const Vec3d& v) {
-        char text[100];
-        std::snprintf(text, sizeof text, "%s %.*g %.*g %.*g\n", key, digits, v.x, digits, v.y, digits, v.z);
-        return std::string(text);
-    };
-    std::string out;
-    for (const RimPoint& p : rim.points)
-        out += row("v", p.position + origin) + row("vn", p.normal);
-    out += 'l';
-    for (std::size_t i = 1; i <= rim.points.size(); ++i)
-        out += ' ' + std::to_string(before + i);
-    if (rim.closed)
-        out += ' ' + std::to_string(before + 1);
-    return out + '\n';
-}
-
 void write(const std::string& target, const std::vector<Rim>& rims, const Vec3d& origin) {
     io::SafeFile file(target);
     if (target.ends_with(".obj")) {
         std::size_t before = 0;
         for (const Rim& rim : rims) {
-            file.write(objOf(rim, before, origin));
+            file.write(objPolyline(rim.points, rim.closed, before, origin));
             before += rim.points.size();
         }
     } else {
-        CsvWriter csv(digits);
+        CsvWriter csv(curveDigits);
         file.write("rim,closed,x,y,z,nx,ny,nz,ox,oy,oz\n");
         for (std::size_t i = 0; i < rims.size(); ++i)
             appendCsv(csv, rims[i], static_cast<long long>(i), origin);

@@ -33,6 +33,7 @@ Action addConvert(CLI::App& command);
 Action addQuery(CLI::App& command);
 Action addIntersect(CLI::App& command);
 Action addBoundary(CLI::App& command);
+Action addSection(CLI::App& command);
 Action addRender(CLI::App& command);
 Action addRun(CLI::App& command);
 Action addRecover(CLI::App& command);

@@ -140,7 +140,7 @@ void MainWindow::buildViewMenu() {
     }
     view->addSeparator();
     m_frame = addAction(*view, "frame", tr("Frame &All"), QKeySequence("Home"), [this] { m_controller->frameAll(); });
-    for (const auto& row : namedViews())
+    for (const auto& row : render::namedViews())
         addAction(*view, "view", tr(row.label), QKeySequence(row.shortcut),
                   [this, &row] { m_controller->turnTo(row); });
     view->addSeparator();

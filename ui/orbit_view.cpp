@@ -40,6 +40,14 @@ OrbitView OrbitView::of(const render::Camera& camera) {
     return out;
 }
 
+void OrbitView::turnTo(const Vec3d& toEye, const Vec3d& up) {
+    render::Camera there = camera(1, 1);
+    there.eye = target + toEye * distance;
+    there.up = up;
+    const OrbitView turned = of(there);
+    yawRad = turned.yawRad, pitchRad = turned.pitchRad;
+}
+
 void OrbitView::orbit(double dx, double dy, int height) {
     const double perPixel = pi / std::max(height, 1);
     yawRad = std::remainder(yawRad - dx * perPixel, 2 * pi);
@@ -88,14 +96,6 @@ OrbitView OrbitView::threeQuarter(std::span<const base::Box3f> boxes, int width,
     out.pitchRad = 0.27;
     out.frame(boxes, width, height);
     return out;
-}
-
-std::span<const NamedView> namedViews() {
-    static const NamedView table[] = {
-        {"Front", "1", 0, 0},       {"Back", "Ctrl+1", 180, 0}, {"Right", "3", 90, 0},
-        {"Left", "Ctrl+3", -90, 0}, {"Top", "7", 0, 90},        {"Bottom", "Ctrl+7", 0, -90},
-    };
-    return table;
 }
 
 } // namespace ui

@@ -26,6 +26,8 @@ struct OrbitView {
     /// From the front, a little from the right and above.
     static OrbitView threeQuarter(std::span<const base::Box3f> boxes, int width, int height);
 
+    /// The same target and distance, seen from a direction.
+    void turnTo(const base::Vec3d& toEye, const base::Vec3d& up);
     /// Pointer moved by (dx, dy) pixels: half a turn for the image's height.
     void orbit(double dx, double dy, int height);
     /// The model follows the pointer in the plane through the target.
@@ -35,13 +37,5 @@ struct OrbitView {
     /// All of the boxes in the image, their centre in the middle; the direction stays.
     void frame(std::span<const base::Box3f> boxes, int width, int height);
 };
-
-/// The numbered views of the menu: front, right and top, and with Ctrl what lies opposite.
-struct NamedView {
-    const char* label;
-    const char* shortcut;
-    double yawDeg, pitchDeg;
-};
-std::span<const NamedView> namedViews();
 
 } // namespace ui

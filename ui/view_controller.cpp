@@ -3,7 +3,6 @@
 #include "core/surface/intersect.h"
 #include "ui/symmetry_overlay.h"
 
-#include <numbers>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QTabletEvent>
@@ -65,9 +64,8 @@ void ViewController::frameAll() {
     refresh();
 }
 
-void ViewController::turnTo(const NamedView& view) {
-    m_view.yawRad = view.yawDeg * std::numbers::pi / 180;
-    m_view.pitchRad = view.pitchDeg * std::numbers::pi / 180;
+void ViewController::turnTo(const render::NamedView& view) {
+    m_view.turnTo(view.toEye, view.up);
     refresh();
 }
 
@@ -87,7 +85,7 @@ std::optional<BrushContact> ViewController::contactAt(const QPointF& place) cons
 
 double ViewController::pixelsAt(const Vec3d& p) const {
     const render::Camera now = camera();
-    return now.focalPx() / std::max(now.project(p).z, 1e-12 * m_view.distance);
+    return now.pixelsPerUnit(std::max(now.project(p).z, 1e-12 * m_view.distance));
 }
 
 double ViewController::worldRadius(const Vec3d& contact) const {

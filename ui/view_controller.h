@@ -15,6 +15,7 @@
 #include "ui/brush_cursor.h"
 #include "ui/editor.h"
 #include "ui/orbit_view.h"
+#include "ui/render/named_views.h"
 #include "ui/settings.h"
 #include "ui/viewport.h"
 
@@ -36,7 +37,7 @@ class ViewController : public QObject {
     ViewController(Editor& editor, Settings& settings, Viewport& viewport, QObject* parent = nullptr);
 
     void frameAll();
-    void turnTo(const NamedView& view);
+    void turnTo(const render::NamedView& view);
     /// Radius times `factor`, in whichever unit is chosen.
     void scaleRadius(double factor);
     /// Strength of the chosen tool, `by` more.

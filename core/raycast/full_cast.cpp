@@ -58,20 +58,36 @@ static std::vector<int> tileOrder(int width, int firstRow, int rows) {
     return order;
 }
 
+/// A ray that the surface is asked about: from where no plane cuts it any more.
+struct KeptRay {
+    int pixel = 0;
+    base::RayPart part;
+};
+
+/// Rays begin behind the planes; the first hit of a ray is none where it lies beyond the part that is kept.
 static void castRows(const surface::Surface& surface, const ImageRays& view, int firstRow, int rows,
                      std::vector<Sample>& out) {
-    const std::vector<int> order = tileOrder(view.width, firstRow, rows);
-    std::vector<base::Rayf> rays(order.size());
-    std::vector<surface::RayHit<float>> hits(order.size());
-    base::parallelFor(order.size(), 1024,
-                      [&](std::size_t i) { rays[i] = view.ray(order[i] % view.width, order[i] / view.width); });
+    std::vector<KeptRay> kept;
+    std::vector<base::Rayf> rays;
+    for (const int pixel : tileOrder(view.width, firstRow, rows)) {
+        const base::Rayd ray = view.ray(pixel % view.width, pixel / view.width);
+        const base::RayPart part = keptPart(ray, view.clips);
+        if (part.empty())
+            continue;
+        kept.push_back({pixel, part});
+        rays.push_back({base::cast<float>(ray.at(part.first)), base::cast<float>(ray.direction)});
+    }
+    std::vector<surface::RayHit<float>> hits(rays.size());
     surface::intersect(surface, rays, {}, hits);
     const surfel::AttributeLayout& layout = *surface.tree().layout();
     const bool attributes = layout.colours || layout.masks;
-    base::parallelFor(order.size(), 256, [&](std::size_t i) {
-        Sample& sample = out[static_cast<std::size_t>(order[i])];
+    base::parallelFor(kept.size(), 256, [&](std::size_t i) {
+        Sample& sample = out[static_cast<std::size_t>(kept[i].pixel)];
         sample.hit = hits[i];
-        if (hits[i].hit && attributes)
+        const double t = static_cast<double>(hits[i].t) + kept[i].part.first;
+        sample.hit.t = static_cast<float>(t);
+        sample.hit.hit = hits[i].hit && t <= kept[i].part.second;
+        if (sample.hit.hit && attributes)
             blendAttributes(surface, hits[i].position, sample);
     });
 }

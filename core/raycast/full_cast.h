@@ -4,20 +4,24 @@
 // together, in tiles, because they meet the same surfels; the result does not depend on that.
 #pragma once
 
+#include "core/base/plane.h"
 #include "core/base/progress.h"
 #include "core/surface/intersect.h"
 #include "core/surfel/surfel.h"
 
 namespace raycast {
 
-/// The rays of an image: through the centre of pixel (column, row) runs corner + column * across + row * down.
+/// The rays of an image. The one through the centre of pixel (column, row) runs from
+/// eye + originAcross * column + originDown * row along corner + across * column + down * row: rays of a perspective
+/// camera share their origin, parallel ones their direction. They see what all planes keep.
 struct ImageRays {
-    base::Vec3d eye;
+    base::Vec3d eye, originAcross, originDown;
     base::Vec3d corner, across, down;
     int width = 0, height = 0;
+    std::span<const base::Plane> clips;
 
-    base::Rayf ray(int column, int row) const {
-        return {base::cast<float>(eye), base::cast<float>(normalized(corner + across * column + down * row))};
+    base::Rayd ray(int column, int row) const {
+        return {eye + originAcross * column + originDown * row, normalized(corner + across * column + down * row)};
     }
 };
 

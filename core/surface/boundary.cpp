@@ -1,8 +1,7 @@
 #include "core/surface/boundary.h"
 
 #include "core/surface/assemble.h"
-
-#include <algorithm>
+#include "core/surface/curve_tracing.h"
 
 namespace surface {
 
@@ -109,89 +108,16 @@ class RimNewton {
     Conditions m_here;
 };
 
-/// One direction of traceRim.
-class Tracing {
-  public:
-    Tracing(const Surface& surface, const RimPoint& seed, double sense, const TraceOptions& options)
-        : m_surface(surface), m_options(options), m_sense(sense), m_at(seed),
-          m_step(0.25 * options.longestStep * seed.unit) {}
+struct RimProblem {
+    using Point = RimPoint;
+    const Surface& of;
 
-    /// Appends points to the seed until the rim closes (true) or ends. Where f has a step, the way from the seed may
-    /// lead into a loop that does not come back to it: then the loop alone is kept (found as Brent 1980 finds cycles).
-    bool run(std::vector<RimPoint>& out) {
-        std::size_t mark = 0, nextMark = 64;
-        while (out.size() < m_options.mostPoints) {
-            RimPoint next;
-            if (!go(next))
-                return false;
-            if (out.size() > mark + 2 && passes(out[mark], next)) {
-                out.erase(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(mark));
-                return true;
-            }
-            out.push_back(next);
-            choose(next);
-            m_at = next;
-            if (out.size() == nextMark) {
-                mark = nextMark - 1;
-                nextMark *= 2;
-            }
-        }
-        return false;
+    const Surface& surface() const { return of; }
+    std::optional<RimPoint> find(const Vec3d& start, const Hint& hint) const {
+        const RimSearch found = findRimPoint(of, start, hint);
+        return found.ok() ? std::optional(found.point) : std::nullopt;
     }
-
-  private:
-    Vec3d along(const RimPoint& p) const { return p.tangent() * m_sense; }
-
-    /// The sign of frames that have none. Others are asked as everybody asks them.
-    Hint hint() const { return m_surface.tree().layout()->oriented ? Hint{} : Hint{base::cast<float>(m_at.normal)}; }
-
-    /// The next point, half as far as often as it takes to find it where the rim was heading; else farther, over the
-    /// steps that f has where near sheets meet.
-    bool go(RimPoint& next) {
-        const double first = m_step;
-        for (; m_step > m_options.shortestStep * m_at.unit; m_step *= 0.5)
-            if (leadsOn(next))
-                return true;
-        for (m_step = 2 * first; m_step <= m_options.longestStep * m_at.unit; m_step *= 2)
-            if (leadsOn(next))
-                return true;
-        return false;
-    }
-
-    bool leadsOn(RimPoint& next) const {
-        const RimSearch found = findRimPoint(m_surface, m_at.position + along(m_at) * m_step, hint());
-        if (!found.ok())
-            return false;
-        next = found.point;
-        const Vec3d way = next.position - m_at.position;
-        const double gone = length(way);
-        return gone > 0.5 * m_step && gone < 1.5 * m_step && angle(along(m_at), along(next)) < 4 * m_options.turn &&
-               dot(way, along(m_at)) > 0.9 * gone && dot(next.normal, m_at.normal) > 0.5;
-    }
-
-    /// By the curvature just seen, at most twice as far as before.
-    void choose(const RimPoint& next) {
-        const double gone = distance(next.position, m_at.position), turned = angle(along(m_at), along(next));
-        const double wanted = m_options.turn * gone / std::max(turned, 1e-6);
-        m_step = std::clamp(wanted, 4 * m_options.shortestStep * next.unit,
-                            std::min(2 * m_step, m_options.longestStep * next.unit));
-    }
-
-    /// Whether `mark` lies between the current point and the next.
-    bool passes(const RimPoint& mark, const RimPoint& next) const {
-        const Vec3d way = next.position - m_at.position, home = mark.position - m_at.position;
-        const double part = dot(home, way) / lengthSq(way);
-        return part > 0 && part <= 1 && length(home - way * part) < 0.25 * length(way) &&
-               dot(along(next), along(mark)) > 0.5 && dot(next.normal, mark.normal) > 0.5;
-    }
-
-    static double angle(const Vec3d& a, const Vec3d& b) { return std::atan2(length(cross(a, b)), dot(a, b)); }
-
-    const Surface& m_surface;
-    const TraceOptions& m_options;
-    double m_sense; ///< 1 along the tangents, -1 against them
-    RimPoint m_at;
-    double m_step;
+    static bool holds(const RimPoint&) { return true; }
 };
 
 } // namespace
@@ -203,31 +129,12 @@ RimSearch findRimPoint(const Surface& surface, const Vec3d& start, const Hint& h
 }
 
 double Rim::length() const {
-    double sum = 0;
-    for (std::size_t i = closed ? 0 : 1; i < points.size(); ++i) {
-        const RimPoint &a = points[i == 0 ? points.size() - 1 : i - 1], &b = points[i];
-        const Vec3d s = a.tangent(), t = b.tangent();
-        const double half = 0.5 * std::atan2(base::length(cross(s, t)), dot(s, t));
-        sum += distance(a.position, b.position) * (half > 1e-6 ? half / std::sin(half) : 1);
-    }
-    return sum;
+    return arcLength(points, closed);
 }
 
 Rim traceRim(const Surface& surface, const RimPoint& seed, const TraceOptions& options) {
-    Rim out;
-    out.points.push_back(seed);
-    out.closed = Tracing(surface, seed, 1, options).run(out.points);
-    if (out.closed)
-        return out;
-    std::vector<RimPoint> before{seed};
-    if (Tracing(surface, seed, -1, options).run(before)) { // a loop, as it is the other way round
-        std::reverse(before.begin(), before.end());
-        return {std::move(before), true, 0};
-    }
-    std::reverse(before.begin(), before.end());
-    before.insert(before.end(), out.points.begin() + 1, out.points.end());
-    out.points = std::move(before);
-    return out;
+    auto [points, closed] = traceCurve(RimProblem{surface}, seed, options);
+    return {std::move(points), closed, 0};
 }
 
 } // namespace surface

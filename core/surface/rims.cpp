@@ -1,11 +1,7 @@
 #include "core/surface/rims.h"
 
 #include "core/base/parallel.h"
-
-#include <algorithm>
-#include <array>
-#include <map>
-#include <unordered_map>
+#include "core/surface/traced_lines.h"
 
 namespace surface {
 
@@ -54,73 +50,6 @@ std::vector<RimPoint> findSeeds(const Surface& surface, const base::Progress& pr
     return out;
 }
 
-/// Segments of the rims traced so far, in cells.
-class Traced {
-  public:
-    explicit Traced(double cell) : m_cell(cell) {}
-
-    void add(const Rim& rim, std::size_t number) {
-        const std::size_t count = rim.points.size();
-        for (std::size_t i = rim.closed ? 0 : 1; i < count; ++i) {
-            const RimPoint &a = rim.points[i == 0 ? count - 1 : i - 1], &b = rim.points[i];
-            m_cells[keyOf((a.position + b.position) * 0.5)].push_back({a.position, b.position, a.tangent(), number});
-        }
-        if (count == 1)
-            m_cells[keyOf(rim.points[0].position)].push_back(
-                {rim.points[0].position, rim.points[0].position, rim.points[0].tangent(), number});
-    }
-
-    /// The rim that comes within `reach` of p, or -1.
-    std::ptrdiff_t rimAt(const RimPoint& p, double reach) const {
-        const Key centre = keyOf(p.position);
-        for (std::int64_t i = 0; i < 27; ++i) {
-            const auto cell = m_cells.find({centre[0] + i % 3 - 1, centre[1] + i / 3 % 3 - 1, centre[2] + i / 9 - 1});
-            if (cell == m_cells.end())
-                continue;
-            for (const Segment& s : cell->second)
-                if (distanceTo(s, p.position) < reach * p.unit && std::abs(dot(s.tangent, p.tangent())) > 0.5)
-                    return static_cast<std::ptrdiff_t>(s.rim);
-        }
-        return -1;
-    }
-
-    /// The rim that half the points of `rim` are close to, or -1.
-    std::ptrdiff_t sameAs(const Rim& rim) const {
-        std::map<std::ptrdiff_t, std::size_t> votes;
-        for (const RimPoint& p : rim.points)
-            if (const std::ptrdiff_t other = rimAt(p, sameRim); other >= 0 && 2 * ++votes[other] > rim.points.size())
-                return other;
-        return -1;
-    }
-
-  private:
-    using Key = std::array<std::int64_t, 3>;
-    struct KeyHash {
-        std::size_t operator()(const Key& k) const {
-            return static_cast<std::size_t>(k[0] * 73856093 ^ k[1] * 19349663 ^ k[2] * 83492791);
-        }
-    };
-    struct Segment {
-        Vec3d a, b, tangent;
-        std::size_t rim;
-    };
-
-    Key keyOf(const Vec3d& p) const {
-        return {static_cast<std::int64_t>(std::floor(p.x / m_cell)),
-                static_cast<std::int64_t>(std::floor(p.y / m_cell)),
-                static_cast<std::int64_t>(std::floor(p.z / m_cell))};
-    }
-    static double distanceTo(const Segment& s, const Vec3d& p) {
-        const Vec3d way = s.b - s.a;
-        const double square = lengthSq(way);
-        const double part = square > 0 ? std::clamp(dot(p - s.a, way) / square, 0.0, 1.0) : 0;
-        return distance(p, s.a + way * part);
-    }
-
-    double m_cell; ///< at least as long as a segment, and `sameRim` more than half of one
-    std::unordered_map<Key, std::vector<Segment>, KeyHash> m_cells;
-};
-
 } // namespace
 
 std::vector<Rim> findRims(const Surface& surface, const base::Progress& progress, const TraceOptions& options) {
@@ -131,17 +60,17 @@ std::vector<Rim> findRims(const Surface& surface, const base::Progress& progress
     double longest = 0;
     for (const RimPoint& seed : seeds)
         longest = std::max(longest, seed.unit);
-    Traced traced((1.5 * options.longestStep + sameRim) * std::max(longest, 1e-300));
+    TracedLines traced((1.5 * options.longestStep + sameRim) * std::max(longest, 1e-300));
     for (std::size_t i = 0; i < seeds.size(); ++i) {
         if (i % 64 == 0)
             progress.step(0.7 + 0.3 * static_cast<double>(i) / static_cast<double>(seeds.size()), "Following rims");
-        std::ptrdiff_t place = traced.rimAt(seeds[i], onRim);
+        std::ptrdiff_t place = traced.lineAt(seeds[i], onRim);
         if (place < 0) {
             Rim rim = traceRim(surface, seeds[i], options);
-            place = traced.sameAs(rim);
+            place = traced.sameAs(rim.points, sameRim);
             if (place < 0) {
                 place = static_cast<std::ptrdiff_t>(out.size());
-                traced.add(rim, out.size());
+                traced.add(rim.points, rim.closed, out.size());
                 out.push_back(std::move(rim));
             }
         }

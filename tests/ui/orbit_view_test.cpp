@@ -2,6 +2,7 @@
 
 #include "core/base/random.h"
 #include "support/registry.h"
+#include "ui/render/named_views.h"
 
 #include <numbers>
 #include <QtTest>
@@ -89,12 +90,13 @@ void OrbitViewTest::zoomKeepsThePivotInPlace() {
 
 void OrbitViewTest::namedViewsLookAlongTheAxes() {
     const Vec3d expected[] = {{0, 0, -1}, {0, 0, 1}, {-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}};
-    QCOMPARE(namedViews().size(), std::size(expected));
+    QCOMPARE(render::namedViews().size(), std::size(expected));
     for (std::size_t i = 0; i < std::size(expected); ++i) {
+        const render::NamedView& row = render::namedViews()[i];
         OrbitView view;
-        view.yawRad = namedViews()[i].yawDeg * std::numbers::pi / 180;
-        view.pitchRad = namedViews()[i].pitchDeg * std::numbers::pi / 180;
+        view.turnTo(row.toEye, row.up);
         QVERIFY(base::length(view.camera(100, 100).forward() - expected[i]) < 1e-12);
+        QVERIFY(base::length(view.camera(100, 100).upright() - row.up) < 1e-12);
     }
 }
 

@@ -220,7 +220,7 @@ void SculptingTest::cursorLiesAtTheExactContact() {
 void SculptingTest::symmetricStrokeWorksOnBothSides() {
     WindowFixture f;
     QVERIFY(f.make("sphere", 8000));
-    f.window->controller().turnTo(ui::namedViews()[0]);
+    f.window->controller().turnTo(render::namedViews()[0]);
     f.window->settings().symmetry = {true, false, false};
     const float radius = reachOf(f).highest;
     f.drag(f.centre() + QPointF(90, -10), f.centre() + QPointF(90, 30));

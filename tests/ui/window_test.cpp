@@ -178,10 +178,11 @@ void WindowTest::everySampleOpensAndIsSeen() {
 void WindowTest::numberedViewsTurnAndFrameShowsAll() {
     WindowFixture f;
     QVERIFY(f.make("torus", 3000));
-    for (const auto& row : ui::namedViews()) {
+    for (const auto& row : render::namedViews()) {
         f.action("view", row.label)->trigger();
-        QVERIFY(std::abs(f.window->controller().view().yawRad * 180 / M_PI - row.yawDeg) < 1e-9);
-        QVERIFY(std::abs(f.window->controller().view().pitchRad * 180 / M_PI - row.pitchDeg) < 1e-9);
+        const render::Camera camera = f.window->controller().camera();
+        QVERIFY(base::length(camera.forward() + row.toEye) < 1e-12);
+        QVERIFY(base::length(camera.upright() - row.up) < 1e-12);
     }
     const auto framed = [&] {
         f.action("view", "Frame All")->trigger();

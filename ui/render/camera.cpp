@@ -1,5 +1,6 @@
 #include "ui/render/camera.h"
 
+#include <algorithm>
 #include <limits>
 #include <numbers>
 
@@ -25,23 +26,55 @@ Vec3d Camera::upright() const {
 }
 
 double Camera::focalPx() const {
-    return 0.5 * height / std::tan(fovDeg * (std::numbers::pi / 360));
+    return parallel() ? height / orthoHeight : 0.5 * height / std::tan(fovDeg * (std::numbers::pi / 360));
 }
 
 base::Rayd Camera::ray(double px, double py) const {
-    const Vec3d direction = forward() * focalPx() + right() * (px - 0.5 * width) - upright() * (py - 0.5 * height);
-    return {eye, normalized(direction)};
+    const Vec3d aside = right() * (px - 0.5 * width) - upright() * (py - 0.5 * height);
+    if (parallel())
+        return {eye + aside * (1 / focalPx()), forward()};
+    return {eye, normalized(forward() * focalPx() + aside)};
 }
 
 Vec3d Camera::project(const Vec3d& p) const {
     const Vec3d v = p - eye;
-    const double z = dot(v, forward()), f = focalPx();
-    return {0.5 * width + f * dot(v, right()) / z, 0.5 * height - f * dot(v, upright()) / z, z};
+    const double z = dot(v, forward()), f = focalPx() / (parallel() ? 1 : z);
+    return {0.5 * width + f * dot(v, right()), 0.5 * height - f * dot(v, upright()), z};
+}
+
+/// Half the extent of a box along a unit direction.
+static double halfAlong(const base::Box3f& box, const Vec3d& axis) {
+    const Vec3d half = base::cast<double>(box.hi - box.lo) * 0.5;
+    return std::abs(axis.x) * half.x + std::abs(axis.y) * half.y + std::abs(axis.z) * half.z;
+}
+
+Camera Camera::before(const base::Box3f& box) const {
+    Camera out = *this;
+    if (box.empty() || !parallel())
+        return out;
+    // Twice the half extent, so that splats and supports at the box's border are not cut.
+    const double middle = dot(base::cast<double>(box.centre()) - eye, forward());
+    out.eye = eye + forward() * (middle - 2 * halfAlong(box, forward()) - orthoHeight);
+    return out;
+}
+
+/// Parallel rays: the box's extents across them, in its middle.
+static Camera framedParallel(const Camera& camera, const base::Box3f& box) {
+    Camera out = camera;
+    const double across = halfAlong(box, camera.right()) * camera.height / camera.width;
+    const double needed = 2 * std::max(across, halfAlong(box, camera.upright())) / framedPart;
+    if (needed > 0) // else a single point: any height shows it
+        out.orthoHeight = needed;
+    out.target = base::cast<double>(box.centre());
+    out.eye = out.target - camera.forward() * length(camera.target - camera.eye);
+    return out.before(box);
 }
 
 Camera Camera::framing(const base::Box3f& box) const {
     if (box.empty())
         return *this;
+    if (parallel())
+        return framedParallel(*this, box);
     const Vec3d f = forward(), r = right(), u = upright(), centre = base::cast<double>(box.centre());
     // Along one image axis with slope k at its margin, a corner (x, z) is inside for an eye at (a, c) if
     // |x - a| <= k (z - c). With A = max(x - k z) and B = max(-x - k z) the farthest c forward is -(A + B) / 2k, at

@@ -26,7 +26,7 @@ constexpr base::Vec3f towardsEye{0, 0, 1};
 
 void shadeTile(const Frame& frame, const TileArea& area, const TileSums& sums) {
     for (int y = 0; y < area.height; ++y) {
-        const float dy = frame.view.slopeY(area.top + y);
+        const float dy = frame.view.raySlopeY(area.top + y);
         const auto line = static_cast<std::size_t>(area.top + y) * static_cast<std::size_t>(frame.out.width);
         surfel::Colour* colour = frame.out.colour.data() + line + static_cast<std::size_t>(area.left);
         float* depth = frame.out.depth.data() + line + static_cast<std::size_t>(area.left);
@@ -40,7 +40,7 @@ void shadeTile(const Frame& frame, const TileArea& area, const TileSums& sums) {
                 depth[x] = std::numeric_limits<float>::infinity();
                 continue;
             }
-            const float dx = frame.view.slopeX(area.left + x), inverse = 1 / weight;
+            const float dx = frame.view.raySlopeX(area.left + x), inverse = 1 / weight;
             const base::Vec3f n =
                 normalized(base::Vec3f{sums.normal[0][i], -sums.normal[1][i], -sums.normal[2][i]}, towardsEye);
             surfel::Colour blended = surfel::white;

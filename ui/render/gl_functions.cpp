@@ -75,6 +75,7 @@ GlFunctions GlFunctions::load(const GetProcAddress& address) {
     find(gl.uniform2f, address, "glUniform2f");
     find(gl.uniform3f, address, "glUniform3f");
     find(gl.uniform4f, address, "glUniform4f");
+    find(gl.uniform4fv, address, "glUniform4fv");
     find(gl.useProgram, address, "glUseProgram");
     find(gl.vertexAttribDivisor, address, "glVertexAttribDivisor");
     find(gl.vertexAttribPointer, address, "glVertexAttribPointer");

@@ -71,6 +71,7 @@ struct GlFunctions {
     PFNGLUNIFORM2FPROC uniform2f = nullptr;
     PFNGLUNIFORM3FPROC uniform3f = nullptr;
     PFNGLUNIFORM4FPROC uniform4f = nullptr;
+    PFNGLUNIFORM4FVPROC uniform4fv = nullptr;
     PFNGLUSEPROGRAMPROC useProgram = nullptr;
     PFNGLVERTEXATTRIBDIVISORPROC vertexAttribDivisor = nullptr;
     PFNGLVERTEXATTRIBPOINTERPROC vertexAttribPointer = nullptr;

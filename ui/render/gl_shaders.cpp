@@ -13,16 +13,22 @@ static std::string head() {
     return "#version 330 core\n" + constant("filterPx", filterPx) + constant("layerDepth", layerDepth) +
            constant("filterDepth", filterDepth) + constant("backBias", backBias) + constant("backClip", backClip) +
            constant("minCosine", minCosine) + constant("backFrom", backFrom) + constant("backTo", backTo) +
+           "const int mostClips = " + std::to_string(ClipPlanes::most) + ";\n" +
            "const int lightSize = " + std::to_string(lightSize) + ";\n";
 }
 
-/// The view, as in ViewFrame: slopes of the first pixel, pixels per slope, radius as a part of the support.
+/// The view, as in ViewFrame: image place of the first pixel, pixels per unit of it, radius as a part of the support.
 static constexpr const char* viewUniforms = R"(
 uniform vec3 right, down, forward, eye, rest;
 uniform vec4 image; // x0, y0, focalPx, radiusOfSupport
 uniform vec2 size;  // pixels
 uniform vec2 depthRange; // nearest depth, 1 / (farthest - nearest)
-uniform bool oriented;
+uniform bool oriented, parallel;
+uniform vec4 clips[mostClips]; // normal x, y, constant, factor
+uniform int clipCount;
+
+float nearness(float z) { return parallel ? -z : 1.0 / z; } // w, linear across the image
+float pixelSize(float z) { return parallel ? 1.0 / image.z : z / image.z; }
 )";
 
 static constexpr const char* splatVertex = R"(
@@ -30,8 +36,8 @@ layout(location = 0) in vec3 position;
 layout(location = 1) in vec4 packedNormal;
 layout(location = 2) in float support;
 layout(location = 3) in vec4 colourAndMask;
-flat out vec4 centre; // slopes, depth, radius
-flat out vec4 plane;  // gradient of 1/z along the slopes, bias, 1/z from where it is cut
+flat out vec4 centre; // image place, depth, radius
+flat out vec4 plane;  // gradient of w across the image, bias, w from where it is cut
 flat out vec3 normal;
 flat out vec4 attributes;
 
@@ -40,25 +46,27 @@ vec3 turn(vec3 v) { return vec3(dot(v, right), dot(v, down), dot(v, forward)); }
 void main() {
     vec3 p = turn(position - eye) - rest;
     vec3 n = packedNormal.xyz;
-    float distance = length(p);
-    n = dot(n, n) < 0.25 ? p / -distance : turn(normalize(n));
-    float facing = dot(n, p), radius = support * image.w;
+    vec3 ray = parallel ? vec3(0.0, 0.0, 1.0) : p;
+    float distance = length(ray);
+    n = dot(n, n) < 0.25 ? ray / -distance : turn(normalize(n));
+    float facing = dot(n, ray), radius = support * image.w;
     bool away = facing > 0.0;
     if (away && !oriented) {
         n = -n;
         facing = -facing;
     }
     float steep = (facing < 0.0 ? -1.0 : 1.0) * max(abs(facing), minCosine * distance);
-    centre = vec4(p.xy / p.z, p.z, radius);
+    centre = vec4(parallel ? p.xy : p.xy / p.z, p.z, radius);
     bool behind = away && oriented;
     float rise = radius * sqrt(max(0.0, 1.0 - n.z * n.z));
-    plane = vec4(n.xy / steep, behind ? (radius + filterPx * p.z / image.z) * layerDepth * backBias : 0.0,
-                 behind ? 1.0 / (centre.z - backClip * rise) : 3e38);
+    plane = vec4(n.xy / steep, behind ? (radius + filterPx * pixelSize(p.z)) * layerDepth * backBias : 0.0,
+                 behind ? nearness(centre.z - backClip * rise) : 3e38);
     normal = n;
     attributes = colourAndMask;
 
     vec3 extent = radius * sqrt(max(vec3(0.0), 1.0 - n * n));
-    vec2 halfPx = max(vec2(filterPx), image.z * (extent.xy + abs(centre.xy) * extent.z) / (p.z - extent.z));
+    vec2 wide = parallel ? extent.xy : (extent.xy + abs(centre.xy) * extent.z) / (p.z - extent.z);
+    vec2 halfPx = max(vec2(filterPx), image.z * wide);
     vec2 px = (centre.xy - image.xy) * image.z + 0.5;
     if (p.z <= 1.02 * radius || any(greaterThan(px - halfPx, size)) || any(lessThan(px + halfPx, vec2(0.0)))) {
         gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
@@ -94,11 +102,14 @@ void main() {
     vec2 slope = image.xy + vec2(gl_FragCoord.x - 0.5, size.y - gl_FragCoord.y - 0.5) / image.z;
     vec2 d = slope - centre.xy;
     float radius = centre.w;
-    float exact = 1.0 / centre.z + dot(plane.xy, d);
-    float pixel = filterPx * centre.z / image.z, range = radius + filterDepth * pixel;
-    float inverse = clamp(exact, 1.0 / (centre.z + range), 1.0 / max(centre.z - range, 0.01 * centre.z));
-    float z = 1.0 / inverse, dz = z - centre.z;
-    vec3 a = vec3(dz * centre.xy + z * d, dz) / radius;
+    float exact = nearness(centre.z) + dot(plane.xy, d);
+    float pixel = filterPx * pixelSize(centre.z), range = radius + filterDepth * pixel;
+    float w = clamp(exact, nearness(centre.z + range), nearness(max(centre.z - range, 0.01 * centre.z)));
+    for (int k = 0; k < clipCount; ++k)
+        if (dot(clips[k].xy, slope) + clips[k].z < clips[k].w * w)
+            discard;
+    float z = parallel ? -w : 1.0 / w, dz = z - centre.z;
+    vec3 a = vec3(parallel ? d : dz * centre.xy + z * d, dz) / radius;
     float r2 = min(exact > plane.w ? 2.0 : dot(a, a), dot(d, d) * image.z * image.z / (filterPx * filterPx));
     if (r2 > 1.0)
         discard;
@@ -138,7 +149,7 @@ void main() {
         rayDepth = uintBitsToFloat(0x7f800000u);
         return;
     }
-    vec2 slope = image.xy + vec2(at.x, row) / image.z;
+    vec2 slope = parallel ? vec2(0.0) : image.xy + vec2(at.x, row) / image.z;
     float across = dot(slope, slope) + 1.0;
     vec3 n = vec3(sums.x, -sums.y, -sums.z);
     n = dot(n, n) > 0.0 ? normalize(n) : vec3(0.0, 0.0, 1.0);

@@ -59,6 +59,15 @@ void GlSplatter::setView(const GlProgram& program, const Frame& frame) const {
     m_gl.uniform2f(program.at("size"), static_cast<float>(view.width), static_cast<float>(view.height));
     m_gl.uniform2f(program.at("depthRange"), frame.nearest, frame.inverseRange);
     m_gl.uniform1i(program.at("oriented"), frame.style.oriented ? 1 : 0);
+    m_gl.uniform1i(program.at("parallel"), view.parallel ? 1 : 0);
+    m_gl.uniform1i(program.at("clipCount"), view.clipCount);
+    std::array<float, 4 * ClipPlanes::most> clips{};
+    for (std::size_t k = 0; k < static_cast<std::size_t>(view.clipCount); ++k) {
+        const ViewClip& clip = view.clips[k];
+        clips[4 * k] = clip.normal.x, clips[4 * k + 1] = clip.normal.y;
+        clips[4 * k + 2] = clip.constant, clips[4 * k + 3] = clip.factor;
+    }
+    m_gl.uniform4fv(program.at("clips"), static_cast<GLsizei>(ClipPlanes::most), clips.data());
 }
 
 void GlSplatter::bindAttributes(std::size_t page, GLint firstSurfel, GLuint divisor) const {
@@ -97,9 +106,11 @@ void GlSplatter::drawPass(const Frame& frame, SplatPass pass) {
 /// Upper bound of the sprites' sizes in a block: see screenBounds for the extent, and the shader for the shift of
 /// sprites whose centre lies outside, which at most doubles it.
 static float pointSize(const VisibleBlock& visible, const ViewFrame& view, float reachOfSupport) {
+    const float reach = reachOfSupport * visible.block->maxSupport();
+    if (view.parallel)
+        return 4 * std::max(filterPx, view.focalPx * reach) + 1;
     if (visible.bounds.nearest <= 0)
         return std::numeric_limits<float>::infinity();
-    const float reach = reachOfSupport * visible.block->maxSupport();
     const float widest = 2 * std::max(std::abs(view.x0), std::abs(view.y0));
     return 4 * std::max(filterPx, view.focalPx * reach * (1 + widest) / visible.bounds.nearest) + 1;
 }
@@ -219,7 +230,7 @@ void GlSplatter::drawTo(GLuint framebuffer, const tree::SurfelTree& model, const
         const float reach = style.radiusOfSupport * support * (2 + layerDepth);
         const float middle = frame.view.toView(box.centre()).z, toCorner = 0.5f * box.diagonal();
         const float pixels =
-            (filterDepth + layerDepth) * filterPx * frame.view.step * std::max(middle + toCorner, 0.0f);
+            (filterDepth + layerDepth) * filterPx * frame.view.pixelSize(std::max(middle + toCorner, 0.0f));
         const float half = toCorner + reach + pixels;
         frame.nearest = std::max(0.0f, middle - half);
         frame.inverseRange = 1 / std::max(middle + half - frame.nearest, std::numeric_limits<float>::min());

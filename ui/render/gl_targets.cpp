@@ -54,6 +54,12 @@ GLuint GlTargets::framebuffer(GLuint zBuffer, std::initializer_list<GLuint> colo
 void GlTargets::resize(int width, int height) {
     if (width == m_width && height == m_height)
         return;
+    GLint most = 0;
+    m_gl.getIntegerv(GL_MAX_TEXTURE_SIZE, &most);
+    if (width > most || height > most)
+        throw base::Error("this OpenGL draws at most " + std::to_string(most) + " pixels a side, not " +
+                              std::to_string(width) + " x " + std::to_string(height),
+                          "", "choose a smaller size, or draw on the CPU (--backend cpu)");
     discard();
     m_width = m_height = 0; // until all of it stands
     const auto make = [&](GLint format, GLenum order, GLenum type) {

@@ -1,27 +1,41 @@
 #include "ui/render/picture.h"
 
+#include "core/base/error.h"
 #include "ui/render/raycast_image.h"
+#include "ui/render/section_lines.h"
 #include "ui/render/smooth_image.h"
 #include "ui/render/splat_scale.h"
 
+#include <algorithm>
 #include <chrono>
+#include <new>
 
 namespace render {
 
-/// Smooth outlines take four times the pixels; beyond this many the picture is fine enough without.
+/// Smooth outlines take four times the pixels; beyond this many, or of this side, the picture is fine enough without.
 constexpr std::size_t mostSmoothPixels = 16u << 20;
+constexpr int mostSmoothSide = 8192;
 
 static void drawSplats(const tree::SurfelTree& model, const Camera& camera, const PictureOptions& options, Image& out) {
     RenderOptions style = options.style;
     style.splatScale *= splatScaleOf(model);
     const auto renderer = makeRenderer(options.backend);
-    if (out.colour.size() <= mostSmoothPixels)
+    const bool small = out.colour.size() <= mostSmoothPixels && std::max(out.width, out.height) <= mostSmoothSide;
+    if (options.smooth && small)
         renderSmooth(*renderer, model, camera, style, out);
     else
         renderer->render(model, camera, style, out);
 }
 
-Image drawPicture(const surface::Surface& surface, const Camera& camera, const PictureOptions& options,
+static void addSections(const surface::Surface& surface, const Camera& camera, const base::Progress& progress,
+                        Image& image) {
+    SectionCurves curves;
+    for (const base::Plane& plane : camera.clips.all())
+        curves.push_back(findSection(surface, plane, progress));
+    drawSections(curves, camera, image);
+}
+
+static Image draw(const surface::Surface& surface, const Camera& camera, const PictureOptions& options,
                   PictureStats& stats, const base::Progress& progress) {
     Image out;
     out.resize(camera.width, camera.height);
@@ -36,8 +50,21 @@ Image drawPicture(const surface::Surface& surface, const Camera& camera, const P
         progress.step(0, "Drawing");
         drawSplats(surface.tree(), camera, options, out);
     }
+    if (options.sections)
+        addSections(surface, camera, progress, out);
     stats.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return out;
+}
+
+Image drawPicture(const surface::Surface& surface, const Camera& camera, const PictureOptions& options,
+                  PictureStats& stats, const base::Progress& progress) {
+    try {
+        return draw(surface, camera, options, stats, progress);
+    } catch (const std::bad_alloc&) {
+        throw base::Error("the memory does not hold a picture of " + std::to_string(camera.width) + " x " +
+                              std::to_string(camera.height) + " pixels",
+                          "", "choose a smaller size");
+    }
 }
 
 } // namespace render

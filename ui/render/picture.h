@@ -12,6 +12,8 @@ namespace render {
 struct PictureOptions {
     bool rayCast = false;        ///< the true surface, every pixel; else splats
     std::string backend = "cpu"; ///< of splats
+    bool smooth = true;          ///< splats by four pixels for one, up to 16 million; else one
+    bool sections = false;       ///< draw the curves where the camera's clip planes meet the surface
     RenderOptions style;         ///< its splatScale comes on top of splatScaleOf the model
 };
 
@@ -19,9 +21,14 @@ struct PictureOptions {
 struct PictureStats {
     std::size_t rays = 0, pixels = 0, evaluations = 0;
     double seconds = 0;
+
+    PictureStats& operator+=(const PictureStats& more) {
+        rays += more.rays, pixels += more.pixels, evaluations += more.evaluations, seconds += more.seconds;
+        return *this;
+    }
 };
 
-/// With smooth outlines up to 16 million pixels. Throws base::Error where the backend is missing; base::Cancelled.
+/// Throws base::Error where the backend is missing, the picture too large for it or for the memory; base::Cancelled.
 Image drawPicture(const surface::Surface& surface, const Camera& camera, const PictureOptions& options,
                   PictureStats& stats, const base::Progress& progress);
 

@@ -9,11 +9,24 @@ namespace render {
 using base::Vec3d;
 using base::Vec3f;
 
+/// REQUIRES: the camera outlives the result.
 static raycast::ImageRays imageRays(const Camera& camera) {
-    const Vec3d right = camera.right(), down = -camera.upright();
-    const Vec3d corner =
-        camera.forward() * camera.focalPx() + right * (0.5 - 0.5 * camera.width) + down * (0.5 - 0.5 * camera.height);
-    return {camera.eye, corner, right, down, camera.width, camera.height};
+    const Vec3d right = camera.right(), down = -camera.upright(), forward = camera.forward();
+    const Vec3d aside = right * (0.5 - 0.5 * camera.width) + down * (0.5 - 0.5 * camera.height);
+    raycast::ImageRays out;
+    out.width = camera.width, out.height = camera.height;
+    out.clips = camera.clips.all();
+    if (camera.parallel()) {
+        const double unit = 1 / camera.focalPx();
+        out.eye = camera.eye + aside * unit;
+        out.originAcross = right * unit, out.originDown = down * unit;
+        out.corner = forward;
+    } else {
+        out.eye = camera.eye;
+        out.corner = forward * camera.focalPx() + aside;
+        out.across = right, out.down = down;
+    }
+    return out;
 }
 
 void rayCast(const surface::Surface& surface, const Camera& camera, const RenderOptions& options, Image& out,
@@ -27,7 +40,7 @@ void rayCast(const surface::Surface& surface, const Camera& camera, const Render
     base::parallelFor(static_cast<std::size_t>(camera.height), 8, [&](std::size_t y) {
         surfel::Colour background[8];
         backgroundRow(static_cast<int>(y), camera.height, options.transparent, background);
-        const float dy = -view.slopeY(static_cast<int>(y));
+        const float dy = -view.raySlopeY(static_cast<int>(y));
         for (std::size_t x = 0; x < static_cast<std::size_t>(camera.width); ++x) {
             const std::size_t i = y * static_cast<std::size_t>(camera.width) + x;
             const raycast::Sample& sample = samples[i];
@@ -35,7 +48,7 @@ void rayCast(const surface::Surface& surface, const Camera& camera, const Render
             if (!sample.hit.hit)
                 continue;
             const Vec3f turned = view.turn(oriented ? sample.hit.outward : sample.hit.normal);
-            const Vec3f normal = inRayFrame({turned.x, -turned.y, -turned.z}, view.slopeX(static_cast<int>(x)), dy);
+            const Vec3f normal = inRayFrame({turned.x, -turned.y, -turned.z}, view.raySlopeX(static_cast<int>(x)), dy);
             out.colour[i] = shadePixel(style, normal, sample.colour, sample.mask);
             out.depth[i] = sample.hit.t;
         }

@@ -42,6 +42,7 @@ HWY_INLINE void transform(const surfel::SurfelBlock& block, int cluster, const V
                           HWY_ATTR { return hn::Load(d, block.channel(cluster, channel) + lane); };
     const auto one = hn::Set(d, 1.0f), zero = hn::Zero(d);
     const float x0 = view.slopeX(area.left), y0 = view.slopeY(area.top);
+    const bool parallel = view.parallel;
     for (int lane = 0; lane < clusterSize; lane += static_cast<int>(hn::Lanes(d))) {
         const auto wx = hn::Sub(load(surfel::X, lane), hn::Set(d, view.eye.x));
         const auto wy = hn::Sub(load(surfel::Y, lane), hn::Set(d, view.eye.y));
@@ -52,14 +53,15 @@ HWY_INLINE void transform(const surfel::SurfelBlock& block, int cluster, const V
         const auto mx = load(surfel::NormalX, lane), my = load(surfel::NormalY, lane), mz = load(surfel::NormalZ, lane);
         auto nx = along(d, view.right, mx, my, mz), ny = along(d, view.down, mx, my, mz),
              nz = along(d, view.forward, mx, my, mz);
-        // An unknown normal faces the eye.
-        const auto distance = hn::Sqrt(hn::MulAdd(px, px, hn::MulAdd(py, py, hn::Mul(pz, pz))));
+        // The ray to the centre, and its length. An unknown normal faces the eye.
+        const auto rx = parallel ? zero : px, ry = parallel ? zero : py, rz = parallel ? one : pz;
+        const auto distance = hn::Sqrt(hn::MulAdd(rx, rx, hn::MulAdd(ry, ry, hn::Mul(rz, rz))));
         const auto unknown = hn::Lt(hn::MulAdd(nx, nx, hn::MulAdd(ny, ny, hn::Mul(nz, nz))), hn::Set(d, 0.25f));
         const auto toEye = hn::Div(hn::Set(d, -1.0f), distance);
-        nx = hn::IfThenElse(unknown, hn::Mul(px, toEye), nx);
-        ny = hn::IfThenElse(unknown, hn::Mul(py, toEye), ny);
-        nz = hn::IfThenElse(unknown, hn::Mul(pz, toEye), nz);
-        auto np = hn::MulAdd(nx, px, hn::MulAdd(ny, py, hn::Mul(nz, pz)));
+        nx = hn::IfThenElse(unknown, hn::Mul(rx, toEye), nx);
+        ny = hn::IfThenElse(unknown, hn::Mul(ry, toEye), ny);
+        nz = hn::IfThenElse(unknown, hn::Mul(rz, toEye), nz);
+        auto np = hn::MulAdd(nx, rx, hn::MulAdd(ny, ry, hn::Mul(nz, rz)));
         const auto away = hn::Gt(np, zero);
         if (!style.oriented) {
             nx = hn::IfThenElse(away, hn::Neg(nx), nx);
@@ -70,15 +72,16 @@ HWY_INLINE void transform(const surfel::SurfelBlock& block, int cluster, const V
         const auto least = hn::Mul(hn::Set(d, minCosine), distance);
         const auto steep = hn::CopySign(hn::Max(hn::Abs(np), least), np);
         const auto radius = hn::Mul(load(surfel::Support, lane), hn::Set(d, style.radiusOfSupport));
-        const auto inverseZ = hn::Div(one, pz), x = hn::Mul(px, inverseZ), y = hn::Mul(py, inverseZ);
+        const auto inverseZ = parallel ? one : hn::Div(one, pz), x = hn::Mul(px, inverseZ), y = hn::Mul(py, inverseZ);
         // Half sizes of the disc along the axes; then as in screenBounds.
         const auto extent = [&](auto n)
                                 HWY_ATTR { return hn::Mul(radius, hn::Sqrt(hn::Max(zero, hn::NegMulAdd(n, n, one)))); };
         const auto ez = extent(nz), nearest = hn::Sub(pz, ez);
         const auto behind = hn::Le(pz, hn::Mul(radius, hn::Set(d, 1.02f)));
         const auto filter = hn::Set(d, filterPx * view.step);
-        const auto half = [&](auto e, auto slope)
-                              HWY_ATTR { return hn::Max(filter, hn::Div(hn::MulAdd(hn::Abs(slope), ez, e), nearest)); };
+        const auto half = [&](auto e, auto slope) HWY_ATTR {
+            return hn::Max(filter, parallel ? e : hn::Div(hn::MulAdd(hn::Abs(slope), ez, e), nearest));
+        };
         pixels(d, x, half(extent(nx), x), x0, view.focalPx, area.width, out.left + lane, out.right + lane);
         pixels(d, y, half(extent(ny), y), y0, view.focalPx, area.height, out.top + lane, out.bottom + lane);
         hn::Store(hn::IfThenElse(behind, hn::Set(d, -1.0f), hn::Load(d, out.right + lane)), d, out.right + lane);
@@ -110,15 +113,15 @@ int gather(const BinEntry& entry, const ViewFrame& view, const SplatStyle& style
                 continue;
             const float radius = s.radius[i], z = s.z[i];
             const bool behind = style.oriented && s.back[i] > 0;
-            const float filter = filterPx * view.step * z, range = radius + filterDepth * filter;
+            const float filter = filterPx * view.pixelSize(z), range = radius + filterDepth * filter;
             out[count++] = {s.x[i],
                             s.y[i],
                             z,
                             s.gradX[i],
                             s.gradY[i],
-                            1 / (z + range),
-                            1 / std::max(z - range, 0.01f * z),
-                            behind ? 1 / (z - backClip * s.rise[i]) : std::numeric_limits<float>::infinity(),
+                            view.nearness(z + range),
+                            view.nearness(std::max(z - range, 0.01f * z)),
+                            behind ? view.nearness(z - backClip * s.rise[i]) : std::numeric_limits<float>::infinity(),
                             1 / (radius * radius),
                             (radius + filter) * layerDepth,
                             behind ? (radius + filter) * layerDepth * backBias : 0,
@@ -142,19 +145,32 @@ struct Fragments {
     hn::Vec<D> z, r2;
 };
 
-/// `dx`: slopes from the splat's centre; `row`: 1/z at dx = 0; `dy2`: squared distance down, in filter units.
+/// `r2`, or more than 1 where a plane cuts the fragment away. `w`: its nearness.
 template <class D, class V>
-HWY_INLINE Fragments<D> meet(D d, const Splat& s, V dx, float dy, float row, float dy2, float filter) {
+HWY_INLINE V uncut(D d, const Splat& s, const ViewFrame& view, V dx, float dy, V w, V r2) {
+    for (int k = 0; k < view.clipCount; ++k) {
+        const ViewClip& clip = view.clips[static_cast<std::size_t>(k)];
+        const float row = clip.normal.x * s.x + clip.normal.y * (s.y + dy) + clip.constant;
+        const V side = hn::MulAdd(hn::Set(d, clip.normal.x), dx, hn::Set(d, row));
+        r2 = hn::IfThenElse(hn::Lt(side, hn::Mul(hn::Set(d, clip.factor), w)), hn::Set(d, 2.0f), r2);
+    }
+    return r2;
+}
+
+/// `dx`: way from the splat's centre in the image; `row`: w at dx = 0; `dy2`: squared distance down, in filter units.
+template <bool parallel, class D, class V>
+HWY_INLINE Fragments<D> meet(D d, const Splat& s, const ViewFrame& view, V dx, float dy, float row, float dy2,
+                             float filter) {
     const V exact = hn::MulAdd(hn::Set(d, s.gradX), dx, hn::Set(d, row));
     const V inverse = hn::Clamp(exact, hn::Set(d, s.low), hn::Set(d, s.high));
-    const V z = hn::Div(hn::Set(d, 1.0f), inverse);
+    const V z = parallel ? hn::Neg(inverse) : hn::Div(hn::Set(d, 1.0f), inverse);
     const V dz = hn::Sub(z, hn::Set(d, s.z));
-    const V ax = hn::MulAdd(dz, hn::Set(d, s.x), hn::Mul(z, dx));
-    const V ay = hn::MulAdd(dz, hn::Set(d, s.y), hn::Mul(z, hn::Set(d, dy)));
+    const V ax = parallel ? dx : hn::MulAdd(dz, hn::Set(d, s.x), hn::Mul(z, dx));
+    const V ay = parallel ? hn::Set(d, dy) : hn::MulAdd(dz, hn::Set(d, s.y), hn::Mul(z, hn::Set(d, dy)));
     V onDisc = hn::Mul(hn::MulAdd(ax, ax, hn::MulAdd(ay, ay, hn::Mul(dz, dz))), hn::Set(d, s.inverseRadiusSq));
     onDisc = hn::IfThenElse(hn::Gt(exact, hn::Set(d, s.cut)), hn::Set(d, 2.0f), onDisc);
     const V onScreen = hn::MulAdd(hn::Mul(dx, hn::Set(d, filter)), dx, hn::Set(d, dy2));
-    return {z, hn::Min(onDisc, onScreen)};
+    return {z, uncut(d, s, view, dx, dy, inverse, hn::Min(onDisc, onScreen))};
 }
 
 /// exp(-2 t) on [0, 1] to 7e-5: a cubic for exp(-t/2), raised to the fourth power.
@@ -168,7 +184,7 @@ HWY_INLINE V weightOf(D d, V t) {
 }
 
 /// Calls fn(place, fragments) for the vectors of pixels that may lie in the splat.
-template <class D, class Fn>
+template <bool parallel, class D, class Fn>
 HWY_INLINE void forFragments(D d, const Splat& s, const ViewFrame& view, const TileArea& area, const Fn& fn) {
     constexpr float filterSq = filterPx * filterPx;
     const float filter = view.focalPx * view.focalPx / filterSq;
@@ -177,22 +193,31 @@ HWY_INLINE void forFragments(D d, const Splat& s, const ViewFrame& view, const T
     const auto jump = hn::Set(d, view.step * static_cast<float>(hn::Lanes(d)));
     for (int y = s.top; y <= s.bottom; ++y) {
         const float dy = view.slopeY(area.top + y) - s.y;
-        const float row = 1 / s.z + s.gradY * dy, dy2 = dy * dy * filter;
+        const float row = (parallel ? -s.z : 1 / s.z) + s.gradY * dy, dy2 = dy * dy * filter;
         auto dx = first;
         for (int x = s.left; x <= s.right; x += static_cast<int>(hn::Lanes(d)), dx = hn::Add(dx, jump))
-            fn(y * tileStride + x, meet(d, s, dx, dy, row, dy2, filter));
+            fn(y * tileStride + x, meet<parallel>(d, s, view, dx, dy, row, dy2, filter));
     }
 }
 
-void visibility(std::span<const Splat> splats, const ViewFrame& view, const TileArea& area, TileSums& sums) {
+template <bool parallel>
+HWY_INLINE void visibilityOf(std::span<const Splat> splats, const ViewFrame& view, const TileArea& area,
+                             TileSums& sums) {
     const HWY_CAPPED(float, 8) d;
     const auto one = hn::Set(d, 1.0f);
     for (const Splat& s : splats)
-        forFragments(d, s, view, area, [&](int at, const auto& f) HWY_ATTR {
+        forFragments<parallel>(d, s, view, area, [&](int at, const auto& f) HWY_ATTR {
             const auto old = hn::LoadU(d, sums.limit + at);
             const auto limit = hn::Min(old, hn::Add(f.z, hn::Set(d, s.reach)));
             hn::StoreU(hn::IfThenElse(hn::Le(f.r2, one), limit, old), d, sums.limit + at);
         });
+}
+
+void visibility(std::span<const Splat> splats, const ViewFrame& view, const TileArea& area, TileSums& sums) {
+    if (view.parallel)
+        visibilityOf<true>(splats, view, area, sums);
+    else
+        visibilityOf<false>(splats, view, area, sums);
 }
 
 template <class D, class V>
@@ -200,10 +225,10 @@ HWY_INLINE void accumulate(D d, float* sum, V weight, V value) {
     hn::StoreU(hn::MulAdd(weight, value, hn::LoadU(d, sum)), d, sum);
 }
 
-template <bool colours>
+template <bool parallel, bool colours>
 HWY_INLINE void attributesOf(const Splat& s, const ViewFrame& view, const TileArea& area, TileSums& sums) {
     const HWY_CAPPED(float, 8) d;
-    forFragments(d, s, view, area, [&](int at, const auto& f) HWY_ATTR {
+    forFragments<parallel>(d, s, view, area, [&](int at, const auto& f) HWY_ATTR {
         const auto nearest = hn::Le(hn::Add(f.z, hn::Set(d, s.bias)), hn::LoadU(d, sums.limit + at));
         const auto inside = hn::And(nearest, hn::Le(f.r2, hn::Set(d, 1.0f)));
         if (hn::AllFalse(d, inside))
@@ -222,14 +247,23 @@ HWY_INLINE void attributesOf(const Splat& s, const ViewFrame& view, const TileAr
     });
 }
 
-void attributes(std::span<const Splat> splats, const ViewFrame& view, const SplatStyle& style, const TileArea& area,
-                TileSums& sums) {
+template <bool parallel>
+HWY_INLINE void allAttributes(std::span<const Splat> splats, const ViewFrame& view, const SplatStyle& style,
+                              const TileArea& area, TileSums& sums) {
     if (style.colours)
         for (const Splat& s : splats)
-            attributesOf<true>(s, view, area, sums);
+            attributesOf<parallel, true>(s, view, area, sums);
     else
         for (const Splat& s : splats)
-            attributesOf<false>(s, view, area, sums);
+            attributesOf<parallel, false>(s, view, area, sums);
+}
+
+void attributes(std::span<const Splat> splats, const ViewFrame& view, const SplatStyle& style, const TileArea& area,
+                TileSums& sums) {
+    if (view.parallel)
+        allAttributes<true>(splats, view, style, area, sums);
+    else
+        allAttributes<false>(splats, view, style, area, sums);
 }
 
 float farthest(const TileArea& area, const TileSums& sums) {

@@ -8,7 +8,8 @@
 //
 // A splat is a disc. Along the ray of slope d = (x, y, 1), 1/z = (n.d)/(n.p) is linear in x and y, so the exact meeting
 // of ray and plane costs one division. r^2 = |z d - p|^2 / R^2, or the squared distance from the projected centre in
-// units of the filter's pixel where that is less: splats never fall between pixels.
+// units of the filter's pixel where that is less: splats never fall between pixels. With parallel rays -z takes the
+// place of 1/z (view_frame.h). Fragments behind a clip plane count for neither pass.
 #pragma once
 
 #include "core/surfel/surfel_block.h"
@@ -44,10 +45,10 @@ struct SplatStyle {
 
 /// One splat in view coordinates.
 struct Splat {
-    float x, y, z;         ///< slopes of the centre, and its depth
-    float gradX, gradY;    ///< of 1/z along the slopes
-    float low, high;       ///< range of 1/z, see filterDepth
-    float cut;             ///< 1/z from where the disc is cut, see backClip
+    float x, y, z;         ///< image place of the centre, and its depth
+    float gradX, gradY;    ///< of its plane's w (view_frame.h) across the image
+    float low, high;       ///< range of w, see filterDepth
+    float cut;             ///< w from where the disc is cut, see backClip
     float inverseRadiusSq; ///< 1/R^2
     float reach;           ///< what belongs to its layer may lie this far behind
     float bias;            ///< > 0 where it is seen from behind

@@ -1,0 +1,220 @@
+#include "app/view_options.h"
+
+#include "app/framing.h"
+#include "app/subcommand.h"
+#include "core/base/error.h"
+#include "ui/render/named_views.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <numbers>
+
+namespace app {
+
+using base::Vec3d;
+
+static std::string sizeFault(const std::string& text) {
+    int width = 0, height = 0;
+    char rest = 0;
+    const bool whole = std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &rest) == 2;
+    return whole && width >= 1 && height >= 1 && width <= 32767 && height <= 32767
+               ? ""
+               : "'" + text + "' is no size; write WIDTHxHEIGHT with 1 to 32767 pixels each";
+}
+
+static bool parseVector(const std::string& text, Vec3d& out) {
+    char rest = 0;
+    return std::sscanf(text.c_str(), "%lf,%lf,%lf%c", &out.x, &out.y, &out.z, &rest) == 3 && base::isFinite(out);
+}
+
+static std::string vectorFault(const std::string& text) {
+    Vec3d v;
+    return parseVector(text, v) ? "" : "'" + text + "' is no x,y,z";
+}
+
+static bool parsePlane(const std::string& text, base::Plane& out) {
+    char rest = 0;
+    Vec3d& n = out.normal;
+    if (std::sscanf(text.c_str(), "%lf,%lf,%lf,%lf%c", &n.x, &n.y, &n.z, &out.offset, &rest) != 4)
+        return false;
+    const double size = length(n);
+    out.normal = n * (1 / size);
+    out.offset /= size;
+    return size > 0 && base::isFinite(out.normal) && std::isfinite(out.offset);
+}
+
+std::string planeFault(const std::string& text) {
+    base::Plane plane;
+    return parsePlane(text, plane) ? "" : "'" + text + "' is no plane nx,ny,nz,d with a normal longer than zero";
+}
+
+base::Plane planeOf(const std::string& text, const Vec3d& origin) {
+    base::Plane out;
+    parsePlane(text, out);
+    return out.relativeTo(origin);
+}
+
+static std::string heightFault(const std::string& text) {
+    char rest = 0;
+    double height = 0;
+    const bool number = std::sscanf(text.c_str(), "%lf%c", &height, &rest) == 1 && height > 0 && std::isfinite(height);
+    return number || text == "fit" ? "" : "'" + text + "' is no height above zero, nor 'fit'";
+}
+
+static CLI::Option* addVector(CLI::App& command, const char* name, std::string& value, const char* tip) {
+    return command.add_option(name, value, tip)->type_name("x,y,z")->check(CLI::Validator(vectorFault, ""));
+}
+
+static std::string viewNames() {
+    std::string out;
+    for (const render::NamedView& row : render::namedViews())
+        out += (out.empty() ? "" : ", ") + std::string(row.id);
+    return out;
+}
+
+std::shared_ptr<ViewOptions> addViewOptions(CLI::App& command) {
+    auto options = std::make_shared<ViewOptions>();
+    command.add_option("--size", options->size, "pixels")
+        ->type_name("WxH")
+        ->check(CLI::Validator(sizeFault, ""))
+        ->capture_default_str();
+    command
+        .add_option("--view", options->view, "look from there, with all of the model in the picture: " + viewNames())
+        ->type_name("NAME");
+    addVector(command, "--eye", options->eye, "where the eye is, in model units; default: a view of the whole model");
+    addVector(command, "--target", options->target, "what it looks at; default: the middle of the model");
+    addVector(command, "--up", options->up, "what is up in the picture; default: 0,1,0");
+    auto* fov = command.add_option("--fov", options->fovDeg, "vertical angle of view in degrees; default: 35")
+                    ->type_name("DEG")
+                    ->check(CLI::Range(1.0, 170.0));
+    command
+        .add_option("--ortho", options->ortho,
+                    "parallel rays: the height of the picture in model units, or fit for the whole model")
+        ->type_name("HEIGHT|fit")
+        ->check(CLI::Validator(heightFault, ""))
+        ->excludes(fov);
+    command
+        .add_option("--clip", options->clips,
+                    "show only what lies where nx*x + ny*y + nz*z >= d, in model units; up to 6 times")
+        ->type_name("nx,ny,nz,d")
+        ->check(CLI::Validator(planeFault, ""))
+        ->allow_extra_args(false);
+    command
+        .add_option("--turntable", options->turntable,
+                    "as many pictures from all around the model, about what is up in the picture: IMAGE-000.png, "
+                    "IMAGE-001.png and so on, alike with --depth; the eye walks to the right")
+        ->type_name("N")
+        ->check(CLI::Range(1, 100000));
+    return options;
+}
+
+/// Of all points of the model, in every direction of a turntable alike: the camera looks at the middle of the model.
+static render::Camera framedForTurns(render::Camera camera, const tree::SurfelTree& model, int turns) {
+    const Vec3d up = camera.upright();
+    const base::Box3f box = model.bounds();
+    camera.target = base::cast<double>(box.centre());
+    camera.eye = camera.target - camera.forward();
+    if (model.empty())
+        return camera;
+    constexpr double filled = 0.94;
+    const double kx = filled * 0.5 * camera.width, ky = filled * 0.5 * camera.height;
+    render::Camera unit = camera;
+    unit.orthoHeight = 0;
+    double depth = 0, height = 0;
+    for (int k = 0; k < turns; ++k) {
+        const render::Camera turned = turnedAbout(unit, up, 2 * std::numbers::pi * k / turns);
+        const Vec3d r = turned.right(), u = turned.upright(), f = turned.forward();
+        model.forEachBlock([&](std::uint32_t, const surfel::SurfelBlock& block) {
+            for (int corner = 0; corner < 8; ++corner) {
+                const base::Box3f& b = block.box();
+                const Vec3d v =
+                    base::cast<double>(base::Vec3f{corner & 1 ? b.hi.x : b.lo.x, corner & 2 ? b.hi.y : b.lo.y,
+                                                   corner & 4 ? b.hi.z : b.lo.z}) -
+                    camera.target;
+                const double across = std::max(std::abs(dot(v, r)) / kx, std::abs(dot(v, u)) / ky);
+                depth = std::max(depth, across * unit.focalPx() - dot(v, f));
+                height = std::max(height, across * camera.height);
+            }
+        });
+    }
+    if (camera.parallel() && height > 0)
+        camera.orthoHeight = height;
+    else if (depth > 0)
+        camera.eye = camera.target - camera.forward() * depth;
+    return camera;
+}
+
+/// Direction and projection as asked; where it stands is still open.
+static render::Camera directed(const ViewOptions& options, const base::Box3f& box) {
+    int width = 0, height = 0;
+    std::sscanf(options.size.c_str(), "%dx%d", &width, &height);
+    render::Camera out = render::Camera::looking(box, width, height);
+    if (const render::NamedView* view = render::namedView(options.view)) {
+        out.eye = out.target + view->toEye * length(out.eye - out.target);
+        out.up = view->up;
+    } else if (!options.view.empty()) {
+        throw base::Error("there is no view '" + options.view + "'", "", "use one of: " + viewNames());
+    }
+    if (options.fovDeg > 0)
+        out.fovDeg = options.fovDeg;
+    if (!options.up.empty())
+        parseVector(options.up, out.up);
+    return out;
+}
+
+std::vector<render::Camera> camerasOf(const ViewOptions& options, const tree::SurfelTree& model, const Vec3d& origin) {
+    const base::Box3f box = model.bounds();
+    render::Camera camera = directed(options, box);
+    const bool free = options.eye.empty() && options.target.empty();
+    if (!options.view.empty() && !options.eye.empty())
+        throw UsageError("--view and --eye both say where the eye is");
+    if (!free) {
+        Vec3d eye, target;
+        const Vec3d back = camera.eye - camera.target;
+        camera.target = !options.target.empty() && parseVector(options.target, target)
+                            ? target - origin
+                            : base::cast<double>(box.centre());
+        camera.eye = !options.eye.empty() && parseVector(options.eye, eye) ? eye - origin : camera.target + back;
+        if (camera.eye == camera.target)
+            throw UsageError("--eye and --target are the same place");
+    }
+    const bool fits = options.ortho.empty() || options.ortho == "fit";
+    if (!options.ortho.empty()) {
+        render::Camera parallel = camera;
+        parallel.orthoHeight = 1;
+        camera.orthoHeight = fits ? closeUp(parallel, model).orthoHeight : std::stod(options.ortho);
+    }
+    if (options.clips.size() > render::ClipPlanes::most)
+        throw UsageError("--clip goes together with at most " + std::to_string(render::ClipPlanes::most - 1) +
+                         " others");
+    for (const std::string& clip : options.clips)
+        camera.clips.add(planeOf(clip, origin));
+    if (options.turntable == 0) {
+        if (free)
+            camera = fits ? closeUp(camera, model) : centred(camera, model);
+        return {camera};
+    }
+    if (free && fits)
+        camera = framedForTurns(camera, model, options.turntable);
+    else if (free)
+        camera = centred(camera, model);
+    std::vector<render::Camera> out;
+    for (int k = 0; k < options.turntable; ++k) {
+        out.push_back(turnedAbout(camera, camera.upright(), 2 * std::numbers::pi * k / options.turntable));
+        if (options.eye.empty()) // an eye that was told stays where it is
+            out.back() = out.back().before(box);
+    }
+    return out;
+}
+
+std::string numberedPath(const std::string& path, int k, int n) {
+    if (n <= 1)
+        return path;
+    const std::filesystem::path whole(path);
+    const int digits = std::max<int>(3, static_cast<int>(std::to_string(n - 1).size()));
+    char number[32];
+    std::snprintf(number, sizeof number, "-%0*d", digits, k);
+    return (whole.parent_path() / (whole.stem().string() + number + whole.extension().string())).string();
+}
+
+} // namespace app
