@@ -65,11 +65,14 @@ class Looker {
     }
     /// All of it faces away. `reach`: what its splats may stand out of the place.
     bool away(const Node& node, const Place& place) const {
-        if (!m_sight.closed || !m_sight.details)
+        if (!m_sight.closed || !m_sight.details || m_sight.view.clipCount > 0) // cut open, the inside shows
             return false;
         const NormalCone& cone = m_sight.details->of(node).cone;
         if (cone.all())
             return false;
+        if (m_sight.view.parallel)
+            return std::acos(std::clamp(dot(m_sight.view.forward, cone.axis), -1.0f, 1.0f)) + cone.angleRad + awayBy <
+                   std::numbers::pi_v<float> / 2;
         const base::Vec3f to = place.box.centre() - m_sight.view.eye;
         const float distance = length(to);
         const float radius = 0.5f * place.box.diagonal() + m_sight.reachOfSupport * place.support;
@@ -91,6 +94,8 @@ class Looker {
 
   private:
     float pixels(float length, const ScreenBounds& bounds) const {
+        if (m_sight.view.parallel)
+            return length * m_sight.view.focalPx;
         return bounds.nearest > 0 ? length * m_sight.view.focalPx / bounds.nearest
                                   : std::numeric_limits<float>::infinity();
     }
