@@ -1,4 +1,5 @@
 // pointclay render: a picture of a model, by splats or by rays.
+#include "app/look_options.h"
 #include "app/open_model.h"
 #include "app/subcommand.h"
 #include "app/surface_options.h"
@@ -15,10 +16,11 @@ namespace app {
 namespace {
 
 struct Options {
-    std::string model, image, depth, stats, mode = "splats", shading = "matcap";
+    std::string model, image, depth, stats, mode = "splats";
     double quality = 0;
     std::shared_ptr<ViewOptions> view;
     render::PictureOptions picture;
+    std::shared_ptr<LookOptions> look;
     std::shared_ptr<SurfaceOptions> surface;
 };
 
@@ -33,8 +35,8 @@ void run(Options options, Console& console) {
     const base::Progress progress = console.progress();
     session::Context context{document, {}, progress, {}, 0, {}, nullptr};
     options.picture.rayCast = options.mode == "raycast";
-    options.picture.style.shading = render::shading(options.shading);
     openModel(context, options.model, options.surface->parameters(), console);
+    applyLook(*options.look, document, options.surface->parameters(), console, options.picture);
     const surface::Surface surface = process::shownAs(document.surface(), progress);
     const auto cameras = camerasOf(*options.view, surface.tree(), document.provenance().origin);
     const int count = static_cast<int>(cameras.size());
@@ -52,13 +54,6 @@ void run(Options options, Console& console) {
         writeStats(options.stats, stats);
 }
 
-std::vector<std::string> shadingNames() {
-    std::vector<std::string> out;
-    for (const render::ShadingRow& row : render::shadingTable())
-        out.push_back(row.id);
-    return out;
-}
-
 } // namespace
 
 Action addRender(CLI::App& command) {
@@ -69,9 +64,7 @@ Action addRender(CLI::App& command) {
         ->check(CLI::IsMember({"splats", "raycast"}))
         ->capture_default_str();
     options->view = addViewOptions(command);
-    command.add_option("--shading", options->shading, "how the surface is coloured")
-        ->check(CLI::IsMember(shadingNames()))
-        ->capture_default_str();
+    options->look = addLookOptions(command);
     command.add_option("--backend", options->picture.backend, "what draws splats; the machine may lack osmesa and egl")
         ->check(CLI::IsMember({"cpu", "osmesa", "egl"}))
         ->capture_default_str();
@@ -86,7 +79,6 @@ Action addRender(CLI::App& command) {
                      "the model has no opening: parts that face away are not drawn");
     command.add_flag("--section", options->picture.sections,
                      "draw the curves where the planes of --clip meet the surface");
-    command.add_flag("--transparent", options->picture.style.transparent, "leave the background out");
     command
         .add_option("--quality", options->quality,
                     "largest error of outlines in pixels with --mode raycast; every pixel has its own ray, which meets "

@@ -108,6 +108,7 @@ void Editor::Model::publish(Snapshot snapshot) {
 
 void Editor::Model::publishDocument() {
     Snapshot out = snapshotOf(document);
+    out.reference = out.modified ? shown.reference : out.surface;
     out.models = models;
     out.dabSeconds = dabSeconds;
     out.input = input;

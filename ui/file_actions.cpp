@@ -186,7 +186,8 @@ void FileActions::writeImage(const fs::path& path) {
     m_failure.clear();
     const render::Camera camera = m_controller.camera();
     render::PictureOptions options;
-    options.style.shading = m_settings.shading;
+    options.style = lookOf(m_settings);
+    options.reference = m_editor.snapshot().reference;
     const auto work = [=](const surface::Surface& surface, const base::Progress& progress) {
         render::PictureStats stats;
         const render::Image image = render::drawPicture(surface, camera, options, stats, progress);

@@ -127,17 +127,7 @@ void MainWindow::ask(const session::CommandRow& row) {
 
 void MainWindow::buildViewMenu() {
     QMenu* view = addMenu("view", tr("&View"));
-    auto* shadings = new QActionGroup(this);
-    for (const auto& row : render::shadingTable()) {
-        QAction* action = addAction(*view, "", row.label, {}, [this, shading = row.shading] {
-            m_settings.shading = shading;
-            m_controller->refresh();
-        });
-        action->setToolTip(row.tip);
-        action->setCheckable(true);
-        action->setChecked(row.shading == m_settings.shading);
-        shadings->addAction(action);
-    }
+    buildLookMenus(*view);
     view->addSeparator();
     m_frame = addAction(*view, "frame", tr("Frame &All"), QKeySequence("Home"), [this] { m_controller->frameAll(); });
     for (const auto& row : render::namedViews())
@@ -149,6 +139,38 @@ void MainWindow::buildViewMenu() {
     renderer->setToolTip(m_whyRenderer);
     connect(view, &QMenu::aboutToShow, this,
             [this, renderer] { renderer->setText(tr("Drawn by: %1").arg(m_viewport->rendererName())); });
+}
+
+/// How the model looks: one menu for each table.
+void MainWindow::buildLookMenus(QMenu& view) {
+    const auto choice = [this](QMenu& in, QActionGroup& group, const auto& row, bool chosen, auto set) {
+        QAction* action = addAction(in, "", row.label, {}, set);
+        action->setToolTip(row.tip);
+        action->setData(row.id);
+        action->setCheckable(true);
+        action->setChecked(chosen);
+        group.addAction(action);
+    };
+    QMenu* shadings = addMenu("shading", tr("&Shading"), &view);
+    auto* oneShading = new QActionGroup(this);
+    const char* group = nullptr;
+    for (const auto& row : render::shadingTable()) {
+        if (!group || std::string_view(group) != row.group)
+            shadings->addSection(tr(row.group));
+        group = row.group;
+        choice(*shadings, *oneShading, row, row.shading == m_settings.shading, [this, shading = row.shading] {
+            m_settings.shading = shading;
+            measure();
+            m_controller->refresh();
+        });
+    }
+    QMenu* backdrops = addMenu("background", tr("&Background"), &view);
+    auto* oneBackdrop = new QActionGroup(this);
+    for (const auto& row : render::backdropTable())
+        choice(*backdrops, *oneBackdrop, row, row.backdrop == m_settings.backdrop, [this, backdrop = row.backdrop] {
+            m_settings.backdrop = backdrop;
+            m_controller->refresh();
+        });
 }
 
 void MainWindow::buildHelpMenu() {

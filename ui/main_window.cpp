@@ -1,5 +1,6 @@
 #include "ui/main_window.h"
 
+#include "ui/measurer.h"
 #include "ui/properties_panel.h"
 #include "ui/status_line.h"
 #include "ui/tool_bar.h"
@@ -60,7 +61,8 @@ MainWindow::~MainWindow() {
     delete m_controller;
     delete takeCentralWidget();
     delete m_panel;
-    delete m_editor; // waits for its thread
+    delete m_measurer; // waits for its thread
+    delete m_editor;   // waits for its thread
 }
 
 void MainWindow::buildViewport() {
@@ -68,6 +70,7 @@ void MainWindow::buildViewport() {
     setCentralWidget(m_viewport->widget());
     m_viewport->widget()->setMinimumSize(320, 240);
     m_controller = new ViewController(*m_editor, m_settings, *m_viewport, this);
+    m_measurer = new Measurer(this);
     m_viewport->framePainted = [this](double seconds) { m_status->showFrame(seconds, m_viewport->rendererName()); };
     m_viewport->troubled = [this](const QString& trouble) { m_status->tell(trouble, true); };
 }
@@ -76,6 +79,7 @@ void MainWindow::buildBars() {
     m_status = new StatusLine;
     setStatusBar(m_status);
     connect(m_status, &StatusLine::cancelled, m_editor, &Editor::cancelWork);
+    connect(m_status, &StatusLine::cancelled, m_measurer, &Measurer::cancel);
 
     m_tools = new ToolBar(m_settings);
     addToolBar(Qt::LeftToolBarArea, m_tools);
@@ -102,10 +106,16 @@ void MainWindow::connectEditor() {
     connect(m_editor, &Editor::progressed, this, &MainWindow::showProgress);
     connect(m_editor, &Editor::told, this, [this](const QString& message) { m_status->tell(message); });
     connect(m_editor, &Editor::failed, this, [this](const QString& message) { m_status->tell(message, true); });
-    connect(m_editor, &Editor::idled, this, [this] {
+    connect(m_measurer, &Measurer::changed, this, [this] { m_controller->showColours(m_measurer->colours()); });
+    connect(m_measurer, &Measurer::progressed, this, &MainWindow::showProgress);
+    const auto idled = [this] {
+        if (m_editor->working() || m_measurer->busy())
+            return;
         m_working.invalidate();
         m_status->hideProgress();
-    });
+    };
+    connect(m_editor, &Editor::idled, this, idled);
+    connect(m_measurer, &Measurer::idled, this, idled);
 }
 
 void MainWindow::showSnapshot() {
@@ -118,6 +128,7 @@ void MainWindow::showSnapshot() {
     m_redo->setEnabled(now.canRedo);
     m_redo->setText(now.canRedo ? tr("Redo %1").arg(QString::fromStdString(now.redoLabel)) : tr("Redo"));
     m_status->showModel(now);
+    measure();
     if (now.models != m_models) {
         m_models = now.models;
         m_panel->setModelSize(static_cast<double>(now.surface.tree().bounds().diagonal()));
@@ -128,8 +139,14 @@ void MainWindow::showProgress(double share, const QString& doing) {
     constexpr qint64 patienceMs = 250; // shorter work shows no bar
     if (!m_working.isValid())
         m_working.start();
-    if (m_editor->working() && m_working.elapsed() >= patienceMs)
+    if ((m_editor->working() || m_measurer->busy()) && m_working.elapsed() >= patienceMs)
         m_status->showProgress(share, doing);
+}
+
+void MainWindow::measure() {
+    const Snapshot& now = m_editor->snapshot();
+    m_measurer->want(m_settings.shading, now.surface, now.reference, now.models);
+    m_controller->showColours(m_measurer->colours());
 }
 
 void MainWindow::settingsEdited() {
@@ -146,8 +163,11 @@ void MainWindow::redo() {
 }
 
 void MainWindow::escape() {
-    if (!m_controller->cancel() && m_editor->working())
+    if (m_controller->cancel())
+        return;
+    if (m_editor->working())
         m_editor->cancelWork();
+    m_measurer->cancel();
 }
 
 // --- leaving and dropping ---

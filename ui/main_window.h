@@ -14,6 +14,7 @@
 
 namespace ui {
 
+class Measurer;
 class PropertiesPanel;
 class StatusLine;
 class ToolBar;
@@ -37,6 +38,7 @@ class MainWindow : public QMainWindow {
     StatusLine& statusLine() { return *m_status; }
     const ToolBar& toolBar() const { return *m_tools; }
     PropertiesPanel& panel() { return *m_panel; }
+    Measurer& measurer() { return *m_measurer; }
     /// Menu of that object name: "file", "new", "recent", "edit", "brush", "model", "view", "help".
     QMenu* menu(const QString& name) const;
 
@@ -56,6 +58,7 @@ class MainWindow : public QMainWindow {
     void buildBrushMenu();
     void buildModelMenu();
     void buildViewMenu();
+    void buildLookMenus(QMenu& view);
     void buildHelpMenu();
     void buildCorner();
     QMenu* addMenu(const QString& name, const QString& title, QMenu* parent = nullptr);
@@ -66,6 +69,7 @@ class MainWindow : public QMainWindow {
     void showProgress(double share, const QString& doing);
     void showRecent();
     void settingsEdited();
+    void measure(); ///< what the shading shows, where it measures
     void escape();
     void ask(const session::CommandRow& row);
     void about();
@@ -73,6 +77,7 @@ class MainWindow : public QMainWindow {
     std::unique_ptr<QSettings> m_store;
     Settings m_settings;
     Editor* m_editor = nullptr;
+    Measurer* m_measurer = nullptr;
     Viewport* m_viewport = nullptr;
     ViewController* m_controller = nullptr;
     FileActions* m_files = nullptr;

@@ -45,8 +45,21 @@ sculpt::StrokeSettings strokeSettings(const Settings& settings, const sculpt::To
     return out;
 }
 
+render::RenderOptions lookOf(const Settings& settings) {
+    render::RenderOptions out;
+    out.shading = settings.shading;
+    out.backdrop = settings.backdrop;
+    return out;
+}
+
 static sculpt::Falloff rowValue(const sculpt::FalloffRow& row) {
     return row.falloff;
+}
+static render::Shading rowValue(const render::ShadingRow& row) {
+    return row.shading;
+}
+static render::Backdrop rowValue(const render::BackdropRow& row) {
+    return row.backdrop;
 }
 static sculpt::StrokeMethod rowValue(const sculpt::MethodRow& row) {
     return row.method;
@@ -127,10 +140,8 @@ static void readTools(const QSettings& store, Settings& out) {
 }
 
 static void readTableRows(const QSettings& store, Settings& out) {
-    const std::string shading = store.value("view/shading").toString().toStdString();
-    for (const auto& row : render::shadingTable())
-        if (shading == row.id)
-            out.shading = row.shading;
+    readRow(store, "view/shading", render::shadingTable(), out.shading);
+    readRow(store, "view/background", render::backdropTable(), out.backdrop);
     const std::string tool = store.value("brush/tool").toString().toStdString();
     if (findTool(tool))
         out.tool = tool;
@@ -219,9 +230,8 @@ void writeSettings(const Settings& settings, QSettings& store) {
     for (const auto& [id, open] : settings.groups)
         store.setValue(QString("panel/") + QString::fromStdString(id), open);
     writeTools(settings, store);
-    for (const auto& row : render::shadingTable())
-        if (row.shading == settings.shading)
-            store.setValue("view/shading", row.id);
+    store.setValue("view/shading", render::shadingRow(settings.shading).id);
+    store.setValue("view/background", render::backdropRow(settings.backdrop).id);
     QStringList recent;
     for (const auto& file : settings.recentFiles)
         recent << QString::fromStdString(file);

@@ -33,6 +33,7 @@ struct Settings {
     std::map<std::string, sculpt::StrokeSettings> tools; ///< by id, what a person has set; else sculpt::defaultsOf
     std::map<std::string, bool> groups;                  ///< of the panel, by id: open or shut by a person
     render::Shading shading = render::Shading::Matcap;
+    render::Backdrop backdrop = render::Backdrop::Studio;
     std::vector<std::string> recentFiles; ///< newest first, at most `recentLimit`
     QByteArray geometry, windowState;     ///< as QMainWindow saves them
 
@@ -50,6 +51,9 @@ struct Settings {
 
 /// What a stroke of `row` with a brush of `radius` (model units) does; `flip` inverts once more (Ctrl held).
 sculpt::StrokeSettings strokeSettings(const Settings& settings, const sculpt::ToolRow& row, float radius, bool flip);
+
+/// How the model looks, whichever it is: what these settings say of a picture.
+render::RenderOptions lookOf(const Settings& settings);
 
 Settings readSettings(const QSettings& store);
 void writeSettings(const Settings& settings, QSettings& store);

@@ -6,8 +6,9 @@
 namespace ui {
 
 struct Snapshot {
-    surface::Surface surface; ///< with the dabs of a stroke in progress; of a curve, the tube around it
-    std::size_t surfels = 0;  ///< of the model
+    surface::Surface surface;   ///< with the dabs of a stroke in progress; of a curve, the tube around it
+    surface::Surface reference; ///< the same as it was when opened, made or last saved
+    std::size_t surfels = 0;    ///< of the model
     std::filesystem::path path;
     base::Vec3d origin;
     bool modified = false;
@@ -21,7 +22,7 @@ struct Snapshot {
     std::uint64_t models = 0; ///< grows when another model takes the place of the old one: frame it
 };
 
-/// Everything but `dabSeconds`, `input` and `models`. Cost: blocks, not surfels.
+/// Everything but `reference`, `dabSeconds`, `input` and `models`. Cost: blocks, not surfels.
 Snapshot snapshotOf(const session::Document& document);
 
 } // namespace ui

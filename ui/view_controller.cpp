@@ -33,11 +33,19 @@ render::Camera ViewController::camera() const {
 
 void ViewController::refresh(bool moving) {
     Frame frame{m_editor.snapshot().surface.tree(), camera(), {}, moving};
-    frame.options.shading = m_settings.shading;
+    frame.options = lookOf(m_settings);
+    frame.options.colours = m_colours;
     frame.input = std::max(m_editor.snapshot().input, m_viewInput);
     frame.options.splatScale = m_editor.snapshot().splatScale;
     m_viewport.show(frame);
     updateCursor();
+}
+
+void ViewController::showColours(std::shared_ptr<const render::BlockColours> colours) {
+    if (colours == m_colours)
+        return;
+    m_colours = std::move(colours);
+    refresh(m_gesture != Gesture::None);
 }
 
 /// The model's shape as far as framing needs it: a box for each block.

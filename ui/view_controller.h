@@ -46,6 +46,8 @@ class ViewController : public QObject {
     bool cancel();
     /// Settings that show in the picture have changed.
     void refresh(bool moving = false);
+    /// What a shading that measures shows from now on; null: nothing.
+    void showColours(std::shared_ptr<const render::BlockColours> colours);
 
     const OrbitView& view() const { return m_view; }
     render::Camera camera() const;
@@ -96,6 +98,7 @@ class ViewController : public QObject {
     Settings& m_settings;
     Viewport& m_viewport;
     OrbitView m_view;
+    std::shared_ptr<const render::BlockColours> m_colours;
     std::uint64_t m_models = 0; ///< of the snapshot that the view was framed for
     Gesture m_gesture = Gesture::None;
     Qt::MouseButton m_button = Qt::NoButton; ///< that began the gesture and ends it

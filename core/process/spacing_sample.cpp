@@ -37,17 +37,21 @@ static float spacingAt(const std::vector<tree::Neighbour>& found) {
     return spacingFromRing(distancesSq);
 }
 
+float spacingAround(const tree::SurfelTree& tree, const base::Vec3f& x) {
+    thread_local std::vector<tree::Neighbour> found;
+    tree.nearest(x, looked, found); // itself among them
+    return spacingAt(found);
+}
+
 std::vector<SpacingSample> sampleSpacing(const tree::SurfelTree& tree) {
     std::vector<SpacingSample> out;
     if (tree.size() <= ring)
         return out;
-    std::vector<tree::Neighbour> found;
     const std::uint32_t step = std::max(1u, tree.blockCount() / sampledBlocks);
     for (std::uint32_t number = 0; number < tree.blockCount(); number += step) {
         const surfel::BlockPtr block = tree.block(number);
         const int slot = block->size() / 2;
-        tree.nearest(block->position(slot), looked, found); // itself among them
-        if (const float spacing = spacingAt(found); spacing > 0)
+        if (const float spacing = spacingAround(tree, block->position(slot)); spacing > 0)
             out.push_back({spacing, block->support(slot)});
     }
     return out;

@@ -10,6 +10,9 @@ namespace process {
 /// the first six above zero; 0 where there are none.
 float spacingFromRing(std::span<const float> distancesSq);
 
+/// Alg. 2.6's spacing at a position of a surfel; 0 where it is alone. Cost: one search.
+float spacingAround(const tree::SurfelTree& tree, const base::Vec3f& x);
+
 /// One surfel that was looked at.
 struct SpacingSample {
     float spacing = 0, support = 0;

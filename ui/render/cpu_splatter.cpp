@@ -17,7 +17,7 @@ struct Frame {
     const ViewFrame& view;
     const SplatStyle& style;
     const ShadingStyle& shading;
-    bool transparent;
+    const RenderOptions& options;
     Image& out;
 };
 
@@ -31,7 +31,7 @@ void shadeTile(const Frame& frame, const TileArea& area, const TileSums& sums) {
         surfel::Colour* colour = frame.out.colour.data() + line + static_cast<std::size_t>(area.left);
         float* depth = frame.out.depth.data() + line + static_cast<std::size_t>(area.left);
         surfel::Colour background[8];
-        backgroundRow(area.top + y, frame.view.height, frame.transparent, background);
+        backgroundRow(frame.options.backdrop, area.top + y, frame.view.height, frame.options.transparent, background);
         for (int x = 0; x < area.width; ++x) {
             const int i = y * tileStride + x;
             const float weight = sums.weight[i];
@@ -82,7 +82,7 @@ void drawTile(const Frame& frame, const TileArea& area, std::span<const BinEntry
 void CpuSplatter::drawTiles(const Setting& setting, std::span<const std::uint32_t> tiles, Image& out) {
     const ViewFrame view(setting.camera);
     m_bins.fill(m_visible, view, setting.style.radiusOfSupport);
-    const Frame frame{view, setting.style, shadingStyle(setting.options.shading), setting.options.transparent, out};
+    const Frame frame{view, setting.style, shadingStyle(setting.options.shading), setting.options, out};
     base::parallelFor(tiles.size(), 1, [&](std::size_t i) {
         thread_local Scratch scratch;
         const auto t = static_cast<int>(tiles[i]);
@@ -100,6 +100,31 @@ Sight CpuSplatter::sight(const ViewFrame& view, const Setting& setting) {
             setting.options.closed && setting.style.oriented};
 }
 
+bool CpuSplatter::Setting::sameButColours(const Setting& o) const {
+    Setting same = o;
+    if (options.colours && o.options.colours) {
+        same.options.colours = options.colours;
+        same.style.table = style.table;
+    }
+    return *this == same;
+}
+
+/// What shows other colours than before; blocks that come or go are among the changed ones anyway. The version is
+/// looked at twice: the choice of blocks and proxies does not depend on colours, proxies that were remade are others.
+void CpuSplatter::addRecolouredTiles(const std::shared_ptr<const BlockColours>& from,
+                                     const std::shared_ptr<const BlockColours>& to, const tree::SurfelTree& model,
+                                     const Sight& seen, TileMask& mask) {
+    std::vector<VisibleBlock> before;
+    visibleBlocks(model, seen, before);
+    m_details.colourBy(model, to);
+    visibleBlocks(model, seen, m_visible);
+    for (std::size_t i = 0; i < m_visible.size(); ++i) {
+        const surfel::SurfelBlock* block = m_visible[i].block;
+        if (block != before[i].block || from->of(block) != to->of(block))
+            mask.add(m_visible[i].bounds);
+    }
+}
+
 void CpuSplatter::render(const tree::SurfelTree& model, const Camera& camera, const RenderOptions& options,
                          Image& out) {
     m_setting.reset();
@@ -113,13 +138,17 @@ void CpuSplatter::update(const tree::SurfelTree& model, const Camera& camera, co
     const Sight seen = sight(view, setting);
     const bool sameSize = out.width == camera.width && out.height == camera.height;
     TileMask mask(view);
-    const bool same = m_setting == setting && sameSize;
+    const bool same = m_setting && m_setting->sameButColours(setting) && sameSize;
+    const std::shared_ptr<const BlockColours> before = m_setting ? m_setting->options.colours : nullptr;
     m_setting.reset(); // for as long as the picture is neither the one nor the other
     if (same) {
         addChangedTiles(m_model, model, seen, mask);
+        if (setting.options.colours != before)
+            addRecolouredTiles(before, setting.options.colours, model, seen, mask);
         mask.close();
         visibleBlocks(model, seen, m_visible, &mask);
     } else {
+        m_details.colourBy(model, setting.style.table ? setting.options.colours : nullptr);
         if (!sameSize)
             out.resize(camera.width, camera.height);
         mask.add({true, 0, 0, camera.width - 1, camera.height - 1, 0});

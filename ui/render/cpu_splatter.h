@@ -31,8 +31,13 @@ class CpuSplatter : public Renderer {
         RenderOptions options;
         SplatStyle style;
         bool operator==(const Setting&) const = default;
+        /// Both with a table of colours, or both without.
+        bool sameButColours(const Setting& o) const;
     };
     Sight sight(const ViewFrame& view, const Setting& setting);
+    void addRecolouredTiles(const std::shared_ptr<const BlockColours>& from,
+                            const std::shared_ptr<const BlockColours>& to, const tree::SurfelTree& model,
+                            const Sight& seen, TileMask& mask);
     void drawTiles(const Setting& setting, std::span<const std::uint32_t> tiles, Image& out);
 
     std::optional<Setting> m_setting;

@@ -16,6 +16,30 @@ void DetailCache::use(float radiusOfSupport, bool oriented) {
     m_oriented = oriented;
 }
 
+/// Whether something below has other colours than those in use.
+bool DetailCache::dropRecoloured(const Node& node, const BlockColours* colours) {
+    const auto of = [](const BlockColours* table, const surfel::SurfelBlock* block) {
+        return table ? table->of(block) : nullptr;
+    };
+    bool changed = false;
+    for (std::size_t i = 0; i < node.childCount; ++i)
+        if (node.level > 1)
+            changed |= dropRecoloured(*node.nodes[i], colours);
+        else
+            changed |= of(colours, node.blocks[i].get()) != of(m_colours.get(), node.blocks[i].get());
+    if (changed)
+        drop(node);
+    return changed;
+}
+
+void DetailCache::colourBy(const tree::SurfelTree& version, std::shared_ptr<const BlockColours> colours) {
+    if (colours == m_colours)
+        return;
+    if (!m_details.empty() && version.root())
+        dropRecoloured(*version.root(), colours.get());
+    m_colours = std::move(colours);
+}
+
 const NodeDetail* DetailCache::find(const Node& node) const {
     const auto found = m_details.find(&node);
     return found == m_details.end() ? nullptr : &found->second.detail;
@@ -35,7 +59,7 @@ NodeDetail DetailCache::make(const Node& node) const {
             cones[i] = below->cone;
         }
     NodeDetail out;
-    out.proxy = representatives({parts.data(), node.childCount}, m_radiusOfSupport, m_oriented);
+    out.proxy = representatives({parts.data(), node.childCount}, m_radiusOfSupport, m_oriented, m_colours.get());
     out.cone = m_oriented ? coneOf(std::span(cones).first(node.childCount)) : NormalCone{};
     float sum = 0;
     for (int i = 0; i < out.proxy->size(); ++i)

@@ -21,6 +21,9 @@ class DetailCache {
   public:
     /// What details depend on beside their node; forgets all of them if it changes.
     void use(float radiusOfSupport, bool oriented);
+    /// Colours beside the blocks that proxies take instead of the blocks' own; drops the details of the version that
+    /// have others below them. Cost: its blocks, where the table is another than before.
+    void colourBy(const tree::SurfelTree& version, std::shared_ptr<const BlockColours> colours);
     /// Null where it was not made.
     const NodeDetail* find(const tree::Node& node) const;
     const NodeDetail& of(const tree::Node& node);
@@ -43,10 +46,12 @@ class DetailCache {
     };
     NodeDetail make(const tree::Node& node) const;
     void drop(const tree::Node& node);
+    bool dropRecoloured(const tree::Node& node, const BlockColours* colours);
     void dropBelow(const tree::Node& a, const tree::Node* b);
 
     float m_radiusOfSupport = 0;
     bool m_oriented = false;
+    std::shared_ptr<const BlockColours> m_colours;
     std::unordered_map<const tree::Node*, Kept> m_details;
     std::vector<surfel::BlockPtr> m_dropped;
     std::size_t m_made = 0;

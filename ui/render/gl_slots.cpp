@@ -14,11 +14,13 @@ static std::uint32_t packed(const base::Vec3f& n) {
     return component(n.x) | component(n.y) << 10 | component(n.z) << 20;
 }
 
-static void pack(const surfel::SurfelBlock& block, GlSurfel* out) {
+static void pack(const surfel::SurfelBlock& block, const BlockColours* colours, GlSurfel* out) {
+    const surfel::Colour* shown = colours ? colours->of(&block) : nullptr;
     for (int slot = 0; slot < block.size(); ++slot) {
         const surfel::Surfel s = block.surfel(slot);
         const auto mask = static_cast<std::uint32_t>(std::clamp(s.mask, 0.0f, 1.0f) * 255 + 0.5f);
-        out[slot] = {s.position, packed(s.normal), s.support, (s.colour & 0x00ffffffu) | mask << 24};
+        const surfel::Colour colour = shown ? shown[slot] : s.colour;
+        out[slot] = {s.position, packed(s.normal), s.support, (colour & 0x00ffffffu) | mask << 24};
     }
 }
 
@@ -64,7 +66,7 @@ void GlSlots::upload(std::span<const surfel::SurfelBlock* const> blocks, std::sp
         // Slots are longer than most blocks; what lies behind a block's end is never drawn.
         m_staging.resize((end - begin) * surfel::blockCapacity);
         for (std::size_t i = begin; i < end; ++i)
-            pack(*blocks[i], m_staging.data() + (i - begin) * surfel::blockCapacity);
+            pack(*blocks[i], m_colours.get(), m_staging.data() + (i - begin) * surfel::blockCapacity);
         m_gl.bindBuffer(GL_COPY_WRITE_BUFFER, m_pages[slots[begin] / slotsPerPage]);
         m_gl.bufferSubData(GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(slots[begin] % slotsPerPage * slotBytes),
                            static_cast<GLsizeiptr>((end - begin) * slotBytes), m_staging.data());
@@ -94,13 +96,33 @@ void GlSlots::release(const surfel::SurfelBlock* block) {
     m_slotOf.erase(found);
 }
 
-void GlSlots::show(const tree::SurfelTree& model) {
-    m_uploads = m_uploadedBytes = 0;
-    if (model == m_shown)
+void GlSlots::recolour(std::shared_ptr<const BlockColours> colours) {
+    if (colours == m_colours)
         return;
-    const tree::Diff change = tree::diff(m_shown, model);
+    const auto of = [](const auto& table, const surfel::SurfelBlock* block) {
+        return table ? table->of(block) : nullptr;
+    };
+    std::vector<std::pair<std::size_t, const surfel::SurfelBlock*>> found;
+    for (const auto& [block, slot] : m_slotOf)
+        if (of(colours, block) != of(m_colours, block))
+            found.emplace_back(slot, block);
+    std::sort(found.begin(), found.end());
+    std::vector<const surfel::SurfelBlock*> blocks;
+    std::vector<std::size_t> slots;
+    for (const auto& [slot, block] : found) {
+        slots.push_back(slot);
+        blocks.push_back(block);
+    }
+    m_colours = std::move(colours);
+    upload(blocks, slots);
+}
+
+void GlSlots::show(const tree::SurfelTree& model, std::shared_ptr<const BlockColours> colours) {
+    m_uploads = m_uploadedBytes = 0;
+    const tree::Diff change = model == m_shown ? tree::Diff{} : tree::diff(m_shown, model);
     for (const surfel::BlockPtr& block : change.removed)
         release(block.get());
+    recolour(std::move(colours));
     std::vector<const surfel::SurfelBlock*> added;
     for (const surfel::BlockPtr& block : change.added)
         added.push_back(block.get());

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "core/tree/surfel_tree.h"
+#include "ui/render/block_colours.h"
 #include "ui/render/gl_functions.h"
 
 #include <unordered_map>
@@ -30,8 +31,10 @@ class GlSlots {
     GlSlots(const GlSlots&) = delete;
     GlSlots& operator=(const GlSlots&) = delete;
 
-    /// Makes the pages hold `model`. REQUIRES: the context that first called it is current.
-    void show(const tree::SurfelTree& model);
+    /// Makes the pages hold `model` with the surfels' own colours or, where there is a table, with its colours; blocks
+    /// whose colours the table does not share with the one before are uploaded again. REQUIRES: the context that first
+    /// called it is current.
+    void show(const tree::SurfelTree& model, std::shared_ptr<const BlockColours> colours = nullptr);
     /// Uploads those proxies that have no slot yet. They must live until dropped.
     void hold(std::span<const surfel::SurfelBlock* const> proxies);
     /// Frees the slots of those that have one.
@@ -55,12 +58,15 @@ class GlSlots {
     /// Gives slots to blocks without one and uploads them.
     void place(std::span<const surfel::SurfelBlock* const> blocks);
     void release(const surfel::SurfelBlock* block);
+    /// Uploads what is there already and has other colours.
+    void recolour(std::shared_ptr<const BlockColours> colours);
     void upload(std::span<const surfel::SurfelBlock* const> blocks, std::span<const std::size_t> slots);
 
     const GlFunctions& m_gl;
     std::vector<GLuint> m_pages; ///< all but the last full
     std::size_t m_capacity = 0;  ///< in slots
-    tree::SurfelTree m_shown;    ///< keeps its blocks alive, so that their addresses name them
+    std::shared_ptr<const BlockColours> m_colours;
+    tree::SurfelTree m_shown; ///< keeps its blocks alive, so that their addresses name them
     std::unordered_map<const surfel::SurfelBlock*, std::size_t> m_slotOf;
     std::vector<std::size_t> m_free; ///< ascending, but for what `release` appended
     std::vector<GlSurfel> m_staging;

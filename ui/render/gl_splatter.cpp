@@ -167,9 +167,9 @@ void GlSplatter::shade(const Frame& frame, GLuint framebuffer, bool depth) {
     }
     m_gl.viewport(0, 0, frame.view.width, frame.view.height);
     setView(m_shade, frame);
-    const GLuint textures[] = {m_targets.normals(), m_targets.colours(), m_targets.depths(),
-                               m_targets.light(frame.options.shading),
-                               m_targets.background(frame.view.height, frame.options.transparent)};
+    const GLuint textures[] = {
+        m_targets.normals(), m_targets.colours(), m_targets.depths(), m_targets.light(frame.options.shading),
+        m_targets.background(frame.options.backdrop, frame.view.height, frame.options.transparent)};
     const char* names[] = {"normalSums", "colourSums", "depthSums", "light", "background"};
     for (GLint unit = 0; unit < 5; ++unit) {
         m_gl.activeTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
@@ -195,13 +195,15 @@ void GlSplatter::shade(const Frame& frame, GLuint framebuffer, bool depth) {
 
 /// Brings the version and what is drawn of it into slots, and finds what that is.
 void GlSplatter::look(const tree::SurfelTree& model, const Frame& frame) {
+    const auto colours = frame.style.table ? frame.options.colours : nullptr;
     m_details.use(frame.style.radiusOfSupport, frame.style.oriented);
+    m_details.colourBy(model, colours);
     const bool details = frame.options.detailPx > 0 || frame.options.closed;
     visibleBlocks(model,
                   {frame.view, frame.style.radiusOfSupport, details ? &m_details : nullptr, frame.options.detailPx,
                    frame.options.closed && frame.style.oriented},
                   m_visible);
-    m_slots.show(model);
+    m_slots.show(model, colours);
     std::vector<const surfel::SurfelBlock*> proxies;
     for (const VisibleBlock& visible : m_visible)
         if (!m_slots.holds(visible.block))

@@ -84,14 +84,16 @@ GLuint GlTargets::light(Shading shading) {
     return out;
 }
 
-GLuint GlTargets::background(int height, bool transparent) {
-    if (m_background && height == m_backgroundHeight && transparent == m_backgroundTransparent)
+GLuint GlTargets::background(Backdrop backdrop, int height, bool transparent) {
+    if (m_background && backdrop == m_backdrop && height == m_backgroundHeight &&
+        transparent == m_backgroundTransparent)
         return m_background;
     std::vector<surfel::Colour> pixels(8 * static_cast<std::size_t>(height));
     for (int row = 0; row < height; ++row)
-        backgroundRow(row, height, transparent, pixels.data() + 8 * row);
+        backgroundRow(backdrop, row, height, transparent, pixels.data() + 8 * row);
     m_gl.deleteTextures(1, &m_background);
     m_background = texture(m_gl, GL_RGBA8, 8, height, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+    m_backdrop = backdrop;
     m_backgroundHeight = height;
     m_backgroundTransparent = transparent;
     return m_background;

@@ -25,7 +25,7 @@ class GlTargets {
     /// The picture of the lit ball of a shading.
     GLuint light(Shading shading);
     /// Texture of 8 x height pixels.
-    GLuint background(int height, bool transparent);
+    GLuint background(Backdrop backdrop, int height, bool transparent);
 
   private:
     enum Name { Normals, Colours, Depths, ZBuffer, OutColour, OutDepth, Count };
@@ -38,6 +38,7 @@ class GlTargets {
     GLuint m_sums = 0, m_output = 0;
     std::map<Shading, GLuint> m_lights;
     GLuint m_background = 0;
+    Backdrop m_backdrop = Backdrop::Studio;
     int m_backgroundHeight = 0;
     bool m_backgroundTransparent = false;
 };

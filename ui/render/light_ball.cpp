@@ -1,53 +1,107 @@
 #include "ui/render/light_ball.h"
 
-#include <algorithm>
+#include "ui/render/light_terms.h"
 
 namespace render {
 
-using base::Vec3f;
+using namespace light;
 
-/// Cosine with the terminator softened by `wrap`: the light reaches that far around the ball.
-static float wrapped(const Vec3f& n, const Vec3f& light, float wrap) {
-    const float c = std::max(0.0f, (dot(n, light) + wrap) / (1 + wrap));
-    return c * (0.4f + 0.6f * c);
-}
-
-/// Blinn & Phong's gloss for an eye on the z axis.
-static float gloss(const Vec3f& n, const Vec3f& light, float exponent) {
-    const Vec3f half = normalized(light + Vec3f{0, 0, 1});
-    return std::pow(std::max(0.0f, dot(n, half)), exponent);
-}
-
-/// Filmic shoulder: highlights roll off instead of clipping. Then the sRGB transfer curve.
-static float encode(float linear) {
-    const float rolled = linear / (1 + 0.18f * linear * linear);
-    const float c = std::clamp(rolled, 0.0f, 1.0f);
-    return c <= 0.0031308f ? 12.92f * c : 1.055f * std::pow(c, 1 / 2.4f) - 0.055f;
-}
-
-static Vec3f encode(const Vec3f& c) {
-    return {encode(c.x), encode(c.y), encode(c.z)};
-}
+static const Vec3f keyLight = normalized(Vec3f{-0.62f, 0.7f, 0.5f}), fillLight = normalized(Vec3f{0.86f, 0.08f, 0.4f}),
+                   rimLight = normalized(Vec3f{0.35f, 0.75f, -0.55f});
 
 Vec3f clayLight(const Vec3f& n) {
-    static const Vec3f key = normalized(Vec3f{-0.62f, 0.7f, 0.5f}), fill = normalized(Vec3f{0.86f, 0.08f, 0.4f}),
-                       rim = normalized(Vec3f{0.35f, 0.75f, -0.55f});
     const float sky = 0.5f + 0.5f * n.y, graze = 1 - std::max(0.0f, n.z);
-    Vec3f light = Vec3f{1.05f, 0.94f, 0.8f} * (0.86f * wrapped(n, key, 0.12f));
-    light += Vec3f{0.46f, 0.66f, 0.98f} * (0.2f * wrapped(n, fill, 0.35f));
+    Vec3f light = Vec3f{1.05f, 0.94f, 0.8f} * (0.86f * wrapped(n, keyLight, 0.12f));
+    light += Vec3f{0.46f, 0.66f, 0.98f} * (0.2f * wrapped(n, fillLight, 0.35f));
     light += Vec3f{0.4f, 0.46f, 0.55f} * (0.15f * sky) + Vec3f{0.46f, 0.37f, 0.31f} * (0.16f * (1 - sky));
     light *= 1 - 0.3f * graze * graze; // a little less light reaches what turns away: reads as depth
-    const Vec3f clay{0.8f, 0.745f, 0.69f};
-    Vec3f out{light.x * clay.x, light.y * clay.y, light.z * clay.z};
-    out += Vec3f{1, 0.97f, 0.92f} * (0.09f * gloss(n, key, 18) + 0.06f * gloss(n, key, 80));
-    out += Vec3f{0.75f, 0.85f, 1} * (0.32f * graze * graze * graze * std::max(0.0f, dot(n, rim) + 0.15f));
+    Vec3f out = times(light, {0.8f, 0.745f, 0.69f});
+    out += Vec3f{1, 0.97f, 0.92f} * (0.09f * gloss(n, keyLight, 18) + 0.06f * gloss(n, keyLight, 80));
+    out += Vec3f{0.75f, 0.85f, 1} * (0.32f * graze * graze * graze * std::max(0.0f, dot(n, rimLight) + 0.15f));
     return encode(out);
+}
+
+Vec3f waxLight(const Vec3f& n) {
+    const float sky = 0.5f + 0.5f * n.y, graze = 1 - std::max(0.0f, n.z);
+    // Light that enters comes out redder: each channel wraps as far as its light travels.
+    const Vec3f key{wrapped(n, keyLight, 0.45f), wrapped(n, keyLight, 0.2f), wrapped(n, keyLight, 0.12f)};
+    Vec3f light = key * 1.0f + Vec3f{0.5f, 0.62f, 0.8f} * (0.16f * wrapped(n, fillLight, 0.4f));
+    light += Vec3f{0.34f, 0.3f, 0.32f} * (0.18f + 0.16f * sky);
+    light *= 1 - 0.42f * graze * graze;
+    Vec3f out = times(light, {0.62f, 0.2f, 0.125f});
+    out += Vec3f{1, 0.86f, 0.78f} * (0.17f * gloss(n, keyLight, 24) + 0.13f * gloss(n, keyLight, 110));
+    out += Vec3f{0.8f, 0.75f, 0.85f} * (0.16f * graze * graze * graze * std::max(0.0f, dot(n, rimLight) + 0.2f));
+    return encode(out);
+}
+
+Vec3f porcelainLight(const Vec3f& n) {
+    const float sky = 0.5f + 0.5f * n.y, graze = 1 - std::max(0.0f, n.z);
+    Vec3f light = Vec3f{1, 0.985f, 0.96f} * (0.56f * wrapped(n, keyLight, 0.5f));
+    light += Vec3f{0.86f, 0.93f, 1} * (0.13f * wrapped(n, fillLight, 0.5f) + 0.2f * sky) +
+             Vec3f{0.95f, 0.88f, 0.8f} * (0.14f * (1 - sky));
+    light *= 1 - 0.34f * graze * graze;
+    // A window and its softer counterpart, mirrored in the glaze.
+    const Vec3f r = reflected(n);
+    const float window = step(0.88f, 0.93f, dot(r, keyLight)), lamp = step(0.9f, 0.97f, dot(r, fillLight));
+    const float mirror = fresnel(n, 0.045f);
+    Vec3f out = times(light, {0.88f, 0.875f, 0.86f});
+    out += Vec3f{1, 1, 1} * ((0.09f + mirror) * (0.8f * window + 0.3f * lamp) + 0.32f * mirror * sky);
+    return encode(out);
+}
+
+Vec3f bronzeLight(const Vec3f& n) {
+    // A metal shows nothing but its surroundings: a studio of bands and lamps over a dark floor.
+    const Vec3f r = reflected(n);
+    const float up = r.y + 0.15f * r.x;
+    float room = 0.07f + 0.3f * step(-0.1f, 0.85f, up) + 0.1f * step(-0.35f, -0.95f, up);
+    room += 1.15f * step(0.55f, 0.9f, dot(r, keyLight)) + 0.38f * step(0.6f, 0.92f, dot(r, fillLight));
+    room += 0.35f * step(0.2f, 0.8f, dot(r, rimLight));
+    const float rough = 0.34f * wrapped(n, keyLight, 0.25f) + 0.05f;
+    const float edge = fresnel(n, 0);
+    const Vec3f metal = Vec3f{0.8f, 0.47f, 0.23f} * (1 - edge) + Vec3f{1, 0.9f, 0.78f} * edge;
+    return encode(times(metal, Vec3f{1, 0.98f, 0.95f} * (0.72f * room + rough)));
+}
+
+Vec3f jadeLight(const Vec3f& n) {
+    const float sky = 0.5f + 0.5f * n.y, facing = std::max(0.0f, n.z), graze = 1 - facing;
+    // Light through the stone: strongest against the lamp at the rim, softly everywhere.
+    const float through = 0.4f * wrapped(n, rimLight, 0.9f) + 0.34f * graze * sky;
+    Vec3f light = Vec3f{0.9f, 0.95f, 0.85f} * (0.62f * wrapped(n, keyLight, 0.7f));
+    light += Vec3f{0.7f, 0.9f, 1} * (0.14f * wrapped(n, fillLight, 0.6f) + 0.12f * sky) + Vec3f{0.1f, 0.1f, 0.1f};
+    Vec3f out = times(light, {0.2f, 0.5f, 0.34f}) + Vec3f{0.28f, 0.72f, 0.42f} * (0.42f * through);
+    out += Vec3f{0.95f, 1, 0.97f} * (0.2f * gloss(n, keyLight, 45) + 0.22f * gloss(n, keyLight, 260));
+    out += Vec3f{0.7f, 0.9f, 0.85f} * (0.3f * fresnel(n, 0.02f) * sky);
+    return encode(out);
+}
+
+Vec3f studioLight(const Vec3f& n) {
+    static const Vec3f head = normalized(Vec3f{0.1f, 0.15f, 1});
+    const float graze = 1 - std::max(0.0f, n.z);
+    float light = 0.5f * std::max(0.0f, dot(n, keyLight)) + 0.15f * std::max(0.0f, dot(n, fillLight));
+    light += 0.2f * std::max(0.0f, dot(n, head)) + 0.08f + 0.25f * graze * std::max(0.0f, dot(n, rimLight));
+    return encode(Vec3f{1, 1, 1} * (0.72f * light + 0.07f * gloss(n, keyLight, 40)));
+}
+
+Vec3f zebraLight(const Vec3f& n) {
+    constexpr float bands = 11, texel = 2.0f / 512;
+    const float tilt = std::asin(std::clamp(n.y, -1.0f, 1.0f)), wave = std::sin(bands * tilt);
+    // As sharp as the picture's texels allow: asin grows steep towards the poles.
+    const float slope = bands * texel / std::sqrt(std::max(1e-3f, 1 - n.y * n.y));
+    const float stripe = step(-1.2f * slope, 1.2f * slope, wave);
+    const float light = 0.66f + 0.34f * std::max(0.0f, n.z);
+    return encode((Vec3f{0.035f, 0.045f, 0.07f} * (1 - stripe) + Vec3f{0.85f, 0.85f, 0.83f} * stripe) * light);
 }
 
 Vec3f plainLight(const Vec3f& n) {
     static const Vec3f key = normalized(Vec3f{-0.4f, 0.6f, 0.75f});
     const float light = 0.3f + 0.62f * wrapped(n, key, 0.5f) + 0.12f * n.z + 0.06f * n.y;
     return encode(Vec3f{1.02f, 1, 0.98f} * (light * 1.22f));
+}
+
+Vec3f measureLight(const Vec3f& n) {
+    static const Vec3f key = normalized(Vec3f{-0.4f, 0.6f, 0.75f});
+    const float facing = std::max(0.0f, n.z), light = 0.4f * facing + 0.48f * wrapped(n, key, 0.6f) + 0.18f;
+    return encode(Vec3f{1, 1, 1} * (1.12f * light));
 }
 
 Vec3f normalColour(const Vec3f& n) {

@@ -101,7 +101,8 @@ struct Mean {
 };
 
 /// Appends the representatives of one part.
-int represent(const SurfelBlock& block, int count, float radiusOfSupport, bool oriented, surfel::Surfel* out) {
+int represent(const SurfelBlock& block, const surfel::Colour* colours, int count, float radiusOfSupport, bool oriented,
+              surfel::Surfel* out) {
     Members members(block);
     int chosen[most];
     count = members.choose(count, oriented, chosen);
@@ -112,8 +113,11 @@ int represent(const SurfelBlock& block, int count, float radiusOfSupport, bool o
     for (int k = 0; k < count; ++k)
         place[order[k]] = k;
     Mean means[most];
-    for (int i = 0; i < members.size; ++i)
-        means[place[members.owner[i]]].add(block.surfel(i), block.surfel(chosen[members.owner[i]]), oriented);
+    for (int i = 0; i < members.size; ++i) {
+        surfel::Surfel member = block.surfel(i);
+        member.colour = colours ? colours[i] : member.colour;
+        means[place[members.owner[i]]].add(member, block.surfel(chosen[members.owner[i]]), oriented);
+    }
     for (int k = 0; k < count; ++k)
         out[k] = means[k].surfel(block.surfel(chosen[order[k]]));
     for (int i = 0; i < members.size; ++i) {
@@ -133,7 +137,8 @@ float areaOf(const SurfelBlock& block) {
 
 } // namespace
 
-surfel::BlockPtr representatives(std::span<const SurfelBlock* const> parts, float radiusOfSupport, bool oriented) {
+surfel::BlockPtr representatives(std::span<const SurfelBlock* const> parts, float radiusOfSupport, bool oriented,
+                                 const BlockColours* colours) {
     float areas[surfel::laneCount], whole = 0;
     for (std::size_t p = 0; p < parts.size(); ++p)
         whole += areas[p] = areaOf(*parts[p]);
@@ -142,8 +147,9 @@ surfel::BlockPtr representatives(std::span<const SurfelBlock* const> parts, floa
     const float shared = static_cast<float>(most - static_cast<int>(parts.size()));
     for (std::size_t p = 0; p < parts.size(); ++p) {
         const int share = 1 + static_cast<int>(shared * areas[p] / whole);
-        size += represent(*parts[p], std::clamp(share, 1, std::min(parts[p]->size(), most - size)), radiusOfSupport,
-                          oriented, found + size);
+        size += represent(*parts[p], colours ? colours->of(parts[p]) : nullptr,
+                          std::clamp(share, 1, std::min(parts[p]->size(), most - size)), radiusOfSupport, oriented,
+                          found + size);
     }
     const surfel::MutableBlockPtr out = SurfelBlock::create(size, 0);
     for (int i = 0; i < size; ++i)

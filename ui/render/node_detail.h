@@ -7,7 +7,7 @@
 // representative for seven surfels per level. Representatives of level 1 come from blocks, others from the children's.
 #pragma once
 
-#include "core/surfel/surfel_block.h"
+#include "ui/render/block_colours.h"
 
 namespace render {
 
@@ -30,8 +30,8 @@ struct NodeDetail {
 };
 
 /// Up to 128 representatives. `parts`: the children's blocks or proxies, 1 to 8. `radiusOfSupport`: a disc's radius as
-/// a part of its support. Unoriented normals may have either sign.
+/// a part of its support. Unoriented normals may have either sign. Colours are those of the table where it has any.
 surfel::BlockPtr representatives(std::span<const surfel::SurfelBlock* const> parts, float radiusOfSupport,
-                                 bool oriented);
+                                 bool oriented, const BlockColours* colours = nullptr);
 
 } // namespace render

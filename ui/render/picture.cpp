@@ -1,6 +1,7 @@
 #include "ui/render/picture.h"
 
 #include "core/base/error.h"
+#include "ui/render/measured_colours.h"
 #include "ui/render/raycast_image.h"
 #include "ui/render/section_lines.h"
 #include "ui/render/smooth_image.h"
@@ -16,8 +17,10 @@ namespace render {
 constexpr std::size_t mostSmoothPixels = 16u << 20;
 constexpr int mostSmoothSide = 8192;
 
-static void drawSplats(const tree::SurfelTree& model, const Camera& camera, const PictureOptions& options, Image& out) {
+static void drawSplats(const tree::SurfelTree& model, const Camera& camera, const PictureOptions& options,
+                       std::shared_ptr<const BlockColours> colours, Image& out) {
     RenderOptions style = options.style;
+    style.colours = std::move(colours);
     style.splatScale *= splatScaleOf(model);
     const auto renderer = makeRenderer(options.backend);
     const bool small = out.colour.size() <= mostSmoothPixels && std::max(out.width, out.height) <= mostSmoothSide;
@@ -41,14 +44,23 @@ static Image draw(const surface::Surface& surface, const Camera& camera, const P
     out.resize(camera.width, camera.height);
     stats.pixels = out.colour.size();
     const auto begin = std::chrono::steady_clock::now();
+    std::optional<Measured> measured;
+    if (const auto& row = shadingRow(options.style.shading).measure) {
+        const process::FieldQuestion question{row->quantity, surface, options.reference};
+        measured = Measured{question, scaleFor(*row, question, options.range, nullptr, progress)};
+        stats.scale = measured->scale;
+    }
     if (options.rayCast) {
         raycast::CastCounts counts;
-        rayCast(surface, camera, options.style, out, counts, progress);
+        rayCast(surface, camera, options.style, out, counts, progress, measured ? &*measured : nullptr);
         stats.rays = counts.rays;
         stats.evaluations = counts.evaluations;
     } else {
+        std::shared_ptr<const BlockColours> colours;
+        if (measured)
+            colours = coloursOf(process::evaluateField(measured->question, nullptr, progress), measured->scale);
         progress.step(0, "Drawing");
-        drawSplats(surface.tree(), camera, options, out);
+        drawSplats(surface.tree(), camera, options, std::move(colours), out);
     }
     if (options.sections)
         addSections(surface, camera, progress, out);

@@ -15,6 +15,9 @@ struct PictureOptions {
     bool smooth = true;          ///< splats by four pixels for one, up to 16 million; else one
     bool sections = false;       ///< draw the curves where the camera's clip planes meet the surface
     RenderOptions style;         ///< its splatScale comes on top of splatScaleOf the model
+    surface::Surface reference;  ///< that deviations are measured from; empty: unknown
+    /// Of the colours of measured numbers; empty: automatic.
+    std::optional<std::pair<float, float>> range;
 };
 
 /// What it cost, as `render --stats` tells it.
@@ -26,6 +29,7 @@ struct PictureStats {
         rays += more.rays, pixels += more.pixels, evaluations += more.evaluations, seconds += more.seconds;
         return *this;
     }
+    std::optional<ColourScale> scale; ///< of measured numbers, where the shading shows some
 };
 
 /// Throws base::Error where the backend is missing, the picture too large for it or for the memory; base::Cancelled.

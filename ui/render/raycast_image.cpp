@@ -29,9 +29,43 @@ static raycast::ImageRays imageRays(const Camera& camera) {
     return out;
 }
 
+/// Pixels asked for together, in squares: neighbours in the list are neighbours in space.
+constexpr int squareSide = 128;
+
+/// Colours of the measured numbers where the rays met the surface.
+static void colourHits(const Measured& measured, const Camera& camera, std::vector<raycast::Sample>& samples,
+                       const base::Progress& progress) {
+    std::vector<std::size_t> pixels;
+    std::vector<Vec3f> x;
+    std::vector<float> values;
+    const auto ask = [&](int left, int top) {
+        pixels.clear(), x.clear();
+        for (int row = top; row < std::min(top + squareSide, camera.height); ++row)
+            for (int column = left; column < std::min(left + squareSide, camera.width); ++column) {
+                const auto i = static_cast<std::size_t>(row) * static_cast<std::size_t>(camera.width) +
+                               static_cast<std::size_t>(column);
+                if (!samples[i].hit.hit)
+                    continue;
+                pixels.push_back(i);
+                x.push_back(samples[i].hit.position);
+            }
+        values.resize(x.size());
+        process::quantityAt(measured.question, x, values);
+        for (std::size_t k = 0; k < pixels.size(); ++k)
+            samples[pixels[k]].colour = measured.scale.of(values[k]);
+    };
+    for (int top = 0; top < camera.height; top += squareSide)
+        for (int left = 0; left < camera.width; left += squareSide) {
+            progress.step(static_cast<double>(top) / camera.height, "Measuring the surface");
+            ask(left, top);
+        }
+}
+
 void rayCast(const surface::Surface& surface, const Camera& camera, const RenderOptions& options, Image& out,
-             raycast::CastCounts& counts, const base::Progress& progress) {
-    const auto samples = raycast::fullCast(surface, imageRays(camera), counts, progress);
+             raycast::CastCounts& counts, const base::Progress& progress, const Measured* measured) {
+    auto samples = raycast::fullCast(surface, imageRays(camera), counts, progress);
+    if (measured)
+        colourHits(*measured, camera, samples, progress);
     const ViewFrame view(camera);
     const ShadingStyle& style = shadingStyle(options.shading);
     const surfel::AttributeLayout& layout = *surface.tree().layout();
@@ -39,7 +73,7 @@ void rayCast(const surface::Surface& surface, const Camera& camera, const Render
     out.resize(camera.width, camera.height);
     base::parallelFor(static_cast<std::size_t>(camera.height), 8, [&](std::size_t y) {
         surfel::Colour background[8];
-        backgroundRow(static_cast<int>(y), camera.height, options.transparent, background);
+        backgroundRow(options.backdrop, static_cast<int>(y), camera.height, options.transparent, background);
         const float dy = -view.raySlopeY(static_cast<int>(y));
         for (std::size_t x = 0; x < static_cast<std::size_t>(camera.width); ++x) {
             const std::size_t i = y * static_cast<std::size_t>(camera.width) + x;

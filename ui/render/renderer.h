@@ -7,28 +7,21 @@
 #pragma once
 
 #include "core/surface/surface.h"
+#include "ui/render/backdrop.h"
+#include "ui/render/block_colours.h"
 #include "ui/render/camera.h"
+#include "ui/render/shading_table.h"
 
 #include <memory>
 #include <string_view>
 
 namespace render {
 
-enum class Shading { Matcap, Normal, Colour, Mask };
-
-/// One row per shading: menus, command line and help loop over it.
-struct ShadingRow {
-    Shading shading;
-    const char* id; ///< "matcap"
-    const char* label;
-    const char* tip;
-};
-std::span<const ShadingRow> shadingTable();
-/// Throws base::Error naming the known shadings.
-Shading shading(std::string_view id);
-
 struct RenderOptions {
     Shading shading = Shading::Matcap;
+    /// What a shading of measured numbers shows (measured_colours.h); blocks that it lacks show their own.
+    std::shared_ptr<const BlockColours> colours;
+    Backdrop backdrop = Backdrop::Studio;
     bool transparent = false; ///< background with alpha 0
     float splatScale = 1;     ///< times the usual splat radius
     /// Where a node's representatives have discs of at most this radius in pixels, they are drawn instead of its
@@ -70,7 +63,4 @@ std::unique_ptr<Renderer> makeRenderer(std::string_view backend);
 /// Colour of a shaded pixel from blended attributes: the one place both renderers and the ray caster agree on.
 /// `normal` in camera coordinates (x right, y up, z towards the eye), unit length.
 surfel::Colour shade(Shading shading, const base::Vec3f& normal, surfel::Colour colour, float mask);
-/// The background at height 0 (top) to 1 (bottom) of the image.
-surfel::Colour background(float height);
-
 } // namespace render

@@ -24,7 +24,7 @@ struct ShadingStyle {
     base::Vec3f backTint; ///< factor for the inside of an oriented surface
 };
 
-/// Made once on first use; safe from any thread.
+/// Made from the row of the table on first use; safe from any thread.
 const ShadingStyle& shadingStyle(Shading shading);
 
 /// Facing (cosine) between which `back` grows from 0 to 1. It starts below zero because splats that turn away at a
@@ -67,9 +67,5 @@ inline surfel::Colour shadePixel(const ShadingStyle& style, const base::Vec3f& n
     }
     return out;
 }
-
-/// One row of background: 8 pixels that repeat along x, dithered so that the gradient shows no bands.
-/// `transparent` gives alpha 0.
-void backgroundRow(int row, int height, bool transparent, surfel::Colour out[8]);
 
 } // namespace render

@@ -102,6 +102,7 @@ HWY_INLINE void transform(const surfel::SurfelBlock& block, int cluster, const V
 int gather(const BinEntry& entry, const ViewFrame& view, const SplatStyle& style, const TileArea& area, Splat* out) {
     int count = 0;
     ClusterSplats s;
+    const surfel::Colour* shown = style.table ? style.table->of(entry.block) : nullptr;
     for (std::uint32_t left = entry.clusters; left; left &= left - 1) {
         const int cluster = static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero32(left));
         transform(*entry.block, cluster, view, style, area, s);
@@ -129,7 +130,7 @@ int gather(const BinEntry& entry, const ViewFrame& view, const SplatStyle& style
                             s.normalY[i],
                             s.normalZ[i],
                             mask[i],
-                            colour[i],
+                            shown ? shown[cluster * clusterSize + i] : colour[i],
                             static_cast<std::uint8_t>(s.left[i]),
                             static_cast<std::uint8_t>(s.right[i]),
                             static_cast<std::uint8_t>(s.top[i]),

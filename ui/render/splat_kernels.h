@@ -13,6 +13,7 @@
 #pragma once
 
 #include "core/surfel/surfel_block.h"
+#include "ui/render/block_colours.h"
 #include "ui/render/tile_bins.h"
 
 namespace render {
@@ -38,8 +39,9 @@ constexpr float minCosine = 0.02f;
 /// What of a model the splats show.
 struct SplatStyle {
     float radiusOfSupport = splatRadiusOfSupport;
-    bool oriented = false; ///< otherwise splats turn to the eye
-    bool colours = false;  ///< sum colours and masks too
+    bool oriented = false;               ///< otherwise splats turn to the eye
+    bool colours = false;                ///< sum colours and masks too
+    const BlockColours* table = nullptr; ///< its colours, where it has any, instead of the surfels' own
     bool operator==(const SplatStyle&) const = default;
 };
 

@@ -11,7 +11,9 @@ inline SplatStyle splatStyle(const tree::SurfelTree& model, const RenderOptions&
     SplatStyle style;
     style.radiusOfSupport = splatRadiusOfSupport * options.splatScale;
     style.oriented = layout.normals && layout.oriented;
-    style.colours = layout.masks || (layout.colours && options.shading == Shading::Colour);
+    const ShadingRow& row = shadingRow(options.shading);
+    style.table = row.measure ? options.colours.get() : nullptr;
+    style.colours = layout.masks || (layout.colours && row.surfelColours) || style.table;
     return style;
 }
 

@@ -1,0 +1,99 @@
+#include "app/look_options.h"
+
+#include "app/open_model.h"
+#include "core/base/error.h"
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+namespace app {
+
+namespace {
+
+bool parseRange(const std::string& text, std::pair<float, float>& out) {
+    char rest = 0;
+    return std::sscanf(text.c_str(), "%f,%f%c", &out.first, &out.second, &rest) == 2 && out.first < out.second &&
+           std::isfinite(out.first) && std::isfinite(out.second);
+}
+
+std::string rangeFault(const std::string& text) {
+    std::pair<float, float> range;
+    return parseRange(text, range) ? "" : "'" + text + "' is no range; write LOW,HIGH as in --range=-0.5,0.5";
+}
+
+template <class Rows>
+std::vector<std::string> idsOf(const Rows& rows) {
+    std::vector<std::string> out;
+    for (const auto& row : rows)
+        out.push_back(row.id);
+    return out;
+}
+
+template <class Rows>
+std::string helpOf(std::string out, const Rows& rows) {
+    for (const auto& row : rows)
+        out += std::string("\n  ") + row.id + ": " + row.tip;
+    return out;
+}
+
+/// Both models are kept relative to their own origins; the reference's moves to the model's.
+surface::Surface referenceOf(const std::string& path, const session::Document& document,
+                             const nlohmann::json& parameters, Console& console) {
+    session::Document other;
+    session::Context context{other, {}, console.progress(), {}, 0, {}, nullptr};
+    openModel(context, path, parameters, console);
+    const base::Vec3d shift = other.provenance().origin - document.provenance().origin;
+    const surface::Surface& found = other.surface();
+    if (shift == base::Vec3d{})
+        return found;
+    surfel::SurfelList moved = found.tree().surfels();
+    for (surfel::Surfel& surfel : moved.items)
+        surfel.position = base::cast<float>(base::cast<double>(surfel.position) + shift);
+    return {tree::SurfelTree::build(moved), found.definition()};
+}
+
+} // namespace
+
+std::shared_ptr<LookOptions> addLookOptions(CLI::App& command) {
+    auto options = std::make_shared<LookOptions>();
+    command.add_option("--shading", options->shading, helpOf("how the surface is coloured", render::shadingTable()))
+        ->check(CLI::IsMember(idsOf(render::shadingTable())))
+        ->option_text("NAME [matcap]");
+    command
+        .add_option("--range", options->range,
+                    "numbers at the ends of the colour scale, for shadings that measure (write --range=-1,1 where the "
+                    "first is negative); default: what most of the model has")
+        ->type_name("LOW,HIGH")
+        ->check(CLI::Validator(rangeFault, ""));
+    command
+        .add_option("--reference", options->reference,
+                    "what --shading deviation measures from: distances to its surface, positive on the side of its "
+                    "normals")
+        ->type_name("MODEL");
+    command.add_option("--background", options->backdrop, helpOf("what stands behind", render::backdropTable()))
+        ->check(CLI::IsMember(idsOf(render::backdropTable())))
+        ->option_text("NAME [studio]");
+    command.add_flag("--transparent", options->transparent, "leave the background out");
+    return options;
+}
+
+void applyLook(const LookOptions& options, const session::Document& document, const nlohmann::json& surface,
+               Console& console, render::PictureOptions& out) {
+    out.style.shading = render::shading(options.shading);
+    out.style.backdrop = render::backdrop(options.backdrop);
+    out.style.transparent = options.transparent;
+    const auto& measure = render::shadingRow(out.style.shading).measure;
+    const bool deviates = measure && measure->quantity == process::Quantity::Deviation;
+    if (!options.range.empty()) {
+        if (!measure)
+            throw UsageError("--range: --shading " + options.shading + " measures nothing");
+        parseRange(options.range, out.range.emplace());
+    }
+    if (deviates != !options.reference.empty())
+        throw UsageError(deviates ? "--shading deviation needs --reference MODEL to measure from"
+                                  : "--reference is for --shading deviation");
+    if (deviates)
+        out.reference = referenceOf(options.reference, document, surface, console);
+}
+
+} // namespace app

@@ -1,0 +1,59 @@
+// render's options of looks: every row of the tables, and what is no use together.
+#include "program.h"
+#include "support/registry.h"
+
+#include <QtTest>
+
+using test::Outcome;
+using test::Program;
+
+class LookTest : public QObject {
+    Q_OBJECT
+  private Q_SLOTS:
+    void everyShadingIsListedAndDrawn();
+    void aRangeChangesThePicture();
+    void whatDoesNotGoTogetherIsWrongUsage();
+};
+
+void LookTest::everyShadingIsListedAndDrawn() {
+    const Program program;
+    const std::string help = program.run({"render", "--help"}).out;
+    for (const char* id :
+         {"matcap", "wax", "porcelain", "bronze", "jade", "zebra", "studio", "normal", "colour", "mask", "curvature",
+          "curvature-gauss", "curvature-k1", "curvature-k2", "off-centre", "spacing", "deviation"}) {
+        QVERIFY2(help.find(std::string(id) + ":") != std::string::npos, id);
+        QStringList arguments{"render", "sample:torus:2000", "-o", "a.png", "--size", "64x48", "--shading", id};
+        if (std::string(id) == "deviation")
+            arguments << "--reference"
+                      << "sample:torus:2500";
+        for (const char* mode : {"splats", "raycast"}) {
+            const Outcome outcome = program.run(arguments + QStringList{"--mode", mode});
+            QVERIFY2(outcome.code == 0, outcome.err.c_str());
+        }
+    }
+}
+
+void LookTest::aRangeChangesThePicture() {
+    const Program program;
+    const auto picture = [&](const char* range) {
+        const Outcome outcome = program.run({"render", "sample:sphere:2000", "-o", "a.png", "--size", "64x48",
+                                             "--shading", "curvature", QString("--range=") + range});
+        return outcome.code == 0 ? program.read("a.png") : outcome.err;
+    };
+    QVERIFY(picture("-2,2") != picture("-200,200"));
+    QVERIFY(picture("-2,2") == picture("-2,2"));
+}
+
+void LookTest::whatDoesNotGoTogetherIsWrongUsage() {
+    const Program program;
+    const QList<QStringList> wrong{
+        {"--range=-1,1"},           {"--shading", "curvature", "--range=1,1"}, {"--shading", "curvature", "--range=1"},
+        {"--shading", "deviation"}, {"--reference", "sample:torus:500"},       {"--background", "plaid"}};
+    for (const auto& options : wrong) {
+        const Outcome outcome = program.run(QStringList{"render", "sample:sphere:500", "-o", "a.png"} + options);
+        QVERIFY2(outcome.code == 2 && !outcome.err.empty(), qPrintable(options.front()));
+    }
+}
+
+static const test::Registered<LookTest> registered;
+#include "look_test.moc"
