@@ -72,12 +72,12 @@ static StrokeSettings settingsOf(const ToolRow& row, base::Random& random, doubl
     return s;
 }
 
-/// Calls law(row, settings, samples) for a few random strokes of every tool.
+/// Calls law(row, settings, samples) for `each` random strokes of every tool, fewer under sanitizers.
 template <class Law>
 static void forStrokes(double spacing, int each, const Law& law) {
     for (const ToolRow& row : toolTable()) {
         base::Random random(test::seed());
-        for (int k = 0; k < each; ++k) {
+        for (int k = 0; k < test::effort(each); ++k) {
             const StrokeSettings settings = settingsOf(row, random, spacing);
             law(row, settings, wander(random, 0.3f * settings.radius));
         }

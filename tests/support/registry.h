@@ -29,4 +29,14 @@ std::string dataFolder();
 /// Seed for property tests: POINTCLAY_SEED, else a fixed one. Print it in the failure message.
 unsigned long long seed();
 
+/// How often a law is tried with random input: `times`, but a fifth of it, at least once, where a sanitizer makes every
+/// instruction ten times as slow. Sanitizers look for other faults than laws do.
+constexpr int effort(int times) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    return times < 10 ? 1 : times / 5;
+#else
+    return times;
+#endif
+}
+
 } // namespace test
