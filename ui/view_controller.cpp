@@ -36,6 +36,7 @@ void ViewController::refresh(bool moving) {
     frame.options = lookOf(m_settings);
     frame.options.colours = m_colours;
     frame.input = std::max(m_editor.snapshot().input, m_viewInput);
+    frame.options.definition = m_editor.snapshot().surface.definition();
     frame.options.splatScale = m_editor.snapshot().splatScale;
     m_viewport.show(frame);
     updateCursor();

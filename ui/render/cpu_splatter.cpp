@@ -140,9 +140,14 @@ void CpuSplatter::update(const tree::SurfelTree& model, const Camera& camera, co
     TileMask mask(view);
     const bool same = m_setting && m_setting->sameButColours(setting) && sameSize;
     const std::shared_ptr<const BlockColours> before = m_setting ? m_setting->options.colours : nullptr;
+    const bool rims = RimCuts::any(options.definition);
+    if (rims)
+        m_rims.use(options.definition, setting.style.radiusOfSupport);
+    const auto recut = rims ? m_rims.follow(model) : std::vector<const surfel::SurfelBlock*>{};
     m_setting.reset(); // for as long as the picture is neither the one nor the other
     if (same) {
         addChangedTiles(m_model, model, seen, mask);
+        addTiles(recut, seen, mask);
         if (setting.options.colours != before)
             addRecolouredTiles(before, setting.options.colours, model, seen, mask);
         mask.close();
@@ -154,6 +159,8 @@ void CpuSplatter::update(const tree::SurfelTree& model, const Camera& camera, co
         mask.add({true, 0, 0, camera.width - 1, camera.height - 1, 0});
         visibleBlocks(model, seen, m_visible);
     }
+    if (rims)
+        findRims(seen, m_rims, m_visible);
     drawTiles(setting, mask.tiles(), out);
     m_details.forget(m_model, model);
     m_details.takeDropped();

@@ -14,7 +14,9 @@ static std::string head() {
            constant("filterDepth", filterDepth) + constant("backBias", backBias) + constant("backClip", backClip) +
            constant("minCosine", minCosine) + constant("backFrom", backFrom) + constant("backTo", backTo) +
            "const int mostClips = " + std::to_string(ClipPlanes::most) + ";\n" +
-           "const int lightSize = " + std::to_string(lightSize) + ";\n";
+           "const uint rimMask = " + std::to_string((1u << rimBits) - 1) +
+           "u, acrossDisc = " + std::to_string(acrossDisc) + "u;\n" + constant("acrossRadius", acrossRadius) +
+           constant("rimRadius", rimRadius) + "const int lightSize = " + std::to_string(lightSize) + ";\n";
 }
 
 /// The view, as in ViewFrame: image place of the first pixel, pixels per unit of it, radius as a part of the support.
@@ -39,7 +41,15 @@ layout(location = 3) in vec4 colourAndMask;
 flat out vec4 centre; // image place, depth, radius
 flat out vec4 plane;  // gradient of w across the image, bias, w from where it is cut
 flat out vec3 normal;
+flat out vec3 rim;    // the disc ends where (x - centre) . rim = 1
 flat out vec4 attributes;
+
+// As rimCut in rim_cuts.h, for a unit normal.
+vec3 rimDirection(vec3 n, uint code) {
+    vec3 u = normalize((code >> 13 & 1u) != 0u ? vec3(n.z, 0.0, -n.x) : vec3(0.0, -n.z, n.y));
+    float angle = float(code >> 5 & 255u) * (6.28318531 / 256.0);
+    return u * cos(angle) + cross(n, u) * sin(angle);
+}
 
 vec3 turn(vec3 v) { return vec3(dot(v, right), dot(v, down), dot(v, forward)); }
 
@@ -49,7 +59,14 @@ void main() {
     vec3 ray = parallel ? vec3(0.0, 0.0, 1.0) : p;
     float distance = length(ray);
     n = dot(n, n) < 0.25 ? ray / -distance : turn(normalize(n));
-    float facing = dot(n, ray), radius = support * image.w;
+    uint code = floatBitsToUint(support) & rimMask;
+    float facing = dot(n, ray), radius = uintBitsToFloat(floatBitsToUint(support) & ~rimMask) * image.w;
+    if (code == acrossDisc)
+        radius *= acrossRadius;
+    float part = float(code & 31u) / 32.0;
+    rim = part > 0.0 ? turn(rimDirection(normalize(packedNormal.xyz), code)) / (part * radius) : vec3(0.0);
+    if (part > 0.0)
+        radius *= rimRadius;
     bool away = facing > 0.0;
     if (away && !oriented) {
         n = -n;
@@ -93,6 +110,7 @@ static constexpr const char* splatFragment = R"(
 flat in vec4 centre;
 flat in vec4 plane;
 flat in vec3 normal;
+flat in vec3 rim;
 flat in vec4 attributes;
 layout(location = 0) out vec4 normalSum;
 layout(location = 1) out vec4 colourSum;
@@ -109,8 +127,9 @@ void main() {
         if (dot(clips[k].xy, slope) + clips[k].z < clips[k].w * w)
             discard;
     float z = parallel ? -w : 1.0 / w, dz = z - centre.z;
-    vec3 a = vec3(parallel ? d : dz * centre.xy + z * d, dz) / radius;
-    float r2 = min(exact > plane.w ? 2.0 : dot(a, a), dot(d, d) * image.z * image.z / (filterPx * filterPx));
+    vec3 a = vec3(parallel ? d : dz * centre.xy + z * d, dz);
+    float r2 = min(exact > plane.w || dot(a, rim) > 1.0 ? 2.0 : dot(a, a) / (radius * radius),
+                   dot(d, d) * image.z * image.z / (filterPx * filterPx));
     if (r2 > 1.0)
         discard;
 #ifdef VISIBILITY

@@ -14,13 +14,19 @@ static std::uint32_t packed(const base::Vec3f& n) {
     return component(n.x) | component(n.y) << 10 | component(n.z) << 20;
 }
 
-static void pack(const surfel::SurfelBlock& block, const BlockColours* colours, GlSurfel* out) {
+static std::uint32_t packed(float support, RimCode code) {
+    constexpr std::uint32_t mask = (1u << rimBits) - 1;
+    return ((std::bit_cast<std::uint32_t>(support) + mask / 2) & ~mask) | code;
+}
+
+static void pack(const surfel::SurfelBlock& block, const BlockColours* colours, const RimCodes* codes, GlSurfel* out) {
     const surfel::Colour* shown = colours ? colours->of(&block) : nullptr;
     for (int slot = 0; slot < block.size(); ++slot) {
         const surfel::Surfel s = block.surfel(slot);
         const auto mask = static_cast<std::uint32_t>(std::clamp(s.mask, 0.0f, 1.0f) * 255 + 0.5f);
         const surfel::Colour colour = shown ? shown[slot] : s.colour;
-        out[slot] = {s.position, packed(s.normal), s.support, (colour & 0x00ffffffu) | mask << 24};
+        const RimCode code = codes ? (*codes)[static_cast<std::size_t>(slot)] : wholeDisc;
+        out[slot] = {s.position, packed(s.normal), packed(s.support, code), (colour & 0x00ffffffu) | mask << 24};
     }
 }
 
@@ -65,8 +71,11 @@ void GlSlots::upload(std::span<const surfel::SurfelBlock* const> blocks, std::sp
             ++end;
         // Slots are longer than most blocks; what lies behind a block's end is never drawn.
         m_staging.resize((end - begin) * surfel::blockCapacity);
-        for (std::size_t i = begin; i < end; ++i)
-            pack(*blocks[i], m_colours.get(), m_staging.data() + (i - begin) * surfel::blockCapacity);
+        for (std::size_t i = begin; i < end; ++i) {
+            const auto cut = m_cut.find(blocks[i]);
+            pack(*blocks[i], m_colours.get(), cut == m_cut.end() ? nullptr : &cut->second,
+                 m_staging.data() + (i - begin) * surfel::blockCapacity);
+        }
         m_gl.bindBuffer(GL_COPY_WRITE_BUFFER, m_pages[slots[begin] / slotsPerPage]);
         m_gl.bufferSubData(GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(slots[begin] % slotsPerPage * slotBytes),
                            static_cast<GLsizeiptr>((end - begin) * slotBytes), m_staging.data());
@@ -94,6 +103,24 @@ void GlSlots::release(const surfel::SurfelBlock* block) {
         return;
     m_free.push_back(found->second);
     m_slotOf.erase(found);
+    m_cut.erase(block);
+}
+
+void GlSlots::cut(std::span<const std::pair<const surfel::SurfelBlock*, const RimCodes*>> blocks) {
+    std::vector<const surfel::SurfelBlock*> changed;
+    std::vector<std::size_t> slots;
+    for (const auto& [block, codes] : blocks) {
+        const auto known = m_cut.find(block);
+        if (codes ? known != m_cut.end() && known->second == *codes : known == m_cut.end())
+            continue;
+        if (codes)
+            m_cut[block] = *codes;
+        else
+            m_cut.erase(known);
+        changed.push_back(block);
+        slots.push_back(m_slotOf.at(block));
+    }
+    upload(changed, slots);
 }
 
 void GlSlots::recolour(std::shared_ptr<const BlockColours> colours) {

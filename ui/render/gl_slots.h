@@ -9,6 +9,7 @@
 #include "core/tree/surfel_tree.h"
 #include "ui/render/block_colours.h"
 #include "ui/render/gl_functions.h"
+#include "ui/render/rim_cuts.h"
 
 #include <unordered_map>
 
@@ -17,8 +18,8 @@ namespace render {
 /// A surfel as the vertex shader reads it.
 struct GlSurfel {
     base::Vec3f position;
-    std::uint32_t normal; ///< GL_INT_2_10_10_10_REV; zero where unknown
-    float support;
+    std::uint32_t normal;        ///< GL_INT_2_10_10_10_REV; zero where unknown
+    std::uint32_t support;       ///< a float whose lowest rimBits bits are a RimCode
     std::uint32_t colourAndMask; ///< the mask stands in the place of alpha
 };
 constexpr std::size_t slotBytes = sizeof(GlSurfel) * surfel::blockCapacity;
@@ -35,11 +36,15 @@ class GlSlots {
     /// whose colours the table does not share with the one before are uploaded again. REQUIRES: the context that first
     /// called it is current.
     void show(const tree::SurfelTree& model, std::shared_ptr<const BlockColours> colours = nullptr);
+    /// Uploads blocks of the version shown again whose discs are cut otherwise than they were. Null: whole discs.
+    void cut(std::span<const std::pair<const surfel::SurfelBlock*, const RimCodes*>> blocks);
     /// Uploads those proxies that have no slot yet. They must live until dropped.
     void hold(std::span<const surfel::SurfelBlock* const> proxies);
     /// Frees the slots of those that have one.
     void drop(std::span<const surfel::BlockPtr> proxies);
 
+    /// Blocks with a disc that is cut.
+    std::size_t cutBlocks() const { return m_cut.size(); }
     bool holds(const surfel::SurfelBlock* block) const { return m_slotOf.contains(block); }
     std::size_t pages() const { return m_pages.size(); }
     GLuint buffer(std::size_t page) const { return m_pages[page]; }
@@ -68,7 +73,8 @@ class GlSlots {
     std::shared_ptr<const BlockColours> m_colours;
     tree::SurfelTree m_shown; ///< keeps its blocks alive, so that their addresses name them
     std::unordered_map<const surfel::SurfelBlock*, std::size_t> m_slotOf;
-    std::vector<std::size_t> m_free; ///< ascending, but for what `release` appended
+    std::unordered_map<const surfel::SurfelBlock*, RimCodes> m_cut; ///< of those that have any
+    std::vector<std::size_t> m_free;                                ///< ascending, but for what `release` appended
     std::vector<GlSurfel> m_staging;
     std::size_t m_uploads = 0, m_uploadedBytes = 0;
 };

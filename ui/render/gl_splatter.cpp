@@ -199,16 +199,26 @@ void GlSplatter::look(const tree::SurfelTree& model, const Frame& frame) {
     m_details.use(frame.style.radiusOfSupport, frame.style.oriented);
     m_details.colourBy(model, colours);
     const bool details = frame.options.detailPx > 0 || frame.options.closed;
-    visibleBlocks(model,
-                  {frame.view, frame.style.radiusOfSupport, details ? &m_details : nullptr, frame.options.detailPx,
-                   frame.options.closed && frame.style.oriented},
-                  m_visible);
+    const Sight sight{frame.view, frame.style.radiusOfSupport, details ? &m_details : nullptr, frame.options.detailPx,
+                      frame.options.closed && frame.style.oriented};
+    visibleBlocks(model, sight, m_visible);
     m_slots.show(model, colours);
     std::vector<const surfel::SurfelBlock*> proxies;
     for (const VisibleBlock& visible : m_visible)
         if (!m_slots.holds(visible.block))
             proxies.push_back(visible.block);
     m_slots.hold(proxies);
+    const bool rims = RimCuts::any(frame.options.definition);
+    if (rims) {
+        m_rims.use(frame.options.definition, frame.style.radiusOfSupport);
+        m_rims.follow(model);
+        findRims(sight, m_rims, m_visible);
+    }
+    std::vector<std::pair<const surfel::SurfelBlock*, const RimCodes*>> cuts;
+    for (const VisibleBlock& visible : m_visible)
+        if (visible.large || (!rims && m_slots.cutBlocks() > 0 && !visible.proxy))
+            cuts.emplace_back(visible.block, visible.rims);
+    m_slots.cut(cuts);
 }
 
 void GlSplatter::drawTo(GLuint framebuffer, const tree::SurfelTree& model, const Camera& camera,

@@ -65,6 +65,7 @@ class GlSplatter {
     GLuint m_vertexArray = 0;
     float m_maxPointSize = 1;
     DetailCache m_details;
+    RimCuts m_rims;
     tree::SurfelTree m_shown; ///< that m_details belong to
     std::vector<VisibleBlock> m_visible;
     struct Points {

@@ -17,9 +17,11 @@ namespace render {
 constexpr std::size_t mostSmoothPixels = 16u << 20;
 constexpr int mostSmoothSide = 8192;
 
-static void drawSplats(const tree::SurfelTree& model, const Camera& camera, const PictureOptions& options,
+static void drawSplats(const surface::Surface& surface, const Camera& camera, const PictureOptions& options,
                        std::shared_ptr<const BlockColours> colours, Image& out) {
+    const tree::SurfelTree& model = surface.tree();
     RenderOptions style = options.style;
+    style.definition = surface.definition();
     style.colours = std::move(colours);
     style.splatScale *= splatScaleOf(model);
     const auto renderer = makeRenderer(options.backend);
@@ -60,7 +62,7 @@ static Image draw(const surface::Surface& surface, const Camera& camera, const P
         if (measured)
             colours = coloursOf(process::evaluateField(measured->question, nullptr, progress), measured->scale);
         progress.step(0, "Drawing");
-        drawSplats(surface.tree(), camera, options, std::move(colours), out);
+        drawSplats(surface, camera, options, std::move(colours), out);
     }
     if (options.sections)
         addSections(surface, camera, progress, out);

@@ -27,6 +27,8 @@ struct RenderOptions {
     /// Where a node's representatives have discs of at most this radius in pixels, they are drawn instead of its
     /// surfels. About 1 cannot be seen; more is for views that move. 0: every surfel.
     float detailPx = 1;
+    /// Splats end where the surface that this defines does, at its boundary limit; without one they are whole discs.
+    surface::SurfaceDefinition definition;
     bool closed = false; ///< oriented and without an opening: parts that face away need not be drawn
     bool operator==(const RenderOptions&) const = default;
 };

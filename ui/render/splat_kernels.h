@@ -58,6 +58,8 @@ struct Splat {
     float mask;
     surfel::Colour colour;
     std::uint8_t left, right, top, bottom; ///< pixels of the tile, inclusive
+    /// The disc ends where (x - centre) . rim = 1, in view coordinates; zero where it is whole (rim_cuts.h).
+    base::Vec3f rim;
 };
 
 /// Pixels of a tile; rows are longer than the tile so that a vector may run past its end.

@@ -92,13 +92,15 @@ class Looker {
         return only->touches(b);
     }
 
-  private:
+    /// How long a length at the nearest depth is in the image.
     float pixels(float length, const ScreenBounds& bounds) const {
         if (m_sight.view.parallel)
             return length * m_sight.view.focalPx;
         return bounds.nearest > 0 ? length * m_sight.view.focalPx / bounds.nearest
                                   : std::numeric_limits<float>::infinity();
     }
+
+  private:
     const Sight& m_sight;
 };
 
@@ -207,13 +209,36 @@ void visibleBlocks(const tree::SurfelTree& model, const Sight& sight, std::vecto
         gatherWanted(look, *model.root(), placeOf(model), wanted);
         sight.details->prepare(wanted);
     }
-    const auto add = [&](const surfel::SurfelBlock& block, const ScreenBounds& bounds) {
+    const auto add = [&](const surfel::SurfelBlock& block, const ScreenBounds& bounds, bool proxy) {
         if (bounds.visible && (!only || only->touches(bounds)))
-            out.push_back({&block, bounds});
+            out.push_back({&block, bounds, proxy, false, nullptr});
     };
-    walkOf(look, only, add, [&](const NodeDetail& d) {
-        add(*d.proxy, look.bounds(*d.proxy));
-    }).node(*model.root(), placeOf(model));
+    walkOf(
+        look, only, [&](const surfel::SurfelBlock& block, const ScreenBounds& bounds) { add(block, bounds, false); },
+        [&](const NodeDetail& d) { add(*d.proxy, look.bounds(*d.proxy), true); })
+        .node(*model.root(), placeOf(model));
+}
+
+void findRims(const Sight& sight, RimCuts& rims, std::span<VisibleBlock> blocks) {
+    const Looker look(sight);
+    std::vector<const surfel::SurfelBlock*> wanted;
+    for (VisibleBlock& each : blocks) {
+        each.large =
+            !each.proxy && !(look.pixels(sight.reachOfSupport * each.block->maxSupport(), each.bounds) < rimPx);
+        if (each.large)
+            wanted.push_back(each.block);
+    }
+    rims.prepare(wanted);
+    for (VisibleBlock& each : blocks)
+        if (each.large)
+            each.rims = rims.of(each.block);
+}
+
+void addTiles(std::span<const surfel::SurfelBlock* const> blocks, const Sight& sight, TileMask& out) {
+    const Looker look(sight);
+    for (const surfel::SurfelBlock* block : blocks)
+        if (const ScreenBounds bounds = look.bounds(*block); bounds.visible)
+            out.add(bounds);
 }
 
 void addChangedTiles(const tree::SurfelTree& from, const tree::SurfelTree& to, const Sight& sight, TileMask& out) {

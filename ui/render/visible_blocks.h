@@ -5,6 +5,7 @@
 #pragma once
 
 #include "ui/render/detail_cache.h"
+#include "ui/render/rim_cuts.h"
 #include "ui/render/tile_mask.h"
 
 namespace render {
@@ -12,6 +13,9 @@ namespace render {
 struct VisibleBlock {
     const surfel::SurfelBlock* block = nullptr; ///< of the tree, or a node's proxy
     ScreenBounds bounds;
+    bool proxy = false;
+    bool large = false;             ///< findRims looked at it
+    const RimCodes* rims = nullptr; ///< where discs are cut; null: they are whole
 };
 
 /// How a version is looked at.
@@ -28,8 +32,13 @@ struct Sight {
 void visibleBlocks(const tree::SurfelTree& model, const Sight& sight, std::vector<VisibleBlock>& out,
                    const TileMask* only = nullptr);
 
+/// Finds where the discs of those that are large enough in the image are cut. REQUIRES: `rims` follows the version.
+void findRims(const Sight& sight, RimCuts& rims, std::span<VisibleBlock> blocks);
+
 /// Adds the tiles that can look different in two versions: those touched by blocks and proxies that they do not share
 /// at the same place of the tree. Cost: what differs.
 void addChangedTiles(const tree::SurfelTree& from, const tree::SurfelTree& to, const Sight& sight, TileMask& out);
+/// Adds the tiles that the blocks touch.
+void addTiles(std::span<const surfel::SurfelBlock* const> blocks, const Sight& sight, TileMask& out);
 
 } // namespace render

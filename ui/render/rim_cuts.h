@@ -1,0 +1,75 @@
+// Where the discs of splats end before their radius does: at the rims of open surfaces, where the surface itself ends
+// (off-centre value beyond its limit, alg. 6), and where a surfel's own normal stands across the surface about it.
+//
+// A disc at a rim is cut by a line: across the direction from the centroid of its surroundings, where the off-centre
+// value reaches the limit. Codes of 14 bits say so, alike for the CPU and for the low bits of the GPU's supports:
+//
+//     axis (1 bit) << 13 | angle about the normal (8 bits) << 5 | distance in 32nds of the disc's radius, 1 to 31
+//     0: the whole disc     32: its radius times acrossRadius
+//
+// The angle counts from axis x normal towards normal x (axis x normal); the axis is x, or y where the normal is near x.
+//
+// Neighbours decide about a surfel, so that an edit changes the codes of blocks that it leaves alone: `follow` finds
+// them. Blocks are looked at when their discs are first large enough in a picture for it to show.
+#pragma once
+
+#include "core/surface/surface.h"
+
+#include <memory>
+#include <unordered_map>
+
+namespace render {
+
+using RimCode = std::uint16_t;
+constexpr int rimBits = 14;
+constexpr RimCode wholeDisc = 0, acrossDisc = 32;
+/// What is left of the radius of a disc that stands across the surface.
+constexpr float acrossRadius = 0.35f;
+/// What is left of the radius of a disc that is cut: sideways it leaves a bent rim.
+constexpr float rimRadius = 0.8f;
+/// Discs smaller than this many pixels stay whole: less than a pixel would go.
+constexpr float rimPx = 1.5f;
+
+/// The code of a disc cut at `part` of its radius in a tangential direction; part >= 1 is whole.
+RimCode rimCode(const base::Vec3f& normal, const base::Vec3f& direction, float part);
+
+struct RimCut {
+    base::Vec3f direction; ///< unit, tangential
+    float part = 0;        ///< of the radius, 0 where nothing is cut
+};
+RimCut rimCut(const base::Vec3f& normal, RimCode code);
+
+/// One per slot of a block.
+using RimCodes = std::array<RimCode, surfel::blockCapacity>;
+
+class RimCuts {
+  public:
+    /// Whether splats are cut at all under this definition.
+    static bool any(const surface::SurfaceDefinition& definition) { return std::isfinite(definition.boundaryLimit); }
+    /// What codes depend on beside the version; forgets all if it changes.
+    void use(const surface::SurfaceDefinition& definition, float radiusOfSupport);
+    /// Looks at those blocks of the version followed to that were not looked at, on all cores.
+    void prepare(std::span<const surfel::SurfelBlock* const> blocks);
+    /// Null where all discs of the block are whole, or nobody looked.
+    const RimCodes* of(const surfel::SurfelBlock* block) const {
+        const auto found = m_codes.find(block);
+        return found == m_codes.end() ? nullptr : found->second.codes.get();
+    }
+    /// Goes on to the next version. Returns the blocks that it shares with the last whose codes it changed.
+    std::vector<const surfel::SurfelBlock*> follow(const tree::SurfelTree& to);
+
+  private:
+    struct Kept {
+        surfel::BlockPtr block;          ///< keeps its address its own
+        std::unique_ptr<RimCodes> codes; ///< null: all whole
+    };
+    using Found = std::vector<std::unique_ptr<RimCodes>>;
+    Found look(std::span<const surfel::SurfelBlock* const> blocks) const;
+
+    surface::SurfaceDefinition m_definition;
+    float m_radiusOfSupport = 0;
+    tree::SurfelTree m_model;
+    std::unordered_map<const surfel::SurfelBlock*, Kept> m_codes;
+};
+
+} // namespace render
