@@ -20,6 +20,7 @@ class CpuSplatterTest : public QObject {
     void spacingThatVariesByFiveLeavesNoHoles();
     void nearSheetHidesTheFarOne();
     void thinSheetShowsItsOwnSide();
+    void insidesAreBlendedAsOutsides();
     void splatsNeverFallBetweenPixels();
     void unorientedSplatsFaceTheEye();
     void thereIsNoNearPlane();
@@ -229,6 +230,22 @@ void CpuSplatterTest::thinSheetShowsItsOwnSide() {
         QCOMPARE(middle >> (z > 0 ? 16 : 0) & 255u, 0u);
         QVERIFY((middle >> (z > 0 ? 0 : 16) & 255u) > 100);
     }
+}
+
+void CpuSplatterTest::insidesAreBlendedAsOutsides() {
+    // From within a ball whose normals point outwards, and the same with normals that point to the eye.
+    surfel::SurfelList list = test::sphere({0, 0, 0}, 1, 20000);
+    Camera camera = smallCamera();
+    camera.eye = {0, 0, 0.5};
+    CpuSplatter splatter;
+    const Image inside = test::drawn(splatter, test::built(list), camera);
+    for (auto& s : list.items)
+        s.normal = -s.normal;
+    const Image front = test::drawn(splatter, test::built(list), camera);
+    double worst = 0;
+    for (std::size_t i = 0; i < front.depth.size(); ++i)
+        worst = std::max(worst, static_cast<double>(std::abs(inside.depth[i] - front.depth[i])));
+    QVERIFY2(worst < 2e-3, qPrintable(QString::number(worst)));
 }
 
 void CpuSplatterTest::splatsNeverFallBetweenPixels() {

@@ -133,7 +133,7 @@ void main() {
     if (r2 > 1.0)
         discard;
 #ifdef VISIBILITY
-    gl_FragDepth = (z + layerDepth * (radius + pixel) - depthRange.x) * depthRange.y;
+    gl_FragDepth = (z + layerDepth * (radius + pixel) + plane.z - depthRange.x) * depthRange.y;
 #else
     gl_FragDepth = (z + plane.z - depthRange.x) * depthRange.y;
     float weight = exp(-2.0 * r2);

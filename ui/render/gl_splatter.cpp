@@ -242,7 +242,7 @@ void GlSplatter::drawTo(GLuint framebuffer, const tree::SurfelTree& model, const
         const float reach = style.radiusOfSupport * support * (2 + layerDepth);
         const float middle = frame.view.toView(box.centre()).z, toCorner = 0.5f * box.diagonal();
         const float pixels =
-            (filterDepth + layerDepth) * filterPx * frame.view.pixelSize(std::max(middle + toCorner, 0.0f));
+            (filterDepth + 2 * layerDepth) * filterPx * frame.view.pixelSize(std::max(middle + toCorner, 0.0f));
         const float half = toCorner + reach + pixels;
         frame.nearest = std::max(0.0f, middle - half);
         frame.inverseRange = 1 / std::max(middle + half - frame.nearest, std::numeric_limits<float>::min());

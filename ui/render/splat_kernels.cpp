@@ -228,7 +228,7 @@ HWY_INLINE void visibilityOf(std::span<const Splat> splats, const ViewFrame& vie
     for (const Splat& s : splats)
         forFragments<parallel>(d, s, view, area, [&](int at, const auto& f) HWY_ATTR {
             const auto old = hn::LoadU(d, sums.limit + at);
-            const auto limit = hn::Min(old, hn::Add(f.z, hn::Set(d, s.reach)));
+            const auto limit = hn::Min(old, hn::Add(f.z, hn::Set(d, s.reach + s.bias)));
             hn::StoreU(hn::IfThenElse(hn::Le(f.r2, one), limit, old), d, sums.limit + at);
         });
 }

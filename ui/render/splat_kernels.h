@@ -28,7 +28,8 @@ constexpr float layerDepth = 1;
 /// A splat's depths stay within its radius and this many filter radii of its centre's: a pixel of the filter beside an
 /// edge-on disc meets its plane far away.
 constexpr float filterDepth = 4;
-/// Splats seen from behind need to be nearer by this part of it: the far side of a thin sheet does not bleed through.
+/// Splats seen from behind count as if they were farther by this part of it: the far side of a thin sheet does not
+/// bleed through, and the inside of an open one is blended as its outside is.
 constexpr float backBias = 0.9f;
 /// And the part of their disc that rises towards the eye is cut at this part of its radius: at a silhouette it would
 /// stand out beyond the surface, which bends away there.
