@@ -15,6 +15,9 @@ namespace sculpt {
 constexpr float ring = 0.7f;
 /// Slopes of the source are told up to here: beyond, it is a cliff.
 constexpr float steepest = 5;
+/// What lies further than this from the base plane, in radii, is another part of the model and no relief; from half of
+/// it on the copy fades.
+constexpr float highest = 0.7f;
 
 constexpr ToolParameter parameters[] = {
     {"x", "Source x", "model units", "Where to copy from, seen from the stroke's first contact.", 0, -1e6, 1e6},
@@ -69,6 +72,19 @@ base::Mat3f rotation(const base::Vec3f& a, const base::Vec3f& b) {
     return base::Mat3f::identity() - outer(h, h) * (1 / (1 + c)) + outer(b, a) * 2;
 }
 
+/// 1 - smoothstep of a height, and its derivative.
+struct Fade {
+    float value = 1, slope = 0;
+
+    Fade(float height, float radius) {
+        const float from = 0.5f * highest * radius, t = (std::abs(height) - from) / from;
+        if (t <= 0)
+            return;
+        value = t < 1 ? (1 - t) * (1 - t) * (1 + 2 * t) : 0.0f;
+        slope = t < 1 ? 6 * t * (t - 1) / from * (height < 0 ? -1.0f : 1.0f) : 0.0f;
+    }
+};
+
 /// Where relief comes from and where it goes.
 struct Copy {
     const surface::Surface& first;
@@ -81,14 +97,18 @@ struct Copy {
         const base::Vec3f d = p - centre, flat = d - to.normal * dot(to.normal, d);
         return {from.place + turn * flat + from.normal * radius, -from.normal};
     }
-    /// +-h - z, and the gradient of h.
+    /// (+-h - z) fade(h) fade(z), and its gradient.
     float gap(const base::Vec3f& p, const surface::RayHit<float>& hit, base::Vec3f& slope) const {
         const float h = dot(from.normal, hit.position - from.place) - from.height;
         const float z = dot(to.normal, p - to.place) - to.height;
         const float c = dot(hit.normal, from.normal);
         const base::Vec3f flat = hit.normal - from.normal * c;
-        slope = transposed(turn) * flat * (-sign / std::max(c, 1 / steepest));
-        return sign * h - z;
+        const base::Vec3f rise = transposed(turn) * flat * (-1 / std::max(c, 1 / steepest)), up = to.normal;
+        const Fade there(h, radius), here(z, radius);
+        const float gap = sign * h - z;
+        slope = (rise * sign - up) * (there.value * here.value) +
+                (rise * (there.slope * here.value) + up * (there.value * here.slope)) * gap;
+        return gap * there.value * here.value;
     }
 };
 
@@ -137,7 +157,7 @@ static tree::Edit clone(const surface::Surface& version, const Dab& dab) {
             const base::Vec3f n = copy->to.normal, from{at.x[lane], at.y[lane], at.z[lane]};
             base::Vec3f slope;
             const float gap = copy->gap(list.places[i], hits[i], slope);
-            const base::Vec3f g = (from * (gradient[lane] * gap) + (slope - n) * weight[lane]) * full;
+            const base::Vec3f g = (from * (gradient[lane] * gap) + slope * weight[lane]) * full;
             out.set(lane, n * (full * weight[lane] * gap), outer(n, g));
         });
     });

@@ -1,6 +1,7 @@
 #include "core/sculpt/tools/elastic_grab.h"
 
 #include "core/sculpt/tools/deform.h"
+#include "core/sculpt/tools/gather_in.h"
 
 #include <algorithm>
 #include <cmath>
@@ -57,8 +58,11 @@ struct Kelvinlet {
 
 static tree::Edit elasticGrab(const surface::Surface& version, const Dab& dab) {
     const Brush brush(dab);
-    const base::Vec3f m = dab.move * std::abs(dab.strength);
-    if (m == base::Vec3f{})
+    if (dab.move * dab.strength == base::Vec3f{})
+        return {};
+    const float grip = foldBrake(version, dab);
+    const base::Vec3f m = dab.move * (std::abs(dab.strength) * grip);
+    if (grip == 0)
         return {};
     const Kelvinlet kelvinlet(dab.parameter("softness") * dab.radius, dab.parameter("volume"));
     return deform(version.tree(), brush, [&](const LanePlace&, const BrushLanes& at, ShiftLanes& out) {
