@@ -90,6 +90,31 @@ inline process::Summary spacingOfSheets(const surface::Surface& surface, double 
     return spacingOfSheets(surface, s, [](const surfel::Surfel&) { return true; });
 }
 
+/// Moves surfels by fn(surfel) without changing the tree's shape more than it must.
+template <class Fn>
+surface::Surface changed(const surface::Surface& surface, const Fn& fn) {
+    tree::Edit edit;
+    edit.inserted.layout = surface.tree().layout();
+    surface.tree().forEachBlock([&](std::uint32_t number, const surfel::SurfelBlock& block) {
+        const surfel::MutableBlockPtr copy = block.clone();
+        for (int slot = 0; slot < block.size(); ++slot) {
+            surfel::Surfel s = block.surfel(slot);
+            fn(s);
+            copy->set(slot, s);
+        }
+        copy->seal();
+        edit.blocks.push_back({number, copy, {}});
+    });
+    return {surface.tree().apply(edit), surface.definition()};
+}
+
+inline double meanRadius(const surface::Surface& surface) {
+    double sum = 0;
+    for (const surfel::Surfel& s : surface.tree().surfels().items)
+        sum += length(base::cast<double>(s.position));
+    return sum / double(surface.tree().size());
+}
+
 inline std::string hashOf(const surface::Surface& surface) {
     return surface.tree().contentHash().text();
 }
