@@ -26,16 +26,19 @@ class DetailPacer {
     bool overwhelmed() const { return m_overwhelmed; }
 
     void drew(float detailPx, double seconds) {
-        constexpr float same = 1.01f, step = 0.85f, forget = 0.9993f;
+        constexpr float same = 1.01f, step = 0.85f, forget = 0.999f;
         m_tooFine *= forget;
         if (detailPx * same >= mostPx)
             m_overwhelmed = seconds > 1.5 * m_budget;
-        if (seconds > m_budget) {
+        // One slow frame among others says more about the machine than about the detail.
+        const bool slow = seconds > m_budget && (m_previous > m_budget || seconds > 3 * m_budget);
+        m_previous = seconds;
+        if (slow) {
             m_tooFine = std::max(m_tooFine, detailPx);
             const auto factor = static_cast<float>(std::clamp(std::sqrt(seconds / m_budget), 1.0 / 0.85, 3.0));
             if (detailPx * same >= m_detail)
                 m_detail = std::min(mostPx, detailPx * factor);
-        } else if (detailPx <= restPx) {
+        } else if (detailPx <= restPx && seconds <= m_budget) {
             m_detail = restPx, m_tooFine = 0;
         } else if (seconds < 0.7 * m_budget && detailPx * step > 1.1f * m_tooFine) {
             m_detail = std::max(restPx, std::min(m_detail, detailPx * step));
@@ -44,6 +47,7 @@ class DetailPacer {
 
   private:
     double m_budget;
+    double m_previous = 0; ///< seconds of the last frame
     float m_detail = restPx;
     float m_tooFine = 0; ///< finest detail that is known to be too slow
     bool m_overwhelmed = false;

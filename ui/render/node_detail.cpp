@@ -1,5 +1,7 @@
 #include "ui/render/node_detail.h"
 
+#include "ui/render/farthest_points.h"
+
 #include <algorithm>
 #include <numeric>
 
@@ -13,64 +15,6 @@ namespace {
 constexpr int most = surfel::blockCapacity;
 /// Spacing of a surface's samples as a part of their supports, as usual.
 constexpr float spacingOfSupport = 1 / 3.478f;
-
-/// A child's surfels, and for each the representative that it is nearest to.
-struct Members {
-    int size = 0;
-    float x[most], y[most], z[most], nx[most], ny[most], nz[most], support[most];
-    float apart[most]; ///< squared distance from the nearest of those chosen
-    int owner[most];   ///< its place among them
-
-    explicit Members(const SurfelBlock& block) : size(block.size()) {
-        for (int first = 0, c = 0; first < size; first += surfel::clusterSize, ++c) {
-            const int count = std::min(surfel::clusterSize, size - first);
-            const auto copy = [&](float* to, int channel) {
-                std::copy_n(block.channel(c, channel), count, to + first);
-            };
-            copy(x, surfel::X), copy(y, surfel::Y), copy(z, surfel::Z);
-            copy(nx, surfel::NormalX), copy(ny, surfel::NormalY), copy(nz, surfel::NormalZ);
-            copy(support, surfel::Support);
-        }
-        std::fill_n(apart, size, std::numeric_limits<float>::infinity());
-        std::fill_n(owner, size, 0);
-    }
-
-    /// Square of an edge of the area that each of `count` stands for.
-    float share(int count) const {
-        float sum = 0;
-        for (int i = 0; i < size; ++i)
-            sum += support[i] * support[i];
-        return sum * spacingOfSupport * spacingOfSupport / static_cast<float>(count);
-    }
-
-    /// Squared distances as if normals that differ by an angle of a radian lay `sqrt(turn)` apart.
-    void nearTo(int chosen, int place, float turn, bool oriented) {
-        const float cx = x[chosen], cy = y[chosen], cz = z[chosen];
-        const float ux = nx[chosen], uy = ny[chosen], uz = nz[chosen];
-        for (int i = 0; i < size; ++i) {
-            const float dx = x[i] - cx, dy = y[i] - cy, dz = z[i] - cz;
-            const float cosine = nx[i] * ux + ny[i] * uy + nz[i] * uz;
-            const float d = dx * dx + dy * dy + dz * dz + 2 * turn * (1 - (oriented ? cosine : std::abs(cosine)));
-            owner[i] = d < apart[i] ? place : owner[i];
-            apart[i] = d < apart[i] ? d : apart[i];
-        }
-    }
-
-    /// Farthest-point sampling: up to `count`, fewer where places coincide. The owners count through `out`.
-    int choose(int count, bool oriented, int* out) {
-        const float turn = share(count);
-        int k = 0;
-        for (int next = 0; k < count; ++k) {
-            if (k > 0 && apart[next] <= 0)
-                break;
-            out[k] = next;
-            nearTo(next, k, turn, oriented);
-            owner[next] = k, apart[next] = -1; // its own, whatever rounding and unknown normals say
-            next = static_cast<int>(std::max_element(apart, apart + size) - apart);
-        }
-        return k;
-    }
-};
 
 /// Sums over the members of a representative.
 struct Mean {
@@ -101,37 +45,45 @@ struct Mean {
 };
 
 /// Appends the representatives of one part.
-int represent(const SurfelBlock& block, const surfel::Colour* colours, int count, float radiusOfSupport, bool oriented,
-              surfel::Surfel* out) {
-    Members members(block);
+int represent(const SurfelBlock& block, const surfel::Colour* colours, float area, int count, float radiusOfSupport,
+              bool oriented, surfel::Surfel* out) {
+    PointLanes members(block);
     int chosen[most];
-    count = members.choose(count, oriented, chosen);
+    const float edge = spacingOfSupport * std::sqrt(area / static_cast<float>(count)); // of what each stands for
+    count = members.choose(count, edge, oriented, chosen);
     // In the order of the block, so that neighbours share clusters.
     int order[most], place[most];
     std::iota(order, order + count, 0);
     std::sort(order, order + count, [&](int a, int b) { return chosen[a] < chosen[b]; });
-    for (int k = 0; k < count; ++k)
+    surfel::Surfel own[most];
+    for (int k = 0; k < count; ++k) {
         place[order[k]] = k;
+        own[k] = block.surfel(chosen[order[k]]);
+    }
     Mean means[most];
+    const auto placeOf = [&](int i) { return place[static_cast<int>(members.owner[i])]; };
     for (int i = 0; i < members.size; ++i) {
         surfel::Surfel member = block.surfel(i);
         member.colour = colours ? colours[i] : member.colour;
-        means[place[members.owner[i]]].add(member, block.surfel(chosen[members.owner[i]]), oriented);
+        means[placeOf(i)].add(member, own[placeOf(i)], oriented);
     }
     for (int k = 0; k < count; ++k)
-        out[k] = means[k].surfel(block.surfel(chosen[order[k]]));
+        out[k] = means[k].surfel(own[k]);
     for (int i = 0; i < members.size; ++i) {
-        surfel::Surfel& own = out[place[members.owner[i]]];
-        own.support =
-            std::max(own.support, distance(block.position(i), own.position) / radiusOfSupport + members.support[i]);
+        surfel::Surfel& to = out[placeOf(i)];
+        const Vec3f p{members.x[i], members.y[i], members.z[i]};
+        to.support = std::max(to.support, distance(p, to.position) / radiusOfSupport + members.support[i]);
     }
     return count;
 }
 
 float areaOf(const SurfelBlock& block) {
     float sum = 0;
-    for (int i = 0; i < block.size(); ++i)
-        sum += block.support(i) * block.support(i);
+    for (int first = 0, c = 0; first < block.size(); first += surfel::clusterSize, ++c) {
+        const float* support = block.channel(c, surfel::Support);
+        for (int i = 0; i < std::min(surfel::clusterSize, block.size() - first); ++i)
+            sum += support[i] * support[i];
+    }
     return sum;
 }
 
@@ -147,7 +99,7 @@ surfel::BlockPtr representatives(std::span<const SurfelBlock* const> parts, floa
     const float shared = static_cast<float>(most - static_cast<int>(parts.size()));
     for (std::size_t p = 0; p < parts.size(); ++p) {
         const int share = 1 + static_cast<int>(shared * areas[p] / whole);
-        size += represent(*parts[p], colours ? colours->of(parts[p]) : nullptr,
+        size += represent(*parts[p], colours ? colours->of(parts[p]) : nullptr, areas[p],
                           std::clamp(share, 1, std::min(parts[p]->size(), most - size)), radiusOfSupport, oriented,
                           found + size);
     }
