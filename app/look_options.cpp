@@ -21,6 +21,15 @@ std::string rangeFault(const std::string& text) {
     return parseRange(text, range) ? "" : "'" + text + "' is no range; write LOW,HIGH as in --range=-0.5,0.5";
 }
 
+std::string effectsFault(const std::string& text) {
+    try {
+        render::effects(text);
+        return "";
+    } catch (const base::Error& error) {
+        return error.what();
+    }
+}
+
 template <class Rows>
 std::vector<std::string> idsOf(const Rows& rows) {
     std::vector<std::string> out;
@@ -73,15 +82,38 @@ std::shared_ptr<LookOptions> addLookOptions(CLI::App& command) {
     command.add_option("--background", options->backdrop, helpOf("what stands behind", render::backdropTable()))
         ->check(CLI::IsMember(idsOf(render::backdropTable())))
         ->option_text("NAME [studio]");
+    command
+        .add_option("--effects", options->effects,
+                    helpOf("comma list of what is drawn from depths and normals over the shaded picture",
+                           render::effectTable()))
+        ->type_name("LIST")
+        ->check(CLI::Validator(effectsFault, ""));
+    command.add_flag("--ao", options->occlusion, "the same as --effects ambient-occlusion");
+    command.add_flag("--grid", options->grid, "a grid on the ground below the model, lines at round coordinates");
+    for (const render::AnnotationRow& row : render::annotationTable()) {
+        const bool usual = options->annotated & row.annotation;
+        const std::string name = usual ? "--" + std::string(row.id) + ",!--no-" + row.id : "--" + std::string(row.id);
+        command.add_flag_function(
+            name,
+            [options, bit = row.annotation](std::int64_t count) {
+                options->annotated =
+                    count > 0 ? options->annotated | bit : options->annotated & ~render::Annotated(bit);
+            },
+            std::string(row.tip) + (usual ? " (drawn unless --no-" + std::string(row.id) + ")" : ""));
+    }
     command.add_flag("--transparent", options->transparent, "leave the background out");
     return options;
 }
 
 void applyLook(const LookOptions& options, const session::Document& document, const nlohmann::json& surface,
-               Console& console, render::PictureOptions& out) {
+               const base::Vec3d& up, Console& console, render::PictureOptions& out) {
     out.style.shading = render::shading(options.shading);
     out.style.backdrop = render::backdrop(options.backdrop);
     out.style.transparent = options.transparent;
+    out.annotated = options.annotated;
+    out.style.effects = render::effects(options.effects) | (options.occlusion ? render::Effects(render::Occlusion) : 0);
+    if (options.grid)
+        out.style.grid = render::gridBelow(document.surface().tree().bounds(), up, document.provenance().origin);
     const auto& measure = render::shadingRow(out.style.shading).measure;
     const bool deviates = measure && measure->quantity == process::Quantity::Deviation;
     if (!options.range.empty()) {

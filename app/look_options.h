@@ -11,15 +11,18 @@
 namespace app {
 
 struct LookOptions {
-    std::string shading = "matcap", range, reference, backdrop = "studio";
+    std::string shading = "matcap", range, reference, backdrop = "studio", effects;
+    bool occlusion = false, grid = false;
     bool transparent = false;
+    render::Annotated annotated = render::Legend;
 };
 
 std::shared_ptr<LookOptions> addLookOptions(CLI::App& command);
 
 /// Sets everything of `out` that the options say; opens the reference with the same surface options as `document`'s
 /// model, and in its coordinates. Throws base::Error, UsageError.
+/// `up`: of the view, for the grid.
 void applyLook(const LookOptions& options, const session::Document& document, const nlohmann::json& surface,
-               Console& console, render::PictureOptions& out);
+               const base::Vec3d& up, Console& console, render::PictureOptions& out);
 
 } // namespace app

@@ -36,10 +36,10 @@ void run(Options options, Console& console) {
     session::Context context{document, {}, progress, {}, 0, {}, nullptr};
     options.picture.rayCast = options.mode == "raycast";
     openModel(context, options.model, options.surface->parameters(), console);
-    applyLook(*options.look, document, options.surface->parameters(), console, options.picture);
     const surface::Surface surface = process::shownAs(document.surface(), progress);
     const auto cameras = camerasOf(*options.view, surface.tree(), document.provenance().origin);
     const int count = static_cast<int>(cameras.size());
+    applyLook(*options.look, document, options.surface->parameters(), cameras.front().up, console, options.picture);
     render::PictureStats stats;
     for (int k = 0; k < count; ++k) {
         render::PictureStats one;

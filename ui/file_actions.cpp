@@ -186,7 +186,8 @@ void FileActions::writeImage(const fs::path& path) {
     m_failure.clear();
     const render::Camera camera = m_controller.camera();
     render::PictureOptions options;
-    options.style = lookOf(m_settings);
+    options.style = m_controller.look();
+    options.annotated = m_settings.annotated;
     options.reference = m_editor.snapshot().reference;
     const auto work = [=](const surface::Surface& surface, const base::Progress& progress) {
         render::PictureStats stats;

@@ -128,6 +128,7 @@ void MainWindow::ask(const session::CommandRow& row) {
 void MainWindow::buildViewMenu() {
     QMenu* view = addMenu("view", tr("&View"));
     buildLookMenus(*view);
+    buildSwitches(*view);
     view->addSeparator();
     m_frame = addAction(*view, "frame", tr("Frame &All"), QKeySequence("Home"), [this] { m_controller->frameAll(); });
     for (const auto& row : render::namedViews())
@@ -171,6 +172,33 @@ void MainWindow::buildLookMenus(QMenu& view) {
             m_settings.backdrop = backdrop;
             m_controller->refresh();
         });
+}
+
+/// Switches of the picture: effects, and what stands around the model.
+void MainWindow::buildSwitches(QMenu& view) {
+    const auto toggle = [this](QMenu& in, const char* id, const char* label, const char* tip, bool on, auto set) {
+        QAction* action = in.addAction(tr(label));
+        action->setToolTip(tr(tip));
+        action->setData(id);
+        action->setCheckable(true);
+        action->setChecked(on);
+        connect(action, &QAction::toggled, this, [this, set](bool now) {
+            set(now);
+            m_controller->refresh();
+        });
+    };
+    const auto bits = [this, toggle](QMenu& in, const auto& row, auto bit, std::uint32_t& set) {
+        toggle(in, row.id, row.label, row.tip, set & bit,
+               [&set, bit](bool now) { set = now ? set | bit : set & ~bit; });
+    };
+    QMenu* effects = addMenu("effects", tr("&Effects"), &view);
+    for (const auto& row : render::effectTable())
+        bits(*effects, row, std::uint32_t(row.effect), m_settings.effects);
+    QMenu* around = addMenu("around", tr("&Around the Model"), &view);
+    toggle(*around, "grid", "Grid on the Ground", "Lines at round coordinates below the model", m_settings.grid,
+           [this](bool now) { m_settings.grid = now; });
+    for (const auto& row : render::annotationTable())
+        bits(*around, row, std::uint32_t(row.annotation), m_settings.annotated);
 }
 
 void MainWindow::buildHelpMenu() {

@@ -106,7 +106,8 @@ void MainWindow::connectEditor() {
     connect(m_editor, &Editor::progressed, this, &MainWindow::showProgress);
     connect(m_editor, &Editor::told, this, [this](const QString& message) { m_status->tell(message); });
     connect(m_editor, &Editor::failed, this, [this](const QString& message) { m_status->tell(message, true); });
-    connect(m_measurer, &Measurer::changed, this, [this] { m_controller->showColours(m_measurer->colours()); });
+    connect(m_measurer, &Measurer::changed, this,
+            [this] { m_controller->showColours(m_measurer->colours(), m_measurer->scale()); });
     connect(m_measurer, &Measurer::progressed, this, &MainWindow::showProgress);
     const auto idled = [this] {
         if (m_editor->working() || m_measurer->busy())
@@ -146,7 +147,7 @@ void MainWindow::showProgress(double share, const QString& doing) {
 void MainWindow::measure() {
     const Snapshot& now = m_editor->snapshot();
     m_measurer->want(m_settings.shading, now.surface, now.reference, now.models);
-    m_controller->showColours(m_measurer->colours());
+    m_controller->showColours(m_measurer->colours(), m_measurer->scale());
 }
 
 void MainWindow::settingsEdited() {

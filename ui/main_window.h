@@ -59,6 +59,7 @@ class MainWindow : public QMainWindow {
     void buildModelMenu();
     void buildViewMenu();
     void buildLookMenus(QMenu& view);
+    void buildSwitches(QMenu& view);
     void buildHelpMenu();
     void buildCorner();
     QMenu* addMenu(const QString& name, const QString& title, QMenu* parent = nullptr);

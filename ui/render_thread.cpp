@@ -52,6 +52,8 @@ std::optional<Frame> RenderThread::next() {
 static bool samePlace(const Frame& a, const Frame& b) {
     render::RenderOptions options = a.options;
     options.detailPx = b.options.detailPx;
+    if (options.colours && b.options.colours) // the renderer finds out which differ
+        options.colours = b.options.colours;
     return a.camera == b.camera && options == b.options;
 }
 
@@ -70,7 +72,7 @@ RenderThread::Result RenderThread::draw(const Frame& frame) {
         options.detailPx = m_pacer.settling(m_lastDetail);
     out.reduced = frame.moving && !update && m_pacer.overwhelmed() && camera.width > 1 && camera.height > 1;
     if (out.reduced)
-        camera.width /= 2, camera.height /= 2;
+        camera.width /= 2, camera.height /= 2, options.pixelScale /= 2;
     const bool over = same && options.detailPx == m_drawn->options.detailPx;
     m_drawn.reset();
     const auto start = Clock::now();

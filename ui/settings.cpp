@@ -49,6 +49,7 @@ render::RenderOptions lookOf(const Settings& settings) {
     render::RenderOptions out;
     out.shading = settings.shading;
     out.backdrop = settings.backdrop;
+    out.effects = settings.effects;
     return out;
 }
 
@@ -99,6 +100,26 @@ static void readRow(const QSettings& store, const QString& key, const Rows& rows
             value = rowValue(row);
 }
 
+/// "outline,creases": the bits of the rows named; an unknown name has none.
+template <class Rows, class Bit>
+static void readSet(const QSettings& store, const QString& key, const Rows& rows, Bit bit, std::uint32_t& value) {
+    if (!store.contains(key))
+        return;
+    const QStringList names = store.value(key).toString().split(',');
+    value = 0;
+    for (const auto& row : rows)
+        value |= names.contains(QString(row.id)) ? static_cast<std::uint32_t>(row.*bit) : 0u;
+}
+
+template <class Rows, class Bit>
+static QString storedSet(const Rows& rows, Bit bit, std::uint32_t value) {
+    QStringList names;
+    for (const auto& row : rows)
+        if (value & row.*bit)
+            names << row.id;
+    return names.join(',');
+}
+
 static void readOption(const QSettings& store, const QString& key, const sculpt::StrokeOption& option,
                        sculpt::StrokeSettings& out) {
     if (!store.contains(key))
@@ -142,6 +163,9 @@ static void readTools(const QSettings& store, Settings& out) {
 static void readTableRows(const QSettings& store, Settings& out) {
     readRow(store, "view/shading", render::shadingTable(), out.shading);
     readRow(store, "view/background", render::backdropTable(), out.backdrop);
+    readSet(store, "view/effects", render::effectTable(), &render::EffectRow::effect, out.effects);
+    readSet(store, "view/annotations", render::annotationTable(), &render::AnnotationRow::annotation, out.annotated);
+    out.grid = store.value("view/grid", out.grid).toBool();
     const std::string tool = store.value("brush/tool").toString().toStdString();
     if (findTool(tool))
         out.tool = tool;
@@ -232,6 +256,10 @@ void writeSettings(const Settings& settings, QSettings& store) {
     writeTools(settings, store);
     store.setValue("view/shading", render::shadingRow(settings.shading).id);
     store.setValue("view/background", render::backdropRow(settings.backdrop).id);
+    store.setValue("view/effects", storedSet(render::effectTable(), &render::EffectRow::effect, settings.effects));
+    store.setValue("view/annotations",
+                   storedSet(render::annotationTable(), &render::AnnotationRow::annotation, settings.annotated));
+    store.setValue("view/grid", settings.grid);
     QStringList recent;
     for (const auto& file : settings.recentFiles)
         recent << QString::fromStdString(file);

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "core/sculpt/stroke_options.h"
+#include "ui/render/annotations.h"
 #include "ui/render/renderer.h"
 
 #include <QByteArray>
@@ -34,6 +35,9 @@ struct Settings {
     std::map<std::string, bool> groups;                  ///< of the panel, by id: open or shut by a person
     render::Shading shading = render::Shading::Matcap;
     render::Backdrop backdrop = render::Backdrop::Studio;
+    render::Effects effects = 0;
+    render::Annotated annotated = render::Legend;
+    bool grid = false;                    ///< on the ground
     std::vector<std::string> recentFiles; ///< newest first, at most `recentLimit`
     QByteArray geometry, windowState;     ///< as QMainWindow saves them
 
@@ -52,7 +56,7 @@ struct Settings {
 /// What a stroke of `row` with a brush of `radius` (model units) does; `flip` inverts once more (Ctrl held).
 sculpt::StrokeSettings strokeSettings(const Settings& settings, const sculpt::ToolRow& row, float radius, bool flip);
 
-/// How the model looks, whichever it is: what these settings say of a picture.
+/// How the model looks, whichever it is: what these settings say of a picture; the grid's place follows from the model.
 render::RenderOptions lookOf(const Settings& settings);
 
 Settings readSettings(const QSettings& store);

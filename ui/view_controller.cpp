@@ -1,6 +1,7 @@
 #include "ui/view_controller.h"
 
 #include "core/surface/intersect.h"
+#include "ui/annotation_overlay.h"
 #include "ui/symmetry_overlay.h"
 
 #include <QMouseEvent>
@@ -33,7 +34,7 @@ render::Camera ViewController::camera() const {
 
 void ViewController::refresh(bool moving) {
     Frame frame{m_editor.snapshot().surface.tree(), camera(), {}, moving};
-    frame.options = lookOf(m_settings);
+    frame.options = look();
     frame.options.colours = m_colours;
     frame.input = std::max(m_editor.snapshot().input, m_viewInput);
     frame.options.definition = m_editor.snapshot().surface.definition();
@@ -42,7 +43,17 @@ void ViewController::refresh(bool moving) {
     updateCursor();
 }
 
-void ViewController::showColours(std::shared_ptr<const render::BlockColours> colours) {
+render::RenderOptions ViewController::look() const {
+    render::RenderOptions out = lookOf(m_settings);
+    out.pixelScale = static_cast<float>(m_viewport.widget()->devicePixelRatioF());
+    if (m_settings.grid)
+        out.grid = m_grid;
+    return out;
+}
+
+void ViewController::showColours(std::shared_ptr<const render::BlockColours> colours,
+                                 const std::optional<render::ColourScale>& scale) {
+    m_scale = scale;
     if (colours == m_colours)
         return;
     m_colours = std::move(colours);
@@ -61,6 +72,7 @@ void ViewController::followModel() {
     if (snapshot.models != m_models) {
         m_models = snapshot.models;
         chooseSource({});
+        m_grid = render::gridBelow(snapshot.surface.tree().bounds(), camera().up, snapshot.origin);
         const render::Camera now = camera();
         m_view = OrbitView::threeQuarter(boxesOf(snapshot.surface.tree()), now.width, now.height);
     }
@@ -139,6 +151,7 @@ void ViewController::paintOverlay(QPainter& painter) const {
         const bool going = m_gesture == Gesture::Sculpt && m_cursor.contact;
         paintSource(painter, *m_source + (going ? m_cursor.contact->position - m_strokeStart : Vec3d{}), seen);
     }
+    paint(painter, render::annotate(m_settings.annotated, seen, m_scale, m_settings.backdrop, look().pixelScale));
     paint(painter, m_cursor, seen);
     painter.restore();
 }

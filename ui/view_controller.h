@@ -46,8 +46,11 @@ class ViewController : public QObject {
     bool cancel();
     /// Settings that show in the picture have changed.
     void refresh(bool moving = false);
-    /// What a shading that measures shows from now on; null: nothing.
-    void showColours(std::shared_ptr<const render::BlockColours> colours);
+    /// What a shading that measures shows from now on, and what its colours mean; null: nothing.
+    void showColours(std::shared_ptr<const render::BlockColours> colours,
+                     const std::optional<render::ColourScale>& scale);
+    /// All that the settings and the model say of the picture's look; without colours.
+    render::RenderOptions look() const;
 
     const OrbitView& view() const { return m_view; }
     render::Camera camera() const;
@@ -99,6 +102,8 @@ class ViewController : public QObject {
     Viewport& m_viewport;
     OrbitView m_view;
     std::shared_ptr<const render::BlockColours> m_colours;
+    std::optional<render::ColourScale> m_scale;
+    render::GroundGrid m_grid;  ///< below the model as it was when it came
     std::uint64_t m_models = 0; ///< of the snapshot that the view was framed for
     Gesture m_gesture = Gesture::None;
     Qt::MouseButton m_button = Qt::NoButton; ///< that began the gesture and ends it

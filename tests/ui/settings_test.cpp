@@ -57,6 +57,10 @@ static Settings unusual() {
             change(option, choice);
     }
     out.shading = render::shadingTable().back().shading;
+    out.backdrop = render::backdropTable().back().backdrop;
+    out.effects = render::Outline | render::Occlusion;
+    out.annotated = render::ScaleBar;
+    out.grid = true;
     out.recentFiles = {"/a/b c.ply", "/ü.xyz"};
     out.geometry = QByteArray("\0\1\2geometry", 11);
     out.windowState = "state";

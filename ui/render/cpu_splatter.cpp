@@ -19,6 +19,21 @@ struct Frame {
     const ShadingStyle& shading;
     const RenderOptions& options;
     Image& out;
+    Finish& finish;
+};
+
+/// What effects know of a pixel, in their planes.
+struct GeometryRow {
+    float *nearness, *normal[3];
+
+    GeometryRow(PixelGeometry& geometry, int row) : nearness(geometry.nearness(row)) {
+        for (int k = 0; k < 3; ++k)
+            normal[k] = geometry.normal(k, row);
+    }
+    void set(int x, float w, const base::Vec3f& n) const {
+        nearness[x] = w;
+        normal[0][x] = n.x, normal[1][x] = n.y, normal[2][x] = n.z;
+    }
 };
 
 /// The normal where none adds up: splats that cancel each other.
@@ -28,7 +43,12 @@ void shadeTile(const Frame& frame, const TileArea& area, const TileSums& sums) {
     for (int y = 0; y < area.height; ++y) {
         const float dy = frame.view.raySlopeY(area.top + y);
         const auto line = static_cast<std::size_t>(area.top + y) * static_cast<std::size_t>(frame.out.width);
-        surfel::Colour* colour = frame.out.colour.data() + line + static_cast<std::size_t>(area.left);
+        const bool finish = frame.finish.wanted();
+        surfel::Colour* colour =
+            (finish ? frame.finish.shaded(area.top + y) : frame.out.colour.data() + line) + area.left;
+        std::optional<GeometryRow> geometry;
+        if (finish)
+            geometry.emplace(frame.finish.geometry(), area.top + y);
         float* depth = frame.out.depth.data() + line + static_cast<std::size_t>(area.left);
         surfel::Colour background[8];
         backgroundRow(frame.options.backdrop, area.top + y, frame.view.height, frame.options.transparent, background);
@@ -38,6 +58,8 @@ void shadeTile(const Frame& frame, const TileArea& area, const TileSums& sums) {
             if (!(weight > 0)) {
                 colour[x] = background[(area.left + x) & 7];
                 depth[x] = std::numeric_limits<float>::infinity();
+                if (finish)
+                    geometry->set(area.left + x, nowhereOf(frame.view), {});
                 continue;
             }
             const float dx = frame.view.raySlopeX(area.left + x), inverse = 1 / weight;
@@ -52,7 +74,10 @@ void shadeTile(const Frame& frame, const TileArea& area, const TileSums& sums) {
             }
             // dy runs down, the shading frame's y runs up.
             colour[x] = shadePixel(frame.shading, inRayFrame(n, dx, -dy), blended, mask);
-            depth[x] = sums.depth[i] * inverse * std::sqrt(dx * dx + dy * dy + 1);
+            const float z = sums.depth[i] * inverse;
+            depth[x] = z * std::sqrt(dx * dx + dy * dy + 1);
+            if (finish)
+                geometry->set(area.left + x, frame.view.nearness(z), n);
         }
     }
 }
@@ -82,7 +107,7 @@ void drawTile(const Frame& frame, const TileArea& area, std::span<const BinEntry
 void CpuSplatter::drawTiles(const Setting& setting, std::span<const std::uint32_t> tiles, Image& out) {
     const ViewFrame view(setting.camera);
     m_bins.fill(m_visible, view, setting.style.radiusOfSupport);
-    const Frame frame{view, setting.style, shadingStyle(setting.options.shading), setting.options, out};
+    const Frame frame{view, setting.style, shadingStyle(setting.options.shading), setting.options, out, m_finish};
     base::parallelFor(tiles.size(), 1, [&](std::size_t i) {
         thread_local Scratch scratch;
         const auto t = static_cast<int>(tiles[i]);
@@ -161,7 +186,11 @@ void CpuSplatter::update(const tree::SurfelTree& model, const Camera& camera, co
     }
     if (rims)
         findRims(seen, m_rims, m_visible);
+    if (!same)
+        m_finish.begin(options, camera);
     drawTiles(setting, mask.tiles(), out);
+    if (m_finish.wanted())
+        m_finish.tiles(mask, out);
     m_details.forget(m_model, model);
     m_details.takeDropped();
     m_model = model;

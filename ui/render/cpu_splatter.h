@@ -9,6 +9,7 @@
 // drawn again, to the same bits as the whole picture. Same bits at any thread count.
 #pragma once
 
+#include "ui/render/finish.h"
 #include "ui/render/renderer.h"
 #include "ui/render/splat_kernels.h"
 
@@ -46,6 +47,7 @@ class CpuSplatter : public Renderer {
     RimCuts m_rims;
     std::vector<VisibleBlock> m_visible; ///< that the tiles to be drawn are binned from
     TileBins m_bins;
+    Finish m_finish; ///< of the picture; its options are the setting's
 };
 
 } // namespace render

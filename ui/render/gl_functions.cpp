@@ -73,6 +73,7 @@ GlFunctions GlFunctions::load(const GetProcAddress& address) {
     find(gl.uniform1f, address, "glUniform1f");
     find(gl.uniform1i, address, "glUniform1i");
     find(gl.uniform2f, address, "glUniform2f");
+    find(gl.uniform2iv, address, "glUniform2iv");
     find(gl.uniform3f, address, "glUniform3f");
     find(gl.uniform4f, address, "glUniform4f");
     find(gl.uniform4fv, address, "glUniform4fv");

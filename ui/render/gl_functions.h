@@ -69,6 +69,7 @@ struct GlFunctions {
     PFNGLUNIFORM1FPROC uniform1f = nullptr;
     PFNGLUNIFORM1IPROC uniform1i = nullptr;
     PFNGLUNIFORM2FPROC uniform2f = nullptr;
+    PFNGLUNIFORM2IVPROC uniform2iv = nullptr;
     PFNGLUNIFORM3FPROC uniform3f = nullptr;
     PFNGLUNIFORM4FPROC uniform4f = nullptr;
     PFNGLUNIFORM4FVPROC uniform4fv = nullptr;

@@ -150,6 +150,7 @@ uniform vec3 maskTint, backTint;
 uniform bool useColour, useAttributes, useDepth;
 layout(location = 0) out vec4 pixel;
 layout(location = 1) out float rayDepth;
+layout(location = 2) out vec4 geometry; // for gl_finish: normal, nearness
 
 vec3 lightAt(vec3 n) {
     if (n.z < 0.0)
@@ -166,12 +167,14 @@ void main() {
     if (!(sums.w > 0.0)) {
         pixel = texelFetch(background, ivec2(at.x & 7, row), 0);
         rayDepth = uintBitsToFloat(0x7f800000u);
+        geometry = vec4(vec3(0.0), parallel ? -1e18 : 0.0);
         return;
     }
     vec2 slope = parallel ? vec2(0.0) : image.xy + vec2(at.x, row) / image.z;
     float across = dot(slope, slope) + 1.0;
     vec3 n = vec3(sums.x, -sums.y, -sums.z);
     n = dot(n, n) > 0.0 ? normalize(n) : vec3(0.0, 0.0, 1.0);
+    geometry.xyz = n;
     vec3 v = vec3(-slope.x, slope.y, 1.0) * inversesqrt(across);
     float facing = dot(n, v), s = (facing + n.z) / (1.0 + v.z);
     n = vec3(n.xy - s * v.xy, facing);
@@ -191,6 +194,7 @@ void main() {
     if (useDepth) {
         vec2 depth = texelFetch(depthSums, at, 0).xy;
         rayDepth = depth.x / depth.y * sqrt(across);
+        geometry.w = parallel ? -depth.x / depth.y : depth.y / depth.x;
     }
 }
 )";

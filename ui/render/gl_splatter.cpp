@@ -28,7 +28,8 @@ static GlFunctions loaded(const GetProcAddress& address) {
 }
 
 GlSplatter::GlSplatter(const GetProcAddress& address)
-    : m_gl(loaded(address)), m_slots(m_gl), m_targets(m_gl), m_shade(m_gl, shadeVertexShader(), shadeFragmentShader()) {
+    : m_gl(loaded(address)), m_slots(m_gl), m_targets(m_gl), m_shade(m_gl, shadeVertexShader(), shadeFragmentShader()),
+      m_finish(m_gl) {
     for (const SplatShape shape : {SplatShape::Point, SplatShape::Quad})
         for (const SplatPass pass : {SplatPass::Visibility, SplatPass::Attributes})
             m_programs[static_cast<std::size_t>(shape) * 2 + static_cast<std::size_t>(pass)] =
@@ -127,9 +128,9 @@ void GlSplatter::splats(const Frame& frame) {
             m_large.push_back(visible.block);
         }
 
-    const GLenum attachments[] = {GL_COLOR_ATTACHMENT0,
-                                  static_cast<GLenum>(frame.style.colours ? GL_COLOR_ATTACHMENT1 : GL_NONE),
-                                  static_cast<GLenum>(frame.depth ? GL_COLOR_ATTACHMENT2 : GL_NONE)};
+    const GLenum attachments[] = {
+        GL_COLOR_ATTACHMENT0, static_cast<GLenum>(frame.style.colours ? GL_COLOR_ATTACHMENT1 : GL_NONE),
+        static_cast<GLenum>(frame.depth || GlFinish::wanted(frame.options) ? GL_COLOR_ATTACHMENT2 : GL_NONE)};
     const GLfloat zero[4] = {}, far = 1;
     m_gl.bindFramebuffer(GL_FRAMEBUFFER, m_targets.sums());
     m_gl.drawBuffers(3, attachments);
@@ -159,9 +160,14 @@ void GlSplatter::splats(const Frame& frame) {
     m_gl.disable(GL_PROGRAM_POINT_SIZE);
 }
 
-void GlSplatter::shade(const Frame& frame, GLuint framebuffer, bool depth) {
-    m_gl.bindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    if (depth) {
+void GlSplatter::shade(const Frame& frame, const Camera& camera, GLuint framebuffer, bool depth) {
+    const bool finish = GlFinish::wanted(frame.options);
+    m_gl.bindFramebuffer(GL_FRAMEBUFFER, finish ? m_targets.shaded() : framebuffer);
+    if (finish) {
+        const GLenum all[] = {GL_COLOR_ATTACHMENT0, static_cast<GLenum>(depth ? GL_COLOR_ATTACHMENT1 : GL_NONE),
+                              GL_COLOR_ATTACHMENT2};
+        m_gl.drawBuffers(3, all);
+    } else if (depth) {
         const GLenum both[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
         m_gl.drawBuffers(2, both);
     }
@@ -180,9 +186,17 @@ void GlSplatter::shade(const Frame& frame, GLuint framebuffer, bool depth) {
     setVector(m_gl, m_shade.at("backTint"), frame.shading.backTint);
     m_gl.uniform1i(m_shade.at("useColour"), frame.shading.usesColour ? 1 : 0);
     m_gl.uniform1i(m_shade.at("useAttributes"), frame.style.colours ? 1 : 0);
-    m_gl.uniform1i(m_shade.at("useDepth"), depth ? 1 : 0);
+    m_gl.uniform1i(m_shade.at("useDepth"), depth || finish ? 1 : 0);
     m_gl.bindVertexArray(m_vertexArray);
     m_gl.drawArrays(GL_TRIANGLES, 0, 3);
+    if (finish) {
+        m_gl.bindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+        if (depth) {
+            const GLenum colour = GL_COLOR_ATTACHMENT0;
+            m_gl.drawBuffers(1, &colour);
+        }
+        m_finish.draw(m_targets, frame.view, camera, frame.options);
+    }
 
     m_gl.bindVertexArray(0);
     m_gl.useProgram(0);
@@ -248,7 +262,7 @@ void GlSplatter::drawTo(GLuint framebuffer, const tree::SurfelTree& model, const
         frame.inverseRange = 1 / std::max(middle + half - frame.nearest, std::numeric_limits<float>::min());
     }
     splats(frame);
-    shade(frame, framebuffer, frame.depth);
+    shade(frame, camera, framebuffer, frame.depth);
     m_details.forget(m_shown, model);
     m_slots.drop(m_details.takeDropped());
     m_shown = model;

@@ -14,6 +14,7 @@
 // One thread; the same context must be current in every call, the destructor included.
 #pragma once
 
+#include "ui/render/gl_finish.h"
 #include "ui/render/gl_program.h"
 #include "ui/render/gl_shaders.h"
 #include "ui/render/gl_slots.h"
@@ -49,7 +50,7 @@ class GlSplatter {
     struct Frame;
     void splats(const Frame& frame);
     void drawPass(const Frame& frame, SplatPass pass);
-    void shade(const Frame& frame, GLuint framebuffer, bool depth);
+    void shade(const Frame& frame, const Camera& camera, GLuint framebuffer, bool depth);
     void setView(const GlProgram& program, const Frame& frame) const;
     void bindAttributes(std::size_t page, GLint firstSurfel, GLuint divisor) const;
     void look(const tree::SurfelTree& model, const Frame& frame);
@@ -62,6 +63,7 @@ class GlSplatter {
     GlTargets m_targets;
     std::array<std::unique_ptr<GlProgram>, 4> m_programs; ///< shape * 2 + pass
     GlProgram m_shade;
+    GlFinish m_finish;
     GLuint m_vertexArray = 0;
     float m_maxPointSize = 1;
     DetailCache m_details;

@@ -28,8 +28,9 @@ GlTargets::~GlTargets() {
 void GlTargets::discard() {
     m_gl.deleteFramebuffers(1, &m_sums);
     m_gl.deleteFramebuffers(1, &m_output);
+    m_gl.deleteFramebuffers(1, &m_shaded);
     m_gl.deleteTextures(Count, m_textures);
-    m_sums = m_output = 0;
+    m_sums = m_output = m_shaded = 0;
     std::fill(std::begin(m_textures), std::end(m_textures), 0u);
 }
 
@@ -74,6 +75,15 @@ void GlTargets::resize(int width, int height) {
     m_sums = framebuffer(m_textures[ZBuffer], {m_textures[Normals], m_textures[Colours], m_textures[Depths]});
     m_output = framebuffer(0, {m_textures[OutColour], m_textures[OutDepth]});
     m_width = width, m_height = height;
+}
+
+GLuint GlTargets::shaded() {
+    if (m_shaded)
+        return m_shaded;
+    m_textures[Shaded] = texture(m_gl, GL_RGBA8, m_width, m_height, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+    m_textures[Geometry] = texture(m_gl, GL_RGBA32F, m_width, m_height, GL_RGBA, GL_FLOAT, nullptr);
+    m_shaded = framebuffer(0, {m_textures[Shaded], m_textures[OutDepth], m_textures[Geometry]});
+    return m_shaded;
 }
 
 GLuint GlTargets::light(Shading shading) {

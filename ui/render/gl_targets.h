@@ -19,6 +19,10 @@ class GlTargets {
 
     GLuint sums() const { return m_sums; }     ///< framebuffer of passes 1 and 2
     GLuint output() const { return m_output; } ///< framebuffer for reading back: colour, and depth in a float
+    /// Framebuffer of pass 3 where another follows: colour, depth as in `output`, normal and nearness. Made when asked.
+    GLuint shaded();
+    GLuint shadedColour() const { return m_textures[Shaded]; }
+    GLuint geometry() const { return m_textures[Geometry]; }
     GLuint normals() const { return m_textures[Normals]; }
     GLuint colours() const { return m_textures[Colours]; }
     GLuint depths() const { return m_textures[Depths]; }
@@ -28,14 +32,14 @@ class GlTargets {
     GLuint background(Backdrop backdrop, int height, bool transparent);
 
   private:
-    enum Name { Normals, Colours, Depths, ZBuffer, OutColour, OutDepth, Count };
+    enum Name { Normals, Colours, Depths, ZBuffer, OutColour, OutDepth, Shaded, Geometry, Count };
     void discard();
     GLuint framebuffer(GLuint zBuffer, std::initializer_list<GLuint> colours);
 
     const GlFunctions& m_gl;
     int m_width = 0, m_height = 0;
     GLuint m_textures[Count] = {};
-    GLuint m_sums = 0, m_output = 0;
+    GLuint m_sums = 0, m_output = 0, m_shaded = 0;
     std::map<Shading, GLuint> m_lights;
     GLuint m_background = 0;
     Backdrop m_backdrop = Backdrop::Studio;

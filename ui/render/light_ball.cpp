@@ -36,8 +36,8 @@ Vec3f waxLight(const Vec3f& n) {
 
 Vec3f porcelainLight(const Vec3f& n) {
     const float sky = 0.5f + 0.5f * n.y, graze = 1 - std::max(0.0f, n.z);
-    Vec3f light = Vec3f{1, 0.985f, 0.96f} * (0.56f * wrapped(n, keyLight, 0.5f));
-    light += Vec3f{0.86f, 0.93f, 1} * (0.13f * wrapped(n, fillLight, 0.5f) + 0.2f * sky) +
+    Vec3f light = Vec3f{1, 0.985f, 0.96f} * (0.72f * wrapped(n, keyLight, 0.5f));
+    light += Vec3f{0.86f, 0.93f, 1} * (0.16f * wrapped(n, fillLight, 0.5f) + 0.24f * sky) +
              Vec3f{0.95f, 0.88f, 0.8f} * (0.14f * (1 - sky));
     light *= 1 - 0.34f * graze * graze;
     // A window and its softer counterpart, mirrored in the glaze.

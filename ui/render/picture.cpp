@@ -1,6 +1,7 @@
 #include "ui/render/picture.h"
 
 #include "core/base/error.h"
+#include "ui/render/annotation_canvas.h"
 #include "ui/render/measured_colours.h"
 #include "ui/render/raycast_image.h"
 #include "ui/render/section_lines.h"
@@ -66,6 +67,7 @@ static Image draw(const surface::Surface& surface, const Camera& camera, const P
     }
     if (options.sections)
         addSections(surface, camera, progress, out);
+    paint(annotate(options.annotated, camera, stats.scale, options.style.backdrop, options.style.pixelScale), out);
     stats.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return out;
 }

@@ -3,6 +3,7 @@
 
 #include "core/base/progress.h"
 #include "core/surface/surface.h"
+#include "ui/render/annotations.h"
 #include "ui/render/renderer.h"
 
 #include <string>
@@ -14,6 +15,7 @@ struct PictureOptions {
     std::string backend = "cpu"; ///< of splats
     bool smooth = true;          ///< splats by four pixels for one, up to 16 million; else one
     bool sections = false;       ///< draw the curves where the camera's clip planes meet the surface
+    Annotated annotated = 0;     ///< drawn over the picture; a legend where the shading measures
     RenderOptions style;         ///< its splatScale comes on top of splatScaleOf the model
     surface::Surface reference;  ///< that deviations are measured from; empty: unknown
     /// Of the colours of measured numbers; empty: automatic.

@@ -1,6 +1,7 @@
 #include "ui/render/raycast_image.h"
 
 #include "core/base/parallel.h"
+#include "ui/render/finish.h"
 #include "ui/render/shading.h"
 #include "ui/render/view_frame.h"
 
@@ -71,6 +72,8 @@ void rayCast(const surface::Surface& surface, const Camera& camera, const Render
     const surfel::AttributeLayout& layout = *surface.tree().layout();
     const bool oriented = layout.normals && layout.oriented;
     out.resize(camera.width, camera.height);
+    Finish finish;
+    finish.begin(options, camera);
     base::parallelFor(static_cast<std::size_t>(camera.height), 8, [&](std::size_t y) {
         surfel::Colour background[8];
         backgroundRow(options.backdrop, static_cast<int>(y), camera.height, options.transparent, background);
@@ -79,14 +82,28 @@ void rayCast(const surface::Surface& surface, const Camera& camera, const Render
             const std::size_t i = y * static_cast<std::size_t>(camera.width) + x;
             const raycast::Sample& sample = samples[i];
             out.colour[i] = background[x & 7];
-            if (!sample.hit.hit)
+            if (!sample.hit.hit) {
+                if (finish.wanted())
+                    finish.set(static_cast<int>(x), static_cast<int>(y), out.colour[i], nowhereOf(view), {});
                 continue;
+            }
             const Vec3f turned = view.turn(oriented ? sample.hit.outward : sample.hit.normal);
             const Vec3f normal = inRayFrame({turned.x, -turned.y, -turned.z}, view.raySlopeX(static_cast<int>(x)), dy);
             out.colour[i] = shadePixel(style, normal, sample.colour, sample.mask);
             out.depth[i] = sample.hit.t;
+            if (finish.wanted()) {
+                const float dx = view.raySlopeX(static_cast<int>(x));
+                const float z = sample.hit.t / std::sqrt(dx * dx + dy * dy + 1);
+                finish.set(static_cast<int>(x), static_cast<int>(y), out.colour[i], view.nearness(z),
+                           {turned.x, -turned.y, -turned.z});
+            }
         }
     });
+    if (finish.wanted()) {
+        TileMask all(view);
+        all.add({true, 0, 0, camera.width - 1, camera.height - 1, 0});
+        finish.tiles(all, out);
+    }
 }
 
 } // namespace render

@@ -10,9 +10,12 @@
 #include "ui/render/backdrop.h"
 #include "ui/render/block_colours.h"
 #include "ui/render/camera.h"
+#include "ui/render/effect_table.h"
+#include "ui/render/ground_grid.h"
 #include "ui/render/shading_table.h"
 
 #include <memory>
+#include <optional>
 #include <string_view>
 
 namespace render {
@@ -30,6 +33,10 @@ struct RenderOptions {
     /// Splats end where the surface that this defines does, at its boundary limit; without one they are whole discs.
     surface::SurfaceDefinition definition;
     bool closed = false; ///< oriented and without an opening: parts that face away need not be drawn
+    Effects effects = 0;
+    std::optional<GroundGrid> grid;
+    /// Pixels for one that a person sees: widths of lines and reaches of effects grow with it.
+    float pixelScale = 1;
     bool operator==(const RenderOptions&) const = default;
 };
 

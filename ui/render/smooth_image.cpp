@@ -33,7 +33,13 @@ void renderSmooth(const Camera& camera, const std::function<void(const Camera&, 
 void renderSmooth(Renderer& renderer, const tree::SurfelTree& model, const Camera& camera, const RenderOptions& options,
                   Image& out) {
     renderSmooth(
-        camera, [&](const Camera& view, Image& image) { renderer.render(model, view, options, image); }, out);
+        camera,
+        [&](const Camera& view, Image& image) {
+            RenderOptions scaled = options;
+            scaled.pixelScale *= static_cast<float>(view.width) / static_cast<float>(camera.width);
+            renderer.render(model, view, scaled, image);
+        },
+        out);
 }
 
 } // namespace render

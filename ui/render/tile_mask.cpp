@@ -1,5 +1,7 @@
 #include "ui/render/tile_mask.h"
 
+#include <algorithm>
+
 namespace render {
 
 TileMask::TileMask(const ViewFrame& view)
@@ -30,6 +32,18 @@ bool TileMask::touches(const ScreenBounds& b) const {
     const int left = b.left / tileWidth, right = b.right / tileWidth + 1;
     const int top = b.top / tileHeight, bottom = b.bottom / tileHeight + 1;
     return sum(bottom, right) - sum(bottom, left) - sum(top, right) + sum(top, left) > 0;
+}
+
+std::vector<std::uint32_t> TileMask::tilesWithin(int pixels) const {
+    TileMask wide = *this;
+    const int columns = (pixels + tileWidth - 1) / tileWidth, rows = (pixels + tileHeight - 1) / tileHeight;
+    for (int row = 0; row < m_rows; ++row)
+        for (int column = 0; column < m_columns; ++column)
+            if (m_in[at(row, column)])
+                for (int y = std::max(0, row - rows); y <= std::min(m_rows - 1, row + rows); ++y)
+                    for (int x = std::max(0, column - columns); x <= std::min(m_columns - 1, column + columns); ++x)
+                        wide.m_in[at(y, x)] = 1;
+    return wide.tiles();
 }
 
 std::vector<std::uint32_t> TileMask::tiles() const {

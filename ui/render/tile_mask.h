@@ -24,6 +24,8 @@ class TileMask {
     bool touches(const ScreenBounds& bounds) const;
     /// Their numbers, row by row from the top, ascending.
     std::vector<std::uint32_t> tiles() const;
+    /// And of those that come within some pixels of one.
+    std::vector<std::uint32_t> tilesWithin(int pixels) const;
 
   private:
     std::size_t at(int row, int column) const {
