@@ -114,12 +114,14 @@ void addAxes(const Layout& layout, const Camera& camera) {
 Drawing annotate(Annotated wanted, const Camera& camera, const std::optional<ColourScale>& scale, Backdrop backdrop,
                  float pixelScale) {
     Drawing out;
-    const Layout layout{out, static_cast<float>(camera.width), static_cast<float>(camera.height), pixelScale,
-                        backdropRow(backdrop).ink};
+    // In small pictures letters shrink too, down to what can still be read.
+    const auto height = static_cast<float>(camera.height);
+    const float unit = pixelScale * std::clamp(height / (600 * pixelScale), 0.6f, 1.0f);
+    const Layout layout{out, static_cast<float>(camera.width), height, unit, backdropRow(backdrop).ink};
     if (wanted & Axes)
         addAxes(layout, camera);
     if (wanted & ScaleBar)
-        addScaleBar(layout, camera, layout.margin() + (wanted & Axes ? (2 * axisLength + 34) * pixelScale : 0));
+        addScaleBar(layout, camera, layout.margin() + (wanted & Axes ? (2 * axisLength + 34) * unit : 0));
     if (scale && (wanted & Legend))
         addLegend(layout, *scale);
     return out;

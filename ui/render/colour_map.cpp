@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <numbers>
 
 namespace render {
@@ -87,6 +88,7 @@ std::vector<double> ticks(const ColourScale& scale) {
 std::string numberLabel(double value) {
     char text[32];
     std::snprintf(text, sizeof text, "%.4g", value);
+    std::snprintf(text, sizeof text, "%.7g", std::strtod(text, nullptr)); // 13000, not 1.3e+04
     return text;
 }
 

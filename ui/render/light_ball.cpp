@@ -28,7 +28,7 @@ Vec3f waxLight(const Vec3f& n) {
     Vec3f light = key * 1.0f + Vec3f{0.5f, 0.62f, 0.8f} * (0.16f * wrapped(n, fillLight, 0.4f));
     light += Vec3f{0.34f, 0.3f, 0.32f} * (0.18f + 0.16f * sky);
     light *= 1 - 0.42f * graze * graze;
-    Vec3f out = times(light, {0.62f, 0.2f, 0.125f});
+    Vec3f out = times(light, {0.5f, 0.135f, 0.085f});
     out += Vec3f{1, 0.86f, 0.78f} * (0.17f * gloss(n, keyLight, 24) + 0.13f * gloss(n, keyLight, 110));
     out += Vec3f{0.8f, 0.75f, 0.85f} * (0.16f * graze * graze * graze * std::max(0.0f, dot(n, rimLight) + 0.2f));
     return encode(out);
@@ -53,12 +53,12 @@ Vec3f bronzeLight(const Vec3f& n) {
     // A metal shows nothing but its surroundings: a studio of bands and lamps over a dark floor.
     const Vec3f r = reflected(n);
     const float up = r.y + 0.15f * r.x;
-    float room = 0.07f + 0.3f * step(-0.1f, 0.85f, up) + 0.1f * step(-0.35f, -0.95f, up);
-    room += 1.15f * step(0.55f, 0.9f, dot(r, keyLight)) + 0.38f * step(0.6f, 0.92f, dot(r, fillLight));
-    room += 0.35f * step(0.2f, 0.8f, dot(r, rimLight));
-    const float rough = 0.34f * wrapped(n, keyLight, 0.25f) + 0.05f;
+    float room = 0.03f + 0.16f * step(-0.1f, 0.85f, up) + 0.07f * step(-0.35f, -0.95f, up);
+    room += 0.8f * step(0.62f, 0.95f, dot(r, keyLight)) + 0.26f * step(0.65f, 0.95f, dot(r, fillLight));
+    room += 0.22f * step(0.3f, 0.9f, dot(r, rimLight));
+    const float rough = 0.24f * wrapped(n, keyLight, 0.2f) + 0.025f;
     const float edge = fresnel(n, 0);
-    const Vec3f metal = Vec3f{0.8f, 0.47f, 0.23f} * (1 - edge) + Vec3f{1, 0.9f, 0.78f} * edge;
+    const Vec3f metal = Vec3f{0.74f, 0.4f, 0.18f} * (1 - edge) + Vec3f{1, 0.9f, 0.78f} * edge;
     return encode(times(metal, Vec3f{1, 0.98f, 0.95f} * (0.72f * room + rough)));
 }
 
@@ -68,7 +68,7 @@ Vec3f jadeLight(const Vec3f& n) {
     const float through = 0.4f * wrapped(n, rimLight, 0.9f) + 0.34f * graze * sky;
     Vec3f light = Vec3f{0.9f, 0.95f, 0.85f} * (0.62f * wrapped(n, keyLight, 0.7f));
     light += Vec3f{0.7f, 0.9f, 1} * (0.14f * wrapped(n, fillLight, 0.6f) + 0.12f * sky) + Vec3f{0.1f, 0.1f, 0.1f};
-    Vec3f out = times(light, {0.2f, 0.5f, 0.34f}) + Vec3f{0.28f, 0.72f, 0.42f} * (0.42f * through);
+    Vec3f out = times(light, {0.09f, 0.36f, 0.2f}) + Vec3f{0.2f, 0.7f, 0.34f} * (0.36f * through);
     out += Vec3f{0.95f, 1, 0.97f} * (0.2f * gloss(n, keyLight, 45) + 0.22f * gloss(n, keyLight, 260));
     out += Vec3f{0.7f, 0.9f, 0.85f} * (0.3f * fresnel(n, 0.02f) * sky);
     return encode(out);
