@@ -1,6 +1,7 @@
 #include "ui/render/cpu_splatter.h"
 
 #include "core/base/parallel.h"
+#include "core/process/supports.h"
 #include "render/render_models.h"
 #include "support/registry.h"
 #include "ui/render/shading.h"
@@ -18,6 +19,7 @@ class CpuSplatterTest : public QObject {
     void sphereHasNoHoles();
     void torusHasNoHoles();
     void spacingThatVariesByFiveLeavesNoHoles();
+    void gradedScansHaveNoHoles();
     void nearSheetHidesTheFarOne();
     void thinSheetShowsItsOwnSide();
     void insidesAreBlendedAsOutsides();
@@ -185,6 +187,53 @@ void CpuSplatterTest::spacingThatVariesByFiveLeavesNoHoles() {
             const Vec3d at = ray.at(-ray.origin.z / ray.direction.z);
             if (std::abs(at.x) < 0.94 && std::abs(at.y) < 0.94)
                 QVERIFY(std::isfinite(image.depth[static_cast<std::size_t>(y * camera.width + x)]));
+        }
+}
+
+/// A scan of a ball as files bring it, without supports, whose spacing grows fivefold from pole to pole at random
+/// places that keep a distance: prepared like any model, drawn at rest and coarsely.
+void CpuSplatterTest::gradedScansHaveNoHoles() {
+    base::Random random(test::seed());
+    surfel::SurfelList list;
+    list.layout = test::orientedLayout();
+    const auto spacing = [](const Vec3d& d) { return 0.012 * std::pow(5, 0.5 * (d.z + 1)); };
+    std::vector<Vec3d> darts(300000);
+    for (Vec3d& d : darts)
+        d = random.unitVector();
+    std::sort(darts.begin(), darts.end(), [](const Vec3d& a, const Vec3d& b) { return a.z < b.z; });
+    std::vector<Vec3d> apart;
+    for (const Vec3d& d : darts) {
+        bool free = true;
+        for (std::size_t k = apart.size(); free && k-- > 0 && d.z - apart[k].z < 0.8 * spacing(d);)
+            free = lengthSq(d - apart[k]) > 0.64 * spacing(d) * spacing(d);
+        if (free)
+            apart.push_back(d);
+    }
+    for (const Vec3d& d : apart)
+        list.items.push_back({base::cast<float>(d), base::cast<float>(d), 0, surfel::white, 0});
+    process::assignSupports(list, {});
+    const tree::SurfelTree model = test::built(list);
+    float least = 1e9f, most = 0;
+    for (const surfel::Surfel& s : list.items)
+        least = std::min(least, s.support), most = std::max(most, s.support);
+    QVERIFY2(most > 4 * least, qPrintable(QString("%1 %2").arg(least).arg(most)));
+    CpuSplatter splatter;
+    for (const float detail : {1.0f, 6.0f})
+        for (const Vec3d& eye : {Vec3d{0, 0, 2.5}, Vec3d{0, 0, -2.5}, Vec3d{2.4, 0.5, 0}}) {
+            Camera camera = smallCamera();
+            camera.eye = eye;
+            camera.up = {0, 1, 0};
+            RenderOptions options;
+            options.detailPx = detail;
+            options.definition.boundaryLimit = 0.3f;
+            const Image image = test::drawn(splatter, model, camera, options);
+            for (int y = 0; y < camera.height; ++y)
+                for (int x = 0; x < camera.width; ++x)
+                    if (std::isfinite(test::sphereDepth(camera.ray(x + 0.5, y + 0.5), {0, 0, 0}, 0.97)))
+                        QVERIFY2(
+                            std::isfinite(image.depth[static_cast<std::size_t>(y * camera.width + x)]),
+                            qPrintable(
+                                QString("%1 %2 at detail %3, seed %4").arg(x).arg(y).arg(detail).arg(test::seed())));
         }
 }
 
