@@ -48,6 +48,7 @@ std::vector<Workload> surfaceWorkloads();
 std::vector<Workload> rayWorkloads();
 std::vector<Workload> dabWorkloads();
 std::vector<Workload> splatWorkloads();
+std::vector<Workload> displayWorkloads();
 std::vector<Workload> fileWorkloads();
 
 } // namespace bench

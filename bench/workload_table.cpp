@@ -8,7 +8,8 @@ namespace bench {
 const std::vector<Workload>& workloadTable() {
     static const std::vector<Workload> table = [] {
         std::vector<Workload> all;
-        for (auto* rows : {treeWorkloads, surfaceWorkloads, rayWorkloads, dabWorkloads, splatWorkloads, fileWorkloads})
+        for (auto* rows : {treeWorkloads, surfaceWorkloads, rayWorkloads, dabWorkloads, splatWorkloads,
+                           displayWorkloads, fileWorkloads})
             std::ranges::move(rows(), std::back_inserter(all));
         return all;
     }();

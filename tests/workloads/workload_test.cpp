@@ -29,10 +29,10 @@ void WorkloadTest::theContractsNamesAreThere() {
         QCOMPARE(workload.baseline.empty(), !workload.naive);
         QCOMPARE(bench::findWorkload(workload.name), &workload);
     }
-    for (const char* name :
-         {"build", "evaluate", "evaluate-scattered", "project-basic", "project-almost", "project-orthogonal",
-          "rays-camera", "rays-random", "curvature", "edit", "undo", "dab-draw-10k-resampled", "splat-cpu",
-          "splat-cpu-moving", "splat-osmesa", "splat-osmesa-moving", "load-ply"})
+    for (const char* name : {"build", "evaluate", "evaluate-scattered", "project-basic", "project-almost",
+                             "project-orthogonal", "rays-camera", "rays-random", "curvature", "edit", "undo",
+                             "dab-draw-10k-resampled", "splat-cpu", "splat-cpu-moving", "splat-osmesa",
+                             "splat-osmesa-moving", "splat-cpu-edit", "splat-osmesa-upload", "load-ply"})
         QVERIFY2(names.contains(name), name);
     for (const sculpt::ToolRow& row : sculpt::toolTable())
         QVERIFY2(names.contains(std::string("dab-") + row.id), row.id);
