@@ -1,10 +1,9 @@
-// The ways of making dabs, and what changes them: pressure, stabiliser, stride, symmetry, accumulate, auto-smooth.
+// The ways of making dabs, and what changes them: pressure, stabiliser, stride, accumulate, auto-smooth.
 #include "core/base/parallel.h"
 #include "core/base/random.h"
 #include "core/sculpt/contact.h"
-#include "core/sculpt/mirror.h"
 #include "core/sculpt/stroke_stabiliser.h"
-#include "sculpt/shapes.h"
+#include "sculpt/stroke_samples.h"
 #include "support/registry.h"
 
 #include <QtTest>
@@ -24,7 +23,6 @@ class StrokeMethodsTest : public QObject {
     void airbrushGoesOnWhereThePointerRests();
     void anAnchoredDabReachesThePointer();
     void anAnchoredDabForgetsWhatLiesBetween();
-    void anAnchoredStampTurnsWithTheDrag();
     void noRopeChangesNothing();
     void theRopeBoundsTheLagAndSmoothsTheLine();
     void identityPressureCurvesChangeNothing();
@@ -33,10 +31,6 @@ class StrokeMethodsTest : public QObject {
     void withoutAccumulationDabsDoNotPileUp();
     void withoutAccumulationResamplingKeepsTheHeight();
     void autoSmoothEvensWhatTheDabsLeave();
-    void imagesMakeAGroupWithoutRepeats();
-    void fourCopiesMakeAFourFoldShape();
-    void mirroredStampsMirror();
-    void stampsFollowTheStroke();
     void everyMethodReplaysBitForBitOnAnyThreads();
     void droppedStrokesChangeNothing();
 
@@ -44,23 +38,14 @@ class StrokeMethodsTest : public QObject {
     surface::Surface m_plane, m_sphere;
 };
 
+using test::down;
+using test::settingsOf;
+
 static constexpr double s = 0.02;
 
 void StrokeMethodsTest::initTestCase() {
     m_plane = test::surfaceOf(test::planePoints(80, s));
     m_sphere = test::surfaceOf(test::spherePoints(12000));
-}
-
-static StrokeSample down(float x, float y, float seconds = 0, float pressure = 1) {
-    return {{{x, y, 5}, {0, 0, -1}}, pressure, seconds};
-}
-
-static StrokeSettings settingsOf(const char* tool, float radius, StrokeMethod method = StrokeMethod::Space) {
-    StrokeSettings out;
-    out.tool = tool;
-    out.radius = radius;
-    out.method = method;
-    return out;
 }
 
 static std::vector<StrokeSample> wander(base::Random& random, int count) {
@@ -170,39 +155,6 @@ void StrokeMethodsTest::anAnchoredDabForgetsWhatLiesBetween() {
         const StrokeSettings settings = settingsOf(tool, 0.1f, StrokeMethod::Anchored);
         QVERIFY(test::hashOf(test::stroked(m_sphere, settings, all)) ==
                 test::hashOf(test::stroked(m_sphere, settings, {all.front(), all.back()})));
-    }
-}
-
-/// White in its upper half.
-static std::shared_ptr<const BrushStamp> upperHalf() {
-    return std::make_shared<BrushStamp>(4, 4, std::vector<float>{1, 1, 1, 1, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0});
-}
-
-static surface::Surface stamped(const surface::Surface& start, StrokeSettings settings,
-                                const std::vector<StrokeSample>& samples) {
-    settings.stamp = "upper half";
-    settings.resample = false;
-    Stroke stroke(start, settings, {}, upperHalf());
-    for (const StrokeSample& sample : samples)
-        stroke.add(sample);
-    stroke.finish();
-    return stroke.surface();
-}
-
-/// Mean of the raised surfels' places, weighted by height.
-static Vec3f raisedCentre(const surface::Surface& surface) {
-    base::Vec3d sum;
-    double weight = 0;
-    for (const surfel::Surfel& each : surface.tree().surfels().items)
-        sum += base::cast<double>(each.position) * double(each.position.z), weight += double(each.position.z);
-    return base::cast<float>(sum / weight);
-}
-
-void StrokeMethodsTest::anAnchoredStampTurnsWithTheDrag() {
-    for (const Vec3f& to : {Vec3f{0.3f, 0, 0}, Vec3f{0, -0.3f, 0}, Vec3f{-0.2f, 0.2f, 0}}) {
-        const StrokeSettings settings = settingsOf("draw", 0.1f, StrokeMethod::Anchored);
-        const Vec3f centre = raisedCentre(stamped(m_plane, settings, {down(0, 0), down(to.x, to.y)}));
-        QVERIFY(dot(normalized(Vec3f{centre.x, centre.y, 0}), normalized(to)) > 0.99f);
     }
 }
 
@@ -364,88 +316,6 @@ void StrokeMethodsTest::autoSmoothEvensWhatTheDabsLeave() {
     QVERIFY2(with < 0.3 * without, qPrintable(QString("%1 %2").arg(with).arg(without)));
     settings.strength = 0;
     QVERIFY(test::hashOf(test::stroked(start, settings, way)) == test::hashOf(start)); // a no-op stays one
-}
-
-void StrokeMethodsTest::imagesMakeAGroupWithoutRepeats() {
-    QCOMPARE(mirrors({}, {}).size(), std::size_t(1));
-    QCOMPARE(mirrors({true, true, true}, {}).size(), std::size_t(8));
-    QCOMPARE(mirrors({false, false, false, 5, 1}, {}).size(), std::size_t(5));
-    QCOMPARE(mirrors({true, false, false, 3, 2}, {}).size(), std::size_t(6));
-    QCOMPARE(mirrors({true, true, false, 2, 2}, {}).size(), std::size_t(4)); // half a turn is both flips
-    QCOMPARE(mirrors({true, true, false, 4, 2}, {}).size(), std::size_t(8));
-    const base::Vec3d origin{1, -2, 0.5};
-    for (const Symmetry& symmetry : {Symmetry{true, false, false, 6, 2}, Symmetry{false, true, true, 5, 0}}) {
-        const std::vector<Mirror> images = mirrors(symmetry, origin);
-        base::Random random(test::seed());
-        const Vec3f p = base::cast<float>(random.unitVector());
-        for (const Mirror& a : images) {
-            QVERIFY(std::abs(std::abs(determinant(a.matrix())) - 1) < 1e-5f);
-            QCOMPARE(determinant(a.matrix()) < 0, a.reflects());
-            QVERIFY(length(a.matrix() * p - a.direction(p)) < 1e-6f);
-            for (const Mirror& b : images) // closed: an image of an image is an image
-                QVERIFY(std::any_of(images.begin(), images.end(), [&](const Mirror& c) {
-                    return distance(a.position(b.position(p)), c.position(p)) < 1e-5f;
-                }));
-        }
-    }
-}
-
-void StrokeMethodsTest::fourCopiesMakeAFourFoldShape() {
-    // A model that a quarter turn about z takes to itself, bit for bit.
-    surfel::SurfelList points;
-    points.layout = test::orientedLayout();
-    for (int i = -40; i < 40; ++i)
-        for (int j = -40; j < 40; ++j)
-            points.append(test::surfelAt({(i + 0.5) * s, (j + 0.5) * s, 0}, {0, 0, 1}, s), {});
-    const surface::Surface square = test::surfaceOf(points);
-    StrokeSettings settings = settingsOf("draw", 0.12f);
-    settings.symmetry.copies = 4;
-    settings.resample = false;
-    const surface::Surface after =
-        test::stroked(square, settings, {down(0.25f, 0.07f), down(0.4f, 0.2f), down(0.1f, 0.03f)});
-    double worst = 0, high = 0;
-    const Mirror quarter = mirrors(settings.symmetry, {})[1];
-    std::vector<tree::Neighbour> found;
-    for (const surfel::Surfel& each : after.tree().surfels().items) {
-        const Vec3f turned = quarter.position(each.position);
-        after.tree().nearest(turned, 1, found);
-        worst = std::max(worst, std::sqrt(double(found[0].distanceSq)));
-        high = std::max(high, double(each.position.z));
-    }
-    // Where copies overlap they are done one after the other: the rest is second order in the height.
-    QVERIFY2(high > 0.01 && worst < 0.03 * high, qPrintable(QString("%1 of %2").arg(worst).arg(high)));
-}
-
-void StrokeMethodsTest::mirroredStampsMirror() {
-    StrokeSettings settings = settingsOf("draw", 0.15f, StrokeMethod::Dots);
-    settings.symmetry.x = true;
-    settings.stampAngleRad = 1.1f;
-    const surface::Surface after = stamped(m_plane, settings, {down(0.3f, 0.1f)});
-    for (const float dx : {-0.05f, 0.0f, 0.06f})
-        for (const float dy : {-0.07f, 0.02f, 0.08f}) {
-            const auto a = contact(after, down(0.3f + dx, 0.1f + dy).ray),
-                       b = contact(after, down(-0.3f - dx, 0.1f + dy).ray);
-            QVERIFY(a && b && std::abs(a->position.z - b->position.z) < 2e-4f);
-        }
-    const Vec3f centre = raisedCentre(after);
-    QVERIFY(std::abs(centre.x) < 2e-3f);
-}
-
-void StrokeMethodsTest::stampsFollowTheStroke() {
-    StrokeSettings settings = settingsOf("draw", 0.15f);
-    settings.stampFollows = true;
-    settings.spacing = 5;
-    // One step to the right: both dabs, the first too, have their upper half on the right.
-    const surface::Surface after = stamped(m_plane, settings, {down(-0.4f, 0), down(0.4f, 0)});
-    for (const float x : {-0.4f, 0.36f}) {
-        const auto ahead = contact(after, down(x + 0.07f, 0).ray), behind = contact(after, down(x - 0.07f, 0).ray);
-        QVERIFY(ahead && behind);
-        QVERIFY2(ahead->position.z > 0.0015f && behind->position.z < 0.0005f,
-                 qPrintable(QString("%1 %2").arg(ahead->position.z).arg(behind->position.z)));
-    }
-    // A stroke that ends before it went anywhere is one upright dab.
-    const Vec3f centre = raisedCentre(stamped(m_plane, settings, {down(0, 0)}));
-    QVERIFY(centre.y > 0.03f && std::abs(centre.x) < 0.005f);
 }
 
 void StrokeMethodsTest::everyMethodReplaysBitForBitOnAnyThreads() {
