@@ -4,10 +4,13 @@
 #include "app/subcommand.h"
 #include "core/base/error.h"
 #include "ui/render/named_views.h"
+#include "ui/settings.h"
 
 #include <cstdio>
 #include <filesystem>
 #include <numbers>
+#include <optional>
+#include <QSettings>
 
 namespace app {
 
@@ -79,7 +82,9 @@ std::shared_ptr<ViewOptions> addViewOptions(CLI::App& command) {
         ->check(CLI::Validator(sizeFault, ""))
         ->capture_default_str();
     command
-        .add_option("--view", options->view, "look from there, with all of the model in the picture: " + viewNames())
+        .add_option("--view", options->view,
+                    "look from there, with all of the model in the picture: " + viewNames() +
+                        "; or as a view saved in the window by that name")
         ->type_name("NAME");
     addVector(command, "--eye", options->eye, "where the eye is, in model units; default: a view of the whole model");
     addVector(command, "--target", options->target, "what it looks at; default: the middle of the model");
@@ -144,16 +149,33 @@ static render::Camera framedForTurns(render::Camera camera, const tree::SurfelTr
     return camera;
 }
 
+/// A view that was saved in the window, whole.
+static std::optional<render::Camera> savedCamera(const std::string& name, const render::Camera& size,
+                                                 const base::Box3f& box, const Vec3d& origin) {
+    if (name.empty() || render::namedView(name))
+        return {};
+    const ui::Settings settings = ui::readSettings(QSettings("pointclay", "pointclay"));
+    if (const ui::SavedView* found = ui::findView(settings.savedViews, name))
+        return found->forOrigin(origin).camera(size.width, size.height).before(box);
+    std::string known = viewNames();
+    for (const ui::SavedView& each : settings.savedViews)
+        known += ", " + each.name;
+    throw base::Error("there is no view '" + name + "'", "", "use one of: " + known);
+}
+
+static render::Camera sized(const ViewOptions& options) {
+    render::Camera out;
+    std::sscanf(options.size.c_str(), "%dx%d", &out.width, &out.height);
+    return out;
+}
+
 /// Direction and projection as asked; where it stands is still open.
 static render::Camera directed(const ViewOptions& options, const base::Box3f& box) {
-    int width = 0, height = 0;
-    std::sscanf(options.size.c_str(), "%dx%d", &width, &height);
-    render::Camera out = render::Camera::looking(box, width, height);
+    const render::Camera size = sized(options);
+    render::Camera out = render::Camera::looking(box, size.width, size.height);
     if (const render::NamedView* view = render::namedView(options.view)) {
         out.eye = out.target + view->toEye * length(out.eye - out.target);
         out.up = view->up;
-    } else if (!options.view.empty()) {
-        throw base::Error("there is no view '" + options.view + "'", "", "use one of: " + viewNames());
     }
     if (options.fovDeg > 0)
         out.fovDeg = options.fovDeg;
@@ -164,11 +186,14 @@ static render::Camera directed(const ViewOptions& options, const base::Box3f& bo
 
 std::vector<render::Camera> camerasOf(const ViewOptions& options, const tree::SurfelTree& model, const Vec3d& origin) {
     const base::Box3f box = model.bounds();
-    render::Camera camera = directed(options, box);
-    const bool free = options.eye.empty() && options.target.empty();
     if (!options.view.empty() && !options.eye.empty())
         throw UsageError("--view and --eye both say where the eye is");
-    if (!free) {
+    const auto saved = savedCamera(options.view, sized(options), box, origin);
+    if (saved && (!options.target.empty() || !options.up.empty() || !options.ortho.empty() || options.fovDeg > 0))
+        throw UsageError("--view '" + options.view + "' was saved whole: leave --target, --up, --fov and --ortho out");
+    render::Camera camera = saved ? *saved : directed(options, box);
+    const bool told = !options.eye.empty() || !options.target.empty(), free = !saved && !told;
+    if (told) {
         Vec3d eye, target;
         const Vec3d back = camera.eye - camera.target;
         camera.target = !options.target.empty() && parseVector(options.target, target)

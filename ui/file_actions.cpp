@@ -173,22 +173,45 @@ void FileActions::write(const fs::path& path, std::function<void()> then) {
 }
 
 void FileActions::exportImage() {
+    const render::Camera now = m_controller.camera();
+    const QSize view(now.width, now.height);
+    const ImageChoice fresh{.size = view, .transparent = false, .smooth = true, .rayCast = false};
+    auto* dialog = new ImageDialog(m_image.size.isEmpty() ? fresh : m_image, view, &m_window);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, this, [this, dialog] {
+        m_image = dialog->choice();
+        askImagePath(m_image);
+    });
+    dialog->open();
+}
+
+void FileActions::askImagePath(const ImageChoice& choice) {
     const fs::path& path = m_editor.snapshot().path;
     const QString name = path.empty() ? QString("pointclay") : textOf(path.stem());
     const QString start = (folder().isEmpty() ? QString() : folder() + "/") + name + ".png";
     const QString filter = tr("Portable Network Graphics (*.png)");
     const QString file = QFileDialog::getSaveFileName(&m_window, tr("Export the image"), start, filter);
     if (!file.isEmpty())
-        writeImage(completed(file, filter));
+        writeImage(completed(file, filter), choice);
 }
 
 void FileActions::writeImage(const fs::path& path) {
+    const render::Camera now = m_controller.camera();
+    writeImage(path, {.size = {now.width, now.height}, .transparent = false, .smooth = true, .rayCast = false});
+}
+
+void FileActions::writeImage(const fs::path& path, const ImageChoice& choice) {
     m_failure.clear();
-    const render::Camera camera = m_controller.camera();
+    render::Camera camera = m_controller.camera();
+    camera.width = choice.size.width(), camera.height = choice.size.height();
     render::PictureOptions options;
     options.style = m_controller.look();
     options.annotated = m_settings.annotated;
     options.reference = m_editor.snapshot().reference;
+    options.style.transparent = choice.transparent;
+    options.smooth = options.smoothRays = choice.smooth;
+    options.rayCast = choice.rayCast;
+    options.sections = m_controller.cuts().section;
     const auto work = [=](const surface::Surface& surface, const base::Progress& progress) {
         render::PictureStats stats;
         const render::Image image = render::drawPicture(surface, camera, options, stats, progress);

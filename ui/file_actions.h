@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ui/editor.h"
+#include "ui/image_dialog.h"
 #include "ui/settings.h"
 #include "ui/view_controller.h"
 
@@ -27,8 +28,12 @@ class FileActions : public QObject {
     void openArgument(const std::string& model);
     void save(std::function<void()> then = {});
     void saveAs(std::function<void()> then = {});
+    /// Asks what it is to be and where to, then writes it.
     void exportImage();
+    /// The view as it is, at the viewport's size.
     void writeImage(const std::filesystem::path& path);
+    /// Drawn and written in the background, with progress; Esc stops it. The file is there complete or not at all.
+    void writeImage(const std::filesystem::path& path, const ImageChoice& choice);
     /// Asks about journals that a crash has left; true where one is being recovered.
     bool offerRecovery();
     /// Runs `next` at once, after saving, or never: as the person decides about unsaved work.
@@ -44,12 +49,14 @@ class FileActions : public QObject {
     void remember(const std::filesystem::path& path);
     void showFailure(const QString& title);
     QString folder() const;
+    void askImagePath(const ImageChoice& choice);
 
     QMainWindow& m_window;
     Editor& m_editor;
     Settings& m_settings;
     ViewController& m_controller;
-    QString m_failure; ///< the last that a command told
+    ImageChoice m_image; ///< the last one exported; of no size before
+    QString m_failure;   ///< the last that a command told
 };
 
 } // namespace ui

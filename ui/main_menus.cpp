@@ -131,9 +131,8 @@ void MainWindow::buildViewMenu() {
     buildSwitches(*view);
     view->addSeparator();
     m_frame = addAction(*view, "frame", tr("Frame &All"), QKeySequence("Home"), [this] { m_controller->frameAll(); });
-    for (const auto& row : render::namedViews())
-        addAction(*view, "view", tr(row.label), QKeySequence(row.shortcut),
-                  [this, &row] { m_controller->turnTo(row); });
+    buildNavigation(*view);
+    buildClipping(*view);
     view->addSeparator();
     QAction* renderer = view->addAction(tr("Drawn by: %1").arg(m_viewport->rendererName()));
     renderer->setEnabled(false);

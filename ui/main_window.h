@@ -14,6 +14,7 @@
 
 namespace ui {
 
+class CutBar;
 class Measurer;
 class PropertiesPanel;
 class StatusLine;
@@ -39,7 +40,8 @@ class MainWindow : public QMainWindow {
     const ToolBar& toolBar() const { return *m_tools; }
     PropertiesPanel& panel() { return *m_panel; }
     Measurer& measurer() { return *m_measurer; }
-    /// Menu of that object name: "file", "new", "recent", "edit", "brush", "model", "view", "help".
+    /// Menu of that object name: "file", "new", "recent", "edit", "brush", "model", "view", "navigation",
+    /// "saved-views", "help".
     QMenu* menu(const QString& name) const;
 
     void undo();
@@ -60,6 +62,10 @@ class MainWindow : public QMainWindow {
     void buildViewMenu();
     void buildLookMenus(QMenu& view);
     void buildSwitches(QMenu& view);
+    void buildNavigation(QMenu& view);
+    void buildClipping(QMenu& view);
+    void showSavedViews();
+    void saveView();
     void buildHelpMenu();
     void buildCorner();
     QMenu* addMenu(const QString& name, const QString& title, QMenu* parent = nullptr);
@@ -85,6 +91,7 @@ class MainWindow : public QMainWindow {
     ToolBar* m_tools = nullptr;
     PropertiesPanel* m_panel = nullptr;
     StatusLine* m_status = nullptr;
+    CutBar* m_cutBar = nullptr;
     QAction *m_undo = nullptr, *m_redo = nullptr, *m_frame = nullptr;
     QString m_whyRenderer;
     QElapsedTimer m_working; ///< since the work whose progress is reported began

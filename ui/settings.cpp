@@ -1,5 +1,7 @@
 #include "ui/settings.h"
 
+#include "ui/navigation.h"
+
 #include "core/base/error.h"
 
 #include <algorithm>
@@ -196,6 +198,10 @@ Settings readSettings(const QSettings& store) {
     for (const QString& key : store.allKeys())
         if (key.startsWith("panel/"))
             out.groups[key.mid(6).toStdString()] = store.value(key).toBool();
+    out.navigation = navigation(store.value("view/navigation").toString().toStdString()).id;
+    for (const QString& text : store.value("view/saved").toStringList())
+        if (const auto view = savedViewOf(text.toStdString()))
+            keep(out.savedViews, *view);
     for (const QString& file : store.value("files/recent").toStringList())
         if (out.recentFiles.size() < Settings::recentLimit)
             out.recentFiles.push_back(file.toStdString());
@@ -260,6 +266,11 @@ void writeSettings(const Settings& settings, QSettings& store) {
     store.setValue("view/annotations",
                    storedSet(render::annotationTable(), &render::AnnotationRow::annotation, settings.annotated));
     store.setValue("view/grid", settings.grid);
+    store.setValue("view/navigation", QString::fromStdString(settings.navigation));
+    QStringList saved;
+    for (const SavedView& view : settings.savedViews)
+        saved << QString::fromStdString(textOf(view));
+    store.setValue("view/saved", saved);
     QStringList recent;
     for (const auto& file : settings.recentFiles)
         recent << QString::fromStdString(file);

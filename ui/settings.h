@@ -9,6 +9,7 @@
 #include "core/sculpt/stroke_options.h"
 #include "ui/render/annotations.h"
 #include "ui/render/renderer.h"
+#include "ui/saved_views.h"
 
 #include <QByteArray>
 #include <string>
@@ -38,6 +39,8 @@ struct Settings {
     render::Effects effects = 0;
     render::Annotated annotated = render::Legend;
     bool grid = false;                    ///< on the ground
+    std::string navigation = "turntable"; ///< id of the style in which dragging turns the view
+    std::vector<SavedView> savedViews;    ///< names differ
     std::vector<std::string> recentFiles; ///< newest first, at most `recentLimit`
     QByteArray geometry, windowState;     ///< as QMainWindow saves them
 

@@ -2,6 +2,7 @@
 
 #include "core/surface/intersect.h"
 #include "ui/annotation_overlay.h"
+#include "ui/pivot_overlay.h"
 #include "ui/symmetry_overlay.h"
 
 #include <QMouseEvent>
@@ -24,16 +25,18 @@ ViewController::ViewController(Editor& editor, Settings& settings, Viewport& vie
     widget->installEventFilter(this);
     viewport.paintOverlay = [this](QPainter& painter) { paintOverlay(painter); };
     connect(&editor, &Editor::changed, this, &ViewController::followModel);
+    connect(&m_navigator, &Navigator::moved, this, &ViewController::viewMoved);
+    connect(&m_navigator, &Navigator::flightChanged, this, [this](bool flying) {
+        m_viewport.widget()->setCursor(flying ? Qt::BlankCursor : Qt::CrossCursor);
+        Q_EMIT viewChanged();
+    });
+    m_navigator.chooseStyle(navigation(settings.navigation));
 }
 
-render::Camera ViewController::camera() const {
-    const QWidget* widget = m_viewport.widget();
-    const double scale = widget->devicePixelRatioF();
-    return m_view.camera(std::max(1, qRound(widget->width() * scale)), std::max(1, qRound(widget->height() * scale)));
-}
+ViewController::~ViewController() = default;
 
 void ViewController::refresh(bool moving) {
-    Frame frame{m_editor.snapshot().surface.tree(), camera(), {}, moving};
+    Frame frame{m_editor.snapshot().surface.tree(), shownCamera(), {}, moving};
     frame.options = look();
     frame.options.colours = m_colours;
     frame.input = std::max(m_editor.snapshot().input, m_viewInput);
@@ -51,62 +54,29 @@ render::RenderOptions ViewController::look() const {
     return out;
 }
 
-void ViewController::showColours(std::shared_ptr<const render::BlockColours> colours,
-                                 const std::optional<render::ColourScale>& scale) {
-    m_scale = scale;
-    if (colours == m_colours)
-        return;
-    m_colours = std::move(colours);
-    refresh(m_gesture != Gesture::None);
-}
-
-/// The model's shape as far as framing needs it: a box for each block.
-static std::vector<base::Box3f> boxesOf(const tree::SurfelTree& tree) {
-    std::vector<base::Box3f> out;
-    tree.forEachBlock([&](std::uint32_t, const surfel::SurfelBlock& block) { out.push_back(block.box()); });
-    return out;
-}
-
-void ViewController::followModel() {
-    const Snapshot& snapshot = m_editor.snapshot();
-    if (snapshot.models != m_models) {
-        m_models = snapshot.models;
-        chooseSource({});
-        m_grid = render::gridBelow(snapshot.surface.tree().bounds(), camera().up, snapshot.origin);
-        const render::Camera now = camera();
-        m_view = OrbitView::threeQuarter(boxesOf(snapshot.surface.tree()), now.width, now.height);
-    }
-    refresh(m_gesture != Gesture::None);
-}
-
-void ViewController::frameAll() {
-    const render::Camera now = camera();
-    m_view.frame(boxesOf(m_editor.snapshot().surface.tree()), now.width, now.height);
-    refresh();
-}
-
-void ViewController::turnTo(const render::NamedView& view) {
-    m_view.turnTo(view.toEye, view.up);
-    refresh();
-}
-
 // --- the brush ---
 
+/// From where no plane cuts it.
+static base::Rayf narrowed(const base::Rayd& ray, const base::RayPart& part) {
+    return {base::cast<float>(ray.at(part.first)), base::normalized(base::cast<float>(ray.direction))};
+}
+
 std::optional<BrushContact> ViewController::contactAt(const QPointF& place) const {
-    const base::Rayd ray = camera().ray(place.x(), place.y());
-    const base::Rayf narrow{base::cast<float>(ray.origin), base::normalized(base::cast<float>(ray.direction))};
+    const render::Camera now = camera();
+    const base::Rayd ray = now.ray(place.x(), place.y());
+    const base::RayPart part = now.uncut(ray);
     const surface::Surface& surface = m_editor.snapshot().surface;
-    if (surface.tree().empty())
+    if (surface.tree().empty() || part.empty())
         return {};
-    const surface::RayHit<float> hit = surface::intersect(surface, narrow);
-    if (!hit.hit)
+    const surface::RayHit<float> hit = surface::intersect(surface, narrowed(ray, part));
+    if (!hit.hit || static_cast<double>(hit.t) + part.first > part.second)
         return {};
     return BrushContact{base::cast<double>(hit.position), base::cast<double>(hit.normal)};
 }
 
 double ViewController::pixelsAt(const Vec3d& p) const {
     const render::Camera now = camera();
-    return now.pixelsPerUnit(std::max(now.project(p).z, 1e-12 * m_view.distance));
+    return now.pixelsPerUnit(std::max(now.project(p).z, 1e-12 * view().distance));
 }
 
 double ViewController::worldRadius(const Vec3d& contact) const {
@@ -126,14 +96,15 @@ void ViewController::updateCursor() {
         m_cursor.label = tr("Radius %1").arg(draggedRadius(), 0, 'g', 3);
     else if (m_drag)
         m_cursor.label = tr("Strength %1").arg(double(choice.strength), 0, 'f', 2);
-    if (m_inside && (m_gesture == Gesture::None || m_gesture == Gesture::Sculpt)) {
+    const bool still = !m_navigator.underWay() && !m_navigator.flying();
+    if (m_inside && still && (m_gesture == Gesture::None || m_gesture == Gesture::Sculpt)) {
         m_cursor.contact = contactAt(m_pointer.place);
         if (m_cursor.contact)
             m_cursor.radius = worldRadius(m_cursor.contact->position);
         else if (m_settings.radiusUnit == RadiusUnit::Pixels)
             m_cursor.radiusPx = m_settings.radiusPx * m_viewport.widget()->devicePixelRatioF();
         else
-            m_cursor.radiusPx = m_settings.radiusModel * pixelsAt(m_view.target);
+            m_cursor.radiusPx = m_settings.radiusModel * pixelsAt(view().target);
     }
     m_viewport.widget()->update();
 }
@@ -143,7 +114,11 @@ void ViewController::paintOverlay(QPainter& painter) const {
     painter.save();
     painter.scale(scale, scale);
     const Snapshot& now = m_editor.snapshot();
-    const render::Camera seen = camera();
+    const render::Camera seen = shownCamera();
+    if (m_sections.size() == seen.clips.all().size())
+        paintSections(painter, m_sections, seen, 1.6 / scale);
+    if (view().pivot || m_gesture == Gesture::Orbit)
+        paintPivot(painter, view().turningPoint(), seen, m_gesture == Gesture::Orbit);
     if (m_settings.symmetry != sculpt::Symmetry{} && !now.surface.tree().empty())
         paint(painter, SymmetryOverlay{m_settings.symmetry, now.origin, now.surface.tree().bounds(), m_cursor.contact},
               seen);
@@ -152,7 +127,8 @@ void ViewController::paintOverlay(QPainter& painter) const {
         paintSource(painter, *m_source + (going ? m_cursor.contact->position - m_strokeStart : Vec3d{}), seen);
     }
     paint(painter, render::annotate(m_settings.annotated, seen, m_scale, m_settings.backdrop, look().pixelScale));
-    paint(painter, m_cursor, seen);
+    if (!m_navigator.flying())
+        paint(painter, m_cursor, seen);
     painter.restore();
 }
 
@@ -214,9 +190,13 @@ void ViewController::beginStroke(const Pointer& pointer, const BrushContact& con
 }
 
 void ViewController::addSample(const Pointer& pointer) {
-    const base::Rayd ray = camera().ray(pointer.place.x(), pointer.place.y());
+    const render::Camera now = camera();
+    const base::Rayd ray = now.ray(pointer.place.x(), pointer.place.y());
+    const base::RayPart part = now.uncut(ray);
+    if (part.empty() || (std::isfinite(part.second) && !contactAt(pointer.place)))
+        return; // nothing that is shown
     sculpt::StrokeSample sample;
-    sample.ray = {base::cast<float>(ray.origin), base::normalized(base::cast<float>(ray.direction))};
+    sample.ray = narrowed(ray, part);
     sample.pressure = pointer.pressure;
     sample.seconds = static_cast<float>(static_cast<double>(m_strokeClock.nsecsElapsed()) * 1e-9);
     m_editor.addSample(sample, m_inputs);
@@ -240,6 +220,10 @@ bool ViewController::cancel() {
         endDrag(false);
         return true;
     }
+    if (m_navigator.flying()) {
+        m_navigator.land();
+        return true;
+    }
     return false;
 }
 
@@ -250,6 +234,9 @@ void ViewController::press(const Pointer& pointer) {
     if (m_gesture != Gesture::None)
         return;
     m_pointer = pointer;
+    if (m_navigator.flying())
+        return m_navigator.land();
+    m_navigator.finish();
     m_button = pointer.button;
     const bool left = pointer.button == Qt::LeftButton && !pointer.modifiers.testFlag(Qt::AltModifier);
     const auto contact = left && m_editor.ready() ? contactAt(pointer.place) : std::nullopt;
@@ -269,23 +256,18 @@ void ViewController::press(const Pointer& pointer) {
 
 void ViewController::move(const Pointer& pointer) {
     ++m_inputs;
-    const QPointF by = pointer.place - m_pointer.place;
-    const int height = camera().height;
-    m_pointer = pointer;
     m_inside = true;
+    if (m_navigator.flying())
+        return lookAround(pointer);
+    if (m_gesture == Gesture::Orbit || m_gesture == Gesture::Pan)
+        return turn(pointer);
+    const QPointF by = pointer.place - m_pointer.place;
+    m_pointer = pointer;
     if (m_drag && m_gesture == Gesture::None)
         return dragValue(by.x());
     if (m_gesture == Gesture::Sculpt)
         addSample(pointer);
-    else if (m_gesture == Gesture::Orbit)
-        m_view.orbit(by.x(), by.y(), height);
-    else if (m_gesture == Gesture::Pan)
-        m_view.pan(by.x(), by.y(), height);
-    if (m_gesture == Gesture::Orbit || m_gesture == Gesture::Pan) {
-        m_viewInput = m_inputs;
-        refresh(true);
-    } else
-        updateCursor();
+    updateCursor();
 }
 
 void ViewController::release(const Pointer& pointer) {
@@ -318,6 +300,10 @@ bool ViewController::eventFilter(QObject*, QEvent* event) {
     case QEvent::KeyPress:
     case QEvent::KeyRelease:
         return key(static_cast<QKeyEvent&>(*event), event->type() == QEvent::KeyPress);
+    case QEvent::ShortcutOverride: // while flying, letters are no shortcuts
+        if (m_navigator.flying() && Navigator::isFlyKey(static_cast<QKeyEvent&>(*event).key()))
+            event->accept();
+        return false;
     case QEvent::Enter:
         m_viewport.widget()->setFocus(Qt::MouseFocusReason);
         return false;
@@ -326,6 +312,8 @@ bool ViewController::eventFilter(QObject*, QEvent* event) {
         m_inside = false;
         if (m_drag)
             endDrag(true);
+        if (m_navigator.flying() && event->type() == QEvent::FocusOut)
+            m_navigator.land();
         updateCursor();
         return false;
     case QEvent::Resize:
@@ -337,6 +325,11 @@ bool ViewController::eventFilter(QObject*, QEvent* event) {
     }
 }
 
+/// Is a press of this button and these keys about the view, wherever it is?
+static bool turnsView(Qt::MouseButton button, Qt::KeyboardModifiers modifiers) {
+    return button == Qt::RightButton || (button == Qt::LeftButton && modifiers.testFlag(Qt::AltModifier));
+}
+
 bool ViewController::mouse(QMouseEvent& event) {
     const double scale = m_viewport.widget()->devicePixelRatioF();
     const Pointer pointer{event.position() * scale, event.button(), event.modifiers(), 1};
@@ -344,6 +337,8 @@ bool ViewController::mouse(QMouseEvent& event) {
         move(pointer);
     else if (event.type() == QEvent::MouseButtonRelease)
         release(pointer);
+    else if (event.type() == QEvent::MouseButtonDblClick && turnsView(pointer.button, pointer.modifiers))
+        pickPivotAt(pointer.place);
     else
         press(pointer);
     return true;
@@ -365,12 +360,18 @@ bool ViewController::tablet(QTabletEvent& event) {
 
 bool ViewController::wheel(QWheelEvent& event) {
     const double scale = m_viewport.widget()->devicePixelRatioF();
+    const double steps = event.angleDelta().y() / 120.0;
+    event.accept();
+    if (m_navigator.flying()) {
+        Q_EMIT hinted(tr("Flying at %1 units a second").arg(m_navigator.accelerate(steps), 0, 'g', 3));
+        return true;
+    }
+    m_navigator.finish();
     const auto under = contactAt(event.position() * scale);
     if (m_gesture != Gesture::Sculpt) {
-        m_view.zoom(event.angleDelta().y() / 120.0, under ? under->position : m_view.target);
+        m_navigator.zoom(steps, under ? under->position : view().target);
         refresh(true);
     }
-    event.accept();
     return true;
 }
 
@@ -378,6 +379,11 @@ bool ViewController::key(QKeyEvent& event, bool pressed) {
     const auto changes = event.key() == Qt::Key_Control ? Qt::ControlModifier
                          : event.key() == Qt::Key_Shift ? Qt::ShiftModifier
                                                         : Qt::NoModifier;
+    if (m_navigator.flying() && Navigator::isFlyKey(event.key())) {
+        if (!event.isAutoRepeat())
+            m_navigator.flyKey(event.key(), pressed);
+        return true;
+    }
     m_pointer.modifiers = pressed ? event.modifiers() | changes : event.modifiers() & ~Qt::KeyboardModifiers(changes);
     if (event.key() == Qt::Key_F && !event.isAutoRepeat()) {
         if (m_drag)

@@ -3,9 +3,11 @@
 //
 //     left on the model      a stroke of the chosen tool; Shift: the smoothing tool, Ctrl: inverted; Esc: as if not
 //                            been
-//     left beside it, right  orbit (left with Alt: anywhere)
+//     left beside it, right  turn the view, by the chosen style (left with Alt: anywhere); about the pivot
+//     double click of those  picks the pivot: the place of the surface there, beside it the middle of the view
 //     middle                 pan
 //     wheel                  nearer and farther, towards what lies under the pointer
+//     while flying           keys and pointer move the eye (navigator.h), the wheel sets the speed, Esc or a click land
 //     F, Shift+F and moving  radius, strength; [ and ]: radius in steps
 //     Ctrl+left              with a tool that copies: where from
 //
@@ -13,9 +15,13 @@
 #pragma once
 
 #include "ui/brush_cursor.h"
+#include "ui/cuts.h"
 #include "ui/editor.h"
-#include "ui/orbit_view.h"
+#include "ui/navigator.h"
 #include "ui/render/named_views.h"
+#include "ui/render/section_lines.h"
+#include "ui/saved_views.h"
+#include "ui/section_tracer.h"
 #include "ui/settings.h"
 #include "ui/viewport.h"
 
@@ -36,8 +42,27 @@ class ViewController : public QObject {
     /// All three outlive the controller.
     ViewController(Editor& editor, Settings& settings, Viewport& viewport, QObject* parent = nullptr);
 
+    ~ViewController() override;
+
+    Navigator& navigator() { return m_navigator; }
     void frameAll();
+    /// What is not masked, where something is; else what is under the brush; else all.
+    void frameSelection();
     void turnTo(const render::NamedView& view);
+    void toggleParallel();
+    /// The place of the surface under the pointer, by exact contact; where there is none, the middle of the view.
+    void pickPivot();
+    void fly();
+    SavedView savedView(const std::string& name) const;
+    void recall(const SavedView& view);
+
+    const Cuts& cuts() const { return m_cuts; }
+    void setCuts(const Cuts& cuts);
+    /// Turns the free plane across the direction of view, through the middle of the model.
+    void faceFreeCut();
+    /// Of the planes as they are now; empty until they are traced.
+    const render::SectionCurves& sections() const { return m_sections; }
+
     /// Radius times `factor`, in whichever unit is chosen.
     void scaleRadius(double factor);
     /// Strength of the chosen tool, `by` more.
@@ -52,8 +77,11 @@ class ViewController : public QObject {
     /// All that the settings and the model say of the picture's look; without colours.
     render::RenderOptions look() const;
 
-    const OrbitView& view() const { return m_view; }
-    render::Camera camera() const;
+    /// Where the view is or is smoothly going to be, and its camera: what picking and strokes use.
+    const View& view() const { return m_navigator.view(); }
+    render::Camera camera() const { return cameraOf(m_navigator.view()); }
+    /// What the picture shows on the way there.
+    render::Camera shownCamera() const { return cameraOf(m_navigator.shown()); }
     const BrushCursor& cursor() const { return m_cursor; }
     /// Presses, moves and releases so far: the number of the last.
     std::uint64_t inputs() const { return m_inputs; }
@@ -65,6 +93,8 @@ class ViewController : public QObject {
     void brushChanged();               ///< radius or strength, here
     void sourceChanged(QString place); ///< in the file's coordinates; empty: none
     void hinted(QString what);         ///< what the person has to do first
+    void cutsChanged();                ///< here: another model, or the free plane turned
+    void viewChanged();                ///< projection or flight, for what shows them
 
   protected:
     bool eventFilter(QObject* object, QEvent* event) override;
@@ -96,14 +126,25 @@ class ViewController : public QObject {
     void updateCursor();
     void followModel();
     void paintOverlay(QPainter& painter) const;
+    render::Camera cameraOf(const View& view) const;
+    void viewMoved(bool more);
+    void turn(const Pointer& pointer);
+    void lookAround(const Pointer& pointer);
+    void pickPivotAt(const QPointF& place);
+    void resetCuts();
+    void traceSections();
 
     Editor& m_editor;
     Settings& m_settings;
     Viewport& m_viewport;
-    OrbitView m_view;
     std::shared_ptr<const render::BlockColours> m_colours;
     std::optional<render::ColourScale> m_scale;
-    render::GroundGrid m_grid;  ///< below the model as it was when it came
+    render::GroundGrid m_grid; ///< below the model as it was when it came
+    Navigator m_navigator;
+    Cuts m_cuts;
+    render::SectionCurves m_sections;
+    const void* m_tracedRoot = nullptr; ///< of the version last asked to be traced
+    render::ClipPlanes m_tracedPlanes;
     std::uint64_t m_models = 0; ///< of the snapshot that the view was framed for
     Gesture m_gesture = Gesture::None;
     Qt::MouseButton m_button = Qt::NoButton; ///< that began the gesture and ends it
@@ -120,6 +161,9 @@ class ViewController : public QObject {
     QElapsedTimer m_strokeClock;
     std::uint64_t m_inputs = 0, m_viewInput = 0; ///< all; the last that moved the view
     BrushCursor m_cursor;
+    bool m_mayWarp = true;                   ///< the window system moves the pointer where it is told
+    bool m_warped = false;                   ///< the last move was ours
+    std::unique_ptr<SectionTracer> m_tracer; ///< last: its thread ends first
 };
 
 } // namespace ui

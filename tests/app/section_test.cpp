@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <QImage>
+#include <QSettings>
 #include <QtTest>
 
 using test::Outcome;
@@ -20,6 +21,7 @@ class SectionCommandTest : public QObject {
     void turntablesAreNumbered();
     void viewsLookFromTheirSide();
     void clippedPicturesAreCutOpen();
+    void savedViewsAreFoundByName();
 };
 
 void SectionCommandTest::aSphereIsCutInACircle() {
@@ -162,6 +164,25 @@ void SectionCommandTest::clippedPicturesAreCutOpen() {
     QVERIFY(std::abs(half / whole - 0.5) < 0.03);
     QVERIFY(picture(program, "line.png") != picture(program, "bowl.png"));
     QVERIFY(picture(program, "bowl.png") != picture(program, "whole.png"));
+}
+
+/// A view as the window saves it: target, distance, turn, angle, parallel, origin, pivot, name.
+void SectionCommandTest::savedViewsAreFoundByName() {
+    const Program program;
+    qputenv("XDG_CONFIG_HOME", program.path("config").c_str());
+    QSettings(program.path("config/pointclay/pointclay.conf").c_str(), QSettings::IniFormat)
+        .setValue("view/saved", QStringList{"0 0 0 10 1 0 0 0 35 1 0 0 0 0 0 0 0 my side"});
+    const QStringList common{"render", "sample:sphere:4000", "-o", "a.png", "--size", "100x100", "--transparent"};
+    const Outcome good = program.run(common + QStringList{"--view", "my side"});
+    const Outcome bad = program.run(common + QStringList{"--view", "no such"});
+    const Outcome both = program.run(common + QStringList{"--view", "my side", "--fov", "20"});
+    qunsetenv("XDG_CONFIG_HOME");
+    QVERIFY2(good.code == 0, good.err.c_str());
+    // Parallel, 2 * 10 * tan(35 deg / 2) high: the unit sphere's disc.
+    const double height = 20 * std::tan(17.5 * 3.14159265358979 / 180), radius = 1 / height;
+    QVERIFY(std::abs(covered(picture(program, "a.png")) - 3.14159265358979 * radius * radius) < 0.012);
+    QVERIFY(bad.code == 1 && bad.err.find("my side") != std::string::npos);
+    QCOMPARE(both.code, 2);
 }
 
 static const test::Registered<SectionCommandTest> registered;

@@ -161,10 +161,11 @@ void SculptingTest::dragBesideTheModelTurnsTheView() {
     WindowFixture f;
     QVERIFY(f.make("sphere", 3000));
     const base::Hash128 start = f.hash();
-    const ui::OrbitView before = f.window->controller().view();
+    const ui::View before = f.window->controller().view();
     f.drag({8, 8}, {108, 58});
-    const ui::OrbitView after = f.window->controller().view();
-    QVERIFY(after.yawRad < before.yawRad && after.pitchRad > before.pitchRad);
+    const ui::View after = f.window->controller().view();
+    const base::Vec3d eye = before.turn.inverse()(after.turn({0, 0, 1}));
+    QVERIFY(eye.x < -0.1 && after.turn({0, 0, 1}).y > before.turn({0, 0, 1}).y);
     QCOMPARE(after.distance, before.distance);
     QVERIFY(f.hash() == start);
     QVERIFY(!f.editor().snapshot().canUndo);
@@ -173,11 +174,12 @@ void SculptingTest::dragBesideTheModelTurnsTheView() {
 void SculptingTest::rightDragTurnsTheViewOnTheModelToo() {
     WindowFixture f;
     QVERIFY(f.make("sphere", 3000));
-    const ui::OrbitView before = f.window->controller().view();
+    const ui::View before = f.window->controller().view();
+    const auto eye = [&] { return before.turn.inverse()(f.window->controller().view().turn({0, 0, 1})); };
     f.drag(f.centre(), f.centre() + QPointF(50, 0), {}, Qt::RightButton);
-    QVERIFY(f.window->controller().view().yawRad < before.yawRad);
+    QVERIFY(eye().x < -0.05);
     f.drag(f.centre(), f.centre() + QPointF(-50, 0), Qt::AltModifier);
-    QVERIFY(std::abs(f.window->controller().view().yawRad - before.yawRad) < 1e-9);
+    QVERIFY(base::distance(eye(), {0, 0, 1}) < 1e-9);
     QVERIFY(!f.editor().snapshot().canUndo);
 }
 

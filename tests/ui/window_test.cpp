@@ -372,7 +372,7 @@ void WindowTest::numbersAreTypedAfterAClick() {
         QTest::mouseClick(bar, Qt::LeftButton);
         QTRY_VERIFY(box->isVisible() && box->hasFocus());
     };
-    const ui::OrbitView view = f.window->controller().view();
+    const ui::View view = f.window->controller().view();
     const std::string tool = f.window->settings().tool;
     click();
     QTest::keyClicks(box, "0.37"); // 3 and 7 turn the view elsewhere

@@ -18,6 +18,11 @@ namespace render {
 constexpr std::size_t mostSmoothPixels = 16u << 20;
 constexpr int mostSmoothSide = 8192;
 
+static bool isSmall(const Camera& camera) {
+    const auto pixels = static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height);
+    return pixels <= mostSmoothPixels && std::max(camera.width, camera.height) <= mostSmoothSide;
+}
+
 static void drawSplats(const surface::Surface& surface, const Camera& camera, const PictureOptions& options,
                        std::shared_ptr<const BlockColours> colours, Image& out) {
     const tree::SurfelTree& model = surface.tree();
@@ -26,8 +31,7 @@ static void drawSplats(const surface::Surface& surface, const Camera& camera, co
     style.colours = std::move(colours);
     style.splatScale *= splatScaleOf(model);
     const auto renderer = makeRenderer(options.backend);
-    const bool small = out.colour.size() <= mostSmoothPixels && std::max(out.width, out.height) <= mostSmoothSide;
-    if (options.smooth && small)
+    if (options.smooth && isSmall(camera))
         renderSmooth(*renderer, model, camera, style, out);
     else
         renderer->render(model, camera, style, out);
@@ -54,10 +58,16 @@ static Image draw(const surface::Surface& surface, const Camera& camera, const P
         stats.scale = measured->scale;
     }
     if (options.rayCast) {
-        raycast::CastCounts counts;
-        rayCast(surface, camera, options.style, out, counts, progress, measured ? &*measured : nullptr);
-        stats.rays = counts.rays;
-        stats.evaluations = counts.evaluations;
+        const auto cast = [&](const Camera& view, Image& image) {
+            raycast::CastCounts counts;
+            rayCast(surface, view, options.style, image, counts, progress, measured ? &*measured : nullptr);
+            stats.rays += counts.rays;
+            stats.evaluations += counts.evaluations;
+        };
+        if (options.smoothRays && isSmall(camera))
+            renderSmooth(camera, cast, out);
+        else
+            cast(camera, out);
     } else {
         std::shared_ptr<const BlockColours> colours;
         if (measured)

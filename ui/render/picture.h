@@ -13,7 +13,8 @@ namespace render {
 struct PictureOptions {
     bool rayCast = false;        ///< the true surface, every pixel; else splats
     std::string backend = "cpu"; ///< of splats
-    bool smooth = true;          ///< splats by four pixels for one, up to 16 million; else one
+    bool smooth = true;          ///< splats: four pixels drawn for one, up to 16 million
+    bool smoothRays = false;     ///< the same of cast rays
     bool sections = false;       ///< draw the curves where the camera's clip planes meet the surface
     Annotated annotated = 0;     ///< drawn over the picture; a legend where the shading measures
     RenderOptions style;         ///< its splatScale comes on top of splatScaleOf the model
