@@ -92,7 +92,7 @@ void MainWindow::buildClipping(QMenu& view) {
     m_cutBar->hide();
     QAction* shown = m_cutBar->toggleViewAction();
     shown->setText(tr("&Clipping"));
-    shown->setShortcut(QKeySequence("Alt+B"));
+    shown->setShortcut(QKeySequence("Shift+B"));
     shown->setToolTip(tr("Cut the model open with planes, and see the curves where they meet it"));
     view.addAction(shown);
     const auto follow = [this] {
