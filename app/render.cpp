@@ -40,11 +40,11 @@ void run(Options options, Console& console) {
     const auto cameras = camerasOf(*options.view, surface.tree(), document.provenance().origin);
     const int count = static_cast<int>(cameras.size());
     applyLook(*options.look, document, options.surface->parameters(), cameras.front().up, console, options.picture);
+    render::PictureMaker maker(surface, options.picture);
     render::PictureStats stats;
     for (int k = 0; k < count; ++k) {
         render::PictureStats one;
-        const render::Image image =
-            render::drawPicture(surface, cameras[static_cast<std::size_t>(k)], options.picture, one, progress);
+        const render::Image image = maker.draw(cameras[static_cast<std::size_t>(k)], one, progress);
         stats += one;
         render::savePng(image, numberedPath(options.image, k, count));
         if (!options.depth.empty())

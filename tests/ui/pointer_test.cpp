@@ -1,8 +1,6 @@
 // What the pointer does beside sculpting: it turns the view, shows the exact contact, changes radius and strength.
 #include "reach.h"
 #include "support/registry.h"
-#include "ui/status_line.h"
-#include "ui/tool_bar.h"
 
 using test::reachOf;
 using test::WindowFixture;

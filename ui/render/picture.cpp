@@ -23,74 +23,98 @@ static bool isSmall(const Camera& camera) {
     return pixels <= mostSmoothPixels && std::max(camera.width, camera.height) <= mostSmoothSide;
 }
 
-static void drawSplats(const surface::Surface& surface, const Camera& camera, const PictureOptions& options,
-                       std::shared_ptr<const BlockColours> colours, Image& out) {
-    const tree::SurfelTree& model = surface.tree();
-    RenderOptions style = options.style;
-    style.definition = surface.definition();
-    style.colours = std::move(colours);
-    style.splatScale *= splatScaleOf(model);
-    const auto renderer = makeRenderer(options.backend);
-    if (options.smooth && isSmall(camera))
-        renderSmooth(*renderer, model, camera, style, out);
-    else
-        renderer->render(model, camera, style, out);
-}
-
-static void addSections(const surface::Surface& surface, const Camera& camera, const base::Progress& progress,
-                        Image& image) {
-    SectionCurves curves;
-    for (const base::Plane& plane : camera.clips.all())
-        curves.push_back(findSection(surface, plane, progress));
-    drawSections(curves, camera, image);
-}
-
-static Image draw(const surface::Surface& surface, const Camera& camera, const PictureOptions& options,
-                  PictureStats& stats, const base::Progress& progress) {
-    Image out;
-    out.resize(camera.width, camera.height);
-    stats.pixels = out.colour.size();
-    const auto begin = std::chrono::steady_clock::now();
+struct PictureMaker::Kept {
     std::optional<Measured> measured;
-    if (const auto& row = shadingRow(options.style.shading).measure) {
-        const process::FieldQuestion question{row->quantity, surface, options.reference};
-        measured = Measured{question, scaleFor(*row, question, options.range, nullptr, progress)};
-        stats.scale = measured->scale;
-    }
-    if (options.rayCast) {
-        const auto cast = [&](const Camera& view, Image& image) {
-            raycast::CastCounts counts;
-            rayCast(surface, view, options.style, image, counts, progress, measured ? &*measured : nullptr);
-            stats.rays += counts.rays;
-            stats.evaluations += counts.evaluations;
-        };
-        if (options.smoothRays && isSmall(camera))
-            renderSmooth(camera, cast, out);
-        else
-            cast(camera, out);
-    } else {
-        std::shared_ptr<const BlockColours> colours;
-        if (measured)
-            colours = coloursOf(process::evaluateField(measured->question, nullptr, progress), measured->scale);
-        progress.step(0, "Drawing");
-        drawSplats(surface, camera, options, std::move(colours), out);
-    }
-    if (options.sections)
-        addSections(surface, camera, progress, out);
-    paint(annotate(options.annotated, camera, stats.scale, options.style.backdrop, options.style.pixelScale), out);
-    stats.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    return out;
+    std::unique_ptr<Renderer> renderer;
+    RenderOptions style; ///< of splats
+    ClipPlanes clips;    ///< that the curves belong to
+    SectionCurves curves;
+};
+
+PictureMaker::PictureMaker(surface::Surface surface, PictureOptions options)
+    : m_surface(std::move(surface)), m_options(std::move(options)), m_kept(std::make_unique<Kept>()) {}
+
+PictureMaker::~PictureMaker() = default;
+
+void PictureMaker::measure(const base::Progress& progress) {
+    const auto& row = shadingRow(m_options.style.shading).measure;
+    if (!row || m_kept->measured)
+        return;
+    const process::FieldQuestion question{row->quantity, m_surface, m_options.reference};
+    m_kept->measured = Measured{question, scaleFor(*row, question, m_options.range, nullptr, progress)};
 }
 
-Image drawPicture(const surface::Surface& surface, const Camera& camera, const PictureOptions& options,
-                  PictureStats& stats, const base::Progress& progress) {
+void PictureMaker::castRays(const Camera& camera, PictureStats& stats, const base::Progress& progress, Image& out) {
+    const auto cast = [&](const Camera& view, Image& image) {
+        raycast::CastCounts counts;
+        const auto& measured = m_kept->measured;
+        rayCast(m_surface, view, m_options.style, image, counts, progress, measured ? &*measured : nullptr);
+        stats.rays += counts.rays;
+        stats.evaluations += counts.evaluations;
+    };
+    if (m_options.smoothRays && isSmall(camera))
+        renderSmooth(camera, cast, out);
+    else
+        cast(camera, out);
+}
+
+void PictureMaker::drawSplats(const Camera& camera, const base::Progress& progress, Image& out) {
+    const tree::SurfelTree& model = m_surface.tree();
+    if (!m_kept->renderer) {
+        m_kept->style = m_options.style;
+        m_kept->style.definition = m_surface.definition();
+        m_kept->style.splatScale *= splatScaleOf(model);
+        if (const auto& measured = m_kept->measured)
+            m_kept->style.colours =
+                coloursOf(process::evaluateField(measured->question, nullptr, progress), measured->scale);
+        m_kept->renderer = makeRenderer(m_options.backend);
+    }
+    progress.step(0, "Drawing");
+    if (m_options.smooth && isSmall(camera))
+        renderSmooth(*m_kept->renderer, model, camera, m_kept->style, out);
+    else
+        m_kept->renderer->render(model, camera, m_kept->style, out);
+}
+
+void PictureMaker::addSections(const Camera& camera, const base::Progress& progress, Image& out) {
+    if (!(m_kept->clips == camera.clips)) {
+        m_kept->curves.clear();
+        for (const base::Plane& plane : camera.clips.all())
+            m_kept->curves.push_back(findSection(m_surface, plane, progress));
+        m_kept->clips = camera.clips;
+    }
+    drawSections(m_kept->curves, camera, out);
+}
+
+Image PictureMaker::draw(const Camera& camera, PictureStats& stats, const base::Progress& progress) {
     try {
-        return draw(surface, camera, options, stats, progress);
+        Image out;
+        out.resize(camera.width, camera.height);
+        stats.pixels = out.colour.size();
+        const auto begin = std::chrono::steady_clock::now();
+        measure(progress);
+        if (m_kept->measured)
+            stats.scale = m_kept->measured->scale;
+        if (m_options.rayCast)
+            castRays(camera, stats, progress, out);
+        else
+            drawSplats(camera, progress, out);
+        if (m_options.sections)
+            addSections(camera, progress, out);
+        const RenderOptions& style = m_options.style;
+        paint(annotate(m_options.annotated, camera, stats.scale, style.backdrop, style.pixelScale), out);
+        stats.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+        return out;
     } catch (const std::bad_alloc&) {
         throw base::Error("the memory does not hold a picture of " + std::to_string(camera.width) + " x " +
                               std::to_string(camera.height) + " pixels",
                           "", "choose a smaller size");
     }
+}
+
+Image drawPicture(const surface::Surface& surface, const Camera& camera, const PictureOptions& options,
+                  PictureStats& stats, const base::Progress& progress) {
+    return PictureMaker(surface, options).draw(camera, stats, progress);
 }
 
 } // namespace render

@@ -35,7 +35,32 @@ struct PictureStats {
     std::optional<ColourScale> scale; ///< of measured numbers, where the shading shows some
 };
 
-/// Throws base::Error where the backend is missing, the picture too large for it or for the memory; base::Cancelled.
+/// Draws one model from any number of views; what they share (measured numbers, representatives, section curves) is
+/// made once. One thread at a time.
+class PictureMaker {
+  public:
+    PictureMaker(surface::Surface surface, PictureOptions options);
+    ~PictureMaker();
+    PictureMaker(const PictureMaker&) = delete;
+    PictureMaker& operator=(const PictureMaker&) = delete;
+
+    /// Throws base::Error where the backend is missing, the picture too large for it or for the memory;
+    /// base::Cancelled.
+    Image draw(const Camera& camera, PictureStats& stats, const base::Progress& progress);
+
+  private:
+    struct Kept;
+    void measure(const base::Progress& progress);
+    void castRays(const Camera& camera, PictureStats& stats, const base::Progress& progress, Image& out);
+    void drawSplats(const Camera& camera, const base::Progress& progress, Image& out);
+    void addSections(const Camera& camera, const base::Progress& progress, Image& out);
+
+    surface::Surface m_surface;
+    PictureOptions m_options;
+    std::unique_ptr<Kept> m_kept;
+};
+
+/// One picture.
 Image drawPicture(const surface::Surface& surface, const Camera& camera, const PictureOptions& options,
                   PictureStats& stats, const base::Progress& progress);
 
