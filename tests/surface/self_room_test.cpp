@@ -41,6 +41,8 @@ static float beyond(const std::vector<surfel::Surfel>& all, const surfel::Surfel
     float nearest[8], crowded = -1;
     std::fill(std::begin(nearest), std::end(nearest), 1.0f);
     for (const surfel::Surfel& other : all) {
+        if (distance(other.position, at.position) > 2 * (q.ring + q.clear + q.close))
+            continue; // has no say
         const float cosine = dot(at.normal, other.normal);
         const bool counts = q.sheets == RoomQuestion::Sheets::All ||
                             (q.sheets == RoomQuestion::Sheets::Signed ? cosine : std::abs(cosine)) > q.leastCosine;
