@@ -1,8 +1,10 @@
-// Polylines on the surface as OBJ text: `v` and `vn` for every point, then one `l`, which a closed one ends where it
-// began. Numbers carry 17 digits, since such curves are traced in float64.
+// Polylines on the surface in a file. OBJ: `v` and `vn` for every point, then one `l`, which a closed one ends where it
+// began. CSV: a row for every point, lines counted from 0, in the order along them. Numbers carry 17 digits, since such
+// curves are traced in float64.
 #pragma once
 
-#include "core/base/vec.h"
+#include "app/csv_writer.h"
+#include "core/io/safe_file.h"
 
 #include <cstdio>
 #include <string>
@@ -30,6 +32,33 @@ std::string objPolyline(const std::vector<Point>& points, bool closed, std::size
     if (closed)
         out += ' ' + std::to_string(before + 1);
     return out + '\n';
+}
+
+/// OBJ where the file's name ends so, else CSV with this head line: number, closed, position, normal, and what `more`
+/// appends of a point. A Line has points and closed.
+template <class Line, class More>
+void writePolylines(const std::string& target, const std::vector<Line>& all, const base::Vec3d& origin,
+                    const char* head, const More& more) {
+    io::SafeFile file(target);
+    if (target.ends_with(".obj")) {
+        std::size_t before = 0;
+        for (const Line& line : all) {
+            file.write(objPolyline(line.points, line.closed, before, origin));
+            before += line.points.size();
+        }
+    } else {
+        CsvWriter csv(curveDigits);
+        file.write(head);
+        for (std::size_t i = 0; i < all.size(); ++i)
+            for (const auto& p : all[i].points) {
+                csv.integer(static_cast<long long>(i)).integer(all[i].closed ? 1 : 0);
+                csv.vector(p.position + origin).vector(p.normal);
+                more(csv, p);
+                csv.endRow();
+            }
+        file.write(csv.take());
+    }
+    file.commit();
 }
 
 } // namespace app

@@ -1,51 +1,23 @@
 // pointclay section: where a plane cuts the surface, as polylines in a CSV or OBJ file.
 #include "core/surface/section.h"
 
-#include "app/csv_writer.h"
 #include "app/open_model.h"
 #include "app/polyline_file.h"
+#include "app/polyline_options.h"
 #include "app/subcommand.h"
-#include "app/surface_options.h"
 #include "app/view_options.h"
-#include "core/io/safe_file.h"
 
 #include <iostream>
-#include <nlohmann/json.hpp>
 
 namespace app {
 
-using base::Vec3d;
 using surface::SectionCurve, surface::SectionPoint;
 
 namespace {
 
-struct Options {
-    std::string model, out, plane;
-    double turn = 0.1, least = 0;
-    std::shared_ptr<SurfaceOptions> surface;
+struct Options : PolylineOptions {
+    std::string plane;
 };
-
-void write(const std::string& target, const std::vector<SectionCurve>& curves, const Vec3d& origin) {
-    io::SafeFile file(target);
-    if (target.ends_with(".obj")) {
-        std::size_t before = 0;
-        for (const SectionCurve& curve : curves) {
-            file.write(objPolyline(curve.points, curve.closed, before, origin));
-            before += curve.points.size();
-        }
-    } else {
-        CsvWriter csv(curveDigits);
-        file.write("curve,closed,x,y,z,nx,ny,nz\n");
-        for (std::size_t i = 0; i < curves.size(); ++i)
-            for (const SectionPoint& p : curves[i].points) {
-                csv.integer(static_cast<long long>(i)).integer(curves[i].closed ? 1 : 0);
-                csv.vector(p.position + origin).vector(p.normal);
-                csv.endRow();
-            }
-        file.write(csv.take());
-    }
-    file.commit();
-}
 
 /// The area counts holes as such where all curves are closed.
 void tell(const std::vector<SectionCurve>& curves, const base::Plane& plane) {
@@ -62,23 +34,16 @@ void tell(const std::vector<SectionCurve>& curves, const base::Plane& plane) {
 }
 
 void run(const Options& options, Console& console) {
-    if (!options.out.empty() && !options.out.ends_with(".csv") && !options.out.ends_with(".obj"))
-        throw UsageError("-o: the file's name must end in .csv or .obj");
     session::Document document;
     const base::Progress progress = console.progress();
-    session::Context context{document, {}, progress, {}, 0, {}, nullptr};
-    openModel(context, options.model, options.surface->parameters(), console);
-    if (document.surface().definition().manifold == surface::Manifold::Curve)
-        throw base::Error("a plane cuts a curve in points, not in curves", options.model,
-                          "ask with --manifold surface");
-    surface::TraceOptions how;
-    how.turn = options.turn;
-    const Vec3d origin = document.provenance().origin;
+    openForPolylines(options, document, progress, console, "a plane cuts a curve in points, not in curves");
+    const base::Vec3d origin = document.provenance().origin;
     const base::Plane plane = planeOf(options.plane, origin);
-    std::vector<SectionCurve> curves = findSection(document.surface(), plane, progress, how);
+    std::vector<SectionCurve> curves = findSection(document.surface(), plane, progress, options.tracing());
     std::erase_if(curves, [&](const SectionCurve& curve) { return curve.length() < options.least; });
     if (!options.out.empty())
-        write(options.out, curves, origin);
+        writePolylines(options.out, curves, origin, "curve,closed,x,y,z,nx,ny,nz\n",
+                       [](CsvWriter&, const SectionPoint&) {});
     tell(curves, plane);
 }
 
@@ -91,19 +56,12 @@ Action addSection(CLI::App& command) {
         ->type_name("nx,ny,nz,d")
         ->check(CLI::Validator(planeFault, ""))
         ->required();
-    command
-        .add_option("-o,--output", options->out,
-                    "file to write: CSV rows curve,closed,x,y,z,nx,ny,nz (curves counted from 0, longest first; unit "
-                    "normal of the surface), or polylines in OBJ. They run counter-clockwise about what is inside, "
-                    "seen from where the plane's normal points. Without it the curves are only counted and measured")
-        ->type_name("SECTION.csv|SECTION.obj");
-    command.add_option("--turn", options->turn, "angle by which a curve turns from point to point, in radians")
-        ->check(CLI::Range(0.001, 1.0))
-        ->capture_default_str();
-    command.add_option("--least", options->least, "leave out curves shorter than this, in model units")
-        ->check(CLI::NonNegativeNumber)
-        ->capture_default_str();
-    options->surface = addSurfaceOptions(command, false);
+    addPolylineOptions(
+        command, *options, "curve",
+        "file to write: CSV rows curve,closed,x,y,z,nx,ny,nz (curves counted from 0, longest first; unit "
+        "normal of the surface), or polylines in OBJ. They run counter-clockwise about what is inside, "
+        "seen from where the plane's normal points. Without it the curves are only counted and measured",
+        "SECTION.csv|SECTION.obj");
     return [options](Console& console) { run(*options, console); };
 }
 

@@ -1,0 +1,38 @@
+#include "app/polyline_options.h"
+
+#include "app/open_model.h"
+#include "app/subcommand.h"
+
+#include <nlohmann/json.hpp>
+
+namespace app {
+
+surface::TraceOptions PolylineOptions::tracing() const {
+    surface::TraceOptions how;
+    how.turn = turn;
+    return how;
+}
+
+void addPolylineOptions(CLI::App& command, PolylineOptions& options, const std::string& what, const std::string& tip,
+                        const char* type) {
+    command.add_option("-o,--output", options.out, tip)->type_name(type);
+    command.add_option("--turn", options.turn, "angle by which a " + what + " turns from point to point, in radians")
+        ->check(CLI::Range(0.001, 1.0))
+        ->capture_default_str();
+    command.add_option("--least", options.least, "leave out " + what + "s shorter than this, in model units")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
+    options.surface = addSurfaceOptions(command, false);
+}
+
+void openForPolylines(const PolylineOptions& options, session::Document& document, const base::Progress& progress,
+                      Console& console, const char* fault) {
+    if (!options.out.empty() && !options.out.ends_with(".csv") && !options.out.ends_with(".obj"))
+        throw UsageError("-o: the file's name must end in .csv or .obj");
+    session::Context context{document, {}, progress, {}, 0, {}, nullptr};
+    openModel(context, options.model, options.surface->parameters(), console);
+    if (document.surface().definition().manifold == surface::Manifold::Curve)
+        throw base::Error(fault, options.model, "ask with --manifold surface");
+}
+
+} // namespace app

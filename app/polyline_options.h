@@ -1,0 +1,30 @@
+// What the subcommands that trace curves on a surface have in common: `boundary` and `section`.
+#pragma once
+
+#include "app/console.h"
+#include "app/surface_options.h"
+#include "core/session/document.h"
+#include "core/surface/boundary.h"
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+namespace app {
+
+struct PolylineOptions {
+    std::string model, out; ///< no `out`: only counted and measured
+    double turn = 0.1, least = 0;
+    std::shared_ptr<SurfaceOptions> surface;
+
+    surface::TraceOptions tracing() const;
+};
+
+/// Adds -o, --turn, --least and the surface options. `what` is traced ("rim"), `tip` and `type` tell of the file.
+void addPolylineOptions(CLI::App& command, PolylineOptions& options, const std::string& what, const std::string& tip,
+                        const char* type);
+
+/// Opens the model. Throws UsageError for a file of another kind than CSV and OBJ, base::Error with `fault` for curves.
+void openForPolylines(const PolylineOptions& options, session::Document& document, const base::Progress& progress,
+                      Console& console, const char* fault);
+
+} // namespace app
