@@ -1,6 +1,7 @@
 #include "ui/render/camera.h"
 
 #include "core/base/random.h"
+#include "render/boxes.h"
 #include "support/registry.h"
 #include "ui/render/view_frame.h"
 
@@ -71,10 +72,6 @@ void CameraTest::axesAreOrthonormalEvenWhenLookingAlongUp() {
     }
 }
 
-static Vec3d corner(const base::Box3f& box, int k) {
-    return {k & 1 ? box.hi.x : box.lo.x, k & 2 ? box.hi.y : box.lo.y, k & 4 ? box.hi.z : box.lo.z};
-}
-
 static base::Box3f randomBox(base::Random& random) {
     base::Box3f box;
     const Vec3d centre = random.unitVector() * random.uniform(0, 100);
@@ -90,13 +87,7 @@ void CameraTest::framedBoxesFillTheImageAndStayInside() {
         const base::Box3f box = randomBox(random);
         const Camera camera = before.framing(box);
         QVERIFY2(length(camera.forward() - before.forward()) < 1e-9, seeded(k));
-        double fill = 0;
-        for (int c = 0; c < 8; ++c) {
-            const Vec3d place = camera.project(corner(box, c));
-            QVERIFY2(place.z > 0, seeded(k));
-            fill =
-                std::max({fill, std::abs(2 * place.x / camera.width - 1), std::abs(2 * place.y / camera.height - 1)});
-        }
+        const double fill = test::filledBy(camera, box);
         QVERIFY2(fill > 0.9399 && fill < 0.9401, seeded(k));
     }
 }
@@ -121,7 +112,7 @@ void CameraTest::screenBoundsHoldTheirBox() {
         const float reach = static_cast<float>(random.uniform(0, 1));
         const render::ScreenBounds bounds = screenBounds(render::ViewFrame(camera), box, reach);
         for (int c = 0; c < 8; ++c) {
-            const Vec3d p = corner(box, c) + random.unitVector() * (0.999 * reach), place = camera.project(p);
+            const Vec3d p = test::corner(box, c) + random.unitVector() * (0.999 * reach), place = camera.project(p);
             const int column = static_cast<int>(std::floor(place.x)), row = static_cast<int>(std::floor(place.y));
             if (place.z <= 0 || column < 0 || column >= camera.width || row < 0 || row >= camera.height)
                 continue;

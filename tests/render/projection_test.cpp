@@ -1,5 +1,6 @@
 // Parallel rays and clip planes: cameras, bounds, and the same picture however it is drawn.
 #include "core/base/error.h"
+#include "render/boxes.h"
 #include "render/render_models.h"
 #include "support/registry.h"
 #include "ui/render/cpu_splatter.h"
@@ -54,10 +55,6 @@ Camera smallCamera(const Vec3d& direction, double distance, double height) {
     return camera;
 }
 
-Vec3d corner(const base::Box3f& box, int k) {
-    return {k & 1 ? box.hi.x : box.lo.x, k & 2 ? box.hi.y : box.lo.y, k & 4 ? box.hi.z : box.lo.z};
-}
-
 base::Plane through(const Vec3d& normal, double offset) {
     return {base::normalized(normal), offset};
 }
@@ -93,13 +90,7 @@ void ProjectionTest::parallelFramingFillsTheImage() {
             box.extend(base::cast<float>(random.unitVector() * random.uniform(1, 10)));
         const Camera before = randomParallel(random), camera = before.framing(box);
         QVERIFY2(distance(camera.forward(), before.forward()) < 1e-9, seeded(k));
-        double fill = 0;
-        for (int c = 0; c < 8; ++c) {
-            const Vec3d place = camera.project(corner(box, c));
-            QVERIFY2(place.z > 0, seeded(k));
-            fill =
-                std::max({fill, std::abs(2 * place.x / camera.width - 1), std::abs(2 * place.y / camera.height - 1)});
-        }
+        const double fill = test::filledBy(camera, box);
         QVERIFY2(fill > 0.9399 && fill < 0.9401, seeded(k));
     }
 }
@@ -115,7 +106,7 @@ void ProjectionTest::boundsHoldTheirBoxInParallelToo() {
         const auto reach = static_cast<float>(random.uniform(0, 1));
         const ScreenBounds bounds = screenBounds(ViewFrame(camera), box, reach);
         for (int c = 0; c < 8; ++c) {
-            const Vec3d place = camera.project(corner(box, c) + random.unitVector() * (0.999 * reach));
+            const Vec3d place = camera.project(test::corner(box, c) + random.unitVector() * (0.999 * reach));
             const int column = static_cast<int>(std::floor(place.x)), row = static_cast<int>(std::floor(place.y));
             if (place.z <= 0 || column < 0 || column >= camera.width || row < 0 || row >= camera.height)
                 continue;
@@ -145,7 +136,7 @@ void ProjectionTest::whatIsCutAwayWasBehindAPlane() {
             continue;
         ++cut;
         for (int c = 0; c < 8; ++c)
-            QVERIFY2(!camera.clips.keeps(corner(box, c)), seeded(k));
+            QVERIFY2(!camera.clips.keeps(test::corner(box, c)), seeded(k));
     }
     QVERIFY(cut > 200);
 }

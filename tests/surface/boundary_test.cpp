@@ -1,4 +1,5 @@
 // Rims: where theory says they are, once each, closed where the model's are, with and without orientation.
+#include "bounded.h"
 #include "core/base/parallel.h"
 #include "core/process/boundary_limit.h"
 #include "core/process/prepare.h"
@@ -31,13 +32,6 @@ class BoundaryTest : public QObject {
 };
 
 namespace {
-
-SurfaceDefinition bounded(float limit) {
-    SurfaceDefinition out;
-    out.boundary = Boundary::Limit;
-    out.boundaryLimit = limit;
-    return out;
-}
 
 /// Rings of radius (k + 1/2) s, the outermost at radius - s/2, with holes where `keep` is false.
 surfel::SurfelList disc(double radius, double s, double h, const std::function<bool(const Vec3d&)>& keep) {
@@ -108,7 +102,7 @@ void BoundaryTest::straightRimsLieWhereTheoryPutsThem() {
     for (int i = 0; i < 60; ++i)
         for (int j = -40; j <= 40; ++j)
             list.items.push_back(shapes::surfelAt({-(i + 0.5) * s, j * s, 0}, {0, 0, 1}, h));
-    const Surface surface = shapes::surfaceOf(list, bounded(static_cast<float>(limit)));
+    const Surface surface = shapes::surfaceOf(list, shapes::bounded(static_cast<float>(limit)));
     const RimSearch found = findRimPoint(surface, {-0.1, 0.013, 0.05});
     QVERIFY(found.ok());
     QVERIFY2(std::abs(found.point.position.x - beyond * h) < 2e-3, qPrintable(QString::number(found.point.position.x)));
@@ -123,7 +117,7 @@ void BoundaryTest::rimPointsFulfilBothConditions() {
     for (const surfel::Surfel& s : shapes::jittered(shapes::sphere(3000, 1, h), 0.01, test::seed()).items)
         if (s.position.z < 0.3f)
             list.items.push_back(s);
-    const Surface surface = shapes::surfaceOf(list, bounded(0.3f));
+    const Surface surface = shapes::surfaceOf(list, shapes::bounded(0.3f));
     base::Random random(test::seed());
     int found = 0;
     for (int i = 0; i < 60; ++i) {
@@ -154,7 +148,7 @@ void BoundaryTest::gradedSupportsHaveRimsToo() {
         s.support = 0.3f + 0.15f * s.position.x;
     for (surfel::Surfel& s : list.items)
         s.support = std::max(s.support, 0.35f + 0.1f * s.position.x);
-    const Surface surface = shapes::surfaceOf(list, bounded(0.3f));
+    const Surface surface = shapes::surfaceOf(list, shapes::bounded(0.3f));
     const std::vector<Rim> rims = findRims(surface);
     QVERIFY2(rims.size() == 1 && rims[0].closed, qPrintable(described(rims)));
     for (const RimPoint& p : rims[0].points) {
@@ -165,7 +159,7 @@ void BoundaryTest::gradedSupportsHaveRimsToo() {
 
 void BoundaryTest::discsEndInACircle() {
     const double s = 0.05, h = 0.3, radius = 2;
-    const Surface surface = shapes::surfaceOf(disc(radius, s, h, keepAll), bounded(0.3f));
+    const Surface surface = shapes::surfaceOf(disc(radius, s, h, keepAll), shapes::bounded(0.3f));
     const std::vector<Rim> rims = findRims(surface);
     QVERIFY2(rims.size() == 1 && rims[0].closed, qPrintable(described(rims)));
     double least = 1e9, most = 0;
@@ -186,7 +180,7 @@ void BoundaryTest::holesHaveRimsOfTheirOwn() {
     const auto keep = [](const Vec3d& p) {
         return distance(p, {0.9, 0, 0}) > 0.5 && distance(p, {-0.8, 0.3, 0}) > 0.35;
     };
-    const Surface surface = shapes::surfaceOf(disc(2, s, h, keep), bounded(0.3f));
+    const Surface surface = shapes::surfaceOf(disc(2, s, h, keep), shapes::bounded(0.3f));
     const std::vector<Rim> rims = findRims(surface);
     QVERIFY2(rims.size() == 3 && rims[0].closed && rims[1].closed && rims[2].closed, qPrintable(described(rims)));
     const double expected[] = {2, 0.5, 0.35};
@@ -204,7 +198,7 @@ void BoundaryTest::halfSpheresHaveOneRim() {
             list.items.push_back(s);
     for (const bool oriented : {true, false}) {
         list.layout = shapes::layout(true, oriented);
-        const std::vector<Rim> rims = findRims(shapes::surfaceOf(list, bounded(0.3f)));
+        const std::vector<Rim> rims = findRims(shapes::surfaceOf(list, shapes::bounded(0.3f)));
         QVERIFY2(rims.size() == 1 && rims[0].closed, qPrintable(described(rims)));
         QVERIFY2(std::abs(rims[0].length() - 2 * shapes::pi) < 0.1, qPrintable(described(rims)));
         for (const RimPoint& p : rims[0].points)
@@ -214,7 +208,7 @@ void BoundaryTest::halfSpheresHaveOneRim() {
 
 void BoundaryTest::moebiusStripsHaveOneRim() {
     const double width = 0.6, s = 0.05;
-    const std::vector<Rim> rims = findRims(shapes::surfaceOf(moebius(width, s, 3.5 * s), bounded(0.25f)));
+    const std::vector<Rim> rims = findRims(shapes::surfaceOf(moebius(width, s, 3.5 * s), shapes::bounded(0.25f)));
     QVERIFY2(rims.size() == 1 && rims[0].closed, qPrintable(described(rims)));
     // twice around, at a quarter of a support beyond the edges at most
     double expected = 0;
@@ -251,8 +245,8 @@ void BoundaryTest::scannedMoebiusStripsHaveOneRim() {
 }
 
 void BoundaryTest::closedModelsHaveNone() {
-    const Surface torus =
-        shapes::surfaceOf(shapes::jittered(shapes::torus(1, 0.5, 0.07, 0.25), 0.01, test::seed()), bounded(0.3f));
+    const Surface torus = shapes::surfaceOf(shapes::jittered(shapes::torus(1, 0.5, 0.07, 0.25), 0.01, test::seed()),
+                                            shapes::bounded(0.3f));
     QVERIFY(findRims(torus).empty());
 }
 
@@ -264,7 +258,7 @@ void BoundaryTest::unboundedDefinitionsHaveNone() {
 }
 
 void BoundaryTest::longTracesStopWhereTold() {
-    const Surface surface = shapes::surfaceOf(disc(1, 0.1, 0.35, keepAll), bounded(0.3f));
+    const Surface surface = shapes::surfaceOf(disc(1, 0.1, 0.35, keepAll), shapes::bounded(0.3f));
     const RimSearch seed = findRimPoint(surface, {1, 0, 0});
     QVERIFY(seed.ok());
     TraceOptions options;
@@ -279,7 +273,7 @@ void BoundaryTest::longTracesStopWhereTold() {
 
 void BoundaryTest::threadsDoNotShow() {
     const Surface surface =
-        shapes::surfaceOf(disc(2, 0.1, 0.35, [](const Vec3d& p) { return length(p) > 0.8; }), bounded(0.3f));
+        shapes::surfaceOf(disc(2, 0.1, 0.35, [](const Vec3d& p) { return length(p) > 0.8; }), shapes::bounded(0.3f));
     base::setThreadCount(1);
     const std::vector<Rim> one = findRims(surface);
     base::setThreadCount(0);

@@ -1,6 +1,7 @@
 // Plane sections: curves that theory knows, points that fulfil both equations, ends at rims, agreement with rays.
 #include "core/surface/section.h"
 
+#include "bounded.h"
 #include "core/base/parallel.h"
 #include "core/surface/intersect.h"
 #include "shapes.h"
@@ -27,13 +28,6 @@ class SectionTest : public QObject {
 };
 
 namespace {
-
-SurfaceDefinition bounded(float limit) {
-    SurfaceDefinition out;
-    out.boundary = Boundary::Limit;
-    out.boundaryLimit = limit;
-    return out;
-}
 
 Plane through(const Vec3d& normal, const Vec3d& p) {
     const Vec3d n = base::normalized(normal);
@@ -115,7 +109,7 @@ void SectionTest::toriAreCutInTwoCirclesOrVillarceaus() {
 
 void SectionTest::planesAreCutInLinesThatEndAtTheRim() {
     const double s = 0.05, h = 3.5 * s;
-    const Surface surface = shapes::surfaceOf(shapes::plane(20, s, h), bounded(0.25f));
+    const Surface surface = shapes::surfaceOf(shapes::plane(20, s, h), shapes::bounded(0.25f));
     const Plane plane = through({1, 0.2, 0.3}, {0.1, 0, 0});
     const auto curves = findSection(surface, plane);
     QVERIFY2(curves.size() == 1 && !curves[0].closed, qPrintable(described(curves)));
