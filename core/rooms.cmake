@@ -15,11 +15,13 @@ pointclay_link(process nanoflann::nanoflann)
 
 pointclay_room(raycast core/raycast surface)
 
+pointclay_room(mesh core/mesh process)
+
 pointclay_room(sculpt core/sculpt process)
 # Neither changes a bit; without them loops with square roots and selections stay scalar.
 target_compile_options(pointclay_sculpt PRIVATE -fno-math-errno -fno-trapping-math)
 
-pointclay_room(io core/io process)
+pointclay_room(io core/io process mesh)
 pointclay_link(io PNG::PNG JPEG::JPEG)
 
 pointclay_room(session core/session sculpt io)
