@@ -18,6 +18,7 @@ struct Frame {
     const SplatStyle& style;
     const ShadingStyle& shading;
     const RenderOptions& options;
+    const ShadedLayer* layer; ///< may be null
     Image& out;
     Finish& finish;
 };
@@ -39,53 +40,88 @@ struct GeometryRow {
 /// The normal where none adds up: splats that cancel each other.
 constexpr base::Vec3f towardsEye{0, 0, 1};
 
+/// A pixel where something is seen.
+struct Seen {
+    surfel::Colour colour;
+    float depth, z; ///< along its ray; along the direction of view
+    base::Vec3f normal;
+};
+
+Seen seenInSplats(const Frame& frame, const TileSums& sums, int i, float dx, float dy) {
+    const float inverse = 1 / sums.weight[i];
+    const base::Vec3f n =
+        normalized(base::Vec3f{sums.normal[0][i], -sums.normal[1][i], -sums.normal[2][i]}, towardsEye);
+    surfel::Colour blended = surfel::white;
+    float mask = 0;
+    if (frame.style.colours) {
+        const auto channel = [&](int k) { return static_cast<unsigned>(sums.colour[k][i] * inverse + 0.5f); };
+        blended = surfel::rgba(channel(0), channel(1), channel(2));
+        mask = sums.mask[i] * inverse;
+    }
+    const float z = sums.depth[i] * inverse;
+    // dy runs down, the shading frame's y runs up.
+    return {shadePixel(frame.shading, inRayFrame(n, dx, -dy), blended, mask), z * std::sqrt(dx * dx + dy * dy + 1), z,
+            n};
+}
+
 void shadeTile(const Frame& frame, const TileArea& area, const TileSums& sums) {
+    const bool finish = frame.finish.wanted();
     for (int y = 0; y < area.height; ++y) {
-        const float dy = frame.view.raySlopeY(area.top + y);
-        const auto line = static_cast<std::size_t>(area.top + y) * static_cast<std::size_t>(frame.out.width);
-        const bool finish = frame.finish.wanted();
-        surfel::Colour* colour =
-            (finish ? frame.finish.shaded(area.top + y) : frame.out.colour.data() + line) + area.left;
+        const int row = area.top + y;
+        const float dy = frame.view.raySlopeY(row);
+        const auto line = static_cast<std::size_t>(row) * static_cast<std::size_t>(frame.out.width);
+        surfel::Colour* colour = finish ? frame.finish.shaded(row) : frame.out.colour.data() + line;
+        float* depth = frame.out.depth.data() + line;
         std::optional<GeometryRow> geometry;
         if (finish)
-            geometry.emplace(frame.finish.geometry(), area.top + y);
-        float* depth = frame.out.depth.data() + line + static_cast<std::size_t>(area.left);
+            geometry.emplace(frame.finish.geometry(), row);
+        const ShadedLayer::Pixel* layer = frame.layer ? frame.layer->row(row) : nullptr;
         surfel::Colour background[8];
-        backgroundRow(frame.options.backdrop, area.top + y, frame.view.height, frame.options.transparent, background);
-        for (int x = 0; x < area.width; ++x) {
-            const int i = y * tileStride + x;
-            const float weight = sums.weight[i];
-            if (!(weight > 0)) {
-                colour[x] = background[(area.left + x) & 7];
+        backgroundRow(frame.options.backdrop, row, frame.view.height, frame.options.transparent, background);
+        for (int x = area.left; x < area.left + area.width; ++x) {
+            const int i = y * tileStride + x - area.left;
+            const float dx = frame.view.raySlopeX(x);
+            const PixelKind kind = layer ? layer[x].kind : PixelKind::Unknown;
+            Seen seen;
+            if (kind == PixelKind::Surface)
+                seen = {layer[x].colour, layer[x].depth, layer[x].depth / std::sqrt(dx * dx + dy * dy + 1),
+                        layer[x].normal};
+            else if (kind == PixelKind::Unknown && sums.weight[i] > 0)
+                seen = seenInSplats(frame, sums, i, dx, dy);
+            else {
+                colour[x] = background[x & 7];
                 depth[x] = std::numeric_limits<float>::infinity();
                 if (finish)
-                    geometry->set(area.left + x, nowhereOf(frame.view), {});
+                    geometry->set(x, nowhereOf(frame.view), {});
                 continue;
             }
-            const float dx = frame.view.raySlopeX(area.left + x), inverse = 1 / weight;
-            const base::Vec3f n =
-                normalized(base::Vec3f{sums.normal[0][i], -sums.normal[1][i], -sums.normal[2][i]}, towardsEye);
-            surfel::Colour blended = surfel::white;
-            float mask = 0;
-            if (frame.style.colours) {
-                const auto channel = [&](int k) { return static_cast<unsigned>(sums.colour[k][i] * inverse + 0.5f); };
-                blended = surfel::rgba(channel(0), channel(1), channel(2));
-                mask = sums.mask[i] * inverse;
-            }
-            // dy runs down, the shading frame's y runs up.
-            colour[x] = shadePixel(frame.shading, inRayFrame(n, dx, -dy), blended, mask);
-            const float z = sums.depth[i] * inverse;
-            depth[x] = z * std::sqrt(dx * dx + dy * dy + 1);
+            colour[x] = seen.colour;
+            depth[x] = seen.depth;
             if (finish)
-                geometry->set(area.left + x, frame.view.nearness(z), n);
+                geometry->set(x, frame.view.nearness(seen.z), seen.normal);
         }
     }
+}
+
+TileArea tileArea(const ViewFrame& view, int column, int row) {
+    const int left = column * tileWidth, top = row * tileHeight;
+    return {left, top, std::min(tileWidth, view.width - left), std::min(tileHeight, view.height - top)};
+}
+
+bool wholly(const ShadedLayer& layer, const TileArea& area) {
+    for (int y = area.top; y < area.top + area.height; ++y)
+        for (int x = area.left; x < area.left + area.width; ++x)
+            if (layer.row(y)[x].kind == PixelKind::Unknown)
+                return false;
+    return true;
 }
 
 /// Entries between two looks at what the tile already hides.
 constexpr std::size_t entriesPerLook = 8;
 
 void drawTile(const Frame& frame, const TileArea& area, std::span<const BinEntry> entries, Scratch& scratch) {
+    if (frame.layer && wholly(*frame.layer, area))
+        return shadeTile(frame, area, scratch.sums);
     clearTile(area, frame.style.colours, scratch.sums);
     std::size_t count = 0;
     for (std::size_t e = 0; e < entries.size(); ++e) {
@@ -107,14 +143,12 @@ void drawTile(const Frame& frame, const TileArea& area, std::span<const BinEntry
 void CpuSplatter::drawTiles(const Setting& setting, std::span<const std::uint32_t> tiles, Image& out) {
     const ViewFrame view(setting.camera);
     m_bins.fill(m_visible, view, setting.style.radiusOfSupport);
-    const Frame frame{view, setting.style, shadingStyle(setting.options.shading), setting.options, out, m_finish};
+    const Frame frame{view, setting.style, shadingStyle(setting.options.shading), setting.options, m_drawnLayer.get(),
+                      out,  m_finish};
     base::parallelFor(tiles.size(), 1, [&](std::size_t i) {
         thread_local Scratch scratch;
         const auto t = static_cast<int>(tiles[i]);
-        TileArea area{t % m_bins.columns() * tileWidth, t / m_bins.columns() * tileHeight, 0, 0};
-        area.width = std::min(tileWidth, view.width - area.left);
-        area.height = std::min(tileHeight, view.height - area.top);
-        drawTile(frame, area, m_bins.tile(t), scratch);
+        drawTile(frame, tileArea(view, t % m_bins.columns(), t / m_bins.columns()), m_bins.tile(t), scratch);
     });
 }
 
@@ -150,6 +184,33 @@ void CpuSplatter::addRecolouredTiles(const std::shared_ptr<const BlockColours>& 
     }
 }
 
+/// A pixel that no layer knows, where there is none.
+static const ShadedLayer::Pixel* rowOf(const ShadedLayer* layer, int y) {
+    return layer ? layer->row(y) : nullptr;
+}
+
+/// Where the wanted layer is not as the one in the picture is.
+void CpuSplatter::addRelayeredTiles(const ViewFrame& view, const ShadedLayer* wanted, TileMask& mask) {
+    const ShadedLayer* drawn = m_drawnLayer.get();
+    constexpr ShadedLayer::Pixel unknown;
+    for (int top = 0, row = 0; top < view.height; top += tileHeight, ++row)
+        for (int column = 0; column < mask.columns(); ++column) {
+            const TileArea area = tileArea(view, column, row);
+            const auto differs = [&](int y) {
+                const ShadedLayer::Pixel *a = rowOf(wanted, y), *b = rowOf(drawn, y);
+                for (int x = area.left; x < area.left + area.width; ++x)
+                    if (!((a ? a[x] : unknown) == (b ? b[x] : unknown)))
+                        return true;
+                return false;
+            };
+            for (int y = area.top; y < area.top + area.height; ++y)
+                if (differs(y)) {
+                    mask.add({true, area.left, area.top, area.left, area.top, 0});
+                    break;
+                }
+        }
+}
+
 void CpuSplatter::render(const tree::SurfelTree& model, const Camera& camera, const RenderOptions& options,
                          Image& out) {
     m_setting.reset();
@@ -169,12 +230,16 @@ void CpuSplatter::update(const tree::SurfelTree& model, const Camera& camera, co
     if (rims)
         m_rims.use(options.definition, setting.style.radiusOfSupport);
     const auto recut = rims ? m_rims.follow(model) : std::vector<const surfel::SurfelBlock*>{};
+    const bool fits = m_layer && m_layer->width == camera.width && m_layer->height == camera.height;
+    const std::shared_ptr<const ShadedLayer> layer = fits ? m_layer : nullptr;
     m_setting.reset(); // for as long as the picture is neither the one nor the other
     if (same) {
         addChangedTiles(m_model, model, seen, mask);
         addTiles(recut, seen, mask);
         if (setting.options.colours != before)
             addRecolouredTiles(before, setting.options.colours, model, seen, mask);
+        if (layer != m_drawnLayer)
+            addRelayeredTiles(view, layer.get(), mask);
         mask.close();
         visibleBlocks(model, seen, m_visible, &mask);
     } else {
@@ -184,6 +249,7 @@ void CpuSplatter::update(const tree::SurfelTree& model, const Camera& camera, co
         mask.add({true, 0, 0, camera.width - 1, camera.height - 1, 0});
         visibleBlocks(model, seen, m_visible);
     }
+    m_drawnLayer = layer;
     if (rims)
         findRims(seen, m_rims, m_visible);
     if (!same)

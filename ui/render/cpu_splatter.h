@@ -11,6 +11,7 @@
 
 #include "ui/render/finish.h"
 #include "ui/render/renderer.h"
+#include "ui/render/shaded_layer.h"
 #include "ui/render/splat_kernels.h"
 
 #include <optional>
@@ -22,6 +23,10 @@ class CpuSplatter : public Renderer {
     const char* name() const override { return "cpu"; }
     void render(const tree::SurfelTree& model, const Camera& camera, const RenderOptions& options, Image& out) override;
     void update(const tree::SurfelTree& model, const Camera& camera, const RenderOptions& options, Image& out) override;
+
+    /// From now on pixels that the layer knows are taken from it, and only the others are drawn; null: all are drawn.
+    /// A layer of another size than the picture's counts as none. It is not changed any more.
+    void showOver(std::shared_ptr<const ShadedLayer> layer) { m_layer = std::move(layer); }
 
     const DetailCache& details() const { return m_details; }
 
@@ -39,6 +44,7 @@ class CpuSplatter : public Renderer {
     void addRecolouredTiles(const std::shared_ptr<const BlockColours>& from,
                             const std::shared_ptr<const BlockColours>& to, const tree::SurfelTree& model,
                             const Sight& seen, TileMask& mask);
+    void addRelayeredTiles(const ViewFrame& view, const ShadedLayer* wanted, TileMask& mask);
     void drawTiles(const Setting& setting, std::span<const std::uint32_t> tiles, Image& out);
 
     std::optional<Setting> m_setting;
@@ -47,7 +53,8 @@ class CpuSplatter : public Renderer {
     RimCuts m_rims;
     std::vector<VisibleBlock> m_visible; ///< that the tiles to be drawn are binned from
     TileBins m_bins;
-    Finish m_finish; ///< of the picture; its options are the setting's
+    Finish m_finish;                                          ///< of the picture; its options are the setting's
+    std::shared_ptr<const ShadedLayer> m_layer, m_drawnLayer; ///< wanted; in the picture
 };
 
 } // namespace render

@@ -1,17 +1,13 @@
 #include "ui/render/raycast_image.h"
 
-#include "core/base/parallel.h"
-#include "ui/render/finish.h"
-#include "ui/render/shading.h"
-#include "ui/render/view_frame.h"
+#include "ui/render/shaded_layer.h"
 
 namespace render {
 
 using base::Vec3d;
 using base::Vec3f;
 
-/// REQUIRES: the camera outlives the result.
-static raycast::ImageRays imageRays(const Camera& camera) {
+raycast::ImageRays imageRays(const Camera& camera) {
     const Vec3d right = camera.right(), down = -camera.upright(), forward = camera.forward();
     const Vec3d aside = right * (0.5 - 0.5 * camera.width) + down * (0.5 - 0.5 * camera.height);
     raycast::ImageRays out;
@@ -67,43 +63,9 @@ void rayCast(const surface::Surface& surface, const Camera& camera, const Render
     auto samples = raycast::fullCast(surface, imageRays(camera), counts, progress);
     if (measured)
         colourHits(*measured, camera, samples, progress);
-    const ViewFrame view(camera);
-    const ShadingStyle& style = shadingStyle(options.shading);
-    const surfel::AttributeLayout& layout = *surface.tree().layout();
-    const bool oriented = layout.normals && layout.oriented;
-    out.resize(camera.width, camera.height);
-    Finish finish;
-    finish.begin(options, camera);
-    base::parallelFor(static_cast<std::size_t>(camera.height), 8, [&](std::size_t y) {
-        surfel::Colour background[8];
-        backgroundRow(options.backdrop, static_cast<int>(y), camera.height, options.transparent, background);
-        const float dy = -view.raySlopeY(static_cast<int>(y));
-        for (std::size_t x = 0; x < static_cast<std::size_t>(camera.width); ++x) {
-            const std::size_t i = y * static_cast<std::size_t>(camera.width) + x;
-            const raycast::Sample& sample = samples[i];
-            out.colour[i] = background[x & 7];
-            if (!sample.hit.hit) {
-                if (finish.wanted())
-                    finish.set(static_cast<int>(x), static_cast<int>(y), out.colour[i], nowhereOf(view), {});
-                continue;
-            }
-            const Vec3f turned = view.turn(oriented ? sample.hit.outward : sample.hit.normal);
-            const Vec3f normal = inRayFrame({turned.x, -turned.y, -turned.z}, view.raySlopeX(static_cast<int>(x)), dy);
-            out.colour[i] = shadePixel(style, normal, sample.colour, sample.mask);
-            out.depth[i] = sample.hit.t;
-            if (finish.wanted()) {
-                const float dx = view.raySlopeX(static_cast<int>(x));
-                const float z = sample.hit.t / std::sqrt(dx * dx + dy * dy + 1);
-                finish.set(static_cast<int>(x), static_cast<int>(y), out.colour[i], view.nearness(z),
-                           {turned.x, -turned.y, -turned.z});
-            }
-        }
-    });
-    if (finish.wanted()) {
-        TileMask all(view);
-        all.add({true, 0, 0, camera.width - 1, camera.height - 1, 0});
-        finish.tiles(all, out);
-    }
+    const auto kind = [&](std::size_t i) { return samples[i].hit.hit ? PixelKind::Surface : PixelKind::Background; };
+    const ShadedLayer layer = shadeSamples(samples, kind, *surface.tree().layout(), camera, options.shading);
+    showLayer(layer, camera, options, out);
 }
 
 } // namespace render

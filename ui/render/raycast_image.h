@@ -7,6 +7,9 @@
 
 namespace render {
 
+/// The rays of the camera's pixels. REQUIRES: the camera outlives the result.
+raycast::ImageRays imageRays(const Camera& camera);
+
 /// Throws base::Cancelled. The same bits at any thread count. A shading of measured numbers asks `measured` at every
 /// meeting; without it they are unknown.
 void rayCast(const surface::Surface& surface, const Camera& camera, const RenderOptions& options, Image& out,
