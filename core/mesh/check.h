@@ -1,0 +1,23 @@
+// The validator: all that can be asked of a mesh, for tests and for `pointclay mesh --check`.
+//
+//     topology.h    manifold, boundary, pieces, sides, genus
+//     shape.h       angles, triangles without area
+//     deviation.h   distances to the surface
+#pragma once
+
+#include "core/mesh/deviation.h"
+#include "core/mesh/shape.h"
+#include "core/mesh/topology.h"
+
+namespace mesh {
+
+struct Report {
+    Topology topology;
+    Shape shape;
+    Deviation vertices, faces;
+};
+
+/// Throws base::Cancelled.
+Report check(const Mesh& mesh, const surface::Surface& surface, const base::Progress& progress = {});
+
+} // namespace mesh

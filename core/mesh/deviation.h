@@ -1,0 +1,29 @@
+// How far a mesh is from the surface that it was made of: at its vertices and at the centres of its faces.
+//
+// Distances are to the nearest point that an orthogonal projection finds (alg. 3.1), in float64; beyond a rim to the
+// rim. The same bits at any thread count.
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/mesh/mesh.h"
+#include "core/surface/surface.h"
+
+#include <span>
+
+namespace mesh {
+
+struct Deviation {
+    std::size_t count = 0;
+    std::size_t lost = 0; ///< of them, from which no point of the surface was found; they are not in the figures below
+    double max = 0, hundredth = 0, median = 0; ///< the largest, what only one of a hundred exceeds, the middle
+};
+
+/// Infinity where there is no surface to be found.
+double distanceTo(const surface::Surface& surface, const base::Vec3d& x, const surface::Hint& hint);
+
+/// Of the vertices that triangles use. Normals, where the mesh has them, tell near sheets apart.
+Deviation vertexDeviation(const Mesh& mesh, const surface::Surface& surface, const base::Progress& progress = {});
+/// Of the centres of all triangles.
+Deviation faceDeviation(const Mesh& mesh, const surface::Surface& surface, const base::Progress& progress = {});
+
+} // namespace mesh
