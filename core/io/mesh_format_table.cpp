@@ -1,0 +1,47 @@
+#include "core/base/error.h"
+#include "core/io/file_name.h"
+#include "core/io/mesh_writers.h"
+
+#include <sstream>
+
+namespace io {
+
+static constexpr MeshFormatRow table[] = {
+    {"ply", "Polygon file", "ply", "normals, colours and masks, in doubles", writeMeshPly},
+    {"obj", "Wavefront OBJ", "obj", "normals and colours", writeMeshObj},
+    {"stl", "Stereolithography", "stl", "nothing; binary, or as text where the model lies far from the origin",
+     writeMeshStl},
+    {"off", "Object file", "off coff noff cnoff", "normals and colours", writeMeshOff},
+};
+
+std::span<const MeshFormatRow> meshFormatTable() {
+    return table;
+}
+
+const MeshFormatRow* meshFormatOf(const path& file) {
+    const std::string extension = extensionOf(file);
+    for (const MeshFormatRow& row : table) {
+        std::istringstream words(row.extensions);
+        for (std::string word; words >> word;)
+            if (word == extension)
+                return &row;
+    }
+    return nullptr;
+}
+
+std::string meshExtensions() {
+    std::string out;
+    for (const MeshFormatRow& row : table)
+        out.append(out.empty() ? 0 : 1, ' ').append(row.extensions);
+    return out;
+}
+
+void writeMesh(const path& file, const mesh::Mesh& mesh, const base::Vec3d& origin, const base::Progress& progress) {
+    const MeshFormatRow* row = meshFormatOf(file);
+    if (!row)
+        throw base::Error("cannot be written as a mesh in this format", file.string(),
+                          "choose one of the extensions " + meshExtensions());
+    row->write(file, mesh, origin, progress);
+}
+
+} // namespace io

@@ -1,0 +1,295 @@
+#include "core/io/mesh_formats.h"
+
+#include "io_support.h"
+#include "support/registry.h"
+#include <map>
+#include <sstream>
+
+using base::Vec3d, base::Vec3f, mesh::Mesh;
+
+class MeshWritersTest : public QObject {
+    Q_OBJECT
+  private Q_SLOTS:
+    void everyFormatBringsTheMeshBack_data();
+    void everyFormatBringsTheMeshBack();
+    void ourReadersFindTheVertices_data();
+    void ourReadersFindTheVertices();
+    void stlFarFromTheOriginIsText();
+    void emptyMeshesAreWritten();
+    void unknownExtensionsAreRefused();
+};
+
+namespace {
+
+/// A triangle soup of random vertices, all of them used.
+Mesh randomMesh(base::Random& random, bool attributes) {
+    Mesh out;
+    for (std::uint32_t v = 0; v < 3 * 40; ++v) {
+        out.positions.push_back(random.unitVector() * random.uniform(0.1, 3));
+        if (attributes) {
+            out.normals.push_back(base::cast<float>(random.unitVector()));
+            out.colours.push_back(static_cast<surfel::Colour>(random.next()) | 0xff000000u);
+            out.masks.push_back(static_cast<float>(random.uniform()));
+        }
+        if (v % 3 == 2)
+            out.triangles.push_back({v - 2, v - 1, v});
+    }
+    for (std::uint32_t i = 0; i < 100; ++i) {
+        const auto any = [&] { return static_cast<std::uint32_t>(random.below(out.positions.size())); };
+        out.triangles.push_back({any(), any(), any()});
+    }
+    return out;
+}
+
+template <class T>
+T take(const std::string& bytes, std::size_t& at) {
+    T value;
+    std::memcpy(&value, bytes.data() + at, sizeof value);
+    at += sizeof value;
+    return value;
+}
+
+/// What a file says, by a reader of its own: STL has its corners one by one.
+struct Found {
+    std::vector<Vec3d> positions, normals;
+    std::vector<std::array<double, 4>> colours;
+    std::vector<mesh::Triangle> triangles;
+};
+
+Found readPlyFile(const std::string& bytes) {
+    Found out;
+    std::size_t vertices = 0, faces = 0, at = bytes.find("end_header\n") + 11;
+    std::istringstream head(bytes.substr(0, at));
+    std::vector<std::string> names;
+    for (std::string line; std::getline(head, line);) {
+        std::istringstream words(line);
+        std::string key, type, name;
+        words >> key >> type >> name;
+        if (key == "element")
+            (type == "vertex" ? vertices : faces) = std::stoull(name);
+        else if (key == "property" && type != "list")
+            names.push_back(type + " " + name);
+    }
+    for (std::size_t i = 0; i < vertices; ++i) {
+        std::map<std::string, double> values;
+        for (const std::string& name : names)
+            values[name.substr(name.find(' ') + 1)] = name.starts_with("double")  ? take<double>(bytes, at)
+                                                      : name.starts_with("float") ? double(take<float>(bytes, at))
+                                                                                  : take<std::uint8_t>(bytes, at);
+        out.positions.push_back({values["x"], values["y"], values["z"]});
+        if (values.contains("nx"))
+            out.normals.push_back({values["nx"], values["ny"], values["nz"]});
+        if (values.contains("red"))
+            out.colours.push_back({values["red"], values["green"], values["blue"], values["alpha"]});
+    }
+    for (std::size_t f = 0; f < faces; ++f) {
+        if (take<std::uint8_t>(bytes, at) != 3)
+            return {};
+        const auto a = take<std::uint32_t>(bytes, at), b = take<std::uint32_t>(bytes, at);
+        out.triangles.push_back({a, b, take<std::uint32_t>(bytes, at)});
+    }
+    return at == bytes.size() ? out : Found{};
+}
+
+Found readObjFile(const std::string& bytes) {
+    Found out;
+    std::istringstream lines(bytes);
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream words(line);
+        std::string key;
+        words >> key;
+        Vec3d v, c;
+        if (key == "v" && words >> v.x >> v.y >> v.z) {
+            out.positions.push_back(v);
+            if (words >> c.x >> c.y >> c.z)
+                out.colours.push_back({std::round(255 * c.x), std::round(255 * c.y), std::round(255 * c.z), 255});
+        } else if (key == "vn" && words >> v.x >> v.y >> v.z) {
+            out.normals.push_back(v);
+        } else if (key == "f") {
+            mesh::Triangle t{};
+            std::string corner;
+            for (std::uint32_t& index : t) {
+                words >> corner;
+                index = static_cast<std::uint32_t>(std::stoul(corner)) - 1;
+                const std::size_t slash = corner.find("//");
+                if (slash != std::string::npos && std::stoul(corner.substr(slash + 2)) != index + 1)
+                    return {};
+            }
+            out.triangles.push_back(t);
+        }
+    }
+    return out;
+}
+
+Found readOffFile(const std::string& bytes) {
+    Found out;
+    std::istringstream in(bytes);
+    std::string word;
+    std::size_t vertices = 0, faces = 0, edges = 0;
+    in >> word >> vertices >> faces >> edges;
+    for (std::size_t i = 0; i < vertices; ++i) {
+        Vec3d v;
+        in >> v.x >> v.y >> v.z;
+        out.positions.push_back(v);
+        if (word.find('N') != std::string::npos) {
+            in >> v.x >> v.y >> v.z;
+            out.normals.push_back(v);
+        }
+        if (word.find('C') != std::string::npos) {
+            std::array<double, 4> c{};
+            in >> c[0] >> c[1] >> c[2] >> c[3];
+            out.colours.push_back(c);
+        }
+    }
+    for (std::size_t f = 0; f < faces; ++f) {
+        int corners = 0;
+        mesh::Triangle t{};
+        in >> corners >> t[0] >> t[1] >> t[2];
+        if (corners != 3)
+            return {};
+        out.triangles.push_back(t);
+    }
+    return out;
+}
+
+Found readStlFile(const std::string& bytes) {
+    Found out;
+    if (bytes.starts_with("solid")) {
+        std::istringstream in(bytes);
+        Vec3d v;
+        for (std::string word; in >> word;)
+            if (word == "vertex" && in >> v.x >> v.y >> v.z)
+                out.positions.push_back(v);
+    } else {
+        std::size_t at = 80;
+        const auto count = take<std::uint32_t>(bytes, at);
+        for (std::uint32_t f = 0; f < count; ++f, at += 2)
+            for (int k = 0; k < 4; ++k) {
+                const auto x = take<float>(bytes, at), y = take<float>(bytes, at);
+                const Vec3d v{x, y, take<float>(bytes, at)};
+                (k == 0 ? out.normals : out.positions).push_back(v);
+            }
+    }
+    for (std::uint32_t i = 0; i + 2 < out.positions.size(); i += 3)
+        out.triangles.push_back({i, i + 1, i + 2});
+    return out;
+}
+
+const std::map<std::string, Found (*)(const std::string&)> readers = {
+    {"ply", readPlyFile}, {"obj", readObjFile}, {"off", readOffFile}, {"stl", readStlFile}};
+
+void everyFormat() {
+    QTest::addColumn<QString>("extension");
+    QTest::addColumn<bool>("attributes");
+    QTest::addColumn<bool>("far");
+    for (const io::MeshFormatRow& row : io::meshFormatTable())
+        for (const bool attributes : {false, true})
+            for (const bool far : {false, true})
+                QTest::addRow("%s%s%s", row.id, attributes ? " with attributes" : "", far ? " far away" : "")
+                    << row.id << attributes << far;
+}
+
+} // namespace
+
+void MeshWritersTest::everyFormatBringsTheMeshBack_data() {
+    everyFormat();
+}
+
+void MeshWritersTest::everyFormatBringsTheMeshBack() {
+    QFETCH(QString, extension);
+    QFETCH(bool, attributes);
+    QFETCH(bool, far);
+    base::Random random(test::seed());
+    const Mesh mesh = randomMesh(random, attributes);
+    const Vec3d origin = far ? Vec3d{637000.25, 851000.5, -400} : Vec3d{};
+    const test::Folder folder;
+    const auto path = folder.path("a." + extension.toStdString());
+    io::writeMesh(path, mesh, origin);
+    QCOMPARE(folder.entries(), std::size_t(1));
+    const Found found = readers.at(extension.toStdString())(test::contentOf(path));
+    QCOMPARE(found.triangles.size(), mesh.triangles.size());
+    const bool stl = extension == "stl";
+    for (std::size_t f = 0; f < mesh.triangles.size(); ++f)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Vec3d expected = mesh.positions[mesh.triangles[f][k]] + origin;
+            const Vec3d got = found.positions[found.triangles[f][k]];
+            QVERIFY2(got == (stl && !far ? base::cast<double>(base::cast<float>(expected)) : expected),
+                     "the same doubles");
+            QVERIFY(stl || found.triangles[f] == mesh.triangles[f]);
+        }
+    if (stl || !attributes)
+        return;
+    QCOMPARE(found.normals.size(), mesh.positions.size());
+    QCOMPARE(found.colours.size(), mesh.positions.size());
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+        QVERIFY(base::cast<float>(found.normals[i]) == mesh.normals[i]);
+        for (unsigned k = 0; k < 4; ++k)
+            QCOMPARE(unsigned(found.colours[i][k]), mesh.colours[i] >> (8 * k) & 0xff);
+    }
+}
+
+void MeshWritersTest::ourReadersFindTheVertices_data() {
+    everyFormat();
+}
+
+void MeshWritersTest::ourReadersFindTheVertices() {
+    QFETCH(QString, extension);
+    QFETCH(bool, attributes);
+    QFETCH(bool, far);
+    base::Random random(test::seed());
+    const Mesh mesh = randomMesh(random, attributes);
+    const Vec3d origin = far ? Vec3d{637000.25, 851000.5, -400} : Vec3d{};
+    const test::Folder folder;
+    const auto path = folder.path("a." + extension.toStdString());
+    io::writeMesh(path, mesh, origin);
+    const io::FileModel model = io::read(path);
+    QCOMPARE(model.faces, mesh.triangles.size());
+    QCOMPARE(model.points.size(), mesh.positions.size());
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+        const surfel::Surfel& s = model.points.items[i];
+        QVERIFY(base::distance(base::cast<double>(s.position) + model.origin, mesh.positions[i] + origin) < 1e-6);
+        if (!attributes || extension == "stl")
+            continue;
+        QVERIFY(base::distance(s.normal, mesh.normals[i]) < 1e-6f);
+        QCOMPARE(s.colour, mesh.colours[i]);
+        if (extension == "ply")
+            QCOMPARE(s.mask, mesh.masks[i]);
+    }
+}
+
+void MeshWritersTest::stlFarFromTheOriginIsText() {
+    base::Random random(test::seed());
+    const Mesh mesh = randomMesh(random, false);
+    const test::Folder folder;
+    io::writeMesh(folder.path("near.stl"), mesh);
+    io::writeMesh(folder.path("far.stl"), mesh, {1e6, 0, 0});
+    QCOMPARE(io::read(folder.path("near.stl")).format, std::string("stl binary"));
+    QCOMPARE(io::read(folder.path("far.stl")).format, std::string("stl ascii"));
+    // Normals of facets are unit and right-handed.
+    const Found found = readStlFile(test::contentOf(folder.path("near.stl")));
+    for (std::size_t f = 0; f < 40; ++f) {
+        const Vec3d across = cross(found.positions[3 * f + 1] - found.positions[3 * f],
+                                   found.positions[3 * f + 2] - found.positions[3 * f]);
+        QVERIFY(base::distance(base::normalized(across), found.normals[f]) < 1e-4);
+    }
+}
+
+void MeshWritersTest::emptyMeshesAreWritten() {
+    const test::Folder folder;
+    for (const io::MeshFormatRow& row : io::meshFormatTable()) {
+        const auto path = folder.path(std::string("a.") + row.id);
+        io::writeMesh(path, {});
+        QVERIFY2(readers.at(row.id)(test::contentOf(path)).triangles.empty(), row.id);
+    }
+}
+
+void MeshWritersTest::unknownExtensionsAreRefused() {
+    const test::Folder folder;
+    for (const char* name : {"a.xyz", "a", "a.plyx"})
+        QVERIFY_EXCEPTION_THROWN(io::writeMesh(folder.path(name), {}), base::Error);
+    QCOMPARE(folder.entries(), std::size_t(0));
+    QVERIFY(io::meshFormatOf("B.STL") != nullptr);
+}
+
+static const test::Registered<MeshWritersTest> registered;
+#include "mesh_writers_test.moc"
