@@ -1,0 +1,73 @@
+// Adaptive ray casting (alg. 4.3): rays where the surface varies, interpolation between them where it does not.
+//
+//     AdaptiveCast cast(surface);
+//     cast.cast(view, {.quality = 1}, counts, shown)   again and again; `shown` sees every level as it is finished
+//     cast.setSurface(next version)                     for other versions of the model
+//
+// Rays sit on pixel centres, at the corners of square cells (one start size for the view, halved down to the pixel).
+// To split a cell takes up to 5 rays, in the middle of its sides and of itself; how far they are from what its corners
+// predicted decides whether its quarters are split further. Cells that the surface covers in part always are, and so
+// is what small discs about the surfels say has not been seen: outlines are exact to the pixel. Pixels without any
+// surfel near are background without a ray.
+//
+//     cast_pixels.h   rays of chosen pixels            splat_guard.h       what discs know before a ray is cast
+//     lattice.h       what is known of each pixel      subdivision.h       which cells are split
+//     patch.h         between nine samples             adaptive_picture.h  the pixels
+//
+// The same bits at any thread count. One thread at a time; it holds its version of the model alive, so that the thread
+// may be any. Pictures of the same view go on where the one before ended, cancelled or not.
+#pragma once
+
+#include "core/raycast/full_cast.h"
+
+#include <functional>
+#include <memory>
+
+namespace raycast {
+
+struct AdaptiveOptions {
+    /// In units of a pixel: 1 aims at normals within 2 degrees and depths within 0.2 of the spacing of the surfels, 2
+    /// at twice that. 0: every pixel its own ray, the bits of fullCast. Negative is 0.
+    double quality = 1;
+};
+
+/// What a pixel of an adaptive picture rests on.
+enum class Known : std::uint8_t {
+    Nothing,      ///< not known at this level; its sample is a miss that means nothing
+    Interpolated, ///< between rays, or background that no surfel is near
+    Exact,        ///< a ray through its centre
+};
+
+/// A picture in the making; the caster's own memory, which stays as it is until its next call.
+struct AdaptiveImage {
+    std::span<const Sample> samples; ///< row by row from the top
+    std::span<const Known> known;
+    double quality = 0;    ///< reached wherever something is known
+    bool complete = false; ///< no pixel is Known::Nothing
+};
+
+class AdaptiveCast {
+  public:
+    using OnLevel = std::function<void(const AdaptiveImage&)>;
+
+    explicit AdaptiveCast(surface::Surface surface);
+    ~AdaptiveCast();
+    AdaptiveCast(AdaptiveCast&&) noexcept;
+    AdaptiveCast& operator=(AdaptiveCast&&) noexcept;
+
+    const surface::Surface& surface() const;
+    /// The next version of the model.
+    void setSurface(surface::Surface next);
+
+    /// The picture at the asked quality. With `onLevel` it comes in levels, first the smooth inner parts, then quality
+    /// 4, 2, 1 and so on, each with the rays of the one before; the last one is also returned. `counts` tells of this
+    /// call alone. Throws base::Cancelled within some 10 ms; rays that were cast until then are kept.
+    AdaptiveImage cast(const ImageRays& rays, const AdaptiveOptions& options, CastCounts& counts,
+                       const OnLevel& onLevel = {}, const base::Progress& progress = {});
+
+  private:
+    struct State;
+    std::unique_ptr<State> m_state;
+};
+
+} // namespace raycast

@@ -1,0 +1,51 @@
+// The rays of an image seen from the other side: where a place of the model lies in the image, and which measure of
+// depth changes evenly across the image of a plane. Float64.
+#pragma once
+
+#include "core/base/mat3.h"
+#include "core/raycast/full_cast.h"
+
+namespace raycast {
+
+class ViewLens {
+  public:
+    /// REQUIRES: rays that share their origin or their direction, as those of cameras do.
+    explicit ViewLens(const ImageRays& rays) : m_rays(rays), m_parallel(rays.across == base::Vec3d{}) {
+        const base::Vec3d &u = m_parallel ? rays.originAcross : rays.across,
+                          &v = m_parallel ? rays.originDown : rays.down;
+        const base::Vec3d w = m_parallel ? normalized(rays.corner) : rays.corner;
+        // The rows of the inverse of the matrix with columns u, v, w.
+        const double volume = dot(u, cross(v, w));
+        m_column = cross(v, w) / volume, m_row = cross(w, u) / volume, m_depth = cross(u, v) / volume;
+        m_pixel = 0.5 * (length(u) + length(v));
+    }
+
+    bool parallel() const { return m_parallel; }
+    /// Column and row (0 is the centre of the first pixel), and depth, which is <= 0 where no ray leads.
+    base::Vec3d project(const base::Vec3d& p) const {
+        const base::Vec3d d = p - m_rays.eye;
+        const double z = dot(m_depth, d), scale = m_parallel ? 1 : 1 / z;
+        return {dot(m_column, d) * scale, dot(m_row, d) * scale, z};
+    }
+    /// Model units that a pixel spans at a depth.
+    double pixelAt(double depth) const { return m_parallel ? m_pixel : m_pixel * depth; }
+    /// Distance along the ray of a pixel for one unit of depth.
+    double stretch(double column, double row) const {
+        return m_parallel ? 1 : length(m_rays.corner + m_rays.across * column + m_rays.down * row);
+    }
+    /// Of a point at depth z: it changes evenly across the image of a plane.
+    double evenDepth(double z) const { return m_parallel ? z : 1 / z; }
+
+    const base::Vec3d& eye() const { return m_rays.eye; }
+    const base::Vec3d& columnAxis() const { return m_column; }
+    const base::Vec3d& rowAxis() const { return m_row; }
+    const base::Vec3d& depthAxis() const { return m_depth; }
+
+  private:
+    ImageRays m_rays;
+    bool m_parallel;
+    base::Vec3d m_column, m_row, m_depth;
+    double m_pixel;
+};
+
+} // namespace raycast
