@@ -27,6 +27,14 @@ constexpr double minSlope = 0.3;
 /// 0.75 h stay closed.
 constexpr double maxOffCentre = 0.5;
 
+/// Is the frame valid there, o within the limit, and f steep enough along its own normal (alg. 2.4, test 4)? Of a zero
+/// of f, evaluated with its gradient.
+template <class T>
+bool isSurface(const Evaluation<T>& at) {
+    return at.ok() && dot(at.normal, at.gradient) >= static_cast<T>(minSlope) &&
+           at.offCentre <= static_cast<T>(maxOffCentre) * at.unit;
+}
+
 template <class T>
 struct RayHit {
     bool hit = false;

@@ -7,13 +7,6 @@
 
 namespace surface {
 
-/// Is the frame valid there, o within the limit, and f steep enough along its own normal (alg. 2.4, test 4)?
-template <class T>
-bool isSurface(const Evaluation<T>& at) {
-    return at.ok() && dot(at.normal, at.gradient) >= static_cast<T>(minSlope) &&
-           at.offCentre <= static_cast<T>(maxOffCentre) * at.unit;
-}
-
 /// The hit at t with what an evaluation at most a tolerance away tells.
 template <class T>
 void hitAt(RayProbe<T>& probe, double t, const Evaluation<T>& at, const base::Vec3<T>& gradient, RayHit<T>& out) {

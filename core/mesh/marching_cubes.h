@@ -1,0 +1,56 @@
+// Marching cubes for surfaces with a frame that has a direction, or no direction at all (RULES-4 B, alg. 4.4).
+//
+// After A. Adamson, Computing Curves and Surfaces from Points (2007), section 4.4. The unit of decision is a crossing
+// per edge of the grid, a connection per face, a loop per cube: there are no signs at corners and no tables, so nothing
+// that the cubes about an edge or face could disagree upon. Every edge of the mesh has one or two triangles, every
+// vertex one fan of them, whatever the surface, its frame and the cell size.
+//
+//     surface_grid.h    cubes near the surface, crossings      edge_walk.h      one edge
+//     grid_face.h       pairs of crossings in a face           rim_trace.h      where the surface ends in a face
+//     cube_loops.h      loops around a cube                    fill_loop.h      their triangles
+//     orient_mesh.h     which way triangles face               mesh_repair.h    rims of folds closed, small pieces
+//     dropped
+//
+// Where the surface ends, the mesh ends in a polyline: at its off-centre limit (alg. 6) on the rim itself, or where the
+// definition ends: folds, thin parts. The report counts both apart.
+//
+// The same bits at any thread count. Memory follows the number of cubes that the surface passes through.
+#pragma once
+
+#include "core/base/mat3.h"
+#include "core/base/progress.h"
+#include "core/mesh/mesh.h"
+#include "core/surface/surface.h"
+
+namespace mesh {
+
+struct MarchingOptions {
+    double cell = 0; ///< side of a cube in model units; 0: the median spacing
+    /// Rows: directions of the grid's axes. A rotation.
+    base::Mat3d turned = base::Mat3d::identity();
+    base::Vec3d shift;       ///< of the grid, in cells
+    bool closeFolds = false; ///< close rims where the definition ends, up to `longestFold` edges
+    std::size_t longestFold = 24;
+    bool dropSmall = false; ///< leave out pieces of fewer than `smallPiece` triangles
+    std::size_t smallPiece = 200;
+};
+
+struct MarchingReport {
+    double cell = 0;             ///< that was used
+    std::size_t cubes = 0;       ///< that the surface passes through
+    std::size_t limitEnds = 0;   ///< rim vertices by the limit
+    std::size_t foldEnds = 0;    ///< rim vertices where the definition ends
+    std::size_t foldsClosed = 0; ///< loops
+    std::size_t pieces = 0;      ///< connected, before any were dropped
+    std::size_t smallPieces = 0; ///< fewer triangles than `smallPiece`
+    /// Edges whose two triangles run the same way along it: none where the mesh has two sides.
+    std::size_t parityConflicts = 0;
+    bool orientable() const { return parityConflicts == 0; }
+};
+
+/// Throws base::Error where there is no surface to mesh (curves; no surfels; nothing found) or the cells are too small
+/// for the model, base::Cancelled.
+Mesh marchingCubes(const surface::Surface& surface, const MarchingOptions& options, MarchingReport& report,
+                   const base::Progress& progress = {});
+
+} // namespace mesh

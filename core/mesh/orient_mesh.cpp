@@ -1,0 +1,133 @@
+#include "core/mesh/orient_mesh.h"
+
+#include "core/base/parallel.h"
+#include "core/mesh/classes.h"
+#include "core/mesh/mesh_fans.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace mesh {
+
+using base::Vec3d;
+
+namespace {
+
+constexpr std::size_t grain = 16384;
+
+struct SharedEdge {
+    std::uint32_t a = 0, b = 0; ///< triangles, a < b
+    bool against = false;       ///< do they run opposite ways along it, as neighbours should?
+    float flatness = 0;
+};
+
+Vec3d areaNormal(const Mesh& mesh, const Triangle& t) {
+    const Vec3d& a = mesh.positions[t[0]];
+    return cross(mesh.positions[t[1]] - a, mesh.positions[t[2]] - a);
+}
+
+std::vector<SharedEdge> sharedEdges(const Mesh& mesh) {
+    const MeshFans fans(mesh);
+    std::vector<std::vector<SharedEdge>> parts(base::chunkCount(mesh.triangles.size(), grain));
+    base::parallelChunks(mesh.triangles.size(), grain, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+        parts[chunk].reserve(3 * (end - begin) / 2);
+        for (std::size_t i = begin; i < end; ++i)
+            for (int corner = 0; corner < 3; ++corner) {
+                const auto t = static_cast<std::uint32_t>(i);
+                const std::uint32_t other = fans.across(t, corner);
+                if (other == MeshFans::none || other < t)
+                    continue;
+                const Triangle &mine = mesh.triangles[t], &its = mesh.triangles[other];
+                const std::uint32_t from = mine[std::size_t(corner)], to = mine[std::size_t((corner + 1) % 3)];
+                const Vec3d a = normalized(areaNormal(mesh, mine)), b = normalized(areaNormal(mesh, its));
+                parts[chunk].push_back({t, other, runs(its, to, from), static_cast<float>(std::abs(dot(a, b)))});
+            }
+    });
+    std::vector<SharedEdge> out;
+    for (const auto& part : parts)
+        out.insert(out.end(), part.begin(), part.end());
+    return out;
+}
+
+void turn(Triangle& t) {
+    std::swap(t[1], t[2]);
+}
+
+/// Numbers the sets by their first triangles.
+void number(const ParityClasses& sets, Orientation& out) {
+    std::vector<std::uint32_t> numberOf(out.pieceOf.size(), MeshFans::none);
+    for (std::size_t t = 0; t < out.pieceOf.size(); ++t) {
+        std::uint32_t& piece = numberOf[sets.of(static_cast<std::uint32_t>(t)).first];
+        if (piece == MeshFans::none) {
+            piece = static_cast<std::uint32_t>(out.pieceSizes.size());
+            out.pieceSizes.push_back(0);
+        }
+        out.pieceOf[t] = piece;
+        ++out.pieceSizes[piece];
+    }
+}
+
+/// For each piece, how much speaks for its triangles as they run.
+std::vector<double> votes(const Mesh& mesh, const Orientation& pieces, bool byNormals) {
+    std::vector<double> out(pieces.pieceSizes.size());
+    std::vector<Vec3d> middle(out.size());
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+        middle[pieces.pieceOf[t]] +=
+            mesh.positions[mesh.triangles[t][0]] / double(pieces.pieceSizes[pieces.pieceOf[t]]);
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        const Triangle& t = mesh.triangles[i];
+        const std::uint32_t piece = pieces.pieceOf[i];
+        const Vec3d area = areaNormal(mesh, t);
+        const Vec3d towards = byNormals
+                                  ? base::cast<double>(mesh.normals[t[0]] + mesh.normals[t[1]] + mesh.normals[t[2]])
+                                  : mesh.positions[t[0]] - middle[piece];
+        out[piece] += dot(area, towards);
+    }
+    return out;
+}
+
+/// Vertex normals of either sign take the side of their triangles.
+void turnNormals(Mesh& mesh) {
+    std::vector<Vec3d> sums(mesh.positions.size());
+    for (const Triangle& t : mesh.triangles)
+        for (const std::uint32_t v : t)
+            sums[v] += areaNormal(mesh, t);
+    for (std::size_t v = 0; v < sums.size(); ++v)
+        if (dot(sums[v], base::cast<double>(mesh.normals[v])) < 0)
+            mesh.normals[v] = -mesh.normals[v];
+}
+
+} // namespace
+
+Orientation orient(Mesh& mesh, bool byNormals) {
+    Orientation out;
+    out.pieceOf.resize(mesh.triangles.size());
+    std::vector<SharedEdge> edges = sharedEdges(mesh);
+    const bool agreed = std::all_of(edges.begin(), edges.end(), [](const SharedEdge& e) { return e.against; });
+    if (!agreed)
+        std::sort(edges.begin(), edges.end(), [](const SharedEdge& x, const SharedEdge& y) {
+            return std::tuple(-x.flatness, x.a, x.b) < std::tuple(-y.flatness, y.a, y.b);
+        });
+    ParityClasses sets(mesh.triangles.size());
+    for (const SharedEdge& edge : edges)
+        sets.relate(edge.a, edge.b, !edge.against);
+    if (!agreed) {
+        for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+            if (sets.of(static_cast<std::uint32_t>(t)).second)
+                turn(mesh.triangles[t]);
+        for (const SharedEdge& edge : edges) {
+            const bool turned = sets.of(edge.a).second != sets.of(edge.b).second;
+            out.conflicts += edge.against == turned ? 1 : 0;
+        }
+    }
+    number(sets, out);
+    const std::vector<double> sides = votes(mesh, out, byNormals);
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+        if (sides[out.pieceOf[t]] < 0)
+            turn(mesh.triangles[t]);
+    if (!byNormals)
+        turnNormals(mesh);
+    return out;
+}
+
+} // namespace mesh
