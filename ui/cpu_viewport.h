@@ -1,9 +1,7 @@
-// The viewport that needs no GPU: a plain widget that shows what a RenderThread with the CPU splatter draws.
+// The viewport that needs no GPU: a plain widget that shows what a RenderThread draws.
 #pragma once
 
-#include "ui/render_thread.h"
-
-#include <QWidget>
+#include "ui/thread_picture.h"
 
 namespace ui {
 
@@ -11,23 +9,18 @@ class CpuViewport : public QWidget, public Viewport {
     Q_OBJECT
   public:
     explicit CpuViewport(QWidget* parent = nullptr);
-    ~CpuViewport() override;
 
     QWidget* widget() override { return this; }
     QString rendererName() const override { return "CPU"; }
-    void show(const Frame& frame) override;
-    QImage picture() override { return m_picture; }
+    void show(const Frame& frame) override { m_picture.show(frame); }
+    QImage picture() override { return m_picture.picture(); }
     using QWidget::show;
 
   protected:
     void paintEvent(QPaintEvent*) override;
 
   private:
-    void receive(RenderThread::Result result);
-
-    QImage m_picture;
-    std::uint64_t m_input = 0; ///< that it shows
-    std::unique_ptr<RenderThread> m_thread;
+    ThreadPicture m_picture;
 };
 
 } // namespace ui

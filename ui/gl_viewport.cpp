@@ -103,6 +103,15 @@ void GlViewport::show(const Frame& frame) {
     m_frame = frame;
     m_settling = false;
     m_rest.stop();
+    if (!frame.truth) {
+        m_truth.reset();
+        if (refined)
+            refined({});
+    } else {
+        if (!m_truth)
+            m_truth = std::make_unique<ThreadPicture>(*this, *this);
+        m_truth->show(frame);
+    }
     update();
 }
 
@@ -127,7 +136,7 @@ void GlViewport::initializeGL() {
     }
 }
 
-void GlViewport::paintGL() {
+void GlViewport::drawSplats() {
     const auto start = std::chrono::steady_clock::now();
     render::RenderOptions options = m_frame.options;
     options.detailPx = detailPx();
@@ -139,14 +148,21 @@ void GlViewport::paintGL() {
     m_pacer.drew(options.detailPx, seconds);
     if (options.detailPx > m_frame.options.detailPx)
         m_rest.start(m_settling ? 0 : restMs);
-    if (paintOverlay && m_withOverlay) {
-        QPainter painter(this);
-        paintOverlay(painter);
-    }
     if (framePainted)
         framePainted(seconds);
+}
+
+void GlViewport::paintGL() {
+    const bool truth = showsTruth();
+    if (!truth)
+        drawSplats();
+    QPainter painter(this);
+    if (truth)
+        m_truth->paint(painter);
+    if (paintOverlay && m_withOverlay)
+        paintOverlay(painter);
     if (shown)
-        shown(m_frame.input);
+        shown(truth ? m_truth->input() : m_frame.input);
 }
 
 QImage GlViewport::picture() {

@@ -1,12 +1,13 @@
 // The viewport of OpenGL: the blended splatter in a QOpenGLWidget's framebuffer, the overlay painted over it.
 //
-// While the view moves, a DetailPacer keeps frames within a budget; when it rests, the picture settles to its best.
+// While the view moves, a DetailPacer keeps frames within a budget; when it rests, the picture settles to its best. The
+// true surface, where it is asked for, is drawn on the CPU and laid over it.
 //
 // Construct it only where `glUsable` says so: on some platforms a QOpenGLWidget crashes when shown.
 #pragma once
 
 #include "ui/render/detail_pacer.h"
-#include "ui/viewport.h"
+#include "ui/thread_picture.h"
 
 #include <memory>
 #include <QOpenGLWidget>
@@ -41,6 +42,8 @@ class GlViewport : public QOpenGLWidget, public Viewport {
 
   private:
     void dropSplatter();
+    void drawSplats();
+    bool showsTruth() const { return m_truth && m_frame.truth && !m_truth->picture().isNull(); }
     float detailPx() const;
 
     QString m_name = "OpenGL";
@@ -51,6 +54,7 @@ class GlViewport : public QOpenGLWidget, public Viewport {
     QTimer m_rest;                                  ///< runs while a coarse picture waits for the view to rest
     std::unique_ptr<render::GlSplatter> m_splatter; ///< lives while its context does
     bool m_withOverlay = true;
+    std::unique_ptr<ThreadPicture> m_truth; ///< while frames ask for the true surface
 };
 
 } // namespace ui

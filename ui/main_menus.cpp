@@ -129,6 +129,7 @@ void MainWindow::buildViewMenu() {
     QMenu* view = addMenu("view", tr("&View"));
     buildLookMenus(*view);
     buildSwitches(*view);
+    buildTrueSurface(*view);
     view->addSeparator();
     m_frame = addAction(*view, "frame", tr("Frame &All"), QKeySequence("Home"), [this] { m_controller->frameAll(); });
     buildNavigation(*view);

@@ -72,6 +72,7 @@ void MainWindow::buildViewport() {
     m_controller = new ViewController(*m_editor, m_settings, *m_viewport, this);
     m_measurer = new Measurer(this);
     m_viewport->framePainted = [this](double seconds) { m_status->showFrame(seconds, m_viewport->rendererName()); };
+    m_viewport->refined = [this](const auto& refinement) { m_status->showRefinement(refinement); };
     m_viewport->troubled = [this](const QString& trouble) { m_status->tell(trouble, true); };
 }
 

@@ -19,6 +19,7 @@ class Measurer;
 class PropertiesPanel;
 class StatusLine;
 class ToolBar;
+class TruthBar;
 
 struct WindowOptions {
     QString settingsFile; ///< empty: the person's own
@@ -64,6 +65,7 @@ class MainWindow : public QMainWindow {
     void buildSwitches(QMenu& view);
     void buildNavigation(QMenu& view);
     void buildClipping(QMenu& view);
+    void buildTrueSurface(QMenu& view);
     void showSavedViews();
     void saveView();
     void buildHelpMenu();

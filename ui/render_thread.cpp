@@ -6,7 +6,7 @@ namespace ui {
 
 using Clock = std::chrono::steady_clock;
 
-RenderThread::RenderThread(std::unique_ptr<render::Renderer> renderer, Deliver deliver)
+RenderThread::RenderThread(std::unique_ptr<render::CpuSplatter> renderer, Deliver deliver)
     : m_renderer(std::move(renderer)), m_deliver(std::move(deliver)) {
     m_thread = std::thread([this] { work(); });
 }
@@ -14,7 +14,7 @@ RenderThread::RenderThread(std::unique_ptr<render::Renderer> renderer, Deliver d
 RenderThread::~RenderThread() {
     {
         const std::lock_guard lock(m_mutex);
-        m_ending = true;
+        m_ending = m_interrupt = true;
     }
     m_asked.notify_one();
     m_thread.join();
@@ -24,6 +24,7 @@ void RenderThread::request(const Frame& frame) {
     {
         const std::lock_guard lock(m_mutex);
         m_request = frame;
+        m_interrupt = true;
     }
     m_asked.notify_one();
 }
@@ -42,7 +43,7 @@ std::optional<Frame> RenderThread::next() {
     }
     if (m_ending)
         return {};
-    m_settling = false;
+    m_settling = m_interrupt = false;
     std::optional<Frame> out = std::move(m_request);
     m_request.reset();
     return out;
@@ -57,6 +58,16 @@ static bool samePlace(const Frame& a, const Frame& b) {
     return a.camera == b.camera && options == b.options;
 }
 
+static render::TrueView::Subject subject(const Frame& frame) {
+    return {frame.truth->surface, frame.camera, frame.options.shading, frame.truth->quality, frame.truth->measured};
+}
+
+QImage RenderThread::picture() const {
+    const QImage view(reinterpret_cast<const uchar*>(m_image.colour.data()), m_image.width, m_image.height,
+                      QImage::Format_RGBX8888);
+    return view.convertToFormat(QImage::Format_RGB32);
+}
+
 RenderThread::Result RenderThread::draw(const Frame& frame) {
     Result out;
     out.input = frame.input;
@@ -68,13 +79,15 @@ RenderThread::Result RenderThread::draw(const Frame& frame) {
         options.detailPx = m_drawn->options.detailPx;
     else if (frame.moving)
         options.detailPx = m_pacer.moving();
-    else if (m_settling)
+    else if (m_settling && !frame.truth)
         options.detailPx = m_pacer.settling(m_lastDetail);
     out.reduced = frame.moving && !update && m_pacer.overwhelmed() && camera.width > 1 && camera.height > 1;
     if (out.reduced)
         camera.width /= 2, camera.height /= 2, options.pixelScale /= 2;
     const bool over = same && options.detailPx == m_drawn->options.detailPx;
     m_drawn.reset();
+    const auto layer = frame.truth && !out.reduced ? m_truth.known(subject(frame)) : nullptr;
+    m_renderer->showOver(layer);
     const auto start = Clock::now();
     m_renderer->update(frame.model, camera, options, m_image);
     out.seconds = std::chrono::duration<double>(Clock::now() - start).count();
@@ -87,13 +100,36 @@ RenderThread::Result RenderThread::draw(const Frame& frame) {
         m_drawn = frame;
         m_drawn->options = options;
     }
-    const QImage view(reinterpret_cast<const uchar*>(m_image.colour.data()), m_image.width, m_image.height,
-                      QImage::Format_RGBX8888);
-    out.picture = view.convertToFormat(QImage::Format_RGB32);
+    out.picture = picture();
+    if (layer)
+        out.refinement.emplace();
     if (out.reduced) // here, not when painting: the interface's thread is only to copy
         out.picture = out.picture.scaled(frame.camera.width, frame.camera.height, Qt::IgnoreAspectRatio,
                                          Qt::SmoothTransformation);
     return out;
+}
+
+void RenderThread::refine(const Frame& frame) {
+    base::Progress progress;
+    progress.cancel = &m_interrupt;
+    const auto start = Clock::now();
+    const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
+    const auto show = [&](const render::TrueView::Level& level) {
+        progress.step(0, {});
+        m_renderer->showOver(level.layer);
+        m_renderer->update(frame.model, frame.camera, m_drawn->options, m_image);
+        Result result;
+        result.input = frame.input;
+        result.picture = picture();
+        result.seconds = seconds();
+        result.refinement =
+            Refinement{level.quality, level.complete && level.quality <= frame.truth->quality, seconds()};
+        m_deliver(std::move(result));
+    };
+    try {
+        m_truth.refine(subject(frame), show, progress);
+    } catch (const base::Cancelled&) { // what was cast by now is kept for the frame that comes
+    }
 }
 
 void RenderThread::work() {
@@ -101,13 +137,18 @@ void RenderThread::work() {
         Result result;
         try {
             result = draw(*frame);
+            const bool coarse = result.reduced || result.detailPx > frame->options.detailPx;
+            m_unrefined.reset();
+            if (coarse || (frame->truth && frame->moving))
+                m_unrefined = frame;
+            m_deliver(std::exchange(result, {}));
+            if (frame->truth && !m_unrefined)
+                refine(*frame);
         } catch (const std::exception& error) {
+            m_unrefined.reset();
             result.trouble = QString::fromUtf8(error.what());
+            m_deliver(std::move(result));
         }
-        m_unrefined.reset();
-        if (result.reduced || result.detailPx > frame->options.detailPx)
-            m_unrefined = frame;
-        m_deliver(std::move(result));
     }
 }
 

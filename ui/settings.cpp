@@ -168,6 +168,8 @@ static void readTableRows(const QSettings& store, Settings& out) {
     readSet(store, "view/effects", render::effectTable(), &render::EffectRow::effect, out.effects);
     readSet(store, "view/annotations", render::annotationTable(), &render::AnnotationRow::annotation, out.annotated);
     out.grid = store.value("view/grid", out.grid).toBool();
+    out.truth.on = store.value("view/trueSurface", out.truth.on).toBool();
+    readNumber(store, "view/trueQuality", TruthSettings::minQuality, TruthSettings::maxQuality, out.truth.quality);
     const std::string tool = store.value("brush/tool").toString().toStdString();
     if (findTool(tool))
         out.tool = tool;
@@ -266,6 +268,8 @@ void writeSettings(const Settings& settings, QSettings& store) {
     store.setValue("view/annotations",
                    storedSet(render::annotationTable(), &render::AnnotationRow::annotation, settings.annotated));
     store.setValue("view/grid", settings.grid);
+    store.setValue("view/trueSurface", settings.truth.on);
+    store.setValue("view/trueQuality", settings.truth.quality);
     store.setValue("view/navigation", QString::fromStdString(settings.navigation));
     QStringList saved;
     for (const SavedView& view : settings.savedViews)

@@ -24,6 +24,14 @@ enum class RadiusUnit {
     Model   ///< the brush keeps its size on the model
 };
 
+/// Of showing the surface itself instead of splats.
+struct TruthSettings {
+    static constexpr double minQuality = 0.25, maxQuality = 8;
+    bool on = false;
+    double quality = 1; ///< in pixels (adaptive_cast.h)
+    bool operator==(const TruthSettings&) const = default;
+};
+
 struct Settings {
     std::string tool;                 ///< id of the chosen tool; empty: the table's first
     std::string shiftTool = "smooth"; ///< the tool while Shift is held
@@ -38,7 +46,8 @@ struct Settings {
     render::Backdrop backdrop = render::Backdrop::Studio;
     render::Effects effects = 0;
     render::Annotated annotated = render::Legend;
-    bool grid = false;                    ///< on the ground
+    bool grid = false; ///< on the ground
+    TruthSettings truth;
     std::string navigation = "turntable"; ///< id of the style in which dragging turns the view
     std::vector<SavedView> savedViews;    ///< names differ
     std::vector<std::string> recentFiles; ///< newest first, at most `recentLimit`

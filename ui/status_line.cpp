@@ -45,6 +45,8 @@ StatusLine::StatusLine(QWidget* parent) : QStatusBar(parent), m_message(new QLab
     m_surfels = cell(tr("Surfels of the model"));
     m_memory = cell(tr("Memory of the model + of the history beside it"));
     m_spacing = cell(tr("Typical distance of neighbouring surfels, in model units"));
+    m_truth = cell(tr("The true surface: the accuracy reached, and for how long the view has been at rest"));
+    m_truth->hide();
     m_frame = cell({});
     m_dab = cell(tr("The last dab, resampling included"));
     hideProgress();
@@ -67,6 +69,16 @@ void StatusLine::showModel(const Snapshot& snapshot) {
 void StatusLine::showFrame(double seconds, const QString& renderer) {
     m_frame->setText(tr("frame %1").arg(milliseconds(seconds)));
     m_frame->setToolTip(tr("Time to draw the last picture; %1").arg(renderer));
+}
+
+void StatusLine::showRefinement(const std::optional<Refinement>& refinement) {
+    m_truth->setVisible(refinement.has_value());
+    if (refinement && refinement->quality > 0)
+        m_truth->setText(tr(refinement->complete ? "surface to %1 px, %2" : "surface to %1 px, %2 …")
+                             .arg(refinement->quality, 0, 'g', 2)
+                             .arg(milliseconds(refinement->seconds)));
+    else
+        m_truth->setText(tr("surface …"));
 }
 
 void StatusLine::showProgress(double share, const QString& doing) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ui/snapshot.h"
+#include "ui/viewport.h"
 
 #include <QStatusBar>
 
@@ -20,6 +21,8 @@ class StatusLine : public QStatusBar {
     explicit StatusLine(QWidget* parent = nullptr);
 
     void showModel(const Snapshot& snapshot);
+    /// How far the true surface has come; nothing: splats are shown.
+    void showRefinement(const std::optional<Refinement>& refinement);
     void showFrame(double seconds, const QString& renderer);
     /// `share` 0 to 1.
     void showProgress(double share, const QString& doing);
@@ -34,7 +37,7 @@ class StatusLine : public QStatusBar {
   private:
     QLabel* cell(const QString& tip);
 
-    QLabel *m_message, *m_surfels, *m_memory, *m_spacing, *m_frame, *m_dab;
+    QLabel *m_message, *m_surfels, *m_memory, *m_spacing, *m_frame, *m_truth, *m_dab;
     QProgressBar* m_progress;
     QToolButton* m_stop;
 };

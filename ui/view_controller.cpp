@@ -36,22 +36,18 @@ ViewController::ViewController(Editor& editor, Settings& settings, Viewport& vie
 ViewController::~ViewController() = default;
 
 void ViewController::refresh(bool moving) {
-    Frame frame{m_editor.snapshot().surface.tree(), shownCamera(), {}, moving};
+    Frame frame;
+    frame.model = m_editor.snapshot().surface.tree();
+    frame.camera = shownCamera();
+    frame.moving = moving;
     frame.options = look();
     frame.options.colours = m_colours;
+    frame.truth = truth();
     frame.input = std::max(m_editor.snapshot().input, m_viewInput);
     frame.options.definition = m_editor.snapshot().surface.definition();
     frame.options.splatScale = m_editor.snapshot().splatScale;
     m_viewport.show(frame);
     updateCursor();
-}
-
-render::RenderOptions ViewController::look() const {
-    render::RenderOptions out = lookOf(m_settings);
-    out.pixelScale = static_cast<float>(m_viewport.widget()->devicePixelRatioF());
-    if (m_settings.grid)
-        out.grid = m_grid;
-    return out;
 }
 
 // --- the brush ---

@@ -127,6 +127,7 @@ class ViewController : public QObject {
     void followModel();
     void paintOverlay(QPainter& painter) const;
     render::Camera cameraOf(const View& view) const;
+    std::optional<TrueSurface> truth() const; ///< where the settings ask for it
     void viewMoved(bool more);
     void turn(const Pointer& pointer);
     void lookAround(const Pointer& pointer);

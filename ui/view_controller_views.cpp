@@ -32,6 +32,26 @@ void ViewController::showColours(std::shared_ptr<const render::BlockColours> col
     refresh(m_gesture != Gesture::None);
 }
 
+render::RenderOptions ViewController::look() const {
+    render::RenderOptions out = lookOf(m_settings);
+    out.pixelScale = static_cast<float>(m_viewport.widget()->devicePixelRatioF());
+    if (m_settings.grid)
+        out.grid = m_grid;
+    return out;
+}
+
+std::optional<TrueSurface> ViewController::truth() const {
+    const Snapshot& now = m_editor.snapshot();
+    if (!m_settings.truth.on || now.surface.tree().empty())
+        return {};
+    TrueSurface out{now.surface, m_settings.truth.quality, nullptr};
+    const std::optional<render::MeasureRow>& row = render::shadingRow(m_settings.shading).measure;
+    if (row && m_scale)
+        out.measured =
+            std::make_shared<render::Measured>(render::Measured{{row->quantity, now.surface, now.reference}, *m_scale});
+    return out;
+}
+
 /// The model's shape as far as framing needs it: a box for each block.
 static std::vector<base::Box3f> boxesOf(const tree::SurfelTree& tree) {
     std::vector<base::Box3f> out;

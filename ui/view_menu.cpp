@@ -2,6 +2,7 @@
 #include "ui/cut_bar.h"
 #include "ui/icon.h"
 #include "ui/main_window.h"
+#include "ui/truth_bar.h"
 
 #include <QActionGroup>
 #include <QInputDialog>
@@ -84,6 +85,21 @@ void MainWindow::saveView() {
         showSavedViews();
     });
     dialog->open();
+}
+
+void MainWindow::buildTrueSurface(QMenu& view) {
+    auto* bar = new TruthBar(m_settings.truth, this);
+    addToolBar(Qt::BottomToolBarArea, bar);
+    QAction* on = addAction(view, "view", tr("&True Surface"), QKeySequence("F6"), [] {});
+    on->setObjectName("true-surface-on");
+    on->setCheckable(true);
+    on->setChecked(m_settings.truth.on);
+    on->setToolTip(tr("Where the view rests, rays find the surface itself: it grows out of the splats"));
+    connect(on, &QAction::toggled, bar, &TruthBar::setOn);
+    connect(bar, &TruthBar::edited, this, [this](const TruthSettings& settings) {
+        m_settings.truth = settings;
+        m_controller->refresh();
+    });
 }
 
 void MainWindow::buildClipping(QMenu& view) {

@@ -2,6 +2,7 @@
 // a viewport only shows frames and calls back.
 #pragma once
 
+#include "ui/render/measured_colours.h"
 #include "ui/render/renderer.h"
 
 #include <functional>
@@ -14,12 +15,27 @@ class QWidget;
 
 namespace ui {
 
+/// The surface itself, to be shown instead of splats as soon as rays have found it.
+struct TrueSurface {
+    surface::Surface surface;                         ///< of the frame's model
+    double quality = 1;                               ///< in pixels (adaptive_cast.h)
+    std::shared_ptr<const render::Measured> measured; ///< what the shading measures, where it does
+};
+
+/// How far a picture of the true surface has come.
+struct Refinement {
+    double quality = 0; ///< reached, in pixels
+    bool complete = false;
+    double seconds = 0; ///< since the view rests
+};
+
 /// One picture asked for.
 struct Frame {
     tree::SurfelTree model;
     render::Camera camera; ///< its size is the viewport's in device pixels
     render::RenderOptions options;
-    bool moving = false; ///< more will follow at once: speed before quality
+    bool moving = false;              ///< more will follow at once: speed before quality
+    std::optional<TrueSurface> truth; ///< else splats
     /// The last pointer event (ViewController counts them) whose effect it shows.
     std::uint64_t input = 0;
 };
@@ -35,10 +51,11 @@ class Viewport {
     /// What is on the screen, without the overlay; null before the first frame.
     virtual QImage picture() = 0;
 
-    std::function<void(QPainter&)> paintOverlay;  ///< over each picture, in widget coordinates
-    std::function<void(double)> framePainted;     ///< seconds that the renderer took
-    std::function<void(std::uint64_t)> shown;     ///< on the screen now: Frame::input of the picture
-    std::function<void(const QString&)> troubled; ///< the renderer failed: what a person should read
+    std::function<void(QPainter&)> paintOverlay;                   ///< over each picture, in widget coordinates
+    std::function<void(double)> framePainted;                      ///< seconds that the renderer took
+    std::function<void(std::uint64_t)> shown;                      ///< on the screen now: Frame::input of the picture
+    std::function<void(const std::optional<Refinement>&)> refined; ///< of what is shown; nothing: splats
+    std::function<void(const QString&)> troubled;                  ///< the renderer failed: what a person should read
 };
 
 /// A viewport of plain CPU, or of OpenGL where it is safe to construct one (RENDERING, pitfalls). The variable

@@ -25,6 +25,7 @@ struct ShadedLayer {
     ShadedLayer() = default;
     ShadedLayer(int w, int h)
         : width(w), height(h), pixels(static_cast<std::size_t>(w) * static_cast<std::size_t>(h)) {}
+    Pixel* row(int y) { return pixels.data() + static_cast<std::ptrdiff_t>(y) * width; }
     const Pixel* row(int y) const { return pixels.data() + static_cast<std::ptrdiff_t>(y) * width; }
 };
 

@@ -1,0 +1,175 @@
+#include "ui/render/true_view.h"
+
+#include "render/render_models.h"
+#include "support/registry.h"
+#include "ui/render/raycast_image.h"
+
+#include <atomic>
+#include <QtTest>
+
+using namespace render;
+
+class TrueViewTest : public QObject {
+    Q_OBJECT
+  private Q_SLOTS:
+    void lastLevelIsTheSurface();
+    void levelsNeverKnowLess();
+    void onlyTheViewThatWasRefinedIsKnown();
+    void editForgetsOnlyWhatItTouches();
+    void measuredNumbersColourTheSurface();
+    void cancelledRefinementGoesOn();
+};
+
+namespace {
+
+TrueView::Subject subjectOf(tree::SurfelTree model) {
+    TrueView::Subject out;
+    out.surface = surface::Surface(std::move(model), {});
+    out.camera.width = 160, out.camera.height = 120;
+    return out;
+}
+TrueView::Subject sphere(std::size_t surfels = 6000) {
+    return subjectOf(test::built(test::sphere({0, 0, 0}, 0.9, surfels)));
+}
+
+std::size_t unknown(const ShadedLayer& layer) {
+    return static_cast<std::size_t>(
+        std::count_if(layer.pixels.begin(), layer.pixels.end(),
+                      [](const ShadedLayer::Pixel& p) { return p.kind == PixelKind::Unknown; }));
+}
+
+std::vector<TrueView::Level> refined(TrueView& view, const TrueView::Subject& subject) {
+    std::vector<TrueView::Level> out;
+    view.refine(subject, [&](const TrueView::Level& level) { out.push_back(level); }, {});
+    return out;
+}
+
+Image castOf(const TrueView::Subject& subject) {
+    Image out;
+    RenderOptions options;
+    options.shading = subject.shading;
+    raycast::CastCounts counts;
+    rayCast(subject.surface, subject.camera, options, out, counts, {}, subject.measured.get());
+    return out;
+}
+
+/// Pixels whose colours are more than `step` of 255 apart, or that are surface in one alone.
+std::size_t apart(const ShadedLayer& layer, const Image& cast, int step) {
+    std::size_t out = 0;
+    for (std::size_t i = 0; i < layer.pixels.size(); ++i) {
+        const bool hit = std::isfinite(cast.depth[i]);
+        int most = 0;
+        for (int k = 0; k < 24; k += 8)
+            most = std::max(most, std::abs(static_cast<int>(layer.pixels[i].colour >> k & 255u) -
+                                           static_cast<int>(cast.colour[i] >> k & 255u)));
+        out += (layer.pixels[i].kind == PixelKind::Surface) != hit || (hit && most > step);
+    }
+    return out;
+}
+
+/// One surfel of the front a little further out.
+tree::SurfelTree edited(const tree::SurfelTree& model) {
+    tree::Edit edit;
+    edit.inserted.layout = model.layout();
+    model.forEachBlock([&](std::uint32_t number, const surfel::SurfelBlock& block) {
+        for (int slot = 0; slot < block.size() && edit.blocks.empty(); ++slot)
+            if (block.position(slot).z > 0.85f) {
+                edit.blocks.push_back({number, nullptr, {}});
+                edit.blocks.back().removed.set(static_cast<std::size_t>(slot));
+                surfel::Surfel moved = block.surfel(slot);
+                moved.position.z += 0.02f;
+                edit.inserted.append(moved, {});
+            }
+    });
+    return model.apply(edit);
+}
+
+} // namespace
+
+void TrueViewTest::lastLevelIsTheSurface() {
+    TrueView view;
+    for (const double quality : {1.0, 0.0}) {
+        auto subject = sphere();
+        subject.quality = quality;
+        const auto levels = refined(view, subject);
+        QVERIFY(!levels.empty() && levels.back().complete && levels.back().quality <= quality);
+        QCOMPARE(unknown(*levels.back().layer), std::size_t(0));
+        // Two degrees of the normal are some steps of the light; every pixel its own ray is the same to the bit.
+        const std::size_t wrong = apart(*levels.back().layer, castOf(subject), quality > 0 ? 12 : 0);
+        QVERIFY2(wrong <= (quality > 0 ? 20u : 0u), qPrintable(QString::number(wrong)));
+    }
+}
+
+void TrueViewTest::levelsNeverKnowLess() {
+    TrueView view;
+    const auto levels = refined(view, sphere());
+    QVERIFY(levels.size() >= 2);
+    for (std::size_t i = 1; i < levels.size(); ++i) {
+        QVERIFY(unknown(*levels[i].layer) <= unknown(*levels[i - 1].layer));
+        QVERIFY(levels[i].quality <= levels[i - 1].quality);
+    }
+}
+
+void TrueViewTest::onlyTheViewThatWasRefinedIsKnown() {
+    TrueView view;
+    auto subject = sphere();
+    QVERIFY(!view.known(subject));
+    const auto levels = refined(view, subject);
+    QVERIFY(view.known(subject) == levels.back().layer);
+    auto turned = subject;
+    turned.camera.eye.x += 0.1;
+    QVERIFY(!view.known(turned));
+    auto other = subject;
+    other.shading = Shading::Normal;
+    QVERIFY(!view.known(other));
+}
+
+void TrueViewTest::editForgetsOnlyWhatItTouches() {
+    TrueView view;
+    auto subject = sphere(60000);
+    const auto before = refined(view, subject).back().layer;
+    subject.surface = surface::Surface(edited(subject.surface.tree()), {});
+    const auto known = view.known(subject);
+    QVERIFY(known);
+    const std::size_t forgotten = unknown(*known);
+    QVERIFY2(forgotten > 0 && forgotten < known->pixels.size() / 2, qPrintable(QString::number(forgotten)));
+    const auto after = refined(view, subject).back().layer;
+    QCOMPARE(unknown(*after), std::size_t(0));
+    std::size_t changed = 0;
+    for (std::size_t i = 0; i < known->pixels.size(); ++i) {
+        if (known->pixels[i].kind != PixelKind::Unknown)
+            QVERIFY2(known->pixels[i] == before->pixels[i], "what is kept is what was");
+        changed += !(after->pixels[i] == before->pixels[i]);
+    }
+    QVERIFY(changed > 0 && changed <= forgotten);
+}
+
+void TrueViewTest::measuredNumbersColourTheSurface() {
+    TrueView view;
+    auto subject = sphere();
+    subject.shading = Shading::Curvature;
+    const MeasureRow& row = *shadingRow(subject.shading).measure;
+    subject.measured =
+        std::make_shared<Measured>(Measured{{row.quantity, subject.surface, {}}, fixedScale(row, -2, 2)});
+    const auto levels = refined(view, subject);
+    QVERIFY(apart(*levels.back().layer, castOf(subject), 24) < 40);
+}
+
+void TrueViewTest::cancelledRefinementGoesOn() {
+    TrueView view;
+    const auto subject = sphere();
+    std::atomic<bool> stop = false;
+    base::Progress progress;
+    progress.cancel = &stop;
+    const auto first = [&](const TrueView::Level&) {
+        stop = true;
+        progress.step(0, {});
+    };
+    QVERIFY_EXCEPTION_THROWN(view.refine(subject, first, progress), base::Cancelled);
+    TrueView fresh;
+    const auto expected = refined(fresh, subject).back().layer, got = refined(view, subject).back().layer;
+    QVERIFY(expected->pixels == got->pixels);
+}
+
+static const test::Registered<TrueViewTest> registered;
+#include "true_view_test.moc"
