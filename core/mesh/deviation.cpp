@@ -54,9 +54,10 @@ Deviation collect(std::size_t n, const base::Progress& progress, const char* wha
 } // namespace
 
 double distanceTo(const surface::Surface& surface, const Vec3d& x, const surface::Hint& hint) {
-    const double near = byOneEvaluation(surface, x, hint);
-    if (near < none)
-        return near;
+    // what the surface answers unasked is what rays and cubes meet; the hint tells sheets apart further away
+    for (const surface::Hint& asked : {surface::Hint{}, hint})
+        if (const double near = byOneEvaluation(surface, x, asked); near < none)
+            return near;
     const auto found = projectReference(surface, x, {}, hint);
     if (found.ok())
         return distance(x, found.foot);

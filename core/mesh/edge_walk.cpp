@@ -22,7 +22,42 @@ double spacingsPerUnitOf(const surface::SurfaceDefinition& definition) {
     return definition.support > 0 ? 1 / 3.5 : std::sqrt(std::numbers::pi / definition.neighbours);
 }
 
+/// What carries the frame's sign from a to b.
+double signBetween(const WalkSetting& setting, const NodeValue& a, const NodeValue& b) {
+    return setting.oriented || dot(a.normal, b.normal) >= 0 ? 1 : -1;
+}
+
+/// Are both values far larger than the distance between them?
+bool farAway(const NodeValue& a, const NodeValue& b, double length) {
+    const double fa = a.usable() ? std::abs(double(a.f)) : 0, fb = b.usable() ? std::abs(double(b.f)) : 0;
+    return fa + fb > steepest * length;
+}
+
+/// Do the ends tell of one smooth sheet? Then they may be judged by signs alone.
+bool smooth(const WalkSetting& setting, const Vec3d& direction, double length, const NodeValue& a, const NodeValue& b) {
+    constexpr double alike = 0.9, flat = 0.12, deepest = 0.5; // cosine; of the length; of the error
+    if (length > 1.05 * double(std::min(a.unit, b.unit)) * setting.spacingsPerUnit)
+        return false;
+    if (setting.oriented && double(std::min(a.agreement, b.agreement)) < alike)
+        return false;
+    const double side = signBetween(setting, a, b), fa = double(a.f), fb = side * double(b.f);
+    if (double(dot(a.normal, b.normal)) * side < alike)
+        return false;
+    const double slopeA = dot(base::cast<double>(a.normal), direction);
+    const double slopeB = side * dot(base::cast<double>(b.normal), direction);
+    const double error = std::max(std::abs(fb - fa - slopeA * length), std::abs(fb - fa - slopeB * length));
+    return error <= flat * length && (fa * fb < 0 || std::min(std::abs(fa), std::abs(fb)) > deepest * error);
+}
+
 } // namespace
+
+bool EdgeWalk::passes(const WalkSetting& setting, const Edge& edge, const NodeValue& first, const NodeValue& last) {
+    if (setting.distances && farAway(first, last, edge.length))
+        return true;
+    if (!first.usable() || !last.usable() || !smooth(setting, edge.direction, edge.length, first, last))
+        return false;
+    return (first.f < 0) == (signBetween(setting, first, last) * double(last.f) < 0);
+}
 
 WalkSetting::WalkSetting(const surface::Surface& surface)
     : oriented(surface.tree().layout()->normals && surface.tree().layout()->oriented),
@@ -33,12 +68,6 @@ NodeValue NodeValue::of(const Evaluationf& at) {
     if (!at.ok() && at.status != surface::Status::BeyondBoundary)
         return {};
     return {at.value, at.normal, at.unit, at.agreement};
-}
-
-bool EdgeWalk::farAway(const NodeValue& first, const NodeValue& last, double length) {
-    const double reach = steepest * length;
-    const double a = first.usable() ? std::abs(double(first.f)) : 0, b = last.usable() ? std::abs(double(last.f)) : 0;
-    return a + b > reach;
 }
 
 std::optional<Crossing> EdgeWalk::run(const NodeValue& first, const NodeValue& last) {
@@ -52,25 +81,8 @@ EdgeWalk::Sample EdgeWalk::sample(double t) {
     return {t, NodeValue::of(at)};
 }
 
-/// What carries the frame's sign from a to b.
 double EdgeWalk::sign(const Sample& a, const Sample& b) const {
-    return m_setting.oriented || dot(a.at.normal, b.at.normal) >= 0 ? 1 : -1;
-}
-
-bool EdgeWalk::smooth(const Sample& a, const Sample& b) const {
-    constexpr double alike = 0.9, flat = 0.12, deepest = 0.5; // cosine; of the length; of the error
-    const double length = b.t - a.t, spacing = double(std::min(a.at.unit, b.at.unit)) * m_setting.spacingsPerUnit;
-    if (m_care == Care::Thorough || length > 1.05 * spacing)
-        return false;
-    if (m_setting.oriented && double(std::min(a.at.agreement, b.at.agreement)) < alike)
-        return false;
-    const double side = sign(a, b), fa = double(a.at.f), fb = side * double(b.at.f);
-    if (double(dot(a.at.normal, b.at.normal)) * side < alike)
-        return false;
-    const double slopeA = dot(base::cast<double>(a.at.normal), m_edge.direction);
-    const double slopeB = side * dot(base::cast<double>(b.at.normal), m_edge.direction);
-    const double error = std::max(std::abs(fb - fa - slopeA * length), std::abs(fb - fa - slopeB * length));
-    return error <= flat * length && (fa * fb < 0 || std::min(std::abs(fa), std::abs(fb)) > deepest * error);
+    return signBetween(m_setting, a.at, b.at);
 }
 
 void EdgeWalk::between(const Sample& a, const Sample& b, int halvings) {
@@ -78,7 +90,8 @@ void EdgeWalk::between(const Sample& a, const Sample& b, int halvings) {
     if (m_setting.distances && m_care == Care::Usual && farAway(a.at, b.at, length))
         return;
     const bool both = a.at.usable() && b.at.usable();
-    if (!both || !smooth(a, b)) {
+    const bool trusted = both && m_care == Care::Usual && smooth(m_setting, m_edge.direction, length, a.at, b.at);
+    if (!trusted) {
         const double unit = double(a.at.usable() ? a.at.unit : b.at.unit);
         const double step = (m_care == Care::Thorough ? thoroughStep : shortStep) * m_setting.spacingsPerUnit * unit;
         const bool turns = both && !m_setting.oriented && std::abs(double(dot(a.at.normal, b.at.normal))) < turned;

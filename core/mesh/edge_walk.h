@@ -56,8 +56,8 @@ class EdgeWalk {
 
     /// With the values at its ends.
     std::optional<Crossing> run(const NodeValue& first, const NodeValue& last);
-    /// Can an edge of that length be passed over without looking?
-    static bool farAway(const NodeValue& first, const NodeValue& last, double length);
+    /// Do the values at the ends tell, without looking further, that it does not cross?
+    static bool passes(const WalkSetting& setting, const Edge& edge, const NodeValue& first, const NodeValue& last);
 
   private:
     struct Sample {
@@ -66,8 +66,6 @@ class EdgeWalk {
     };
     Sample sample(double t);
     void between(const Sample& a, const Sample& b, int halvings);
-    /// Do the ends tell of one smooth sheet? Then `b` may be judged by signs alone.
-    bool smooth(const Sample& a, const Sample& b) const;
     double sign(const Sample& a, const Sample& b) const;
     void refine(Sample a, Sample b);
     bool jumps(const Sample& a, const Sample& b) const;

@@ -3,6 +3,7 @@
 #include "core/base/parallel.h"
 #include "core/mesh/fill_loop.h"
 #include "core/mesh/mesh_repair.h"
+#include "core/mesh/relax_mesh.h"
 #include "core/process/spacing_sample.h"
 
 #include <algorithm>
@@ -171,6 +172,21 @@ void addTriangles(const SurfaceGrid& grid, const LooseEnds& loose, Mesh& out, Ma
     }
 }
 
+/// Triangles as cubes make them, each loop facing as its normals do.
+Mesh cutMesh(const surface::Surface& surface, const Lattice& lattice, MarchingReport& report,
+             const base::Progress& progress) {
+    report.cell = lattice.cell;
+    SurfaceGrid grid(surface, lattice);
+    grid.build(progress);
+    std::vector<TracedEnd> rims;
+    const LooseEnds loose = settleEnds(grid, rims, report, progress);
+    progress.step(0.85, "filling cubes");
+    Mesh out;
+    addVertices(grid, rims, out);
+    addTriangles(grid, loose, out, report);
+    return out;
+}
+
 } // namespace
 
 Mesh marchingCubes(const surface::Surface& surface, const MarchingOptions& options, MarchingReport& report,
@@ -180,24 +196,17 @@ Mesh marchingCubes(const surface::Surface& surface, const MarchingOptions& optio
     if (surface.tree().empty())
         throw base::Error("the model has no surfels");
     report = {};
-    SurfaceGrid grid(surface, latticeFor(surface, options));
-    report.cell = grid.lattice().cell;
-    grid.build(progress);
-    std::vector<TracedEnd> rims;
-    const LooseEnds loose = settleEnds(grid, rims, report, progress);
-    progress.step(0.85, "filling cubes");
-    Mesh out;
-    addVertices(grid, rims, out);
-    addTriangles(grid, loose, out, report);
+    Mesh out = cutMesh(surface, latticeFor(surface, options), report, progress);
     if (out.triangles.empty())
         throw base::Error("no surface was found to mesh", "", "check normals, supports and the boundary limit");
     progress.step(0.9, "orienting triangles");
-    const Orientation orientation = orient(out, grid.setting().oriented);
+    const Orientation orientation = orient(out, WalkSetting(surface).oriented);
     report.parityConflicts = orientation.conflicts;
     report.pieces = orientation.pieceSizes.size();
     report.smallPieces =
         static_cast<std::size_t>(std::count_if(orientation.pieceSizes.begin(), orientation.pieceSizes.end(),
                                                [&](std::uint32_t size) { return size < options.smallPiece; }));
+    relax(out, surface, {options.relax ? 2 : 0, 0.7, report.cell}, progress);
     if (options.dropSmall)
         dropSmallPieces(out, orientation, options.smallPiece);
     if (options.closeFolds)

@@ -29,6 +29,7 @@ struct MarchingOptions {
     /// Rows: directions of the grid's axes. A rotation.
     base::Mat3d turned = base::Mat3d::identity();
     base::Vec3d shift;       ///< of the grid, in cells
+    bool relax = true;       ///< shape triangles; otherwise vertices stay on the grid's edges
     bool closeFolds = false; ///< close rims where the definition ends, up to `longestFold` edges
     std::size_t longestFold = 24;
     bool dropSmall = false; ///< leave out pieces of fewer than `smallPiece` triangles

@@ -5,7 +5,6 @@
 #include "core/mesh/mesh_fans.h"
 
 #include <algorithm>
-#include <tuple>
 
 namespace mesh {
 
@@ -46,6 +45,23 @@ std::vector<SharedEdge> sharedEdges(const Mesh& mesh) {
     std::vector<SharedEdge> out;
     for (const auto& part : parts)
         out.insert(out.end(), part.begin(), part.end());
+    return out;
+}
+
+/// By steps of flatness, within a step as they come.
+std::vector<SharedEdge> flattestFirst(const std::vector<SharedEdge>& edges) {
+    constexpr std::size_t steps = 1024;
+    const auto stepOf = [](const SharedEdge& e) {
+        return static_cast<std::size_t>((1 - std::clamp(e.flatness, 0.0f, 1.0f)) * float(steps - 1));
+    };
+    std::vector<std::size_t> first(steps + 1);
+    for (const SharedEdge& e : edges)
+        ++first[stepOf(e) + 1];
+    for (std::size_t step = 0; step < steps; ++step)
+        first[step + 1] += first[step];
+    std::vector<SharedEdge> out(edges.size());
+    for (const SharedEdge& e : edges)
+        out[first[stepOf(e)]++] = e;
     return out;
 }
 
@@ -105,9 +121,7 @@ Orientation orient(Mesh& mesh, bool byNormals) {
     std::vector<SharedEdge> edges = sharedEdges(mesh);
     const bool agreed = std::all_of(edges.begin(), edges.end(), [](const SharedEdge& e) { return e.against; });
     if (!agreed)
-        std::sort(edges.begin(), edges.end(), [](const SharedEdge& x, const SharedEdge& y) {
-            return std::tuple(-x.flatness, x.a, x.b) < std::tuple(-y.flatness, y.a, y.b);
-        });
+        edges = flattestFirst(edges);
     ParityClasses sets(mesh.triangles.size());
     for (const SharedEdge& edge : edges)
         sets.relate(edge.a, edge.b, !edge.against);

@@ -101,15 +101,17 @@ std::uint32_t SparseSet::rank(const Place& p) const {
     return brick == noRank ? noRank : rankIn(m_bricks[brick], bitOf(p.x & 3, p.y & 3, p.z & 3));
 }
 
-Neighbourhood::Neighbourhood(const SparseSet& set, std::uint32_t brick) {
-    m_lowest = brickPlace(set.bricks()[brick].key);
-    m_bricks[0] = &set.bricks()[brick];
-    for (int i = 1; i < 8; ++i) {
-        const Place above{m_lowest.x + (i & 1) * brickSide, m_lowest.y + (i >> 1 & 1) * brickSide,
-                          m_lowest.z + (i >> 2) * brickSide};
-        const std::uint32_t found = set.find(brickKey(above));
-        m_bricks[static_cast<std::size_t>(i)] = found == noRank ? nullptr : &set.bricks()[found];
-    }
+Neighbourhood::Neighbourhood(const SparseSet& set, std::uint32_t brick, bool below)
+    : m_lowest(brickPlace(set.bricks()[brick].key)) {
+    const int first = below ? -1 : 0;
+    for (int z = first; z < 2; ++z)
+        for (int y = first; y < 2; ++y)
+            for (int x = first; x < 2; ++x) {
+                const Place at{m_lowest.x + x * brickSide, m_lowest.y + y * brickSide, m_lowest.z + z * brickSide};
+                const std::uint32_t found = set.find(brickKey(at));
+                m_bricks[std::size_t(x + 1 + 3 * (y + 1) + 9 * (z + 1))] =
+                    found == noRank ? nullptr : &set.bricks()[found];
+            }
 }
 
 SparseSet cornersOf(const SparseSet& cubes, const SparseSet& beside) {

@@ -3,7 +3,7 @@
 //
 //     SparseSet set(std::move(bits));                 from words gathered anywhere, in any order
 //     Neighbourhood around(set, b);                   brick b and the seven above it
-//     around.rank(x, y, z)                            of the place at 0 <= x, y, z < 8 from the brick's lowest
+//     around.rank(place)                              of a place in them
 //
 // Bricks follow a Morton curve, so that neighbours in the order are neighbours in space.
 #pragma once
@@ -69,28 +69,37 @@ class SparseSet {
     std::size_t m_size = 0;
 };
 
+/// Number of bits, without the call that std::popcount is on processors that must not be expected to count.
+constexpr std::uint32_t countBits(std::uint64_t v) {
+    v -= v >> 1 & 0x5555555555555555ull;
+    v = (v & 0x3333333333333333ull) + (v >> 2 & 0x3333333333333333ull);
+    v = (v + (v >> 4)) & 0x0f0f0f0f0f0f0f0full;
+    return static_cast<std::uint32_t>((v * 0x0101010101010101ull) >> 56);
+}
+
 inline std::uint32_t rankIn(const SparseSet::Brick& brick, int bit) {
     if (!(brick.mask >> bit & 1))
         return noRank;
-    return brick.first + static_cast<std::uint32_t>(std::popcount(brick.mask & ((std::uint64_t(1) << bit) - 1)));
+    return brick.first + countBits(brick.mask & ((std::uint64_t(1) << bit) - 1));
 }
 
-/// A brick and those above it along the axes: ranks without looking bricks up again and again.
+/// A brick and those around it: ranks without looking bricks up again and again.
 class Neighbourhood {
   public:
-    Neighbourhood(const SparseSet& set, std::uint32_t brick);
+    /// Below the brick there are neighbours too if `below`.
+    Neighbourhood(const SparseSet& set, std::uint32_t brick, bool below = false);
 
     const Place& lowest() const { return m_lowest; }
-    /// Counted from the brick's lowest place. REQUIRES: 0 <= x, y, z < 8.
-    std::uint32_t rank(int x, int y, int z) const {
-        const SparseSet::Brick* brick = m_bricks[(x >> 2) | (y >> 2) << 1 | (z >> 2) << 2];
+    /// REQUIRES: less than a brick away from the brick, not below it unless asked for.
+    std::uint32_t rank(const Place& p) const {
+        const int x = p.x - m_lowest.x + brickSide, y = p.y - m_lowest.y + brickSide, z = p.z - m_lowest.z + brickSide;
+        const SparseSet::Brick* brick = m_bricks[std::size_t((x >> 2) + 3 * (y >> 2) + 9 * (z >> 2))];
         return brick ? rankIn(*brick, bitOf(x & 3, y & 3, z & 3)) : noRank;
     }
-    std::uint32_t rank(const Place& p) const { return rank(p.x - m_lowest.x, p.y - m_lowest.y, p.z - m_lowest.z); }
 
   private:
     Place m_lowest;
-    std::array<const SparseSet::Brick*, 8> m_bricks{};
+    std::array<const SparseSet::Brick*, 27> m_bricks{};
 };
 
 /// The corners of a set of cubes.

@@ -61,26 +61,33 @@ bool SurfaceGrid::reconsider(std::span<const EdgeName> edges, const base::Progre
     std::vector<Job> jobs;
     for (const EdgeName& edge : edges)
         jobs.push_back({edge.node, m_nodes.rank(edge.node), m_nodes.rank(edge.node.next(edge.axis)), edge.axis});
-    const auto found = walk(jobs, Care::Thorough);
+    const std::vector<Found> found = walk(jobs, Care::Thorough);
     bool changed = false;
-    std::vector<Job> crossed;
+    auto next = found.begin();
     for (std::size_t i = 0; i < jobs.size(); ++i) {
+        const bool crosses = next != found.end() && next->job == i;
+        next += crosses ? 1 : 0;
         std::uint32_t& at = m_edges[3 * std::size_t(jobs[i].first) + static_cast<std::size_t>(jobs[i].axis)];
-        if ((at < none) == found[i].has_value())
-            continue;
-        changed = true;
+        changed = changed || (at < none) != crosses;
         at = none;
-        if (found[i]) {
-            at = static_cast<std::uint32_t>(m_crossings.size());
-            m_crossings.push_back(*found[i]);
-            crossed.push_back(jobs[i]);
-        }
     }
-    if (changed) {
-        complete(cubesAbout(crossed), progress);
-        number();
-    }
+    const std::vector<Job> crossed = take(jobs, found);
+    complete(cubesAbout(crossed), progress);
+    number();
     return changed;
+}
+
+/// Numbers the crossings found; returns their edges.
+std::vector<SurfaceGrid::Job> SurfaceGrid::take(std::span<const Job> jobs, std::span<const Found> found) {
+    std::vector<Job> crossed;
+    crossed.reserve(found.size());
+    for (const Found& each : found) {
+        const Job& job = jobs[each.job];
+        m_edges[3 * std::size_t(job.first) + std::size_t(job.axis)] = static_cast<std::uint32_t>(m_crossings.size());
+        m_crossings.push_back(each.crossing);
+        crossed.push_back(job);
+    }
+    return crossed;
 }
 
 /// Where surfels' tangent discs on the surface pass.
@@ -96,14 +103,15 @@ std::vector<BrickBits> SurfaceGrid::discs() const {
             for (int slot = 0; slot < blocks[b]->size(); ++slot)
                 x.push_back(blocks[b]->position(slot));
         std::vector<Evaluationf> at(x.size());
-        m_surface.evaluate(x, surface::Need::Gradient, at);
+        m_surface.evaluate(x, surface::Need::Value, at);
         for (std::size_t i = 0; i < x.size(); ++i) {
-            const double unit = double(at[i].unit), steep = double(lengthSq(at[i].gradient));
-            if (!NodeValue::of(at[i]).usable() || !(steep > 0))
+            const double unit = double(at[i].unit);
+            if (!NodeValue::of(at[i]).usable())
                 continue;
-            const double along = std::clamp(-double(at[i].value) / steep, -furthest * unit, furthest * unit);
-            const Vec3d g = base::cast<double>(at[i].gradient), foot = base::cast<double>(x[i]) + g * along;
-            addDisc(m_lattice.toGrid(foot), m_lattice.turned * normalized(g),
+            const Vec3d n = base::cast<double>(at[i].normal);
+            const Vec3d foot =
+                base::cast<double>(x[i]) - n * std::clamp(double(at[i].value), -furthest * unit, furthest * unit);
+            addDisc(m_lattice.toGrid(foot), m_lattice.turned * n,
                     radius * m_setting.spacingsPerUnit * unit / m_lattice.cell, parts[chunk]);
         }
         joinBits(parts[chunk]);
@@ -119,18 +127,7 @@ void SurfaceGrid::complete(std::vector<BrickBits> cubes, const base::Progress& p
         evaluateNodes();
         const std::vector<Job> jobs = openEdges();
         progress.step(0.8 * (1 - std::pow(0.5, round + 0.5)), "cutting cubes");
-        const auto found = walk(jobs, Care::Usual);
-        std::vector<Job> crossed;
-        for (std::size_t i = 0; i < jobs.size(); ++i) {
-            std::uint32_t& at = m_edges[3 * std::size_t(jobs[i].first) + static_cast<std::size_t>(jobs[i].axis)];
-            at = none;
-            if (!found[i])
-                continue;
-            at = static_cast<std::uint32_t>(m_crossings.size());
-            m_crossings.push_back(*found[i]);
-            crossed.push_back(jobs[i]);
-        }
-        cubes = cubesAbout(crossed);
+        cubes = cubesAbout(take(jobs, walk(jobs, Care::Usual)));
     }
 }
 
@@ -180,65 +177,75 @@ void SurfaceGrid::evaluateNodes() {
     });
 }
 
-/// Edges between nodes that nobody has looked at and that may cross.
+/// Edges between nodes that nobody has looked at and that may cross; those that cannot are done with.
 std::vector<SurfaceGrid::Job> SurfaceGrid::openEdges() {
-    std::vector<std::vector<Job>> parts(base::chunkCount(m_nodes.bricks().size(), bricksPerTask));
-    base::parallelChunks(
-        m_nodes.bricks().size(), bricksPerTask, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
-            for (std::size_t b = begin; b < end; ++b) {
-                const Neighbourhood around(m_nodes, static_cast<std::uint32_t>(b));
-                m_nodes.forPlaces(static_cast<std::uint32_t>(b), [&](const Place& p, std::uint32_t n) {
-                    for (int axis = 0; axis < 3; ++axis) {
-                        const std::uint32_t last = around.rank(p.next(axis));
-                        std::uint32_t& at = m_edges[3 * std::size_t(n) + std::size_t(axis)];
-                        if (last == noRank || at != unknown)
-                            continue;
-                        if (m_setting.distances && EdgeWalk::farAway(m_values[n], m_values[last], m_lattice.cell))
-                            at = none;
-                        else
-                            parts[chunk].push_back({p, n, last, axis});
-                    }
-                });
-            }
-        });
+    const std::size_t bricks = m_nodes.bricks().size();
+    std::vector<std::vector<Job>> parts(base::chunkCount(bricks, bricksPerTask));
+    base::parallelChunks(bricks, bricksPerTask, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+        const auto look = [&](const Neighbourhood& around, const Place& p, std::uint32_t n, int axis) {
+            const std::uint32_t last = around.rank(p.next(axis));
+            std::uint32_t& at = m_edges[3 * std::size_t(n) + std::size_t(axis)];
+            if (last == noRank || at != unknown)
+                return;
+            at = none;
+            if (!EdgeWalk::passes(m_setting, edgeOf(p, axis), m_values[n], m_values[last]))
+                parts[chunk].push_back({p, n, last, axis});
+        };
+        for (std::size_t b = begin; b < end; ++b) {
+            const Neighbourhood around(m_nodes, static_cast<std::uint32_t>(b));
+            m_nodes.forPlaces(static_cast<std::uint32_t>(b), [&](const Place& p, std::uint32_t n) {
+                for (int axis = 0; axis < 3; ++axis)
+                    look(around, p, n, axis);
+            });
+        }
+    });
     return joined(parts);
 }
 
-std::vector<std::optional<Crossing>> SurfaceGrid::walk(std::span<const Job> jobs, Care care) const {
-    std::vector<std::optional<Crossing>> out(jobs.size());
-    std::vector<Vec3f> middles(jobs.size());
-    const auto edgeOf = [&](const Job& job) {
-        return Edge{m_lattice.at(job.node), m_lattice.direction(job.axis), m_lattice.cell};
-    };
-    base::parallelFor(jobs.size(), 4096, [&](std::size_t i) {
-        const Edge edge = edgeOf(jobs[i]);
-        middles[i] = base::cast<float>(edge.from + edge.direction * (0.5 * edge.length));
-    });
+std::vector<SurfaceGrid::Found> SurfaceGrid::walk(std::span<const Job> jobs, Care care) const {
+    constexpr std::size_t jobsPerTask = 8192;
     const float slack = static_cast<float>(0.51 * m_lattice.cell) / m_surface.tree().maxSupport();
-    surface::forPackets(m_surface, middles, slack, [&](surface::Source& source, std::size_t i) {
-        const Job& job = jobs[i];
-        out[i] = EdgeWalk(m_setting, source, edgeOf(job), care).run(m_values[job.first], m_values[job.last]);
+    std::vector<std::vector<Found>> parts(base::chunkCount(jobs.size(), jobsPerTask));
+    base::parallelChunks(jobs.size(), jobsPerTask, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+        std::vector<Vec3f> middles;
+        for (const Job& job : jobs.subspan(begin, end - begin)) {
+            const Edge edge = edgeOf(job.node, job.axis);
+            middles.push_back(base::cast<float>(edge.from + edge.direction * (0.5 * edge.length)));
+        }
+        std::vector<std::optional<Crossing>> found(middles.size());
+        surface::forPackets(m_surface, middles, slack, [&](surface::Source& source, std::size_t i) {
+            const Job& job = jobs[begin + i];
+            found[i] = EdgeWalk(m_setting, source, edgeOf(job.node, job.axis), care)
+                           .run(m_values[job.first], m_values[job.last]);
+        });
+        for (std::size_t i = 0; i < found.size(); ++i)
+            if (found[i])
+                parts[chunk].push_back({begin + i, *found[i]});
     });
-    return out;
+    return joined(parts);
 }
 
 /// The four cubes about each edge that lack corners.
 std::vector<BrickBits> SurfaceGrid::cubesAbout(std::span<const Job> jobs) const {
-    std::vector<std::vector<BrickBits>> parts(base::chunkCount(jobs.size(), 4096));
-    base::parallelChunks(jobs.size(), 4096, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const int u = (jobs[i].axis + 1) % 3, v = (jobs[i].axis + 2) % 3;
-            // the edge is there: a cube lacks corners where one of its edges along the axis does
+    constexpr std::size_t jobsPerTask = 4096;
+    std::vector<std::vector<BrickBits>> parts(base::chunkCount(jobs.size(), jobsPerTask));
+    base::parallelChunks(jobs.size(), jobsPerTask, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+        std::optional<Neighbourhood> around;
+        for (const Job& job : jobs.subspan(begin, end - begin)) {
+            if (const std::uint64_t key = brickKey(job.node); !around || !(around->lowest() == brickPlace(key)))
+                around.emplace(m_nodes, m_nodes.find(key), true);
+            const int u = (job.axis + 1) % 3, v = (job.axis + 2) % 3;
+            // the edge is there: a cube lacks corners where another of its edges along the axis does
             bool there[3][3];
-            for (int a = -1; a <= 1; ++a)
-                for (int b = -1; b <= 1; ++b) {
-                    const Place end0 = jobs[i].node.next(u, a).next(v, b);
-                    there[a + 1][b + 1] = m_nodes.contains(end0) && m_nodes.contains(end0.next(jobs[i].axis));
+            for (int a = 0; a < 3; ++a)
+                for (int b = 0; b < 3; ++b) {
+                    const Place end0 = job.node.next(u, a - 1).next(v, b - 1);
+                    there[a][b] = around->rank(end0) != noRank && around->rank(end0.next(job.axis)) != noRank;
                 }
             for (int a = 0; a < 2; ++a)
                 for (int b = 0; b < 2; ++b)
                     if (!(there[a][b] && there[a + 1][b] && there[a][b + 1] && there[a + 1][b + 1]))
-                        parts[chunk].push_back(bitsOf(jobs[i].node.next(u, a - 1).next(v, b - 1)));
+                        parts[chunk].push_back(bitsOf(job.node.next(u, a - 1).next(v, b - 1)));
         }
         joinBits(parts[chunk]);
     });

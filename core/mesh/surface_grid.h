@@ -51,7 +51,15 @@ class SurfaceGrid {
     void add(std::vector<BrickBits> cubes);
     void evaluateNodes();
     std::vector<Job> openEdges();
-    std::vector<std::optional<Crossing>> walk(std::span<const Job> jobs, Care care) const;
+    struct Found {
+        std::size_t job = 0;
+        Crossing crossing;
+    };
+    Edge edgeOf(const Place& node, int axis) const {
+        return {m_lattice.at(node), m_lattice.direction(axis), m_lattice.cell};
+    }
+    std::vector<Found> walk(std::span<const Job> jobs, Care care) const;
+    std::vector<Job> take(std::span<const Job> jobs, std::span<const Found> found);
     std::vector<BrickBits> cubesAbout(std::span<const Job> jobs) const;
     void number();
 

@@ -21,6 +21,7 @@ class MarchingTest : public QObject {
     void anyGridIsManifold();
     void verticesLieOnTheSphere();
     void rimsLieAtTheLimit();
+    void trianglesAreWellShaped();
     void trianglesFaceOutwards();
     void foldsAreClosedOnRequest();
     void smallPiecesAreDroppedOnRequest();
@@ -83,7 +84,7 @@ void MarchingTest::shapesKeepTheirTopology() {
     QFETCH(int, loops);
     QFETCH(bool, orientable);
     const surface::Surface surface =
-        sample.isEmpty() ? halfSphere() : sampled(sample.toStdString().c_str(), test::effort(8000));
+        sample.isEmpty() ? halfSphere() : sampled(sample.toStdString().c_str(), test::effort(4000));
     const double s = double(surface.tree().maxSupport()) / 3.5;
     for (const double cell : {0.7, 1.7}) {
         MarchingReport report;
@@ -130,7 +131,7 @@ void MarchingTest::anyGridIsManifold() {
 }
 
 void MarchingTest::verticesLieOnTheSphere() {
-    const std::size_t count = 8000;
+    const std::size_t count = 4000;
     const double s = shapes::sphereSpacing(count, 1);
     const surface::Surface surface = shapes::surfaceOf(shapes::sphere(count, 1, 3.5 * s));
     for (const double cell : {0.5, 1.0, 2.0}) {
@@ -169,6 +170,24 @@ void MarchingTest::rimsLieAtTheLimit() {
             QCOMPARE(rim, report.limitEnds);
             QVERIFY2(200 * off <= rim, QByteArray::number(off) + " of " + QByteArray::number(rim));
         }
+    }
+}
+
+/// And relaxing changes no connection.
+void MarchingTest::trianglesAreWellShaped() {
+    for (const char* id : {"knot", "moebius"}) {
+        const surface::Surface surface = sampled(id, test::effort(4000));
+        MarchingOptions options;
+        MarchingReport report;
+        const Mesh shaped = mesh::marchingCubes(surface, options, report);
+        options.relax = false;
+        const Mesh raw = mesh::marchingCubes(surface, options, report);
+        const double degree = shapes::pi / 180;
+        QVERIFY2(mesh::shapeOf(shaped).hundredthAngle > 20 * degree,
+                 QByteArray::number(mesh::shapeOf(shaped).hundredthAngle / degree));
+        QVERIFY(mesh::shapeOf(raw).hundredthAngle < 5 * degree);
+        QCOMPARE(shaped.triangles.size(), raw.triangles.size());
+        QCOMPARE(topologyOf(shaped).boundaryEdges, topologyOf(raw).boundaryEdges);
     }
 }
 
@@ -230,7 +249,7 @@ void MarchingTest::smallPiecesAreDroppedOnRequest() {
 }
 
 void MarchingTest::threadsDoNotShow() {
-    const surface::Surface surface = sampled("moebius", test::effort(8000));
+    const surface::Surface surface = sampled("moebius", test::effort(4000));
     const int threads = base::threadCount();
     std::vector<Mesh> made;
     for (const int count : {1, 2}) {

@@ -1,0 +1,205 @@
+#include "core/mesh/relax_mesh.h"
+
+#include "core/base/parallel.h"
+#include "core/mesh/edge_walk.h"
+#include "core/mesh/mesh_fans.h"
+#include "core/surface/boundary.h"
+#include "core/surface/packets.h"
+
+namespace mesh {
+
+using base::Vec3d, base::Vec3f;
+using surface::Evaluationf;
+
+namespace {
+
+constexpr std::size_t grain = 8192;
+constexpr double farthest = 0.5;             ///< of a cell, per move
+constexpr double loose = 0.03, tight = 2e-3; ///< of the spacing: steps of Newton's method after which none is needed
+constexpr float steadiest = 0.6f;            ///< least cosine between a vertex' normals before and after a move
+
+struct Settled {
+    bool good = false;
+    Vec3d position;
+    Vec3f normal;
+};
+
+class Relaxer {
+  public:
+    Relaxer(Mesh& mesh, const surface::Surface& surface, const RelaxOptions& options)
+        : m_mesh(mesh), m_surface(surface), m_setting(surface), m_options(options), m_fans(mesh),
+          m_landed(mesh.positions.size()) {}
+
+    void pass(bool last) {
+        std::vector<Vec3d> targets(m_mesh.positions.size());
+        base::parallelFor(targets.size(), grain,
+                          [&](std::size_t v) { targets[v] = target(static_cast<std::uint32_t>(v)); });
+        move(targets, last ? tight : loose, [](std::size_t) { return true; });
+    }
+
+    /// Vertices that no pass has put there, onto the surface.
+    void landTheRest() {
+        const std::vector<Vec3d> targets = m_mesh.positions;
+        move(targets, tight, [&](std::size_t v) { return m_landed[v] == 0; });
+    }
+
+  private:
+    /// Along the surface towards the middle of the neighbours.
+    Vec3d target(std::uint32_t v) const {
+        const Vec3d here = m_mesh.positions[v];
+        if (m_mesh.kinds[v] == VertexKind::Limit)
+            return alongRim(v);
+        if (m_mesh.kinds[v] != VertexKind::Inner)
+            return here;
+        Vec3d sum;
+        int count = 0;
+        for (const std::uint32_t t : m_fans.at(v))
+            for (const std::uint32_t other : m_mesh.triangles[t])
+                if (other != v) {
+                    sum += m_mesh.positions[other] - here;
+                    ++count;
+                }
+        if (count == 0)
+            return here;
+        const Vec3d n = base::cast<double>(m_mesh.normals[v]);
+        return here + limited(along(sum / count, n) * m_options.share);
+    }
+
+    /// Towards the middle of the two neighbours on the boundary.
+    Vec3d alongRim(std::uint32_t v) const {
+        const Vec3d here = m_mesh.positions[v];
+        Vec3d sum;
+        for (const std::uint32_t t : m_fans.at(v)) {
+            const Triangle& triangle = m_mesh.triangles[t];
+            for (int corner = 0; corner < 3; ++corner) {
+                const std::uint32_t a = triangle[std::size_t(corner)], b = triangle[std::size_t((corner + 1) % 3)];
+                if ((a == v || b == v) && m_fans.across(t, corner) == MeshFans::none)
+                    sum += m_mesh.positions[a == v ? b : a] - here;
+            }
+        }
+        return here + limited(sum * (0.5 * m_options.share));
+    }
+
+    static Vec3d along(const Vec3d& d, const Vec3d& normal) { return d - normal * dot(d, normal); }
+    Vec3d limited(const Vec3d& d) const {
+        const double size = length(d), most = farthest * m_options.cell;
+        return size > most ? d * (most / size) : d;
+    }
+
+    template <class Which>
+    void move(std::span<const Vec3d> targets, double enough, const Which& which) {
+        const float slack = static_cast<float>(0.1 * m_options.cell) / m_surface.tree().maxSupport();
+        std::vector<Settled> next(targets.size());
+        base::parallelChunks(targets.size(), grain, [&](std::size_t begin, std::size_t end, std::size_t) {
+            std::vector<Vec3f> x;
+            std::vector<std::size_t> vertices;
+            for (std::size_t v = begin; v < end; ++v)
+                if (which(v)) {
+                    x.push_back(base::cast<float>(targets[v]));
+                    vertices.push_back(v);
+                }
+            surface::forPackets(m_surface, x, slack, [&](surface::Source& source, std::size_t i) {
+                const std::size_t v = vertices[i];
+                next[v] = m_mesh.kinds[v] == VertexKind::Limit ? onRim(targets[v], v)
+                                                               : settled(source, targets[v], v, enough);
+            });
+        });
+        base::parallelFor(next.size(), grain, [&](std::size_t v) {
+            if (!next[v].good)
+                return;
+            std::swap(next[v].position, m_mesh.positions[v]);
+            std::swap(next[v].normal, m_mesh.normals[v]);
+        });
+        keepFacing(next);
+        for (std::size_t v = 0; v < next.size(); ++v)
+            m_landed[v] = which(v) ? enough <= tight && next[v].good : m_landed[v];
+    }
+
+    /// Newton's method along the gradient.
+    Settled settled(surface::Source& source, const Vec3d& start, std::size_t v, double enough) const {
+        const Vec3f before = m_mesh.normals[v];
+        Vec3d x = start;
+        for (int i = 0; i < 6; ++i) {
+            Evaluationf at;
+            const Vec3f rounded = base::cast<float>(x);
+            source.evaluate(rounded, surface::Need::Gradient, {}, at);
+            if (!surface::isSurface(at))
+                return {};
+            const Vec3d g = base::cast<double>(at.gradient), step = g * (-double(at.value) / lengthSq(g));
+            x = base::cast<double>(rounded) + step;
+            const double size = length(step);
+            if (size > farthest * m_options.cell)
+                return {};
+            if (size > enough * m_setting.spacingsPerUnit * double(at.unit))
+                continue;
+            Vec3f normal = base::normalized(at.gradient);
+            if (!m_setting.oriented && dot(normal, before) < 0)
+                normal = -normal;
+            return {dot(normal, before) >= steadiest, x, normal};
+        }
+        return {};
+    }
+
+    Settled onRim(const Vec3d& start, std::size_t v) const {
+        const surface::RimSearch found = surface::findRimPoint(m_surface, start, {m_mesh.normals[v]});
+        if (!found.ok() || distance(found.point.position, start) > farthest * m_options.cell)
+            return {};
+        Vec3f normal = base::cast<float>(found.point.normal);
+        if (!m_setting.oriented && dot(normal, m_mesh.normals[v]) < 0)
+            normal = -normal;
+        return {dot(normal, m_mesh.normals[v]) >= steadiest, found.point.position, normal};
+    }
+
+    /// Corners of triangles that a pass has turned over go back to where they were, again until none is left.
+    void keepFacing(std::span<Settled> before) {
+        const auto facing = [&](const Triangle& t) {
+            const Vec3d& a = m_mesh.positions[t[0]];
+            const Vec3d area = cross(m_mesh.positions[t[1]] - a, m_mesh.positions[t[2]] - a);
+            double sum = 0;
+            for (const std::uint32_t v : t)
+                sum += dot(area, base::cast<double>(m_mesh.normals[v]));
+            return sum;
+        };
+        for (int round = 0; round < 8; ++round) {
+            std::vector<std::vector<std::uint32_t>> turned(base::chunkCount(m_mesh.triangles.size(), grain));
+            base::parallelChunks(m_mesh.triangles.size(), grain,
+                                 [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+                                     for (std::size_t t = begin; t < end; ++t)
+                                         if (facing(m_mesh.triangles[t]) < 0)
+                                             turned[chunk].push_back(static_cast<std::uint32_t>(t));
+                                 });
+            bool any = false;
+            for (const auto& part : turned)
+                for (const std::uint32_t t : part)
+                    for (const std::uint32_t v : m_mesh.triangles[t])
+                        if (before[v].good) {
+                            m_mesh.positions[v] = before[v].position;
+                            m_mesh.normals[v] = before[v].normal;
+                            before[v].good = false;
+                            any = true;
+                        }
+            if (!any)
+                return;
+        }
+    }
+
+    Mesh& m_mesh;
+    const surface::Surface& m_surface;
+    WalkSetting m_setting;
+    const RelaxOptions& m_options;
+    MeshFans m_fans;
+    std::vector<std::uint8_t> m_landed; ///< is the vertex on the surface, as closely as can be?
+};
+
+} // namespace
+
+void relax(Mesh& mesh, const surface::Surface& surface, const RelaxOptions& options, const base::Progress& progress) {
+    Relaxer relaxer(mesh, surface, options);
+    for (int pass = 0; pass < options.passes; ++pass) {
+        progress.step(double(pass) / options.passes, "shaping triangles");
+        relaxer.pass(pass + 1 == options.passes);
+    }
+    relaxer.landTheRest();
+}
+
+} // namespace mesh

@@ -1,0 +1,27 @@
+// Vertices of a mesh put onto the surface, and moved along it until triangles are well shaped.
+//
+// Every vertex moves towards the middle of its neighbours, along the surface, and is projected onto it (Newton along
+// the gradient). A rim by the limit moves along itself: its vertices stay rim points (alg. 6); where the definition
+// ends they stay where they are. No triangle changes its corners, so what the mesh is connected like stays. A vertex
+// stays where a move would leave the surface, or turn a triangle over.
+//
+// The same bits at any thread count.
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/mesh/mesh.h"
+#include "core/surface/surface.h"
+
+namespace mesh {
+
+struct RelaxOptions {
+    int passes = 2;     ///< 0: vertices are only put onto the surface
+    double share = 0.7; ///< of the way to the middle, per pass
+    double cell = 0;    ///< no vertex moves by more than half of it at once
+};
+
+/// REQUIRES: normals and kinds. Normals become the unit gradients at the vertices, with the sign they had.
+void relax(Mesh& mesh, const surface::Surface& surface, const RelaxOptions& options,
+           const base::Progress& progress = {});
+
+} // namespace mesh
