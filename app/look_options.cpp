@@ -88,7 +88,9 @@ std::shared_ptr<LookOptions> addLookOptions(CLI::App& command) {
                            render::effectTable()))
         ->type_name("LIST")
         ->check(CLI::Validator(effectsFault, ""));
-    command.add_flag("--ao", options->occlusion, "the same as --effects ambient-occlusion");
+    options->light = addLightOptions(command);
+    command.add_flag("--ao", options->occlusion,
+                     "ambient occlusion: with --mode raycast by rays, else the same as --effects ambient-occlusion");
     command.add_flag("--grid", options->grid, "a grid on the ground below the model, lines at round coordinates");
     for (const render::AnnotationRow& row : render::annotationTable()) {
         const bool usual = options->annotated & row.annotation;
@@ -111,7 +113,9 @@ void applyLook(const LookOptions& options, const session::Document& document, co
     out.style.backdrop = render::backdrop(options.backdrop);
     out.style.transparent = options.transparent;
     out.annotated = options.annotated;
-    out.style.effects = render::effects(options.effects) | (options.occlusion ? render::Effects(render::Occlusion) : 0);
+    const bool onScreen = options.occlusion && !out.rayCast;
+    out.style.effects = render::effects(options.effects) | (onScreen ? render::Effects(render::Occlusion) : 0);
+    applyLights(*options.light, options.occlusion, out);
     if (options.grid)
         out.style.grid = render::gridBelow(document.surface().tree().bounds(), up, document.provenance().origin);
     const auto& measure = render::shadingRow(out.style.shading).measure;

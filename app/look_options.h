@@ -2,7 +2,7 @@
 // background. Loops over the tables of ui/render.
 #pragma once
 
-#include "app/subcommand.h"
+#include "app/light_options.h"
 #include "core/session/document.h"
 #include "ui/render/picture.h"
 
@@ -15,13 +15,14 @@ struct LookOptions {
     bool occlusion = false, grid = false;
     bool transparent = false;
     render::Annotated annotated = render::Legend;
+    std::shared_ptr<LightOptions> light;
 };
 
 std::shared_ptr<LookOptions> addLookOptions(CLI::App& command);
 
-/// Sets everything of `out` that the options say; opens the reference with the same surface options as `document`'s
-/// model, and in its coordinates. Throws base::Error, UsageError.
-/// `up`: of the view, for the grid.
+/// Sets everything of `out` that the options say, whose rayCast is set already; opens the reference with the same
+/// surface options as `document`'s model, and in its coordinates. Throws base::Error, UsageError. `up`: of the view,
+/// for the grid.
 void applyLook(const LookOptions& options, const session::Document& document, const nlohmann::json& surface,
                const base::Vec3d& up, Console& console, render::PictureOptions& out);
 

@@ -6,6 +6,7 @@
 #include "app/view_options.h"
 #include "core/io/safe_file.h"
 #include "core/process/curve_tube.h"
+#include "ui/render/depth_exr.h"
 #include "ui/render/image_io.h"
 #include "ui/render/picture.h"
 
@@ -24,10 +25,27 @@ struct Options {
     std::shared_ptr<SurfaceOptions> surface;
 };
 
-void writeStats(const std::string& path, const render::PictureStats& stats) {
-    const nlohmann::ordered_json out{
+void writeStats(const std::string& path, bool rayCast, const render::PictureStats& stats) {
+    nlohmann::ordered_json out{
         {"rays", stats.rays}, {"pixels", stats.pixels}, {"seconds", stats.seconds}, {"evaluations", stats.evaluations}};
+    if (rayCast) {
+        out["antialias_rays"] = stats.edgeRays;
+        out["shadow_rays"] = stats.light.shadowRays;
+        out["occlusion_rays"] = stats.light.occlusionRays;
+        out["path_rays"] = stats.light.pathRays;
+    }
     io::writeFile(path, out.dump(2) + "\n");
+}
+
+bool isExr(const std::filesystem::path& path) {
+    return path.extension() == ".exr" || path.extension() == ".EXR";
+}
+
+void saveDepth(const render::Image& image, const std::filesystem::path& path) {
+    if (isExr(path))
+        render::saveExr(image, path);
+    else
+        render::savePfm(image, path);
 }
 
 void run(Options options, Console& console) {
@@ -48,10 +66,10 @@ void run(Options options, Console& console) {
         stats += one;
         render::savePng(image, numberedPath(options.image, k, count));
         if (!options.depth.empty())
-            render::savePfm(image, numberedPath(options.depth, k, count));
+            saveDepth(image, numberedPath(options.depth, k, count));
     }
     if (!options.stats.empty())
-        writeStats(options.stats, stats);
+        writeStats(options.stats, options.picture.rayCast, stats);
 }
 
 } // namespace
@@ -89,9 +107,12 @@ Action addRender(CLI::App& command) {
     command
         .add_option("--depth", options->depth,
                     "distance from the eye along each pixel's ray in model units, +inf where nothing is hit; rows from "
-                    "bottom to top")
-        ->type_name("OUT.pfm");
-    command.add_option("--stats", options->stats, "rays, pixels, seconds and evaluations as JSON")
+                    "bottom to top; a name that ends with .exr gets OpenEXR, channel Z")
+        ->type_name("OUT.pfm|OUT.exr");
+    command
+        .add_option("--stats", options->stats,
+                    "rays (of pixels), pixels, seconds and evaluations as JSON; with --mode raycast also the other "
+                    "rays: antialias_rays, shadow_rays, occlusion_rays, path_rays (reflected and refracted)")
         ->type_name("OUT.json");
     options->surface = addSurfaceOptions(command, false);
     return [options](Console& console) { run(*options, console); };

@@ -1,6 +1,6 @@
 # Level 7: what draws and what a person touches. The renderers know no widget; the window knows no GL function.
 pointclay_room(render ui/render session raycast)
-pointclay_link(render PkgConfig::HWY Qt6::Gui ${CMAKE_DL_LIBS})
+pointclay_link(render PkgConfig::HWY PkgConfig::EXR Qt6::Gui ${CMAKE_DL_LIBS})
 
 pointclay_room(ui ui render)
 pointclay_link(ui Qt6::Widgets Qt6::OpenGLWidgets Qt6::Svg nlohmann_json::nlohmann_json)

@@ -164,7 +164,7 @@ void ProjectionTest::aSphereOfParallelRaysIsACircleOfItsSize() {
     for (const double distance : {2.0, 500.0, -2.0}) { // how far the eye is does not show; < 0: cast rays
         const Camera camera = smallCamera({1, 2, -0.5}, std::abs(distance), 3);
         Image image;
-        raycast::CastCounts counts;
+        RayCounts counts;
         if (distance < 0)
             rayCast(surface::Surface(model, {}), camera, {}, image, counts);
         else
@@ -250,7 +250,7 @@ void ProjectionTest::noPixelShowsWhatIsCutAway() {
         Camera camera = smallCamera({0.1, 0.2, 1}, 3.5, height);
         camera.clips.add(plane);
         Image image;
-        raycast::CastCounts counts;
+        RayCounts counts;
         if (rays)
             rayCast(surface::Surface(model, {}), camera, {}, image, counts);
         else
@@ -282,7 +282,7 @@ void ProjectionTest::castRaysAgreeInSilhouette() {
             camera.clips.add(through({1, -0.2, 0.1}, -0.2));
         const Image splats = test::drawn(cpu, model, camera);
         Image cast;
-        raycast::CastCounts counts;
+        RayCounts counts;
         rayCast(surface::Surface(model, {}), camera, {}, cast, counts);
         const test::Difference d = test::difference(splats, cast);
         std::size_t covered = 0;

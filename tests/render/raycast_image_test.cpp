@@ -31,9 +31,10 @@ static Camera smallCamera() {
 
 static Image cast(const tree::SurfelTree& model, const Camera& camera, const RenderOptions& options = {}) {
     Image image;
-    raycast::CastCounts counts;
+    RayCounts counts;
     rayCast(surface::Surface(model, {}), camera, options, image, counts);
-    if (counts.rays != image.colour.size() || counts.pixels != image.colour.size() || !(counts.seconds > 0))
+    if (counts.cast.rays != image.colour.size() || counts.cast.pixels != image.colour.size() ||
+        !(counts.cast.seconds > 0))
         qFatal("counts are wrong");
     return image;
 }
@@ -108,7 +109,7 @@ void RaycastImageTest::sameBitsAtAnyThreadCount() {
 void RaycastImageTest::cancellingStopsIt() {
     const std::atomic<bool> stop{true};
     Image image;
-    raycast::CastCounts counts;
+    RayCounts counts;
     const surface::Surface surface(test::built(test::sphere({0, 0, 0}, 1, 1000)), {});
     QVERIFY_EXCEPTION_THROWN(rayCast(surface, smallCamera(), {}, image, counts, {{}, &stop}), base::Cancelled);
 }

@@ -125,7 +125,7 @@ void RimCutsTest::splatsEndLikeRays() {
     const Image cut = test::drawn(splatter, model, camera, options);
     Image rays;
     rays.resize(400, 400);
-    raycast::CastCounts counts;
+    RayCounts counts;
     rayCast(surface::Surface(model, bounded()), camera, options, rays, counts);
     const std::size_t before = test::difference(whole, rays).apart, after = test::difference(cut, rays).apart;
     QVERIFY2(after * 3 < before, qPrintable(QString("%1 pixels of %2").arg(after).arg(before)));

@@ -197,7 +197,7 @@ void ScreenEffectsTest::raysAreFinishedLikeSplats() {
     RenderOptions options;
     options.effects = EyeDome | Occlusion | Outline;
     Image rays;
-    raycast::CastCounts counts;
+    RayCounts counts;
     rayCast(model, camera320(), options, rays, counts);
     CpuSplatter cpu;
     const test::Difference d = test::difference(rays, test::drawn(cpu, model.tree(), camera320(), options));

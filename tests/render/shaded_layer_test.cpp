@@ -40,7 +40,7 @@ struct Scene {
     }
     Image cast() const {
         Image out;
-        raycast::CastCounts counts;
+        RayCounts counts;
         rayCast(surface::Surface(model, {}), camera, options, out, counts);
         return out;
     }

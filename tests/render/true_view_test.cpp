@@ -48,8 +48,8 @@ Image castOf(const TrueView::Subject& subject) {
     Image out;
     RenderOptions options;
     options.shading = subject.shading;
-    raycast::CastCounts counts;
-    rayCast(subject.surface, subject.camera, options, out, counts, {}, subject.measured.get());
+    RayCounts counts;
+    rayCast(subject.surface, subject.camera, options, out, counts, {}, {subject.measured.get(), {}, false});
     return out;
 }
 

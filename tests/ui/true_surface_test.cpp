@@ -39,7 +39,7 @@ struct Fixture : WindowFixture {
     double meanDifferenceToRays() {
         auto& controller = window->controller();
         render::Image cast;
-        raycast::CastCounts counts;
+        render::RayCounts counts;
         render::rayCast(editor().snapshot().surface, controller.camera(), controller.look(), cast, counts);
         const QImage shown = window->viewport().picture();
         double sum = 0;

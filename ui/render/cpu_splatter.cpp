@@ -84,12 +84,12 @@ void shadeTile(const Frame& frame, const TileArea& area, const TileSums& sums) {
             const PixelKind kind = layer ? layer[x].kind : PixelKind::Unknown;
             Seen seen;
             if (kind == PixelKind::Surface)
-                seen = {layer[x].colour, layer[x].depth, layer[x].depth / std::sqrt(dx * dx + dy * dy + 1),
-                        layer[x].normal};
+                seen = {over(layer[x].colour, background[x & 7]), layer[x].depth,
+                        layer[x].depth / std::sqrt(dx * dx + dy * dy + 1), layer[x].normal};
             else if (kind == PixelKind::Unknown && sums.weight[i] > 0)
                 seen = seenInSplats(frame, sums, i, dx, dy);
             else {
-                colour[x] = background[x & 7];
+                colour[x] = layer ? over(layer[x].colour, background[x & 7]) : background[x & 7];
                 depth[x] = std::numeric_limits<float>::infinity();
                 if (finish)
                     geometry->set(x, nowhereOf(frame.view), {});

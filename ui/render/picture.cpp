@@ -45,17 +45,14 @@ void PictureMaker::measure(const base::Progress& progress) {
 }
 
 void PictureMaker::castRays(const Camera& camera, PictureStats& stats, const base::Progress& progress, Image& out) {
-    const auto cast = [&](const Camera& view, Image& image) {
-        raycast::CastCounts counts;
-        const auto& measured = m_kept->measured;
-        rayCast(m_surface, view, m_options.style, image, counts, progress, measured ? &*measured : nullptr);
-        stats.rays += counts.rays;
-        stats.evaluations += counts.evaluations;
-    };
-    if (m_options.smoothRays && isSmall(camera))
-        renderSmooth(camera, cast, out);
-    else
-        cast(camera, out);
+    RayCounts counts;
+    const auto& measured = m_kept->measured;
+    rayCast(m_surface, camera, m_options.style, out, counts, progress,
+            {measured ? &*measured : nullptr, m_options.lighting, m_options.smoothRays});
+    stats.rays = counts.cast.rays;
+    stats.evaluations = counts.cast.evaluations;
+    stats.edgeRays = counts.edgeRays;
+    stats.light = counts.light;
 }
 
 void PictureMaker::drawSplats(const Camera& camera, const base::Progress& progress, Image& out) {

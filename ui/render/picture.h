@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/raycast/lighting.h"
 #include "core/surface/surface.h"
 #include "ui/render/annotations.h"
 #include "ui/render/renderer.h"
@@ -14,7 +15,8 @@ struct PictureOptions {
     bool rayCast = false;        ///< the true surface, every pixel; else splats
     std::string backend = "cpu"; ///< of splats
     bool smooth = true;          ///< splats: four pixels drawn for one, up to 16 million
-    bool smoothRays = false;     ///< the same of cast rays
+    bool smoothRays = false;     ///< cast rays: nine for pixels at edges
+    raycast::Lighting lighting;  ///< of cast rays
     bool sections = false;       ///< draw the curves where the camera's clip planes meet the surface
     Annotated annotated = 0;     ///< drawn over the picture; a legend where the shading measures
     RenderOptions style;         ///< its splatScale comes on top of splatScaleOf the model
@@ -25,11 +27,15 @@ struct PictureOptions {
 
 /// What it cost, as `render --stats` tells it.
 struct PictureStats {
-    std::size_t rays = 0, pixels = 0, evaluations = 0;
+    std::size_t rays = 0; ///< of pixels; all others are counted beside
+    std::size_t pixels = 0, evaluations = 0;
     double seconds = 0;
+    std::size_t edgeRays = 0;
+    raycast::LightCounts light;
 
     PictureStats& operator+=(const PictureStats& more) {
         rays += more.rays, pixels += more.pixels, evaluations += more.evaluations, seconds += more.seconds;
+        edgeRays += more.edgeRays, light += more.light;
         return *this;
     }
     std::optional<ColourScale> scale; ///< of measured numbers, where the shading shows some

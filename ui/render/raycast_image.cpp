@@ -1,7 +1,7 @@
 #include "ui/render/raycast_image.h"
 
 #include "ui/render/measured_hits.h"
-#include "ui/render/shaded_layer.h"
+#include "ui/render/smooth_edges.h"
 
 namespace render {
 
@@ -28,12 +28,29 @@ raycast::ImageRays imageRays(const Camera& camera) {
 }
 
 void rayCast(const surface::Surface& surface, const Camera& camera, const RenderOptions& options, Image& out,
-             raycast::CastCounts& counts, const base::Progress& progress, const Measured* measured) {
-    auto samples = raycast::fullCast(surface, imageRays(camera), counts, progress);
-    if (measured)
-        colourHits(*measured, camera.width, samples, {}, progress);
+             RayCounts& counts, const base::Progress& progress, const RayLook& look) {
+    const raycast::ImageRays rays = imageRays(camera);
+    auto samples = raycast::fullCast(surface, rays, counts.cast, progress);
+    if (look.measured)
+        colourHits(*look.measured, camera.width, samples, {}, progress);
     const auto kind = [&](std::size_t i) { return samples[i].hit.hit ? PixelKind::Surface : PixelKind::Background; };
-    const ShadedLayer layer = shadeSamples(samples, kind, *surface.tree().layout(), camera, options.shading);
+    ShadedLayer layer = shadeSamples(samples, kind, *surface.tree().layout(), camera, options.shading);
+    std::optional<raycast::LightScene> light;
+    if (look.lighting.wanted()) {
+        light.emplace(surface, look.lighting, viewerOf(camera, options), rays.clips);
+        const auto ray = [&](std::size_t i) {
+            return rays.ray(static_cast<int>(i) % camera.width, static_cast<int>(i) / camera.width);
+        };
+        lightPixels(*light, {samples, ray, camera.width}, layer.pixels, counts.light, progress);
+    }
+    if (look.smooth) {
+        EdgeCounts edges;
+        smoothEdges(surface, camera, {options.shading, look.measured, light ? &*light : nullptr}, layer, edges,
+                    progress);
+        counts.edgeRays = edges.rays;
+        counts.cast.evaluations += edges.evaluations;
+        counts.light += edges.light;
+    }
     showLayer(layer, camera, options, out);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/raycast/full_cast.h"
+#include "core/raycast/lighting.h"
 #include "ui/render/measured_colours.h"
 #include "ui/render/renderer.h"
 
@@ -10,9 +11,21 @@ namespace render {
 /// The rays of the camera's pixels. REQUIRES: the camera outlives the result.
 raycast::ImageRays imageRays(const Camera& camera);
 
-/// Throws base::Cancelled. The same bits at any thread count. A shading of measured numbers asks `measured` at every
-/// meeting; without it they are unknown.
+/// How cast rays are shown, beside what RenderOptions say.
+struct RayLook {
+    const Measured* measured = nullptr; ///< what a shading of measured numbers asks; without it they are unknown
+    raycast::Lighting lighting;
+    bool smooth = false; ///< pixels at edges are means of nine rays (smooth_edges.h)
+};
+
+struct RayCounts {
+    raycast::CastCounts cast;   ///< of the pixels' own rays
+    raycast::LightCounts light; ///< shadows, occlusion, paths
+    std::size_t edgeRays = 0;
+};
+
+/// Throws base::Cancelled. The same bits at any thread count.
 void rayCast(const surface::Surface& surface, const Camera& camera, const RenderOptions& options, Image& out,
-             raycast::CastCounts& counts, const base::Progress& progress = {}, const Measured* measured = nullptr);
+             RayCounts& counts, const base::Progress& progress = {}, const RayLook& look = {});
 
 } // namespace render

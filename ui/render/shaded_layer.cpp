@@ -10,6 +10,18 @@ using base::Vec3f;
 
 constexpr std::size_t rowsPerChunk = 8;
 
+ShadedLayer::Pixel shadeSample(const ShadingStyle& style, const ViewFrame& view, int column, int row, bool oriented,
+                               const raycast::Sample& sample) {
+    ShadedLayer::Pixel pixel;
+    pixel.kind = PixelKind::Surface;
+    const Vec3f turned = view.turn(oriented ? sample.hit.outward : sample.hit.normal);
+    pixel.normal = {turned.x, -turned.y, -turned.z};
+    const Vec3f seen = inRayFrame(pixel.normal, view.raySlopeX(column), -view.raySlopeY(row));
+    pixel.colour = shadePixel(style, seen, sample.colour, sample.mask);
+    pixel.depth = sample.hit.t;
+    return pixel;
+}
+
 ShadedLayer shadeSamples(std::span<const raycast::Sample> samples, const std::function<PixelKind(std::size_t)>& kind,
                          const surfel::AttributeLayout& layout, const Camera& camera, Shading shading) {
     const ViewFrame view(camera);
@@ -17,19 +29,12 @@ ShadedLayer shadeSamples(std::span<const raycast::Sample> samples, const std::fu
     const bool oriented = layout.normals && layout.oriented;
     ShadedLayer out(camera.width, camera.height);
     base::parallelFor(static_cast<std::size_t>(camera.height), rowsPerChunk, [&](std::size_t y) {
-        const float dy = -view.raySlopeY(static_cast<int>(y));
-        for (std::size_t x = 0; x < static_cast<std::size_t>(camera.width); ++x) {
-            const std::size_t i = y * static_cast<std::size_t>(camera.width) + x;
-            const raycast::Sample& sample = samples[i];
-            ShadedLayer::Pixel& pixel = out.pixels[i];
-            pixel.kind = kind(i);
-            if (pixel.kind != PixelKind::Surface)
-                continue;
-            const Vec3f turned = view.turn(oriented ? sample.hit.outward : sample.hit.normal);
-            pixel.normal = {turned.x, -turned.y, -turned.z};
-            const Vec3f seen = inRayFrame(pixel.normal, view.raySlopeX(static_cast<int>(x)), dy);
-            pixel.colour = shadePixel(style, seen, sample.colour, sample.mask);
-            pixel.depth = sample.hit.t;
+        const int row = static_cast<int>(y);
+        for (int x = 0; x < camera.width; ++x) {
+            const std::size_t i = y * static_cast<std::size_t>(camera.width) + static_cast<std::size_t>(x);
+            out.pixels[i].kind = kind(i);
+            if (out.pixels[i].kind == PixelKind::Surface)
+                out.pixels[i] = shadeSample(style, view, x, row, oriented, samples[i]);
         }
     });
     return out;
@@ -48,7 +53,7 @@ void showLayer(const ShadedLayer& layer, const Camera& camera, const RenderOptio
             const std::size_t i = y * static_cast<std::size_t>(camera.width) + static_cast<std::size_t>(x);
             const ShadedLayer::Pixel& pixel = layer.pixels[i];
             const bool surface = pixel.kind == PixelKind::Surface;
-            out.colour[i] = surface ? pixel.colour : background[x & 7];
+            out.colour[i] = over(pixel.colour, background[x & 7]);
             if (surface)
                 out.depth[i] = pixel.depth;
             if (finish.wanted())

@@ -1,0 +1,105 @@
+#include "app/light_options.h"
+
+#include "core/base/error.h"
+
+#include <cstdio>
+
+namespace app {
+
+namespace {
+
+/// Directions as in "0,1,0;1,0,0.5"; empty where the text is none.
+std::vector<base::Vec3f> directionsOf(const std::string& text) {
+    std::vector<base::Vec3f> out;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(';', begin), text.size());
+        base::Vec3f d;
+        char rest = 0;
+        const std::string one = text.substr(begin, end - begin);
+        if (std::sscanf(one.c_str(), "%f,%f,%f%c", &d.x, &d.y, &d.z, &rest) != 3 || !isFinite(d) ||
+            !(lengthSq(d) > 0) || !std::isfinite(lengthSq(d)))
+            return {};
+        out.push_back(normalized(d));
+        begin = end + 1;
+    }
+    return out;
+}
+
+std::string lightsFault(const std::string& text) {
+    if (!directionsOf(text).empty())
+        return "";
+    try {
+        raycast::lightRig(text);
+        return "";
+    } catch (const base::Error& error) {
+        return std::string(error.what()) + ", or directions x,y,z;x,y,z;... towards lamps";
+    }
+}
+
+template <class Rows>
+std::string helpOf(std::string out, const Rows& rows) {
+    for (const auto& row : rows)
+        out += std::string("\n  ") + row.id + ": " + row.tip;
+    return out;
+}
+
+void checkTogether(const LightOptions& options, bool occlusion, const render::PictureOptions& picture) {
+    const bool plain = options.material == "matcap";
+    const auto needsRays = [&](bool given, const char* option) {
+        if (given && !picture.rayCast)
+            throw UsageError(std::string(option) + " is for cast rays: add --mode raycast");
+    };
+    needsRays(!plain, "--material other than matcap");
+    needsRays(!options.lights.empty(), "--lights");
+    needsRays(options.shadows, "--shadows");
+    needsRays(options.ground, "--ground");
+    needsRays(options.smooth, "--antialias");
+    if (!plain && picture.style.shading != render::Shading::Matcap)
+        throw UsageError("--shading is what --material matcap shows; " + options.material + " has its own look");
+    if (plain && !options.lights.empty() && !options.shadows)
+        throw UsageError("--lights: --material matcap has light of its own; add --shadows or another --material");
+    if (options.ground && !options.shadows && !occlusion)
+        throw UsageError("--ground shows shadows and ambient occlusion: add --shadows or --ao");
+}
+
+} // namespace
+
+std::shared_ptr<LightOptions> addLightOptions(CLI::App& command) {
+    auto options = std::make_shared<LightOptions>();
+    std::vector<std::string> materials;
+    for (const raycast::MaterialRow& row : raycast::materialTable())
+        materials.push_back(row.id);
+    command
+        .add_option("--material", options->material,
+                    helpOf("what the surface is made of with --mode raycast", raycast::materialTable()))
+        ->check(CLI::IsMember(materials))
+        ->option_text("NAME [matcap]");
+    command
+        .add_option("--lights", options->lights,
+                    helpOf("lamps of --mode raycast, which stand around whoever looks, by name, or directions towards "
+                           "lamps in model coordinates as in 0,1,0;1,0,0.5",
+                           raycast::lightRigTable()))
+        ->check(CLI::Validator(lightsFault, ""))
+        ->option_text("NAME|x,y,z;... [studio]");
+    command.add_flag("--shadows", options->shadows, "the model keeps light of the lamps off itself (--mode raycast)");
+    command.add_flag("--ground", options->ground,
+                     "shadows and occlusion fall on the ground below the model too (--mode raycast)");
+    command.add_flag("--antialias", options->smooth,
+                     "nine rays for pixels at edges (--mode raycast; splats always have smooth edges)");
+    return options;
+}
+
+void applyLights(const LightOptions& options, bool occlusion, render::PictureOptions& out) {
+    checkTogether(options, occlusion, out);
+    raycast::Lighting& lighting = out.lighting;
+    lighting.material = raycast::material(options.material);
+    lighting.directions = directionsOf(options.lights);
+    if (!options.lights.empty() && lighting.directions.empty())
+        lighting.rig = raycast::lightRig(options.lights);
+    lighting.shadows = options.shadows;
+    lighting.ground = options.ground;
+    lighting.occlusion = occlusion && out.rayCast;
+    out.smoothRays = options.smooth;
+}
+
+} // namespace app

@@ -1,0 +1,22 @@
+// Rays that ask one thing: does anything stand in their way? Shadows and ambient occlusion are made of them.
+#pragma once
+
+#include "core/raycast/places.h"
+
+namespace raycast {
+
+/// 1 for rays that meet the model nearer than `reach`, 0 for others. Where planes cut the model, what they cut away
+/// stands in nobody's way. In parallel; the same bits at any thread count.
+void findBlocked(const LightScene& scene, std::span<const base::Rayf> rays, float reach, std::span<std::uint8_t> out);
+
+/// The part of each lamp that the places see: out[lamp * places.size() + i]. Lamps below the place's horizon are not
+/// asked for, and count as seen. `pattern(i)`: see directions.h.
+void findShadows(const LightScene& scene, std::span<const Place> places, std::span<const std::uint8_t> pattern,
+                 std::span<float> out, LightCounts& counts);
+
+/// The part of the sky above the places that is open, weighted with the cosine: surface within `occlusionReach` and
+/// the ground hold it off.
+void findOcclusion(const LightScene& scene, std::span<const Place> places, std::span<const std::uint8_t> pattern,
+                   std::span<float> out, LightCounts& counts);
+
+} // namespace raycast

@@ -1,0 +1,96 @@
+#include "core/raycast/places.h"
+
+#include "core/base/parallel.h"
+#include "core/raycast/directions.h"
+
+namespace raycast {
+
+using base::Vec3d;
+using base::Vec3f;
+
+/// Surfels per unit of h, as the default definition has it (alg. 2.6).
+constexpr float spacingOfUnit = 1 / 3.5f;
+
+int SeenSamples::pattern(std::size_t i) const {
+    const auto n = static_cast<int>(i);
+    return width > 0 ? patternOf(n % width, n / width) : n % patterns;
+}
+
+LightScene::LightScene(const surface::Surface& surface_, const Lighting& lighting_, const Viewer& viewer,
+                       std::span<const base::Plane> clips_)
+    : surface(surface_), lighting(lighting_), environment(lighting_, viewer), clips(clips_) {
+    const base::Box3f box = surface.tree().bounds();
+    const surfel::AttributeLayout& layout = *surface.tree().layout();
+    oriented = layout.normals && layout.oriented;
+    size = box.diagonal() > 0 ? box.diagonal() : 1;
+    if (!lighting.ground || box.empty())
+        return;
+    std::size_t axis = 0;
+    const Vec3f& up = environment.up();
+    for (std::size_t k = 1; k < 3; ++k)
+        axis = std::abs(up[k]) > std::abs(up[axis]) ? k : axis;
+    const bool down = up[axis] < 0;
+    Vec3d normal;
+    normal[axis] = down ? -1 : 1;
+    ground = base::Plane{normal, down ? -static_cast<double>(box.hi[axis]) : static_cast<double>(box.lo[axis])};
+    middle = box.centre();
+    middle[axis] = down ? box.hi[axis] : box.lo[axis];
+}
+
+/// The ground fades between these distances from the middle, in diagonals.
+constexpr float groundFrom = 1.1f, groundTo = 2.6f;
+
+static bool meetGround(const LightScene& scene, const base::Rayd& ray, Place& out) {
+    const double height = scene.ground->distance(ray.origin), fall = -dot(scene.ground->normal, ray.direction);
+    if (!(height > 0 && fall > 0))
+        return false;
+    out.x = base::cast<float>(ray.at(height / fall));
+    out.n = base::cast<float>(scene.ground->normal);
+    const float away = base::distance(out.x, scene.middle) / scene.size;
+    const float t = std::clamp((away - groundFrom) / (groundTo - groundFrom), 0.0f, 1.0f);
+    out.fade = 1 - t * t * (3 - 2 * t);
+    out.unit = 0.01f * scene.size;
+    out.seen = out.fade > 0 ? Seen::Ground : Seen::Nothing;
+    return out.fade > 0;
+}
+
+/// Newton's steps along the gradient: what is left of a fifth of a spacing after two is far below any epsilon.
+static void settle(const surface::Surface& surface, Place& place) {
+    constexpr int steps = 2;
+    constexpr float enough = 1e-4f, most = 0.5f; // of h
+    for (int k = 0; k < steps; ++k) {
+        const surface::Evaluationf at = surface.evaluate(place.x);
+        if (!at.ok() && at.status != surface::Status::BeyondBoundary)
+            return;
+        place.unit = at.unit;
+        const float slopeSq = lengthSq(at.gradient);
+        if (!(std::abs(at.value) > enough * at.unit) || !(slopeSq > 0.01f) || std::abs(at.value) > most * at.unit)
+            return;
+        place.x -= at.gradient * (at.value / slopeSq);
+    }
+}
+
+void findPlaces(const LightScene& scene, const SeenSamples& seen, std::size_t begin, std::span<Place> out) {
+    base::parallelFor(out.size(), 256, [&](std::size_t k) {
+        const std::size_t i = begin + k;
+        const surface::RayHit<float>& hit = seen.samples[i].hit;
+        Place& place = out[k];
+        place = {};
+        if (hit.hit) {
+            place.x = hit.position, place.n = hit.normal, place.unit = hit.unit;
+            place.seen = Seen::Model;
+            place.back = scene.oriented && dot(hit.normal, hit.outward) < 0;
+            settle(scene.surface, place);
+        } else if (scene.ground) {
+            meetGround(scene, seen.ray(i), place);
+        }
+    });
+}
+
+Vec3f startBeside(const Place& place, const Vec3f& n) {
+    constexpr float epsilon = 2 * static_cast<float>(surface::secondaryEpsilon) * spacingOfUnit;
+    const float rounding = 4e-7f * length(place.x);
+    return place.x + n * std::max(epsilon * place.unit, rounding);
+}
+
+} // namespace raycast

@@ -1,0 +1,211 @@
+// Shadows and ambient occlusion against closed forms, first hits and cut models.
+#include "core/raycast/blocking.h"
+
+#include "core/raycast/directions.h"
+
+#include "light_scenes.h"
+#include "support/registry.h"
+
+#include <QtTest>
+
+using namespace raycast;
+using base::Vec3d;
+using base::Vec3f;
+using scenes::placeAt;
+
+class BlockingTest : public QObject {
+    Q_OBJECT
+  private Q_SLOTS:
+    void aBallsShadowHasUmbraAndPenumbra();
+    void theSkyAboveACupIsTheMissingPartOfTheBall();
+    void aWallTakesItsFormFactor();
+    void theGroundHoldsLightOff();
+    void anyHitAgreesWithFirstHit();
+    void whatIsCutAwayCastsNoShadow();
+    void placesBesideTheSurfaceAreMovedOntoIt();
+};
+
+static std::vector<std::uint8_t> inTurn(std::size_t n) {
+    std::vector<std::uint8_t> out(n);
+    for (std::size_t i = 0; i < n; ++i)
+        out[i] = static_cast<std::uint8_t>(i % raycast::patterns);
+    return out;
+}
+
+static surfel::SurfelList moved(surfel::SurfelList list, const Vec3f& by) {
+    for (surfel::Surfel& s : list.items)
+        s.position += by;
+    return list;
+}
+
+static surfel::SurfelList joined(surfel::SurfelList a, const surfel::SurfelList& b) {
+    a.items.insert(a.items.end(), b.items.begin(), b.items.end());
+    return a;
+}
+
+void BlockingTest::aBallsShadowHasUmbraAndPenumbra() {
+    // A round lamp of angle a straight above a ball of radius r at height H: rays tilted by a and tangent to the ball
+    // meet the plane at r / cos a -+ H tan a.
+    constexpr double r = 0.5, H = 1, spacing = 0.02;
+    const auto ball = moved(shapes::sphere(8000, r, 3.5 * shapes::sphereSpacing(8000, r)), {0, 0, float(H)});
+    Lighting lighting;
+    lighting.directions = {{0, 0, 1}};
+    lighting.shadowRays = 128;
+    const LightScene scene(shapes::surfaceOf(joined(shapes::plane(50, spacing, 3.5 * spacing), ball)), lighting,
+                           scenes::viewer());
+    const double a = scene.environment.lamps().front().radius;
+    const double umbra = r / std::cos(a) - H * std::tan(a), penumbra = r / std::cos(a) + H * std::tan(a);
+    std::vector<Place> places;
+    for (int k = 0; k < 90; ++k)
+        places.push_back(placeAt({0.01 * k * std::cos(2.4 * k), 0.01 * k * std::sin(2.4 * k), 0}, {0, 0, 1}, 0.07f));
+    std::vector<float> seen(places.size());
+    LightCounts counts;
+    findShadows(scene, places, inTurn(places.size()), seen, counts);
+    QCOMPARE(counts.shadowRays, places.size() * 128);
+    for (int k = 0; k < 90; ++k) {
+        const double at = 0.01 * k;
+        const float part = seen[static_cast<std::size_t>(k)];
+        const auto text = qPrintable(QString("%1 of the lamp at %2").arg(part).arg(at));
+        if (at < umbra - 0.004)
+            QVERIFY2(part < 1e-4f, text);
+        else if (at > penumbra + 0.004)
+            QVERIFY2(part > 1 - 1e-4f, text);
+        else if (at > umbra + 0.01 && at < penumbra - 0.01) // half of it about half-way
+            QVERIFY2(std::abs(part - (at - umbra) / (penumbra - umbra)) < 0.12, text);
+    }
+}
+
+static float openAt(const LightScene& scene, const Place& place) {
+    float open = 0;
+    LightCounts counts;
+    const std::uint8_t pattern = 0;
+    findOcclusion(scene, {&place, 1}, {&pattern, 1}, {&open, 1}, counts);
+    return open;
+}
+
+static Lighting farSky(int rays = 2048) {
+    Lighting out;
+    out.occlusion = true;
+    out.occlusionRays = rays;
+    out.occlusionReach = 10;
+    return out;
+}
+
+void BlockingTest::theSkyAboveACupIsTheMissingPartOfTheBall() {
+    // From the bottom of a spherical cup up to height z, the open part weighted with the cosine is rho^2 / (rho^2 +
+    // h^2) = (1 - z) / 2: rho^2 = 1 - z^2, h = 1 + z.
+    constexpr std::size_t n = 20000;
+    const double spacing = shapes::sphereSpacing(n, 1);
+    for (const double z : {-0.6, 0.0, 0.5, 2.0}) {
+        surfel::SurfelList cup = shapes::sphere(n, 1, 3.5 * spacing);
+        std::erase_if(cup.items, [&](const surfel::Surfel& s) { return s.position.z > z; });
+        surface::SurfaceDefinition definition;
+        definition.boundaryLimit = 0.3f;
+        const LightScene scene(shapes::surfaceOf(cup, definition), farSky(), scenes::viewer());
+        const float open = openAt(scene, placeAt({0, 0, -1}, {0, 0, 1}, static_cast<float>(3.5 * spacing)));
+        const double expected = std::max(0.0, 0.5 * (1 - z));
+        QVERIFY2(std::abs(open - expected) < 0.015, qPrintable(QString("%1: %2").arg(z).arg(open)));
+    }
+}
+
+void BlockingTest::aWallTakesItsFormFactor() {
+    // A wall of height H, endless to both sides, at distance a from a place of the floor: (1 - a / sqrt(a^2 + H^2))
+    // / 2.
+    constexpr double s = 0.05, H = 0.5;
+    surfel::SurfelList wall;
+    wall.layout = shapes::layout(true, true);
+    for (double y = -5; y <= 5; y += s)
+        for (double z = -0.5; z <= H; z += s)
+            wall.items.push_back(shapes::surfelAt({0, y, z}, {1, 0, 0}, 3.5 * s));
+    surface::SurfaceDefinition definition;
+    definition.boundaryLimit = 0.25f;
+    const LightScene scene(shapes::surfaceOf(wall, definition), farSky(), scenes::viewer());
+    for (const double a : {0.25, 0.5, 1.0}) {
+        const float open = openAt(scene, placeAt({a, 0, 0}, {0, 0, 1}, 3.5f * float(s)));
+        const double expected = 1 - 0.5 * (1 - a / std::sqrt(a * a + H * H));
+        QVERIFY2(std::abs(open - expected) < 0.015, qPrintable(QString("%1: %2, %3").arg(a).arg(open).arg(expected)));
+    }
+}
+
+void BlockingTest::theGroundHoldsLightOff() {
+    // A place of a small ball that looks down sees nothing but the ground; one that looks level sees half of it.
+    Lighting lighting = farSky();
+    lighting.ground = true;
+    const LightScene scene(shapes::surfaceOf(shapes::sphere(3000, 0.2, 0.1)), lighting, scenes::viewer());
+    QVERIFY(scene.ground.has_value());
+    QVERIFY(openAt(scene, placeAt({0, -0.2, 0}, {0, -1, 0}, 0.1f)) < 1e-3f);
+    QVERIFY(std::abs(openAt(scene, placeAt({0.2, 0, 0}, {1, 0, 0}, 0.1f)) - 0.5f) <
+            0.03f); // what is far holds off none
+    QVERIFY(openAt(scene, placeAt({0, 0.2, 0}, {0, 1, 0}, 0.1f)) > 1 - 1e-3f);
+}
+
+void BlockingTest::anyHitAgreesWithFirstHit() {
+    // From places of the surface, as shadows ask; and from anywhere.
+    base::Random random(test::seed());
+    const LightScene scene(shapes::surfaceOf(shapes::torus(0.7, 0.3, 0.03, 0.1)), {}, scenes::viewer());
+    std::vector<base::Rayf> rays;
+    const surfel::SurfelList list = scene.surface.tree().surfels();
+    for (int k = 0; k < test::effort(4000); ++k) {
+        const surfel::Surfel& s = list.items[random.below(list.items.size())];
+        const Place place = placeAt(base::cast<double>(s.position), base::cast<double>(s.normal), s.support);
+        Vec3f d = base::cast<float>(random.unitVector());
+        d = dot(d, s.normal) < 0 ? -d : d;
+        if (dot(d, s.normal) > 0.02f)
+            rays.push_back({startBeside(place, place.n), d});
+        const Vec3f from = base::cast<float>(random.unitVector() * 1.5);
+        rays.push_back(
+            {from, base::cast<float>(normalized(base::cast<double>(s.position - from) + random.unitVector() * 0.5))});
+    }
+    for (const float reach : {0.4f, std::numeric_limits<float>::infinity()}) {
+        std::vector<std::uint8_t> any(rays.size());
+        findBlocked(scene, rays, reach, any);
+        std::vector<surface::RayHit<float>> first(rays.size());
+        surface::IntersectOptions options;
+        options.tMax = reach;
+        surface::intersect(scene.surface, rays, options, first);
+        std::size_t apart = 0, hits = 0;
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            hits += first[i].hit;
+            apart += (any[i] != 0) != first[i].hit ? 1 : 0;
+            QCOMPARE(any[i] != 0, intersectAny(scene.surface, rays[i], options));
+        }
+        QVERIFY2(
+            hits > rays.size() / 100 && apart * 1000 <= rays.size(),
+            qPrintable(
+                QString("%1 of %2 differ, %4 hits, seed %3").arg(apart).arg(rays.size()).arg(test::seed()).arg(hits)));
+    }
+}
+
+void BlockingTest::whatIsCutAwayCastsNoShadow() {
+    const auto model = shapes::surfaceOf(shapes::plane(20, 0.05, 0.17, 1));
+    const base::Plane below{{0, 0, -1}, -0.5}; // keeps z <= 0.5
+    const std::vector<base::Rayf> rays{{{0, 0, 0}, {0, 0, 1}}, {{0, 0, 2}, {0, 0, -1}}};
+    std::vector<std::uint8_t> whole(2), cut(2);
+    findBlocked(LightScene(model, {}, scenes::viewer()), rays, 100, whole);
+    findBlocked(LightScene(model, {}, scenes::viewer(), {&below, 1}), std::span(rays).first(1), 100, cut);
+    QVERIFY(whole[0] == 1 && whole[1] == 1 && cut[0] == 0);
+}
+
+void BlockingTest::placesBesideTheSurfaceAreMovedOntoIt() {
+    // Adaptive pictures interpolate positions, to a fifth of a spacing.
+    constexpr double spacing = 0.05;
+    const LightScene scene(shapes::surfaceOf(shapes::sphere(5000, 1, 3.5 * spacing)), {}, scenes::viewer());
+    base::Random random(test::seed());
+    std::vector<Sample> samples(200);
+    for (Sample& sample : samples) {
+        const Vec3d d = random.unitVector();
+        sample.hit.hit = true;
+        sample.hit.position = base::cast<float>(d * (1 + 0.2 * spacing * random.uniform(-1, 1)));
+        sample.hit.normal = sample.hit.outward = base::cast<float>(d);
+    }
+    std::vector<Place> places(samples.size());
+    findPlaces(scene, {samples, [](std::size_t) { return base::Rayd{}; }}, 0, places);
+    for (const Place& place : places) {
+        QVERIFY(std::abs(scene.surface.evaluate(place.x).value) < 2e-4f * place.unit);
+        const surface::Evaluationf at = scene.surface.evaluate(startBeside(place, place.n));
+        QVERIFY2(at.value > 0 && at.value < 1e-3f * place.unit, "a start is not beside the surface");
+    }
+}
+
+static const test::Registered<BlockingTest> registered;
+#include "blocking_test.moc"
