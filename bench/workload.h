@@ -50,5 +50,6 @@ std::vector<Workload> dabWorkloads();
 std::vector<Workload> splatWorkloads();
 std::vector<Workload> displayWorkloads();
 std::vector<Workload> fileWorkloads();
+std::vector<Workload> meshWorkloads();
 
 } // namespace bench

@@ -9,7 +9,7 @@ const std::vector<Workload>& workloadTable() {
     static const std::vector<Workload> table = [] {
         std::vector<Workload> all;
         for (auto* rows : {treeWorkloads, surfaceWorkloads, rayWorkloads, dabWorkloads, splatWorkloads,
-                           displayWorkloads, fileWorkloads})
+                           displayWorkloads, fileWorkloads, meshWorkloads})
             std::ranges::move(rows(), std::back_inserter(all));
         return all;
     }();

@@ -2,6 +2,7 @@
 
 #include "core/base/parallel.h"
 #include "core/mesh/fill_loop.h"
+#include "core/mesh/mesh_attributes.h"
 #include "core/mesh/mesh_repair.h"
 #include "core/mesh/relax_mesh.h"
 #include "core/process/spacing_sample.h"
@@ -211,6 +212,7 @@ Mesh marchingCubes(const surface::Surface& surface, const MarchingOptions& optio
         dropSmallPieces(out, orientation, options.smallPiece);
     if (options.closeFolds)
         report.foldsClosed = closeFolds(out, options.longestFold);
+    takeAttributes(out, surface);
     progress.step(1, "orienting triangles");
     return out;
 }

@@ -25,6 +25,7 @@ class MarchingTest : public QObject {
     void trianglesFaceOutwards();
     void foldsAreClosedOnRequest();
     void smallPiecesAreDroppedOnRequest();
+    void coloursAndMasksAreThoseOfTheSurfels();
     void threadsDoNotShow();
     void curvesAndNothingAreRefused();
 };
@@ -246,6 +247,30 @@ void MarchingTest::smallPiecesAreDroppedOnRequest() {
     QCOMPARE(topologyOf(m).components, std::size_t(1));
     QCOMPARE(topologyOf(m).unused, std::size_t(0));
     QCOMPARE(m.normals.size(), m.positions.size());
+}
+
+/// Linear ones, cut off to a byte: half a step too low.
+void MarchingTest::coloursAndMasksAreThoseOfTheSurfels() {
+    const double s = shapes::sphereSpacing(4000, 1);
+    surfel::SurfelList list = shapes::sphere(4000, 1, 3.5 * s);
+    auto layout = std::make_shared<surfel::AttributeLayout>(*list.layout);
+    layout->colours = layout->masks = true;
+    list.layout = layout;
+    for (surfel::Surfel& each : list.items) {
+        each.colour = surfel::rgba(static_cast<unsigned>(127 + 100 * each.position.x), 10, 200, 255);
+        each.mask = 0.5f + 0.5f * each.position.y;
+    }
+    MarchingReport report;
+    const Mesh m = mesh::marchingCubes(shapes::surfaceOf(list), {}, report);
+    QCOMPARE(m.colours.size(), m.positions.size());
+    QCOMPARE(m.masks.size(), m.positions.size());
+    for (std::size_t v = 0; v < m.positions.size(); ++v) {
+        QVERIFY(std::abs(double(m.colours[v] & 255u) - (126.5 + 100 * m.positions[v].x)) < 3);
+        QCOMPARE(m.colours[v] >> 8, surfel::rgba(0, 10, 200, 255) >> 8);
+        QVERIFY(std::abs(double(m.masks[v]) - (0.5 + 0.5 * m.positions[v].y)) < 0.01);
+    }
+    list.layout = shapes::layout(true, true);
+    QVERIFY(mesh::marchingCubes(shapes::surfaceOf(list), {}, report).colours.empty());
 }
 
 void MarchingTest::threadsDoNotShow() {
