@@ -1,6 +1,7 @@
 #include "core/raycast/adaptive_cast.h"
 
-#include "core/raycast/adaptive_picture.h"
+#include "core/raycast/edited_region.h"
+#include "core/raycast/redraw.h"
 
 #include <algorithm>
 #include <chrono>
@@ -37,11 +38,20 @@ struct AdaptiveCast::State {
     Lattice lattice;
     AdaptivePicture picture;
     int startCell = 4;
-    double reached = nothing; ///< the finest quality that the whole picture is of
+    double reached = nothing;    ///< the finest quality that the whole picture is of
+    std::vector<Split> splits;   ///< of that
+    KeptPatches kept;            ///< of earlier views
+    double redrawnFor = nothing; ///< the quality that patches were chosen for
+    bool guardIsOld = false;     ///< of another version of the model
 
     explicit State(surface::Surface model) : surface(std::move(model)) {}
 
-    void begin(const ImageRays& rays, const base::Progress& progress);
+    void turnTo(const ImageRays& rays, const base::Progress& progress);
+    void redrawKept(double quality);
+    void edit(surface::Surface next);
+    void forgetNear(std::span<const base::Box3f> boxes);
+    void lookAgain(const base::Progress& progress);
+    void lookFor(const ImageRays& rays, const base::Progress& progress);
     CastView castView(const ViewLens& lens);
     std::size_t level(const SubdivisionOptions& options, CastCounts& counts, const base::Progress& progress);
     std::size_t everyPixel(CastCounts& counts, const base::Progress& progress);
@@ -50,17 +60,100 @@ struct AdaptiveCast::State {
     }
 };
 
-void AdaptiveCast::State::begin(const ImageRays& rays, const base::Progress& progress) {
-    view.reset();
-    reached = nothing;
+static int roundedUp(int n, int to) {
+    return (n + to - 1) / to * to + 1;
+}
+
+void AdaptiveCast::State::lookFor(const ImageRays& rays, const base::Progress& progress) {
     // The guard tells how large start cells are, and they how far the lattice goes: it looks as far as any would.
     constexpr int margin = SplatGuard::largestSquare;
-    const auto rounded = [](int n, int to) { return (n + to - 1) / to * to + 1; };
-    guard.look(surface, rays, rounded(rays.width, margin), rounded(rays.height, margin), progress);
+    guard.look(surface, rays, roundedUp(rays.width, margin), roundedUp(rays.height, margin), progress);
+    guardIsOld = false;
+}
+
+/// Another view: what the one before found becomes patches, for `redrawKept`.
+void AdaptiveCast::State::turnTo(const ImageRays& rays, const base::Progress& progress) {
+    if (view) {
+        const ViewLens lens(view->rays);
+        kept.add(castView(lens), picture, splits);
+        if (!std::ranges::equal(view->clips, rays.clips))
+            kept.clear(); // what was cut away may stand before what was seen
+        splits.clear();
+        view.reset();
+    }
+    reached = redrawnFor = nothing;
+    lookFor(rays, progress);
     startCell = startCellFor(guard.spacingPx());
-    lattice.reset(rounded(rays.width, startCell), rounded(rays.height, startCell));
+    lattice.reset(roundedUp(rays.width, startCell), roundedUp(rays.height, startCell));
     picture.resize(rays.width, rays.height);
     view.emplace(rays);
+}
+
+void AdaptiveCast::State::redrawKept(double quality) {
+    const ViewLens lens(view->rays);
+    lattice.forget([&](Pixel p) { return lattice.redrawn(p); });
+    const auto seen = redraw(kept, castView(lens), quality, picture);
+    if (redrawnFor == nothing)
+        kept.age(seen);
+    redrawnFor = quality;
+}
+
+/// The guard of an edited model, and what it says about background now.
+void AdaptiveCast::State::lookAgain(const base::Progress& progress) {
+    lookFor(view->rays, progress);
+    lattice.forget([&](Pixel p) { return lattice.background(p) && guard.reached(p); });
+}
+
+void AdaptiveCast::State::edit(surface::Surface next) {
+    const auto boxes = editedRegion(surface.tree(), next.tree());
+    surface = std::move(next);
+    if (boxes.empty())
+        return;
+    kept.dropNear(boxes);
+    if (view)
+        forgetNear(boxes);
+    reached = nothing;
+    guardIsOld = true;
+}
+
+/// Forgets the rays that come through any of the boxes before they meet the surface, by squares about what is seen of
+/// the boxes.
+void AdaptiveCast::State::forgetNear(std::span<const base::Box3f> boxes) {
+    constexpr int tile = 8;
+    const int columns = (lattice.columns() + tile - 1) / tile, rows = (lattice.rows() + tile - 1) / tile;
+    std::vector<double> nearest(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), nothing);
+    const ViewLens lens(view->rays);
+    for (const base::Box3f& box : boxes) {
+        const BoxImage seen = lens.imageOf(box);
+        const auto tileAt = [](double pixel, int count) {
+            return static_cast<int>(std::clamp(std::floor(pixel / tile), -1.0, static_cast<double>(count)));
+        };
+        const int bottom = std::min(rows - 1, tileAt(seen.bottom, rows)),
+                  right = std::min(columns - 1, tileAt(seen.right, columns));
+        for (int y = std::max(0, tileAt(seen.top, rows)); y <= bottom; ++y)
+            for (int x = std::max(0, tileAt(seen.left, columns)); x <= right; ++x) {
+                double& depth = nearest[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns) +
+                                        static_cast<std::size_t>(x)];
+                depth = std::min(depth, seen.depth);
+            }
+    }
+    const CastView what = castView(lens);
+    const auto touched = [&](Pixel p) {
+        const double depth = nearest[static_cast<std::size_t>(p.row / tile) * static_cast<std::size_t>(columns) +
+                                     static_cast<std::size_t>(p.column / tile)];
+        if (depth == nothing)
+            return false;
+        const Sample* sample = what.sampleAt(p);
+        return sample &&
+               !(sample->hit.hit && static_cast<double>(sample->hit.t) < depth * lens.stretch(p.column, p.row));
+    };
+    std::erase_if(splits, [&](const Split& split) {
+        for (int i = 0; i < 9; ++i)
+            if (touched({split.at.column + i % 3 * split.half, split.at.row + i / 3 * split.half}))
+                return true;
+        return false;
+    });
+    lattice.forget(touched);
 }
 
 CastView AdaptiveCast::State::castView(const ViewLens& lens) {
@@ -76,8 +169,10 @@ std::size_t AdaptiveCast::State::level(const SubdivisionOptions& options, CastCo
                                        const base::Progress& progress) {
     const ViewLens lens(view->rays);
     const CastView what = castView(lens);
-    const std::vector<Split> splits = subdivide(what, options, counts, progress);
-    return picture.show(what, splits);
+    std::vector<Split> made = subdivide(what, options, counts, progress);
+    const std::size_t hits = picture.show(what, made);
+    splits = std::move(made);
+    return hits;
 }
 
 /// Returns the number of hits.
@@ -115,10 +210,15 @@ const surface::Surface& AdaptiveCast::surface() const {
 }
 
 void AdaptiveCast::setSurface(surface::Surface next) {
-    if (next.tree() == m_state->surface.tree() && next.definition() == m_state->surface.definition())
-        return;
-    m_state->surface = std::move(next);
-    m_state->view.reset();
+    const auto meaning = [](const surface::Surface& model) {
+        const surfel::AttributeLayout& layout = *model.tree().layout();
+        return std::tuple(layout.normals, layout.oriented, layout.colours, layout.masks, model.supportScale());
+    };
+    const surface::Surface& now = m_state->surface;
+    if (next.definition() == now.definition() && meaning(next) == meaning(now))
+        m_state->edit(std::move(next));
+    else
+        m_state = std::make_unique<State>(std::move(next));
 }
 
 AdaptiveImage AdaptiveCast::cast(const ImageRays& rays, const AdaptiveOptions& options, CastCounts& counts,
@@ -128,7 +228,11 @@ AdaptiveImage AdaptiveCast::cast(const ImageRays& rays, const AdaptiveOptions& o
     const double quality = std::max(0.0, options.quality);
     counts = {};
     if (!s.view || !s.view->sees(rays))
-        s.begin(rays, progress);
+        s.turnTo(rays, progress);
+    else if (s.guardIsOld)
+        s.lookAgain(progress);
+    if (quality > 0 && quality < s.redrawnFor)
+        s.redrawKept(quality);
     counts.pixels = s.picture.size();
     const auto told = [&](double reached, bool complete) {
         counts.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -1,8 +1,9 @@
-// Adaptive ray casting (alg. 4.3): rays where the surface varies, interpolation between them where it does not.
+// Adaptive ray casting (alg. 4.3): rays where the surface varies, interpolation between them where it does not, and
+// what was found in one view used again in the next.
 //
 //     AdaptiveCast cast(surface);
 //     cast.cast(view, {.quality = 1}, counts, shown)   again and again; `shown` sees every level as it is finished
-//     cast.setSurface(next version)                     for other versions of the model
+//     cast.setSurface(next version)                     drops what the edit touched
 //
 // Rays sit on pixel centres, at the corners of square cells (one start size for the view, halved down to the pixel).
 // To split a cell takes up to 5 rays, in the middle of its sides and of itself; how far they are from what its corners
@@ -10,9 +11,15 @@
 // is what small discs about the surfels say has not been seen: outlines are exact to the pixel. Pixels without any
 // surfel near are background without a ray.
 //
+// Between views the leaves are kept as patches in space. In the next view they are drawn again, where it shows the same
+// side and does not magnify them too much, and rays are cast for the rest. After an edit what lies within the supports
+// of changed surfels is dropped, and in the same view the rays that come through there.
+//
 //     cast_pixels.h   rays of chosen pixels            splat_guard.h       what discs know before a ray is cast
 //     lattice.h       what is known of each pixel      subdivision.h       which cells are split
 //     patch.h         between nine samples             adaptive_picture.h  the pixels
+//     kept_patches.h  patches of earlier views         redraw.h            their pixels in a new one
+//     edited_region.h where an edit moved the surface
 //
 // The same bits at any thread count. One thread at a time; it holds its version of the model alive, so that the thread
 // may be any. Pictures of the same view go on where the one before ended, cancelled or not.
@@ -34,7 +41,7 @@ struct AdaptiveOptions {
 /// What a pixel of an adaptive picture rests on.
 enum class Known : std::uint8_t {
     Nothing,      ///< not known at this level; its sample is a miss that means nothing
-    Interpolated, ///< between rays, or background that no surfel is near
+    Interpolated, ///< between rays, redrawn from another view, or background that needed no ray
     Exact,        ///< a ray through its centre
 };
 
@@ -56,7 +63,8 @@ class AdaptiveCast {
     AdaptiveCast& operator=(AdaptiveCast&&) noexcept;
 
     const surface::Surface& surface() const;
-    /// The next version of the model.
+    /// The next version of the model: rays and patches that no changed surfel is near stay. Under another definition
+    /// nothing does.
     void setSurface(surface::Surface next);
 
     /// The picture at the asked quality. With `onLevel` it comes in levels, first the smooth inner parts, then quality

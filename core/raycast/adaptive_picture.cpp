@@ -7,7 +7,7 @@
 
 namespace raycast {
 
-static_assert(std::is_trivially_destructible_v<Sample>);
+static_assert(std::is_trivially_copyable_v<Sample>); // lives in memory that nobody has written yet
 
 void AdaptivePicture::resize(int width, int height) {
     const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
@@ -15,9 +15,8 @@ void AdaptivePicture::resize(int width, int height) {
         return;
     m_known.clear();
     m_samples.reset();
+    // Left as it is: touching so much memory takes longer than many a picture, and `show` does it in parallel.
     m_samples.reset(static_cast<Sample*>(::operator new(count * sizeof(Sample))));
-    // In parallel, because touching so much memory for the first time takes longer than many a picture.
-    base::parallelFor(count, 4096, [&](std::size_t i) { new (m_samples.get() + i) Sample; });
     m_known.assign(count, Known::Nothing);
 }
 

@@ -2,6 +2,7 @@
 // on beyond the right and the lower edge of the image, to whole start cells. One thread writes, any number read.
 #pragma once
 
+#include "core/base/parallel.h"
 #include "core/raycast/cast_pixels.h"
 
 namespace raycast {
@@ -24,11 +25,16 @@ class Lattice {
         const std::uint32_t c = code(p);
         return c < firstRay ? nullptr : &m_rays[c - firstRay];
     }
-    /// Holds a sample that was redrawn from earlier views; the picture has it.
-    bool redrawn(Pixel p) const { return code(p) == fromPicture; }
+    /// Was its sample redrawn from earlier views? The picture has it.
+    bool redrawn(Pixel p) const { return code(p) >= firstRedrawn && code(p) < asked; }
+    /// 0 for rays, 1 for what was redrawn from rays, and so on.
+    int generation(Pixel p) const { return redrawn(p) ? static_cast<int>(code(p) - firstRedrawn) + 1 : 0; }
+    bool background(Pixel p) const { return code(p) == empty; }
 
-    void setRedrawn(Pixel p) { code(p) = fromPicture; }
-    void setBackground(Pixel p) { code(p) = background; }
+    /// From any thread, other pixels than other threads. REQUIRES: 1 <= generation <= mostGenerations.
+    void setRedrawn(Pixel p, int generation) { code(p) = firstRedrawn + static_cast<std::uint32_t>(generation) - 1; }
+    void setBackground(Pixel p) { code(p) = empty; }
+    static constexpr int mostGenerations = 3;
     /// Marks an open pixel as asked for: not open any more. Either set() or reopen() follows.
     void ask(Pixel p) { code(p) = asked; }
     void reopen(Pixel p) { code(p) = unknown; }
@@ -37,8 +43,19 @@ class Lattice {
         m_rays.push_back(sample);
     }
 
+    /// Opens the pixels that fn(pixel) is true of. In parallel; their rays stay in memory until `reset`.
+    template <class Fn>
+    void forget(const Fn& fn) {
+        base::parallelFor(static_cast<std::size_t>(m_rows), 16, [&](std::size_t row) {
+            for (Pixel p{0, static_cast<int>(row)}; p.column < m_columns; ++p.column)
+                if (fn(p))
+                    code(p) = unknown;
+        });
+    }
+
   private:
-    static constexpr std::uint32_t unknown = 0, background = 1, fromPicture = 2, asked = 3, firstRay = 4;
+    static constexpr std::uint32_t unknown = 0, empty = 1, firstRedrawn = 2, asked = firstRedrawn + mostGenerations,
+                                   firstRay = asked + 1;
 
     std::uint32_t code(Pixel p) const { return m_code[index(p)]; }
     std::uint32_t& code(Pixel p) { return m_code[index(p)]; }

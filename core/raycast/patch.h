@@ -105,6 +105,12 @@ struct PatchKind {
     float spacingOfUnit = 1 / 3.5f;
 };
 
+/// A leaf is shown by the biquadratic of the split it comes from where a bilinear prediction was off by so many targets
+/// at most: it is off by an eighth as much itself, unless the surface bends between the samples.
+inline bool goodFor(float error, double quality) {
+    return error <= 2.5f * static_cast<float>(quality);
+}
+
 /// How far the bilinear prediction from the corners is from the five other samples, in units of what quality 1 aims at:
 /// 2 degrees, 0.2 spacings along the ray, and 8 of 255 steps of a colour. Infinite where a sample is a miss.
 /// `stretch` is the lens' for each of the nine.

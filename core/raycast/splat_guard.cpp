@@ -78,25 +78,11 @@ class Projector {
     BlockRows rowsOf(const surfel::SurfelBlock& block, int columns, int rows) const {
         const double reach = m_reach * plainSupport(m_definition, block.maxSupport());
         const base::Box3f box = block.box().inflated(static_cast<float>(reach));
-        BlockRows out{&block, std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity()};
-        float left = out.first, right = out.last;
-        int before = 0;
-        for (unsigned corner = 0; corner < 8; ++corner) {
-            const Vec3d p = m_lens.project({static_cast<double>(corner & 1 ? box.hi.x : box.lo.x),
-                                            static_cast<double>(corner & 2 ? box.hi.y : box.lo.y),
-                                            static_cast<double>(corner & 4 ? box.hi.z : box.lo.z)});
-            if (!(p.z > 0))
-                continue;
-            ++before;
-            left = std::min(left, static_cast<float>(p.x)), right = std::max(right, static_cast<float>(p.x));
-            out.first = std::min(out.first, static_cast<float>(p.y));
-            out.last = std::max(out.last, static_cast<float>(p.y));
-        }
-        if (before == 8 && (right < -1 || left > static_cast<float>(columns)))
+        const BoxImage seen = m_lens.imageOf(box);
+        if (seen.left > seen.right || seen.right < -1 || seen.left > columns)
             return {&block, 1, 0};
-        if (before > 0 && before < 8)
-            return {&block, 0, static_cast<float>(rows)};
-        return {&block, out.first - 1, out.last + 1};
+        const auto row = [&](double y) { return static_cast<float>(std::clamp(y, -1.0, static_cast<double>(rows))); };
+        return {&block, row(seen.top - 1), row(seen.bottom + 1)};
     }
 
     double reach(float support) const { return m_reach * plainSupport(m_definition, support); }

@@ -2,15 +2,16 @@
 
 #include "core/base/parallel.h"
 
+#include <bit>
+
 namespace raycast {
 
 namespace {
 
-/// A cell is shown by the biquadratic of the split it comes from where a bilinear prediction was this far off at most,
-/// in targets. It itself is off by an eighth as much or less, unless the surface bends between the samples.
-constexpr float goodEnough = 2.5f;
 /// Rays between two looks at whether to go on: some milliseconds.
 constexpr std::size_t raysPerStep = 4096;
+/// Cells that the surface covers in part are resolved to the pixel; from this size on all their pixels at once.
+constexpr int outlineCell = 4;
 
 struct Cell {
     Pixel at;
@@ -26,7 +27,10 @@ class Subdivision {
     std::vector<Split> run() {
         std::vector<Split> done;
         std::vector<Cell> cells = startCells();
+        settleMisses(cells, done);
         for (int size = m_view.startCell; size > 1 && !cells.empty(); size /= 2) {
+            if (size <= outlineCell)
+                moveOutlines(cells);
             std::vector<Split> splits(cells.size());
             for (std::size_t i = 0; i < cells.size(); ++i) {
                 splits[i].at = cells[i].at, splits[i].half = size / 2;
@@ -43,6 +47,10 @@ class Subdivision {
             }
             done.insert(done.end(), splits.begin(), splits.end());
         }
+        if (!m_options.onlyFirst)
+            growOutlines();
+        for (const Cell& cell : m_outlines)
+            addOutline(cell, done);
         return done;
     }
 
@@ -70,6 +78,27 @@ class Subdivision {
         visit(visit, 0, 0, side);
         return out;
     }
+    /// Start cells that the surface misses at their corners, and no disc is seen in, are not split.
+    void settleMisses(std::vector<Cell>& cells, std::vector<Split>& done) {
+        const int size = m_view.startCell;
+        for (const Cell& cell : cells)
+            for (int i = 0; i < 4; ++i)
+                ask({cell.at.column + (i & 1) * size, cell.at.row + (i >> 1) * size});
+        castAsked(0);
+        std::erase_if(cells, [&](const Cell& cell) {
+            for (int i = 0; i < 4; ++i) {
+                const Sample* corner =
+                    m_view.sampleAt({cell.at.column + (i & 1) * size, cell.at.row + (i >> 1) * size});
+                if (corner && corner->hit.hit)
+                    return false;
+            }
+            if (m_view.guard.anyDisc(cell.at, size))
+                return false;
+            done.push_back({cell.at, size / 2, std::numeric_limits<float>::infinity(), 0, 15, 0});
+            return true;
+        });
+    }
+
     /// Was every pixel redrawn?
     bool known(Pixel at, int size) const {
         for (int row = at.row; row < std::min(at.row + size, m_view.rays.height); ++row)
@@ -79,18 +108,74 @@ class Subdivision {
         return true;
     }
 
-    /// Asks for the nine samples where they are neither known nor background.
-    void askAround(const Split& split) {
-        for (int i = 0; i < 9; ++i) {
-            const Pixel p{split.at.column + i % 3 * split.half, split.at.row + i / 3 * split.half};
-            if (!m_view.lattice.open(p))
-                continue;
-            if (m_view.guard.reached(p)) {
-                m_view.lattice.ask(p);
-                m_asked.push_back(p);
-            } else
-                m_view.lattice.setBackground(p);
+    bool hits(Pixel p) const {
+        const Sample* sample = m_view.sampleAt(p);
+        return sample && sample->hit.hit;
+    }
+    /// Cells that the surface covers in part are not split but grown into.
+    void moveOutlines(std::vector<Cell>& cells) {
+        const auto regular = std::ranges::stable_partition(cells, [&](const Cell& cell) {
+            int count = 0;
+            for (int i = 0; i < 4; ++i)
+                count += hits({cell.at.column + (i & 1) * cell.size, cell.at.row + (i >> 1) * cell.size}) ? 1 : 0;
+            return count == 4;
+        });
+        m_outlines.insert(m_outlines.end(), regular.begin(), regular.end());
+        cells.erase(regular.begin(), regular.end());
+    }
+    /// Casts the pixels of outline cells that lie beside a hit, or that a disc covers, until there are no more: of the
+    /// misses only those along the outline cost a ray.
+    void growOutlines() {
+        std::vector<std::uint32_t> wanted(m_outlines.size());
+        static_assert(outlineCell * outlineCell <= 32);
+        do {
+            castAsked(1);
+            base::parallelFor(m_outlines.size(), 256, [&](std::size_t i) { wanted[i] = wantedIn(m_outlines[i]); });
+            for (std::size_t i = 0; i < wanted.size(); ++i)
+                for (std::uint32_t rest = wanted[i]; rest; rest &= rest - 1)
+                    ask(pixelOf(m_outlines[i], std::countr_zero(rest)));
+        } while (!m_asked.empty());
+    }
+    static Pixel pixelOf(const Cell& cell, int i) {
+        return {cell.at.column + i % cell.size, cell.at.row + i / cell.size};
+    }
+    std::uint32_t wantedIn(const Cell& cell) const {
+        std::uint32_t out = 0;
+        for (int i = 0; i < cell.size * cell.size; ++i) {
+            const Pixel p = pixelOf(cell, i);
+            if (m_view.lattice.open(p) &&
+                (m_view.guard.anyDisc(p, 1) || hits({p.column + 1, p.row}) || hits({p.column, p.row + 1}) ||
+                 (p.column > 0 && hits({p.column - 1, p.row})) || (p.row > 0 && hits({p.column, p.row - 1}))))
+                out |= 1u << i;
         }
+        return out;
+    }
+    /// As splits of two pixels, which tell every pixel by itself.
+    void addOutline(const Cell& cell, std::vector<Split>& done) const {
+        constexpr float bent = std::numeric_limits<float>::infinity();
+        if (m_options.onlyFirst) {
+            done.push_back({cell.at, cell.size / 2, bent, 0, 0, 15});
+            return;
+        }
+        for (int y = 0; y < cell.size; y += 2)
+            for (int x = 0; x < cell.size; x += 2)
+                done.push_back({{cell.at.column + x, cell.at.row + y}, 1, bent, 15, 0, 0});
+    }
+
+    /// Asks for the nine samples.
+    void askAround(const Split& split) {
+        for (int i = 0; i < 9; ++i)
+            ask({split.at.column + i % 3 * split.half, split.at.row + i / 3 * split.half});
+    }
+    /// Where it is neither known nor background.
+    void ask(Pixel p) {
+        if (!m_view.lattice.open(p))
+            return;
+        if (m_view.guard.reached(p)) {
+            m_view.lattice.ask(p);
+            m_asked.push_back(p);
+        } else
+            m_view.lattice.setBackground(p);
     }
 
     void castAsked(double done) {
@@ -135,6 +220,8 @@ class Subdivision {
             const Knot* corners[4] = {&patch.knots[first], &patch.knots[first + 1], &patch.knots[first + 3],
                                       &patch.knots[first + 4]};
             const auto bit = static_cast<unsigned char>(1 << i);
+            if (known(at, split.half))
+                continue;
             (split.half == 1 ? split.shown : fateOf(split, at, corners)) |= bit;
         }
     }
@@ -142,7 +229,7 @@ class Subdivision {
         const auto hits = std::ranges::count_if(corners, &Knot::hit);
         if (hits == 0)
             return m_view.guard.anyDisc(at, split.half) ? split.open : split.missed;
-        if (hits < 4 || !(split.error <= goodEnough * static_cast<float>(m_options.quality)))
+        if (hits < 4 || !goodFor(split.error, m_options.quality))
             return split.open;
         return m_view.guard.allReached(at, split.half) && !hidden(at, split.half, corners) ? split.shown : split.open;
     }
@@ -170,15 +257,20 @@ class Subdivision {
     CastCounts& m_counts;
     const base::Progress& m_progress;
     std::vector<Pixel> m_asked;
+    std::vector<Cell> m_outlines;
 };
 
 } // namespace
 
+const Sample* CastView::sampleAt(Pixel p) const {
+    if (lattice.redrawn(p))
+        return &picture[static_cast<std::size_t>(p.row) * static_cast<std::size_t>(rays.width) +
+                        static_cast<std::size_t>(p.column)];
+    return lattice.ray(p);
+}
+
 Knot CastView::knotAt(Pixel p) const {
-    const Sample* sample = lattice.ray(p);
-    if (!sample && lattice.redrawn(p))
-        sample = &picture[static_cast<std::size_t>(p.row) * static_cast<std::size_t>(rays.width) +
-                          static_cast<std::size_t>(p.column)];
+    const Sample* sample = sampleAt(p);
     return sample ? Knot::of(*sample, lens, lens.stretch(p.column, p.row)) : Knot{};
 }
 

@@ -23,6 +23,8 @@ struct CastView {
     PatchKind kind;
     int startCell = 0; ///< pixels, a power of two, 4 to 32
 
+    /// Cast or redrawn; null for none.
+    const Sample* sampleAt(Pixel p) const;
     Knot knotAt(Pixel p) const;
     bool inImage(Pixel p) const { return p.column < rays.width && p.row < rays.height; }
 };
@@ -53,7 +55,7 @@ struct SubdivisionOptions {
 };
 
 /// The leaves of the view by the cells that they were split from; every pixel of the image is in one child of one
-/// split, or in a start cell that was known as a whole, which is no part of it. Casts what the lattice lacks and counts
+/// split, or in a cell that was redrawn as a whole, which is no part of any. Casts what the lattice lacks and counts
 /// it. Throws base::Cancelled between batches of rays that take some milliseconds; those cast are in the lattice.
 std::vector<Split> subdivide(const CastView& view, const SubdivisionOptions& options, CastCounts& counts,
                              const base::Progress& progress);

@@ -7,6 +7,11 @@
 
 namespace raycast {
 
+/// The pixels that a box is seen in and its least depth; nothing if left > right.
+struct BoxImage {
+    double left = 0, right = -1, top = 0, bottom = -1, depth = 0;
+};
+
 class ViewLens {
   public:
     /// REQUIRES: rays that share their origin or their direction, as those of cameras do.
@@ -26,6 +31,23 @@ class ViewLens {
         const base::Vec3d d = p - m_rays.eye;
         const double z = dot(m_depth, d), scale = m_parallel ? 1 : 1 / z;
         return {dot(m_column, d) * scale, dot(m_row, d) * scale, z};
+    }
+    /// A box that lies about the plane of the eye is seen everywhere.
+    BoxImage imageOf(const base::Box3f& box) const {
+        constexpr double inf = std::numeric_limits<double>::infinity();
+        BoxImage out{inf, -inf, inf, -inf, inf};
+        int before = 0;
+        for (unsigned corner = 0; corner < 8; ++corner) {
+            const base::Vec3d p = project({static_cast<double>(corner & 1 ? box.hi.x : box.lo.x),
+                                           static_cast<double>(corner & 2 ? box.hi.y : box.lo.y),
+                                           static_cast<double>(corner & 4 ? box.hi.z : box.lo.z)});
+            if (!(p.z > 0))
+                continue;
+            ++before;
+            out = {std::min(out.left, p.x), std::max(out.right, p.x), std::min(out.top, p.y), std::max(out.bottom, p.y),
+                   std::min(out.depth, p.z)};
+        }
+        return before == 8 ? out : before == 0 ? BoxImage{} : BoxImage{-inf, inf, -inf, inf, 0};
     }
     /// Model units that a pixel spans at a depth.
     double pixelAt(double depth) const { return m_parallel ? m_pixel : m_pixel * depth; }

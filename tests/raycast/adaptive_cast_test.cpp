@@ -2,9 +2,8 @@
 
 #include "core/base/parallel.h"
 #include "core/base/random.h"
-#include "raycast_views.h"
+#include "raycast_models.h"
 #include "support/registry.h"
-#include "surface/shapes.h"
 
 #include <atomic>
 #include <QtTest>
@@ -12,6 +11,7 @@
 using namespace raycast;
 using base::Vec3d;
 using surface::Surface;
+using namespace views;
 
 class AdaptiveCastTest : public QObject {
     Q_OBJECT
@@ -33,48 +33,7 @@ class AdaptiveCastTest : public QObject {
 
 namespace {
 
-constexpr double sphereRadius = 1;
-
-const Surface& sphere() {
-    static const Surface model =
-        shapes::surfaceOf(shapes::sphere(8000, sphereRadius, 3.5 * shapes::sphereSpacing(8000, sphereRadius)));
-    return model;
-}
-
-const Surface& torus() {
-    static const Surface model = shapes::surfaceOf(shapes::torus(0.7, 0.3, 0.025, 3.5 * 0.025));
-    return model;
-}
-
-struct Cast {
-    std::vector<Sample> samples;
-    std::vector<Known> known;
-    CastCounts counts;
-};
-
-Cast once(AdaptiveCast& caster, const ImageRays& view, double quality) {
-    Cast out;
-    const AdaptiveImage image = caster.cast(view, {quality}, out.counts);
-    out.samples.assign(image.samples.begin(), image.samples.end());
-    out.known.assign(image.known.begin(), image.known.end());
-    return out;
-}
-
-Cast fresh(const Surface& model, const ImageRays& view, double quality) {
-    AdaptiveCast caster(model);
-    return once(caster, view, quality);
-}
-
-std::vector<Sample> full(const Surface& model, const ImageRays& view) {
-    CastCounts counts;
-    return fullCast(model, view, counts);
-}
-
-bool same(std::span<const Sample> a, std::span<const Sample> b) {
-    return std::ranges::equal(a, b, views::sameBits);
-}
-
-QByteArray text(const views::Difference& d, const CastCounts& counts) {
+QByteArray text(const Difference& d, const CastCounts& counts) {
     return QString("%1 of %2 hits pass, %3 false, %4 lost, %5 rays for %6 pixels, seed %7")
         .arg(d.passed)
         .arg(d.hits)
@@ -100,9 +59,9 @@ void AdaptiveCastTest::smoothShapesNeedFewRays() {
     QFETCH(bool, ring);
     QFETCH(double, pixelsPerRay);
     const Surface& model = ring ? torus() : sphere();
-    const ImageRays view = views::filling({}, 1.02, {0.3, 0.5, -1}, 256);
+    const ImageRays view = filling({}, 1.02, {0.3, 0.5, -1}, 256);
     const Cast cast = fresh(model, view, 1);
-    const auto d = views::difference(cast.samples, full(model, view));
+    const auto d = difference(cast.samples, full(model, view));
     QVERIFY2(d.share() >= 0.995 && d.falseHits == 0 && d.lost == 0, text(d, cast.counts));
     QCOMPARE(cast.counts.hits, d.hits);
     QCOMPARE(cast.counts.pixels, std::size_t(256 * 256));
@@ -116,9 +75,9 @@ void AdaptiveCastTest::smoothShapesNeedFewRays() {
 void AdaptiveCastTest::planeIsNotSplitAgain() {
     const Surface model = shapes::surfaceOf(shapes::plane(60, 0.05, 0.175));
     const Vec3d direction{0.4, -0.3, -1};
-    const ImageRays view = views::filling({}, 1, direction, 128); // all of it plane
+    const ImageRays view = filling({}, 1, direction, 128); // all of it plane
     const Cast cast = fresh(model, view, 0.25);
-    const auto d = views::difference(cast.samples, full(model, view), 0.01);
+    const auto d = difference(cast.samples, full(model, view), 0.01);
     QVERIFY2(d.hits == 128 * 128 && d.passed == d.hits, text(d, cast.counts));
     // Spacing 3.2 pixels: start cells of 8, samples at every fourth pixel.
     QVERIFY2(cast.counts.rays == 33 * 33, text(d, cast.counts));
@@ -129,17 +88,17 @@ void AdaptiveCastTest::anyCameraGetsItsQuality() {
     for (int round = 0; round < test::effort(12); ++round) {
         const Surface& model = round % 2 ? torus() : sphere();
         const Vec3d centre = random.unitVector() * random.uniform(0, 0.6);
-        const ImageRays view = views::filling(centre, random.uniform(0.3, 1.5), random.unitVector(),
-                                              static_cast<int>(90 + random.below(60)), random.below(3) == 0);
+        const ImageRays view = filling(centre, random.uniform(0.3, 1.5), random.unitVector(),
+                                       static_cast<int>(90 + random.below(60)), random.below(3) == 0);
         const double quality = random.uniform(0.5, 2);
         const Cast cast = fresh(model, view, quality);
-        const auto d = views::difference(cast.samples, full(model, view), quality);
+        const auto d = difference(cast.samples, full(model, view), quality);
         QVERIFY2(d.share() >= 0.985 && d.falseHits == 0 && d.lost == 0, text(d, cast.counts));
     }
 }
 
 void AdaptiveCastTest::qualityZeroIsTheFullCast() {
-    const ImageRays view = views::filling({}, 1.02, {0.3, 0.5, -1}, 90);
+    const ImageRays view = filling({}, 1.02, {0.3, 0.5, -1}, 90);
     AdaptiveCast caster(torus());
     once(caster, view, 2);
     const Cast cast = once(caster, view, 0);
@@ -153,10 +112,10 @@ void AdaptiveCastTest::qualityZeroIsTheFullCast() {
 void AdaptiveCastTest::parallelRaysAndPlanesAsWell() {
     const base::Plane planes[] = {{normalized(Vec3d{1, 0.2, 0.1}), -0.3}, {normalized(Vec3d{0, -1, 0.3}), -0.4}};
     for (const bool parallel : {false, true}) {
-        ImageRays view = views::filling({}, 1.02, {0.3, 0.5, -1}, 200, parallel);
+        ImageRays view = filling({}, 1.02, {0.3, 0.5, -1}, 200, parallel);
         view.clips = planes;
         const Cast cast = fresh(torus(), view, 1);
-        const auto d = views::difference(cast.samples, full(torus(), view));
+        const auto d = difference(cast.samples, full(torus(), view));
         QVERIFY2(d.share() >= 0.99 && d.falseHits == 0 && d.lost == 0, text(d, cast.counts));
         QVERIFY2(cast.counts.rays * 3 < cast.counts.pixels, text(d, cast.counts));
         for (const Sample& sample : cast.samples)
@@ -176,7 +135,7 @@ void AdaptiveCastTest::coloursFollowTheSurface() {
         s.mask = 0.5f + 0.5f * std::sin(5 * s.position.y);
     }
     const Surface model = shapes::surfaceOf(list);
-    const ImageRays view = views::filling({}, 1.02, {0.3, 0.5, -1}, 200);
+    const ImageRays view = filling({}, 1.02, {0.3, 0.5, -1}, 200);
     const Cast cast = fresh(model, view, 1);
     const auto exact = full(model, view);
     std::size_t off = 0, hits = 0;
@@ -196,7 +155,7 @@ void AdaptiveCastTest::coloursFollowTheSurface() {
 }
 
 void AdaptiveCastTest::levelsOnlyAdd() {
-    const ImageRays view = views::filling({}, 1.02, {0.3, 0.5, -1}, 200);
+    const ImageRays view = filling({}, 1.02, {0.3, 0.5, -1}, 200);
     AdaptiveCast caster(torus());
     std::vector<double> qualities;
     std::vector<std::size_t> unknown;
@@ -219,7 +178,7 @@ void AdaptiveCastTest::levelsOnlyAdd() {
 }
 
 void AdaptiveCastTest::coarserQualityCastsFewer() {
-    const ImageRays view = views::filling({}, 1.02, {0.3, 0.5, -1}, 256);
+    const ImageRays view = filling({}, 1.02, {0.3, 0.5, -1}, 256);
     std::size_t before = 256 * 256;
     for (const double quality : {0.25, 1.0, 4.0}) {
         const std::size_t rays = fresh(torus(), view, quality).counts.rays;
@@ -229,7 +188,7 @@ void AdaptiveCastTest::coarserQualityCastsFewer() {
 }
 
 void AdaptiveCastTest::staticViewCastsNothing() {
-    const ImageRays view = views::filling({}, 1.02, {0.3, 0.5, -1}, 160);
+    const ImageRays view = filling({}, 1.02, {0.3, 0.5, -1}, 160);
     AdaptiveCast caster(torus());
     const Cast first = once(caster, view, 1), second = once(caster, view, 1), coarser = once(caster, view, 2);
     QVERIFY(first.counts.rays > 0);
@@ -240,7 +199,7 @@ void AdaptiveCastTest::staticViewCastsNothing() {
 }
 
 void AdaptiveCastTest::sameBitsAtAnyThreadCount() {
-    const ImageRays view = views::filling({}, 1.02, {0.3, 0.5, -1}, 200);
+    const ImageRays view = filling({}, 1.02, {0.3, 0.5, -1}, 200);
     base::setThreadCount(1);
     const Cast one = fresh(torus(), view, 1);
     base::setThreadCount(2);
@@ -251,7 +210,7 @@ void AdaptiveCastTest::sameBitsAtAnyThreadCount() {
 }
 
 void AdaptiveCastTest::cancellingKeepsWhatWasCast() {
-    const ImageRays view = views::filling({}, 1.02, {0.3, 0.5, -1}, 200);
+    const ImageRays view = filling({}, 1.02, {0.3, 0.5, -1}, 200);
     const Cast whole = fresh(torus(), view, 1);
     for (const int steps : {1, 2, 3, 4}) {
         AdaptiveCast caster(torus());
@@ -267,7 +226,7 @@ void AdaptiveCastTest::cancellingKeepsWhatWasCast() {
 }
 
 void AdaptiveCastTest::emptyModelIsBackground() {
-    const Cast cast = fresh(Surface{}, views::filling({}, 1, {0, 0, -1}, 64), 1);
+    const Cast cast = fresh(Surface{}, filling({}, 1, {0, 0, -1}, 64), 1);
     QCOMPARE(cast.counts.rays + cast.counts.hits, std::size_t(0));
     QCOMPARE(std::ranges::count(cast.known, Known::Nothing), std::ptrdiff_t(0));
 }

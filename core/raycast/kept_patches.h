@@ -1,0 +1,49 @@
+// Patches of earlier views, kept with their samples to be drawn again from elsewhere (alg. 4.3, object space): between
+// exact hits, or between pixels redrawn from such patches, but not further, so that errors do not add up.
+#pragma once
+
+#include "core/raycast/adaptive_picture.h"
+
+namespace raycast {
+
+/// Nine samples in space, and which quarters between them were shown.
+struct KeptPatch {
+    enum : std::size_t { X, Y, Z, NormalX, NormalY, NormalZ, Unit, Agreement, Red, Green, Blue, Mask, Count };
+    using Values = std::array<float, Count>;
+
+    std::array<Values, 9> knots;
+    float error = 0;             ///< predictionError
+    std::uint8_t half = 1;       ///< pixels between samples when it was cast
+    std::uint8_t shown = 0;      ///< quarters, as in Split
+    std::uint8_t generation = 0; ///< 0: all samples are rays
+    std::uint8_t unseen = 0;     ///< views in a row
+    bool behind = false;
+
+    base::Vec3f position(std::size_t knot) const { return {knots[knot][X], knots[knot][Y], knots[knot][Z]}; }
+    base::Vec3f normal(std::size_t knot) const {
+        return {knots[knot][NormalX], knots[knot][NormalY], knots[knot][NormalZ]};
+    }
+    /// The biquadratic through the samples at (u, v) in [0, 1]^2.
+    Values at(float u, float v) const;
+};
+
+class KeptPatches {
+  public:
+    /// Patches unseen for so many views are dropped.
+    static constexpr int patience = 30;
+
+    void clear() { m_patches.clear(); }
+    std::size_t size() const { return m_patches.size(); }
+    std::span<const KeptPatch> all() const { return m_patches; }
+    /// Takes over the leaves of a shown view that are not redrawn ones, where they are of one sheet.
+    void add(const CastView& view, const AdaptivePicture& picture, std::span<const Split> splits);
+    /// Drops what comes near any of the boxes.
+    void dropNear(std::span<const base::Box3f> boxes);
+    /// `seen`: one number for each patch, not 0 where the view showed it.
+    void age(std::span<const std::uint8_t> seen);
+
+  private:
+    std::vector<KeptPatch> m_patches;
+};
+
+} // namespace raycast
