@@ -3,6 +3,7 @@
 #include "ui/command_dialog.h"
 #include "ui/icon.h"
 #include "ui/main_window.h"
+#include "ui/mesh_export.h"
 #include "ui/shortcuts_dialog.h"
 #include "ui/tool_bar.h"
 
@@ -53,6 +54,10 @@ void MainWindow::buildFileMenu() {
     addAction(*file, "save", tr("&Save"), QKeySequence::Save, [this] { m_files->save(); });
     addAction(*file, "save-as", tr("Save &As…"), QKeySequence("Ctrl+Shift+S"), [this] { m_files->saveAs(); });
     addAction(*file, "image", tr("&Export Image…"), QKeySequence("Ctrl+E"), [this] { m_files->exportImage(); });
+    QAction* mesh = addAction(*file, "", tr("Export &Mesh…"), QKeySequence("Ctrl+Shift+E"), [] {});
+    mesh->setCheckable(true);
+    mesh->setToolTip(tr("Triangles from the surface, seen over the picture before they are written"));
+    connect(mesh, &QAction::toggled, m_mesh, &MeshExport::setOpen);
     file->addSeparator();
     addAction(*file, "recover", tr("Re&cover Lost Work…"), {}, [this] {
         if (!m_files->offerRecovery())

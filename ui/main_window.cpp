@@ -1,6 +1,7 @@
 #include "ui/main_window.h"
 
 #include "ui/measurer.h"
+#include "ui/mesh_export.h"
 #include "ui/properties_panel.h"
 #include "ui/status_line.h"
 #include "ui/tool_bar.h"
@@ -59,6 +60,7 @@ MainWindow::MainWindow(const WindowOptions& options, QWidget* parent)
 MainWindow::~MainWindow() {
     m_editor->disconnect();
     delete m_controller;
+    delete m_mesh; // waits for its threads
     delete takeCentralWidget();
     delete m_panel;
     delete m_measurer; // waits for its thread
@@ -71,6 +73,8 @@ void MainWindow::buildViewport() {
     m_viewport->widget()->setMinimumSize(320, 240);
     m_controller = new ViewController(*m_editor, m_settings, *m_viewport, this);
     m_measurer = new Measurer(this);
+    m_mesh = new MeshExport(*this, *m_editor, *m_viewport->widget());
+    m_controller->beneath = [this](QPainter& painter, const render::Camera& seen) { m_mesh->paint(painter, seen); };
     m_viewport->framePainted = [this](double seconds) { m_status->showFrame(seconds, m_viewport->rendererName()); };
     m_viewport->refined = [this](const auto& refinement) { m_status->showRefinement(refinement); };
     m_viewport->troubled = [this](const QString& trouble) { m_status->tell(trouble, true); };
@@ -81,6 +85,7 @@ void MainWindow::buildBars() {
     setStatusBar(m_status);
     connect(m_status, &StatusLine::cancelled, m_editor, &Editor::cancelWork);
     connect(m_status, &StatusLine::cancelled, m_measurer, &Measurer::cancel);
+    connect(m_status, &StatusLine::cancelled, &m_mesh->mesher(), &Mesher::cancel);
 
     m_tools = new ToolBar(m_settings);
     addToolBar(Qt::LeftToolBarArea, m_tools);
@@ -111,13 +116,17 @@ void MainWindow::connectEditor() {
             [this] { m_controller->showColours(m_measurer->colours(), m_measurer->scale()); });
     connect(m_measurer, &Measurer::progressed, this, &MainWindow::showProgress);
     const auto idled = [this] {
-        if (m_editor->working() || m_measurer->busy())
+        if (working())
             return;
         m_working.invalidate();
         m_status->hideProgress();
     };
     connect(m_editor, &Editor::idled, this, idled);
     connect(m_measurer, &Measurer::idled, this, idled);
+    connect(&m_mesh->mesher(), &Mesher::progressed, this, &MainWindow::showProgress);
+    connect(&m_mesh->mesher(), &Mesher::idled, this, idled);
+    connect(&m_mesh->mesher(), &Mesher::failed, this, [this](const QString& why) { m_status->tell(why, true); });
+    connect(m_mesh, &MeshExport::told, this, [this](const QString& message) { m_status->tell(message); });
 }
 
 void MainWindow::showSnapshot() {
@@ -141,8 +150,12 @@ void MainWindow::showProgress(double share, const QString& doing) {
     constexpr qint64 patienceMs = 250; // shorter work shows no bar
     if (!m_working.isValid())
         m_working.start();
-    if ((m_editor->working() || m_measurer->busy()) && m_working.elapsed() >= patienceMs)
+    if (working() && m_working.elapsed() >= patienceMs)
         m_status->showProgress(share, doing);
+}
+
+bool MainWindow::working() const {
+    return m_editor->working() || m_measurer->busy() || m_mesh->mesher().busy();
 }
 
 void MainWindow::measure() {
@@ -170,6 +183,7 @@ void MainWindow::escape() {
     if (m_editor->working())
         m_editor->cancelWork();
     m_measurer->cancel();
+    m_mesh->mesher().cancel();
 }
 
 // --- leaving and dropping ---

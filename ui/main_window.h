@@ -16,6 +16,7 @@ namespace ui {
 
 class CutBar;
 class Measurer;
+class MeshExport;
 class PropertiesPanel;
 class StatusLine;
 class ToolBar;
@@ -41,6 +42,7 @@ class MainWindow : public QMainWindow {
     const ToolBar& toolBar() const { return *m_tools; }
     PropertiesPanel& panel() { return *m_panel; }
     Measurer& measurer() { return *m_measurer; }
+    MeshExport& meshExport() { return *m_mesh; }
     /// Menu of that object name: "file", "new", "recent", "edit", "brush", "model", "view", "navigation",
     /// "saved-views", "help".
     QMenu* menu(const QString& name) const;
@@ -78,7 +80,8 @@ class MainWindow : public QMainWindow {
     void showProgress(double share, const QString& doing);
     void showRecent();
     void settingsEdited();
-    void measure(); ///< what the shading shows, where it measures
+    bool working() const; ///< on something that tells its progress
+    void measure();       ///< what the shading shows, where it measures
     void escape();
     void ask(const session::CommandRow& row);
     void about();
@@ -87,6 +90,7 @@ class MainWindow : public QMainWindow {
     Settings m_settings;
     Editor* m_editor = nullptr;
     Measurer* m_measurer = nullptr;
+    MeshExport* m_mesh = nullptr;
     Viewport* m_viewport = nullptr;
     ViewController* m_controller = nullptr;
     FileActions* m_files = nullptr;

@@ -111,6 +111,8 @@ void ViewController::paintOverlay(QPainter& painter) const {
     painter.scale(scale, scale);
     const Snapshot& now = m_editor.snapshot();
     const render::Camera seen = shownCamera();
+    if (beneath)
+        beneath(painter, seen);
     if (m_sections.size() == seen.clips.all().size())
         paintSections(painter, m_sections, seen, 1.6 / scale);
     if (view().pivot || m_gesture == Gesture::Orbit)

@@ -82,6 +82,8 @@ class ViewController : public QObject {
     render::Camera camera() const { return cameraOf(m_navigator.view()); }
     /// What the picture shows on the way there.
     render::Camera shownCamera() const { return cameraOf(m_navigator.shown()); }
+    /// Painted over the picture and under the overlay, in device pixels of the camera that the picture shows.
+    std::function<void(QPainter&, const render::Camera&)> beneath;
     const BrushCursor& cursor() const { return m_cursor; }
     /// Presses, moves and releases so far: the number of the last.
     std::uint64_t inputs() const { return m_inputs; }

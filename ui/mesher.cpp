@@ -1,0 +1,113 @@
+#include "ui/mesher.h"
+
+#include "core/io/mesh_formats.h"
+#include "core/mesh/marching_cubes.h"
+#include "core/mesh/topology.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace ui {
+
+/// Triangles of a grid's cubes for one square of a cube's side, on average over all directions; measured, after the
+/// smallest have been merged.
+constexpr double cubeTriangles = 2.9;
+/// Of Delaunay triangles with balls up to a radius, for a square of that radius; measured.
+constexpr double delaunayTriangles = 2.0;
+
+double estimatedArea(const tree::SurfelTree& model, double spacing) {
+    std::vector<float> supports;
+    supports.reserve(model.size());
+    model.forEachBlock([&](std::uint32_t, const surfel::SurfelBlock& block) {
+        for (int slot = 0; slot < block.size(); ++slot)
+            supports.push_back(block.surfel(slot).support);
+    });
+    if (supports.empty())
+        return 0;
+    const auto middle = supports.begin() + static_cast<std::ptrdiff_t>(supports.size() / 2);
+    std::nth_element(supports.begin(), middle, supports.end());
+    const double scale = spacing / static_cast<double>(*middle);
+    double out = 0; // the spacing is defined so that a surfel stands for the square of it
+    for (const float support : supports)
+        out += scale * static_cast<double>(support) * scale * static_cast<double>(support);
+    return out;
+}
+
+std::size_t estimatedTriangles(double area, double spacing, const MeshChoice& choice) {
+    const double side = choice.cell * spacing;
+    return side > 0
+               ? static_cast<std::size_t>((choice.delaunay ? delaunayTriangles : cubeTriangles) * area / (side * side))
+               : 0;
+}
+
+Mesher::Mesher(QObject* parent)
+    : QObject(parent), m_worker([this](const Wish& wish, const base::Progress& progress) { work(wish, progress); },
+                                [this](const std::exception& error) {
+                                    post([this, text = QString::fromUtf8(error.what())] { Q_EMIT failed(text); });
+                                },
+                                [this] { post([this] { Q_EMIT idled(); }); }) {}
+
+Mesher::~Mesher() = default;
+
+/// Runs it on the interface's thread, if this still lives then.
+void Mesher::post(std::function<void()> call) {
+    QMetaObject::invokeMethod(this, std::move(call), Qt::QueuedConnection);
+}
+
+static bool fits(const MadeMesh* made, const MeshChoice& choice, const tree::SurfelTree& model) {
+    return made && made->choice.sameMesh(choice) && made->model == model;
+}
+
+void Mesher::want(const MeshChoice& choice, const Snapshot& snapshot) {
+    if (!fits(m_made.get(), choice, snapshot.surface.tree()))
+        m_worker.request({choice, snapshot.surface, snapshot.spacing, snapshot.origin, {}, nullptr}, true);
+}
+
+void Mesher::save(const MeshChoice& choice, const Snapshot& snapshot, const std::filesystem::path& path) {
+    m_worker.request({choice, snapshot.surface, snapshot.spacing, snapshot.origin, path, m_made}, true);
+}
+
+void Mesher::cancel() {
+    m_worker.cancel();
+}
+
+static mesh::Mesh meshOf(const surface::Surface& surface, double spacing, const MeshChoice& choice,
+                         const base::Progress& progress) {
+    mesh::MarchingOptions options;
+    mesh::MarchingReport report;
+    options.cell = choice.cell * spacing;
+    options.closeFolds = choice.closeFolds;
+    options.dropSmall = choice.dropSmall;
+    return mesh::marchingCubes(surface, options, report, progress);
+}
+
+void Mesher::work(const Wish& wish, const base::Progress& cancel) {
+    base::Progress progress = cancel;
+    progress.report = [this](double share, std::string_view doing) {
+        post([this, share, text = QString::fromUtf8(doing.data(), qsizetype(doing.size()))] {
+            Q_EMIT progressed(share, text);
+        });
+    };
+    std::shared_ptr<const MadeMesh> made = wish.made;
+    if (!fits(made.get(), wish.choice, wish.surface.tree())) {
+        const auto start = std::chrono::steady_clock::now();
+        auto fresh = std::make_shared<MadeMesh>(MadeMesh{wish.choice, wish.surface.tree(), nullptr, 0, 0, 0});
+        fresh->mesh = std::make_shared<const mesh::Mesh>(meshOf(wish.surface, wish.spacing, wish.choice, progress));
+        const mesh::Topology topology =
+            mesh::topologyOf(fresh->mesh->triangles, fresh->mesh->positions.size(), fresh->mesh->kinds);
+        fresh->foldRims = topology.foldLoops;
+        fresh->limitRims = topology.boundaryLoops - topology.foldLoops;
+        fresh->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        made = fresh;
+        post([this, made] {
+            m_made = made;
+            Q_EMIT changed();
+        });
+    }
+    if (wish.path.empty())
+        return;
+    io::writeMesh(wish.path, *made->mesh, wish.origin, progress);
+    post([this, path = QString::fromStdString(wish.path.string())] { Q_EMIT saved(path); });
+}
+
+} // namespace ui
