@@ -43,57 +43,6 @@ std::uint32_t LooseEnds::partner(std::uint32_t node, int axis, std::uint32_t cro
 
 namespace {
 
-/// Vertices and segments of one cube.
-class CubeGraph {
-  public:
-    void segment(std::uint32_t a, std::uint32_t b, int face) {
-        const int i = index(a, face), j = index(b, face);
-        link(i, j);
-        link(j, i);
-    }
-
-    void loops(std::vector<Loop>& out) {
-        // chains first, from their ends
-        for (int pass = 0; pass < 2; ++pass)
-            for (int i = 0; i < m_count; ++i) {
-                if (m_done[i] || (pass == 0 && m_next[i][1] >= 0))
-                    continue;
-                Loop& loop = out.emplace_back();
-                for (int at = i, from = -1; at >= 0 && !m_done[at];) {
-                    m_done[at] = true;
-                    loop.push_back(m_vertices[at]);
-                    const int next = m_next[at][0] != from ? m_next[at][0] : m_next[at][1];
-                    from = at;
-                    at = next;
-                }
-            }
-    }
-
-  private:
-    static constexpr int most = 36; ///< 12 crossings, each loose in both faces
-
-    int index(std::uint32_t vertex, int face) {
-        int i = 0;
-        while (i < m_count && m_vertices[i].vertex != vertex)
-            ++i;
-        if (i == m_count) {
-            m_next[m_count][0] = m_next[m_count][1] = -1;
-            m_vertices[m_count++] = {vertex, 0};
-        }
-        m_vertices[i].faces |= static_cast<std::uint8_t>(1 << face);
-        return i;
-    }
-    void link(int from, int to) {
-        assert(m_next[from][1] < 0);
-        m_next[from][m_next[from][0] < 0 ? 0 : 1] = to;
-    }
-
-    int m_count = 0;
-    LoopVertex m_vertices[most];
-    int m_next[most][2];
-    bool m_done[most] = {};
-};
-
 bool anyCrossing(const SurfaceGrid& grid, const Neighbourhood& around, const Place& place) {
     bool any = false;
     for (int corner = 0; corner < 8; ++corner) {

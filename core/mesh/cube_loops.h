@@ -5,6 +5,7 @@
 // chain is closed by the edge between them, which is boundary of the mesh.
 #pragma once
 
+#include "core/mesh/cube_graph.h"
 #include "core/mesh/rim_trace.h"
 
 namespace mesh {
@@ -17,6 +18,7 @@ class LooseEnds {
 
     /// The vertex beside the loose crossing in a face. REQUIRES: it is loose there.
     std::uint32_t partner(std::uint32_t node, int axis, std::uint32_t crossing) const;
+    std::span<const LooseEnd> ends() const { return m_ends; }
     /// Indices of the ends that became rim vertices, in their order.
     const std::vector<std::uint32_t>& rims() const { return m_rims; }
 
@@ -25,12 +27,6 @@ class LooseEnds {
     std::vector<std::uint32_t> m_partner;
     std::vector<std::uint32_t> m_rims;
 };
-
-struct LoopVertex {
-    std::uint32_t vertex = 0;
-    std::uint8_t faces = 0; ///< a bit for each face of the cube that it lies on
-};
-using Loop = std::vector<LoopVertex>;
 
 /// The loops of the cube above a node, cleared and filled; none where it lacks a corner. `around` as in faceAt.
 void loopsOf(const SurfaceGrid& grid, const LooseEnds& loose, const Neighbourhood& around, const Place& place,

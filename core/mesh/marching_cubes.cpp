@@ -1,6 +1,7 @@
 #include "core/mesh/marching_cubes.h"
 
 #include "core/base/parallel.h"
+#include "core/mesh/cube_tree.h"
 #include "core/mesh/fill_loop.h"
 #include "core/mesh/mesh_attributes.h"
 #include "core/mesh/mesh_repair.h"
@@ -89,6 +90,13 @@ class CubeFiller {
   public:
     CubeFiller(const Mesh& mesh, bool oriented, CubePart& out) : m_mesh(mesh), m_oriented(oriented), m_out(out) {}
 
+    void fill(const std::vector<Loop>& loops) {
+        for (const Loop& loop : loops)
+            fill(loop);
+        m_out.cubes += loops.empty() ? 0 : 1;
+    }
+
+  private:
     void fill(const Loop& loop) {
         m_positions.clear();
         m_normals.clear();
@@ -105,7 +113,6 @@ class CubeFiller {
         }
     }
 
-  private:
     void addMiddle() {
         const double count = static_cast<double>(m_positions.size());
         const Vec3d middle = std::accumulate(m_positions.begin(), m_positions.end(), Vec3d{}) / count;
@@ -141,23 +148,46 @@ class CubeFiller {
     std::vector<std::array<int, 3>> m_triangles;
 };
 
-void addTriangles(const SurfaceGrid& grid, const LooseEnds& loose, Mesh& out, MarchingReport& report) {
+/// Cubes of the grid's own size, but those that `covered` says are part of larger ones.
+template <class Covered>
+std::vector<CubePart> fillCubes(const SurfaceGrid& grid, const LooseEnds& loose, const Mesh& mesh,
+                                const Covered& covered) {
     const SparseSet& nodes = grid.nodes();
     std::vector<CubePart> parts(base::chunkCount(nodes.bricks().size(), bricksPerTask));
-    base::parallelChunks(nodes.bricks().size(), bricksPerTask,
-                         [&](std::size_t begin, std::size_t end, std::size_t chunk) {
-                             CubeFiller filler(out, grid.setting().oriented, parts[chunk]);
-                             std::vector<Loop> loops;
-                             for (std::size_t b = begin; b < end; ++b) {
-                                 const Neighbourhood around(nodes, static_cast<std::uint32_t>(b));
-                                 nodes.forPlaces(static_cast<std::uint32_t>(b), [&](const Place& p, std::uint32_t) {
-                                     loopsOf(grid, loose, around, p, loops);
-                                     for (const Loop& loop : loops)
-                                         filler.fill(loop);
-                                     parts[chunk].cubes += loops.empty() ? 0 : 1;
-                                 });
-                             }
-                         });
+    const auto fill = [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+        CubeFiller filler(mesh, grid.setting().oriented, parts[chunk]);
+        std::vector<Loop> loops;
+        for (std::size_t b = begin; b < end; ++b) {
+            const Neighbourhood around(nodes, static_cast<std::uint32_t>(b));
+            nodes.forPlaces(static_cast<std::uint32_t>(b), [&](const Place& p, std::uint32_t) {
+                if (covered(p))
+                    return;
+                loopsOf(grid, loose, around, p, loops);
+                filler.fill(loops);
+            });
+        }
+    };
+    base::parallelChunks(nodes.bricks().size(), bricksPerTask, fill);
+    return parts;
+}
+
+/// The larger ones.
+std::vector<CubePart> fillLargeCubes(const CubeTree& tree, int level, bool oriented, const Mesh& mesh) {
+    constexpr std::size_t cubesPerTask = 1024;
+    const std::vector<Place>& places = tree.large()[std::size_t(level)];
+    std::vector<CubePart> parts(base::chunkCount(places.size(), cubesPerTask));
+    base::parallelChunks(places.size(), cubesPerTask, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+        CubeFiller filler(mesh, oriented, parts[chunk]);
+        std::vector<Loop> loops;
+        for (std::size_t i = begin; i < end; ++i) {
+            tree.loopsOf(places[i], level, loops);
+            filler.fill(loops);
+        }
+    });
+    return parts;
+}
+
+void addParts(const std::vector<CubePart>& parts, Mesh& out, MarchingReport& report) {
     for (const CubePart& part : parts) {
         const auto first = static_cast<std::uint32_t>(out.positions.size());
         out.positions.insert(out.positions.end(), part.middles.begin(), part.middles.end());
@@ -174,8 +204,9 @@ void addTriangles(const SurfaceGrid& grid, const LooseEnds& loose, Mesh& out, Ma
 }
 
 /// Triangles as cubes make them, each loop facing as its normals do.
-Mesh cutMesh(const surface::Surface& surface, const Lattice& lattice, MarchingReport& report,
+Mesh cutMesh(const surface::Surface& surface, const MarchingOptions& options, MarchingReport& report,
              const base::Progress& progress) {
+    const Lattice lattice = latticeFor(surface, options);
     report.cell = lattice.cell;
     SurfaceGrid grid(surface, lattice);
     grid.build(progress);
@@ -184,7 +215,19 @@ Mesh cutMesh(const surface::Surface& surface, const Lattice& lattice, MarchingRe
     progress.step(0.85, "filling cubes");
     Mesh out;
     addVertices(grid, rims, out);
-    addTriangles(grid, loose, out, report);
+    report.largestCell = lattice.cell;
+    if (!(options.adaptive > 0)) {
+        addParts(fillCubes(grid, loose, out, [](const Place&) { return false; }), out, report);
+        return out;
+    }
+    const CubeTree tree(grid, loose.ends(), options.adaptive);
+    addParts(fillCubes(grid, loose, out, [&](const Place& p) { return tree.covered(p); }), out, report);
+    for (int level = 1; level < static_cast<int>(tree.large().size()); ++level) {
+        addParts(fillLargeCubes(tree, level, grid.setting().oriented, out), out, report);
+        if (!tree.large()[std::size_t(level)].empty())
+            report.largestCell = lattice.cell * (1 << level);
+    }
+    dropUnused(out);
     return out;
 }
 
@@ -197,7 +240,7 @@ Mesh marchingCubes(const surface::Surface& surface, const MarchingOptions& optio
     if (surface.tree().empty())
         throw base::Error("the model has no surfels");
     report = {};
-    Mesh out = cutMesh(surface, latticeFor(surface, options), report, progress);
+    Mesh out = cutMesh(surface, options, report, progress);
     if (out.triangles.empty())
         throw base::Error("no surface was found to mesh", "", "check normals, supports and the boundary limit");
     progress.step(0.9, "orienting triangles");

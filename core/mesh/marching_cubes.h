@@ -8,6 +8,7 @@
 //     surface_grid.h    cubes near the surface, crossings      edge_walk.h      one edge
 //     grid_face.h       pairs of crossings in a face           rim_trace.h      where the surface ends in a face
 //     cube_loops.h      loops around a cube                    fill_loop.h      their triangles
+//     cube_tree.h       cubes of several sizes
 //     orient_mesh.h     which way triangles face               mesh_repair.h    rims of folds closed, small pieces
 //     dropped
 //
@@ -28,7 +29,10 @@ struct MarchingOptions {
     double cell = 0; ///< side of a cube in model units; 0: the median spacing
     /// Rows: directions of the grid's axes. A rotation.
     base::Mat3d turned = base::Mat3d::identity();
-    base::Vec3d shift;       ///< of the grid, in cells
+    base::Vec3d shift; ///< of the grid, in cells
+    /// In model units: where triangles stay about so close to the surface, cubes become up to 16 times as large; `cell`
+    /// is then the smallest. 0: all of one size.
+    double adaptive = 0;
     bool relax = true;       ///< shape triangles; otherwise vertices stay on the grid's edges
     bool closeFolds = false; ///< close rims where the definition ends, up to `longestFold` edges
     std::size_t longestFold = 24;
@@ -38,7 +42,8 @@ struct MarchingOptions {
 
 struct MarchingReport {
     double cell = 0;             ///< that was used
-    std::size_t cubes = 0;       ///< that the surface passes through
+    std::size_t cubes = 0;       ///< that the surface passes through, of all sizes
+    double largestCell = 0;      ///< that was used
     std::size_t limitEnds = 0;   ///< rim vertices by the limit
     std::size_t foldEnds = 0;    ///< rim vertices where the definition ends
     std::size_t foldsClosed = 0; ///< loops

@@ -105,17 +105,11 @@ std::size_t closeFolds(Mesh& mesh, std::size_t longest) {
     return closed;
 }
 
-void dropSmallPieces(Mesh& mesh, const Orientation& pieces, std::size_t least) {
-    std::size_t count = 0;
+void dropUnused(Mesh& mesh) {
     std::vector<std::uint32_t> numbers(mesh.positions.size(), MeshFans::none);
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-        if (pieces.pieceSizes[pieces.pieceOf[t]] < least)
-            continue;
-        for (const std::uint32_t v : mesh.triangles[t])
+    for (const Triangle& t : mesh.triangles)
+        for (const std::uint32_t v : t)
             numbers[v] = 0;
-        mesh.triangles[count++] = mesh.triangles[t];
-    }
-    mesh.triangles.resize(count);
     std::uint32_t next = 0;
     for (std::uint32_t& number : numbers)
         if (number != MeshFans::none)
@@ -128,6 +122,15 @@ void dropSmallPieces(Mesh& mesh, const Orientation& pieces, std::size_t least) {
     for (Triangle& t : mesh.triangles)
         for (std::uint32_t& v : t)
             v = numbers[v];
+}
+
+void dropSmallPieces(Mesh& mesh, const Orientation& pieces, std::size_t least) {
+    std::size_t count = 0;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+        if (pieces.pieceSizes[pieces.pieceOf[t]] >= least)
+            mesh.triangles[count++] = mesh.triangles[t];
+    mesh.triangles.resize(count);
+    dropUnused(mesh);
 }
 
 } // namespace mesh

@@ -11,6 +11,9 @@ namespace mesh {
 /// REQUIRES: normals and kinds; a manifold mesh.
 std::size_t closeFolds(Mesh& mesh, std::size_t longest);
 
+/// Leaves out vertices that no triangle uses.
+void dropUnused(Mesh& mesh);
+
 /// Leaves out pieces of fewer than `least` triangles and the vertices that only they used.
 void dropSmallPieces(Mesh& mesh, const Orientation& pieces, std::size_t least);
 

@@ -52,17 +52,19 @@ class Relaxer {
         if (m_mesh.kinds[v] != VertexKind::Inner)
             return here;
         Vec3d sum;
+        double reach = 0;
         int count = 0;
         for (const std::uint32_t t : m_fans.at(v))
             for (const std::uint32_t other : m_mesh.triangles[t])
                 if (other != v) {
                     sum += m_mesh.positions[other] - here;
+                    reach += distance(m_mesh.positions[other], here);
                     ++count;
                 }
         if (count == 0)
             return here;
         const Vec3d n = base::cast<double>(m_mesh.normals[v]);
-        return here + limited(along(sum / count, n) * m_options.share);
+        return here + limited(along(sum / count, n) * m_options.share, std::max(m_options.cell, reach / count));
     }
 
     /// Towards the middle of the two neighbours on the boundary.
@@ -77,12 +79,12 @@ class Relaxer {
                     sum += m_mesh.positions[a == v ? b : a] - here;
             }
         }
-        return here + limited(sum * (0.5 * m_options.share));
+        return here + limited(sum * (0.5 * m_options.share), m_options.cell);
     }
 
     static Vec3d along(const Vec3d& d, const Vec3d& normal) { return d - normal * dot(d, normal); }
-    Vec3d limited(const Vec3d& d) const {
-        const double size = length(d), most = farthest * m_options.cell;
+    static Vec3d limited(const Vec3d& d, double around) {
+        const double size = length(d), most = farthest * around;
         return size > most ? d * (most / size) : d;
     }
 
