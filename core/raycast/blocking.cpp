@@ -28,6 +28,11 @@ void findBlocked(const LightScene& scene, std::span<const base::Rayf> rays, floa
     surface::intersectAny(scene.surface, rays, options, out);
 }
 
+bool asksForLight(const LightScene& scene, const Place& place) {
+    return place.seen == Seen::Ground ||
+           (place.seen == Seen::Model && !materialRow(scene.lighting.material).specular());
+}
+
 /// Rays of some places, and the sum of what they found at each.
 class RayFan {
   public:
@@ -69,7 +74,7 @@ void findShadows(const LightScene& scene, std::span<const Place> places, std::sp
                 const Place& place = places[i];
                 const Vec3f d = lamps[l].soft() ? around(lamps[l].direction, unitPlace(pattern[i], j, count), sine)
                                                 : lamps[l].direction;
-                if (place.seen != Seen::Nothing && dot(place.n, d) > 0)
+                if (asksForLight(scene, place) && dot(place.n, d) > 0)
                     fan.add(i, {startBeside(place, place.n), d});
             }
             counts.shadowRays +=
@@ -88,7 +93,7 @@ void findOcclusion(const LightScene& scene, std::span<const Place> places, std::
     for (int j = 0; j < count; ++j) {
         for (std::size_t i = 0; i < places.size(); ++i) {
             const Place& place = places[i];
-            if (place.seen == Seen::Nothing)
+            if (!asksForLight(scene, place))
                 continue;
             const Vec3f d = around(place.n, unitPlace(pattern[i], j, count), 1);
             if (place.seen == Seen::Model && scene.ground) {

@@ -9,6 +9,9 @@ namespace raycast {
 /// stands in nobody's way. In parallel; the same bits at any thread count.
 void findBlocked(const LightScene& scene, std::span<const base::Rayf> rays, float reach, std::span<std::uint8_t> out);
 
+/// Whether lamps and sky are asked for at a place: glass and metal show them in the paths of light.
+bool asksForLight(const LightScene& scene, const Place& place);
+
 /// The part of each lamp that the places see: out[lamp * places.size() + i]. Lamps below the place's horizon are not
 /// asked for, and count as seen. `pattern(i)`: see directions.h.
 void findShadows(const LightScene& scene, std::span<const Place> places, std::span<const std::uint8_t> pattern,

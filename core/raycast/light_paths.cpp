@@ -8,9 +8,6 @@ using base::Vec3f;
 
 namespace {
 
-/// Paths that carry less of the picture's light are not followed; their light goes with the brother's.
-constexpr float least = 0.02f;
-
 struct Path {
     std::uint32_t place = 0; ///< that it adds to
     bool inside = false;
@@ -99,7 +96,7 @@ class LightPaths {
         const float eta = leaves ? m_row.index : 1 / m_row.index;
         const auto through = refracted(d, at.n, eta);
         float back = through ? reflectance(c, eta) : 1;
-        if (strength(path.weight) * back < least)
+        if (strength(path.weight) * back < leastPart)
             back = 0;
         if (back > 0)
             reflect(at, d, path.weight * back, path);
@@ -115,7 +112,7 @@ class LightPaths {
     void meetPane(const Place& at, const Vec3f& d, const Path& path) {
         constexpr float thickness = 0.03f; // of the model's diagonal: what tints a pane
         float back = path.inside ? 0 : paneReflectance(-dot(d, at.n), 1 / m_row.index);
-        if (strength(path.weight) * back < least)
+        if (strength(path.weight) * back < leastPart)
             back = 0;
         if (back > 0)
             reflect(at, d, path.weight * back, path);

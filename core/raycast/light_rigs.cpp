@@ -5,7 +5,7 @@
 namespace raycast {
 
 std::span<const LightRigRow> lightRigTable() {
-    static const Lamp studio[] = {{{-0.55f, 0.8f, 0.62f}, 0.2f, {0.98f, 0.93f, 0.86f}},
+    static const Lamp studio[] = {{{-0.55f, 0.8f, 0.62f}, 0.2f, {0.92f, 0.86f, 0.78f}},
                                   {{0.95f, 0.25f, 0.55f}, 0.35f, {0.16f, 0.19f, 0.24f}},
                                   {{0.45f, 0.6f, -0.9f}, 0.2f, {0.5f, 0.53f, 0.58f}}};
     static const Lamp threePoint[] = {{{-0.8f, 0.6f, 0.5f}, 0.12f, {1.25f, 1.18f, 1.08f}},
@@ -19,8 +19,8 @@ std::span<const LightRigRow> lightRigTable() {
          "Studio",
          "A large soft lamp from the left above, a weak one, a rim light",
          studio,
-         {0.3f, 0.32f, 0.35f},
-         {0.11f, 0.1f, 0.095f}},
+         {0.22f, 0.235f, 0.26f},
+         {0.08f, 0.073f, 0.07f}},
         {LightRig::ThreePoint,
          "three-point",
          "Three Lamps",

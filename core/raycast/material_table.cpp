@@ -19,7 +19,7 @@ std::span<const MaterialRow> materialTable() {
          "clay",
          "Clay",
          "Dull clay in the light of the lamps; painted models keep their colours",
-         {0.63f, 0.46f, 0.36f},
+         {0.56f, 0.42f, 0.335f},
          0.05f,
          1,
          {},

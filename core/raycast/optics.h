@@ -8,6 +8,10 @@
 
 namespace raycast {
 
+/// Of the picture's light: rays that carry less are not followed, their light goes with the brother's. Just below what
+/// glass reflects straight on, so that its first reflection is followed and those inside only where they are strong.
+constexpr float leastPart = 0.039f;
+
 inline base::Vec3f mirrored(const base::Vec3f& d, const base::Vec3f& n) {
     return normalized(d - n * (2 * dot(d, n)));
 }

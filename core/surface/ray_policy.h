@@ -32,6 +32,13 @@ class RayPolicy {
         return valid() && next(double(m_setting.options.tMin), true, hit);
     }
 
+    /// any() about the start, for packets that look for discs together afterwards: is something in the way until the
+    /// ray has left what lies about its start? Else `from` is where it has. REQUIRES: discs, and `from` is tMin.
+    bool blockedNear(double& from) {
+        RayHit<T> hit;
+        return valid() && !leavesFreely(from) && nearStart(from, true, hit);
+    }
+
   private:
     bool valid() const { return m_setting.any && lengthSq(m_probe.direction()) > 0; }
     /// Far enough behind a hit to find the next.
@@ -112,6 +119,32 @@ class RayPolicy {
         const bool found = take(m_march.first(from, end, unit, leaving), out);
         from = end;
         return found;
+    }
+
+    /// Where one flat sheet lies about the start and the ray leaves it, a look half-way tells as much as a march: f
+    /// there is what the sheet says, and so is n. Anything else within reach would show in both, or in the agreement.
+    /// Moves `from` to where the march would end.
+    bool leavesFreely(double& from) {
+        constexpr double half = 0.4;                                         // of h, as far as nearStart reaches
+        constexpr double steep = 0.12, off = 0.25, flat = 0.9, alike = 0.95; // slope, of f, cosine, agreement
+        if (!m_setting.bounds.contains(base::cast<float>(m_probe.position(from))))
+            return false;
+        const Evaluation<T>& at = m_probe.guess(from);
+        const base::Vec3<T> n = at.normal;
+        const double unit = double(at.unit), f = double(at.value);
+        const double slope = dot(base::cast<double>(n), m_probe.direction());
+        if (!isFlat(at, alike) || std::abs(slope) < steep || f * slope < 0)
+            return false;
+        const Evaluation<T>& middle = m_probe.guess(from + half * unit);
+        const double rise = half * unit * slope, expected = f + rise;
+        if (!isFlat(middle, alike) || std::abs(double(middle.value) - expected) > off * std::abs(rise) ||
+            double(dot(middle.normal, n)) < flat)
+            return false;
+        from += 2 * half * unit;
+        return true;
+    }
+    static bool isFlat(const Evaluation<T>& at, double alike) {
+        return (at.ok() || at.status == Status::BeyondBoundary) && double(at.agreement) >= alike;
     }
 
     const RaySetting& m_setting;

@@ -21,6 +21,8 @@ class BlockingTest : public QObject {
     void aWallTakesItsFormFactor();
     void theGroundHoldsLightOff();
     void anyHitAgreesWithFirstHit();
+    void aSheetCloseByIsNotLeapt_data();
+    void aSheetCloseByIsNotLeapt();
     void whatIsCutAwayCastsNoShadow();
     void placesBesideTheSurfaceAreMovedOntoIt();
 };
@@ -174,6 +176,37 @@ void BlockingTest::anyHitAgreesWithFirstHit() {
             qPrintable(
                 QString("%1 of %2 differ, %4 hits, seed %3").arg(apart).arg(rays.size()).arg(test::seed()).arg(hits)));
     }
+}
+
+void BlockingTest::aSheetCloseByIsNotLeapt_data() {
+    QTest::addColumn<double>("gap"); // in units of h
+    QTest::addColumn<double>("normal");
+    for (const double gap : {0.25, 0.35, 0.5, 0.65, 0.8, 1.0, 1.3})
+        for (const double normal : {-1.0, 1.0})
+            QTest::addRow("%g h %s", gap, normal < 0 ? "facing" : "alike") << gap << normal;
+}
+
+/// Any-hit looks once where marches look often: from one sheet to the next nothing may get lost between two looks.
+void BlockingTest::aSheetCloseByIsNotLeapt() {
+    QFETCH(double, gap);
+    QFETCH(double, normal);
+    constexpr double spacing = 0.05, h = 3.5 * spacing;
+    const auto model =
+        shapes::surfaceOf(joined(shapes::plane(40, spacing, h), shapes::plane(40, spacing, h, gap * h, normal)));
+    base::Random random(test::seed());
+    std::vector<base::Rayf> rays;
+    for (int k = 0; k < test::effort(800); ++k) {
+        const Place place = placeAt({random.uniform(-1, 1), random.uniform(-1, 1), 0}, {0, 0, 1}, float(h));
+        Vec3d d = random.unitVector();
+        d.z = std::abs(d.z) + 0.15;
+        rays.push_back({startBeside(place, place.n), base::cast<float>(normalized(d))});
+    }
+    std::vector<std::uint8_t> any(rays.size());
+    surface::intersectAny(model, rays, {}, any);
+    std::size_t lost = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i)
+        lost += intersect(model, rays[i]).hit && !any[i] ? 1 : 0;
+    QVERIFY2(lost == 0, qPrintable(QString("%1 lost, seed %2").arg(lost).arg(test::seed())));
 }
 
 void BlockingTest::whatIsCutAwayCastsNoShadow() {

@@ -96,7 +96,7 @@ static Vec3f byHand(const LightScene& scene, const Vec3d& x, const Vec3f& d, boo
         inside ? times(weight, transmitted(glass.absorption / scene.size, static_cast<float>(t))) : weight;
     const auto through = refracted(d, n, eta);
     float back = through ? reflectance(-dot(d, n), eta) : 1;
-    if (scenes::largest(left) * back < 0.02f)
+    if (scenes::largest(left) * back < leastPart)
         back = 0;
     const Vec3d in = hit * (1 - 1e-9), out = hit * (1 + 1e-9);
     Vec3f sum;

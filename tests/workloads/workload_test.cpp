@@ -35,6 +35,7 @@ void WorkloadTest::theContractsNamesAreThere() {
                              "splat-osmesa-moving", "splat-cpu-edit", "splat-osmesa-upload", "load-ply"})
         QVERIFY2(names.contains(name), name);
     QVERIFY(names.contains("mesh-marching-cubes"));
+    QVERIFY(names.contains("rays-shadow") && names.contains("rays-occlusion"));
     for (const sculpt::ToolRow& row : sculpt::toolTable())
         QVERIFY2(names.contains(std::string("dab-") + row.id), row.id);
     QVERIFY(!bench::findWorkload("no-such-thing"));
