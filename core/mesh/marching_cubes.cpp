@@ -6,6 +6,7 @@
 #include "core/mesh/mesh_attributes.h"
 #include "core/mesh/mesh_repair.h"
 #include "core/mesh/relax_mesh.h"
+#include "core/process/part_progress.h"
 #include "core/process/spacing_sample.h"
 
 #include <algorithm>
@@ -47,7 +48,7 @@ LooseEnds settleEnds(SurfaceGrid& grid, std::vector<TracedEnd>& rims, MarchingRe
     constexpr int rounds = 2;
     for (int round = 0;; ++round) {
         std::vector<LooseEnd> ends = looseEnds(grid);
-        const std::vector<TracedEnd> traced = trace(grid, ends);
+        const std::vector<TracedEnd> traced = trace(grid, ends, process::part(progress, 0.8, 0.85));
         std::vector<SurfaceGrid::EdgeName> doubtful;
         for (std::size_t i = 0; i < ends.size(); ++i)
             if (traced[i].end != TraceEnd::Limit)
@@ -209,7 +210,7 @@ Mesh cutMesh(const surface::Surface& surface, const MarchingOptions& options, Ma
     const Lattice lattice = latticeFor(surface, options);
     report.cell = lattice.cell;
     SurfaceGrid grid(surface, lattice);
-    grid.build(progress);
+    grid.build(process::part(progress, 0, 0.8));
     std::vector<TracedEnd> rims;
     const LooseEnds loose = settleEnds(grid, rims, report, progress);
     progress.step(0.85, "filling cubes");
@@ -240,23 +241,23 @@ Mesh marchingCubes(const surface::Surface& surface, const MarchingOptions& optio
     if (surface.tree().empty())
         throw base::Error("the model has no surfels");
     report = {};
-    Mesh out = cutMesh(surface, options, report, progress);
+    Mesh out = cutMesh(surface, options, report, process::part(progress, 0, 0.7));
     if (out.triangles.empty())
         throw base::Error("no surface was found to mesh", "", "check normals, supports and the boundary limit");
-    progress.step(0.9, "orienting triangles");
+    progress.step(0.7, "orienting triangles");
     const Orientation orientation = orient(out, WalkSetting(surface).oriented);
     report.parityConflicts = orientation.conflicts;
     report.pieces = orientation.pieceSizes.size();
     report.smallPieces =
         static_cast<std::size_t>(std::count_if(orientation.pieceSizes.begin(), orientation.pieceSizes.end(),
                                                [&](std::uint32_t size) { return size < options.smallPiece; }));
-    relax(out, surface, {options.relax ? 2 : 0, 0.7, report.cell}, progress);
+    relax(out, surface, {options.relax ? 2 : 0, 0.7, report.cell}, process::part(progress, 0.75, 0.95));
     if (options.dropSmall)
         dropSmallPieces(out, orientation, options.smallPiece);
     if (options.closeFolds)
         report.foldsClosed = closeFolds(out, options.longestFold);
     takeAttributes(out, surface);
-    progress.step(1, "orienting triangles");
+    progress.step(1, "shaping triangles");
     return out;
 }
 

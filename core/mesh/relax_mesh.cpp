@@ -1,10 +1,12 @@
 #include "core/mesh/relax_mesh.h"
 
-#include "core/base/parallel.h"
 #include "core/mesh/edge_walk.h"
 #include "core/mesh/mesh_fans.h"
+#include "core/mesh/slabs.h"
+#include "core/process/part_progress.h"
 #include "core/surface/boundary.h"
 #include "core/surface/packets.h"
+#include "core/surface/project.h"
 
 namespace mesh {
 
@@ -14,8 +16,11 @@ using surface::Evaluationf;
 namespace {
 
 constexpr std::size_t grain = 8192;
+constexpr const char* step = "shaping triangles";
 constexpr double farthest = 0.5;             ///< of a cell, per move
 constexpr double loose = 0.03, tight = 2e-3; ///< of the spacing: steps of Newton's method after which none is needed
+constexpr double certain = 2e-5;             ///< the same where one sheet is not alone
+constexpr float oneSheet = 0.95f;            ///< agreement above which it is
 constexpr float steadiest = 0.6f;            ///< least cosine between a vertex' normals before and after a move
 
 struct Settled {
@@ -30,41 +35,25 @@ class Relaxer {
         : m_mesh(mesh), m_surface(surface), m_setting(surface), m_options(options), m_fans(mesh),
           m_landed(mesh.positions.size()) {}
 
-    void pass(bool last) {
+    void pass(bool last, const base::Progress& progress) {
         std::vector<Vec3d> targets(m_mesh.positions.size());
         base::parallelFor(targets.size(), grain,
                           [&](std::size_t v) { targets[v] = target(static_cast<std::uint32_t>(v)); });
-        move(targets, last ? tight : loose, [](std::size_t) { return true; });
+        move(
+            targets, last ? tight : loose, [](std::size_t) { return true; }, progress);
     }
 
     /// Vertices that no pass has put there, onto the surface.
-    void landTheRest() {
+    void landTheRest(const base::Progress& progress) {
         const std::vector<Vec3d> targets = m_mesh.positions;
-        move(targets, tight, [&](std::size_t v) { return m_landed[v] == 0; });
-    }
-
-  private:
-    /// Along the surface towards the middle of the neighbours.
-    Vec3d target(std::uint32_t v) const {
-        const Vec3d here = m_mesh.positions[v];
-        if (m_mesh.kinds[v] == VertexKind::Limit)
-            return alongRim(v);
-        if (m_mesh.kinds[v] != VertexKind::Inner)
-            return here;
-        Vec3d sum;
-        double reach = 0;
-        int count = 0;
-        for (const std::uint32_t t : m_fans.at(v))
-            for (const std::uint32_t other : m_mesh.triangles[t])
-                if (other != v) {
-                    sum += m_mesh.positions[other] - here;
-                    reach += distance(m_mesh.positions[other], here);
-                    ++count;
-                }
-        if (count == 0)
-            return here;
-        const Vec3d n = base::cast<double>(m_mesh.normals[v]);
-        return here + limited(along(sum / count, n) * m_options.share, std::max(m_options.cell, reach / count));
+        const auto rest = [&](std::size_t v) { return m_landed[v] == 0; };
+        move(targets, tight, rest, progress);
+        std::vector<Settled> next(targets.size());
+        base::parallelFor(targets.size(), 64, [&](std::size_t v) {
+            if (rest(v) && m_mesh.kinds[v] != VertexKind::Limit)
+                next[v] = byOwnSheet(targets[v], v);
+        });
+        take(next);
     }
 
     /// Towards the middle of the two neighbours on the boundary.
@@ -89,10 +78,10 @@ class Relaxer {
     }
 
     template <class Which>
-    void move(std::span<const Vec3d> targets, double enough, const Which& which) {
+    void move(std::span<const Vec3d> targets, double enough, const Which& which, const base::Progress& progress) {
         const float slack = static_cast<float>(0.1 * m_options.cell) / m_surface.tree().maxSupport();
         std::vector<Settled> next(targets.size());
-        base::parallelChunks(targets.size(), grain, [&](std::size_t begin, std::size_t end, std::size_t) {
+        parallelSlabs(targets.size(), grain, progress, step, [&](std::size_t begin, std::size_t end, std::size_t) {
             std::vector<Vec3f> x;
             std::vector<std::size_t> vertices;
             for (std::size_t v = begin; v < end; ++v)
@@ -106,6 +95,13 @@ class Relaxer {
                                                                : settled(source, targets[v], v, enough);
             });
         });
+        take(next);
+        for (std::size_t v = 0; v < next.size(); ++v)
+            m_landed[v] = which(v) ? enough <= tight && next[v].good : m_landed[v];
+    }
+
+    /// Moves vertices, but where that turns a triangle over. What they had stays in `next`.
+    void take(std::span<Settled> next) {
         base::parallelFor(next.size(), grain, [&](std::size_t v) {
             if (!next[v].good)
                 return;
@@ -113,26 +109,44 @@ class Relaxer {
             std::swap(next[v].normal, m_mesh.normals[v]);
         });
         keepFacing(next);
-        for (std::size_t v = 0; v < next.size(); ++v)
-            m_landed[v] = which(v) ? enough <= tight && next[v].good : m_landed[v];
+    }
+
+    /// Where near sheets meet: onto the one that faces as the vertex does.
+    Settled byOwnSheet(const Vec3d& start, std::size_t v) const {
+        surface::ProjectOptions options;
+        options.checkBoundary = false;
+        const Vec3f before = m_mesh.normals[v];
+        auto found = surface::projectReference(m_surface, start, options, {before});
+        for (int turn = 0; turn < 3 && found.ok(); ++turn) {
+            const Vec3d facing = base::normalized(found.at.gradient);
+            found = surface::projectReference(m_surface, found.foot, options, {base::cast<float>(facing)});
+        }
+        if (!found.ok() || distance(found.foot, start) > farthest * m_options.cell)
+            return {};
+        Vec3f normal = base::cast<float>(base::normalized(found.at.gradient));
+        if (!m_setting.oriented && dot(normal, before) < 0)
+            normal = -normal;
+        return {dot(normal, before) >= steadiest, found.foot, normal};
     }
 
     /// Newton's method along the gradient.
     Settled settled(surface::Source& source, const Vec3d& start, std::size_t v, double enough) const {
         const Vec3f before = m_mesh.normals[v];
         Vec3d x = start;
-        for (int i = 0; i < 6; ++i) {
+        for (int i = 0; i < 8; ++i) {
             Evaluationf at;
             const Vec3f rounded = base::cast<float>(x);
             source.evaluate(rounded, surface::Need::Gradient, {}, at);
             if (!surface::isSurface(at))
                 return {};
-            const Vec3d g = base::cast<double>(at.gradient), step = g * (-double(at.value) / lengthSq(g));
-            x = base::cast<double>(rounded) + step;
-            const double size = length(step);
+            const Vec3d g = base::cast<double>(at.gradient), by = g * (-double(at.value) / lengthSq(g));
+            x = base::cast<double>(rounded) + by;
+            const double size = length(by);
             if (size > farthest * m_options.cell)
                 return {};
-            if (size > enough * m_setting.spacingsPerUnit * double(at.unit))
+            // where near sheets meet f may have steps: only what was evaluated counts
+            const double still = at.agreement < oneSheet ? certain : enough;
+            if (size > still * m_setting.spacingsPerUnit * double(at.unit))
                 continue;
             Vec3f normal = base::normalized(at.gradient);
             if (!m_setting.oriented && dot(normal, before) < 0)
@@ -143,7 +157,12 @@ class Relaxer {
     }
 
     Settled onRim(const Vec3d& start, std::size_t v) const {
-        const surface::RimSearch found = surface::findRimPoint(m_surface, start, {m_mesh.normals[v]});
+        // as the surface answers unasked, where that leads to a rim
+        surface::RimSearch found;
+        for (const surface::Hint& hint : {surface::Hint{}, surface::Hint{m_mesh.normals[v]}})
+            if (found = surface::findRimPoint(m_surface, start, hint);
+                found.ok() && distance(found.point.position, start) <= farthest * m_options.cell)
+                break;
         if (!found.ok() || distance(found.point.position, start) > farthest * m_options.cell)
             return {};
         Vec3f normal = base::cast<float>(found.point.normal);
@@ -197,11 +216,10 @@ class Relaxer {
 
 void relax(Mesh& mesh, const surface::Surface& surface, const RelaxOptions& options, const base::Progress& progress) {
     Relaxer relaxer(mesh, surface, options);
-    for (int pass = 0; pass < options.passes; ++pass) {
-        progress.step(double(pass) / options.passes, "shaping triangles");
-        relaxer.pass(pass + 1 == options.passes);
-    }
-    relaxer.landTheRest();
+    const double share = 1.0 / (options.passes + 1);
+    for (int pass = 0; pass < options.passes; ++pass)
+        relaxer.pass(pass + 1 == options.passes, process::part(progress, pass * share, (pass + 1) * share));
+    relaxer.landTheRest(process::part(progress, options.passes * share, 1));
 }
 
 } // namespace mesh

@@ -32,6 +32,8 @@ struct TracedEnd {
     base::Vec3f normal;
 };
 
-std::vector<TracedEnd> trace(const SurfaceGrid& grid, std::span<const LooseEnd> ends);
+/// Throws base::Cancelled.
+std::vector<TracedEnd> trace(const SurfaceGrid& grid, std::span<const LooseEnd> ends,
+                             const base::Progress& progress = {});
 
 } // namespace mesh

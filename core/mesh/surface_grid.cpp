@@ -1,6 +1,7 @@
 #include "core/mesh/surface_grid.h"
 
-#include "core/base/parallel.h"
+#include "core/mesh/slabs.h"
+#include "core/process/part_progress.h"
 #include "core/surface/packets.h"
 
 #include <numeric>
@@ -13,6 +14,7 @@ using surface::Evaluationf;
 namespace {
 
 constexpr std::size_t bricksPerTask = 64;
+constexpr const char* step = "cutting cubes";
 
 /// What parallel tasks gathered, in their order.
 template <class T>
@@ -53,15 +55,16 @@ SurfaceGrid::SurfaceGrid(const surface::Surface& surface, const Lattice& lattice
     : m_surface(surface), m_setting(surface), m_lattice(lattice) {}
 
 void SurfaceGrid::build(const base::Progress& progress) {
-    complete(discs(), progress);
+    complete(discs(process::part(progress, 0, 0.2)), process::part(progress, 0.2, 1));
     number();
 }
 
 bool SurfaceGrid::reconsider(std::span<const EdgeName> edges, const base::Progress& progress) {
+    const base::Progress quiet{{}, progress.cancel};
     std::vector<Job> jobs;
     for (const EdgeName& edge : edges)
         jobs.push_back({edge.node, m_nodes.rank(edge.node), m_nodes.rank(edge.node.next(edge.axis)), edge.axis});
-    const std::vector<Found> found = walk(jobs, Care::Thorough);
+    const std::vector<Found> found = walk(jobs, Care::Thorough, quiet);
     bool changed = false;
     auto next = found.begin();
     for (std::size_t i = 0; i < jobs.size(); ++i) {
@@ -72,7 +75,7 @@ bool SurfaceGrid::reconsider(std::span<const EdgeName> edges, const base::Progre
         at = none;
     }
     const std::vector<Job> crossed = take(jobs, found);
-    complete(cubesAbout(crossed), progress);
+    complete(cubesAbout(crossed), quiet);
     number();
     return changed;
 }
@@ -91,13 +94,13 @@ std::vector<SurfaceGrid::Job> SurfaceGrid::take(std::span<const Job> jobs, std::
 }
 
 /// Where surfels' tangent discs on the surface pass.
-std::vector<BrickBits> SurfaceGrid::discs() const {
+std::vector<BrickBits> SurfaceGrid::discs(const base::Progress& progress) const {
     constexpr double radius = 0.75, furthest = 0.5; // of the spacing; of h
     const tree::SurfelTree& tree = m_surface.tree();
     std::vector<surfel::BlockPtr> blocks;
     tree.forEachBlock([&](std::uint32_t number, const surfel::SurfelBlock&) { blocks.push_back(tree.block(number)); });
     std::vector<std::vector<BrickBits>> parts(base::chunkCount(blocks.size(), 16));
-    base::parallelChunks(blocks.size(), 16, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+    parallelSlabs(blocks.size(), 16, progress, step, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
         std::vector<Vec3f> x;
         for (std::size_t b = begin; b < end; ++b)
             for (int slot = 0; slot < blocks[b]->size(); ++slot)
@@ -120,14 +123,14 @@ std::vector<BrickBits> SurfaceGrid::discs() const {
 }
 
 void SurfaceGrid::complete(std::vector<BrickBits> cubes, const base::Progress& progress) {
+    // the first round is nearly all of it
     for (int round = 0; !cubes.empty(); ++round) {
-        progress.step(0.8 * (1 - std::pow(0.5, round)), "cutting cubes");
+        const double from = 1 - std::pow(0.2, round), to = 1 - std::pow(0.2, round + 1), middle = 0.5 * (from + to);
+        progress.step(from, step);
         add(std::move(cubes));
-        progress.step(0.8 * (1 - std::pow(0.5, round + 0.2)), "cutting cubes");
-        evaluateNodes();
+        evaluateNodes(process::part(progress, from, middle));
         const std::vector<Job> jobs = openEdges();
-        progress.step(0.8 * (1 - std::pow(0.5, round + 0.5)), "cutting cubes");
-        cubes = cubesAbout(take(jobs, walk(jobs, Care::Usual)));
+        cubes = cubesAbout(take(jobs, walk(jobs, Care::Usual, process::part(progress, middle, to))));
     }
 }
 
@@ -156,25 +159,26 @@ void SurfaceGrid::add(std::vector<BrickBits> cubes) {
     m_edges = std::move(edges);
 }
 
-void SurfaceGrid::evaluateNodes() {
+void SurfaceGrid::evaluateNodes(const base::Progress& progress) {
     constexpr std::size_t bricksAtOnce = 128;
-    base::parallelChunks(m_nodes.bricks().size(), bricksAtOnce, [&](std::size_t begin, std::size_t end, std::size_t) {
-        std::vector<Vec3f> x;
-        std::vector<std::uint32_t> ranks;
-        for (std::size_t b = begin; b < end; ++b)
-            m_nodes.forPlaces(static_cast<std::uint32_t>(b), [&](const Place& place, std::uint32_t rank) {
-                if (m_known[rank])
-                    return;
-                x.push_back(base::cast<float>(m_lattice.at(place)));
-                ranks.push_back(rank);
-            });
-        std::vector<Evaluationf> at(x.size());
-        m_surface.evaluate(x, surface::Need::Value, at);
-        for (std::size_t i = 0; i < x.size(); ++i) {
-            m_values[ranks[i]] = NodeValue::of(at[i]);
-            m_known[ranks[i]] = 1;
-        }
-    });
+    parallelSlabs(m_nodes.bricks().size(), bricksAtOnce, progress, step,
+                  [&](std::size_t begin, std::size_t end, std::size_t) {
+                      std::vector<Vec3f> x;
+                      std::vector<std::uint32_t> ranks;
+                      for (std::size_t b = begin; b < end; ++b)
+                          m_nodes.forPlaces(static_cast<std::uint32_t>(b), [&](const Place& place, std::uint32_t rank) {
+                              if (m_known[rank])
+                                  return;
+                              x.push_back(base::cast<float>(m_lattice.at(place)));
+                              ranks.push_back(rank);
+                          });
+                      std::vector<Evaluationf> at(x.size());
+                      m_surface.evaluate(x, surface::Need::Value, at);
+                      for (std::size_t i = 0; i < x.size(); ++i) {
+                          m_values[ranks[i]] = NodeValue::of(at[i]);
+                          m_known[ranks[i]] = 1;
+                      }
+                  });
 }
 
 /// Edges between nodes that nobody has looked at and that may cross; those that cannot are done with.
@@ -202,11 +206,12 @@ std::vector<SurfaceGrid::Job> SurfaceGrid::openEdges() {
     return joined(parts);
 }
 
-std::vector<SurfaceGrid::Found> SurfaceGrid::walk(std::span<const Job> jobs, Care care) const {
+std::vector<SurfaceGrid::Found> SurfaceGrid::walk(std::span<const Job> jobs, Care care,
+                                                  const base::Progress& progress) const {
     constexpr std::size_t jobsPerTask = 8192;
     const float slack = static_cast<float>(0.51 * m_lattice.cell) / m_surface.tree().maxSupport();
     std::vector<std::vector<Found>> parts(base::chunkCount(jobs.size(), jobsPerTask));
-    base::parallelChunks(jobs.size(), jobsPerTask, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+    parallelSlabs(jobs.size(), jobsPerTask, progress, step, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
         std::vector<Vec3f> middles;
         for (const Job& job : jobs.subspan(begin, end - begin)) {
             const Edge edge = edgeOf(job.node, job.axis);

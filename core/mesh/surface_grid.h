@@ -46,10 +46,10 @@ class SurfaceGrid {
         std::uint32_t first = 0, last = 0; ///< ranks of its ends
         int axis = 0;
     };
-    std::vector<BrickBits> discs() const;
+    std::vector<BrickBits> discs(const base::Progress& progress) const;
     void complete(std::vector<BrickBits> cubes, const base::Progress& progress);
     void add(std::vector<BrickBits> cubes);
-    void evaluateNodes();
+    void evaluateNodes(const base::Progress& progress);
     std::vector<Job> openEdges();
     struct Found {
         std::size_t job = 0;
@@ -58,7 +58,7 @@ class SurfaceGrid {
     Edge edgeOf(const Place& node, int axis) const {
         return {m_lattice.at(node), m_lattice.direction(axis), m_lattice.cell};
     }
-    std::vector<Found> walk(std::span<const Job> jobs, Care care) const;
+    std::vector<Found> walk(std::span<const Job> jobs, Care care, const base::Progress& progress) const;
     std::vector<Job> take(std::span<const Job> jobs, std::span<const Found> found);
     std::vector<BrickBits> cubesAbout(std::span<const Job> jobs) const;
     void number();
