@@ -56,6 +56,30 @@ class Relaxer {
         take(next);
     }
 
+  private:
+    /// Along the surface towards the middle of the neighbours.
+    Vec3d target(std::uint32_t v) const {
+        const Vec3d here = m_mesh.positions[v];
+        if (m_mesh.kinds[v] == VertexKind::Limit)
+            return alongRim(v);
+        if (m_mesh.kinds[v] != VertexKind::Inner)
+            return here;
+        Vec3d sum;
+        double reach = 0;
+        int count = 0;
+        for (const std::uint32_t t : m_fans.at(v))
+            for (const std::uint32_t other : m_mesh.triangles[t])
+                if (other != v) {
+                    sum += m_mesh.positions[other] - here;
+                    reach += distance(m_mesh.positions[other], here);
+                    ++count;
+                }
+        if (count == 0)
+            return here;
+        const Vec3d n = base::cast<double>(m_mesh.normals[v]);
+        return here + limited(along(sum / count, n) * m_options.share, std::max(m_options.cell, reach / count));
+    }
+
     /// Towards the middle of the two neighbours on the boundary.
     Vec3d alongRim(std::uint32_t v) const {
         const Vec3d here = m_mesh.positions[v];
