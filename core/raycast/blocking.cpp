@@ -28,6 +28,18 @@ void findBlocked(const LightScene& scene, std::span<const base::Rayf> rays, floa
     surface::intersectAny(scene.surface, rays, options, out);
 }
 
+Looks looksOf(const SeenSamples& seen, std::size_t begin, std::size_t count) {
+    Looks out;
+    out.factor = seen.width > 0 ? 1 : 2;
+    out.pattern.resize(count);
+    for (std::size_t k = 0; k < count; ++k) {
+        const auto i = static_cast<int>(begin + k);
+        out.pattern[k] =
+            static_cast<std::uint8_t>(seen.width > 0 ? patternOf(i % seen.width, i / seen.width) : i % (patterns / 2));
+    }
+    return out;
+}
+
 bool asksForLight(const LightScene& scene, const Place& place) {
     return place.seen == Seen::Ground ||
            (place.seen == Seen::Model && !materialRow(scene.lighting.material).specular());
@@ -59,21 +71,22 @@ class RayFan {
     std::vector<std::uint8_t> m_blocked;
 };
 
-void findShadows(const LightScene& scene, std::span<const Place> places, std::span<const std::uint8_t> pattern,
-                 std::span<float> out, LightCounts& counts) {
+void findShadows(const LightScene& scene, std::span<const Place> places, const Looks& looks, std::span<float> out,
+                 LightCounts& counts) {
     constexpr float everywhere = std::numeric_limits<float>::infinity();
     std::fill(out.begin(), out.end(), 1.0f);
     RayFan fan;
     const std::vector<Lamp>& lamps = scene.environment.lamps();
     for (std::size_t l = 0; l < lamps.size(); ++l) {
         const std::span<float> seen = out.subspan(l * places.size(), places.size());
-        const int count = lamps[l].soft() ? std::max(1, scene.lighting.shadowRays) : 1;
+        const int count = lamps[l].soft() ? looks.factor * std::max(1, scene.lighting.shadowRays) : 1;
         const float sine = std::sin(lamps[l].radius);
         for (int j = 0; j < count; ++j) {
             for (std::size_t i = 0; i < places.size(); ++i) {
                 const Place& place = places[i];
-                const Vec3f d = lamps[l].soft() ? around(lamps[l].direction, unitPlace(pattern[i], j, count), sine)
-                                                : lamps[l].direction;
+                const Vec3f d = lamps[l].soft()
+                                    ? around(lamps[l].direction, unitPlace(looks.pattern[i], j, count), sine)
+                                    : lamps[l].direction;
                 if (asksForLight(scene, place) && dot(place.n, d) > 0)
                     fan.add(i, {startBeside(place, place.n), d});
             }
@@ -83,11 +96,11 @@ void findShadows(const LightScene& scene, std::span<const Place> places, std::sp
     }
 }
 
-void findOcclusion(const LightScene& scene, std::span<const Place> places, std::span<const std::uint8_t> pattern,
-                   std::span<float> out, LightCounts& counts) {
+void findOcclusion(const LightScene& scene, std::span<const Place> places, const Looks& looks, std::span<float> out,
+                   LightCounts& counts) {
     std::fill(out.begin(), out.end(), 1.0f);
     const float reach = scene.lighting.occlusionReach * scene.size;
-    const int count = std::max(1, scene.lighting.occlusionRays);
+    const int count = looks.factor * std::max(1, scene.lighting.occlusionRays);
     const float each = 1 / static_cast<float>(count);
     RayFan fan;
     for (int j = 0; j < count; ++j) {
@@ -95,7 +108,7 @@ void findOcclusion(const LightScene& scene, std::span<const Place> places, std::
             const Place& place = places[i];
             if (!asksForLight(scene, place))
                 continue;
-            const Vec3f d = around(place.n, unitPlace(pattern[i], j, count), 1);
+            const Vec3f d = around(place.n, unitPlace(looks.pattern[i], j, count), 1);
             if (place.seen == Seen::Model && scene.ground) {
                 const float fall = -dot(base::cast<float>(scene.ground->normal), d);
                 const auto height = static_cast<float>(scene.ground->distance(base::cast<double>(place.x)));

@@ -58,20 +58,14 @@ class Illumination {
             fn(begin, std::min(batchSize, n - begin));
         }
     }
-    std::vector<std::uint8_t> patternsOf(std::size_t begin, std::size_t count) const {
-        std::vector<std::uint8_t> out(count);
-        for (std::size_t k = 0; k < count; ++k)
-            out[k] = static_cast<std::uint8_t>(m_seen.pattern(begin + k));
-        return out;
-    }
-
     void shadows() {
         const bool anySoft = std::any_of(m_lamps.begin(), m_lamps.end(), [](const Lamp& l) { return l.soft(); });
         m_shadows.assign(m_lamps.size(), std::vector<float>(m_places.size(), 1.0f));
         std::vector<float> some;
         inBatches(0.1, 0.5, "casting shadows", [&](std::size_t begin, std::size_t count) {
             some.resize(count * m_lamps.size());
-            findShadows(m_scene, std::span(m_places).subspan(begin, count), patternsOf(begin, count), some, m_counts);
+            findShadows(m_scene, std::span(m_places).subspan(begin, count), looksOf(m_seen, begin, count), some,
+                        m_counts);
             for (std::size_t l = 0; l < m_lamps.size(); ++l)
                 std::copy_n(some.begin() + static_cast<std::ptrdiff_t>(l * count), count,
                             m_shadows[l].begin() + static_cast<std::ptrdiff_t>(begin));
@@ -83,7 +77,7 @@ class Illumination {
     void occlusion() {
         m_open.assign(m_places.size(), 1.0f);
         inBatches(0.5, 0.9, "casting ambient occlusion", [&](std::size_t begin, std::size_t count) {
-            findOcclusion(m_scene, std::span(m_places).subspan(begin, count), patternsOf(begin, count),
+            findOcclusion(m_scene, std::span(m_places).subspan(begin, count), looksOf(m_seen, begin, count),
                           std::span(m_open).subspan(begin, count), m_counts);
         });
         evenOut(m_places, m_seen.width, m_open);

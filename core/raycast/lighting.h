@@ -17,7 +17,7 @@ struct Lighting {
     bool occlusion = false; ///< ambient occlusion: light of the room that nearby surface holds off
     bool ground = false;    ///< shadows and occlusion fall on the ground below the model too
     /// Rays of each place to each soft lamp, and around it. Sixteen neighbours share what theirs found.
-    int shadowRays = 2, occlusionRays = 4;
+    int shadowRays = 3, occlusionRays = 6;
     float occlusionReach = 0.25f; ///< how far surface holds light off, in diagonals of the model's bounds
     int bounces = 10;             ///< of light in glass and between mirrors
 

@@ -1,7 +1,6 @@
 #include "core/raycast/places.h"
 
 #include "core/base/parallel.h"
-#include "core/raycast/directions.h"
 
 namespace raycast {
 
@@ -10,11 +9,6 @@ using base::Vec3f;
 
 /// Surfels per unit of h, as the default definition has it (alg. 2.6).
 constexpr float spacingOfUnit = 1 / 3.5f;
-
-int SeenSamples::pattern(std::size_t i) const {
-    const auto n = static_cast<int>(i);
-    return width > 0 ? patternOf(n % width, n / width) : n % patterns;
-}
 
 LightScene::LightScene(const surface::Surface& surface_, const Lighting& lighting_, const Viewer& viewer,
                        std::span<const base::Plane> clips_)

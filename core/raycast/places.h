@@ -26,8 +26,6 @@ struct SeenSamples {
     std::span<const Sample> samples;
     std::function<base::Rayd(std::size_t)> ray;
     int width = 0;
-
-    int pattern(std::size_t i) const;
 };
 
 /// All that light meets: the model, the ground, planes that cut.

@@ -7,6 +7,7 @@
 #include "support/registry.h"
 
 #include <QtTest>
+#include <set>
 
 using namespace raycast;
 using base::Vec3d;
@@ -24,13 +25,14 @@ class BlockingTest : public QObject {
     void aSheetCloseByIsNotLeapt_data();
     void aSheetCloseByIsNotLeapt();
     void whatIsCutAwayCastsNoShadow();
+    void neighboursShareAllDirections();
     void placesBesideTheSurfaceAreMovedOntoIt();
 };
 
-static std::vector<std::uint8_t> inTurn(std::size_t n) {
-    std::vector<std::uint8_t> out(n);
+static Looks inTurn(std::size_t n) {
+    Looks out;
     for (std::size_t i = 0; i < n; ++i)
-        out[i] = static_cast<std::uint8_t>(i % raycast::patterns);
+        out.pattern.push_back(static_cast<std::uint8_t>(i % raycast::patterns));
     return out;
 }
 
@@ -80,8 +82,7 @@ void BlockingTest::aBallsShadowHasUmbraAndPenumbra() {
 static float openAt(const LightScene& scene, const Place& place) {
     float open = 0;
     LightCounts counts;
-    const std::uint8_t pattern = 0;
-    findOcclusion(scene, {&place, 1}, {&pattern, 1}, {&open, 1}, counts);
+    findOcclusion(scene, {&place, 1}, {{0}}, {&open, 1}, counts);
     return open;
 }
 
@@ -217,6 +218,32 @@ void BlockingTest::whatIsCutAwayCastsNoShadow() {
     findBlocked(LightScene(model, {}, scenes::viewer()), rays, 100, whole);
     findBlocked(LightScene(model, {}, scenes::viewer(), {&below, 1}), std::span(rays).first(1), 100, cut);
     QVERIFY(whole[0] == 1 && whole[1] == 1 && cut[0] == 0);
+}
+
+void BlockingTest::neighboursShareAllDirections() {
+    // Any 4 x 4 pixels of an image, and any eight places in a row that are no neighbours, look into the same set.
+    const auto directions = [](const Looks& looks, std::span<const std::size_t> places) {
+        std::set<std::pair<float, float>> out;
+        for (const std::size_t i : places)
+            for (int j = 0; j < 3 * looks.factor; ++j) {
+                const UnitPlace place = unitPlace(looks.pattern[i], j, 3 * looks.factor);
+                out.insert({place.u, place.v});
+            }
+        return out;
+    };
+    const Looks image = looksOf({{}, {}, 21}, 0, 21 * 9), apart = looksOf({{}, {}, 0}, 64, 32);
+    std::set<std::pair<float, float>> all;
+    for (const std::size_t corner : {0u, 5u, 21u * 3 + 10, 21u * 5 + 17}) {
+        std::vector<std::size_t> square, row;
+        for (std::size_t k = 0; k < 16; ++k)
+            square.push_back(corner + k / 4 * 21 + k % 4);
+        for (std::size_t k = 0; k < 8; ++k)
+            row.push_back(corner % 24 + k);
+        const auto found = directions(image, square);
+        QCOMPARE(found.size(), std::size_t(16 * 3));
+        QVERIFY(found == directions(apart, row) && (all.empty() || found == all));
+        all = found;
+    }
 }
 
 void BlockingTest::placesBesideTheSurfaceAreMovedOntoIt() {
