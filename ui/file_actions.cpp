@@ -211,6 +211,7 @@ void FileActions::writeImage(const fs::path& path, const ImageChoice& choice) {
     options.style.transparent = choice.transparent;
     options.smooth = options.smoothRays = choice.smooth;
     options.rayCast = choice.rayCast;
+    options.lighting = m_settings.truth.lighting;
     options.sections = m_controller.cuts().section;
     const auto work = [=](const surface::Surface& surface, const base::Progress& progress) {
         render::PictureStats stats;

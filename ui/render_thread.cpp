@@ -59,7 +59,8 @@ static bool samePlace(const Frame& a, const Frame& b) {
 }
 
 static render::TrueView::Subject subject(const Frame& frame) {
-    return {frame.truth->surface, frame.camera, frame.options.shading, frame.truth->quality, frame.truth->measured};
+    return {frame.truth->surface, frame.camera,          frame.options,
+            frame.truth->quality, frame.truth->lighting, frame.truth->measured};
 }
 
 QImage RenderThread::picture() const {
@@ -114,6 +115,16 @@ void RenderThread::refine(const Frame& frame) {
     progress.cancel = &m_interrupt;
     const auto start = Clock::now();
     const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
+    Refinement reached;
+    progress.report = [&, told = 0.0](double share, std::string_view) mutable {
+        constexpr double patience = 0.2;
+        if (reached.quality == 0 || reached.quality > frame.truth->quality || seconds() < told + patience)
+            return; // levels tell themselves
+        told = seconds();
+        Result result;
+        result.refinement = Refinement{reached.quality, false, told, share};
+        m_deliver(std::move(result));
+    };
     const auto show = [&](const render::TrueView::Level& level) {
         progress.step(0, {});
         m_renderer->showOver(level.layer);
@@ -122,8 +133,8 @@ void RenderThread::refine(const Frame& frame) {
         result.input = frame.input;
         result.picture = picture();
         result.seconds = seconds();
-        result.refinement =
-            Refinement{level.quality, level.complete && level.quality <= frame.truth->quality, seconds()};
+        reached = {level.quality, level.complete, seconds()};
+        result.refinement = reached;
         m_deliver(std::move(result));
     };
     try {

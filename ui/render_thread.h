@@ -28,7 +28,7 @@ class RenderThread {
 
     struct Result {
         std::uint64_t input = 0;              ///< of the frame
-        QImage picture;                       ///< RGB32, of the size asked for
+        QImage picture;                       ///< RGB32, of the size asked for; null: only `refinement` is news
         double seconds = 0;                   ///< that the renderer took
         float detailPx = 0;                   ///< that it was drawn with
         bool reduced = false;                 ///< drawn at half resolution and enlarged

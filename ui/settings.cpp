@@ -64,6 +64,12 @@ static render::Shading rowValue(const render::ShadingRow& row) {
 static render::Backdrop rowValue(const render::BackdropRow& row) {
     return row.backdrop;
 }
+static raycast::Material rowValue(const raycast::MaterialRow& row) {
+    return row.material;
+}
+static raycast::LightRig rowValue(const raycast::LightRigRow& row) {
+    return row.rig;
+}
 static sculpt::StrokeMethod rowValue(const sculpt::MethodRow& row) {
     return row.method;
 }
@@ -170,6 +176,12 @@ static void readTableRows(const QSettings& store, Settings& out) {
     out.grid = store.value("view/grid", out.grid).toBool();
     out.truth.on = store.value("view/trueSurface", out.truth.on).toBool();
     readNumber(store, "view/trueQuality", TruthSettings::minQuality, TruthSettings::maxQuality, out.truth.quality);
+    raycast::Lighting& lighting = out.truth.lighting;
+    readRow(store, "view/material", raycast::materialTable(), lighting.material);
+    readRow(store, "view/lights", raycast::lightRigTable(), lighting.rig);
+    lighting.shadows = store.value("view/shadows", lighting.shadows).toBool();
+    lighting.occlusion = store.value("view/occlusion", lighting.occlusion).toBool();
+    lighting.ground = store.value("view/shadowGround", lighting.ground).toBool();
     const std::string tool = store.value("brush/tool").toString().toStdString();
     if (findTool(tool))
         out.tool = tool;
@@ -270,6 +282,12 @@ void writeSettings(const Settings& settings, QSettings& store) {
     store.setValue("view/grid", settings.grid);
     store.setValue("view/trueSurface", settings.truth.on);
     store.setValue("view/trueQuality", settings.truth.quality);
+    const raycast::Lighting& lighting = settings.truth.lighting;
+    store.setValue("view/material", raycast::materialRow(lighting.material).id);
+    store.setValue("view/lights", raycast::lightRigRow(lighting.rig).id);
+    store.setValue("view/shadows", lighting.shadows);
+    store.setValue("view/occlusion", lighting.occlusion);
+    store.setValue("view/shadowGround", lighting.ground);
     store.setValue("view/navigation", QString::fromStdString(settings.navigation));
     QStringList saved;
     for (const SavedView& view : settings.savedViews)

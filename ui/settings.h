@@ -6,6 +6,7 @@
 // version never stops the program.
 #pragma once
 
+#include "core/raycast/lighting.h"
 #include "core/sculpt/stroke_options.h"
 #include "ui/render/annotations.h"
 #include "ui/render/renderer.h"
@@ -28,7 +29,8 @@ enum class RadiusUnit {
 struct TruthSettings {
     static constexpr double minQuality = 0.25, maxQuality = 8;
     bool on = false;
-    double quality = 1; ///< in pixels (adaptive_cast.h)
+    double quality = 1;         ///< in pixels (adaptive_cast.h)
+    raycast::Lighting lighting; ///< of cast pictures for files, too
     bool operator==(const TruthSettings&) const = default;
 };
 

@@ -73,12 +73,13 @@ void StatusLine::showFrame(double seconds, const QString& renderer) {
 
 void StatusLine::showRefinement(const std::optional<Refinement>& refinement) {
     m_truth->setVisible(refinement.has_value());
-    if (refinement && refinement->quality > 0)
-        m_truth->setText(tr(refinement->complete ? "surface to %1 px, %2" : "surface to %1 px, %2 …")
-                             .arg(refinement->quality, 0, 'g', 2)
-                             .arg(milliseconds(refinement->seconds)));
-    else
-        m_truth->setText(tr("surface …"));
+    if (!refinement || refinement->quality <= 0)
+        return m_truth->setText(tr("surface …"));
+    QString text =
+        tr("surface to %1 px, %2").arg(refinement->quality, 0, 'g', 2).arg(milliseconds(refinement->seconds));
+    if (refinement->light > 0 && !refinement->complete)
+        text += tr(", light %1 %").arg(100 * refinement->light, 0, 'f', 0);
+    m_truth->setText(refinement->complete ? text : text + " …");
 }
 
 void StatusLine::showProgress(double share, const QString& doing) {

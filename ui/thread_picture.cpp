@@ -22,14 +22,16 @@ void ThreadPicture::receive(RenderThread::Result result) {
             m_viewport.troubled(result.trouble);
         return;
     }
+    if (m_viewport.refined)
+        m_viewport.refined(result.refinement);
+    if (result.picture.isNull())
+        return;
     m_picture = std::move(result.picture);
     m_picture.setDevicePixelRatio(m_widget.devicePixelRatioF());
     m_input = result.input;
     m_widget.update();
     if (m_viewport.framePainted && !result.refinement)
         m_viewport.framePainted(result.seconds);
-    if (m_viewport.refined)
-        m_viewport.refined(result.refinement);
 }
 
 bool ThreadPicture::paint(QPainter& painter) const {

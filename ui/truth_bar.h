@@ -1,5 +1,5 @@
-// The bar of the true surface: how accurate its picture is to become. It edits a TruthSettings and says so; it knows
-// no view. Shown while the true surface is.
+// The bar of the true surface: how accurate its picture is to become, and its light. It edits a TruthSettings and says
+// so; it knows no view. Shown while the true surface is.
 #pragma once
 
 #include "ui/settings.h"
@@ -22,6 +22,10 @@ class TruthBar : public QToolBar {
     void edited(const TruthSettings& settings);
 
   private:
+    template <class Row, class Value>
+    void choice(const char* name, const QString& tip, std::span<const Row> rows, Value Row::*member, Value& value);
+    void check(const char* name, const QString& label, const QString& tip, bool& value);
+
     TruthSettings m_settings;
 };
 

@@ -44,7 +44,7 @@ std::optional<TrueSurface> ViewController::truth() const {
     const Snapshot& now = m_editor.snapshot();
     if (!m_settings.truth.on || now.surface.tree().empty())
         return {};
-    TrueSurface out{now.surface, m_settings.truth.quality, nullptr};
+    TrueSurface out{now.surface, m_settings.truth.quality, m_settings.truth.lighting, nullptr};
     const std::optional<render::MeasureRow>& row = render::shadingRow(m_settings.shading).measure;
     if (row && m_scale)
         out.measured =

@@ -2,6 +2,7 @@
 // a viewport only shows frames and calls back.
 #pragma once
 
+#include "core/raycast/lighting.h"
 #include "ui/render/measured_colours.h"
 #include "ui/render/renderer.h"
 
@@ -17,8 +18,9 @@ namespace ui {
 
 /// The surface itself, to be shown instead of splats as soon as rays have found it.
 struct TrueSurface {
-    surface::Surface surface;                         ///< of the frame's model
-    double quality = 1;                               ///< in pixels (adaptive_cast.h)
+    surface::Surface surface; ///< of the frame's model
+    double quality = 1;       ///< in pixels (adaptive_cast.h)
+    raycast::Lighting lighting;
     std::shared_ptr<const render::Measured> measured; ///< what the shading measures, where it does
 };
 
@@ -27,6 +29,7 @@ struct Refinement {
     double quality = 0; ///< reached, in pixels
     bool complete = false;
     double seconds = 0; ///< since the view rests
+    double light = 0;   ///< share of the light found, 0 to 1, once the surface is; it is the last to come
 };
 
 /// One picture asked for.

@@ -17,6 +17,7 @@ class TrueViewTest : public QObject {
     void onlyTheViewThatWasRefinedIsKnown();
     void editForgetsOnlyWhatItTouches();
     void measuredNumbersColourTheSurface();
+    void lightComesLastAndStays();
     void cancelledRefinementGoesOn();
 };
 
@@ -47,7 +48,7 @@ std::vector<TrueView::Level> refined(TrueView& view, const TrueView::Subject& su
 Image castOf(const TrueView::Subject& subject) {
     Image out;
     RenderOptions options;
-    options.shading = subject.shading;
+    options.shading = subject.options.shading;
     RayCounts counts;
     rayCast(subject.surface, subject.camera, options, out, counts, {}, {subject.measured.get(), {}, false});
     return out;
@@ -120,7 +121,7 @@ void TrueViewTest::onlyTheViewThatWasRefinedIsKnown() {
     turned.camera.eye.x += 0.1;
     QVERIFY(!view.known(turned));
     auto other = subject;
-    other.shading = Shading::Normal;
+    other.options.shading = Shading::Normal;
     QVERIFY(!view.known(other));
 }
 
@@ -147,12 +148,33 @@ void TrueViewTest::editForgetsOnlyWhatItTouches() {
 void TrueViewTest::measuredNumbersColourTheSurface() {
     TrueView view;
     auto subject = sphere();
-    subject.shading = Shading::Curvature;
-    const MeasureRow& row = *shadingRow(subject.shading).measure;
+    subject.options.shading = Shading::Curvature;
+    const MeasureRow& row = *shadingRow(subject.options.shading).measure;
     subject.measured =
         std::make_shared<Measured>(Measured{{row.quantity, subject.surface, {}}, fixedScale(row, -2, 2)});
     const auto levels = refined(view, subject);
     QVERIFY(apart(*levels.back().layer, castOf(subject), 24) < 40);
+}
+
+/// Levels before it show no light; after an edit what is lit already is not seen without.
+void TrueViewTest::lightComesLastAndStays() {
+    TrueView view;
+    auto subject = sphere(40000);
+    const auto unlit = refined(view, subject).back().layer;
+    subject.lighting.material = raycast::Material::Clay;
+    subject.lighting.shadows = true;
+    const auto levels = refined(view, subject);
+    QVERIFY(levels.size() >= 2 && !levels[levels.size() - 2].complete && levels.back().complete);
+    const auto lit = levels.back().layer;
+    QVERIFY(levels[levels.size() - 2].layer->pixels == unlit->pixels && lit->pixels != unlit->pixels);
+    subject.surface = surface::Surface(edited(subject.surface.tree()), {});
+    const auto known = view.known(subject);
+    QVERIFY(known && unknown(*known) > 0);
+    for (const TrueView::Level& level : refined(view, subject))
+        if (!level.complete)
+            for (std::size_t i = 0; i < lit->pixels.size(); ++i)
+                if (known->pixels[i].kind != PixelKind::Unknown)
+                    QVERIFY(level.layer->pixels[i] == lit->pixels[i]);
 }
 
 void TrueViewTest::cancelledRefinementGoesOn() {

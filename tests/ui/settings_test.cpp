@@ -61,7 +61,7 @@ static Settings unusual() {
     out.effects = render::Outline | render::Occlusion;
     out.annotated = render::ScaleBar;
     out.grid = true;
-    out.truth = {true, 2.5};
+    out.truth = {true, 2.5, {raycast::Material::Glass, raycast::LightRig::Sun, {}, true, true, true}};
     out.recentFiles = {"/a/b c.ply", "/ü.xyz"};
     out.geometry = QByteArray("\0\1\2geometry", 11);
     out.windowState = "state";

@@ -1,5 +1,6 @@
 #include "ui/render/true_view.h"
 
+#include "ui/render/lit_layer.h"
 #include "ui/render/measured_hits.h"
 #include "ui/render/raycast_image.h"
 #include "ui/render/tile_mask.h"
@@ -9,8 +10,9 @@ namespace render {
 /// Do both show the same, their versions apart?
 static bool sameLook(const TrueView::Subject& a, const TrueView::Subject& b) {
     const bool colours = a.measured && b.measured ? a.measured->scale == b.measured->scale : a.measured == b.measured;
-    return a.camera == b.camera && a.shading == b.shading && colours &&
-           a.surface.definition() == b.surface.definition();
+    return a.camera == b.camera && a.options.shading == b.options.shading && colours &&
+           a.surface.definition() == b.surface.definition() && a.lighting == b.lighting &&
+           (!a.lighting.wanted() || a.options.backdrop == b.options.backdrop);
 }
 
 /// Tiles where one of two versions may look otherwise than the other.
@@ -24,22 +26,36 @@ static TileMask touched(const tree::SurfelTree& from, const tree::SurfelTree& to
     return out;
 }
 
+/// Without what lies in some tiles.
+static std::shared_ptr<const ShadedLayer> without(const TileMask& gone, const ShadedLayer& layer) {
+    auto out = std::make_shared<ShadedLayer>(layer);
+    for (const std::uint32_t tile : gone.tiles()) {
+        const int left = static_cast<int>(tile) % gone.columns() * tileWidth;
+        const int top = static_cast<int>(tile) / gone.columns() * tileHeight;
+        for (int y = top; y < std::min(top + tileHeight, out->height); ++y)
+            for (int x = left; x < std::min(left + tileWidth, out->width); ++x)
+                out->row(y)[x] = {};
+    }
+    return out;
+}
+
+/// Where `above` knows a pixel, it is taken.
+static void lay(const ShadedLayer* above, ShadedLayer& layer) {
+    if (above)
+        for (std::size_t i = 0; i < layer.pixels.size(); ++i)
+            if (above->pixels[i].kind != PixelKind::Unknown)
+                layer.pixels[i] = above->pixels[i];
+}
+
 std::shared_ptr<const ShadedLayer> TrueView::known(const Subject& subject) {
     if (!m_layer || !sameLook(subject, m_subject))
         return nullptr;
     if (subject.surface.tree() == m_subject.surface.tree())
         return m_layer;
-    const ViewFrame view(subject.camera);
-    const TileMask gone = touched(m_subject.surface.tree(), subject.surface.tree(), view);
-    auto layer = std::make_shared<ShadedLayer>(*m_layer);
-    for (const std::uint32_t tile : gone.tiles()) {
-        const int left = static_cast<int>(tile) % gone.columns() * tileWidth;
-        const int top = static_cast<int>(tile) / gone.columns() * tileHeight;
-        for (int y = top; y < std::min(top + tileHeight, view.height); ++y)
-            for (int x = left; x < std::min(left + tileWidth, view.width); ++x)
-                layer->row(y)[x] = {};
-    }
-    m_layer = std::move(layer);
+    const TileMask gone = touched(m_subject.surface.tree(), subject.surface.tree(), ViewFrame(subject.camera));
+    m_layer = without(gone, *m_layer);
+    if (m_lit)
+        m_lit = without(gone, *m_lit);
     m_coloured.clear();
     m_subject.surface = subject.surface;
     return m_layer;
@@ -59,19 +75,36 @@ TrueView::Level TrueView::shaded(const raycast::AdaptiveImage& image, const base
                : samples[i].hit.hit                      ? PixelKind::Surface
                                                          : PixelKind::Background;
     };
-    auto layer = std::make_shared<ShadedLayer>(
-        shadeSamples(samples, kind, *m_subject.surface.tree().layout(), m_subject.camera, m_subject.shading));
+    m_unlit =
+        shadeSamples(samples, kind, *m_subject.surface.tree().layout(), m_subject.camera, m_subject.options.shading);
+    auto layer = std::make_shared<ShadedLayer>(m_unlit);
     if (m_layer) // a level never knows less than was shown before
         for (std::size_t i = 0; i < layer->pixels.size(); ++i)
             if (layer->pixels[i].kind == PixelKind::Unknown)
                 layer->pixels[i] = m_layer->pixels[i];
+    lay(m_lit.get(), *layer);
     m_layer = std::move(layer);
-    return {m_layer, image.quality, image.complete};
+    const bool last = image.complete && image.quality <= m_subject.quality;
+    return {m_layer, image.quality, last && !m_subject.lighting.wanted()};
+}
+
+TrueView::Level TrueView::lit(const raycast::AdaptiveImage& image, const base::Progress& progress) {
+    const raycast::ImageRays rays = imageRays(m_subject.camera);
+    const raycast::LightScene scene(m_subject.surface, m_subject.lighting,
+                                    viewerOf(m_subject.camera, m_subject.options), rays.clips);
+    const auto ray = [&](std::size_t i) {
+        return rays.ray(static_cast<int>(i) % rays.width, static_cast<int>(i) / rays.width);
+    };
+    const std::span<const raycast::Sample> samples = m_subject.measured ? m_coloured : image.samples;
+    raycast::LightCounts counts;
+    lightPixels(scene, {samples, ray, rays.width}, m_unlit.pixels, counts, progress);
+    m_lit = m_layer = std::make_shared<ShadedLayer>(std::move(m_unlit));
+    return {m_layer, image.quality, true};
 }
 
 void TrueView::refine(const Subject& subject, const OnLevel& onLevel, const base::Progress& progress) {
     if (!known(subject))
-        m_layer.reset(), m_coloured.clear();
+        m_layer.reset(), m_lit.reset(), m_coloured.clear();
     m_subject = subject;
     if (m_cast)
         m_cast->setSurface(subject.surface);
@@ -79,7 +112,9 @@ void TrueView::refine(const Subject& subject, const OnLevel& onLevel, const base
         m_cast.emplace(subject.surface);
     raycast::CastCounts counts;
     const auto tell = [&](const raycast::AdaptiveImage& image) { onLevel(shaded(image, progress)); };
-    m_cast->cast(imageRays(m_subject.camera), {subject.quality}, counts, tell, progress);
+    const auto image = m_cast->cast(imageRays(m_subject.camera), {subject.quality}, counts, tell, progress);
+    if (subject.lighting.wanted())
+        onLevel(lit(image, progress));
 }
 
 } // namespace render

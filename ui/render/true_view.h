@@ -8,6 +8,7 @@
 #pragma once
 
 #include "core/raycast/adaptive_cast.h"
+#include "core/raycast/lighting.h"
 #include "ui/render/measured_colours.h"
 #include "ui/render/shaded_layer.h"
 
@@ -18,14 +19,15 @@ class TrueView {
     struct Subject {
         surface::Surface surface;
         Camera camera;
-        Shading shading = Shading::Matcap;
+        RenderOptions options;                    ///< shading and backdrop count
         double quality = 1;                       ///< in pixels (adaptive_cast.h)
+        raycast::Lighting lighting;               ///< comes as the last level, where it is wanted
         std::shared_ptr<const Measured> measured; ///< what a shading of numbers asks; else null
     };
     struct Level {
         std::shared_ptr<const ShadedLayer> layer;
         double quality = 0;
-        bool complete = false; ///< no pixel is unknown
+        bool complete = false; ///< the last one
     };
     using OnLevel = std::function<void(const Level&)>;
 
@@ -36,10 +38,13 @@ class TrueView {
 
   private:
     Level shaded(const raycast::AdaptiveImage& image, const base::Progress& progress);
+    Level lit(const raycast::AdaptiveImage& image, const base::Progress& progress);
 
     std::optional<raycast::AdaptiveCast> m_cast;
     Subject m_subject;                          ///< of the layer
     std::shared_ptr<const ShadedLayer> m_layer; ///< the last level, less what edits have touched since
+    std::shared_ptr<const ShadedLayer> m_lit;   ///< the same of the last with light; shown above others without
+    ShadedLayer m_unlit;                        ///< the last level without light
     std::vector<raycast::Sample> m_coloured;    ///< of the last level, where numbers were measured
 };
 
