@@ -14,6 +14,8 @@ std::span<const SubcommandRow> subcommandTable() {
          "pointclay boundary sample:moebius -o rims.obj", addBoundary},
         {"section", "Trace where a plane cuts the surface, into a CSV or OBJ file",
          "pointclay section bunny.ply --plane 0,1,0,0.1 -o section.obj", addSection},
+        {"mesh", "Turn the surface into triangles, in a mesh file",
+         "pointclay mesh bunny.ply -o bunny.stl --method delaunay --check", addMesh},
         {"render", "Draw a model into an image file, without a window",
          "pointclay render bunny.ply -o bunny.png --size 800x600 --mode raycast", addRender},
         {"run", "Execute a session file", "pointclay run session.jsonl --model bunny.ply -o out.ply", addRun},

@@ -1,5 +1,6 @@
 #include "core/mesh/check.h"
 
+#include "core/mesh/self_intersections.h"
 #include "core/process/part_progress.h"
 
 namespace mesh {
@@ -10,8 +11,9 @@ Report check(const Mesh& mesh, const surface::Surface& surface, const base::Prog
     out.topology = topologyOf(mesh.triangles, mesh.positions.size(), mesh.kinds);
     progress.step(0.1, "Checking");
     out.shape = shapeOf(mesh);
-    out.vertices = vertexDeviation(mesh, surface, process::part(progress, 0.2, 0.5));
-    out.faces = faceDeviation(mesh, surface, process::part(progress, 0.5, 1));
+    out.vertices = vertexDeviation(mesh, surface, process::part(progress, 0.2, 0.4));
+    out.faces = faceDeviation(mesh, surface, process::part(progress, 0.4, 0.8));
+    out.selfIntersections = selfIntersections(mesh, process::part(progress, 0.8, 1)).size();
     return out;
 }
 

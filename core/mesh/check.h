@@ -3,6 +3,7 @@
 //     topology.h    manifold, boundary, pieces, sides, genus
 //     shape.h       angles, triangles without area
 //     deviation.h   distances to the surface
+//     self_intersections.h
 #pragma once
 
 #include "core/mesh/deviation.h"
@@ -15,6 +16,7 @@ struct Report {
     Topology topology;
     Shape shape;
     Deviation vertices, faces;
+    std::size_t selfIntersections = 0; ///< pairs of triangles
 };
 
 /// Throws base::Cancelled.

@@ -1,0 +1,164 @@
+// pointclay mesh: the surface as triangles, by marching cubes or by restricted Delaunay triangulation, in a file.
+#include "app/mesh_report.h"
+#include "app/open_model.h"
+#include "app/subcommand.h"
+#include "app/surface_options.h"
+#include "core/io/mesh_formats.h"
+#include "core/io/safe_file.h"
+#include "core/mesh/delaunay.h"
+#include "core/mesh/marching_cubes.h"
+#include "core/process/curve_tube.h"
+#include "core/process/part_progress.h"
+#include "core/process/spacing_sample.h"
+
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+namespace app {
+
+namespace {
+
+struct Options {
+    std::string model, out, method = "marching-cubes", report;
+    mesh::MarchingOptions marching;
+    mesh::DelaunayOptions delaunay;
+    double adaptive = 0;
+    bool check = false, roughRims = false;
+    std::shared_ptr<SurfaceOptions> surface;
+
+    bool isDelaunay() const { return method == "delaunay"; }
+};
+
+void checkUsage(const Options& options, const CLI::App& command) {
+    if (!io::meshFormatOf(options.out))
+        throw UsageError("-o: the file's name must end in one of " + io::meshExtensions());
+    const auto onlyWith = [&](const char* method, std::initializer_list<const char*> names) {
+        for (const char* name : names)
+            if (command.count(name) > 0 && options.method != method)
+                throw UsageError(std::string(name) + " goes with --method " + method);
+    };
+    onlyWith("delaunay", {"--angle", "--size", "--distance", "--rough-rims"});
+    onlyWith("marching-cubes", {"--cell", "--close-folds", "--drop-small"});
+}
+
+mesh::Mesh makeByCubes(const Options& options, const surface::Surface& surface, Console& console,
+                       const base::Progress& progress) {
+    mesh::MarchingReport report;
+    mesh::Mesh out = marchingCubes(surface, options.marching, report, progress);
+    if (report.foldsClosed > 0)
+        console.tell(std::to_string(report.foldsClosed) + " loops at folds were closed.");
+    return out;
+}
+
+mesh::Mesh makeByDelaunay(const Options& options, const surface::Surface& surface, Console& console,
+                          const base::Progress& progress) {
+    mesh::DelaunayReport report;
+    mesh::Mesh out = restrictedDelaunay(surface, options.delaunay, report, progress);
+    const auto tell = [&](std::size_t count, const char* what) {
+        if (count > 0)
+            console.tell(std::to_string(count) + what);
+    };
+    tell(report.unrefined, " triangles break what was asked for: refining them did not help, as at folds.");
+    tell(report.removed, " triangles were left out where more than two met at an edge.");
+    tell(report.uncovered, " points have no triangle near them.");
+    return out;
+}
+
+void judge(const Options& options, const mesh::Mesh& mesh, const surface::Surface& surface,
+           const base::Progress& progress) {
+    const double spacing = double(process::typicalSpacing(surface.tree()));
+    const mesh::Report report = mesh::check(mesh, surface, progress);
+    if (!options.report.empty())
+        io::writeFile(options.report, reportJson(report, spacing).dump(2) + "\n");
+    if (options.check)
+        std::cout << reportTable(report, spacing);
+}
+
+void run(const Options& options, const CLI::App& command, Console& console) {
+    checkUsage(options, command);
+    session::Document document;
+    const base::Progress progress = console.progress();
+    session::Context context{document, {}, progress, {}, 0, {}, nullptr};
+    openModel(context, options.model, options.surface->parameters(), console);
+    const surface::Surface surface = process::shownAs(document.surface(), progress); // a curve's tube
+    const bool judged = options.check || !options.report.empty();
+    const base::Progress making = process::part(progress, 0, judged ? 0.7 : 1);
+    const mesh::Mesh mesh = options.isDelaunay() ? makeByDelaunay(options, surface, console, making)
+                                                 : makeByCubes(options, surface, console, making);
+    io::writeMesh(options.out, mesh, document.provenance().origin, progress);
+    if (judged)
+        judge(options, mesh, surface, process::part(progress, 0.7, 1));
+}
+
+void addDelaunayOptions(CLI::App& command, mesh::DelaunayOptions& options, bool& roughRims) {
+    command.add_option("--angle", options.angle, "smallest angle of a triangle, in degrees")
+        ->check(CLI::Range(0.0, 30.0))
+        ->capture_default_str()
+        ->group("Delaunay");
+    command
+        .add_option("--size", options.size,
+                    "largest radius of the ball through a triangle's corners about a place of the surface, in model "
+                    "units [the median spacing; with --adaptive 8 of them]")
+        ->check(CLI::PositiveNumber)
+        ->group("Delaunay");
+    command
+        .add_option("--distance", options.distance,
+                    "largest distance of a triangle from the surface, in model units [a tenth of the median spacing; "
+                    "with --adaptive its TOLERANCE]")
+        ->check(CLI::PositiveNumber)
+        ->group("Delaunay");
+    command.add_flag("--rough-rims", roughRims, "do not trace rims: the mesh ends somewhat before them, in a zigzag")
+        ->group("Delaunay");
+}
+
+void addMarchingOptions(CLI::App& command, mesh::MarchingOptions& options) {
+    command.add_option("--cell", options.cell, "side of the cubes, in model units [the median spacing]")
+        ->check(CLI::PositiveNumber)
+        ->group("Marching cubes");
+    command
+        .add_flag("--close-folds", options.closeFolds,
+                  "close loops where the surface ends without a rim, as at folds, up to " +
+                      std::to_string(options.longestFold) + " edges")
+        ->group("Marching cubes");
+    command
+        .add_flag("--drop-small", options.dropSmall,
+                  "leave out pieces of fewer than " + std::to_string(options.smallPiece) + " triangles")
+        ->group("Marching cubes");
+}
+
+} // namespace
+
+Action addMesh(CLI::App& command) {
+    auto options = std::make_shared<Options>();
+    command.add_option("MODEL", options->model, modelHelp)->required();
+    std::string formats = "mesh file to write, in file coordinates:";
+    for (const io::MeshFormatRow& row : io::meshFormatTable())
+        formats += std::string(formats.ends_with(':') ? " ." : "; .") + row.id + " with " + row.holds;
+    command.add_option("-o,--output", options->out, formats)->type_name("OUT")->required();
+    command
+        .add_option("--method", options->method,
+                    "marching-cubes: fast, follows a grid; delaunay: triangles of good shape, as few as needed")
+        ->check(CLI::IsMember({"marching-cubes", "delaunay"}))
+        ->capture_default_str();
+    command
+        .add_option("--adaptive", options->adaptive,
+                    "large triangles where the surface is flat: as large as keeps them about this close to it, in "
+                    "model units; --cell is then the smallest cube [all of one size]")
+        ->type_name("TOLERANCE")
+        ->check(CLI::PositiveNumber);
+    addMarchingOptions(command, options->marching);
+    addDelaunayOptions(command, options->delaunay, options->roughRims);
+    command.add_flag(
+        "--check", options->check,
+        "print what the mesh is: pieces, rims, genus, angles, distances to the surface, self-intersections");
+    command.add_option("--report", options->report, "JSON file to write the same to, lengths in model units")
+        ->type_name("OUT.json");
+    options->surface = addSurfaceOptions(command, false);
+    return [options, &command](Console& console) {
+        options->delaunay.snapToRims = !options->roughRims;
+        options->delaunay.adaptive = options->marching.adaptive = options->adaptive;
+        run(*options, command, console);
+    };
+}
+
+} // namespace app

@@ -1,0 +1,15 @@
+// What the validator found, as a table for people and as JSON for scripts (INTERFACES, `mesh --check`, `--report`).
+#pragma once
+
+#include "core/mesh/check.h"
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+namespace app {
+
+/// Lengths in model units and in spacings.
+std::string reportTable(const mesh::Report& report, double spacing);
+nlohmann::json reportJson(const mesh::Report& report, double spacing);
+
+} // namespace app

@@ -1,0 +1,113 @@
+#include "core/mesh/delaunay_finish.h"
+
+#include "core/base/parallel.h"
+#include "core/mesh/classes.h"
+#include "core/mesh/edges.h"
+#include "core/surface/project.h"
+
+#include <map>
+
+namespace mesh {
+
+using base::Vec3d;
+
+namespace {
+
+constexpr std::uint32_t none = ~0u;
+
+double areaOf(const Mesh& mesh, const Triangle& t) {
+    const Vec3d& a = mesh.positions[t[0]];
+    return 0.5 * length(cross(mesh.positions[t[1]] - a, mesh.positions[t[2]] - a));
+}
+
+/// Marks what is too much at edges of three triangles and more; returns how many.
+std::size_t markExcess(const Mesh& mesh, std::vector<bool>& excess) {
+    std::size_t out = 0;
+    forEdges(edgeUses(mesh.triangles), [&](std::span<const EdgeUse> uses) {
+        std::vector<std::pair<double, std::uint32_t>> left;
+        for (const EdgeUse& use : uses)
+            if (!excess[use.face()])
+                left.emplace_back(areaOf(mesh, mesh.triangles[use.face()]), use.face());
+        std::sort(left.begin(), left.end());
+        for (std::size_t i = 0; i + 2 < left.size(); ++i, ++out)
+            excess[left[i].second] = true;
+    });
+    return out;
+}
+
+void splitFans(Mesh& mesh) {
+    Classes fans(3 * mesh.triangles.size());
+    forEdges(edgeUses(mesh.triangles), [&](std::span<const EdgeUse> edge) {
+        if (edge.size() != 2)
+            return;
+        const bool opposed = edge[0].forward == edge[1].forward;
+        fans.unite(edge[0].corner, opposed ? edge[1].corner : edge[1].next());
+        fans.unite(edge[0].next(), opposed ? edge[1].next() : edge[1].corner);
+    });
+    std::vector<std::uint32_t> fanOf(mesh.positions.size(), none);
+    std::map<std::uint32_t, std::uint32_t> fresh; // vertex of a further fan
+    for (std::uint32_t corner = 0; corner < 3 * mesh.triangles.size(); ++corner) {
+        std::uint32_t& v = mesh.triangles[corner / 3][corner % 3];
+        const std::uint32_t fan = fans.of(corner);
+        if (fanOf[v] == none)
+            fanOf[v] = fan;
+        if (fanOf[v] == fan)
+            continue;
+        const auto [at, isNew] = fresh.try_emplace(fan, static_cast<std::uint32_t>(mesh.positions.size()));
+        if (isNew) {
+            mesh.positions.push_back(mesh.positions[v]);
+            mesh.kinds.push_back(mesh.kinds[v]);
+            fanOf.push_back(fan);
+        }
+        v = at->second;
+    }
+}
+
+std::vector<bool> boundaryVertices(const Mesh& mesh) {
+    std::vector<bool> out(mesh.positions.size(), false);
+    forEdges(edgeUses(mesh.triangles), [&](std::span<const EdgeUse> edge) {
+        if (edge.size() == 1)
+            out[edge[0].low] = out[edge[0].high] = true;
+    });
+    return out;
+}
+
+} // namespace
+
+std::size_t makeManifold(Mesh& mesh) {
+    std::vector<bool> excess(mesh.triangles.size(), false);
+    const std::size_t out = markExcess(mesh, excess);
+    std::vector<Triangle> kept;
+    for (std::size_t f = 0; f < mesh.triangles.size(); ++f)
+        if (!excess[f])
+            kept.push_back(mesh.triangles[f]);
+    mesh.triangles = std::move(kept);
+    splitFans(mesh);
+    return out;
+}
+
+void settleVertices(const surface::Surface& surface, Mesh& mesh) {
+    constexpr double most = 0.05; // of h: further is another place
+    constexpr double nearLimit = 0.5;
+    const double limit = double(surface.definition().boundaryLimit);
+    const std::vector<bool> boundary = boundaryVertices(mesh);
+    mesh.normals.resize(mesh.positions.size());
+    base::parallelFor(mesh.positions.size(), 64, [&](std::size_t v) {
+        surface::ProjectOptions how;
+        how.projector = surface::Projector::Basic;
+        how.checkBoundary = false;
+        const auto found = projectReference(surface, mesh.positions[v], how); // no hint, as rays have none
+        const bool near = found.ok() && distance(found.foot, mesh.positions[v]) <= most * found.at.unit;
+        if (near && mesh.kinds[v] != VertexKind::Limit)
+            mesh.positions[v] = found.foot;
+        const surface::Evaluationd e = surface.evaluateReference(mesh.positions[v], surface::Need::Gradient);
+        const bool usable = e.ok() || e.status == surface::Status::BeyondBoundary;
+        mesh.normals[v] = usable ? base::cast<float>(base::normalized(e.gradient)) : base::Vec3f{};
+        if (boundary[v] && mesh.kinds[v] == VertexKind::Inner)
+            mesh.kinds[v] = usable && e.offCentre > nearLimit * limit * e.unit ? VertexKind::Limit : VertexKind::Fold;
+        else if (!boundary[v])
+            mesh.kinds[v] = VertexKind::Inner;
+    });
+}
+
+} // namespace mesh

@@ -1,0 +1,19 @@
+// Triangles of a mesh that run through each other, decided exactly; CGAL's boxes and predicates stay behind this
+// header.
+//
+// Two triangles meet properly where they share nothing but the vertices and the edge that they have in common. What
+// else they share counts, touching included. Triangles without area are left out.
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/mesh/mesh.h"
+
+#include <utility>
+
+namespace mesh {
+
+/// Pairs of triangles, each with the smaller number first, in ascending order. Throws base::Cancelled.
+std::vector<std::pair<std::uint32_t, std::uint32_t>> selfIntersections(const Mesh& mesh,
+                                                                       const base::Progress& progress = {});
+
+} // namespace mesh

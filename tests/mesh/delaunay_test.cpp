@@ -1,0 +1,336 @@
+// Restricted Delaunay triangulation: what it promises of angles and distances, and what is known of shapes that have a
+// name.
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/mesh/check.h"
+#include "core/mesh/delaunay.h"
+#include "core/mesh/delaunay_finish.h"
+#include "core/surface/project.h"
+#include "core/surface/rims.h"
+#include "core/surface/segments.h"
+#include "mesh/meshes.h"
+#include "mesh/models.h"
+#include "support/registry.h"
+
+#include <QtTest>
+
+using base::Vec3d, mesh::DelaunayOptions, mesh::DelaunayReport, mesh::Mesh;
+
+class DelaunayTest : public QObject {
+    Q_OBJECT
+  private Q_SLOTS:
+    void shapesKeepTheirTopology_data();
+    void shapesKeepTheirTopology();
+    void ballsAreEmpty();
+    void sizesFollowCurvature();
+    void rimsAreKept();
+    void everyPieceIsFound();
+    void coloursAreBlended();
+    void threadsDoNotShow();
+    void excessTrianglesAreTakenAway();
+    void segmentsMeetTheSurfaceFromBothEnds();
+    void segmentsThatEndBehindTheSurfaceMeetIt();
+    void cancellingStops();
+    void curvesAreRefused();
+};
+
+namespace {
+
+constexpr double degree = meshes::pi / 180;
+
+double spacingOf(const surface::Surface& surface) {
+    return double(surface.tree().maxSupport()) / 3.5;
+}
+
+Mesh meshOf(const surface::Surface& surface, const DelaunayOptions& options = {}) {
+    DelaunayReport report;
+    return mesh::restrictedDelaunay(surface, options, report);
+}
+
+mesh::Topology topologyOf(const Mesh& m) {
+    return mesh::topologyOf(m.triangles, m.positions.size(), m.kinds);
+}
+
+surface::Surface shape(const std::string& name) {
+    const auto count = static_cast<std::size_t>(test::effort(4000));
+    if (name == "half sphere")
+        return models::halfSphere(count / 2);
+    if (name == "cube")
+        return models::cube(14);
+    if (name == "double torus")
+        return models::doubleTorus(0.12);
+    if (name == "touching spheres")
+        return models::touchingSpheres(600);
+    if (name == "plane")
+        return shapes::surfaceOf(shapes::plane(15, 0.1, 0.35), shapes::bounded(0.3f));
+    return models::sampled(name.c_str(), name == "sphere" ? 1500 : count);
+}
+
+} // namespace
+
+void DelaunayTest::shapesKeepTheirTopology_data() {
+    QTest::addColumn<int>("euler");
+    QTest::addColumn<int>("loops");
+    QTest::addColumn<bool>("orientable");
+    QTest::addRow("sphere") << 2 << 0 << true;
+    QTest::addRow("torus") << 0 << 0 << true;
+    QTest::addRow("knot") << 0 << 0 << true;
+    QTest::addRow("double torus") << -2 << 0 << true;
+    QTest::addRow("cube") << 2 << 0 << true;
+    QTest::addRow("moebius") << 0 << 1 << false;
+    QTest::addRow("half sphere") << 1 << 1 << true;
+    QTest::addRow("plane") << 1 << 1 << true;
+}
+
+void DelaunayTest::shapesKeepTheirTopology() {
+    QFETCH(int, euler);
+    QFETCH(int, loops);
+    QFETCH(bool, orientable);
+    const surface::Surface surface = shape(QTest::currentDataTag());
+    DelaunayOptions options;
+    options.size = 1.5 * spacingOf(surface);
+    options.distance = 0.2 * spacingOf(surface);
+    DelaunayReport found;
+    const Mesh mesh = mesh::restrictedDelaunay(surface, options, found);
+    const mesh::Report report = mesh::check(mesh, surface);
+    QVERIFY(report.topology.manifold());
+    QCOMPARE(report.topology.components, std::size_t(1));
+    QCOMPARE(report.topology.euler(), euler);
+    QCOMPARE(report.topology.boundaryLoops, std::size_t(loops));
+    QCOMPARE(report.topology.foldLoops, std::size_t(0));
+    QCOMPARE(report.topology.orientable, orientable);
+    QCOMPARE(report.topology.opposedEdges == 0, orientable);
+    QCOMPARE(report.topology.unused, std::size_t(0));
+    QVERIFY2(report.shape.leastAngle >= 25 * degree, QByteArray::number(report.shape.leastAngle / degree));
+    QVERIFY2(report.faces.max <= options.distance, QByteArray::number(report.faces.max / options.distance));
+    QVERIFY2(report.vertices.max <= 1e-6 * spacingOf(surface), QByteArray::number(report.vertices.max));
+    QCOMPARE(report.faces.lost + report.vertices.lost + report.selfIntersections, std::size_t(0));
+    QCOMPARE(found.uncovered + found.unrefined + found.removed, std::size_t(0));
+    QCOMPARE(found.rims, std::size_t(loops));
+    // Normals are gradients and agree with the triangles.
+    for (const mesh::Triangle& t : mesh.triangles) {
+        const Vec3d across =
+            cross(mesh.positions[t[1]] - mesh.positions[t[0]], mesh.positions[t[2]] - mesh.positions[t[0]]);
+        for (const std::uint32_t v : t)
+            QVERIFY(!orientable || dot(across, base::cast<double>(mesh.normals[v])) > 0);
+    }
+}
+
+/// The definition by brute force: the surface meets the axis of every triangle in the centre of a ball with no vertex
+/// inside.
+void DelaunayTest::ballsAreEmpty() {
+    const surface::Surface surface = models::sampled("torus", 2500);
+    const double s = spacingOf(surface);
+    DelaunayOptions options;
+    options.size = 2 * s;
+    const Mesh mesh = meshOf(surface, options);
+    const surface::SegmentCaster caster(surface);
+    for (const mesh::Triangle& t : mesh.triangles) {
+        const Vec3d a = mesh.positions[t[0]], u = mesh.positions[t[1]] - a, v = mesh.positions[t[2]] - a;
+        const Vec3d across = cross(u, v);
+        const Vec3d middle =
+            a + (cross(across, u) * lengthSq(v) + cross(v, across) * lengthSq(u)) / (2 * lengthSq(across));
+        const Vec3d along = base::normalized(across) * s;
+        const auto centre = caster.meet(middle - along, middle + along);
+        QVERIFY(centre);
+        const double radius = distance(*centre, a);
+        QVERIFY2(radius <= options.size * (1 + 1e-5), QByteArray::number(radius / options.size));
+        for (const Vec3d& p : mesh.positions)
+            QVERIFY(distance(p, *centre) >= radius * (1 - 1e-5));
+    }
+}
+
+void DelaunayTest::sizesFollowCurvature() {
+    const surface::Surface surface = models::cube(14);
+    const double s = 2.0 / 14;
+    DelaunayOptions options;
+    options.adaptive = 0.05 * s;
+    const Mesh mesh = meshOf(surface, options);
+    double flat = 0, round = 0; // longest edges amid the sides of the cube, and at its edges
+    for (const mesh::Triangle& t : mesh.triangles) {
+        const Vec3d a = mesh.positions[t[0]], b = mesh.positions[t[1]];
+        const auto inside = [](const Vec3d& p) {
+            double x[3] = {std::abs(p.x), std::abs(p.y), std::abs(p.z)};
+            std::sort(x, x + 3);
+            return 1 - x[1];
+        };
+        if (std::min(inside(a), inside(b)) > 0.3)
+            flat = std::max(flat, distance(a, b));
+        else if (std::max(inside(a), inside(b)) < 0.05)
+            round = std::max(round, distance(a, b));
+    }
+    const mesh::Report report = mesh::check(mesh, surface);
+    QVERIFY2(report.faces.max <= options.adaptive, QByteArray::number(report.faces.max / options.adaptive));
+    QCOMPARE(report.topology.euler(), 2LL);
+    QVERIFY2(flat > 2 * round, QByteArray::number(flat / s) + ' ' + QByteArray::number(round / s));
+    DelaunayOptions even;
+    even.distance = options.adaptive;
+    even.size = 0.5 * s;
+    QVERIFY(mesh.triangles.size() < meshOf(surface, even).triangles.size());
+}
+
+/// Every edge of the boundary has both ends on the rim, to rounding, and is short.
+void DelaunayTest::rimsAreKept() {
+    const surface::Surface surface = models::halfSphere(3000);
+    const double s = spacingOf(surface);
+    DelaunayOptions options;
+    options.size = 1.5 * s;
+    const Mesh mesh = meshOf(surface, options);
+    std::size_t limits = 0;
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+        QVERIFY(mesh.kinds[v] != mesh::VertexKind::Fold);
+        if (mesh.kinds[v] != mesh::VertexKind::Limit)
+            continue;
+        ++limits;
+        const surface::Evaluationd e = surface.evaluateReference(mesh.positions[v]);
+        QVERIFY(std::abs(e.offCentre - double(surface.definition().boundaryLimit) * e.unit) < 1e-9);
+    }
+    const auto rims = findRims(surface);
+    QCOMPARE(rims.size(), std::size_t(1));
+    QVERIFY(double(limits) > rims[0].length() / (2 * options.size));
+    options.snapToRims = false;
+    DelaunayReport rough;
+    const Mesh other = mesh::restrictedDelaunay(surface, options, rough);
+    QCOMPARE(rough.rims, std::size_t(0));
+    QCOMPARE(topologyOf(other).boundaryLoops, std::size_t(1));
+    QVERIFY(mesh::shapeOf(other).area < mesh::shapeOf(mesh).area);
+}
+
+void DelaunayTest::everyPieceIsFound() {
+    surfel::SurfelList all;
+    all.layout = shapes::layout(true, true);
+    for (int i = 0; i < 4; ++i) {
+        const double radius = 1 / std::pow(3.0, i);
+        surfel::SurfelList one = shapes::sphere(300, radius, 3.5 * shapes::sphereSpacing(300, radius));
+        for (surfel::Surfel& s : one.items) {
+            s.position.x += static_cast<float>(3 * i);
+            all.items.push_back(s);
+        }
+    }
+    const surface::Surface surface = shapes::surfaceOf(all);
+    // A size that the smaller ones do not reach: their initial points alone are no triangles.
+    DelaunayOptions options;
+    options.size = 0.2;
+    options.distance = 0.01;
+    DelaunayReport report;
+    const mesh::Topology t = topologyOf(mesh::restrictedDelaunay(surface, options, report));
+    QCOMPARE(t.components, std::size_t(4));
+    QCOMPARE(t.euler(), 8LL);
+    QCOMPARE(report.uncovered, std::size_t(0));
+    // Spheres that touch are whole, together or apart.
+    const mesh::Topology both = topologyOf(meshOf(shape("touching spheres")));
+    QVERIFY(both.manifold());
+    QVERIFY(both.components == 1 || both.components == 2);
+}
+
+void DelaunayTest::coloursAreBlended() {
+    surfel::SurfelList list = shapes::sphere(1000, 1, 3.5 * shapes::sphereSpacing(1000, 1));
+    auto layout = std::make_shared<surfel::AttributeLayout>(*list.layout);
+    layout->colours = layout->masks = true;
+    list.layout = layout;
+    for (surfel::Surfel& s : list.items) {
+        s.colour = surfel::rgba(static_cast<unsigned>(127 + 120 * s.position.z), 10, 20, 30);
+        s.mask = 0.5f + 0.4f * s.position.x;
+    }
+    const Mesh mesh = meshOf(shapes::surfaceOf(list));
+    QCOMPARE(mesh.colours.size(), mesh.positions.size());
+    QCOMPARE(mesh.masks.size(), mesh.positions.size());
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+        QVERIFY(std::abs(double(mesh.colours[v] & 0xff) - (127 + 120 * mesh.positions[v].z)) < 8);
+        QCOMPARE(mesh.colours[v] >> 8, surfel::rgba(0, 10, 20, 30) >> 8);
+        QVERIFY(std::abs(double(mesh.masks[v]) - (0.5 + 0.4 * mesh.positions[v].x)) < 0.03);
+    }
+}
+
+void DelaunayTest::threadsDoNotShow() {
+    const surface::Surface surface = models::halfSphere(1500);
+    base::setThreadCount(1);
+    const Mesh one = meshOf(surface);
+    base::setThreadCount(0);
+    const Mesh all = meshOf(surface);
+    QVERIFY(one.positions == all.positions && one.triangles == all.triangles && one.normals == all.normals);
+}
+
+void DelaunayTest::excessTrianglesAreTakenAway() {
+    Mesh m = meshes::together(meshes::tetrahedron(), meshes::tetrahedron({5, 0, 0}));
+    m = meshes::joined(meshes::joined(m, 4, 0), 5, 1);
+    m.kinds.assign(m.positions.size(), mesh::VertexKind::Inner);
+    const std::size_t removed = mesh::makeManifold(m);
+    QCOMPARE(removed, std::size_t(2));
+    QVERIFY(topologyOf(m).manifold());
+    Mesh pinched = meshes::joined(meshes::together(meshes::tetrahedron(), meshes::tetrahedron({5, 0, 0})), 6, 2);
+    pinched.kinds.assign(pinched.positions.size(), mesh::VertexKind::Inner);
+    QCOMPARE(mesh::makeManifold(pinched), std::size_t(0));
+    QCOMPARE(topologyOf(pinched).components, std::size_t(2));
+    QCOMPARE(topologyOf(pinched).euler(), 4LL);
+}
+
+/// The caster against intersections of rays in float64, and against itself from the other end.
+void DelaunayTest::segmentsMeetTheSurfaceFromBothEnds() {
+    const unsigned long long seed = test::seed();
+    base::Random random(seed);
+    const surface::Surface surface = models::sampled("torus", 3000);
+    const surface::SegmentCaster caster(surface);
+    const double s = spacingOf(surface);
+    int hits = 0;
+    for (int i = 0; i < test::effort(600); ++i) {
+        const Vec3d a = random.unitVector() * random.uniform(0, 1.5);
+        const Vec3d b =
+            random.below(2) == 0 ? random.unitVector() * 40 : a + random.unitVector() * random.uniform(0, 6 * s);
+        const auto there = caster.meet(a, b), back = caster.meet(b, a);
+        const QByteArray where = QByteArray("seed ") + QByteArray::number(seed) + " segment " + QByteArray::number(i);
+        QVERIFY2(there == back, where);
+        const double length = distance(a, b);
+        const auto all = intersectAllReference(surface, {a, (b - a) / length});
+        double nearest = std::numeric_limits<double>::infinity();
+        std::size_t sure = 0; // hits on the segment that rounding does not make doubtful
+        for (const auto& hit : all) {
+            nearest = std::min(nearest, there ? distance(hit.position, *there) : 0);
+            sure += hit.t < length - 1e-3 * s && hit.t > 1e-3 * s && dot(hit.normal, (a - b) / length) > 0.2;
+        }
+        if (there) {
+            ++hits;
+            QVERIFY2(nearest < 1e-3 * s, where + ' ' + QByteArray::number(nearest / s));
+        } else {
+            QVERIFY2(sure == 0, where);
+        }
+    }
+    QVERIFY(hits > test::effort(600) / 10);
+}
+
+/// However little behind: the duals of triangles whose corners lie on one circle end so.
+void DelaunayTest::segmentsThatEndBehindTheSurfaceMeetIt() {
+    const unsigned long long seed = test::seed();
+    base::Random random(seed);
+    const surface::Surface surface = models::sampled("torus", 3000);
+    const surface::SegmentCaster caster(surface);
+    const double s = spacingOf(surface);
+    const surfel::SurfelList surfels = surface.tree().surfels();
+    for (int i = 0; i < test::effort(600); ++i) {
+        const auto foot =
+            projectReference(surface, base::cast<double>(surfels.items[random.below(surfels.size())].position));
+        const Vec3d along = base::normalized(foot.at.gradient + random.unitVector() * 0.5);
+        const double side = random.below(2) == 0 ? 1 : -1, deep = s * std::pow(10, random.uniform(-9, -1));
+        const double far = s * random.uniform(0.1, 5); // 5 spacings are outside all supports
+        const auto hit = caster.meet(foot.foot - along * (side * deep), foot.foot + along * (side * far));
+        const QByteArray where = QByteArray("seed ") + QByteArray::number(seed) + " segment " + QByteArray::number(i);
+        QVERIFY2(hit, where);
+        QVERIFY2(distance(*hit, foot.foot) < 1e-4 * s, where);
+    }
+}
+
+void DelaunayTest::cancellingStops() {
+    const std::atomic<bool> stop{true};
+    base::Progress progress;
+    progress.cancel = &stop;
+    DelaunayReport report;
+    QVERIFY_EXCEPTION_THROWN(mesh::restrictedDelaunay(shape("sphere"), {}, report, progress), base::Cancelled);
+}
+
+void DelaunayTest::curvesAreRefused() {
+    DelaunayReport report;
+    QVERIFY_EXCEPTION_THROWN(mesh::restrictedDelaunay({}, {}, report), base::Error);
+}
+
+static const test::Registered<DelaunayTest> registered;
+#include "delaunay_test.moc"
