@@ -18,6 +18,19 @@ Place corner(const Place& p, int which) {
     return {p.x + (which & 1), p.y + (which >> 1 & 1), p.z + (which >> 2)};
 }
 
+/// fn(crossing) for the edges of one of the grid's own cubes. `nodes` tells their ranks.
+template <class Ranks, class Fn>
+void forCrossings(const SurfaceGrid& grid, const Ranks& nodes, const Place& p, const Fn& fn) {
+    for (int which = 0; which < 8; ++which) {
+        const std::uint32_t node = nodes.rank(corner(p, which));
+        if (node == noRank)
+            return;
+        for (int axis = 0; axis < 3; ++axis)
+            if (!(which >> axis & 1) && grid.crossingOf(node, axis) < SurfaceGrid::none)
+                fn(grid.crossings()[grid.crossingOf(node, axis)]);
+    }
+}
+
 template <class Fn>
 void forAll(const SparseSet& set, const Fn& fn) {
     base::parallelFor(set.bricks().size(), 16,
@@ -54,32 +67,14 @@ CubeTree::CubeTree(const SurfaceGrid& grid, std::span<const LooseEnd> loose, dou
 void CubeTree::findActive(std::span<const LooseEnd> loose) {
     const SparseSet& nodes = m_grid.nodes();
     std::vector<std::uint8_t> any(nodes.size());
-    const auto forEdges = [&](const Neighbourhood& around, const Place& p, const auto& fn) {
-        for (int which = 0; which < 8; ++which) {
-            const std::uint32_t node = around.rank(corner(p, which));
-            if (node == noRank)
-                return;
-            for (int axis = 0; axis < 3; ++axis)
-                if (!(which >> axis & 1) && m_grid.crossingOf(node, axis) < SurfaceGrid::none)
-                    fn(m_grid.crossings()[m_grid.crossingOf(node, axis)]);
-        }
-    };
     base::parallelFor(nodes.bricks().size(), 16, [&](std::size_t b) {
         const Neighbourhood around(nodes, static_cast<std::uint32_t>(b));
         nodes.forPlaces(static_cast<std::uint32_t>(b), [&](const Place& p, std::uint32_t rank) {
-            forEdges(around, p, [&](const Crossing&) { any[rank] = 1; });
+            forCrossings(m_grid, around, p, [&](const Crossing&) { any[rank] = 1; });
         });
     });
     Level& finest = m_levels.emplace_back();
     finest.active = chosen(nodes, any);
-    finest.moments.resize(finest.active.size());
-    base::parallelFor(nodes.bricks().size(), 16, [&](std::size_t b) {
-        const Neighbourhood around(nodes, static_cast<std::uint32_t>(b));
-        nodes.forPlaces(static_cast<std::uint32_t>(b), [&](const Place& p, std::uint32_t node) {
-            if (any[node])
-                forEdges(around, p, [&](const Crossing& c) { finest.moments[finest.active.rank(p)].add(c); });
-        });
-    });
     std::vector<std::uint8_t> free(finest.active.size(), 1);
     for (const LooseEnd& end : loose)
         for (const Place& beside : {end.face.place, end.face.place.next(end.axis, -1)})
@@ -100,8 +95,13 @@ void CubeTree::addLevel(int level) {
     forAll(next.active, [&](const Place& p, std::uint32_t rank) {
         const Place lowest = scaled(p, 1);
         for (int which = 0; which < 8; ++which)
-            if (const std::uint32_t child = finer.active.rank(corner(lowest, which)); child != noRank)
-                next.moments[rank].add(finer.moments[child]);
+            if (const std::uint32_t child = finer.active.rank(corner(lowest, which)); child != noRank) {
+                if (level > 1)
+                    next.moments[rank].add(finer.moments[child]);
+                else // those of the grid's own cubes would take more memory than all else
+                    forCrossings(m_grid, m_grid.nodes(), corner(lowest, which),
+                                 [&](const Crossing& c) { next.moments[rank].add(c); });
+            }
         joined[rank] = joins(p, level, next.moments[rank]) ? 1 : 0;
     });
     next.joined = chosen(next.active, joined);

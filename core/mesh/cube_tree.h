@@ -35,9 +35,9 @@ class CubeTree {
 
   private:
     struct Level {
-        SparseSet active; ///< cubes that the surface passes through
-        SparseSet joined; ///< of them those that may be one
-        std::vector<CrossingMoments> moments;
+        SparseSet active;                     ///< cubes that the surface passes through
+        SparseSet joined;                     ///< of them those that may be one
+        std::vector<CrossingMoments> moments; ///< of active cubes; not of the grid's own
     };
     bool joins(const Place& place, int level, const CrossingMoments& moments) const;
     bool oneCrossingPerEdge(const Place& place, int level) const;
