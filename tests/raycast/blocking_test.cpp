@@ -173,7 +173,7 @@ void BlockingTest::anyHitAgreesWithFirstHit() {
             QCOMPARE(any[i] != 0, intersectAny(scene.surface, rays[i], options));
         }
         QVERIFY2(
-            hits > rays.size() / 100 && apart * 1000 <= rays.size(),
+            hits > rays.size() / 400 && apart * 1000 <= rays.size(),
             qPrintable(
                 QString("%1 of %2 differ, %4 hits, seed %3").arg(apart).arg(rays.size()).arg(test::seed()).arg(hits)));
     }
