@@ -18,7 +18,6 @@ namespace {
 
 struct Options {
     std::string model, image, depth, stats, mode = "splats";
-    double quality = 0;
     std::shared_ptr<ViewOptions> view;
     render::PictureOptions picture;
     std::shared_ptr<LookOptions> look;
@@ -98,9 +97,10 @@ Action addRender(CLI::App& command) {
     command.add_flag("--section", options->picture.sections,
                      "draw the curves where the planes of --clip meet the surface");
     command
-        .add_option("--quality", options->quality,
-                    "largest error of outlines in pixels with --mode raycast; every pixel has its own ray, which meets "
-                    "any bound")
+        .add_option(
+            "--quality", options->picture.quality,
+            "with --mode raycast: 1 interpolates between rays where normals stay within 2 degrees and depths "
+            "within 0.2 spacings, outlines exact to the pixel; 2 within twice that; 0 casts a ray for every pixel")
         ->type_name("PX")
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();

@@ -52,5 +52,6 @@ std::vector<Workload> splatWorkloads();
 std::vector<Workload> displayWorkloads();
 std::vector<Workload> fileWorkloads();
 std::vector<Workload> meshWorkloads();
+std::vector<Workload> castWorkloads();
 
 } // namespace bench

@@ -8,8 +8,8 @@ namespace bench {
 const std::vector<Workload>& workloadTable() {
     static const std::vector<Workload> table = [] {
         std::vector<Workload> all;
-        for (auto* rows : {treeWorkloads, surfaceWorkloads, rayWorkloads, lightWorkloads, dabWorkloads, splatWorkloads,
-                           displayWorkloads, fileWorkloads, meshWorkloads})
+        for (auto* rows : {treeWorkloads, surfaceWorkloads, rayWorkloads, lightWorkloads, castWorkloads, dabWorkloads,
+                           splatWorkloads, displayWorkloads, fileWorkloads, meshWorkloads})
             std::ranges::move(rows(), std::back_inserter(all));
         return all;
     }();

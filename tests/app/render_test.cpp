@@ -16,6 +16,7 @@ class RenderTest : public QObject {
     void depthIsTheDistanceToTheSphere_data();
     void depthIsTheDistanceToTheSphere();
     void statsHaveTheContractsKeys();
+    void qualitySavesRays();
     void theDefaultViewShowsTheWholeModel();
 };
 
@@ -96,6 +97,21 @@ void RenderTest::statsHaveTheContractsKeys() {
         QCOMPARE(stats.at("rays").get<int>() > 0, rays);
         QCOMPARE(stats.at("evaluations").get<int>() > 0, rays);
     }
+}
+
+void RenderTest::qualitySavesRays() {
+    const Program program;
+    const auto render = [&](const char* quality, const char* turntable) {
+        const auto outcome =
+            program.run({"render", "sample:torus:20000", "-o", "a.png", "--mode", "raycast", "--size", "240x180",
+                         "--stats", "a.json", "--quality", quality, "--turntable", turntable});
+        return outcome.code == 0 ? json::parse(program.read("a.json")).at("rays").get<int>() : 0;
+    };
+    const int one = render("1", "1");
+    QCOMPARE(render("0", "1"), 240 * 180);
+    QVERIFY(one > 0 && one * 4 < 240 * 180);
+    // The torus looks nearly the same from all around, but each picture is asked for anew.
+    QVERIFY(render("1", "36") < 36 * one * 2 / 3);
 }
 
 void RenderTest::theDefaultViewShowsTheWholeModel() {

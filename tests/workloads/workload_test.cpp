@@ -29,10 +29,26 @@ void WorkloadTest::theContractsNamesAreThere() {
         QCOMPARE(workload.baseline.empty(), !workload.naive);
         QCOMPARE(bench::findWorkload(workload.name), &workload);
     }
-    for (const char* name : {"build", "evaluate", "evaluate-scattered", "project-basic", "project-almost",
-                             "project-orthogonal", "rays-camera", "rays-random", "curvature", "edit", "undo",
-                             "dab-draw-10k-resampled", "splat-cpu", "splat-cpu-moving", "splat-osmesa",
-                             "splat-osmesa-moving", "splat-cpu-edit", "splat-osmesa-upload", "load-ply"})
+    for (const char* name : {"build",
+                             "evaluate",
+                             "evaluate-scattered",
+                             "project-basic",
+                             "project-almost",
+                             "project-orthogonal",
+                             "rays-camera",
+                             "rays-random",
+                             "curvature",
+                             "edit",
+                             "undo",
+                             "dab-draw-10k-resampled",
+                             "splat-cpu",
+                             "splat-cpu-moving",
+                             "splat-osmesa",
+                             "splat-osmesa-moving",
+                             "splat-cpu-edit",
+                             "splat-osmesa-upload",
+                             "raycast-adaptive",
+                             "load-ply"})
         QVERIFY2(names.contains(name), name);
     QVERIFY(names.contains("mesh-marching-cubes"));
     QVERIFY(names.contains("rays-shadow") && names.contains("rays-occlusion"));
@@ -58,7 +74,7 @@ void WorkloadTest::everyRunDoesItsItems() {
             const bench::Run run = make(scene);
             QVERIFY(run);
             const std::size_t items = run();
-            const bool many = workload.item == "ray" || workload.item == "triangle";
+            const bool many = workload.item == "ray" || workload.item == "triangle" || workload.item == "pixel";
             QVERIFY(items > 0 && (many || items <= scene.size()));
             const int again = many || name.startsWith("splat") ? 1 : 40;
             for (int i = 0; i < again; ++i)

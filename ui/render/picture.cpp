@@ -29,6 +29,7 @@ struct PictureMaker::Kept {
     RenderOptions style; ///< of splats
     ClipPlanes clips;    ///< that the curves belong to
     SectionCurves curves;
+    std::optional<raycast::AdaptiveCast> caster;
 };
 
 PictureMaker::PictureMaker(surface::Surface surface, PictureOptions options)
@@ -47,8 +48,12 @@ void PictureMaker::measure(const base::Progress& progress) {
 void PictureMaker::castRays(const Camera& camera, PictureStats& stats, const base::Progress& progress, Image& out) {
     RayCounts counts;
     const auto& measured = m_kept->measured;
+    auto& caster = m_kept->caster;
+    if (m_options.quality > 0 && !caster)
+        caster.emplace(m_surface);
     rayCast(m_surface, camera, m_options.style, out, counts, progress,
-            {measured ? &*measured : nullptr, m_options.lighting, m_options.smoothRays});
+            {measured ? &*measured : nullptr, m_options.lighting, m_options.smoothRays, caster ? &*caster : nullptr,
+             m_options.quality});
     stats.rays = counts.cast.rays;
     stats.evaluations = counts.cast.evaluations;
     stats.edgeRays = counts.edgeRays;

@@ -12,7 +12,8 @@
 namespace render {
 
 struct PictureOptions {
-    bool rayCast = false;        ///< the true surface, every pixel; else splats
+    bool rayCast = false;        ///< the true surface; else splats
+    double quality = 0;          ///< of cast rays, in pixels (adaptive_cast.h); 0: one for every pixel
     std::string backend = "cpu"; ///< of splats
     bool smooth = true;          ///< splats: four pixels drawn for one, up to 16 million
     bool smoothRays = false;     ///< cast rays: nine for pixels at edges
@@ -41,8 +42,8 @@ struct PictureStats {
     std::optional<ColourScale> scale; ///< of measured numbers, where the shading shows some
 };
 
-/// Draws one model from any number of views; what they share (measured numbers, representatives, section curves) is
-/// made once. One thread at a time.
+/// Draws one model from any number of views; what they share (measured numbers, representatives, section curves, rays)
+/// is made once. One thread at a time.
 class PictureMaker {
   public:
     PictureMaker(surface::Surface surface, PictureOptions options);

@@ -30,7 +30,12 @@ raycast::ImageRays imageRays(const Camera& camera) {
 void rayCast(const surface::Surface& surface, const Camera& camera, const RenderOptions& options, Image& out,
              RayCounts& counts, const base::Progress& progress, const RayLook& look) {
     const raycast::ImageRays rays = imageRays(camera);
-    auto samples = raycast::fullCast(surface, rays, counts.cast, progress);
+    std::vector<raycast::Sample> samples;
+    if (look.caster) {
+        const auto image = look.caster->cast(rays, {look.quality}, counts.cast, {}, progress);
+        samples.assign(image.samples.begin(), image.samples.end());
+    } else
+        samples = raycast::fullCast(surface, rays, counts.cast, progress);
     if (look.measured)
         colourHits(*look.measured, camera.width, samples, {}, progress);
     const auto kind = [&](std::size_t i) { return samples[i].hit.hit ? PixelKind::Surface : PixelKind::Background; };

@@ -1,7 +1,7 @@
 // The true surface as an image: every pixel's ray meets it exactly, and the meeting is shaded like a splat.
 #pragma once
 
-#include "core/raycast/full_cast.h"
+#include "core/raycast/adaptive_cast.h"
 #include "core/raycast/lighting.h"
 #include "ui/render/measured_colours.h"
 #include "ui/render/renderer.h"
@@ -16,6 +16,9 @@ struct RayLook {
     const Measured* measured = nullptr; ///< what a shading of measured numbers asks; without it they are unknown
     raycast::Lighting lighting;
     bool smooth = false; ///< pixels at edges are means of nine rays (smooth_edges.h)
+    /// Casts the pixels of this surface, at `quality`, with what it kept of earlier views; null: every pixel has a ray.
+    raycast::AdaptiveCast* caster = nullptr;
+    double quality = 0;
 };
 
 struct RayCounts {
