@@ -66,9 +66,8 @@ class SplitPainter {
             out = *ray;
             m_known[i] = Known::Exact;
         } else if (row)
-            out = sampleOf(row->at(part(p.column - m_split.at.column)), m_patch.knots[0].behind,
-                           m_view.rays.ray(p.column, p.row), m_view.lens.stretch(p.column, p.row), m_view.lens,
-                           m_view.kind.attributes);
+            out = sampleOf(row->at(part(p.column - m_split.at.column)), m_patch.knots[0].behind, p.column, p.row,
+                           m_view.lens, m_view.kind.attributes);
         else
             out = {};
         m_hits += out.hit.hit ? 1 : 0;

@@ -98,15 +98,22 @@ KeptPatch kept(const CastView& view, const AdaptivePicture& picture, const Split
 
 } // namespace
 
-KeptPatch::Values KeptPatch::at(float u, float v) const {
-    const auto a = quadraticWeights(u), b = quadraticWeights(v);
+KeptPatch::Values KeptPatch::at(float u, float v, unsigned quarter) const {
     Values out{};
-    for (std::size_t row = 0; row < 3; ++row)
-        for (std::size_t column = 0; column < 3; ++column) {
-            const float w = a[column] * b[row];
-            for (std::size_t k = 0; k < Count; ++k)
-                out[k] += w * knots[3 * row + column][k];
-        }
+    const auto add = [&](std::size_t knot, float w) {
+        for (std::size_t k = 0; k < Count; ++k)
+            out[k] += w * knots[knot][k];
+    };
+    if (half == 1) {
+        const std::size_t first = cornersOf[quarter][0];
+        const float x = 2 * u - static_cast<float>(quarter & 1), y = 2 * v - static_cast<float>(quarter >> 1);
+        add(first, (1 - x) * (1 - y)), add(first + 1, x * (1 - y));
+        add(first + 3, (1 - x) * y), add(first + 4, x * y);
+        return out;
+    }
+    const auto a = quadraticWeights(u), b = quadraticWeights(v);
+    for (std::size_t i = 0; i < 9; ++i)
+        add(i, a[i % 3] * b[i / 3]);
     return out;
 }
 

@@ -23,8 +23,9 @@ struct KeptPatch {
     base::Vec3f normal(std::size_t knot) const {
         return {knots[knot][NormalX], knots[knot][NormalY], knots[knot][NormalZ]};
     }
-    /// The biquadratic through the samples at (u, v) in [0, 1]^2.
-    Values at(float u, float v) const;
+    /// At (u, v) in [0, 1]^2, in one of the quarters shown: the biquadratic through the samples, or of a patch of
+    /// pixels, which may lack some, what is between the quarter's corners.
+    Values at(float u, float v, unsigned quarter) const;
 };
 
 class KeptPatches {

@@ -47,14 +47,15 @@ struct Knot {
     }
 };
 
-/// A sample at `ray` (of length 1 a unit) from interpolated values; the opaque colour where the model has colours.
-inline Sample sampleOf(const std::array<float, Knot::Count>& v, bool behind, const base::Rayd& ray, double stretch,
-                       const ViewLens& lens, bool attributes) {
+/// A sample of a pixel from interpolated values; with the opaque colour where the model has colours.
+inline Sample sampleOf(const std::array<float, Knot::Count>& v, bool behind, int column, int row, const ViewLens& lens,
+                       bool attributes) {
     Sample out;
-    const double even = static_cast<double>(v[Knot::Depth]), t = stretch * (lens.parallel() ? even : 1 / even);
+    const auto even = static_cast<double>(v[Knot::Depth]);
+    const double depth = lens.parallel() ? even : 1 / even;
     out.hit.hit = true;
-    out.hit.t = static_cast<float>(t);
-    out.hit.position = base::cast<float>(ray.at(t));
+    out.hit.t = static_cast<float>(depth * lens.stretch(column, row));
+    out.hit.position = base::cast<float>(lens.at(column, row, depth));
     out.hit.normal = normalized(base::Vec3f{v[Knot::NormalX], v[Knot::NormalY], v[Knot::NormalZ]});
     out.hit.outward = behind ? -out.hit.normal : out.hit.normal;
     out.hit.unit = v[Knot::Unit];

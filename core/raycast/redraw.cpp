@@ -9,27 +9,27 @@ namespace raycast {
 namespace {
 
 using base::Vec3d, base::Vec3f;
-using Values = std::array<float, Knot::Count>;
 
-constexpr int bandRows = 32;
+constexpr int bandRows = 64;
 constexpr float flattest = 0.05f; ///< cosine between normal and ray, at least
 constexpr float pixelDiagonal = 1.42f;
 constexpr float mostStretched = 1.5f, mostMagnified = 4; ///< of a pixel's cell; of those that lie still
 constexpr float stillBent = 8;                           ///< prediction errors of cells that must not be magnified
-constexpr float squareSide = 2.5f;                       ///< pixels
+constexpr float squareSide = 4;                          ///< pixels
 constexpr float overlap = 0.02f; ///< pixels: no gaps between squares of patches that are split differently
 
 /// A place of a patch in the new view.
 struct Corner {
-    float column = 0, row = 0;
-    Values v{};
+    float column = 0, row = 0, even = 0;
+    float u = 0, v = 0; ///< in the patch
     bool faces = false;
 };
 
+/// Which place of which patch a pixel shows.
 struct Fragment {
-    Values v;
     float order = std::numeric_limits<float>::infinity(); ///< smaller is nearer
-    std::uint32_t patch = 0;
+    std::uint32_t quarter = 0;                            ///< of all patches
+    float u = 0, v = 0;
 };
 
 /// Rows that a patch's samples are seen in.
@@ -43,29 +43,17 @@ class PatchProjector {
 
     Vec3d place(const Vec3f& p) const { return m_lens.project(base::cast<double>(p)); }
 
-    Corner corner(const KeptPatch::Values& k) const {
+    Corner corner(const KeptPatch::Values& k, float u, float v) const {
         const Vec3f p{k[KeptPatch::X], k[KeptPatch::Y], k[KeptPatch::Z]};
         const Vec3f n = normalized(Vec3f{k[KeptPatch::NormalX], k[KeptPatch::NormalY], k[KeptPatch::NormalZ]});
         const Vec3d at = place(p);
         const Vec3d toIt = m_lens.parallel() ? m_forward : normalized(base::cast<double>(p) - m_lens.eye());
-        Corner out;
-        out.faces = at.z > 0 && -dot(n, base::cast<float>(toIt)) >= flattest;
-        if (!out.faces)
-            return out;
-        out.column = static_cast<float>(at.x), out.row = static_cast<float>(at.y);
-        out.v = {static_cast<float>(m_lens.evenDepth(at.z)),
-                 n.x,
-                 n.y,
-                 n.z,
-                 k[KeptPatch::Unit],
-                 k[KeptPatch::Agreement],
-                 k[KeptPatch::Red],
-                 k[KeptPatch::Green],
-                 k[KeptPatch::Blue],
-                 k[KeptPatch::Mask],
-                 0,
-                 0};
-        return out;
+        return {static_cast<float>(at.x),
+                static_cast<float>(at.y),
+                static_cast<float>(m_lens.evenDepth(at.z)),
+                u,
+                v,
+                at.z > 0 && -dot(n, base::cast<float>(toIt)) >= flattest};
     }
     Rows rowsOf(const KeptPatch& patch) const {
         Rows out{std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity()};
@@ -95,10 +83,9 @@ class Band {
           m_fragments(static_cast<std::size_t>(last - first) * static_cast<std::size_t>(m_width)) {}
 
     void draw(const KeptPatch& patch, std::uint32_t number) {
-        m_number = number;
-        for (int i = 0; i < 4; ++i)
-            if (patch.shown >> i & 1)
-                drawQuarter(patch, 0.5f * static_cast<float>(i & 1), 0.5f * static_cast<float>(i >> 1));
+        for (unsigned i = 0; i < 4; ++i)
+            if (m_number = 4 * number + i; patch.shown >> i & 1)
+                drawQuarter(patch, i % 2 + i / 2 * 3);
     }
 
     template <class Fn>
@@ -111,10 +98,17 @@ class Band {
     }
 
   private:
-    void drawQuarter(const KeptPatch& patch, float u, float v) {
-        const Corner ends[4] = {m_projector.corner(patch.at(u, v)), m_projector.corner(patch.at(u + 0.5f, v)),
-                                m_projector.corner(patch.at(u, v + 0.5f)),
-                                m_projector.corner(patch.at(u + 0.5f, v + 0.5f))};
+    Corner corner(const KeptPatch& patch, float u, float v) const {
+        return m_projector.corner(patch.at(u, v, m_number % 4), u, v);
+    }
+
+    void drawQuarter(const KeptPatch& patch, std::size_t first) {
+        Corner ends[4];
+        for (std::size_t i = 0; i < 4; ++i) {
+            const std::size_t knot = first + i % 2 + i / 2 * 3;
+            ends[i] = m_projector.corner(patch.knots[knot], 0.5f * static_cast<float>(knot % 3),
+                                         0.5f * static_cast<float>(knot / 3));
+        }
         for (const Corner& end : ends)
             if (!end.faces)
                 return;
@@ -129,7 +123,7 @@ class Band {
         if (n == 1)
             drawSquare(ends[0], ends[1], ends[2], ends[3]);
         else
-            drawGrid(patch, u, v, n);
+            drawGrid(patch, ends[0].u, ends[0].v, n);
     }
 
     void drawGrid(const KeptPatch& patch, float u, float v, int n) {
@@ -138,7 +132,7 @@ class Band {
             out.resize(static_cast<std::size_t>(n) + 1);
             for (int x = 0; x <= n; ++x)
                 out[static_cast<std::size_t>(x)] =
-                    m_projector.corner(patch.at(u + step * static_cast<float>(x), v + step * static_cast<float>(y)));
+                    corner(patch, u + step * static_cast<float>(x), v + step * static_cast<float>(y));
         };
         row(0, m_upper);
         for (int y = 1; y <= n; ++y, std::swap(m_upper, m_lower)) {
@@ -174,21 +168,17 @@ class Band {
                 const float dx = static_cast<float>(x) - a.column, dy = static_cast<float>(y) - a.row;
                 const float wb = bx * dx + by * dy, wc = cx * dx + cy * dy, wa = 1 - wb - wc;
                 if (wb >= bLeast && wc >= cLeast && wa >= aLeast)
-                    write(x, y, a.v, wa, b.v, wb, c.v, wc);
+                    write(x, y, wa * a.even + wb * b.even + wc * c.even, wa * a.u + wb * b.u + wc * c.u,
+                          wa * a.v + wb * b.v + wc * c.v);
             }
     }
 
-    void write(int x, int y, const Values& a, float wa, const Values& b, float wb, const Values& c, float wc) {
+    void write(int x, int y, float even, float u, float v) {
         Fragment& out = m_fragments[static_cast<std::size_t>(y - m_first) * static_cast<std::size_t>(m_width) +
                                     static_cast<std::size_t>(x)];
-        const float even = wa * a[Knot::Depth] + wb * b[Knot::Depth] + wc * c[Knot::Depth];
         const float order = m_view.lens.parallel() ? even : -even;
-        if (!(order < out.order))
-            return;
-        for (std::size_t k = 0; k < Knot::Count; ++k)
-            out.v[k] = wa * a[k] + wb * b[k] + wc * c[k];
-        out.order = order;
-        out.patch = m_number;
+        if (order < out.order)
+            out = {order, m_number, u, v};
     }
 
     const CastView& m_view;
@@ -219,17 +209,20 @@ std::vector<std::uint8_t> redraw(const KeptPatches& patches, const CastView& vie
             if (rows[i].first <= static_cast<float>(last) && rows[i].last >= static_cast<float>(first))
                 band.draw(all[i], static_cast<std::uint32_t>(i));
         band.forFragments([&](Pixel p, const Fragment& fragment) {
-            const KeptPatch& patch = all[fragment.patch];
-            const auto even = static_cast<double>(fragment.v[Knot::Depth]);
-            const double depth = view.lens.parallel() ? even : 1 / even;
-            std::atomic_ref(seen[fragment.patch]).store(1, std::memory_order_relaxed);
+            const KeptPatch& patch = all[fragment.quarter / 4];
+            const float even = view.lens.parallel() ? fragment.order : -fragment.order;
+            const double depth = view.lens.parallel() ? static_cast<double>(even) : 1 / static_cast<double>(even);
+            std::atomic_ref(seen[fragment.quarter / 4]).store(1, std::memory_order_relaxed);
             if (!view.lattice.open(p) || !view.guard.reached(p) ||
                 depth > static_cast<double>(view.guard.hiddenFrom(p, 1)))
                 return;
             const std::size_t i = static_cast<std::size_t>(p.row) * static_cast<std::size_t>(view.rays.width) +
                                   static_cast<std::size_t>(p.column);
-            picture.samples()[i] = sampleOf(fragment.v, patch.behind, view.rays.ray(p.column, p.row),
-                                            view.lens.stretch(p.column, p.row), view.lens, view.kind.attributes);
+            const KeptPatch::Values v = patch.at(fragment.u, fragment.v, fragment.quarter % 4);
+            picture.samples()[i] = sampleOf({even, v[KeptPatch::NormalX], v[KeptPatch::NormalY], v[KeptPatch::NormalZ],
+                                             v[KeptPatch::Unit], v[KeptPatch::Agreement], v[KeptPatch::Red],
+                                             v[KeptPatch::Green], v[KeptPatch::Blue], v[KeptPatch::Mask], 0, 0},
+                                            patch.behind, p.column, p.row, view.lens, view.kind.attributes);
             picture.known()[i] = Known::Interpolated;
             view.lattice.setRedrawn(p, patch.generation + 1);
         });

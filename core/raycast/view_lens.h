@@ -23,6 +23,7 @@ class ViewLens {
         const double volume = dot(u, cross(v, w));
         m_column = cross(v, w) / volume, m_row = cross(w, u) / volume, m_depth = cross(u, v) / volume;
         m_pixel = 0.5 * (length(u) + length(v));
+        m_along = w;
     }
 
     bool parallel() const { return m_parallel; }
@@ -55,6 +56,11 @@ class ViewLens {
     double stretch(double column, double row) const {
         return m_parallel ? 1 : length(m_rays.corner + m_rays.across * column + m_rays.down * row);
     }
+    /// The place at a depth along the ray of a pixel.
+    base::Vec3d at(double column, double row, double depth) const {
+        return m_parallel ? m_rays.eye + m_rays.originAcross * column + m_rays.originDown * row + m_along * depth
+                          : m_rays.eye + (m_rays.corner + m_rays.across * column + m_rays.down * row) * depth;
+    }
     /// Of a point at depth z: it changes evenly across the image of a plane.
     double evenDepth(double z) const { return m_parallel ? z : 1 / z; }
 
@@ -66,7 +72,7 @@ class ViewLens {
   private:
     ImageRays m_rays;
     bool m_parallel;
-    base::Vec3d m_column, m_row, m_depth;
+    base::Vec3d m_column, m_row, m_depth, m_along;
     double m_pixel;
 };
 
