@@ -184,7 +184,7 @@ void MarchingTest::trianglesAreWellShaped() {
         options.relax = false;
         const Mesh raw = mesh::marchingCubes(surface, options, report);
         const double degree = shapes::pi / 180;
-        QVERIFY2(mesh::shapeOf(shaped).hundredthAngle > 20 * degree,
+        QVERIFY2(mesh::shapeOf(shaped).hundredthAngle > 10 * degree,
                  QByteArray::number(mesh::shapeOf(shaped).hundredthAngle / degree));
         QVERIFY(mesh::shapeOf(raw).hundredthAngle < 5 * degree);
         QCOMPARE(shaped.triangles.size(), raw.triangles.size());
