@@ -51,9 +51,12 @@ class LatestWorker {
     }
     /// Nothing is wanted any more.
     void cancel() {
-        const std::lock_guard lock(m_mutex);
-        m_request.reset();
-        m_cancel = true;
+        {
+            const std::lock_guard lock(m_mutex);
+            m_request.reset();
+            m_cancel = m_dropped = true;
+        }
+        m_asked.notify_one();
     }
     /// Something runs or waits.
     bool busy() const {
@@ -62,33 +65,40 @@ class LatestWorker {
     }
 
   private:
-    std::optional<Request> next() {
+    enum class Next { Work, Rest, End };
+
+    Next next(Request& out) {
         std::unique_lock lock(m_mutex);
-        m_running = false;
-        m_asked.wait(lock, [this] { return m_ending || m_request; });
+        if (std::exchange(m_running, false) && !m_request)
+            return Next::Rest;
+        m_asked.wait(lock, [this] { return m_ending || m_request || m_dropped; });
+        const bool dropped = std::exchange(m_dropped, false);
         if (m_ending)
-            return {};
+            return Next::End;
+        if (!m_request)
+            return dropped ? Next::Rest : Next::End;
         m_running = true;
         m_cancel = false;
-        return std::exchange(m_request, std::nullopt);
-    }
-    bool waiting() {
-        const std::lock_guard lock(m_mutex);
-        m_running = false;
-        return m_request.has_value();
+        out = *std::exchange(m_request, std::nullopt);
+        return Next::Work;
     }
     void loop() {
         base::Progress progress;
         progress.cancel = &m_cancel;
-        while (const std::optional<Request> request = next()) {
-            try {
-                m_work(*request, progress);
-            } catch (const base::Cancelled&) { // something else is wanted, or nothing
-            } catch (const std::exception& error) {
-                m_failed(error);
-            }
-            if (m_rested && !waiting())
+        Request request;
+        for (Next what; (what = next(request)) != Next::End;) {
+            if (what == Next::Work)
+                run(request, progress);
+            else if (m_rested)
                 m_rested();
+        }
+    }
+    void run(const Request& request, const base::Progress& progress) {
+        try {
+            m_work(request, progress);
+        } catch (const base::Cancelled&) { // something else is wanted, or nothing
+        } catch (const std::exception& error) {
+            m_failed(error);
         }
     }
 
@@ -98,7 +108,7 @@ class LatestWorker {
     mutable std::mutex m_mutex;
     std::condition_variable m_asked;
     std::optional<Request> m_request;
-    bool m_running = false, m_ending = false;
+    bool m_running = false, m_dropped = false, m_ending = false;
     std::atomic<bool> m_cancel = false;
     std::thread m_thread; ///< last: it uses all of the above
 };

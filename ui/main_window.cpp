@@ -114,6 +114,7 @@ void MainWindow::connectEditor() {
     connect(m_editor, &Editor::failed, this, [this](const QString& message) { m_status->tell(message, true); });
     connect(m_measurer, &Measurer::changed, this,
             [this] { m_controller->showColours(m_measurer->colours(), m_measurer->scale()); });
+    connect(m_measurer, &Measurer::failed, this, [this](const QString& why) { m_status->tell(why, true); });
     connect(m_measurer, &Measurer::progressed, this, &MainWindow::showProgress);
     const auto idled = [this] {
         if (working())

@@ -18,17 +18,13 @@ bool Measurer::Request::operator==(const Request& o) const {
     return sameSubject(o) && surface.tree() == o.surface.tree();
 }
 
-Measurer::Measurer(QObject* parent) : QObject(parent), m_thread([this] { work(); }) {}
-
-Measurer::~Measurer() {
-    {
-        const std::lock_guard lock(m_mutex);
-        m_ending = true;
-        m_cancel = true;
-    }
-    m_asked.notify_all();
-    m_thread.join();
-}
+Measurer::Measurer(QObject* parent)
+    : QObject(parent),
+      m_worker([this](const Request& request, const base::Progress& progress) { work(request, progress); },
+               [this](const std::exception& error) {
+                   post([this, text = QString::fromUtf8(error.what())] { Q_EMIT failed(text); });
+               },
+               [this] { post([this] { rest(); }); }) {}
 
 void Measurer::want(render::Shading shading, const surface::Surface& surface, const surface::Surface& reference,
                     std::uint64_t models) {
@@ -42,20 +38,16 @@ void Measurer::want(render::Shading shading, const surface::Surface& surface, co
         m_colours = row ? std::make_shared<const render::BlockColours>(tree::SurfelTree{}) : nullptr;
         m_scale.reset();
     }
-    m_wanted = wanted;
-    {
-        const std::lock_guard lock(m_mutex);
-        m_request = row ? std::optional(wanted) : std::nullopt;
-        m_cancel = m_running && (!row || !m_running->sameSubject(wanted));
-    }
+    const bool other = !wanted.sameSubject(std::exchange(m_wanted, wanted));
     m_busy = m_busy || row;
-    m_asked.notify_all();
+    if (row)
+        m_worker.request(wanted, other);
+    else
+        m_worker.cancel();
 }
 
 void Measurer::cancel() {
-    const std::lock_guard lock(m_mutex);
-    m_request.reset();
-    m_cancel = true;
+    m_worker.cancel();
 }
 
 /// Runs it on the interface's thread, if this still lives then.
@@ -94,45 +86,23 @@ void Measurer::receive(const Request& request, const Coloured& done) {
 
 /// Unless something has been asked for meanwhile.
 void Measurer::rest() {
-    {
-        const std::lock_guard lock(m_mutex);
-        if (m_request || m_running)
-            return;
-    }
+    if (m_worker.busy())
+        return;
     m_busy = false;
     Q_EMIT idled();
 }
 
-void Measurer::work() {
-    const base::Progress progress{
-        [this](double share, std::string_view doing) {
-            post([this, share, text = QString::fromUtf8(doing.data(), qsizetype(doing.size()))] {
-                if (m_busy)
-                    Q_EMIT progressed(share, text);
-            });
-        },
-        &m_cancel};
-    for (;;) {
-        Request request;
-        {
-            std::unique_lock lock(m_mutex);
-            m_running.reset();
-            if (!m_request)
-                post([this] { rest(); });
-            m_asked.wait(lock, [this] { return m_ending || m_request; });
-            if (m_ending)
-                return;
-            request = *m_request;
-            m_running = std::exchange(m_request, std::nullopt);
-            m_cancel = false;
-        }
-        try {
-            const Coloured done = measure(request, progress);
-            m_last.emplace(request, done);
-            post([this, request, done] { receive(request, done); });
-        } catch (const base::Cancelled&) { // something else is wanted, or nothing
-        }
-    }
+void Measurer::work(const Request& request, const base::Progress& cancel) {
+    base::Progress progress = cancel;
+    progress.report = [this](double share, std::string_view doing) {
+        post([this, share, text = QString::fromUtf8(doing.data(), qsizetype(doing.size()))] {
+            if (m_busy)
+                Q_EMIT progressed(share, text);
+        });
+    };
+    const Coloured done = measure(request, progress);
+    m_last.emplace(request, done);
+    post([this, request, done] { receive(request, done); });
 }
 
 } // namespace ui

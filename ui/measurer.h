@@ -8,13 +8,10 @@
 // or reference stops it at once. The scale stays while it fits: colours do not swim while a person works.
 #pragma once
 
+#include "ui/latest_worker.h"
 #include "ui/render/measured_colours.h"
 
-#include <atomic>
-#include <condition_variable>
-#include <mutex>
 #include <QObject>
-#include <thread>
 
 namespace ui {
 
@@ -22,7 +19,6 @@ class Measurer : public QObject {
     Q_OBJECT
   public:
     explicit Measurer(QObject* parent = nullptr);
-    ~Measurer() override; ///< stops and waits
 
     // All on the interface's thread; they return at once.
     /// What the picture is to show from now on; a shading that measures nothing ends the work. `models` tells models
@@ -40,6 +36,7 @@ class Measurer : public QObject {
     void changed();                               ///< colours() and scale() are new
     void progressed(double share, QString doing); ///< 0 to 1
     void idled();                                 ///< nothing is being measured any more
+    void failed(QString message);                 ///< what stopped it
 
   private:
     struct Request {
@@ -49,7 +46,7 @@ class Measurer : public QObject {
         bool sameSubject(const Request& o) const;
         bool operator==(const Request& o) const;
     };
-    void work();
+    void work(const Request& request, const base::Progress& progress);
     render::Coloured measure(const Request& request, const base::Progress& progress);
     void receive(const Request& request, const render::Coloured& done);
     void rest();
@@ -61,12 +58,7 @@ class Measurer : public QObject {
     bool m_busy = false;
 
     std::optional<std::pair<Request, render::Coloured>> m_last; ///< measuring thread's
-    std::mutex m_mutex;
-    std::condition_variable m_asked;
-    std::optional<Request> m_request, m_running;
-    bool m_ending = false;
-    std::atomic<bool> m_cancel = false;
-    std::thread m_thread; ///< last: it uses all of the above
+    LatestWorker<Request> m_worker;                             ///< last: it uses all of the above
 };
 
 } // namespace ui

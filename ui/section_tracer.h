@@ -4,12 +4,8 @@
 #pragma once
 
 #include "core/surface/section.h"
+#include "ui/latest_worker.h"
 #include "ui/render/clip_planes.h"
-
-#include <condition_variable>
-#include <mutex>
-#include <optional>
-#include <thread>
 
 namespace ui {
 
@@ -23,26 +19,18 @@ class SectionTracer {
   public:
     using Deliver = std::function<void(TracedSections)>;
 
-    /// `deliver` is called on the tracing thread.
-    explicit SectionTracer(Deliver deliver);
-    ~SectionTracer();
-    void request(const surface::Surface& surface, const render::ClipPlanes& planes); ///< any thread
+    /// Both are called on the tracing thread.
+    SectionTracer(Deliver deliver, std::function<void(const std::exception&)> failed);
+    void request(const surface::Surface& surface, const render::ClipPlanes& planes); ///< one thread
 
   private:
     struct Request {
         surface::Surface surface;
         render::ClipPlanes planes;
     };
-    void work();
 
-    Deliver m_deliver;
-    std::mutex m_mutex;
-    std::condition_variable m_asked;
-    std::optional<Request> m_request;
-    render::ClipPlanes m_current; ///< being worked on
-    std::atomic<bool> m_cancel = false;
-    bool m_ending = false;
-    std::thread m_thread; ///< last: it uses all of the above
+    render::ClipPlanes m_asked; ///< last
+    LatestWorker<Request> m_worker;
 };
 
 } // namespace ui

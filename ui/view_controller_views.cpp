@@ -241,16 +241,21 @@ void ViewController::traceSections() {
         m_sections.clear();
     m_tracedRoot = surface.tree().root().get();
     m_tracedPlanes = planes;
-    if (!m_tracer)
-        m_tracer = std::make_unique<SectionTracer>([this](TracedSections traced) {
-            auto take = [this, traced = std::move(traced)]() mutable {
-                if (!m_cuts.section || traced.planes != m_cuts.planes())
-                    return; // others are on their way
-                m_sections = std::move(traced.curves);
-                m_viewport.widget()->update();
-            };
-            QMetaObject::invokeMethod(this, std::move(take), Qt::QueuedConnection);
-        });
+    if (!m_tracer) {
+        const auto post = [this](auto call) { QMetaObject::invokeMethod(this, std::move(call), Qt::QueuedConnection); };
+        m_tracer = std::make_unique<SectionTracer>(
+            [this, post](TracedSections traced) {
+                post([this, traced = std::move(traced)]() mutable {
+                    if (!m_cuts.section || traced.planes != m_cuts.planes())
+                        return; // others are on their way
+                    m_sections = std::move(traced.curves);
+                    m_viewport.widget()->update();
+                });
+            },
+            [this, post](const std::exception& error) {
+                post([this, text = QString::fromUtf8(error.what())] { Q_EMIT hinted(text); });
+            });
+    }
     m_tracer->request(surface, planes);
 }
 

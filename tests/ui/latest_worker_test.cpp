@@ -1,0 +1,102 @@
+#include "ui/latest_worker.h"
+
+#include "support/registry.h"
+
+#include <QtTest>
+
+using ui::LatestWorker;
+
+class LatestWorkerTest : public QObject {
+    Q_OBJECT
+  private Q_SLOTS:
+    void lastRequestIsAlwaysDone();
+    void stoppedWorkMakesRoom();
+    void failureIsToldAndWorkGoesOn();
+    void cancelledWorkerRests();
+    void endStopsWhatRuns();
+};
+
+namespace {
+
+/// Spins until stopped.
+void forever(const base::Progress& progress) {
+    for (;;)
+        progress.step(0, {});
+}
+
+} // namespace
+
+void LatestWorkerTest::lastRequestIsAlwaysDone() {
+    std::atomic<int> done = 0;
+    LatestWorker<int> worker([&](int request, const base::Progress&) { done = request; }, {});
+    for (int k = 1; k <= 1000; ++k)
+        worker.request(k, k % 3 == 0);
+    QVERIFY(QTest::qWaitFor([&] { return done == 1000 && !worker.busy(); }));
+}
+
+void LatestWorkerTest::stoppedWorkMakesRoom() {
+    std::atomic<int> started = 0, done = 0;
+    LatestWorker<int> worker(
+        [&](int request, const base::Progress& progress) {
+            ++started;
+            if (request == 1)
+                forever(progress);
+            done = request;
+        },
+        {});
+    worker.request(1, false);
+    QVERIFY(QTest::qWaitFor([&] { return started == 1; }));
+    worker.request(2, true);
+    QVERIFY(QTest::qWaitFor([&] { return done == 2; }));
+}
+
+void LatestWorkerTest::failureIsToldAndWorkGoesOn() {
+    std::atomic<int> failures = 0, done = 0;
+    LatestWorker<int> worker(
+        [&](int request, const base::Progress&) {
+            if (request == 1)
+                throw std::bad_alloc();
+            done = request;
+        },
+        [&](const std::exception&) { ++failures; });
+    worker.request(1, false);
+    QVERIFY(QTest::qWaitFor([&] { return failures == 1; }));
+    worker.request(2, false);
+    QVERIFY(QTest::qWaitFor([&] { return done == 2; }));
+}
+
+void LatestWorkerTest::cancelledWorkerRests() {
+    std::atomic<int> rests = 0, started = 0;
+    LatestWorker<int> worker(
+        [&](int, const base::Progress& progress) {
+            ++started;
+            forever(progress);
+        },
+        {}, [&] { ++rests; });
+    worker.request(1, false);
+    QVERIFY(QTest::qWaitFor([&] { return started == 1; }));
+    worker.cancel();
+    QVERIFY(QTest::qWaitFor([&] { return rests >= 1 && !worker.busy(); }));
+    const int before = rests;
+    worker.request(2, false);
+    worker.cancel(); // whether it had begun or not
+    QVERIFY(QTest::qWaitFor([&] { return rests > before && !worker.busy(); }));
+}
+
+void LatestWorkerTest::endStopsWhatRuns() {
+    std::atomic<bool> started = false;
+    {
+        LatestWorker<int> worker(
+            [&](int, const base::Progress& progress) {
+                started = true;
+                forever(progress);
+            },
+            {});
+        worker.request(1, false);
+        QVERIFY(QTest::qWaitFor([&] { return started.load(); }));
+    }
+    QVERIFY(started);
+}
+
+static const test::Registered<LatestWorkerTest> registered;
+#include "latest_worker_test.moc"
