@@ -15,7 +15,9 @@ MeshBar::MeshBar(QWidget* parent) : QToolBar(tr("Mesh"), parent) {
     auto* method = new QComboBox;
     method->setObjectName("mesh-method");
     method->addItem(tr("Marching cubes"));
+    method->addItem(tr("Delaunay"));
     method->setItemData(0, tr("Fast; triangles follow a grid"), Qt::ToolTipRole);
+    method->setItemData(1, tr("Slower; every angle at least 25°"), Qt::ToolTipRole);
     method->setFocusPolicy(Qt::NoFocus);
     addWidget(method);
     connect(method, &QComboBox::currentIndexChanged, this,

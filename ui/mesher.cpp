@@ -1,6 +1,7 @@
 #include "ui/mesher.h"
 
 #include "core/io/mesh_formats.h"
+#include "core/mesh/delaunay.h"
 #include "core/mesh/marching_cubes.h"
 #include "core/mesh/topology.h"
 
@@ -13,7 +14,7 @@ namespace ui {
 /// smallest have been merged.
 constexpr double cubeTriangles = 2.9;
 /// Of Delaunay triangles with balls up to a radius, for a square of that radius; measured.
-constexpr double delaunayTriangles = 2.0;
+constexpr double delaunayTriangles = 1.6;
 
 double estimatedArea(const tree::SurfelTree& model, double spacing) {
     std::vector<float> supports;
@@ -73,6 +74,13 @@ void Mesher::cancel() {
 
 static mesh::Mesh meshOf(const surface::Surface& surface, double spacing, const MeshChoice& choice,
                          const base::Progress& progress) {
+    if (choice.delaunay) {
+        mesh::DelaunayOptions options;
+        mesh::DelaunayReport report;
+        options.size = choice.cell * spacing;
+        options.distance = 0.1 * choice.cell * spacing;
+        return mesh::restrictedDelaunay(surface, options, report, progress);
+    }
     mesh::MarchingOptions options;
     mesh::MarchingReport report;
     options.cell = choice.cell * spacing;

@@ -66,19 +66,24 @@ void MeshExportTest::previewShowsTheMeshOfTheModel() {
 void MeshExportTest::estimateIsNearTheMesh_data() {
     QTest::addColumn<QString>("sample");
     QTest::addColumn<double>("cell");
+    QTest::addColumn<bool>("delaunay");
+    QTest::newRow("sphere, Delaunay") << "sphere" << 1.5 << true;
+    QTest::newRow("torus, Delaunay") << "torus" << 1.0 << true;
     for (const char* sample : {"sphere", "torus", "knot"})
         for (const double cell : {0.7, 1.0, 2.0})
-            QTest::newRow(qPrintable(QString("%1 %2").arg(sample).arg(cell))) << sample << cell;
+            QTest::newRow(qPrintable(QString("%1 %2").arg(sample).arg(cell))) << sample << cell << false;
 }
 
 void MeshExportTest::estimateIsNearTheMesh() {
     QFETCH(const QString, sample);
     QFETCH(const double, cell);
+    QFETCH(const bool, delaunay);
     Fixture f;
     QVERIFY(f.make(sample.toUtf8(), 6000));
     const ui::Snapshot& now = f.editor().snapshot();
     ui::MeshChoice choice;
     choice.cell = cell;
+    choice.delaunay = delaunay;
     const auto spacing = static_cast<double>(now.spacing);
     const double estimate =
         static_cast<double>(ui::estimatedTriangles(ui::estimatedArea(now.surface.tree(), spacing), spacing, choice));
