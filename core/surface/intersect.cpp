@@ -54,7 +54,7 @@ class RayPacket {
             m_rays[count] = {rays[i].origin + d * m_from[count], d};
             ++count;
         }
-        nearestDiscs(m_setting.surface.tree(), {m_rays, count}, {0, m_setting.options.tMax, m_setting.maxSupport},
+        nearestDiscs(m_setting.surface.tree(), {m_rays, count}, {0, m_setting.discMost(), m_setting.maxSupport},
                      {m_hits, count});
         share(count);
         for (std::size_t k = 0; k < count; ++k) {
@@ -77,7 +77,7 @@ class RayPacket {
     }
     /// Discs of the rays that start outside; returns their number.
     std::size_t guess(std::span<const base::Rayf> rays) {
-        const float tMin = m_setting.options.tMin, tMax = m_setting.options.tMax;
+        const float tMin = m_setting.options.tMin;
         std::size_t count = 0;
         for (std::size_t i = 0; i < rays.size(); ++i) {
             const base::Rayf unit{rays[i].origin, rounded(rays[i].direction)};
@@ -86,7 +86,8 @@ class RayPacket {
             m_which[count] = i;
             m_rays[count++] = unit;
         }
-        nearestDiscs(m_setting.surface.tree(), {m_rays, count}, {tMin, tMax, m_setting.maxSupport}, {m_hits, count});
+        nearestDiscs(m_setting.surface.tree(), {m_rays, count}, {tMin, m_setting.discMost(), m_setting.maxSupport},
+                     {m_hits, count});
         share(count);
         return count;
     }

@@ -82,7 +82,7 @@ class RayPolicy {
             const double unit = unitOf(m_setting.surface.definition().weight, disc.reach());
             const double begin = std::max(from, double(disc.first()) - before * unit);
             const double end = std::min(double(disc.last()) + behind * unit, double(m_setting.options.tMax));
-            if (take(m_march.first(begin, end, unit), out))
+            if (begin < end && take(m_march.first(begin, end, unit), out))
                 return true;
             from = std::max(end, std::nextafter(from, std::numeric_limits<double>::infinity()));
             if (!(end < double(m_setting.options.tMax)))
@@ -97,7 +97,7 @@ class RayPolicy {
         const base::Rayf ray = m_probe.rounded();
         DiscHit out;
         nearestDiscs(m_setting.surface.tree(), {&ray, 1},
-                     {static_cast<float>(from), m_setting.options.tMax, m_setting.maxSupport}, {&out, 1});
+                     {static_cast<float>(from), m_setting.discMost(), m_setting.maxSupport}, {&out, 1});
         return out;
     }
 

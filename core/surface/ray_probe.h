@@ -25,6 +25,9 @@ struct RaySetting {
             options.tolerance = std::max(options.tolerance, 0.02);
     }
 
+    /// How far discs are looked for: the one that leads to a root may be crossed behind it.
+    float discMost() const { return options.tMax + maxSupport; }
+
     const Surface& surface;
     IntersectOptions options;
     bool refine;

@@ -20,6 +20,7 @@ class IntersectTest : public QObject {
     void raysInThePlaneMiss();
     void hitsBeforeTMinArePassedOver();
     void hitsBeyondTMaxDoNotCount();
+    void rangesThatEndJustBehindAHitKeepIt();
     void noisyModelsLoseNoHitOfTheRobustMarch_data();
     void noisyModelsLoseNoHitOfTheRobustMarch();
     void reversedRaysFindTheSamePoint();
@@ -136,6 +137,28 @@ void IntersectTest::hitsBeyondTMaxDoNotCount() {
     QVERIFY(!intersect(surface, {{0, 0, 5}, {0, 0, -1}}, options).hit);
     options.tMax = 4.01f;
     QVERIFY(intersect(surface, {{0, 0, 5}, {0, 0, -1}}, options).hit);
+}
+
+/// From inside a ball the tangent discs that lead to the surface lie behind it.
+void IntersectTest::rangesThatEndJustBehindAHitKeepIt() {
+    const double s = shapes::sphereSpacing(4000, 1);
+    const Surface surface = shapes::surfaceOf(shapes::sphere(4000, 1, 3.5 * s));
+    base::Random random(test::seed());
+    for (int i = 0; i < 2000; ++i) {
+        const base::Rayf ray = cast({random.unitVector() * random.uniform(0, 0.4), random.unitVector()});
+        const RayHit<float> free = intersect(surface, ray);
+        const auto told = [&] { return qPrintable(QString("seed %1, ray %2").arg(test::seed()).arg(i)); };
+        QVERIFY2(free.hit, told());
+        IntersectOptions options;
+        for (const double behind : {1e-3, 0.02, 0.5}) {
+            options.tMax = free.t + static_cast<float>(behind * s);
+            const RayHit<float> hit = intersect(surface, ray, options);
+            QVERIFY2(hit.hit && std::abs(hit.t - free.t) < 1e-4 * s, told());
+            QVERIFY2(intersectAny(surface, ray, options), told());
+        }
+        options.tMax = free.t - static_cast<float>(0.02 * s);
+        QVERIFY2(!intersect(surface, ray, options).hit, told());
+    }
 }
 
 void IntersectTest::noisyModelsLoseNoHitOfTheRobustMarch_data() {
