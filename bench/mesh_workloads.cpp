@@ -1,6 +1,7 @@
 // Tessellation: triangles per second.
 #include "bench/naive_surface.h"
 #include "bench/workload.h"
+#include "core/mesh/delaunay.h"
 #include "core/mesh/marching_cubes.h"
 #include "core/process/spacing_sample.h"
 
@@ -101,12 +102,26 @@ Run naiveMarching(Scene& scene) {
     return [march = NaiveMarch(scene.surface(), scene.naive())]() mutable { return march.next(); };
 }
 
+/// Triangles that are small beside the model and large beside its spacing: some ten thousand, however many surfels.
+Run triangulating(Scene& scene) {
+    mesh::DelaunayOptions options;
+    options.size = options.distance = 0.04 * scene.radius();
+    return [&surface = scene.surface(), options] {
+        mesh::DelaunayReport report;
+        const mesh::Mesh made = mesh::restrictedDelaunay(surface, options, report);
+        keep(made);
+        return made.triangles.size();
+    };
+}
+
 } // namespace
 
 std::vector<Workload> meshWorkloads() {
     return {
         {"mesh-marching-cubes", "triangle", "marching cubes, cells of one spacing",
          "dense grid, nanoflann, Eigen double, corner signs", marching, naiveMarching},
+        {"mesh-delaunay", "triangle", "restricted Delaunay triangulation by CGAL's mesher, our segments its oracle", "",
+         triangulating, nullptr},
     };
 }
 

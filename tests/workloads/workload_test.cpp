@@ -51,6 +51,7 @@ void WorkloadTest::theContractsNamesAreThere() {
                              "load-ply"})
         QVERIFY2(names.contains(name), name);
     QVERIFY(names.contains("mesh-marching-cubes"));
+    QVERIFY(names.contains("mesh-delaunay"));
     QVERIFY(names.contains("rays-shadow") && names.contains("rays-occlusion"));
     for (const sculpt::ToolRow& row : sculpt::toolTable())
         QVERIFY2(names.contains(std::string("dab-") + row.id), row.id);
