@@ -3,7 +3,6 @@
 #include "core/base/parallel.h"
 
 #include <atomic>
-#include <new>
 
 namespace raycast {
 
@@ -16,7 +15,7 @@ void AdaptivePicture::resize(int width, int height) {
     m_known.clear();
     m_samples.reset();
     // Left as it is: touching so much memory takes longer than many a picture, and `show` does it in parallel.
-    m_samples.reset(static_cast<Sample*>(::operator new(count * sizeof(Sample))));
+    m_samples.reset(static_cast<Sample*>(base::allocateLarge(count * sizeof(Sample))));
     m_known.assign(count, Known::Nothing);
 }
 

@@ -1,6 +1,7 @@
 // The pixels of an adaptive picture: kept samples, filled from the leaves of a subdivision.
 #pragma once
 
+#include "core/base/large_memory.h"
 #include "core/raycast/adaptive_cast.h"
 #include "core/raycast/subdivision.h"
 
@@ -24,7 +25,7 @@ class AdaptivePicture {
 
   private:
     struct Release {
-        void operator()(Sample* samples) const { ::operator delete(samples); }
+        void operator()(Sample* samples) const { base::freeLarge(samples); }
     };
     std::unique_ptr<Sample, Release> m_samples; ///< Sample needs no destructor
     std::vector<Known> m_known;
