@@ -58,7 +58,8 @@ mesh::Mesh makeByDelaunay(const Options& options, const surface::Surface& surfac
         if (count > 0)
             console.tell(std::to_string(count) + what);
     };
-    tell(report.unrefined, " triangles break what was asked for: refining them did not help, as at folds.");
+    tell(report.unrefined,
+         " triangles were left out: refining did not bring them within what was asked for, as at folds.");
     tell(report.removed, " triangles were left out where more than two met at an edge.");
     tell(report.uncovered, " points have no triangle near them.");
     return out;

@@ -77,7 +77,7 @@ Mesh restrictedDelaunay(const surface::Surface& surface, const DelaunayOptions& 
     progress.step(0.9, "Finishing");
     report.removed = makeManifold(out);
     dropUnused(out);
-    settleVertices(surface, out);
+    settleVertices(surface, demand.leastAngle, out);
     const surfel::AttributeLayout& layout = *surface.tree().layout();
     orient(out, layout.normals && layout.oriented);
     takeAttributes(out, surface);

@@ -35,8 +35,10 @@ struct DelaunayReport {
     std::size_t rims = 0;      ///< traced, vertices of the mesh along them
     std::size_t rounds = 0;    ///< how often pieces were found uncovered and begun anew, with the first
     std::size_t uncovered = 0; ///< surfels that no triangle is near to, although the surface is there
-    std::size_t unrefined = 0; ///< facets left that break a criterion, as small as is sensible
-    std::size_t removed = 0;   ///< triangles taken away to leave a manifold mesh
+    /// Triangles left out because they broke a criterion when they were as small as is sensible: at folds and where
+    /// near sheets meet, f jumps, and the mesh ends.
+    std::size_t unrefined = 0;
+    std::size_t removed = 0; ///< triangles taken away to leave a manifold mesh
 };
 
 /// Throws base::Cancelled, base::Error where the surface has no points.

@@ -3,9 +3,11 @@
 #include "core/base/parallel.h"
 #include "core/mesh/classes.h"
 #include "core/mesh/edges.h"
+#include "core/mesh/shape.h"
 #include "core/surface/project.h"
 
 #include <map>
+#include <utility>
 
 namespace mesh {
 
@@ -86,20 +88,61 @@ std::size_t makeManifold(Mesh& mesh) {
     return out;
 }
 
-void settleVertices(const surface::Surface& surface, Mesh& mesh) {
+namespace {
+
+/// Feet of all vertices but those of rims; a vertex without one near stays.
+std::vector<Vec3d> feetOf(const surface::Surface& surface, const Mesh& mesh) {
     constexpr double most = 0.05; // of h: further is another place
+    std::vector<Vec3d> out = mesh.positions;
+    base::parallelFor(out.size(), 64, [&](std::size_t v) {
+        if (mesh.kinds[v] == VertexKind::Limit)
+            return;
+        surface::ProjectOptions how;
+        how.projector = surface::Projector::Basic;
+        how.checkBoundary = false;
+        const auto found = projectReference(surface, out[v], how); // no hint, as rays have none
+        if (found.ok() && distance(found.foot, out[v]) <= most * found.at.unit)
+            out[v] = found.foot;
+    });
+    return out;
+}
+
+/// Takes back moves that spoil a triangle: steps of f, where near sheets meet, lie between a root and its foot.
+void takeBackSpoiling(const std::vector<Vec3d>& before, double leastAngle, Mesh& mesh) {
+    const auto across = [](const std::vector<Vec3d>& at, const Triangle& t) {
+        return base::normalized(cross(at[t[1]] - at[t[0]], at[t[2]] - at[t[0]]));
+    };
+    const auto spoiled = [&](const Triangle& t) {
+        constexpr double turned = 0.9; // cosine
+        const std::vector<Vec3d>& at = mesh.positions;
+        const double least = std::min(leastAngle, smallestAngle(before[t[0]], before[t[1]], before[t[2]]));
+        return smallestAngle(at[t[0]], at[t[1]], at[t[2]]) < least || dot(across(at, t), across(before, t)) < turned;
+    };
+    for (bool any = true; any;) {
+        any = false;
+        std::vector<std::uint32_t> back;
+        for (const Triangle& t : mesh.triangles)
+            if (mesh.positions[t[0]] != before[t[0]] || mesh.positions[t[1]] != before[t[1]] ||
+                mesh.positions[t[2]] != before[t[2]])
+                if (spoiled(t))
+                    back.insert(back.end(), t.begin(), t.end());
+        for (const std::uint32_t v : back) {
+            any = true;
+            mesh.positions[v] = before[v];
+        }
+    }
+}
+
+} // namespace
+
+void settleVertices(const surface::Surface& surface, double leastAngle, Mesh& mesh) {
+    const std::vector<Vec3d> before = std::exchange(mesh.positions, feetOf(surface, mesh));
+    takeBackSpoiling(before, leastAngle, mesh);
     constexpr double nearLimit = 0.5;
     const double limit = double(surface.definition().boundaryLimit);
     const std::vector<bool> boundary = boundaryVertices(mesh);
     mesh.normals.resize(mesh.positions.size());
     base::parallelFor(mesh.positions.size(), 64, [&](std::size_t v) {
-        surface::ProjectOptions how;
-        how.projector = surface::Projector::Basic;
-        how.checkBoundary = false;
-        const auto found = projectReference(surface, mesh.positions[v], how); // no hint, as rays have none
-        const bool near = found.ok() && distance(found.foot, mesh.positions[v]) <= most * found.at.unit;
-        if (near && mesh.kinds[v] != VertexKind::Limit)
-            mesh.positions[v] = found.foot;
         const surface::Evaluationd e = surface.evaluateReference(mesh.positions[v], surface::Need::Gradient);
         const bool usable = e.ok() || e.status == surface::Status::BeyondBoundary;
         mesh.normals[v] = usable ? base::cast<float>(base::normalized(e.gradient)) : base::Vec3f{};

@@ -10,8 +10,9 @@ namespace mesh {
 /// a vertex of its own. Returns how many triangles that cost.
 std::size_t makeManifold(Mesh& mesh);
 
-/// Moves vertices of all kinds but Limit onto the surface, fills normals, and tells where at the boundary the surface's
-/// limit ends it and where it ends otherwise.
-void settleVertices(const surface::Surface& surface, Mesh& mesh);
+/// Moves vertices of all kinds but Limit onto the surface as far as no triangle gets a smaller angle than `leastAngle`
+/// (radians) by it, fills normals, and tells where at the boundary the surface's limit ends it and where it ends
+/// otherwise.
+void settleVertices(const surface::Surface& surface, double leastAngle, Mesh& mesh);
 
 } // namespace mesh

@@ -36,7 +36,8 @@ class RestrictedDelaunay {
     void add(std::span<const base::Vec3d> points);
     /// Until all facets fulfil the demand and form a manifold, as far as the floor allows. Throws base::Cancelled.
     void refine(const base::Progress& progress);
-    /// Positions, triangles and kinds: Limit for vertices of rims. Facets have no side yet.
+    /// Positions, triangles and kinds: Limit for vertices of rims. Facets have no side yet. Those that break the demand
+    /// are left out.
     Mesh mesh() const;
     /// Facets that break the demand.
     std::size_t unrefined() const;

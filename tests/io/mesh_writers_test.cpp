@@ -189,6 +189,29 @@ void everyFormat() {
                     << row.id << attributes << far;
 }
 
+/// A mesh in a file, as the row of everyFormat() says.
+struct Written {
+    std::string format;
+    bool full = false, distant = false;
+    Mesh mesh;
+    Vec3d origin;
+    test::Folder folder;
+    std::filesystem::path path;
+
+    Written() {
+        QFETCH(QString, extension);
+        QFETCH(bool, attributes);
+        QFETCH(bool, far);
+        format = extension.toStdString();
+        full = attributes, distant = far;
+        base::Random random(test::seed());
+        mesh = randomMesh(random, full);
+        origin = distant ? Vec3d{637000.25, 851000.5, -400} : Vec3d{};
+        path = folder.path("a." + format);
+        io::writeMesh(path, mesh, origin);
+    }
+};
+
 } // namespace
 
 void MeshWritersTest::everyFormatBringsTheMeshBack_data() {
@@ -196,28 +219,21 @@ void MeshWritersTest::everyFormatBringsTheMeshBack_data() {
 }
 
 void MeshWritersTest::everyFormatBringsTheMeshBack() {
-    QFETCH(QString, extension);
-    QFETCH(bool, attributes);
-    QFETCH(bool, far);
-    base::Random random(test::seed());
-    const Mesh mesh = randomMesh(random, attributes);
-    const Vec3d origin = far ? Vec3d{637000.25, 851000.5, -400} : Vec3d{};
-    const test::Folder folder;
-    const auto path = folder.path("a." + extension.toStdString());
-    io::writeMesh(path, mesh, origin);
-    QCOMPARE(folder.entries(), std::size_t(1));
-    const Found found = readers.at(extension.toStdString())(test::contentOf(path));
+    const Written w;
+    const Mesh& mesh = w.mesh;
+    QCOMPARE(w.folder.entries(), std::size_t(1));
+    const Found found = readers.at(w.format)(test::contentOf(w.path));
     QCOMPARE(found.triangles.size(), mesh.triangles.size());
-    const bool stl = extension == "stl";
+    const bool stl = w.format == "stl";
     for (std::size_t f = 0; f < mesh.triangles.size(); ++f)
         for (std::size_t k = 0; k < 3; ++k) {
-            const Vec3d expected = mesh.positions[mesh.triangles[f][k]] + origin;
+            const Vec3d expected = mesh.positions[mesh.triangles[f][k]] + w.origin;
             const Vec3d got = found.positions[found.triangles[f][k]];
-            QVERIFY2(got == (stl && !far ? base::cast<double>(base::cast<float>(expected)) : expected),
+            QVERIFY2(got == (stl && !w.distant ? base::cast<double>(base::cast<float>(expected)) : expected),
                      "the same doubles");
             QVERIFY(stl || found.triangles[f] == mesh.triangles[f]);
         }
-    if (stl || !attributes)
+    if (stl || !w.full)
         return;
     QCOMPARE(found.normals.size(), mesh.positions.size());
     QCOMPARE(found.colours.size(), mesh.positions.size());
@@ -233,26 +249,19 @@ void MeshWritersTest::ourReadersFindTheVertices_data() {
 }
 
 void MeshWritersTest::ourReadersFindTheVertices() {
-    QFETCH(QString, extension);
-    QFETCH(bool, attributes);
-    QFETCH(bool, far);
-    base::Random random(test::seed());
-    const Mesh mesh = randomMesh(random, attributes);
-    const Vec3d origin = far ? Vec3d{637000.25, 851000.5, -400} : Vec3d{};
-    const test::Folder folder;
-    const auto path = folder.path("a." + extension.toStdString());
-    io::writeMesh(path, mesh, origin);
-    const io::FileModel model = io::read(path);
+    const Written w;
+    const Mesh& mesh = w.mesh;
+    const io::FileModel model = io::read(w.path);
     QCOMPARE(model.faces, mesh.triangles.size());
     QCOMPARE(model.points.size(), mesh.positions.size());
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
         const surfel::Surfel& s = model.points.items[i];
-        QVERIFY(base::distance(base::cast<double>(s.position) + model.origin, mesh.positions[i] + origin) < 1e-6);
-        if (!attributes || extension == "stl")
+        QVERIFY(base::distance(base::cast<double>(s.position) + model.origin, mesh.positions[i] + w.origin) < 1e-6);
+        if (!w.full || w.format == "stl")
             continue;
         QVERIFY(base::distance(s.normal, mesh.normals[i]) < 1e-6f);
         QCOMPARE(s.colour, mesh.colours[i]);
-        if (extension == "ply")
+        if (w.format == "ply")
             QCOMPARE(s.mask, mesh.masks[i]);
     }
 }
