@@ -22,10 +22,12 @@ using Triangle = std::array<std::uint32_t, 3>;
 
 struct Mesh {
     std::vector<base::Vec3d> positions;
-    std::vector<base::Vec3f> normals;    ///< unit gradients; empty: none
-    std::vector<surfel::Colour> colours; ///< empty: the model has none
-    std::vector<float> masks;            ///< empty: the model has none
-    std::vector<VertexKind> kinds;       ///< empty: unknown
+    std::vector<base::Vec3f> normals;                                    ///< unit gradients; empty: none
+    std::vector<surfel::Colour> colours;                                 ///< empty: the model has none
+    std::vector<float> masks;                                            ///< empty: the model has none
+    surfel::AttributeLayoutPtr layout = surfel::AttributeLayout::none(); ///< of the further attributes
+    std::vector<std::uint32_t> extra;                                    ///< layout->words() words per vertex
+    std::vector<VertexKind> kinds;                                       ///< empty: unknown
     std::vector<Triangle> triangles;
 };
 

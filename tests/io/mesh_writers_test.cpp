@@ -14,6 +14,7 @@ class MeshWritersTest : public QObject {
     void everyFormatBringsTheMeshBack();
     void ourReadersFindTheVertices_data();
     void ourReadersFindTheVertices();
+    void plyKeepsFurtherAttributes();
     void stlFarFromTheOriginIsText();
     void emptyMeshesAreWritten();
     void unknownExtensionsAreRefused();
@@ -264,6 +265,32 @@ void MeshWritersTest::ourReadersFindTheVertices() {
         if (w.format == "ply")
             QCOMPARE(s.mask, mesh.masks[i]);
     }
+}
+
+void MeshWritersTest::plyKeepsFurtherAttributes() {
+    base::Random random(test::seed());
+    Mesh mesh = randomMesh(random, true);
+    auto layout = std::make_shared<surfel::AttributeLayout>();
+    for (const auto& [name, type] :
+         {std::pair("scan", surfel::ScalarType::UInt8), std::pair("line", surfel::ScalarType::Int16),
+          std::pair("intensity", surfel::ScalarType::Float32), std::pair("time", surfel::ScalarType::Float64)})
+        layout->add(name, type);
+    mesh.layout = layout;
+    mesh.extra.resize(mesh.positions.size() * layout->words());
+    const auto valueOf = [](std::size_t vertex, std::size_t attribute) {
+        return double((vertex * 7 + attribute * 31) % 100) + (attribute == 3 ? 0.125 : 0);
+    };
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+        for (std::size_t a = 0; a < 4; ++a)
+            write(layout->attributes()[a], {mesh.extra.data() + v * layout->words(), layout->words()}, valueOf(v, a));
+    const test::Folder folder;
+    io::writeMesh(folder.path("a.ply"), mesh);
+    const io::FileModel back = io::read(folder.path("a.ply"));
+    QVERIFY(back.points.layout->attributes() == layout->attributes());
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+        for (std::size_t a = 0; a < 4; ++a)
+            QCOMPARE(read(layout->attributes()[a], back.points.extraOf(v)), valueOf(v, a));
+    QCOMPARE(back.faces, mesh.triangles.size());
 }
 
 void MeshWritersTest::stlFarFromTheOriginIsText() {

@@ -26,6 +26,7 @@ class MarchingTest : public QObject {
     void foldsAreClosedOnRequest();
     void smallPiecesAreDroppedOnRequest();
     void coloursAndMasksAreThoseOfTheSurfels();
+    void furtherAttributesAreBlendedAndLabelsKept();
     void threadsDoNotShow();
     void curvesAndNothingAreRefused();
 };
@@ -271,6 +272,33 @@ void MarchingTest::coloursAndMasksAreThoseOfTheSurfels() {
     }
     list.layout = shapes::layout(true, true);
     QVERIFY(mesh::marchingCubes(shapes::surfaceOf(list), {}, report).colours.empty());
+}
+
+void MarchingTest::furtherAttributesAreBlendedAndLabelsKept() {
+    const double s = shapes::sphereSpacing(4000, 1);
+    surfel::SurfelList list = shapes::sphere(4000, 1, 3.5 * s);
+    auto layout = std::make_shared<surfel::AttributeLayout>(*list.layout);
+    layout->add("height", surfel::ScalarType::Float64);
+    layout->add("side", surfel::ScalarType::UInt8);
+    list.layout = layout;
+    list.extra.resize(list.size() * layout->words());
+    const auto& attributes = layout->attributes();
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        const std::span<std::uint32_t> words{list.extra.data() + i * layout->words(), layout->words()};
+        write(attributes[0], words, double(list.items[i].position.z));
+        write(attributes[1], words, list.items[i].position.x > 0 ? 7 : 200);
+    }
+    MarchingReport report;
+    const Mesh m = mesh::marchingCubes(shapes::surfaceOf(list), {}, report);
+    QCOMPARE(m.extra.size(), m.positions.size() * layout->words());
+    for (std::size_t v = 0; v < m.positions.size(); ++v) {
+        const std::span<const std::uint32_t> words{m.extra.data() + v * layout->words(), layout->words()};
+        QVERIFY(std::abs(read(attributes[0], words) - m.positions[v].z) < 0.01);
+        const double side = read(attributes[1], words);
+        QVERIFY(side == 7 || side == 200);
+        if (std::abs(m.positions[v].x) > s)
+            QCOMPARE(side, m.positions[v].x > 0 ? 7.0 : 200.0);
+    }
 }
 
 void MarchingTest::threadsDoNotShow() {
