@@ -46,7 +46,7 @@ Mesher::Mesher(QObject* parent)
                                 [this](const std::exception& error) {
                                     post([this, text = QString::fromUtf8(error.what())] { Q_EMIT failed(text); });
                                 },
-                                [this] { post([this] { Q_EMIT idled(); }); }) {}
+                                [this] { post([this] { rest(); }); }) {}
 
 Mesher::~Mesher() = default;
 
@@ -60,16 +60,39 @@ static bool fits(const MadeMesh* made, const MeshChoice& choice, const tree::Sur
 }
 
 void Mesher::want(const MeshChoice& choice, const Snapshot& snapshot) {
-    if (!fits(m_made.get(), choice, snapshot.surface.tree()))
-        m_worker.request({choice, snapshot.surface, snapshot.spacing, snapshot.origin, {}, nullptr}, true);
+    if (fits(m_made.get(), choice, snapshot.surface.tree()))
+        return;
+    Wish wish{choice, snapshot.surface, snapshot.spacing, snapshot.origin, {}, nullptr};
+    if (m_saving)
+        m_after = std::move(wish);
+    else
+        m_worker.request(std::move(wish), true);
 }
 
 void Mesher::save(const MeshChoice& choice, const Snapshot& snapshot, const std::filesystem::path& path) {
+    if (m_saving) {
+        Q_EMIT failed(tr("Another mesh is being written; wait until it is, or stop it with Esc."));
+        return;
+    }
+    m_saving = true;
+    m_after.reset();
     m_worker.request({choice, snapshot.surface, snapshot.spacing, snapshot.origin, path, m_made}, true);
 }
 
 void Mesher::cancel() {
+    m_after.reset();
     m_worker.cancel();
+}
+
+/// Unless something has been asked for meanwhile.
+void Mesher::rest() {
+    if (m_worker.busy())
+        return;
+    m_saving = false;
+    if (m_after)
+        m_worker.request(*std::exchange(m_after, std::nullopt), true);
+    else
+        Q_EMIT idled();
 }
 
 static mesh::Mesh meshOf(const surface::Surface& surface, double spacing, const MeshChoice& choice,

@@ -4,7 +4,7 @@
 //     want(choice, snapshot)        -->      marching cubes or Delaunay       --> made()
 //     save(path)                    -->      the same where it is not made yet, then the file --> saved(path)
 //
-// A newer wish stops the one that runs. Interface's thread only.
+// A newer wish stops the one that runs, but for a file: that is finished first. Interface's thread only.
 #pragma once
 
 #include "core/mesh/mesh.h"
@@ -37,10 +37,10 @@ class Mesher : public QObject {
     ~Mesher() override;
 
     void want(const MeshChoice& choice, const Snapshot& snapshot);
-    /// Of the same, into a file of io::meshFormatTable().
+    /// Of the same, into a file of io::meshFormatTable(). While one is being written another fails.
     void save(const MeshChoice& choice, const Snapshot& snapshot, const std::filesystem::path& path);
     void cancel();
-    bool busy() const { return m_worker.busy(); }
+    bool busy() const { return m_saving || m_worker.busy(); }
     /// The last one made; null before.
     const std::shared_ptr<const MadeMesh>& made() const { return m_made; }
 
@@ -60,11 +60,13 @@ class Mesher : public QObject {
         std::filesystem::path path; ///< empty: no file
         std::shared_ptr<const MadeMesh> made;
     };
-    void ask(Wish wish);
+    void rest();
     void work(const Wish& wish, const base::Progress& progress);
     void post(std::function<void()> call);
 
     std::shared_ptr<const MadeMesh> m_made;
+    bool m_saving = false;
+    std::optional<Wish> m_after; ///< wanted while a file was being written
     LatestWorker<Wish> m_worker; ///< last: it calls back
 };
 

@@ -15,6 +15,7 @@ class MeshExportTest : public QObject {
     void estimateIsNearTheMesh();
     void everyFormatIsWritten();
     void newerWishReplacesTheOlder();
+    void previewWaitsForAFile();
 };
 
 namespace {
@@ -102,7 +103,7 @@ void MeshExportTest::everyFormatIsWritten() {
         QString written;
         connect(&f.mesh().mesher(), &ui::Mesher::saved, this, [&](const QString& name) { written = name; });
         f.mesh().save(path.toStdString());
-        QVERIFY(QTest::qWaitFor([&] { return written == path; }, 60000));
+        QVERIFY(QTest::qWaitFor([&] { return written == path && !f.mesh().mesher().busy(); }, 60000));
         const io::FileModel back = io::read(path.toStdString());
         QCOMPARE(back.points.items.size(), f.mesh().mesher().made()->mesh->positions.size());
         f.mesh().mesher().disconnect(this);
@@ -118,6 +119,25 @@ void MeshExportTest::newerWishReplacesTheOlder() {
     f.mesh().mesher().want(coarse, f.editor().snapshot());
     QVERIFY(QTest::qWaitFor([&] { return !f.mesh().mesher().busy() && f.mesh().mesher().made(); }, 60000));
     QVERIFY(QTest::qWaitFor([&] { return f.mesh().mesher().made()->choice.sameMesh(coarse); }, 5000));
+}
+
+void MeshExportTest::previewWaitsForAFile() {
+    Fixture f;
+    QVERIFY(f.make("sphere", 20000));
+    ui::Mesher& mesher = f.mesh().mesher();
+    QString written, failure;
+    connect(&mesher, &ui::Mesher::saved, this, [&](const QString& name) { written = name; });
+    connect(&mesher, &ui::Mesher::failed, this, [&](const QString& why) { failure = why; });
+    ui::MeshChoice fine, coarse;
+    fine.cell = 0.5, coarse.cell = 4;
+    const QString path = f.file("fine.ply");
+    mesher.save(fine, f.editor().snapshot(), path.toStdString());
+    mesher.want(coarse, f.editor().snapshot());
+    mesher.save(coarse, f.editor().snapshot(), f.file("other.ply").toStdString());
+    QVERIFY(failure.contains("being written"));
+    QVERIFY(QTest::qWaitFor([&] { return written == path; }, 60000));
+    QVERIFY(QTest::qWaitFor([&] { return mesher.made()->choice.sameMesh(coarse); }, 60000));
+    mesher.disconnect(this);
 }
 
 static const test::Registered<MeshExportTest> registered;
