@@ -1,6 +1,6 @@
 #include "core/raycast/light_rigs.h"
 
-#include "core/raycast/row_of_id.h"
+#include "core/base/row_of_id.h"
 
 namespace raycast {
 
@@ -51,7 +51,7 @@ const LightRigRow& lightRigRow(LightRig rig) {
 }
 
 LightRig lightRig(std::string_view id) {
-    return rowOf(lightRigTable(), "lights", id).rig;
+    return base::rowOf(lightRigTable(), "lights", id).rig;
 }
 
 Lamp lampTowards(const base::Vec3f& direction, std::size_t count) {

@@ -1,6 +1,6 @@
 #include "core/raycast/material_table.h"
 
-#include "core/raycast/row_of_id.h"
+#include "core/base/row_of_id.h"
 
 namespace raycast {
 
@@ -51,7 +51,7 @@ const MaterialRow& materialRow(Material material) {
 }
 
 Material material(std::string_view id) {
-    return rowOf(materialTable(), "material", id).material;
+    return base::rowOf(materialTable(), "material", id).material;
 }
 
 } // namespace raycast

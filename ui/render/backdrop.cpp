@@ -1,6 +1,6 @@
 #include "ui/render/backdrop.h"
 
-#include "core/base/error.h"
+#include "core/base/row_of_id.h"
 
 #include <algorithm>
 #include <string>
@@ -50,13 +50,7 @@ const BackdropRow& backdropRow(Backdrop backdrop) {
 }
 
 Backdrop backdrop(std::string_view id) {
-    std::string known;
-    for (const BackdropRow& row : backdropTable()) {
-        if (row.id == id)
-            return row.backdrop;
-        known += (known.empty() ? "" : ", ") + std::string(row.id);
-    }
-    throw base::Error("unknown background '" + std::string(id) + "'", "", "use one of: " + known);
+    return base::rowOf(backdropTable(), "background", id).backdrop;
 }
 
 static Vec3f lightAt(Backdrop backdrop, float height) {

@@ -1,6 +1,7 @@
 #include "ui/render/shading_table.h"
 
 #include "core/base/error.h"
+#include "core/base/row_of_id.h"
 #include "ui/render/light_ball.h"
 
 #include <algorithm>
@@ -150,13 +151,7 @@ const ShadingRow& shadingRow(Shading shading) {
 }
 
 Shading shading(std::string_view id) {
-    std::string known;
-    for (const ShadingRow& row : shadingTable()) {
-        if (row.id == id)
-            return row.shading;
-        known += (known.empty() ? "" : ", ") + std::string(row.id);
-    }
-    throw base::Error("unknown shading '" + std::string(id) + "'", "", "use one of: " + known);
+    return base::rowOf(shadingTable(), "shading", id).shading;
 }
 
 /// To two digits, away from zero or, for `direction` < 0, downwards.

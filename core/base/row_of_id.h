@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace raycast {
+namespace base {
 
 template <class Rows>
 const auto& rowOf(const Rows& rows, const char* what, std::string_view id) {
@@ -16,7 +16,7 @@ const auto& rowOf(const Rows& rows, const char* what, std::string_view id) {
             return row;
         known += (known.empty() ? "" : ", ") + std::string(row.id);
     }
-    throw base::Error("unknown " + std::string(what) + " '" + std::string(id) + "'", "", "use one of: " + known);
+    throw Error("unknown " + std::string(what) + " '" + std::string(id) + "'", "", "use one of: " + known);
 }
 
-} // namespace raycast
+} // namespace base
