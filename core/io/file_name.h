@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <iterator>
+#include <sstream>
 #include <string>
 #include <string_view>
 
@@ -19,6 +21,24 @@ inline std::string lowerCase(std::string_view text) {
 inline std::string extensionOf(const std::filesystem::path& file) {
     const std::string extension = lowerCase(file.extension().string());
     return extension.empty() ? extension : extension.substr(1);
+}
+
+/// Is the extension among a format's, which blanks separate?
+inline bool isAmong(std::string_view extension, std::string_view extensions) {
+    std::istringstream words{std::string(extensions)};
+    for (std::string word; words >> word;)
+        if (word == extension)
+            return true;
+    return false;
+}
+
+/// Of a table of formats, the row that has the extension; null where none has.
+template <class Rows>
+auto rowOfExtension(const Rows& rows, std::string_view extension) -> decltype(std::data(rows)) {
+    for (const auto& row : rows)
+        if (isAmong(extension, row.extensions))
+            return &row;
+    return nullptr;
 }
 
 } // namespace io

@@ -3,8 +3,6 @@
 #include "core/io/formats.h"
 #include "core/io/readers.h"
 
-#include <sstream>
-
 namespace io {
 
 static constexpr FormatRow table[] = {
@@ -17,16 +15,6 @@ static constexpr FormatRow table[] = {
 
 std::span<const FormatRow> formatTable() {
     return table;
-}
-
-static const FormatRow* rowOfExtension(const std::string& extension) {
-    for (const FormatRow& row : table) {
-        std::istringstream words(row.extensions);
-        for (std::string word; words >> word;)
-            if (word == extension)
-                return &row;
-    }
-    return nullptr;
 }
 
 static const FormatRow* rowOfId(const std::string& id) {
@@ -63,7 +51,7 @@ static const FormatRow& readerOf(const path& name) {
     const FileBytes file(name);
     const std::string extension = extensionOf(name), kind = contentKind(file);
     refuseUnreadable(file, extension);
-    const FormatRow* row = rowOfExtension(extension);
+    const FormatRow* row = rowOfExtension(table, extension);
     // A content that proves itself is believed more than the name; "stl" proves little, so only without another name.
     if (!kind.empty() && (!row || kind != "stl"))
         row = rowOfId(kind);
@@ -79,7 +67,7 @@ FileModel read(const path& path, const base::Progress& progress) {
 }
 
 void write(const path& path, const FileModel& model, const base::Progress& progress) {
-    const FormatRow* row = rowOfExtension(extensionOf(path));
+    const FormatRow* row = rowOfExtension(table, extensionOf(path));
     if (!row || !row->write)
         throw base::Error("cannot be written in this format", path.string(),
                           "choose one of the extensions " + knownExtensions(true));

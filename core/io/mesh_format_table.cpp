@@ -2,8 +2,6 @@
 #include "core/io/file_name.h"
 #include "core/io/mesh_writers.h"
 
-#include <sstream>
-
 namespace io {
 
 static constexpr MeshFormatRow table[] = {
@@ -19,14 +17,7 @@ std::span<const MeshFormatRow> meshFormatTable() {
 }
 
 const MeshFormatRow* meshFormatOf(const path& file) {
-    const std::string extension = extensionOf(file);
-    for (const MeshFormatRow& row : table) {
-        std::istringstream words(row.extensions);
-        for (std::string word; words >> word;)
-            if (word == extension)
-                return &row;
-    }
-    return nullptr;
+    return rowOfExtension(table, extensionOf(file));
 }
 
 std::string meshExtensions() {
