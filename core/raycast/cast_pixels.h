@@ -1,6 +1,7 @@
 // Rays of chosen pixels: what fullCast finds there, bit for bit.
 #pragma once
 
+#include "core/base/parallel.h"
 #include "core/raycast/full_cast.h"
 
 namespace raycast {
@@ -14,5 +15,37 @@ struct Pixel {
 /// In parallel, best when neighbours in the list are neighbours in the image. REQUIRES: pixels.size() == out.size().
 void castPixels(const surface::Surface& surface, const ImageRays& view, std::span<const Pixel> pixels,
                 std::span<Sample> out);
+
+/// The same for samples that stand anywhere: of pixels[i] it is place(i), which is empty before and stays so where the
+/// planes leave nothing of the ray. Rays begin behind the planes, and hit nothing beyond the part that is kept.
+template <class Place>
+void castEach(const surface::Surface& surface, const ImageRays& view, std::span<const Pixel> pixels,
+              const Place& place) {
+    std::vector<std::size_t> kept;
+    std::vector<base::RayPart> parts;
+    std::vector<base::Rayf> rays;
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        const base::Rayd ray = view.ray(pixels[i].column, pixels[i].row);
+        const base::RayPart part = keptPart(ray, view.clips);
+        if (part.empty())
+            continue;
+        kept.push_back(i);
+        parts.push_back(part);
+        rays.push_back({base::cast<float>(ray.at(part.first)), base::cast<float>(ray.direction)});
+    }
+    std::vector<surface::RayHit<float>> hits(rays.size());
+    surface::intersect(surface, rays, {}, hits);
+    const surfel::AttributeLayout& layout = *surface.tree().layout();
+    const bool attributes = layout.colours || layout.masks;
+    base::parallelFor(kept.size(), 256, [&](std::size_t i) {
+        Sample& sample = place(kept[i]);
+        sample.hit = hits[i];
+        const double t = static_cast<double>(hits[i].t) + parts[i].first;
+        sample.hit.t = static_cast<float>(t);
+        sample.hit.hit = hits[i].hit && t <= parts[i].second;
+        if (sample.hit.hit && attributes)
+            blendAttributes(surface, hits[i].position, sample);
+    });
+}
 
 } // namespace raycast

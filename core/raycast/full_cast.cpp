@@ -1,6 +1,6 @@
 #include "core/raycast/full_cast.h"
 
-#include "core/base/parallel.h"
+#include "core/raycast/cast_pixels.h"
 
 #include <chrono>
 
@@ -47,48 +47,23 @@ void blendAttributes(const surface::Surface& surface, const base::Vec3f& x, Samp
 }
 
 /// Pixels of some rows in the order of their tiles.
-static std::vector<int> tileOrder(int width, int firstRow, int rows) {
-    std::vector<int> order;
+static std::vector<Pixel> tileOrder(int width, int firstRow, int rows) {
+    std::vector<Pixel> order;
     order.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(rows));
     for (int top = 0; top < rows; top += tileSize)
         for (int left = 0; left < width; left += tileSize)
             for (int y = top; y < std::min(rows, top + tileSize); ++y)
                 for (int x = left; x < std::min(width, left + tileSize); ++x)
-                    order.push_back((firstRow + y) * width + x);
+                    order.push_back({x, firstRow + y});
     return order;
 }
 
-/// A ray that the surface is asked about: from where no plane cuts it any more.
-struct KeptRay {
-    int pixel = 0;
-    base::RayPart part;
-};
-
-/// Rays begin behind the planes; the first hit of a ray is none where it lies beyond the part that is kept.
 static void castRows(const surface::Surface& surface, const ImageRays& view, int firstRow, int rows,
                      std::vector<Sample>& out) {
-    std::vector<KeptRay> kept;
-    std::vector<base::Rayf> rays;
-    for (const int pixel : tileOrder(view.width, firstRow, rows)) {
-        const base::Rayd ray = view.ray(pixel % view.width, pixel / view.width);
-        const base::RayPart part = keptPart(ray, view.clips);
-        if (part.empty())
-            continue;
-        kept.push_back({pixel, part});
-        rays.push_back({base::cast<float>(ray.at(part.first)), base::cast<float>(ray.direction)});
-    }
-    std::vector<surface::RayHit<float>> hits(rays.size());
-    surface::intersect(surface, rays, {}, hits);
-    const surfel::AttributeLayout& layout = *surface.tree().layout();
-    const bool attributes = layout.colours || layout.masks;
-    base::parallelFor(kept.size(), 256, [&](std::size_t i) {
-        Sample& sample = out[static_cast<std::size_t>(kept[i].pixel)];
-        sample.hit = hits[i];
-        const double t = static_cast<double>(hits[i].t) + kept[i].part.first;
-        sample.hit.t = static_cast<float>(t);
-        sample.hit.hit = hits[i].hit && t <= kept[i].part.second;
-        if (sample.hit.hit && attributes)
-            blendAttributes(surface, hits[i].position, sample);
+    const std::vector<Pixel> pixels = tileOrder(view.width, firstRow, rows);
+    castEach(surface, view, pixels, [&](std::size_t i) -> Sample& {
+        return out[static_cast<std::size_t>(pixels[i].row) * static_cast<std::size_t>(view.width) +
+                   static_cast<std::size_t>(pixels[i].column)];
     });
 }
 
