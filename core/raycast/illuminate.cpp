@@ -1,6 +1,7 @@
 #include "core/raycast/illuminate.h"
 
 #include "core/base/parallel.h"
+#include "core/base/srgb.h"
 #include "core/raycast/blocking.h"
 #include "core/raycast/even_out.h"
 #include "core/raycast/light_paths.h"
@@ -22,10 +23,7 @@ float brightness(const Vec3f& c) {
 }
 
 Vec3f linear(surfel::Colour colour) {
-    const auto channel = [&](int k) {
-        const float c = static_cast<float>(colour >> (8 * k) & 255u) / 255;
-        return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f);
-    };
+    const auto channel = [&](int k) { return base::linearOf(static_cast<float>(colour >> (8 * k) & 255u) / 255); };
     return {channel(0), channel(1), channel(2)};
 }
 

@@ -28,6 +28,14 @@ struct SeenSamples {
     int width = 0;
 };
 
+/// Of an image, all its pixels. REQUIRES: `rays` outlive it.
+inline SeenSamples seenThrough(const ImageRays& rays, std::span<const Sample> samples) {
+    const auto ray = [&rays](std::size_t i) {
+        return rays.ray(static_cast<int>(i) % rays.width, static_cast<int>(i) / rays.width);
+    };
+    return {samples, ray, rays.width};
+}
+
 /// All that light meets: the model, the ground, planes that cut.
 struct LightScene {
     /// REQUIRES: `clips` outlive it.

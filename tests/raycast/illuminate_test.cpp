@@ -42,10 +42,7 @@ std::vector<Lit> litBy(const LightScene& scene, const ImageRays& rays, std::span
                        const base::Progress& progress = {}) {
     std::vector<Lit> out(samples.size());
     LightCounts counts;
-    const auto ray = [&](std::size_t i) {
-        return rays.ray(static_cast<int>(i) % rays.width, static_cast<int>(i) / rays.width);
-    };
-    illuminate(scene, {samples, ray, rays.width}, out, counts, progress);
+    illuminate(scene, seenThrough(rays, samples), out, counts, progress);
     return out;
 }
 

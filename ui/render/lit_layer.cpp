@@ -1,6 +1,7 @@
 #include "ui/render/lit_layer.h"
 
 #include "core/base/parallel.h"
+#include "core/base/srgb.h"
 #include "ui/render/light_terms.h"
 
 namespace render {
@@ -9,7 +10,7 @@ using base::Vec3f;
 
 /// The inverse of light::encode for a channel of the background.
 static float decode(float srgb) {
-    const float c = srgb <= 0.04045f ? srgb / 12.92f : std::pow((srgb + 0.055f) / 1.055f, 2.4f);
+    const float c = base::linearOf(srgb);
     const float shoulder = 0.18f * c; // c = x / (1 + 0.18 x^2)
     return 2 * c / (1 + std::sqrt(std::max(0.0f, 1 - 4 * shoulder * c)));
 }

@@ -43,10 +43,7 @@ void rayCast(const surface::Surface& surface, const Camera& camera, const Render
     std::optional<raycast::LightScene> light;
     if (look.lighting.wanted()) {
         light.emplace(surface, look.lighting, viewerOf(camera, options), rays.clips);
-        const auto ray = [&](std::size_t i) {
-            return rays.ray(static_cast<int>(i) % camera.width, static_cast<int>(i) / camera.width);
-        };
-        lightPixels(*light, {samples, ray, camera.width}, layer.pixels, counts.light, progress);
+        lightPixels(*light, seenThrough(rays, samples), layer.pixels, counts.light, progress);
     }
     if (look.smooth) {
         EdgeCounts edges;

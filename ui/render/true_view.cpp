@@ -92,12 +92,9 @@ TrueView::Level TrueView::lit(const raycast::AdaptiveImage& image, const base::P
     const raycast::ImageRays rays = imageRays(m_subject.camera);
     const raycast::LightScene scene(m_subject.surface, m_subject.lighting,
                                     viewerOf(m_subject.camera, m_subject.options), rays.clips);
-    const auto ray = [&](std::size_t i) {
-        return rays.ray(static_cast<int>(i) % rays.width, static_cast<int>(i) / rays.width);
-    };
     const std::span<const raycast::Sample> samples = m_subject.measured ? m_coloured : image.samples;
     raycast::LightCounts counts;
-    lightPixels(scene, {samples, ray, rays.width}, m_unlit.pixels, counts, progress);
+    lightPixels(scene, seenThrough(rays, samples), m_unlit.pixels, counts, progress);
     m_lit = m_layer = std::make_shared<ShadedLayer>(std::move(m_unlit));
     return {m_layer, image.quality, true};
 }
