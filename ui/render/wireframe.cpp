@@ -1,6 +1,7 @@
 #include "ui/render/wireframe.h"
 
 #include "core/base/parallel.h"
+#include "core/mesh/edges.h"
 #include "ui/render/pixel_geometry.h"
 
 #include <algorithm>
@@ -10,20 +11,11 @@ namespace render {
 using base::Vec3d;
 
 Wires wiresOf(std::shared_ptr<const mesh::Mesh> mesh) {
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> all;
-    all.reserve(3 * mesh->triangles.size());
-    for (const mesh::Triangle& t : mesh->triangles)
-        for (std::size_t k = 0; k < 3; ++k)
-            all.push_back(std::minmax(t[k], t[(k + 1) % 3]));
-    std::sort(all.begin(), all.end());
     Wires out;
+    mesh::forEdges(mesh::edgeUses(mesh->triangles), [&](std::span<const mesh::EdgeUse> uses) {
+        out.edges.push_back({uses[0].low, uses[0].high, uses.size() == 1});
+    });
     out.mesh = std::move(mesh);
-    for (std::size_t i = 0; i < all.size();) {
-        const std::size_t first = i;
-        while (i < all.size() && all[i] == all[first])
-            ++i;
-        out.edges.push_back({all[first].first, all[first].second, i - first == 1});
-    }
     return out;
 }
 
