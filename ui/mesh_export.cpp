@@ -51,8 +51,10 @@ MeshExport::~MeshExport() {
 
 void MeshExport::setOpen(bool open) {
     m_bar->setVisible(open);
-    if (open)
+    if (open) {
+        measure();
         return follow();
+    }
     m_soon.stop();
     m_mesher.cancel();
     m_canvas.update();
@@ -71,7 +73,18 @@ void MeshExport::follow() {
     m_canvas.update();
 }
 
+/// Costs what the whole model costs: not for every dab.
+void MeshExport::measure() {
+    const Snapshot& now = m_editor.snapshot();
+    m_area = estimatedArea(now.surface.tree(), static_cast<double>(now.spacing));
+}
+
 void MeshExport::make() {
+    const std::shared_ptr<const MadeMesh>& made = m_mesher.made();
+    if (!made || !(made->model == m_editor.snapshot().surface.tree())) {
+        measure();
+        tellEstimate();
+    }
     if (m_bar->choice().preview && m_editor.snapshot().surfels > 0)
         m_mesher.want(m_bar->choice(), m_editor.snapshot());
 }
@@ -83,10 +96,6 @@ static QString count(std::size_t number) {
 void MeshExport::tellEstimate() {
     const Snapshot& now = m_editor.snapshot();
     const auto spacing = static_cast<double>(now.spacing);
-    if (!(m_measured == now.surface.tree())) {
-        m_measured = now.surface.tree();
-        m_area = estimatedArea(m_measured, spacing);
-    }
     const double triangles = static_cast<double>(estimatedTriangles(m_area, spacing, m_bar->choice()));
     const double unit = triangles >= 1000 ? std::pow(10, std::floor(std::log10(triangles)) - 1) : 1;
     m_bar->tell(tr("about %1 triangles").arg(count(static_cast<std::size_t>(std::round(triangles / unit) * unit))));

@@ -41,6 +41,7 @@ class MeshExport : public QObject {
         render::Camera camera;
     };
     void follow();
+    void measure();
     void make();
     void tellEstimate();
     void tellMade();
@@ -52,9 +53,8 @@ class MeshExport : public QObject {
     QWidget& m_canvas;
     MeshBar* m_bar;
     Mesher m_mesher;
-    QTimer m_soon; ///< runs from a change until the mesh is made anew
-    tree::SurfelTree m_measured;
-    double m_area = 0; ///< of that version
+    QTimer m_soon;     ///< runs from a change until the mesh is made anew
+    double m_area = 0; ///< of the model when it was last looked at
     QImage m_lines;
     Wanted m_drawn, m_asked;                        ///< in m_lines; last asked for
     render::Wires m_wires;                          ///< the drawing thread's

@@ -21,7 +21,7 @@ double estimatedArea(const tree::SurfelTree& model, double spacing) {
     supports.reserve(model.size());
     model.forEachBlock([&](std::uint32_t, const surfel::SurfelBlock& block) {
         for (int slot = 0; slot < block.size(); ++slot)
-            supports.push_back(block.surfel(slot).support);
+            supports.push_back(block.support(slot));
     });
     if (supports.empty())
         return 0;
