@@ -1,6 +1,8 @@
 #include "core/mesh/mesh_attributes.h"
 
 #include "core/base/parallel.h"
+#include "core/surface/attribute_sum.h"
+#include "core/surface/weights.h"
 
 namespace mesh {
 
@@ -8,88 +10,32 @@ using base::Vec3f;
 
 namespace {
 
-struct Blend {
-    float weight = 0;
-    float channels[4] = {};
-    float mask = 0;
-    const surfel::AttributeLayout* layout = nullptr; ///< of the further attributes
-    std::vector<double> numbers;                     ///< sums of each
-    std::vector<std::uint32_t> words, heaviest;      ///< of the surfel being added; of the one that weighs most
-    float most = 0;
-
-    explicit Blend(const surfel::AttributeLayout& attributes)
-        : layout(&attributes), numbers(attributes.attributes().size(), 0), words(attributes.words(), 0),
-          heaviest(words) {}
-
-    void add(const surfel::SurfelBlock& block, int slot, float theta) {
-        const int cluster = slot / surfel::clusterSize, lane = slot % surfel::clusterSize;
-        const surfel::Colour colour = block.words(cluster, surfel::ColourWord)[lane];
-        weight += theta;
-        for (int c = 0; c < 4; ++c)
-            channels[c] += theta * static_cast<float>(colour >> (8 * c) & 255u);
-        mask += theta * block.mask(slot);
-        if (!words.empty())
-            addFurther(block, slot, theta);
-    }
-    void addFurther(const surfel::SurfelBlock& block, int slot, float theta) {
-        block.extra(slot, words);
-        for (std::size_t a = 0; a < numbers.size(); ++a)
-            numbers[a] += static_cast<double>(theta) * read(layout->attributes()[a], words);
-        if (theta > most) {
-            most = theta;
-            heaviest = words;
-        }
-    }
-    void further(std::span<std::uint32_t> out) const {
-        std::copy(heaviest.begin(), heaviest.end(), out.begin());
-        for (std::size_t a = 0; a < numbers.size(); ++a)
-            if (isReal(layout->attributes()[a].type))
-                write(layout->attributes()[a], out, numbers[a] / static_cast<double>(weight));
-    }
-    surfel::Colour colour() const {
-        unsigned bytes[4];
-        for (int c = 0; c < 4; ++c)
-            bytes[c] = static_cast<unsigned>(std::lround(channels[c] / weight));
-        return surfel::rgba(bytes[0], bytes[1], bytes[2], bytes[3]);
-    }
-};
-
+/// What faces as the normal does; where nothing does, what faces away; where nothing has weight, the nearest.
 class Blender {
   public:
     explicit Blender(const surface::Surface& surface)
-        : m_tree(surface.tree()), m_oriented(m_tree.layout()->normals && m_tree.layout()->oriented) {}
+        : m_surface(surface), m_layout(*surface.tree().layout()), m_oriented(m_layout.normals && m_layout.oriented) {}
 
-    Blend at(const Vec3f& x, const Vec3f& normal) const {
-        Blend out(*m_tree.layout());
-        sum(x, m_oriented ? normal : Vec3f{}, out);
-        if (!(out.weight > 0)) // all face away: rather those than none
-            sum(x, {}, out);
-        if (!(out.weight > 0))
-            nearest(x, out);
-        return out;
+    surface::AttributeSum at(const Vec3f& x, const Vec3f& normal) const {
+        surface::AttributeSum facing(m_layout), others(m_layout);
+        const bool any = !m_oriented || !(lengthSq(normal) > 0);
+        surface::forWeights(m_surface, x, [&](const surfel::SurfelBlock& block, int slot, float theta) {
+            (any || dot(block.normal(slot), normal) > 0 ? facing : others).add(block, slot, theta);
+        });
+        if (!facing.any() && !others.any())
+            addNearest(x, others);
+        return facing.any() ? facing : others;
     }
 
   private:
-    /// `towards` zero: whichever way they face.
-    void sum(const Vec3f& x, const Vec3f& towards, Blend& out) const {
-        const bool any = !(lengthSq(towards) > 0);
-        m_tree.forClustersInSupport(x, [&](const surfel::SurfelBlock& block, int cluster) {
-            const int first = cluster * surfel::clusterSize;
-            const int last = std::min(first + surfel::clusterSize, block.size());
-            for (int slot = first; slot < last; ++slot) {
-                const float r = distance(block.position(slot), x) / block.support(slot), rest = 1 - r;
-                if (rest > 0 && (any || dot(block.normal(slot), towards) > 0))
-                    out.add(block, slot, rest * rest * rest * rest * (4 * r + 1));
-            }
-        });
-    }
-    void nearest(const Vec3f& x, Blend& out) const {
+    void addNearest(const Vec3f& x, surface::AttributeSum& sum) const {
         std::vector<tree::Neighbour> found;
-        m_tree.nearest(x, 1, found);
-        out.add(*found[0].block, found[0].slot, 1);
+        m_surface.tree().nearest(x, 1, found);
+        sum.add(*found[0].block, found[0].slot, 1);
     }
 
-    const tree::SurfelTree& m_tree;
+    const surface::Surface& m_surface;
+    const surfel::AttributeLayout& m_layout;
     bool m_oriented;
 };
 
@@ -105,12 +51,12 @@ void takeAttributes(Mesh& mesh, const surface::Surface& surface) {
         return;
     const Blender blender(surface);
     base::parallelFor(mesh.positions.size(), 1024, [&](std::size_t v) {
-        const Blend blend = blender.at(base::cast<float>(mesh.positions[v]), mesh.normals[v]);
+        const surface::AttributeSum sum = blender.at(base::cast<float>(mesh.positions[v]), mesh.normals[v]);
         if (layout.colours)
-            mesh.colours[v] = blend.colour();
+            mesh.colours[v] = sum.colour();
         if (layout.masks)
-            mesh.masks[v] = blend.mask / blend.weight;
-        blend.further({mesh.extra.data() + v * layout.words(), layout.words()});
+            mesh.masks[v] = sum.mask();
+        sum.further({mesh.extra.data() + v * layout.words(), layout.words()});
     });
 }
 

@@ -1,45 +1,16 @@
 #include "core/process/resample_blend.h"
 
-#include "core/base/clones.h"
 #include "core/base/parallel.h"
 #include "core/process/resample_land.h"
+#include "core/surface/attribute_sum.h"
 #include "core/surface/packets.h"
+#include "core/surface/weights.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 
 namespace process {
-
-/// alg. 2.1
-static float weightAt(surface::Weight kind, float distanceSq, float support) {
-    if (!(distanceSq < support * support))
-        return 0;
-    if (kind == surface::Weight::Gaussian) {
-        const float unit = surface::unitOf(kind, support);
-        return std::exp(-distanceSq / (unit * unit));
-    }
-    const float r = std::sqrt(distanceSq) / support, t = (1 - r) * (1 - r);
-    return t * t * (4 * r + 1);
-}
-
-/// Squared distances of a cluster from x, and a bit for each within the support.
-POINTCLAY_CLONES
-static unsigned within(const float* cluster, const base::Vec3f& x, float* __restrict distanceSq) {
-    const float *px = cluster, *py = px + surfel::clusterSize, *pz = py + surfel::clusterSize;
-    const float* h = cluster + surfel::Support * surfel::clusterSize;
-    const float cx = x.x, cy = x.y, cz = x.z;
-    std::uint32_t in[surfel::clusterSize];
-    for (int i = 0; i < surfel::clusterSize; ++i) {
-        const float dx = px[i] - cx, dy = py[i] - cy, dz = pz[i] - cz;
-        distanceSq[i] = dx * dx + dy * dy + dz * dz;
-        in[i] = distanceSq[i] < h[i] * h[i] ? 1u << i : 0u;
-    }
-    unsigned out = 0;
-    for (const std::uint32_t bit : in)
-        out |= bit;
-    return out;
-}
 
 constexpr std::size_t grain = 32;
 /// In spacings: how far around a place blocks are collected for those that follow.
@@ -97,13 +68,10 @@ void Blender::forWeights(const base::Vec3f& x, Near& near, const Fn& fn) const {
     lookAround(x, near);
     for (const auto& [block, which] : near.blocks)
         for (unsigned left = block->boundsLanes().supporting(x); left != 0; left &= left - 1) {
-            const int cluster = std::countr_zero(left);
-            float distanceSq[surfel::clusterSize];
-            for (unsigned in = within(block->channel(cluster, surfel::X), x, distanceSq); in != 0; in &= in - 1) {
-                const int lane = std::countr_zero(in), slot = cluster * surfel::clusterSize + lane;
-                if (const float w = weightAt(kind, distanceSq[lane], block->support(slot)); w > 0)
-                    fn(*block, slot, which * surfel::blockCapacity + static_cast<std::size_t>(slot), w);
-            }
+            surface::forWeights(*block, std::countr_zero(left), kind, x,
+                                [&, first = which * surfel::blockCapacity](int slot, float w) {
+                                    fn(*block, slot, first + static_cast<std::size_t>(slot), w);
+                                });
         }
 }
 
@@ -142,72 +110,33 @@ void Blender::measure() {
     });
 }
 
-namespace {
-
-/// Sums of what a surfel carries beside its place.
-struct Carried {
-    const surfel::AttributeLayout& layout;
-    double weight = 0, mask = 0, channel[4] = {};
-    float largest = 0;
-    std::vector<double> reals;
-    std::vector<std::uint32_t> words, nearest;
-
-    explicit Carried(const surfel::AttributeLayout& l)
-        : layout(l), reals(l.attributes().size(), 0.0), words(l.words()), nearest(l.words()) {}
-
-    void add(const surfel::SurfelBlock& block, int slot, float w) {
-        const surfel::Surfel s = block.surfel(slot);
-        weight += w;
-        mask += double(w) * double(s.mask);
-        for (int c = 0; c < 4; ++c)
-            channel[c] += double(w) * double(s.colour >> (8 * c) & 255u);
-        if (words.empty())
-            return;
-        block.extra(slot, words);
-        for (std::size_t a = 0; a < reals.size(); ++a)
-            reals[a] += double(w) * surfel::read(layout.attributes()[a], words);
-        if (w > largest)
-            largest = w, nearest = words;
-    }
-
-    void write(Blend& out) const {
-        out.mask = static_cast<float>(mask / weight);
-        out.colour = 0;
-        for (int c = 0; c < 4; ++c)
-            out.colour |= static_cast<std::uint32_t>(std::lround(channel[c] / weight)) << (8 * c);
-        out.words = nearest;
-        for (std::size_t a = 0; a < reals.size(); ++a)
-            if (surfel::isReal(layout.attributes()[a].type))
-                surfel::write(layout.attributes()[a], out.words, reals[a] / weight);
-    }
-};
-
-} // namespace
-
 void Blender::at(const base::Vec3f& x, const base::Vec3f& gradient, Near& near, Blend& out) const {
-    Carried facing(m_layout), all(m_layout);
-    double height = 0;
+    surface::AttributeSum facing(m_layout), others(m_layout);
+    double weight = 0, height = 0;
     base::Vec3d tilt;
     forWeights(x, near, [&](const surfel::SurfelBlock& block, int slot, std::size_t index, float w) {
         const base::Vec3f n = block.normal(slot);
         if (m_facing.oriented() && dot(n, gradient) <= -0.17f)
-            return all.add(block, slot, w);
+            return others.add(block, slot, w);
         facing.add(block, slot, w);
+        weight += double(w);
         const Measured& m = m_measured[index];
         const double side = dot(m.gradient, gradient) < 0 ? -double(w) : double(w);
         height += side * double(m.height);
         tilt += base::cast<double>(m.tilt) * side;
     });
     out = {};
-    if (facing.weight > 0) {
-        out.height = static_cast<float>(height / facing.weight);
-        out.tilt = base::cast<float>(tilt / facing.weight);
-        facing.write(out);
-    } else if (all.weight > 0) {
-        all.write(out);
-    } else {
-        out.words.assign(m_layout.words(), 0);
+    out.words.assign(m_layout.words(), 0);
+    if (facing.any()) {
+        out.height = static_cast<float>(height / weight);
+        out.tilt = base::cast<float>(tilt / weight);
     }
+    const surface::AttributeSum& sum = facing.any() ? facing : others;
+    if (!sum.any())
+        return;
+    out.colour = sum.colour();
+    out.mask = sum.mask();
+    sum.further(out.words);
 }
 
 } // namespace process

@@ -5,6 +5,7 @@
 #include "core/surface/curvature.h"
 #include "core/surface/project.h"
 #include "core/surface/self.h"
+#include "core/surface/weights.h"
 
 #include <algorithm>
 #include <unordered_set>
@@ -82,16 +83,9 @@ void deviationAt(const FieldQuestion& q, std::span<const Vec3f> x, std::span<flo
 /// Weighted like colours and masks.
 float spacingAt(const Surface& surface, const Vec3f& x) {
     float sum = 0, total = 0;
-    surface.tree().forClustersInSupport(x, [&](const surfel::SurfelBlock& block, int cluster) {
-        const int begin = cluster * surfel::clusterSize, end = std::min(begin + surfel::clusterSize, block.size());
-        for (int slot = begin; slot < end; ++slot) {
-            const float r2 = distanceSq(block.position(slot), x) / (block.support(slot) * block.support(slot));
-            if (r2 >= 1)
-                continue;
-            const float r = std::sqrt(r2), near = (1 - r) * (1 - r), w = near * near * (4 * r + 1);
-            sum += w * spacingAround(surface.tree(), block.position(slot));
-            total += w;
-        }
+    surface::forWeights(surface, x, [&](const surfel::SurfelBlock& block, int slot, float theta) {
+        sum += theta * spacingAround(surface.tree(), block.position(slot));
+        total += theta;
     });
     return total > 0 ? sum / total : unknown;
 }

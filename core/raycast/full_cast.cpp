@@ -1,6 +1,8 @@
 #include "core/raycast/full_cast.h"
 
 #include "core/raycast/cast_pixels.h"
+#include "core/surface/attribute_sum.h"
+#include "core/surface/weights.h"
 
 #include <chrono>
 
@@ -9,41 +11,14 @@ namespace raycast {
 /// Rays go through the intersection in square tiles; this many rows of tiles between two looks at the progress.
 constexpr int tileSize = 16, tileRowsPerStep = 4;
 
-/// Wendland's C2 function, or the Gaussian cut at its reach (alg. 2.1), without normalisation.
-static float weightAt(surface::Weight weight, float distanceSq, float support) {
-    const float r2 = distanceSq / (support * support);
-    if (r2 >= 1)
-        return 0;
-    if (weight == surface::Weight::Gaussian)
-        return std::exp(-r2 * surface::gaussianReach * surface::gaussianReach);
-    const float r = std::sqrt(r2), q = (1 - r) * (1 - r);
-    return q * q * (4 * r + 1);
-}
-
 void blendAttributes(const surface::Surface& surface, const base::Vec3f& x, Sample& out) {
-    float weight = 0, mask = 0;
-    base::Vec3f colour;
-    surface.tree().forClustersInSupport(x, [&](const surfel::SurfelBlock& block, int cluster) {
-        const float* px = block.channel(cluster, surfel::X);
-        const float* py = block.channel(cluster, surfel::Y);
-        const float* pz = block.channel(cluster, surfel::Z);
-        const float* support = block.channel(cluster, surfel::Support);
-        const float* masks = block.channel(cluster, surfel::Mask);
-        const std::uint32_t* colours = block.words(cluster, surfel::ColourWord);
-        for (int i = 0; i < surfel::clusterSize; ++i) {
-            const float distanceSq = base::distanceSq(x, {px[i], py[i], pz[i]});
-            const float w = weightAt(surface.definition().weight, distanceSq, support[i]);
-            weight += w;
-            mask += w * masks[i];
-            for (std::size_t k = 0; k < 3; ++k)
-                colour[k] += w * static_cast<float>(colours[i] >> (8 * k) & 255u);
-        }
-    });
-    if (!(weight > 0))
+    surface::AttributeSum sum(*surfel::AttributeLayout::none());
+    const auto add = [&](const surfel::SurfelBlock& block, int slot, float theta) { sum.add(block, slot, theta); };
+    surface::forWeights(surface, x, add);
+    if (!sum.any())
         return;
-    const auto channel = [&](std::size_t k) { return static_cast<unsigned>(colour[k] / weight + 0.5f); };
-    out.colour = surfel::rgba(channel(0), channel(1), channel(2));
-    out.mask = mask / weight;
+    out.colour = sum.colour() | surfel::rgba(0, 0, 0); // opaque
+    out.mask = sum.mask();
 }
 
 /// Pixels of some rows in the order of their tiles.

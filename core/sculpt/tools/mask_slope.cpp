@@ -1,6 +1,7 @@
 #include "core/sculpt/tools/mask_slope.h"
 
 #include "core/base/mat3.h"
+#include "core/surface/weights.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +19,7 @@ static base::Vec3f slopeAt(const tree::SurfelTree& tree, const surfel::SurfelBlo
             const float l = length(d) / h;
             if (l >= 1 || dot(near.normal(k), n) < 0)
                 continue;
-            const float t = (1 - l) * (1 - l), w = t * t * (4 * l + 1);
+            const float w = surface::wendlandC2(l);
             spread += outer(d, d) * w;
             rise += d * (w * (near.mask(k) - mask));
         }

@@ -3,33 +3,21 @@
 #include "core/sculpt/tools/along_surface.h"
 #include "core/sculpt/tools/brush.h"
 #include "core/sculpt/tools/colours.h"
+#include "core/surface/attribute_sum.h"
+#include "core/surface/weights.h"
 
 namespace sculpt {
 
 /// C(x); `fallback` where nothing has weight.
-static surfel::Colour colourAround(const tree::SurfelTree& tree, const base::Vec3f& x, const base::Vec3f& normal,
+static surfel::Colour colourAround(const surface::Surface& version, const base::Vec3f& x, const base::Vec3f& normal,
                                    surfel::Colour fallback) {
-    float sum[4] = {}, total = 0;
-    const bool oriented = tree.layout()->oriented;
-    tree.forClustersInSupport(x, [&](const surfel::SurfelBlock& block, int cluster) {
-        const int end = std::min(block.size(), (cluster + 1) * surfel::clusterSize);
-        for (int slot = cluster * surfel::clusterSize; slot < end; ++slot) {
-            const float h = block.support(slot), distSq = distanceSq(block.position(slot), x);
-            if (distSq >= h * h || (oriented && dot(block.normal(slot), normal) < 0))
-                continue;
-            const float r = std::sqrt(distSq) / h, t = (1 - r) * (1 - r), w = t * t * (4 * r + 1);
-            const surfel::Colour c = block.words(cluster, surfel::ColourWord)[slot % surfel::clusterSize];
-            for (unsigned k = 0; k < 4; ++k)
-                sum[k] += w * static_cast<float>(c >> (8 * k) & 255u);
-            total += w;
-        }
+    const bool oriented = version.tree().layout()->oriented;
+    surface::AttributeSum sum(*surfel::AttributeLayout::none());
+    surface::forWeights(version, x, [&](const surfel::SurfelBlock& block, int slot, float theta) {
+        if (!oriented || dot(block.normal(slot), normal) >= 0)
+            sum.add(block, slot, theta);
     });
-    if (!(total > 0))
-        return fallback;
-    surfel::Colour out = 0;
-    for (unsigned k = 0; k < 4; ++k)
-        out |= static_cast<surfel::Colour>(std::lround(sum[k] / total)) << (8 * k);
-    return out;
+    return sum.any() ? sum.colour() : fallback;
 }
 
 static tree::Edit smear(const surface::Surface& version, const Dab& dab) {
@@ -52,9 +40,8 @@ static tree::Edit smear(const surface::Surface& version, const Dab& dab) {
                                       continue;
                                   const int slot = cluster * surfel::clusterSize + int(i);
                                   const base::Vec3f p = in.block->position(slot);
-                                  next[i] =
-                                      mixed(old[i], colourAround(version.tree(), p - m, in.block->normal(slot), old[i]),
-                                            full * weight[i], p, seed);
+                                  next[i] = mixed(old[i], colourAround(version, p - m, in.block->normal(slot), old[i]),
+                                                  full * weight[i], p, seed);
                               }
                               if (std::equal(next, next + lanes, old))
                                   return;
