@@ -17,7 +17,7 @@ constexpr double none = std::numeric_limits<double>::infinity();
 
 /// f over its slope, where that tells the distance: so close to the surface that its bending does not count.
 double byOneEvaluation(const surface::Surface& surface, const Vec3d& x, const surface::Hint& hint) {
-    constexpr double close = 1e-3, rounding = 1e-6; // of h
+    constexpr double close = 1e-3, rounding = 1e-5; // of h
     const surface::Evaluationd e = surface.evaluateReference(x, surface::Need::Gradient, hint);
     if (!e.ok() && e.status != Status::BeyondBoundary)
         return none;

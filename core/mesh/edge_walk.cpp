@@ -128,7 +128,7 @@ void EdgeWalk::refine(Sample a, Sample b) {
             return accept(std::clamp(t + (near ? step : 0), 0.0, m_edge.length), at);
         }
         if (b.t - a.t <= 1e-4 * spacing) {
-            if (std::abs(f) <= rootHeight * spacing || jumps(a, b))
+            if (std::abs(f) <= rootHeight * spacing || (jumps(a, b) && onOwnSheet(t, at)))
                 accept(t, at);
             return;
         }
@@ -154,6 +154,17 @@ bool EdgeWalk::jumps(const Sample& a, const Sample& b) const {
     const double behind = side * dot(base::cast<double>(b.at.normal), m_edge.direction);
     return side * double(dot(a.at.normal, b.at.normal)) >= steady && along * step > 0 && behind * step > 0 &&
            std::abs(step) <= widest * double(b.at.unit);
+}
+
+/// Is the sheet that faces as f does there surface by itself, and near? Beside a step f may be steep for no longer than
+/// the step is wide.
+bool EdgeWalk::onOwnSheet(double t, const Evaluationf& at) {
+    const surface::Hint sheet{base::normalized(at.gradient)};
+    Evaluationf own;
+    m_source.evaluate(base::cast<float>(m_edge.from + m_edge.direction * t), surface::Need::Gradient, sheet, own);
+    const float slope = dot(own.normal, own.gradient);
+    return surface::isSurface(own) &&
+           std::abs(own.value) <= static_cast<float>(0.5 * m_setting.spacingsPerUnit) * own.unit * slope;
 }
 
 void EdgeWalk::accept(double t, const Evaluationf& at) {

@@ -69,6 +69,7 @@ class EdgeWalk {
     double sign(const Sample& a, const Sample& b) const;
     void refine(Sample a, Sample b);
     bool jumps(const Sample& a, const Sample& b) const;
+    bool onOwnSheet(double t, const surface::Evaluationf& at);
     void accept(double t, const surface::Evaluationf& at);
 
     const WalkSetting& m_setting;

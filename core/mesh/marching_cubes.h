@@ -9,6 +9,7 @@
 //     grid_face.h       pairs of crossings in a face           rim_trace.h      where the surface ends in a face
 //     cube_loops.h      loops around a cube                    fill_loop.h      their triangles
 //     cube_tree.h       cubes of several sizes
+//     own_sheet.h       one of two near sheets                 relax_mesh.h     well shaped triangles
 //     orient_mesh.h     which way triangles face               mesh_repair.h    rims of folds closed, small pieces
 //     dropped
 //

@@ -1,12 +1,12 @@
 #include "core/mesh/relax_mesh.h"
 
-#include "core/mesh/edge_walk.h"
 #include "core/mesh/mesh_fans.h"
+#include "core/mesh/own_sheet.h"
 #include "core/mesh/slabs.h"
 #include "core/process/part_progress.h"
+#include "core/process/spacing_sample.h"
 #include "core/surface/boundary.h"
 #include "core/surface/packets.h"
-#include "core/surface/project.h"
 
 namespace mesh {
 
@@ -33,7 +33,7 @@ class Relaxer {
   public:
     Relaxer(Mesh& mesh, const surface::Surface& surface, const RelaxOptions& options)
         : m_mesh(mesh), m_surface(surface), m_setting(surface), m_options(options), m_fans(mesh),
-          m_landed(mesh.positions.size()) {}
+          m_spacing(process::typicalSpacing(surface.tree())), m_landed(mesh.positions.size()) {}
 
     void pass(bool last, const base::Progress& progress) {
         std::vector<Vec3d> targets(m_mesh.positions.size());
@@ -48,22 +48,14 @@ class Relaxer {
         const std::vector<Vec3d> targets = m_mesh.positions;
         const auto rest = [&](std::size_t v) { return m_landed[v] == 0; };
         move(targets, tight, rest, progress);
-        std::vector<Settled> next(targets.size());
-        base::parallelFor(targets.size(), 64, [&](std::size_t v) {
-            if (rest(v) && m_mesh.kinds[v] != VertexKind::Limit)
-                next[v] = byOwnSheet(targets[v], v);
-        });
-        take(next);
     }
 
   private:
     /// Along the surface towards the middle of the neighbours.
     Vec3d target(std::uint32_t v) const {
         const Vec3d here = m_mesh.positions[v];
-        if (m_mesh.kinds[v] == VertexKind::Limit)
+        if (m_mesh.kinds[v] == VertexKind::Limit || (m_mesh.kinds[v] == VertexKind::Fold && onBoundary(v)))
             return alongRim(v);
-        if (m_mesh.kinds[v] != VertexKind::Inner)
-            return here;
         Vec3d sum;
         double reach = 0;
         int count = 0;
@@ -78,6 +70,16 @@ class Relaxer {
             return here;
         const Vec3d n = base::cast<double>(m_mesh.normals[v]);
         return here + limited(along(sum / count, n) * m_options.share, std::max(m_options.cell, reach / count));
+    }
+
+    bool onBoundary(std::uint32_t v) const {
+        for (const std::uint32_t t : m_fans.at(v))
+            for (int corner = 0; corner < 3; ++corner)
+                if (m_fans.across(t, corner) == MeshFans::none &&
+                    (m_mesh.triangles[t][std::size_t(corner)] == v ||
+                     m_mesh.triangles[t][std::size_t((corner + 1) % 3)] == v))
+                    return true;
+        return false;
     }
 
     /// Towards the middle of the two neighbours on the boundary.
@@ -117,6 +119,8 @@ class Relaxer {
                 const std::size_t v = vertices[i];
                 next[v] = m_mesh.kinds[v] == VertexKind::Limit ? onRim(targets[v], v)
                                                                : settled(source, targets[v], v, enough);
+                if (!next[v].good)
+                    next[v] = byOwnSheet(targets[v], v);
             });
         });
         take(next);
@@ -135,22 +139,17 @@ class Relaxer {
         keepFacing(next);
     }
 
-    /// Where near sheets meet: onto the one that faces as the vertex does.
+    /// The surface may have been met at a step of f: its own sheet is then up to half a spacing away.
     Settled byOwnSheet(const Vec3d& start, std::size_t v) const {
-        surface::ProjectOptions options;
-        options.checkBoundary = false;
         const Vec3f before = m_mesh.normals[v];
-        auto found = surface::projectReference(m_surface, start, options, {before});
-        for (int turn = 0; turn < 3 && found.ok(); ++turn) {
-            const Vec3d facing = base::normalized(found.at.gradient);
-            found = surface::projectReference(m_surface, found.foot, options, {base::cast<float>(facing)});
-        }
-        if (!found.ok() || distance(found.foot, start) > farthest * m_options.cell)
-            return {};
-        Vec3f normal = base::cast<float>(base::normalized(found.at.gradient));
-        if (!m_setting.oriented && dot(normal, before) < 0)
-            normal = -normal;
-        return {dot(normal, before) >= steadiest, found.foot, normal};
+        const double far = farthest * std::max(m_options.cell, m_spacing);
+        const auto found = ontoOwnSheet(m_surface, m_setting, start, before, far);
+        return found ? Settled{dot(found->normal, before) >= steadiest, found->position, found->normal} : Settled{};
+    }
+
+    /// With the sign of the vertex' normal where signs mean nothing.
+    Vec3f facing(const Vec3f& normal, std::size_t v) const {
+        return !m_setting.oriented && dot(normal, m_mesh.normals[v]) < 0 ? -normal : normal;
     }
 
     /// Newton's method along the gradient.
@@ -172,9 +171,7 @@ class Relaxer {
             const double still = at.agreement < oneSheet ? certain : enough;
             if (size > still * m_setting.spacingsPerUnit * double(at.unit))
                 continue;
-            Vec3f normal = base::normalized(at.gradient);
-            if (!m_setting.oriented && dot(normal, before) < 0)
-                normal = -normal;
+            const Vec3f normal = facing(base::normalized(at.gradient), v);
             return {dot(normal, before) >= steadiest, x, normal};
         }
         return {};
@@ -182,37 +179,44 @@ class Relaxer {
 
     Settled onRim(const Vec3d& start, std::size_t v) const {
         // as the surface answers unasked, where that leads to a rim
-        surface::RimSearch found;
-        for (const surface::Hint& hint : {surface::Hint{}, surface::Hint{m_mesh.normals[v]}})
-            if (found = surface::findRimPoint(m_surface, start, hint);
-                found.ok() && distance(found.point.position, start) <= farthest * m_options.cell)
-                break;
+        if (const Settled out = onRim(start, v, {}); out.good)
+            return out;
+        Settled out = onRim(start, v, {m_mesh.normals[v]});
+        for (int turn = 0; turn < 3 && out.good; ++turn)
+            out = onRim(out.position, v, {out.normal});
+        return out;
+    }
+    Settled onRim(const Vec3d& start, std::size_t v, const surface::Hint& sheet) const {
+        const surface::RimSearch found = surface::findRimPoint(m_surface, start, sheet);
         if (!found.ok() || distance(found.point.position, start) > farthest * m_options.cell)
             return {};
-        Vec3f normal = base::cast<float>(found.point.normal);
-        if (!m_setting.oriented && dot(normal, m_mesh.normals[v]) < 0)
-            normal = -normal;
+        const Vec3f normal = facing(base::cast<float>(found.point.normal), v);
         return {dot(normal, m_mesh.normals[v]) >= steadiest, found.point.position, normal};
     }
 
-    /// Corners of triangles that a pass has turned over go back to where they were, again until none is left.
+    /// Corners of triangles that a pass has turned over go back to where they were, again until none is left. What
+    /// had no area, as beside ends of folds, cannot be turned over.
     void keepFacing(std::span<Settled> before) {
-        const auto facing = [&](const Triangle& t) {
-            const Vec3d& a = m_mesh.positions[t[0]];
-            const Vec3d area = cross(m_mesh.positions[t[1]] - a, m_mesh.positions[t[2]] - a);
+        const double leastArea = 1e-6 * m_options.cell * m_options.cell;
+        const auto facingOf = [&](const Triangle& t, const auto& vertex) {
+            const std::array<Settled, 3> corners{vertex(t[0]), vertex(t[1]), vertex(t[2])};
+            const Vec3d area =
+                cross(corners[1].position - corners[0].position, corners[2].position - corners[0].position);
             double sum = 0;
-            for (const std::uint32_t v : t)
-                sum += dot(area, base::cast<double>(m_mesh.normals[v]));
+            for (const Settled& corner : corners)
+                sum += dot(area, base::cast<double>(corner.normal));
             return sum;
         };
+        const auto now = [&](std::uint32_t v) { return Settled{true, m_mesh.positions[v], m_mesh.normals[v]}; };
+        const auto then = [&](std::uint32_t v) { return before[v].good ? before[v] : now(v); };
         for (int round = 0; round < 8; ++round) {
             std::vector<std::vector<std::uint32_t>> turned(base::chunkCount(m_mesh.triangles.size(), grain));
-            base::parallelChunks(m_mesh.triangles.size(), grain,
-                                 [&](std::size_t begin, std::size_t end, std::size_t chunk) {
-                                     for (std::size_t t = begin; t < end; ++t)
-                                         if (facing(m_mesh.triangles[t]) < 0)
-                                             turned[chunk].push_back(static_cast<std::uint32_t>(t));
-                                 });
+            base::parallelChunks(
+                m_mesh.triangles.size(), grain, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+                    for (std::size_t t = begin; t < end; ++t)
+                        if (facingOf(m_mesh.triangles[t], now) < 0 && facingOf(m_mesh.triangles[t], then) > leastArea)
+                            turned[chunk].push_back(static_cast<std::uint32_t>(t));
+                });
             bool any = false;
             for (const auto& part : turned)
                 for (const std::uint32_t t : part)
@@ -233,6 +237,7 @@ class Relaxer {
     WalkSetting m_setting;
     const RelaxOptions& m_options;
     MeshFans m_fans;
+    double m_spacing;
     std::vector<std::uint8_t> m_landed; ///< is the vertex on the surface, as closely as can be?
 };
 

@@ -1,9 +1,9 @@
 // Vertices of a mesh put onto the surface, and moved along it until triangles are well shaped.
 //
 // Every vertex moves towards the middle of its neighbours, along the surface, and is projected onto it (Newton along
-// the gradient). A rim by the limit moves along itself: its vertices stay rim points (alg. 6); where the definition
-// ends they stay where they are. No triangle changes its corners, so what the mesh is connected like stays. A vertex
-// stays where a move would leave the surface, or turn a triangle over.
+// the gradient), or where near sheets meet onto its own sheet (own_sheet.h). Rims move along themselves: those by the
+// limit stay rim points (alg. 6). No triangle changes its corners, so what the mesh is connected like stays. A vertex
+// stays where a move would leave the surface, or turn a triangle over that was not.
 //
 // The same bits at any thread count.
 #pragma once

@@ -135,11 +135,13 @@ class FaceTrace {
         return Verdict::Failed;
     }
 
-    /// Between a point that is surface and a step that is not: halves.
+    /// Between a point that is surface and a step that is not: halves. Where f has a step it tells of one sheet up to
+    /// there and of another behind, so such an end keeps away from it.
     TracedEnd ended(TraceEnd end, double step) {
+        const int halvings = end == TraceEnd::Limit ? 24 : 6;
         double good = 0, bad = step * m_grid.lattice().cell;
         const Point start = m_here;
-        for (int i = 0; i < 24; ++i) {
+        for (int i = 0; i < halvings; ++i) {
             Point middle;
             const double t = 0.5 * (good + bad);
             if (advance(start, t, middle) == Verdict::Good) {

@@ -59,6 +59,41 @@ inline surface::Surface doubleTorus(double spacing) {
     return shapes::surfaceOf(out);
 }
 
+/// The same with the seam between them rounded off, as wide as the supports at least: a smooth surface of genus 2. The
+/// distances to both are blended where they differ by less than `round`.
+inline surface::Surface smoothDoubleTorus(double spacing) {
+    const double major = 1, minor = 0.45, apart = 1.1, round = 0.5;
+    const auto heightOver = [&](const Vec3d& p) {
+        const auto to = [&](double side) {
+            return std::hypot(std::hypot(p.x - side * apart, p.y) - major, p.z) - minor;
+        };
+        const double a = to(-1), b = to(1), near = std::max(0.0, 1 - std::abs(a - b) / round);
+        return std::min(a, b) - 0.25 * round * near * near;
+    };
+    const auto slopeOf = [&](const Vec3d& p) {
+        constexpr double step = 1e-5;
+        Vec3d out;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            Vec3d by;
+            by[axis] = step;
+            out[axis] = (heightOver(p + by) - heightOver(p - by)) / (2 * step);
+        }
+        return out;
+    };
+    surfel::SurfelList out;
+    out.layout = shapes::layout(true, true);
+    for (const double side : {-1.0, 1.0})
+        for (const surfel::Surfel& s : shapes::torus(major, minor, spacing, 2.5 * spacing).items) {
+            Vec3d p = base::cast<double>(s.position) + Vec3d{side * apart, 0, 0};
+            if (p.x * side < 0) // the other one's half
+                continue;
+            for (int i = 0; i < 8; ++i)
+                p -= slopeOf(p) * (heightOver(p) / lengthSq(slopeOf(p)));
+            out.items.push_back(shapes::surfelAt(p, base::normalized(slopeOf(p)), 2.5 * spacing));
+        }
+    return shapes::surfaceOf(out);
+}
+
 /// Unit spheres about -x and x that touch in the origin.
 inline surface::Surface touchingSpheres(std::size_t count) {
     surfel::SurfelList out = shapes::sphere(count, 1, 3 * shapes::sphereSpacing(count, 1));
