@@ -21,7 +21,7 @@ constexpr double degree = 3.14159265358979323846 / 180;
 /// A demand in lengths, defaults filled in.
 FacetDemand demandOf(const surface::Surface& surface, const DelaunayOptions& options, const base::Progress& progress) {
     const double spacing = double(process::typicalSpacing(surface.tree()));
-    const double unit = spacing > 0 ? spacing : double(surface.tree().maxSupport()) / 3.5;
+    const double unit = spacing > 0 ? spacing : double(surface.tree().maxSupport()) * surface::spacingOfUnit;
     FacetDemand out;
     out.leastAngle = options.angle * degree;
     double least = options.size > 0 ? options.size : unit;

@@ -19,7 +19,7 @@ constexpr double turned = 0.7;                         ///< cosine below which t
 constexpr double rootHeight = 1e-3, goodHeight = 2e-4; ///< of |f|, in spacings: accepted, and no further step
 
 double spacingsPerUnitOf(const surface::SurfaceDefinition& definition) {
-    return definition.support > 0 ? 1 / 3.5 : std::sqrt(std::numbers::pi / definition.neighbours);
+    return definition.support > 0 ? surface::spacingOfUnit : std::sqrt(std::numbers::pi / definition.neighbours);
 }
 
 /// What carries the frame's sign from a to b.

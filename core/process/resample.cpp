@@ -4,13 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <tuple>
 
 namespace process {
 
 static float supportsPerSpacing(const surface::SurfaceDefinition& definition) {
-    const float h = std::sqrt(static_cast<float>(definition.neighbours) / std::numbers::pi_v<float>);
+    const float h = definition.unitInSpacings();
     return definition.weight == surface::Weight::Gaussian ? h * surface::gaussianScale * surface::gaussianReach : h;
 }
 

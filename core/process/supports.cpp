@@ -5,7 +5,6 @@
 #include "core/process/supports_of.h"
 
 #include <algorithm>
-#include <numbers>
 
 namespace process {
 
@@ -116,7 +115,7 @@ std::vector<float> supportsOf(const Cloud& cloud, const surface::SurfaceDefiniti
         return std::vector<float>(cloud.size(), 1.0f); // a lone point has no scale; any will do
     const Graph graph = neighbourGraph(cloud, part(progress, 0, 0.7));
     std::vector<float> h = withoutOutliers(spacingsOf(graph, cloud.size()), graph);
-    const float perSpacing = std::sqrt(static_cast<float>(definition.neighbours) / std::numbers::pi_v<float>);
+    const float perSpacing = definition.unitInSpacings();
     for (float& value : h)
         value = std::max(value * perSpacing, 1e-18f); // denormal distances
     grade(h, graph, part(progress, 0.7, 1));

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "core/raycast/view_lens.h"
+#include "core/surface/definition.h"
 
 #include <array>
 
@@ -103,7 +104,7 @@ struct Patch {
 struct PatchKind {
     bool oriented = false;   ///< a sample in front and one from behind are not of one piece
     bool attributes = false; ///< colours or masks count
-    float spacingOfUnit = 1 / 3.5f;
+    float spacingOfUnit = static_cast<float>(surface::spacingOfUnit);
 };
 
 /// A leaf is shown by the biquadratic of the split it comes from where a bilinear prediction was off by so many targets

@@ -7,9 +7,6 @@ namespace raycast {
 using base::Vec3d;
 using base::Vec3f;
 
-/// Surfels per unit of h, as the default definition has it (alg. 2.6).
-constexpr float spacingOfUnit = 1 / 3.5f;
-
 LightScene::LightScene(const surface::Surface& surface_, const Lighting& lighting_, const Viewer& viewer,
                        std::span<const base::Plane> clips_)
     : surface(surface_), lighting(lighting_), environment(lighting_, viewer), clips(clips_) {
@@ -82,7 +79,8 @@ void findPlaces(const LightScene& scene, const SeenSamples& seen, std::size_t be
 }
 
 Vec3f startBeside(const Place& place, const Vec3f& n) {
-    constexpr float epsilon = 2 * static_cast<float>(surface::secondaryEpsilon) * spacingOfUnit;
+    constexpr float epsilon =
+        2 * static_cast<float>(surface::secondaryEpsilon) * static_cast<float>(surface::spacingOfUnit);
     const float rounding = 4e-7f * length(place.x);
     return place.x + n * std::max(epsilon * place.unit, rounding);
 }

@@ -12,7 +12,7 @@ using base::Vec3f;
 
 namespace {
 
-constexpr double spacingOfSupport = 1 / 3.5, discOfSpacing = 0.6, hiddenBehind = 1.5; // the last two in spacings
+constexpr double discOfSpacing = 0.6, hiddenBehind = 1.5; // in spacings
 constexpr int bandRows = 64;
 
 /// The support of Wendland's weight that reaches as far, which all lengths here are measured in.
@@ -86,7 +86,7 @@ class Projector {
     }
 
     double reach(float support) const { return m_reach * plainSupport(m_definition, support); }
-    double spacing(float support) const { return spacingOfSupport * plainSupport(m_definition, support); }
+    double spacing(float support) const { return surface::spacingOfUnit * plainSupport(m_definition, support); }
     const ViewLens& lens() const { return m_lens; }
     /// Do the planes keep something within `distance` of the place?
     bool kept(const Vec3d& p, double distance) const {
@@ -185,7 +185,7 @@ void SplatGuard::look(const surface::Surface& surface, const ImageRays& view, in
         drawBall(disc, first, last);
         if (!(at.z > 0) || (!view.clips.empty() && !projector.kept(p, 0)))
             return;
-        const double s = spacingOfSupport * support, radius = discOfSpacing * s;
+        const double s = surface::spacingOfUnit * support, radius = discOfSpacing * s;
         if (at.y >= first && at.y < last && at.x >= 0 && at.x < columns)
             seen.add(s / pixel);
         const double scale = lens.parallel() ? 1 : 1 / at.z;

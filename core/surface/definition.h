@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace surface {
 
@@ -38,14 +39,15 @@ struct SurfaceDefinition {
     float rimlsSigma = 0.8f; ///< how much normals may differ before they count as another side of an edge (alg. 10.4)
 
     float mu() const { return shrinkFree ? 0.5f : 0.0f; }
+    /// h / s of supports from neighbours.
+    float unitInSpacings() const { return std::sqrt(static_cast<float>(neighbours) / std::numbers::pi_v<float>); }
     /// What supports are multiplied by where curvature is asked for.
-    float curvatureScale() const {
-        constexpr float pi = 3.14159265f;
-        const float spacings = std::sqrt(static_cast<float>(neighbours) / pi); // h / s, see `neighbours`
-        return support > 0 ? 1.0f : std::max(1.0f, curvatureSpacings / spacings);
-    }
+    float curvatureScale() const { return support > 0 ? 1.0f : std::max(1.0f, curvatureSpacings / unitInSpacings()); }
     bool operator==(const SurfaceDefinition&) const = default;
 };
+
+/// s / h at the default of 38 neighbours, h = 3.5 s (alg. 2.6): a guess where nobody counted neighbours.
+constexpr double spacingOfUnit = 1 / 3.5;
 
 /// A surfel's support radius is the distance at which its weight is zero. For the Gaussian exp(-s^2/H^2), cut where it
 /// falls below 1e-8, that is H * gaussianReach.

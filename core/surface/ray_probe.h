@@ -7,9 +7,6 @@
 
 namespace surface {
 
-/// Spacing in units of h at the default of 38 neighbours: h = 3.5 s (alg. 2.6).
-constexpr double spacingOfUnit = 1 / 3.5;
-
 /// What all rays of a call have in common.
 struct RaySetting {
     /// `refine` false: a sign change is enough.
