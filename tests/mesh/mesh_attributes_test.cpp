@@ -23,9 +23,7 @@ namespace {
 
 /// Two sheets a spacing apart that face away from each other, with colours and masks drawn at random.
 surfel::SurfelList sheets(base::Random& random) {
-    surfel::SurfelList out = shapes::plane(10, 0.1, 0.35, 0.05, 1);
-    const surfel::SurfelList below = shapes::plane(10, 0.1, 0.35, -0.05, -1);
-    out.items.insert(out.items.end(), below.items.begin(), below.items.end());
+    surfel::SurfelList out = shapes::plates(10, 0.1, 0.35, 0.1);
     auto layout = std::make_shared<surfel::AttributeLayout>(*out.layout);
     layout->colours = layout->masks = true;
     out.layout = layout;

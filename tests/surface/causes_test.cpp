@@ -118,9 +118,7 @@ void CausesTest::manyOnOneLine() {
 }
 
 void CausesTest::normalsThatCancel() {
-    surfel::SurfelList opposite = shapes::plane(5, 0.1, 0.4);
-    const surfel::SurfelList below = shapes::plane(5, 0.1, 0.4, 0, -1);
-    opposite.items.insert(opposite.items.end(), below.items.begin(), below.items.end());
+    const surfel::SurfelList opposite = shapes::plates(5, 0.1, 0.4, 0);
     for (const auto& frame : frameNames()) {
         SurfaceDefinition plain = definitionOf(frame.value);
         plain.oneSheet = false;

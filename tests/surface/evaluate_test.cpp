@@ -309,10 +309,7 @@ void EvaluateTest::platesKeepTheirSheets_data() {
 void EvaluateTest::platesKeepTheirSheets() {
     QFETCH(double, thickness);
     const double s = 0.1, h = 0.35, half = 0.5 * thickness * s;
-    surfel::SurfelList list = shapes::plane(15, s, h, half, 1);
-    const surfel::SurfelList bottom = shapes::plane(15, s, h, -half, -1);
-    list.items.insert(list.items.end(), bottom.items.begin(), bottom.items.end());
-    const Surface surface = shapes::surfaceOf(list);
+    const Surface surface = shapes::surfaceOf(shapes::plates(15, s, h, 2 * half));
     base::Random random(test::seed());
     for (int i = 0; i < 100; ++i) {
         const Vec3d x{random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5), half + random.uniform(-0.3, 0.8) * half};

@@ -61,14 +61,6 @@ bool plainFoot(const Surface& surface, const Vec3d& x0, Vec3d& y) {
     return false;
 }
 
-/// Two plates of one sheet each, facing away from each other, `thickness` apart.
-surfel::SurfelList plate(double thickness, double spacing, double support) {
-    surfel::SurfelList out = shapes::plane(20, spacing, support, 0.5 * thickness, 1);
-    const surfel::SurfelList below = shapes::plane(20, spacing, support, -0.5 * thickness, -1);
-    out.items.insert(out.items.end(), below.items.begin(), below.items.end());
-    return out;
-}
-
 } // namespace
 
 void FootTest::planesAreMetInOneStep() {
@@ -183,7 +175,7 @@ void FootTest::feetStayOnTheirSideOfThinPlates_data() {
 void FootTest::feetStayOnTheirSideOfThinPlates() {
     QFETCH(double, thickness);
     const double s = 0.1, h = 0.35, half = 0.5 * thickness * s;
-    const Surface surface = shapes::surfaceOf(plate(thickness * s, s, h));
+    const Surface surface = shapes::surfaceOf(shapes::plates(20, s, h, thickness * s));
     base::Random random(test::seed());
     for (const auto& projector : projectorNames())
         for (int i = 0; i < 100; ++i) {

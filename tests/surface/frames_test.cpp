@@ -1,6 +1,7 @@
 // Laws of the frames and weights that need no oracle: planes, spheres, edges, interpolation, symmetries (alg. 2.6, 10).
 #include "core/surface/curvature.h"
 #include "core/surface/definition_text.h"
+#include "definition_rows.h"
 #include "shapes.h"
 #include "support/registry.h"
 
@@ -28,14 +29,7 @@ class FramesTest : public QObject {
 };
 
 void FramesTest::planesAreExact_data() {
-    QTest::addColumn<int>("frame");
-    QTest::addColumn<int>("weight");
-    QTest::addColumn<bool>("interpolating");
-    for (const auto& frame : frameNames())
-        for (const auto& weight : weightNames())
-            for (const bool interpolating : {false, true})
-                QTest::addRow("%s %s%s", frame.name, weight.name, interpolating ? " interpolating" : "")
-                    << static_cast<int>(frame.value) << static_cast<int>(weight.value) << interpolating;
+    test::addDefinitionRows("interpolating");
 }
 
 static SurfaceDefinition fetched(bool shrinkFree) {

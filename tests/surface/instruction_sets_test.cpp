@@ -1,6 +1,7 @@
 // The vectorised kernels on the instruction sets of this machine.
 #include "core/surface/definition_text.h"
 #include "core/surface/self.h"
+#include "definition_rows.h"
 #include "shapes.h"
 #include "support/registry.h"
 
@@ -75,14 +76,7 @@ bool same(const Evaluationf& a, const Evaluationf& b) {
 } // namespace
 
 void InstructionSetsTest::avx2AndAvx512GiveTheSameBits_data() {
-    QTest::addColumn<int>("frame");
-    QTest::addColumn<int>("weight");
-    QTest::addColumn<bool>("oriented");
-    for (const auto& frame : frameNames())
-        for (const auto& weight : weightNames())
-            for (const bool oriented : {true, false})
-                QTest::addRow("%s %s%s", frame.name, weight.name, oriented ? "" : " unoriented")
-                    << static_cast<int>(frame.value) << static_cast<int>(weight.value) << oriented;
+    test::addDefinitionRows("oriented");
 }
 
 void InstructionSetsTest::avx2AndAvx512GiveTheSameBits() {

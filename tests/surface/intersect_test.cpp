@@ -215,9 +215,7 @@ void IntersectTest::midSheetsOfPlatesAreNoSurface() {
             if (!oriented && thickness < 3)
                 continue; // without orientation near sheets are one
             const double s = 0.1, h = 0.35, half = 0.5 * thickness * s;
-            surfel::SurfelList list = shapes::plane(15, s, h, half, 1);
-            const surfel::SurfelList bottom = shapes::plane(15, s, h, -half, -1);
-            list.items.insert(list.items.end(), bottom.items.begin(), bottom.items.end());
+            surfel::SurfelList list = shapes::plates(15, s, h, 2 * half);
             list.layout = shapes::layout(true, oriented);
             const Surface surface = shapes::surfaceOf(list);
             for (const double tilt : {0.0, 0.5, 1.0}) {

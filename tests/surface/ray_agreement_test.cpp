@@ -1,6 +1,7 @@
 // Both policies against dense marching in float64: every frame and weight, near sheets, and a scan.
 #include "core/process/prepare.h"
 #include "core/surface/definition_text.h"
+#include "definition_rows.h"
 #include "dense_march.h"
 #include "scans.h"
 #include "shapes.h"
@@ -77,14 +78,7 @@ IntersectOptions policy(bool robust) {
 } // namespace
 
 void RayAgreementTest::everyDefinitionAgreesWithDenseMarching_data() {
-    QTest::addColumn<int>("frame");
-    QTest::addColumn<int>("weight");
-    QTest::addColumn<bool>("oriented");
-    for (const auto& frame : frameNames())
-        for (const auto& weight : weightNames())
-            for (const bool oriented : {true, false})
-                QTest::addRow("%s %s %s", frame.name, weight.name, oriented ? "oriented" : "unoriented")
-                    << static_cast<int>(frame.value) << static_cast<int>(weight.value) << oriented;
+    test::addDefinitionRows("oriented");
 }
 
 void RayAgreementTest::everyDefinitionAgreesWithDenseMarching() {
@@ -142,10 +136,7 @@ void RayAgreementTest::thinPlatesAreExactFromBothSides() {
     QFETCH(double, thickness);
     QFETCH(bool, robust);
     const double s = 0.1, h = 0.35, half = 0.5 * thickness * s;
-    surfel::SurfelList list = shapes::plane(24, s, h, half, 1);
-    const surfel::SurfelList bottom = shapes::plane(24, s, h, -half, -1);
-    list.items.insert(list.items.end(), bottom.items.begin(), bottom.items.end());
-    const Surface surface = shapes::surfaceOf(list);
+    const Surface surface = shapes::surfaceOf(shapes::plates(24, s, h, 2 * half));
     base::Random random(test::seed());
     for (int i = 0; i < 150; ++i) {
         const double side = i % 2 == 0 ? 1 : -1,

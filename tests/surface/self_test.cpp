@@ -113,10 +113,7 @@ void SelfTest::valuesAndGradientsFollowTheReference() {
 
 void SelfTest::nearSheetsKeepToTheirOwn() {
     const double spacing = 0.1;
-    surfel::SurfelList plate = shapes::plane(12, spacing, 0.35, 0.5 * spacing);
-    const surfel::SurfelList below = shapes::plane(12, spacing, 0.35, -0.5 * spacing, -1);
-    plate.items.insert(plate.items.end(), below.items.begin(), below.items.end());
-    const Surface surface = shapes::surfaceOf(plate);
+    const Surface surface = shapes::surfaceOf(shapes::plates(12, spacing, 0.35, spacing));
     compareWithReference(surface, Need::Gradient);
     int inside = 0;
     for (const At& at : everywhere(surface, Need::Value)) {

@@ -62,6 +62,12 @@ inline surfel::SurfelList torus(double major, double minor, double spacing, doub
     return out;
 }
 
+/// A place up to `distance` from one of the surfels.
+inline base::Vec3f beside(const surfel::SurfelList& list, base::Random& random, double distance) {
+    const surfel::Surfel& s = list.items[random.below(list.items.size())];
+    return s.position + base::cast<float>(random.unitVector() * (distance * random.uniform()));
+}
+
 /// A square grid of (2 half + 1)^2 points in the plane z = height with one normal.
 inline surfel::SurfelList plane(int half, double spacing, double support, double height = 0, double normalZ = 1) {
     surfel::SurfelList out;
@@ -69,6 +75,14 @@ inline surfel::SurfelList plane(int half, double spacing, double support, double
     for (int i = -half; i <= half; ++i)
         for (int j = -half; j <= half; ++j)
             out.items.push_back(surfelAt({i * spacing, j * spacing, height}, {0, 0, normalZ}, support));
+    return out;
+}
+
+/// Two such squares that face away from each other, above and below z = 0: the upper one first.
+inline surfel::SurfelList plates(int half, double spacing, double support, double thickness) {
+    surfel::SurfelList out = plane(half, spacing, support, 0.5 * thickness, 1);
+    const surfel::SurfelList below = plane(half, spacing, support, -0.5 * thickness, -1);
+    out.items.insert(out.items.end(), below.items.begin(), below.items.end());
     return out;
 }
 

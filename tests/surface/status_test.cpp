@@ -32,9 +32,7 @@ void StatusTest::fewOrCancellingSurfelsAreDegenerate() {
     for (const auto frame : {Frame::Covariance, Frame::CovarianceAtCentroid})
         QCOMPARE(shapes::surfaceOf(line, definitionOf(frame)).evaluateReference({0, 0, 0.0}).status,
                  Status::Degenerate);
-    surfel::SurfelList opposite = shapes::plane(5, 0.1, 0.4);
-    const surfel::SurfelList below = shapes::plane(5, 0.1, 0.4, 0, -1);
-    opposite.items.insert(opposite.items.end(), below.items.begin(), below.items.end());
+    const surfel::SurfelList opposite = shapes::plates(5, 0.1, 0.4, 0);
     SurfaceDefinition plain = definitionOf(Frame::Normals);
     plain.oneSheet = false;
     QCOMPARE(shapes::surfaceOf(opposite, plain).evaluateReference({0, 0, 0.01}).status, Status::Degenerate);
