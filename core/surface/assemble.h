@@ -11,6 +11,7 @@
 #pragma once
 
 #include "core/surface/fields.h"
+#include "core/surface/poverty.h"
 #include "core/surface/sheets.h"
 #include "core/surface/source.h"
 
@@ -18,12 +19,7 @@
 
 namespace surface {
 
-/// Below this sum of weights a position counts as outside (theta underflows near r = 1; alg. 2.1).
-template <class T>
-constexpr T leastWeight = std::is_same_v<T, float> ? T(1e-6) : T(1e-12);
-constexpr int leastSamples = 3;        ///< surfels in support that a frame needs (alg. 2.4, test 1)
 constexpr double leastAgreement = 0.2; ///< |m|/w below which summed normals cancel (test 2)
-constexpr double leastSpread = 1e-6;   ///< variance below which all are at one place, of h^2: what float can tell
 constexpr int refitPasses = 3;         ///< of rimls, the first without factors (alg. 10.4)
 constexpr double refitStill = 1e-3;    ///< |g - g_before|^2 that ends them
 /// Interpolating weights: this close to a surfel, in h, the answer is the surfel itself; its Hessian is taken a little
@@ -149,24 +145,13 @@ class Assembler {
     /// place as x comes to a sample; there the question is put with plain ones.
     Cause poverty(const Moments<T, O>& m, ClusterSpan clusters, const Vector& x) const {
         if (!m_options.interpolating)
-            return poverty(m);
+            return povertyOf(m);
         SumOptions options = m_options;
         options.interpolating = false;
         options.outer = Outer::None;
         Moments<T, 0> plain;
         sum(clusters, x, options, plain);
-        return poverty(plain);
-    }
-
-    template <int P>
-    static Cause poverty(const Moments<T, P>& m) {
-        if (!(m.one.v > leastWeight<T>))
-            return Cause::NoSupport;
-        if (m.samples < leastSamples)
-            return m.samples == 1 ? Cause::OnePoint : Cause::TooFew;
-        const T unit = m.unit / m.one.v, square = m.square.v / m.one.v;
-        const T spread = square - lengthSq(valueOf(m.q) / m.one.v);
-        return spread > T(leastSpread) * std::max(unit * unit, square) ? Cause::None : Cause::Coincident;
+        return povertyOf(plain);
     }
 
     Field<T, O> field() {

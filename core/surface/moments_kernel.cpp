@@ -2,8 +2,7 @@
 //
 // Two ways to sum, each always used for the same sums:
 //   - plain values of cheap weights over all lanes of the clusters, though only about a fifth have weight: putting
-//   those
-//     together would cost as much as it saves;
+//     those together would cost as much as it saves;
 //   - all else over dense lanes: first the surfels in support are picked out of the clusters, in their order.
 // 16 virtual lanes, whatever the width of the registers; on narrower ones they are done in groups. In the first way a
 // surfel's lane is its place in its cluster; in the second the i-th surfel in support goes to lane i mod 16.
@@ -354,32 +353,6 @@ int sumDispatched(int order, Outer outer, const KernelInput& in, float* sums) {
     return sumOfOrder<Outer::Offsets>(order, in, sums);
 }
 
-/// distance(box, bounds) < support for bounds in lanes, by the same operations as the tree's own test.
-void supportDispatched(const float* bounds, std::size_t groups, const base::Box3f& box, std::uint16_t* bits) {
-    const D d;
-    const int width = static_cast<int>(hn::Lanes(d));
-    const V lo[3] = {constant(box.lo.x), constant(box.lo.y), constant(box.lo.z)};
-    const V hi[3] = {constant(box.hi.x), constant(box.hi.y), constant(box.hi.z)};
-    for (std::size_t g = 0; g < groups; ++g, bounds += 7 * lanes) {
-        unsigned found = 0;
-        for (int first = 0; first < lanes; first += width) {
-            V square[3];
-            for (int k = 0; k < 3; ++k) {
-                const V below = hn::Sub(hn::LoadU(d, bounds + k * lanes + first), hi[k]);
-                const V above = hn::Sub(lo[k], hn::LoadU(d, bounds + (3 + k) * lanes + first));
-                const V away = hn::Max(hn::Max(below, above), hn::Zero(d));
-                square[k] = hn::Mul(away, away);
-            }
-            const V support = hn::LoadU(d, bounds + 6 * lanes + first);
-            const V distanceSq = hn::Add(hn::Add(square[0], square[1]), square[2]);
-            std::uint8_t mask[8] = {};
-            hn::StoreMaskBits(d, hn::Lt(distanceSq, hn::Mul(support, support)), mask);
-            found |= (mask[0] | static_cast<unsigned>(mask[1]) << 8) << first;
-        }
-        bits[g] = static_cast<std::uint16_t>(found);
-    }
-}
-
 } // namespace HWY_NAMESPACE
 } // namespace surface
 HWY_AFTER_NAMESPACE();
@@ -388,14 +361,9 @@ HWY_AFTER_NAMESPACE();
 namespace surface {
 
 HWY_EXPORT(sumDispatched);
-HWY_EXPORT(supportDispatched);
 
 int sumKernel(int order, Outer outer, const KernelInput& in, float* sums) {
     return HWY_DYNAMIC_DISPATCH(sumDispatched)(order, outer, in, sums);
-}
-
-void supportKernel(const float* bounds, std::size_t groups, const base::Box3f& box, std::uint16_t* bits) {
-    HWY_DYNAMIC_DISPATCH(supportDispatched)(bounds, groups, box, bits);
 }
 
 } // namespace surface
