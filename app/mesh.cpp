@@ -118,8 +118,8 @@ void addMarchingOptions(CLI::App& command, mesh::MarchingOptions& options) {
         ->group("Marching cubes");
     command
         .add_flag("--close-folds", options.closeFolds,
-                  "close loops where the surface ends without a rim, as at folds, up to " +
-                      std::to_string(options.longestFold) + " edges")
+                  "close all loops where the surface ends without a rim, as at folds, up to " +
+                      std::to_string(options.longestFold) + " edges [only short ones, where the surface goes on]")
         ->group("Marching cubes");
     command
         .add_flag("--drop-small", options.dropSmall,

@@ -3,6 +3,7 @@
 #include "core/base/parallel.h"
 #include "core/mesh/cube_tree.h"
 #include "core/mesh/fill_loop.h"
+#include "core/mesh/fold_trim.h"
 #include "core/mesh/mesh_attributes.h"
 #include "core/mesh/mesh_repair.h"
 #include "core/mesh/relax_mesh.h"
@@ -232,6 +233,33 @@ Mesh cutMesh(const surface::Surface& surface, const MarchingOptions& options, Ma
     return out;
 }
 
+RelaxOptions shapingOf(const MarchingOptions& options, const MarchingReport& report) {
+    return {options.relax ? 2 : 0, 0.7, report.cell, {}};
+}
+
+/// Loops at folds are closed, and triangles shaped that are near those.
+std::vector<std::uint32_t> close(Mesh& mesh, const surface::Surface& surface, const FoldClosing& closing,
+                                 RelaxOptions shaping, const base::Progress& progress) {
+    shaping.about = closeFolds(mesh, surface, closing);
+    if (!shaping.about.empty())
+        relax(mesh, surface, shaping, progress);
+    return shaping.about;
+}
+
+/// Short loops are closed where the surface is there, what cuts other triangles is left out, and what is still open
+/// closed on request.
+void finishFolds(Mesh& mesh, const surface::Surface& surface, const MarchingOptions& options, MarchingReport& report,
+                 const base::Progress& progress) {
+    const RelaxOptions shaping = shapingOf(options, report);
+    FoldClosing closing{report.cell, false, options.longestFold};
+    const auto middles = close(mesh, surface, closing, shaping, process::part(progress, 0, 0.4));
+    report.foldsClosed = middles.size() - reopenCut(mesh, middles, report.cell);
+    report.trimmed = trimFolds(mesh, report.cell);
+    closing.everyLoop = true;
+    if (options.closeFolds)
+        report.foldsClosed += close(mesh, surface, closing, shaping, process::part(progress, 0.4, 1)).size();
+}
+
 } // namespace
 
 Mesh marchingCubes(const surface::Surface& surface, const MarchingOptions& options, MarchingReport& report,
@@ -251,11 +279,10 @@ Mesh marchingCubes(const surface::Surface& surface, const MarchingOptions& optio
     report.smallPieces =
         static_cast<std::size_t>(std::count_if(orientation.pieceSizes.begin(), orientation.pieceSizes.end(),
                                                [&](std::uint32_t size) { return size < options.smallPiece; }));
-    relax(out, surface, {options.relax ? 2 : 0, 0.7, report.cell}, process::part(progress, 0.75, 0.95));
     if (options.dropSmall)
         dropSmallPieces(out, orientation, options.smallPiece);
-    if (options.closeFolds)
-        report.foldsClosed = closeFolds(out, options.longestFold);
+    relax(out, surface, shapingOf(options, report), process::part(progress, 0.75, 0.93));
+    finishFolds(out, surface, options, report, process::part(progress, 0.93, 0.95));
     takeAttributes(out, surface);
     progress.step(1, "shaping triangles");
     return out;

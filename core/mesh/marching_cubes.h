@@ -11,7 +11,7 @@
 //     cube_tree.h       cubes of several sizes
 //     own_sheet.h       one of two near sheets                 relax_mesh.h     well shaped triangles
 //     orient_mesh.h     which way triangles face               mesh_repair.h    rims of folds closed, small pieces
-//     dropped
+//     fold_trim.h       what cuts itself beside rims               dropped
 //
 // Where the surface ends, the mesh ends in a polyline: at its off-centre limit (alg. 6) on the rim itself, or where the
 // definition ends: folds, thin parts. The report counts both apart.
@@ -34,8 +34,10 @@ struct MarchingOptions {
     /// In model units: where triangles stay about so close to the surface, cubes become up to 16 times as large; `cell`
     /// is then the smallest. 0: all of one size.
     double adaptive = 0;
-    bool relax = true;       ///< shape triangles; otherwise vertices stay on the grid's edges
-    bool closeFolds = false; ///< close rims where the definition ends, up to `longestFold` edges
+    bool relax = true; ///< shape triangles; otherwise vertices stay on the grid's edges
+    /// Close all rims where the definition ends, up to `longestFold` edges; otherwise only short ones where the surface
+    /// goes on behind a step of f.
+    bool closeFolds = false;
     std::size_t longestFold = 24;
     bool dropSmall = false; ///< leave out pieces of fewer than `smallPiece` triangles
     std::size_t smallPiece = 200;
@@ -48,6 +50,7 @@ struct MarchingReport {
     std::size_t limitEnds = 0;   ///< rim vertices by the limit
     std::size_t foldEnds = 0;    ///< rim vertices where the definition ends
     std::size_t foldsClosed = 0; ///< loops
+    std::size_t trimmed = 0;     ///< triangles left out beside rims, because they cut others
     std::size_t pieces = 0;      ///< connected, before any were dropped
     std::size_t smallPieces = 0; ///< fewer triangles than `smallPiece`
     /// Edges whose two triangles run the same way along it: none where the mesh has two sides.

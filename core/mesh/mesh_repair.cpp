@@ -1,6 +1,7 @@
 #include "core/mesh/mesh_repair.h"
 
 #include "core/mesh/mesh_fans.h"
+#include "core/mesh/own_sheet.h"
 
 #include <algorithm>
 #include <unordered_map>
@@ -63,20 +64,64 @@ class Boundary {
     std::unordered_map<std::uint32_t, std::array<std::size_t, 2>> m_at;
 };
 
-void closeLoop(Mesh& mesh, std::span<const RimEdge> loop) {
-    const auto middle = static_cast<std::uint32_t>(mesh.positions.size());
-    Vec3d position;
-    Vec3f normal;
-    for (const RimEdge& edge : loop) {
-        position += (mesh.positions[edge.from] + mesh.positions[edge.to]) / (2.0 * static_cast<double>(loop.size()));
-        normal += mesh.normals[edge.from] + mesh.normals[edge.to];
-        mesh.kinds[edge.from] = mesh.kinds[edge.to] = VertexKind::Inner;
-        mesh.triangles.push_back({edge.to, edge.from, middle});
+/// The fan that closes a loop.
+class Fan {
+  public:
+    Fan(Mesh& mesh, std::span<const RimEdge> loop) : m_mesh(mesh), m_loop(loop) {
+        const Vec3f first = mesh.normals[loop[0].from];
+        Vec3f normal;
+        for (const RimEdge& edge : loop) {
+            m_middle.position += (at(edge.from) + at(edge.to)) / (2.0 * static_cast<double>(loop.size()));
+            for (const std::uint32_t v : {edge.from, edge.to})
+                normal += dot(mesh.normals[v], first) < 0 ? -mesh.normals[v] : mesh.normals[v];
+        }
+        m_middle.normal = normalized(normal, first);
     }
-    mesh.positions.push_back(position);
-    mesh.normals.push_back(normalized(normal, mesh.normals[loop[0].from]));
-    mesh.kinds.push_back(VertexKind::Inner);
-}
+
+    /// Moves the middle onto the sheet around it; returns whether it is there.
+    bool land(const surface::Surface& surface, const WalkSetting& setting, double cell) {
+        const auto found = ontoOwnSheet(surface, setting, m_middle.position, m_middle.normal, 0.5 * cell);
+        if (found)
+            m_middle = *found;
+        return found.has_value();
+    }
+
+    /// Do the normals around it and the loop face as the middle does?
+    bool isOneSheet() const {
+        constexpr double steepest = 0.5; // cosine
+        const Vec3d normal = base::cast<double>(m_middle.normal);
+        Vec3d all;
+        for (const RimEdge& edge : m_loop)
+            all += area(edge);
+        const auto facesAlike = [&](const RimEdge& edge) {
+            return std::abs(dot(base::cast<double>(m_mesh.normals[edge.from]), normal)) > steepest;
+        };
+        return std::abs(dot(base::normalized(all), normal)) > steepest &&
+               std::all_of(m_loop.begin(), m_loop.end(), facesAlike);
+    }
+
+    std::uint32_t add() {
+        const auto middle = static_cast<std::uint32_t>(m_mesh.positions.size());
+        for (const RimEdge& edge : m_loop) {
+            m_mesh.kinds[edge.from] = m_mesh.kinds[edge.to] = VertexKind::Inner;
+            m_mesh.triangles.push_back({edge.to, edge.from, middle});
+        }
+        m_mesh.positions.push_back(m_middle.position);
+        m_mesh.normals.push_back(m_middle.normal);
+        m_mesh.kinds.push_back(VertexKind::Inner);
+        return middle;
+    }
+
+  private:
+    const Vec3d& at(std::uint32_t v) const { return m_mesh.positions[v]; }
+    Vec3d area(const RimEdge& edge) const {
+        return cross(at(edge.from) - m_middle.position, at(edge.to) - m_middle.position);
+    }
+
+    Mesh& m_mesh;
+    std::span<const RimEdge> m_loop;
+    SheetPoint m_middle;
+};
 
 template <class T>
 void keepOnly(std::vector<T>& values, std::span<const std::uint32_t> numbers) {
@@ -91,18 +136,22 @@ void keepOnly(std::vector<T>& values, std::span<const std::uint32_t> numbers) {
 
 } // namespace
 
-std::size_t closeFolds(Mesh& mesh, std::size_t longest) {
-    std::size_t closed = 0;
+std::vector<std::uint32_t> closeFolds(Mesh& mesh, const surface::Surface& surface, const FoldClosing& options) {
+    const WalkSetting setting(surface);
+    std::vector<std::uint32_t> middles;
     Boundary(mesh).forLoops([&](std::span<const RimEdge> loop) {
         const bool fold = std::any_of(loop.begin(), loop.end(), [&](const RimEdge& edge) {
             return mesh.kinds[edge.from] == VertexKind::Fold || mesh.kinds[edge.to] == VertexKind::Fold;
         });
-        if (!fold || loop.size() > longest)
+        if (!fold || loop.size() > options.longest)
             return;
-        closeLoop(mesh, loop);
-        ++closed;
+        Fan fan(mesh, loop);
+        const bool goesOn = fan.land(surface, setting, options.cell) && fan.isOneSheet();
+        if (!(options.everyLoop || (goesOn && loop.size() <= options.shortHole)))
+            return;
+        middles.push_back(fan.add());
     });
-    return closed;
+    return middles;
 }
 
 void dropUnused(Mesh& mesh) {

@@ -33,24 +33,48 @@ class Relaxer {
   public:
     Relaxer(Mesh& mesh, const surface::Surface& surface, const RelaxOptions& options)
         : m_mesh(mesh), m_surface(surface), m_setting(surface), m_options(options), m_fans(mesh),
-          m_spacing(process::typicalSpacing(surface.tree())), m_landed(mesh.positions.size()) {}
+          m_spacing(process::typicalSpacing(surface.tree())), m_landed(mesh.positions.size()) {
+        lookAround();
+    }
 
     void pass(bool last, const base::Progress& progress) {
         std::vector<Vec3d> targets(m_mesh.positions.size());
-        base::parallelFor(targets.size(), grain,
-                          [&](std::size_t v) { targets[v] = target(static_cast<std::uint32_t>(v)); });
+        base::parallelFor(targets.size(), grain, [&](std::size_t v) {
+            if (moves(v))
+                targets[v] = target(static_cast<std::uint32_t>(v));
+        });
         move(
-            targets, last ? tight : loose, [](std::size_t) { return true; }, progress);
+            targets, last ? tight : loose, [&](std::size_t v) { return moves(v); }, progress);
     }
 
     /// Vertices that no pass has put there, onto the surface.
     void landTheRest(const base::Progress& progress) {
         const std::vector<Vec3d> targets = m_mesh.positions;
-        const auto rest = [&](std::size_t v) { return m_landed[v] == 0; };
+        const auto rest = [&](std::size_t v) { return moves(v) && m_landed[v] == 0; };
         move(targets, tight, rest, progress);
     }
 
   private:
+    bool moves(std::size_t v) const { return m_near.empty() || m_near[v] != 0; }
+
+    void lookAround() {
+        constexpr int rings = 4;
+        if (m_options.about.empty())
+            return;
+        m_near.resize(m_mesh.positions.size());
+        std::vector<std::uint32_t> ring = m_options.about;
+        for (int i = 0; i <= rings; ++i) {
+            std::vector<std::uint32_t> next;
+            for (const std::uint32_t v : ring) {
+                if (std::exchange(m_near[v], std::uint8_t(1)))
+                    continue;
+                for (const std::uint32_t t : m_fans.at(v))
+                    next.insert(next.end(), m_mesh.triangles[t].begin(), m_mesh.triangles[t].end());
+            }
+            ring = std::move(next);
+        }
+    }
+
     /// Along the surface towards the middle of the neighbours.
     Vec3d target(std::uint32_t v) const {
         const Vec3d here = m_mesh.positions[v];
@@ -238,6 +262,7 @@ class Relaxer {
     const RelaxOptions& m_options;
     MeshFans m_fans;
     double m_spacing;
+    std::vector<std::uint8_t> m_near;   ///< does the vertex move? Empty: all do
     std::vector<std::uint8_t> m_landed; ///< is the vertex on the surface, as closely as can be?
 };
 

@@ -18,6 +18,8 @@ struct RelaxOptions {
     int passes = 2;     ///< 0: vertices are only put onto the surface
     double share = 0.7; ///< of the way to the middle, per pass
     double cell = 0;    ///< no vertex moves by more than half of it at once
+    /// Only these move and what is up to four edges from them; empty: all.
+    std::vector<std::uint32_t> about;
 };
 
 /// REQUIRES: normals and kinds. Normals become the unit gradients at the vertices, with the sign they had.

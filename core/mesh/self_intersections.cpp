@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <CGAL/box_intersection_d.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <numeric>
 
 namespace mesh {
 
@@ -71,9 +72,16 @@ class Meetings {
 
 std::vector<std::pair<std::uint32_t, std::uint32_t>> selfIntersections(const Mesh& mesh,
                                                                        const base::Progress& progress) {
+    std::vector<std::uint32_t> all(mesh.triangles.size());
+    std::iota(all.begin(), all.end(), 0u);
+    return selfIntersections(mesh, all, progress);
+}
+
+std::vector<std::pair<std::uint32_t, std::uint32_t>>
+selfIntersections(const Mesh& mesh, std::span<const std::uint32_t> among, const base::Progress& progress) {
     const Meetings meetings(mesh);
     std::vector<Box> boxes;
-    for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f)
+    for (const std::uint32_t f : among)
         if (!meetings.flat(f))
             boxes.push_back(meetings.box(f));
     std::vector<std::pair<std::uint32_t, std::uint32_t>> out;

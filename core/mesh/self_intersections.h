@@ -8,6 +8,7 @@
 #include "core/base/progress.h"
 #include "core/mesh/mesh.h"
 
+#include <span>
 #include <utility>
 
 namespace mesh {
@@ -15,5 +16,8 @@ namespace mesh {
 /// Pairs of triangles, each with the smaller number first, in ascending order. Throws base::Cancelled.
 std::vector<std::pair<std::uint32_t, std::uint32_t>> selfIntersections(const Mesh& mesh,
                                                                        const base::Progress& progress = {});
+/// Of some triangles with each other.
+std::vector<std::pair<std::uint32_t, std::uint32_t>>
+selfIntersections(const Mesh& mesh, std::span<const std::uint32_t> among, const base::Progress& progress = {});
 
 } // namespace mesh

@@ -1,10 +1,13 @@
 // Where near sheets meet and the definition ends: sound triangles, and vertices on one of the sheets.
 #include "core/mesh/check.h"
+#include "core/mesh/fold_trim.h"
 #include "core/mesh/marching_cubes.h"
+#include "core/mesh/self_intersections.h"
 #include "mesh/models.h"
 #include "support/registry.h"
 #include "surface/scans.h"
 
+#include <array>
 #include <QtTest>
 
 using mesh::MarchingOptions, mesh::MarchingReport, mesh::Mesh;
@@ -16,11 +19,34 @@ class FoldsTest : public QObject {
     void doubleToriHaveGenusTwo();
     void trianglesWhereSpheresTouchHaveArea_data();
     void trianglesWhereSpheresTouchHaveArea();
-    void verticesOfScansLieOnTheSurface_data();
-    void verticesOfScansLieOnTheSurface();
+    void meshesOfScansAreSound_data();
+    void meshesOfScansAreSound();
+    void whatCutsBesideARimIsLeftOut();
+    void whatCutsElsewhereStays();
+    void fansThatCutAreOpenedAgain();
 };
 
 namespace {
+
+/// Squares of side 1 in the plane z = 0, each cut in two, seen from above.
+Mesh plate(std::uint32_t side) {
+    Mesh out;
+    const std::uint32_t row = side + 1;
+    for (std::uint32_t i = 0; i < row; ++i)
+        for (std::uint32_t j = 0; j < row; ++j) {
+            out.positions.push_back({double(j), double(i), 0});
+            out.normals.push_back({0, 0, 1});
+            const bool rim = i == 0 || j == 0 || i == side || j == side;
+            out.kinds.push_back(rim ? mesh::VertexKind::Limit : mesh::VertexKind::Inner);
+        }
+    for (std::uint32_t i = 0; i < side; ++i)
+        for (std::uint32_t j = 0; j < side; ++j) {
+            const std::uint32_t at = i * row + j;
+            out.triangles.push_back({at, at + 1, at + row + 1});
+            out.triangles.push_back({at, at + row + 1, at + row});
+        }
+    return out;
+}
 
 Mesh meshOf(const surface::Surface& surface, double cell) {
     MarchingOptions options;
@@ -43,7 +69,7 @@ void FoldsTest::doubleToriHaveGenusTwo_data() {
 void FoldsTest::doubleToriHaveGenusTwo() {
     QFETCH(bool, smooth);
     QFETCH(double, cell);
-    constexpr double spacing = 0.08;
+    constexpr double spacing = 0.1;
     const surface::Surface surface = smooth ? models::smoothDoubleTorus(spacing) : models::doubleTorus(spacing);
     const Mesh m = meshOf(surface, cell * spacing);
     const mesh::Report report = mesh::check(m, surface);
@@ -86,13 +112,14 @@ void FoldsTest::trianglesWhereSpheresTouchHaveArea() {
     QVERIFY2(vertices.max < 1e-2 * spacing && vertices.lost == 0, QByteArray::number(vertices.max / spacing));
 }
 
-void FoldsTest::verticesOfScansLieOnTheSurface_data() {
+void FoldsTest::meshesOfScansAreSound_data() {
     QTest::addColumn<QString>("file");
     QTest::newRow("bunny") << QString("bunny/bun_zipper.ply");
     QTest::newRow("dragon") << QString("dragon_res2.ply");
 }
 
-void FoldsTest::verticesOfScansLieOnTheSurface() {
+/// Manifold, on the surface, no triangle through another or without area.
+void FoldsTest::meshesOfScansAreSound() {
     if (test::dataFolder().empty())
         QSKIP("POINTCLAY_DATA names no folder of scans");
     QFETCH(QString, file);
@@ -104,8 +131,66 @@ void FoldsTest::verticesOfScansLieOnTheSurface() {
     const Mesh m = mesh::marchingCubes(surface, {}, report);
     QVERIFY(mesh::topologyOf(m.triangles, m.positions.size()).manifold());
     QCOMPARE(mesh::shapeOf(m).degenerate, std::size_t(0));
+    QCOMPARE(mesh::selfIntersections(m).size(), std::size_t(0));
     const mesh::Deviation vertices = mesh::vertexDeviation(m, surface);
     QVERIFY2(vertices.max < 1e-2 * report.cell && vertices.lost == 0, QByteArray::number(vertices.max / report.cell));
+}
+
+/// A corner on the rim of a plate lies over the plate.
+void FoldsTest::whatCutsBesideARimIsLeftOut() {
+    Mesh m = plate(8);
+    m.positions[1] = {2.4, 1.3, 0}; // of the first row
+    QVERIFY(!mesh::selfIntersections(m).empty());
+    const std::size_t before = m.triangles.size(), left = mesh::trimFolds(m, 1);
+    QVERIFY(left > 0 && left < 8);
+    QCOMPARE(m.triangles.size(), before - left);
+    QCOMPARE(mesh::selfIntersections(m).size(), std::size_t(0));
+    const mesh::Topology topology = mesh::topologyOf(m.triangles, m.positions.size(), m.kinds);
+    QVERIFY(topology.manifold());
+    QCOMPARE(topology.euler(), 1);
+    QCOMPARE(topology.boundaryLoops, std::size_t(1));
+    QCOMPARE(topology.unused, std::size_t(0));
+    QCOMPARE(mesh::trimFolds(m, 1), std::size_t(0));
+}
+
+/// Two plates through each other's middles: to leave out triangles there would make holes.
+void FoldsTest::whatCutsElsewhereStays() {
+    Mesh m = plate(8);
+    const std::uint32_t count = static_cast<std::uint32_t>(m.positions.size());
+    const Mesh other = plate(8);
+    for (std::uint32_t v = 0; v < count; ++v) {
+        m.positions.push_back({4.1, other.positions[v].x, 20 * (other.positions[v].y - 4.05)});
+        m.normals.push_back({1, 0, 0});
+        m.kinds.push_back(other.kinds[v]);
+    }
+    for (mesh::Triangle t : other.triangles)
+        m.triangles.push_back({t[0] + count, t[1] + count, t[2] + count});
+    const std::size_t cuts = mesh::selfIntersections(m).size();
+    QVERIFY(cuts > 0);
+    mesh::trimFolds(m, 1);
+    const mesh::Topology topology = mesh::topologyOf(m.triangles, m.positions.size(), m.kinds);
+    QVERIFY(topology.manifold());
+    QCOMPARE(topology.euler(), 2);
+    QCOMPARE(topology.boundaryLoops, std::size_t(2));
+    QVERIFY(!mesh::selfIntersections(m).empty());
+}
+
+/// The middle of a plate drawn out over its other triangles.
+void FoldsTest::fansThatCutAreOpenedAgain() {
+    for (const bool cuts : {true, false}) {
+        Mesh m = plate(8);
+        const std::uint32_t middle = 4 * 9 + 4;
+        if (cuts)
+            m.positions[middle] = {7.6, 7.4, 0};
+        const std::size_t before = m.triangles.size();
+        QCOMPARE(mesh::reopenCut(m, std::array{middle}, 4), std::size_t(cuts ? 1 : 0));
+        const mesh::Topology topology = mesh::topologyOf(m.triangles, m.positions.size(), m.kinds);
+        QVERIFY(topology.manifold());
+        QCOMPARE(topology.boundaryLoops, std::size_t(cuts ? 2 : 1));
+        QCOMPARE(topology.foldLoops, std::size_t(cuts ? 1 : 0));
+        QCOMPARE(m.triangles.size(), before - (cuts ? 6 : 0));
+        QCOMPARE(mesh::selfIntersections(m).size(), std::size_t(0));
+    }
 }
 
 static const test::Registered<FoldsTest> registered;

@@ -223,8 +223,9 @@ void MarchingTest::foldsAreClosedOnRequest() {
     options.closeFolds = true;
     const Mesh after = mesh::marchingCubes(surface, options, closed);
     QVERIFY(topologyOf(after).manifold());
-    QCOMPARE(topologyOf(before).boundaryLoops, topologyOf(after).boundaryLoops + closed.foldsClosed);
-    QCOMPARE(after.triangles.size() > before.triangles.size(), closed.foldsClosed > 0);
+    QCOMPARE(topologyOf(before).boundaryLoops + open.foldsClosed, topologyOf(after).boundaryLoops + closed.foldsClosed);
+    QVERIFY(closed.foldsClosed > open.foldsClosed);
+    QVERIFY(after.triangles.size() > before.triangles.size());
     QCOMPARE(topologyOf(after).opposedEdges, std::size_t(0));
 }
 
