@@ -38,8 +38,7 @@ class StrokeMethodsTest : public QObject {
     surface::Surface m_plane, m_sphere;
 };
 
-using test::down;
-using test::settingsOf;
+using test::dabsOf, test::down, test::settingsOf;
 
 static constexpr double s = 0.02;
 
@@ -60,15 +59,6 @@ static std::vector<StrokeSample> wander(base::Random& random, int count) {
 
 static float top(const surface::Surface& surface) {
     return surface.tree().bounds().hi.z;
-}
-
-static int dabsOf(const surface::Surface& start, const StrokeSettings& settings,
-                  const std::vector<StrokeSample>& samples) {
-    Stroke stroke(start, settings);
-    for (const StrokeSample& sample : samples)
-        stroke.add(sample);
-    stroke.finish();
-    return stroke.dabs();
 }
 
 void StrokeMethodsTest::aLineIsSpaceBetweenItsEnds() {

@@ -19,4 +19,14 @@ inline sculpt::StrokeSettings settingsOf(const char* tool, float radius,
     return out;
 }
 
+/// How many dabs the stroke makes.
+inline int dabsOf(const surface::Surface& start, const sculpt::StrokeSettings& settings,
+                  const std::vector<sculpt::StrokeSample>& samples) {
+    sculpt::Stroke stroke(start, settings);
+    for (const sculpt::StrokeSample& sample : samples)
+        stroke.add(sample);
+    stroke.finish();
+    return stroke.dabs();
+}
+
 } // namespace test

@@ -3,12 +3,13 @@
 #include "core/base/error.h"
 #include "core/base/random.h"
 #include "core/sculpt/contact.h"
-#include "sculpt/shapes.h"
+#include "sculpt/stroke_samples.h"
 #include "support/registry.h"
 
 #include <QtTest>
 
 using namespace sculpt;
+using test::dabsOf, test::settingsOf;
 
 class StrokeTest : public QObject {
     Q_OBJECT
@@ -38,22 +39,6 @@ static constexpr double s = 0.02;
 
 static StrokeSample down(float x, float y, float pressure = 1) {
     return {{{x, y, 5}, {0, 0, -1}}, pressure, 0};
-}
-
-static StrokeSettings settingsOf(const char* tool, float radius) {
-    StrokeSettings out;
-    out.tool = tool;
-    out.radius = radius;
-    return out;
-}
-
-static int dabsOf(const surface::Surface& start, const StrokeSettings& settings,
-                  const std::vector<StrokeSample>& samples) {
-    Stroke stroke(start, settings);
-    for (const StrokeSample& sample : samples)
-        stroke.add(sample);
-    stroke.finish();
-    return stroke.dabs();
 }
 
 void StrokeTest::dabsAreSpacedAlongTheSurface() {

@@ -1,10 +1,7 @@
 #include "core/sculpt/tools/paint.h"
 
-#include "core/sculpt/tools/brush.h"
-#include "core/sculpt/tools/colours.h"
 #include "core/sculpt/tools/layout_flags.h"
-
-#include <algorithm>
+#include "core/sculpt/tools/recolour.h"
 
 namespace sculpt {
 
@@ -14,31 +11,11 @@ constexpr ToolParameter parameters[] = {
 };
 
 static tree::Edit paint(const surface::Surface& version, const Dab& dab) {
-    const Brush brush(dab);
-    const float full = std::min(1.0f, std::abs(dab.strength));
-    if (full == 0)
+    if (dab.strength == 0)
         return {};
     const surfel::Colour colour = colourOf(dab.parameters.at(dab.strength < 0 ? "colour2" : "colour"));
-    const std::uint32_t seed = roundingSeed(dab);
-    tree::Edit edit =
-        changeClusters(blocksUnder(version.tree(), brush.centre, brush.radius), brush,
-                       [&](const BrushBlock& in, std::size_t, int cluster, surfel::MutableBlockPtr& changed) {
-                           alignas(64) float weight[lanes];
-                           if (!brush.weigh(in, cluster, weight))
-                               return;
-                           const std::uint32_t* old = in.block->words(cluster, surfel::ColourWord);
-                           surfel::Colour next[lanes];
-                           for (std::size_t i = 0; i < lanes; ++i)
-                               next[i] = weight[i] == 0
-                                             ? old[i]
-                                             : mixed(old[i], colour, full * weight[i],
-                                                     in.block->position(cluster * surfel::clusterSize + int(i)), seed);
-                           if (std::equal(next, next + lanes, old))
-                               return;
-                           if (!changed)
-                               changed = in.block->clone();
-                           std::copy(next, next + lanes, changed->words(cluster, surfel::ColourWord));
-                       });
+    tree::Edit edit = recolour(version.tree(), dab, Brush(dab),
+                               [&](const surfel::SurfelBlock&, int, surfel::Colour) { return colour; });
     if (!edit.empty())
         edit.layout = withFlag(version.tree().layout(), &surfel::AttributeLayout::colours);
     return edit;
