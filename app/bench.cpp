@@ -1,5 +1,6 @@
 // pointclay bench: items per second of every workload, with the naive way measured beside it in the same run.
 #include "app/open_model.h"
+#include "app/option_checks.h"
 #include "app/subcommand.h"
 #include "bench/measure.h"
 #include "core/base/error.h"
@@ -145,10 +146,14 @@ void run(const Options& options, Console& console) {
         io::writeFile(options.json, rows.dump(2) + "\n");
 }
 
+const char* article(const std::string& noun) {
+    return std::string("aeiou").find(noun.front()) == std::string::npos ? "a " : "an ";
+}
+
 std::string namesHelp() {
     std::string out = "what to measure; all without names. An item is";
     for (const Workload& workload : bench::workloadTable())
-        out += "\n  " + workload.name + ": a " + workload.item + ", " + workload.tip +
+        out += "\n  " + workload.name + ": " + article(workload.item) + workload.item + ", " + workload.tip +
                "; baseline: " + (workload.baseline.empty() ? "none" : workload.baseline);
     return out + "\n  Baselines run in one thread. What somebody waits for has the milliseconds of single runs beside "
                  "the rate.";
@@ -170,11 +175,11 @@ Action addBench(CLI::App& command) {
         ->excludes(model);
     command.add_option("--noise", options->scene.noisePercent, "of its positions, in percent of its radius")
         ->type_name("PERCENT")
-        ->check(CLI::Range(0.0, 10.0))
+        ->check(between(0, 10))
         ->capture_default_str()
         ->excludes(model);
     command.add_option("--seconds", options->seconds, "time for each workload, and again for its baseline")
-        ->check(CLI::Range(0.0, 3600.0))
+        ->check(between(0, 3600))
         ->capture_default_str();
     command.add_option("--json", options->json, "the results as JSON, beside the table")->type_name("OUT.json");
     return [options](Console& console) { run(*options, console); };

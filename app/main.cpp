@@ -58,7 +58,7 @@ int runWindow(int argc, char** argv, const std::vector<std::string>& models) {
 
 int main(int argc, char** argv) {
     CLI::App program("Pointclay sculpts point-set surfaces. Without a subcommand it opens its window.\n"
-                     "Lengths are in model units, angles in degrees.",
+                     "Lengths are in model units, angles in degrees where nothing else is said.",
                      "pointclay");
     program.footer("Example: pointclay bunny.ply\nEach subcommand tells more: pointclay query --help");
     program.set_version_flag("--version", "pointclay " POINTCLAY_VERSION);

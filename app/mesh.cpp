@@ -1,6 +1,7 @@
 // pointclay mesh: the surface as triangles, by marching cubes or by restricted Delaunay triangulation, in a file.
 #include "app/mesh_report.h"
 #include "app/open_model.h"
+#include "app/option_checks.h"
 #include "app/subcommand.h"
 #include "app/surface_options.h"
 #include "core/io/mesh_formats.h"
@@ -93,20 +94,20 @@ void run(const Options& options, const CLI::App& command, Console& console) {
 
 void addDelaunayOptions(CLI::App& command, mesh::DelaunayOptions& options, bool& roughRims) {
     command.add_option("--angle", options.angle, "smallest angle of a triangle, in degrees")
-        ->check(CLI::Range(0.0, 30.0))
+        ->check(between(0, 30))
         ->capture_default_str()
         ->group("Delaunay");
     command
         .add_option("--size", options.size,
                     "largest radius of the ball through a triangle's corners about a place of the surface, in model "
                     "units [the median spacing; with --adaptive 8 of them]")
-        ->check(CLI::PositiveNumber)
+        ->check(above(0))
         ->group("Delaunay");
     command
         .add_option("--distance", options.distance,
                     "largest distance of a triangle from the surface, in model units [a tenth of the median spacing; "
                     "with --adaptive its TOLERANCE]")
-        ->check(CLI::PositiveNumber)
+        ->check(above(0))
         ->group("Delaunay");
     command.add_flag("--rough-rims", roughRims, "do not trace rims: the mesh ends somewhat before them, in a zigzag")
         ->group("Delaunay");
@@ -114,7 +115,7 @@ void addDelaunayOptions(CLI::App& command, mesh::DelaunayOptions& options, bool&
 
 void addMarchingOptions(CLI::App& command, mesh::MarchingOptions& options) {
     command.add_option("--cell", options.cell, "side of the cubes, in model units [the median spacing]")
-        ->check(CLI::PositiveNumber)
+        ->check(above(0))
         ->group("Marching cubes");
     command
         .add_flag("--close-folds", options.closeFolds,
@@ -146,7 +147,7 @@ Action addMesh(CLI::App& command) {
                     "large triangles where the surface is flat: as large as keeps them about this close to it, in "
                     "model units; --cell is then the smallest cube [all of one size]")
         ->type_name("TOLERANCE")
-        ->check(CLI::PositiveNumber);
+        ->check(above(0));
     addMarchingOptions(command, options->marching);
     addDelaunayOptions(command, options->delaunay, options->roughRims);
     command.add_flag(

@@ -1,6 +1,7 @@
 #include "app/polyline_options.h"
 
 #include "app/open_model.h"
+#include "app/option_checks.h"
 #include "app/subcommand.h"
 
 #include <nlohmann/json.hpp>
@@ -17,10 +18,10 @@ void addPolylineOptions(CLI::App& command, PolylineOptions& options, const std::
                         const char* type) {
     command.add_option("-o,--output", options.out, tip)->type_name(type);
     command.add_option("--turn", options.turn, "angle by which a " + what + " turns from point to point, in radians")
-        ->check(CLI::Range(0.001, 1.0))
+        ->check(between(0.001, 1))
         ->capture_default_str();
     command.add_option("--least", options.least, "leave out " + what + "s shorter than this, in model units")
-        ->check(CLI::NonNegativeNumber)
+        ->check(atLeast(0))
         ->capture_default_str();
     options.surface = addSurfaceOptions(command, false);
 }

@@ -1,6 +1,7 @@
 // pointclay render: a picture of a model, by splats or by rays.
 #include "app/look_options.h"
 #include "app/open_model.h"
+#include "app/option_checks.h"
 #include "app/subcommand.h"
 #include "app/surface_options.h"
 #include "app/view_options.h"
@@ -76,7 +77,10 @@ void run(Options options, Console& console) {
 Action addRender(CLI::App& command) {
     auto options = std::make_shared<Options>();
     command.add_option("MODEL", options->model, modelHelp)->required();
-    command.add_option("-o,--output", options->image, "picture to write")->type_name("IMAGE.png")->required();
+    command.add_option("-o,--output", options->image, "picture to write")
+        ->type_name("IMAGE.png")
+        ->required()
+        ->check(pictureName());
     command.add_option("--mode", options->mode, "blended splats, or rays to the true surface")
         ->check(CLI::IsMember({"splats", "raycast"}))
         ->capture_default_str();
@@ -90,7 +94,7 @@ Action addRender(CLI::App& command) {
                     "representatives stand for parts of the model where their splats' radius is at most this; 0 draws "
                     "every surfel, more than 1 is how a moving view looks")
         ->type_name("PX")
-        ->check(CLI::Range(0.0, 64.0))
+        ->check(between(0, 64))
         ->capture_default_str();
     command.add_flag("--closed", options->picture.style.closed,
                      "the model has no opening: parts that face away are not drawn");
@@ -102,7 +106,7 @@ Action addRender(CLI::App& command) {
             "with --mode raycast: 1 interpolates between rays where normals stay within 2 degrees and depths "
             "within 0.2 spacings, outlines exact to the pixel; 2 within twice that; 0 casts a ray for every pixel")
         ->type_name("PX")
-        ->check(CLI::NonNegativeNumber)
+        ->check(atLeast(0))
         ->capture_default_str();
     command
         .add_option("--depth", options->depth,

@@ -2,6 +2,7 @@
 #include "app/command_help.h"
 #include "app/framing.h"
 #include "app/open_model.h"
+#include "app/option_checks.h"
 #include "app/subcommand.h"
 #include "core/base/error.h"
 #include "core/io/safe_file.h"
@@ -114,7 +115,9 @@ Action addRun(CLI::App& command) {
     command.add_option("--model", options->model, std::string("opened before the first line: ") + modelHelp)
         ->type_name("MODEL");
     command.add_option("-o,--output", options->out, "model to write afterwards")->type_name("OUT");
-    command.add_option("--render", options->image, "picture of the result")->type_name("IMAGE.png");
+    command.add_option("--render", options->image, "picture of the result")
+        ->type_name("IMAGE.png")
+        ->check(pictureName());
     command.add_option("--timings", options->timings, "seconds of each line and milliseconds of its dabs, as JSON")
         ->type_name("OUT.json");
     command

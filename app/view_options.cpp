@@ -1,6 +1,7 @@
 #include "app/view_options.h"
 
 #include "app/framing.h"
+#include "app/option_checks.h"
 #include "app/subcommand.h"
 #include "core/base/error.h"
 #include "ui/render/named_views.h"
@@ -91,7 +92,7 @@ std::shared_ptr<ViewOptions> addViewOptions(CLI::App& command) {
     addVector(command, "--up", options->up, "what is up in the picture; default: 0,1,0");
     auto* fov = command.add_option("--fov", options->fovDeg, "vertical angle of view in degrees; default: 35")
                     ->type_name("DEG")
-                    ->check(CLI::Range(1.0, 170.0));
+                    ->check(between(1, 170));
     command
         .add_option("--ortho", options->ortho,
                     "parallel rays: the height of the picture in model units, or fit for the whole model")

@@ -27,7 +27,8 @@ void CommandLineTest::helpNamesEverySubcommandWithAnExample() {
     const Program program;
     const Outcome help = program.run({"--help"});
     QCOMPARE(help.code, 0);
-    for (const char* name : {"info", "convert", "query", "intersect", "render", "run", "recover", "bench"}) {
+    for (const char* name : {"info", "convert", "query", "intersect", "boundary", "section", "mesh", "render", "run",
+                             "recover", "bench"}) {
         QVERIFY2(help.out.find(std::string("\n  ") + name) != std::string::npos, name);
         const Outcome own = program.run({name, "--help"});
         QCOMPARE(own.code, 0);
@@ -74,6 +75,14 @@ void CommandLineTest::wrongUsageIsTwo_data() {
     row("render sample:sphere:500 -o out.png --eye 1,2");
     row("render sample:sphere:500 -o out.png --eye 1,2,3 --target 1,2,3");
     row("render sample:sphere:500 -o out.png --mode sketch");
+    row("render sample:sphere:500 -o out.png --fov nan");
+    row("render sample:sphere:500 -o out.png --quality nan");
+    row("render sample:sphere:500 -o out.jpg");
+    row("run good.jsonl --render out.jpg");
+    row("mesh sample:sphere:500 -o out.ply --cell nan");
+    row("mesh sample:sphere:500 -o out.ply --cell 0");
+    row("mesh sample:sphere:500 -o out.ply --method delaunay --angle inf");
+    row("section sample:sphere:500 --plane 0,0,1,0 --least -1");
     row("render sample:sphere:500 -o out.png --shading plaid");
     row("run");
     row("run p.xyz --journal p.xyz");

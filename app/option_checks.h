@@ -1,0 +1,17 @@
+// What values of options must be, beyond what the library checks: it lets numbers pass that are none ("nan"). A fault
+// says what is wanted.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace app {
+
+/// Finite numbers. The bounds are allowed values, but for that of `above`.
+CLI::Validator between(double least, double most);
+CLI::Validator above(double least);
+CLI::Validator atLeast(double least);
+
+/// A file's name for a picture: we write PNG alone.
+CLI::Validator pictureName();
+
+} // namespace app
