@@ -110,17 +110,7 @@ void CameraTest::screenBoundsHoldTheirBox() {
         const base::Box3f box = randomBox(random);
         camera.target = base::cast<double>(box.centre()) + random.unitVector();
         const float reach = static_cast<float>(random.uniform(0, 1));
-        const render::ScreenBounds bounds = screenBounds(render::ViewFrame(camera), box, reach);
-        for (int c = 0; c < 8; ++c) {
-            const Vec3d p = test::corner(box, c) + random.unitVector() * (0.999 * reach), place = camera.project(p);
-            const int column = static_cast<int>(std::floor(place.x)), row = static_cast<int>(std::floor(place.y));
-            if (place.z <= 0 || column < 0 || column >= camera.width || row < 0 || row >= camera.height)
-                continue;
-            ++seen;
-            QVERIFY2(bounds.visible && column >= bounds.left && column <= bounds.right && row >= bounds.top &&
-                         row <= bounds.bottom && place.z >= bounds.nearest - 1e-4 * (1 + std::abs(place.z)),
-                     seeded(k));
-        }
+        QVERIFY2(test::boundsHold(camera, box, reach, random, seen), seeded(k));
     }
     QVERIFY(seen > 1000);
 }

@@ -15,11 +15,6 @@ class CpuSplatterTest : public QObject {
     Q_OBJECT
   private Q_SLOTS:
     void tiltedPlaneHasOneNormalAndPlanarDepth();
-    void sphereHasNoHoles_data();
-    void sphereHasNoHoles();
-    void torusHasNoHoles();
-    void spacingThatVariesByFiveLeavesNoHoles();
-    void gradedScansHaveNoHoles();
     void nearSheetHidesTheFarOne();
     void thinSheetShowsItsOwnSide();
     void insidesAreBlendedAsOutsides();
@@ -33,13 +28,6 @@ class CpuSplatterTest : public QObject {
     void updatesAreTheWholePicture();
 };
 
-static Camera smallCamera() {
-    Camera camera;
-    camera.width = 321; // tiles at the borders are cut
-    camera.height = 243;
-    return camera;
-}
-
 /// A normal of camera coordinates (x right, y up, z to the eye, which the default camera's axes are) as a pixel of the
 /// image shades it.
 static base::Vec3f asSeen(const Camera& camera, const Vec3d& normal, int x, int y) {
@@ -51,7 +39,7 @@ static base::Vec3f asSeen(const Camera& camera, const Vec3d& normal, int x, int 
 void CpuSplatterTest::tiltedPlaneHasOneNormalAndPlanarDepth() {
     for (const double angle : {0.0, 0.6, 1.2}) {
         const Vec3d normal{std::sin(angle) * 0.8, std::sin(angle) * 0.6, std::cos(angle)};
-        const Camera camera = smallCamera();
+        const Camera camera = test::cutTilesCamera();
         CpuSplatter splatter;
         RenderOptions options;
         options.shading = Shading::Normal;
@@ -74,169 +62,6 @@ void CpuSplatterTest::tiltedPlaneHasOneNormalAndPlanarDepth() {
     }
 }
 
-/// Every pixel that looks well inside the outline shows the sphere at its depth. `reach`: the splats' radius.
-static void checkSphere(const Image& image, const Camera& camera, double reach) {
-    int inside = 0;
-    for (int y = 0; y < camera.height; ++y)
-        for (int x = 0; x < camera.width; ++x) {
-            const base::Rayd ray = camera.ray(x + 0.5, y + 0.5);
-            if (!std::isfinite(test::sphereDepth(ray, {0, 0, 0}, 0.98)))
-                continue;
-            ++inside;
-            const double expected = test::sphereDepth(ray, {0, 0, 0}, 1);
-            const double slant = -dot(ray.at(expected), ray.direction);
-            // A tangent disc leaves the sphere by half the squared way along it, which a pixel of the filter lengthens.
-            const double way = std::max(reach, 1.1 * expected / camera.focalPx() / slant);
-            const double tolerance = 0.6 * way * way / slant + 1e-5;
-            const double depth = image.depth[static_cast<std::size_t>(y * camera.width + x)];
-            QVERIFY2(std::abs(depth - expected) < tolerance,
-                     qPrintable(QString("%1 %2: %3 for %4").arg(x).arg(y).arg(depth).arg(expected)));
-        }
-    QVERIFY(inside > 1000);
-}
-
-void CpuSplatterTest::sphereHasNoHoles_data() {
-    QTest::addColumn<int>("count");
-    QTest::addColumn<float>("scale");
-    QTest::addColumn<double>("distance");
-    QTest::newRow("coarse") << 2000 << 1.0f << 3.0;
-    QTest::newRow("fine") << 100000 << 1.0f << 3.0;
-    QTest::newRow("close") << 20000 << 1.0f << 1.3;
-    QTest::newRow("far") << 100000 << 1.0f << 12.0;
-    QTest::newRow("radius 0.75 s") << 20000 << 0.75f / (splatRadiusOfSupport * test::supportOfSpacing) << 2.0;
-}
-
-void CpuSplatterTest::sphereHasNoHoles() {
-    QFETCH(int, count);
-    QFETCH(float, scale);
-    QFETCH(double, distance);
-    Camera camera = smallCamera();
-    camera.eye = normalized(Vec3d{1, 2, 3}) * distance;
-    RenderOptions options;
-    options.splatScale = scale;
-    CpuSplatter splatter;
-    const auto model = test::built(test::sphere({0, 0, 0}, 1, static_cast<std::size_t>(count)));
-    const double s = scale * test::evenSpacing(4 * std::numbers::pi, static_cast<std::size_t>(count));
-    checkSphere(test::drawn(splatter, model, camera, options), camera,
-                s * test::supportOfSpacing * splatRadiusOfSupport);
-}
-
-/// Distance along the ray to the torus, by steps of its distance function; +inf where the ray passes.
-static double torusDepth(const base::Rayd& ray, double ring, double tube) {
-    double t = 0;
-    for (int step = 0; step < 300 && t < 20; ++step) {
-        const Vec3d p = ray.at(t);
-        const double across = std::sqrt(p.x * p.x + p.z * p.z) - ring;
-        const double distance = std::sqrt(across * across + p.y * p.y) - tube;
-        if (distance < 1e-6)
-            return t;
-        t += distance;
-    }
-    return std::numeric_limits<double>::infinity();
-}
-
-void CpuSplatterTest::torusHasNoHoles() {
-    Camera camera = smallCamera();
-    const auto model = test::built(test::torus(1, 0.4, 30000, test::seed()));
-    CpuSplatter splatter;
-    base::Random random(test::seed());
-    for (int view = 0; view < 6; ++view) {
-        camera.eye = random.unitVector() * 4;
-        const Image image = test::drawn(splatter, model, camera);
-        int inside = 0;
-        for (int y = 0; y < camera.height; ++y)
-            for (int x = 0; x < camera.width; ++x) {
-                const base::Rayd ray = camera.ray(x + 0.5, y + 0.5);
-                const double thin = torusDepth(ray, 1, 0.38), thick = torusDepth(ray, 1, 0.42);
-                if (!(std::abs(thin - thick) < 0.3)) // near an outline, or beside the torus
-                    continue;
-                ++inside;
-                const float depth = image.depth[static_cast<std::size_t>(y * camera.width + x)];
-                QVERIFY2(depth > thick && depth < thin, qPrintable(QString("view %1 at %2 %3: %4 for %5, seed %6")
-                                                                       .arg(view)
-                                                                       .arg(x)
-                                                                       .arg(y)
-                                                                       .arg(depth)
-                                                                       .arg(0.5 * (thin + thick))
-                                                                       .arg(test::seed())));
-            }
-        QVERIFY(inside > 1000);
-    }
-}
-
-void CpuSplatterTest::spacingThatVariesByFiveLeavesNoHoles() {
-    // Rows of a square whose spacing grows from 0.01 to 0.05 along x; supports follow the wider spacing.
-    surfel::SurfelList list;
-    list.layout = test::orientedLayout();
-    for (double x = -1; x < 1;) {
-        const double s = 0.01 + 0.02 * (x + 1);
-        for (double y = -1; y < 1; y += s)
-            list.items.push_back({base::cast<float>(Vec3d{x, y, 0}),
-                                  {0, 0, 1},
-                                  static_cast<float>(s) * test::supportOfSpacing,
-                                  surfel::white,
-                                  0});
-        x += s;
-    }
-    CpuSplatter splatter;
-    const Camera camera = smallCamera();
-    const Image image = test::drawn(splatter, test::built(list), camera);
-    for (int y = 0; y < camera.height; ++y)
-        for (int x = 0; x < camera.width; ++x) {
-            const base::Rayd ray = camera.ray(x + 0.5, y + 0.5);
-            const Vec3d at = ray.at(-ray.origin.z / ray.direction.z);
-            if (std::abs(at.x) < 0.94 && std::abs(at.y) < 0.94)
-                QVERIFY(std::isfinite(image.depth[static_cast<std::size_t>(y * camera.width + x)]));
-        }
-}
-
-/// A scan of a ball as files bring it, without supports, whose spacing grows fivefold from pole to pole at random
-/// places that keep a distance: prepared like any model, drawn at rest and coarsely.
-void CpuSplatterTest::gradedScansHaveNoHoles() {
-    base::Random random(test::seed());
-    surfel::SurfelList list;
-    list.layout = test::orientedLayout();
-    const auto spacing = [](const Vec3d& d) { return 0.012 * std::pow(5, 0.5 * (d.z + 1)); };
-    std::vector<Vec3d> darts(300000);
-    for (Vec3d& d : darts)
-        d = random.unitVector();
-    std::sort(darts.begin(), darts.end(), [](const Vec3d& a, const Vec3d& b) { return a.z < b.z; });
-    std::vector<Vec3d> apart;
-    for (const Vec3d& d : darts) {
-        bool free = true;
-        for (std::size_t k = apart.size(); free && k-- > 0 && d.z - apart[k].z < 0.8 * spacing(d);)
-            free = lengthSq(d - apart[k]) > 0.64 * spacing(d) * spacing(d);
-        if (free)
-            apart.push_back(d);
-    }
-    for (const Vec3d& d : apart)
-        list.items.push_back({base::cast<float>(d), base::cast<float>(d), 0, surfel::white, 0});
-    process::assignSupports(list, {});
-    const tree::SurfelTree model = test::built(list);
-    float least = 1e9f, most = 0;
-    for (const surfel::Surfel& s : list.items)
-        least = std::min(least, s.support), most = std::max(most, s.support);
-    QVERIFY2(most > 4 * least, qPrintable(QString("%1 %2").arg(least).arg(most)));
-    CpuSplatter splatter;
-    for (const float detail : {1.0f, 6.0f})
-        for (const Vec3d& eye : {Vec3d{0, 0, 2.5}, Vec3d{0, 0, -2.5}, Vec3d{2.4, 0.5, 0}}) {
-            Camera camera = smallCamera();
-            camera.eye = eye;
-            camera.up = {0, 1, 0};
-            RenderOptions options;
-            options.detailPx = detail;
-            options.definition.boundaryLimit = 0.3f;
-            const Image image = test::drawn(splatter, model, camera, options);
-            for (int y = 0; y < camera.height; ++y)
-                for (int x = 0; x < camera.width; ++x)
-                    if (std::isfinite(test::sphereDepth(camera.ray(x + 0.5, y + 0.5), {0, 0, 0}, 0.97)))
-                        QVERIFY2(
-                            std::isfinite(image.depth[static_cast<std::size_t>(y * camera.width + x)]),
-                            qPrintable(
-                                QString("%1 %2 at detail %3, seed %4").arg(x).arg(y).arg(detail).arg(test::seed())));
-        }
-}
-
 void CpuSplatterTest::nearSheetHidesTheFarOne() {
     surfel::SurfelList list = test::disc({0, 0, 0}, {0, 0, 1}, 1.5, 0.02);
     surfel::SurfelList behind = test::disc({0, 0, -0.1}, {0.6, 0, 0.8}, 1.5, 0.02);
@@ -244,7 +69,7 @@ void CpuSplatterTest::nearSheetHidesTheFarOne() {
     list.items.insert(list.items.end(), behind.items.begin(), behind.items.end());
     std::erase_if(list.items, [](const auto& s) { return s.normal.x > 0 && s.position.z > -0.05f; });
     CpuSplatter splatter;
-    const Camera camera = smallCamera();
+    const Camera camera = test::cutTilesCamera();
     const Image both = test::drawn(splatter, test::built(list), camera),
                 one = test::drawn(splatter, test::built(front), camera);
     // The far sheet passes 0.05 to 1 behind the near one; a splat's radius is 0.021.
@@ -271,7 +96,7 @@ void CpuSplatterTest::thinSheetShowsItsOwnSide() {
     RenderOptions options;
     options.shading = Shading::Colour;
     CpuSplatter splatter;
-    Camera camera = smallCamera();
+    Camera camera = test::cutTilesCamera();
     for (const double z : {3.0, -3.0}) {
         camera.eye = {0.4, 0.2, z};
         const Image image = test::drawn(splatter, test::built(list), camera, options);
@@ -284,7 +109,7 @@ void CpuSplatterTest::thinSheetShowsItsOwnSide() {
 void CpuSplatterTest::insidesAreBlendedAsOutsides() {
     // From within a ball whose normals point outwards, and the same with normals that point to the eye.
     surfel::SurfelList list = test::sphere({0, 0, 0}, 1, 20000);
-    Camera camera = smallCamera();
+    Camera camera = test::cutTilesCamera();
     camera.eye = {0, 0, 0.5};
     CpuSplatter splatter;
     const Image inside = test::drawn(splatter, test::built(list), camera);
@@ -308,7 +133,7 @@ void CpuSplatterTest::splatsNeverFallBetweenPixels() {
                               surfel::white,
                               0});
     CpuSplatter splatter;
-    const Camera camera = smallCamera();
+    const Camera camera = test::cutTilesCamera();
     const Image image = test::drawn(splatter, test::built(list), camera);
     for (const auto& s : list.items) {
         const Vec3d place = camera.project(base::cast<double>(s.position));
@@ -320,7 +145,7 @@ void CpuSplatterTest::splatsNeverFallBetweenPixels() {
 void CpuSplatterTest::unorientedSplatsFaceTheEye() {
     surfel::SurfelList list = test::sphere({0, 0, 0}, 1, 20000);
     CpuSplatter splatter;
-    const Camera camera = smallCamera();
+    const Camera camera = test::cutTilesCamera();
     auto layout = std::make_shared<surfel::AttributeLayout>(*list.layout);
     layout->oriented = false;
     list.layout = layout;
@@ -342,7 +167,7 @@ void CpuSplatterTest::thereIsNoNearPlane() {
     const auto model = test::built(test::disc({0, 0, 0}, {0, 0, 1}, 0.01, 1e-4));
     CpuSplatter splatter;
     for (const double z : {1e-3, 1e3}) {
-        Camera camera = smallCamera();
+        Camera camera = test::cutTilesCamera();
         camera.eye = {0, 0, z};
         const Image image = test::drawn(splatter, model, camera);
         QVERIFY(std::abs(image.depth[121 * 321 + 160] / z - 1) < 1e-3);
@@ -362,7 +187,7 @@ void CpuSplatterTest::coloursAndMasksAreBlended() {
     RenderOptions options;
     options.shading = Shading::Colour;
     CpuSplatter splatter;
-    const Camera camera = smallCamera();
+    const Camera camera = test::cutTilesCamera();
     const Image image = test::drawn(splatter, test::built(list), camera, options);
     const auto at = [&](int x) { return image.colour[static_cast<std::size_t>(121 * 321 + x)]; };
     QCOMPARE(at(160 + 60),
@@ -375,10 +200,10 @@ void CpuSplatterTest::sameBitsAtAnyThreadCount() {
     const auto model = test::built(test::torus(1, 0.4, 60000, test::seed()));
     CpuSplatter splatter;
     base::setThreadCount(1);
-    const Image one = test::drawn(splatter, model, smallCamera());
+    const Image one = test::drawn(splatter, model, test::cutTilesCamera());
     base::setThreadCount(0);
     for (int k = 0; k < 5; ++k) {
-        const Image many = test::drawn(splatter, model, smallCamera());
+        const Image many = test::drawn(splatter, model, test::cutTilesCamera());
         QVERIFY(one.colour == many.colour && one.depth == many.depth);
     }
 }
@@ -387,7 +212,8 @@ void CpuSplatterTest::transparentBackgroundHasNoAlpha() {
     RenderOptions options;
     options.transparent = true;
     CpuSplatter splatter;
-    const Image image = test::drawn(splatter, test::built(test::sphere({0, 0, 0}, 0.3, 5000)), smallCamera(), options);
+    const Image image =
+        test::drawn(splatter, test::built(test::sphere({0, 0, 0}, 0.3, 5000)), test::cutTilesCamera(), options);
     for (std::size_t i = 0; i < image.colour.size(); ++i)
         QCOMPARE(image.colour[i] >> 24, std::isfinite(image.depth[i]) ? 255u : 0u);
     QCOMPARE(image.colour[0] >> 24, 0u);
@@ -396,7 +222,7 @@ void CpuSplatterTest::transparentBackgroundHasNoAlpha() {
 
 void CpuSplatterTest::anEmptyModelIsBackground() {
     CpuSplatter splatter;
-    const Image image = test::drawn(splatter, {}, smallCamera());
+    const Image image = test::drawn(splatter, {}, test::cutTilesCamera());
     QCOMPARE(image.colour.size(), std::size_t(321 * 243));
     for (const float depth : image.depth)
         QVERIFY(std::isinf(depth));
@@ -429,7 +255,7 @@ void CpuSplatterTest::updatesAreTheWholePicture() {
     versions.push_back(versions[2]);
     versions.push_back(test::built(test::disc({0, 0, 0}, {0, 0.6, 0.8}, 1, 0.02)));
     versions.push_back(start);
-    Camera camera = smallCamera();
+    Camera camera = test::cutTilesCamera();
     RenderOptions options;
     CpuSplatter splatter;
     Image image;

@@ -104,17 +104,7 @@ void ProjectionTest::boundsHoldTheirBoxInParallelToo() {
         for (int j = 0; j < 2; ++j)
             box.extend(base::cast<float>(camera.target + random.unitVector() * random.uniform(0.01, 10)));
         const auto reach = static_cast<float>(random.uniform(0, 1));
-        const ScreenBounds bounds = screenBounds(ViewFrame(camera), box, reach);
-        for (int c = 0; c < 8; ++c) {
-            const Vec3d place = camera.project(test::corner(box, c) + random.unitVector() * (0.999 * reach));
-            const int column = static_cast<int>(std::floor(place.x)), row = static_cast<int>(std::floor(place.y));
-            if (place.z <= 0 || column < 0 || column >= camera.width || row < 0 || row >= camera.height)
-                continue;
-            ++seen;
-            QVERIFY2(bounds.visible && column >= bounds.left && column <= bounds.right && row >= bounds.top &&
-                         row <= bounds.bottom && place.z >= bounds.nearest - 1e-4 * (1 + std::abs(place.z)),
-                     seeded(k));
-        }
+        QVERIFY2(test::boundsHold(camera, box, reach, random, seen), seeded(k));
     }
     QVERIFY(seen > 500);
 }

@@ -18,6 +18,14 @@ inline surfel::AttributeLayoutPtr orientedLayout(bool colours = false) {
     return layout;
 }
 
+/// A small picture whose border cuts tiles.
+inline render::Camera cutTilesCamera() {
+    render::Camera camera;
+    camera.width = 321;
+    camera.height = 243;
+    return camera;
+}
+
 /// Hexagonal layout of spacing s on the plane through `centre` across `normal`, within `radius`.
 inline surfel::SurfelList disc(const base::Vec3d& centre, const base::Vec3d& normal, double radius, double s) {
     surfel::SurfelList out;
