@@ -3,6 +3,7 @@
 #include "core/session/journal.h"
 #include "core/session/live_stroke.h"
 #include "core/session/recover.h"
+#include "ui/post.h"
 #include "ui/stroke_pacer.h"
 
 #include <algorithm>
@@ -54,8 +55,7 @@ template <class Work>
 bool Editor::Model::guarded(const Work& work) {
     const auto report = [this](auto signal, const QString& text) {
         Editor* target = &editor;
-        QMetaObject::invokeMethod(
-            target, [=] { std::invoke(signal, target, text); }, Qt::QueuedConnection);
+        post(target, [=] { std::invoke(signal, target, text); });
     };
     editor.m_cancel = editor.m_closing.load();
     try {
@@ -77,9 +77,7 @@ base::Progress Editor::Model::progress() {
         if (Clock::now() - *last < std::chrono::milliseconds(40))
             return;
         *last = Clock::now();
-        const QString text = QString::fromUtf8(doing.data(), static_cast<qsizetype>(doing.size()));
-        QMetaObject::invokeMethod(
-            target, [=] { Q_EMIT target->progressed(share, text); }, Qt::QueuedConnection);
+        post(target, [target, share, text = textOf(doing)] { Q_EMIT target->progressed(share, text); });
     };
     return {report, &editor.m_cancel};
 }
@@ -90,9 +88,7 @@ session::Context Editor::Model::context() {
 
 void Editor::Model::tell(const std::vector<std::string>& messages) {
     for (const auto& message : messages) {
-        const QString text = QString::fromStdString(message);
-        QMetaObject::invokeMethod(
-            &editor, [target = &editor, text] { Q_EMIT target->told(text); }, Qt::QueuedConnection);
+        post(&editor, [target = &editor, text = textOf(message)] { Q_EMIT target->told(text); });
     }
 }
 
@@ -102,8 +98,7 @@ void Editor::Model::publish(Snapshot snapshot) {
     const bool underWay = editor.m_fresh.has_value();
     editor.m_fresh = std::move(snapshot);
     if (!underWay)
-        QMetaObject::invokeMethod(
-            &editor, [target = &editor] { target->deliver(); }, Qt::QueuedConnection);
+        post(&editor, [target = &editor] { target->deliver(); });
 }
 
 void Editor::Model::publishDocument() {
@@ -255,7 +250,7 @@ void Editor::finished(std::function<void(bool)> then, bool done, int commands) {
         if (m_waiting == 0)
             Q_EMIT idled();
     };
-    QMetaObject::invokeMethod(this, onInterface, Qt::QueuedConnection);
+    post(this, onInterface);
 }
 
 void Editor::deliver() {

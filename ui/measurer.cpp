@@ -1,5 +1,7 @@
 #include "ui/measurer.h"
 
+#include "ui/post.h"
+
 namespace ui {
 
 using render::Coloured;
@@ -20,11 +22,10 @@ bool Measurer::Request::operator==(const Request& o) const {
 
 Measurer::Measurer(QObject* parent)
     : QObject(parent),
-      m_worker([this](const Request& request, const base::Progress& progress) { work(request, progress); },
-               [this](const std::exception& error) {
-                   post([this, text = QString::fromUtf8(error.what())] { Q_EMIT failed(text); });
-               },
-               [this] { post([this] { rest(); }); }) {}
+      m_worker(
+          [this](const Request& request, const base::Progress& progress) { work(request, progress); },
+          [this](const std::exception& error) { post(this, [this, text = textOf(error)] { Q_EMIT failed(text); }); },
+          [this] { post(this, [this] { rest(); }); }) {}
 
 void Measurer::want(render::Shading shading, const surface::Surface& surface, const surface::Surface& reference,
                     std::uint64_t models) {
@@ -48,11 +49,6 @@ void Measurer::want(render::Shading shading, const surface::Surface& surface, co
 
 void Measurer::cancel() {
     m_worker.cancel();
-}
-
-/// Runs it on the interface's thread, if this still lives then.
-void Measurer::post(const std::function<void()>& call) {
-    QMetaObject::invokeMethod(this, call, Qt::QueuedConnection);
 }
 
 /// Colours must not swim with every dab, nor stay where they tell nothing any more.
@@ -93,16 +89,13 @@ void Measurer::rest() {
 }
 
 void Measurer::work(const Request& request, const base::Progress& cancel) {
-    base::Progress progress = cancel;
-    progress.report = [this](double share, std::string_view doing) {
-        post([this, share, text = QString::fromUtf8(doing.data(), qsizetype(doing.size()))] {
-            if (m_busy)
-                Q_EMIT progressed(share, text);
-        });
-    };
+    const base::Progress progress = postedProgress(cancel, this, [this](double share, const QString& doing) {
+        if (m_busy)
+            Q_EMIT progressed(share, doing);
+    });
     const Coloured done = measure(request, progress);
     m_last.emplace(request, done);
-    post([this, request, done] { receive(request, done); });
+    post(this, [this, request, done] { receive(request, done); });
 }
 
 } // namespace ui

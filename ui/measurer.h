@@ -50,7 +50,6 @@ class Measurer : public QObject {
     render::Coloured measure(const Request& request, const base::Progress& progress);
     void receive(const Request& request, const render::Coloured& done);
     void rest();
-    void post(const std::function<void()>& call);
 
     Request m_wanted; ///< interface's
     std::shared_ptr<const render::BlockColours> m_colours;

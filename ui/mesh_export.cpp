@@ -2,6 +2,7 @@
 
 #include "core/io/mesh_formats.h"
 #include "ui/editor.h"
+#include "ui/post.h"
 
 #include <QFileDialog>
 #include <QLocale>
@@ -39,10 +40,7 @@ MeshExport::MeshExport(QMainWindow& window, Editor& editor, QWidget& canvas)
     connect(&m_mesher, &Mesher::failed, this, [this](const QString& why) { m_bar->tell(why, why); });
     m_drawer = std::make_unique<LatestWorker<Wanted>>(
         [this](const Wanted& wanted, const base::Progress& progress) { draw(wanted, progress); },
-        [this](const std::exception& error) {
-            const auto tell = [this, why = QString::fromUtf8(error.what())] { m_bar->tell(why, why); };
-            QMetaObject::invokeMethod(this, tell, Qt::QueuedConnection);
-        });
+        [this](const std::exception& error) { post(this, [this, why = textOf(error)] { m_bar->tell(why, why); }); });
 }
 
 MeshExport::~MeshExport() {
@@ -162,12 +160,11 @@ void MeshExport::draw(const Wanted& wanted, const base::Progress& progress) {
     const QImage view(reinterpret_cast<const uchar*>(image.colour.data()), image.width, image.height,
                       QImage::Format_RGBA8888);
     const QImage lines = view.convertToFormat(QImage::Format_ARGB32_Premultiplied);
-    const auto show = [this, lines, wanted] {
+    post(this, [this, lines, wanted] {
         m_lines = lines;
         m_drawn = wanted;
         m_canvas.update();
-    };
-    QMetaObject::invokeMethod(this, show, Qt::QueuedConnection);
+    });
 }
 
 } // namespace ui

@@ -4,6 +4,7 @@
 #include "core/mesh/delaunay.h"
 #include "core/mesh/marching_cubes.h"
 #include "core/mesh/topology.h"
+#include "ui/post.h"
 
 #include <algorithm>
 #include <chrono>
@@ -44,16 +45,11 @@ std::size_t estimatedTriangles(double area, double spacing, const MeshChoice& ch
 Mesher::Mesher(QObject* parent)
     : QObject(parent), m_worker([this](const Wish& wish, const base::Progress& progress) { work(wish, progress); },
                                 [this](const std::exception& error) {
-                                    post([this, text = QString::fromUtf8(error.what())] { Q_EMIT failed(text); });
+                                    post(this, [this, text = textOf(error)] { Q_EMIT failed(text); });
                                 },
-                                [this] { post([this] { rest(); }); }) {}
+                                [this] { post(this, [this] { rest(); }); }) {}
 
 Mesher::~Mesher() = default;
-
-/// Runs it on the interface's thread, if this still lives then.
-void Mesher::post(std::function<void()> call) {
-    QMetaObject::invokeMethod(this, std::move(call), Qt::QueuedConnection);
-}
 
 static bool fits(const MadeMesh* made, const MeshChoice& choice, const tree::SurfelTree& model) {
     return made && made->choice.sameMesh(choice) && made->model == model;
@@ -113,12 +109,8 @@ static mesh::Mesh meshOf(const surface::Surface& surface, double spacing, const 
 }
 
 void Mesher::work(const Wish& wish, const base::Progress& cancel) {
-    base::Progress progress = cancel;
-    progress.report = [this](double share, std::string_view doing) {
-        post([this, share, text = QString::fromUtf8(doing.data(), qsizetype(doing.size()))] {
-            Q_EMIT progressed(share, text);
-        });
-    };
+    const base::Progress progress =
+        postedProgress(cancel, this, [this](double share, const QString& doing) { Q_EMIT progressed(share, doing); });
     std::shared_ptr<const MadeMesh> made = wish.made;
     if (!fits(made.get(), wish.choice, wish.surface.tree())) {
         const auto start = std::chrono::steady_clock::now();
@@ -130,7 +122,7 @@ void Mesher::work(const Wish& wish, const base::Progress& cancel) {
         fresh->limitRims = topology.boundaryLoops - topology.foldLoops;
         fresh->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         made = fresh;
-        post([this, made] {
+        post(this, [this, made] {
             m_made = made;
             Q_EMIT changed();
         });
@@ -138,7 +130,7 @@ void Mesher::work(const Wish& wish, const base::Progress& cancel) {
     if (wish.path.empty())
         return;
     io::writeMesh(wish.path, *made->mesh, wish.origin, progress);
-    post([this, path = QString::fromStdString(wish.path.string())] { Q_EMIT saved(path); });
+    post(this, [this, path = QString::fromStdString(wish.path.string())] { Q_EMIT saved(path); });
 }
 
 } // namespace ui

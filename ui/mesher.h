@@ -62,7 +62,6 @@ class Mesher : public QObject {
     };
     void rest();
     void work(const Wish& wish, const base::Progress& progress);
-    void post(std::function<void()> call);
 
     std::shared_ptr<const MadeMesh> m_made;
     bool m_saving = false;

@@ -1,13 +1,14 @@
 #include "ui/thread_picture.h"
 
+#include "ui/post.h"
+
 #include <QPainter>
 
 namespace ui {
 
 ThreadPicture::ThreadPicture(QWidget& widget, Viewport& viewport) : m_widget(widget), m_viewport(viewport) {
     const auto deliver = [this](RenderThread::Result result) {
-        const auto pass = [this, moved = std::move(result)] { receive(moved); };
-        QMetaObject::invokeMethod(this, pass, Qt::QueuedConnection);
+        post(this, [this, moved = std::move(result)] { receive(moved); });
     };
     m_thread = std::make_unique<RenderThread>(std::make_unique<render::CpuSplatter>(), deliver);
 }

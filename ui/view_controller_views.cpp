@@ -1,5 +1,6 @@
 // The part of the ViewController that moves and cuts the view.
 #include "core/base/parallel.h"
+#include "ui/post.h"
 #include "ui/view_controller.h"
 
 #include <QCursor>
@@ -242,19 +243,16 @@ void ViewController::traceSections() {
     m_tracedRoot = surface.tree().root().get();
     m_tracedPlanes = planes;
     if (!m_tracer) {
-        const auto post = [this](auto call) { QMetaObject::invokeMethod(this, std::move(call), Qt::QueuedConnection); };
         m_tracer = std::make_unique<SectionTracer>(
-            [this, post](TracedSections traced) {
-                post([this, traced = std::move(traced)]() mutable {
+            [this](TracedSections traced) {
+                post(this, [this, traced = std::move(traced)]() mutable {
                     if (!m_cuts.section || traced.planes != m_cuts.planes())
                         return; // others are on their way
                     m_sections = std::move(traced.curves);
                     m_viewport.widget()->update();
                 });
             },
-            [this, post](const std::exception& error) {
-                post([this, text = QString::fromUtf8(error.what())] { Q_EMIT hinted(text); });
-            });
+            [this](const std::exception& error) { post(this, [this, text = textOf(error)] { Q_EMIT hinted(text); }); });
     }
     m_tracer->request(surface, planes);
 }

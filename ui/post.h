@@ -1,0 +1,36 @@
+// From other threads to the interface's: calls that run there later, in the order in which they were posted.
+#pragma once
+
+#include "core/base/progress.h"
+
+#include <QObject>
+#include <QString>
+
+#include <exception>
+
+namespace ui {
+
+/// Runs `call` on the receiver's thread, if the receiver still lives then.
+template <class Call>
+void post(QObject* receiver, Call call) {
+    QMetaObject::invokeMethod(receiver, std::move(call), Qt::QueuedConnection);
+}
+
+inline QString textOf(std::string_view utf8) {
+    return QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size()));
+}
+inline QString textOf(const std::exception& error) {
+    return QString::fromUtf8(error.what());
+}
+
+/// Stopped as `stop` is; how far it is goes to tell(share, doing) on the receiver's thread.
+template <class Tell>
+base::Progress postedProgress(const base::Progress& stop, QObject* receiver, const Tell& tell) {
+    base::Progress out = stop;
+    out.report = [receiver, tell](double share, std::string_view doing) {
+        post(receiver, [tell, share, text = textOf(doing)] { tell(share, text); });
+    };
+    return out;
+}
+
+} // namespace ui
