@@ -62,7 +62,7 @@ bool isFlat(const Mesh& mesh, std::uint32_t t) {
 /// Pairs of triangles near those vertices that cut each other; those without area with themselves.
 std::vector<std::pair<std::uint32_t, std::uint32_t>> cutsNear(const Mesh& mesh, std::span<const std::uint32_t> around,
                                                               double cell) {
-    constexpr double reach = 3; // cells
+    constexpr double reach = 2; // cells
     if (around.empty())
         return {};
     const std::vector<std::uint32_t> near = Region(mesh, around, reach * cell).triangles();
@@ -183,13 +183,17 @@ std::size_t reopenCut(Mesh& mesh, std::span<const std::uint32_t> middles, double
 
 std::size_t trimFolds(Mesh& mesh, double cell) {
     constexpr int rounds = 6;
+    std::vector<std::uint32_t> around;
+    for (std::uint32_t v = 0; v < mesh.kinds.size(); ++v)
+        if (mesh.kinds[v] != VertexKind::Inner)
+            around.push_back(v);
     std::size_t count = 0;
     for (int round = 0; round < rounds; ++round) {
-        std::vector<std::uint32_t> rims;
-        for (std::uint32_t v = 0; v < mesh.kinds.size(); ++v)
-            if (mesh.kinds[v] != VertexKind::Inner)
-                rims.push_back(v);
-        const auto cuts = cutsNear(mesh, rims, cell);
+        const auto cuts = cutsNear(mesh, around, cell);
+        around.clear();
+        for (const auto& [a, b] : cuts)
+            for (const std::uint32_t t : {a, b})
+                around.insert(around.end(), mesh.triangles[t].begin(), mesh.triangles[t].end());
         if (cuts.empty())
             break;
         Trim trim(mesh);
