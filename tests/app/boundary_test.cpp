@@ -3,7 +3,7 @@
 #include "support/registry.h"
 
 #include <cmath>
-#include <QtTest>
+#include <QTest>
 
 using test::Outcome;
 using test::Program;

@@ -5,7 +5,7 @@
 #include "support/registry.h"
 
 #include <csignal>
-#include <QtTest>
+#include <QTest>
 
 using test::Outcome;
 using test::Program;

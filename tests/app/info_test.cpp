@@ -2,7 +2,7 @@
 #include "program.h"
 #include "support/registry.h"
 
-#include <QtTest>
+#include <QTest>
 #include <set>
 
 using nlohmann::json;

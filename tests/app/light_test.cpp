@@ -6,7 +6,7 @@
 
 #include <cstring>
 #include <QImage>
-#include <QtTest>
+#include <QTest>
 
 using base::Vec3d;
 using nlohmann::json;

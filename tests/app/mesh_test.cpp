@@ -2,7 +2,7 @@
 #include "program.h"
 #include "support/registry.h"
 
-#include <QtTest>
+#include <QTest>
 
 using test::json, test::Outcome, test::Program;
 

@@ -5,7 +5,7 @@
 
 #include <cmath>
 #include <cstdio>
-#include <QtTest>
+#include <QTest>
 
 using base::Vec3d;
 using test::Outcome;

@@ -4,7 +4,7 @@
 #include "support/registry.h"
 
 #include <cstring>
-#include <QtTest>
+#include <QTest>
 
 using nlohmann::json;
 using test::Outcome;

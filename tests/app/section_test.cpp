@@ -5,7 +5,7 @@
 #include <cmath>
 #include <QImage>
 #include <QSettings>
-#include <QtTest>
+#include <QTest>
 
 using test::Outcome;
 using test::Program;

@@ -2,7 +2,7 @@
 #include "core/base/ray.h"
 #include "support/registry.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace base;
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <cstring>
 #include <new>
-#include <QtTest>
+#include <QTest>
 
 class LargeMemoryTest : public QObject {
     Q_OBJECT

@@ -3,7 +3,7 @@
 #include "core/base/random.h"
 #include "support/registry.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace base;
 

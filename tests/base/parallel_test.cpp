@@ -5,7 +5,7 @@
 #include "support/registry.h"
 
 #include <atomic>
-#include <QtTest>
+#include <QTest>
 #include <stdexcept>
 #include <vector>
 

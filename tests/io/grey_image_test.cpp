@@ -9,7 +9,7 @@
 #include <jpeglib.h>
 #include <png.h>
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 
 class GreyImageTest : public QObject {
     Q_OBJECT

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <iterator>
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 #include <string>
 
 namespace test {

@@ -5,7 +5,7 @@
 #include "mesh/meshes.h"
 #include "support/registry.h"
 #include "surface/shapes.h"
-#include <QtTest>
+#include <QTest>
 
 using base::Vec3d, mesh::Mesh, mesh::Report;
 

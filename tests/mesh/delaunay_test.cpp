@@ -12,7 +12,7 @@
 #include "mesh/models.h"
 #include "support/registry.h"
 
-#include <QtTest>
+#include <QTest>
 
 using base::Vec3d, mesh::DelaunayOptions, mesh::DelaunayReport, mesh::Mesh;
 

@@ -8,7 +8,7 @@
 #include "surface/scans.h"
 
 #include <array>
-#include <QtTest>
+#include <QTest>
 
 using mesh::MarchingOptions, mesh::MarchingReport, mesh::Mesh;
 

@@ -9,7 +9,7 @@
 #include "surface/bounded.h"
 #include "surface/shapes.h"
 
-#include <QtTest>
+#include <QTest>
 
 using base::Vec3d, mesh::Mesh, mesh::MarchingOptions, mesh::MarchingReport, mesh::Topology;
 

@@ -3,7 +3,7 @@
 #include "support/registry.h"
 #include "surface/shapes.h"
 
-#include <QtTest>
+#include <QTest>
 
 using base::Vec3d, base::Vec3f;
 using mesh::Mesh;

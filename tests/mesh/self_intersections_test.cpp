@@ -3,7 +3,7 @@
 
 #include "mesh/meshes.h"
 #include "support/registry.h"
-#include <QtTest>
+#include <QTest>
 
 using base::Vec3d, mesh::Mesh, mesh::selfIntersections;
 

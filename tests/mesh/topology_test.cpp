@@ -3,7 +3,7 @@
 
 #include "mesh/meshes.h"
 #include "support/registry.h"
-#include <QtTest>
+#include <QTest>
 #include <set>
 
 using mesh::Mesh, mesh::Topology, mesh::Triangle, mesh::topologyOf;

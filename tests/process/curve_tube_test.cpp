@@ -7,7 +7,7 @@
 #include "core/surface/curve.h"
 #include "support/registry.h"
 
-#include <QtTest>
+#include <QTest>
 
 using surface::Manifold;
 

@@ -5,7 +5,7 @@
 #include "core/process/samples.h"
 #include "support/registry.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace process;
 

@@ -10,7 +10,7 @@
 
 #include <array>
 #include <fstream>
-#include <QtTest>
+#include <QTest>
 #include <sstream>
 
 using namespace process;

@@ -7,7 +7,7 @@
 #include "process/even_shapes.h"
 #include "support/registry.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace process;
 using base::Vec3d;

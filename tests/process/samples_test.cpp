@@ -5,7 +5,7 @@
 #include "core/process/spacing.h"
 #include "support/registry.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace process;
 

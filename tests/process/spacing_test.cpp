@@ -9,7 +9,7 @@
 
 #include <algorithm>
 #include <numbers>
-#include <QtTest>
+#include <QTest>
 
 using namespace process;
 using surface::SurfaceDefinition;

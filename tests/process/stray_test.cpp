@@ -3,7 +3,7 @@
 #include "process/even_shapes.h"
 #include "support/registry.h"
 
-#include <QtTest>
+#include <QTest>
 
 class StrayTest : public QObject {
     Q_OBJECT

@@ -6,7 +6,7 @@
 #include "light_scenes.h"
 #include "support/registry.h"
 
-#include <QtTest>
+#include <QTest>
 #include <set>
 
 using namespace raycast;

@@ -9,7 +9,7 @@
 
 #include <atomic>
 #include <cstring>
-#include <QtTest>
+#include <QTest>
 
 using namespace raycast;
 using base::Vec3d;

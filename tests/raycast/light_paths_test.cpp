@@ -5,7 +5,7 @@
 #include "light_scenes.h"
 #include "support/registry.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace raycast;
 using base::Vec3d;

@@ -6,7 +6,7 @@
 #include "support/registry.h"
 
 #include <atomic>
-#include <QtTest>
+#include <QTest>
 
 using namespace raycast;
 using namespace views;

@@ -5,7 +5,7 @@
 #include "support/registry.h"
 #include "surface/scans.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace views;
 

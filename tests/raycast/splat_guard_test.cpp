@@ -5,7 +5,7 @@
 #include "raycast_models.h"
 #include "support/registry.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace raycast;
 using namespace views;

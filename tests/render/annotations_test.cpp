@@ -5,7 +5,7 @@
 #include "ui/render/shading_table.h"
 #include "ui/render/stroke_font.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace render;
 

@@ -5,7 +5,7 @@
 #include "support/registry.h"
 #include "ui/render/view_frame.h"
 
-#include <QtTest>
+#include <QTest>
 
 using base::Vec3d;
 using render::Camera;

@@ -6,7 +6,7 @@
 #include "support/registry.h"
 #include "ui/render/shading.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace render;
 using base::Vec3d;

@@ -5,7 +5,7 @@
 #include "support/registry.h"
 #include "ui/render/cpu_splatter.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace render;
 using base::Vec3d;

@@ -5,7 +5,7 @@
 #include "ui/render/detail_pacer.h"
 #include "ui/render/offscreen_renderer.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace render;
 using base::Vec3d;

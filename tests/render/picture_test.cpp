@@ -4,7 +4,7 @@
 #include "render/render_models.h"
 #include "support/registry.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace render;
 

@@ -8,7 +8,7 @@
 #include "ui/render/raycast_image.h"
 #include "ui/render/view_frame.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace render;
 using base::Vec3d;

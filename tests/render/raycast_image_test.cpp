@@ -6,7 +6,7 @@
 #include "ui/render/cpu_splatter.h"
 
 #include <atomic>
-#include <QtTest>
+#include <QTest>
 
 using namespace render;
 using base::Vec3d;

@@ -7,7 +7,7 @@
 #include "ui/render/offscreen_renderer.h"
 #include "ui/render/raycast_image.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace render;
 using base::Vec3d;

@@ -5,7 +5,7 @@
 #include "ui/render/cpu_splatter.h"
 #include "ui/render/raycast_image.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace render;
 

@@ -4,7 +4,7 @@
 #include "support/registry.h"
 #include "ui/render/cpu_splatter.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace render;
 

@@ -4,7 +4,7 @@
 #include "support/registry.h"
 #include "ui/render/cpu_splatter.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace render;
 using base::Vec3d;
@@ -141,8 +141,9 @@ void SplatHolesTest::gradedScansHaveNoHoles() {
     base::Random random(test::seed());
     surfel::SurfelList list;
     list.layout = test::orientedLayout();
-    const auto spacing = [](const Vec3d& d) { return 0.012 * std::pow(5, 0.5 * (d.z + 1)); };
-    std::vector<Vec3d> darts(300000);
+    std::vector<Vec3d> darts(test::effort(300000));
+    const double finest = 0.012 * std::sqrt(300000.0 / double(darts.size()));
+    const auto spacing = [&](const Vec3d& d) { return finest * std::pow(5, 0.5 * (d.z + 1)); };
     for (Vec3d& d : darts)
         d = random.unitVector();
     std::sort(darts.begin(), darts.end(), [](const Vec3d& a, const Vec3d& b) { return a.z < b.z; });

@@ -3,7 +3,7 @@
 #include "render/render_models.h"
 #include "support/registry.h"
 
-#include <QtTest>
+#include <QTest>
 
 class SplatScaleTest : public QObject {
     Q_OBJECT

@@ -5,7 +5,7 @@
 #include "ui/render/raycast_image.h"
 
 #include <atomic>
-#include <QtTest>
+#include <QTest>
 
 using namespace render;
 

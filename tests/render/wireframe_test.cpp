@@ -4,7 +4,7 @@
 #include "core/base/random.h"
 #include "support/registry.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace render;
 using base::Vec3d;

@@ -5,7 +5,7 @@
 #include "core/sculpt/falloff.h"
 #include "support/registry.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace sculpt;
 

@@ -7,7 +7,7 @@
 #include "sculpt/shapes.h"
 #include "support/registry.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace sculpt;
 using base::Vec3f;

@@ -4,7 +4,7 @@
 #include "support/registry.h"
 
 #include <cmath>
-#include <QtTest>
+#include <QTest>
 
 using namespace sculpt;
 

@@ -3,7 +3,7 @@
 #include "sculpt/ideal_dabs.h"
 #include "support/registry.h"
 
-#include <QtTest>
+#include <QTest>
 
 using base::Vec3d;
 using base::Vec3f;

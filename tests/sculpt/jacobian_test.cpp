@@ -3,7 +3,7 @@
 #include "sculpt/dabs.h"
 #include "support/registry.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace sculpt;
 using test::applied;

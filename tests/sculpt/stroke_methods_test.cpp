@@ -6,7 +6,7 @@
 #include "sculpt/stroke_samples.h"
 #include "support/registry.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace sculpt;
 using base::Vec3f;

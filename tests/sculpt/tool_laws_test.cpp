@@ -5,7 +5,7 @@
 #include "sculpt/dabs.h"
 #include "support/registry.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace sculpt;
 

@@ -6,7 +6,7 @@
 #include "support/registry.h"
 #include "workbench.h"
 
-#include <QtTest>
+#include <QTest>
 #include <set>
 
 using nlohmann::json;

@@ -4,7 +4,7 @@
 #include "workbench.h"
 
 #include <algorithm>
-#include <QtTest>
+#include <QTest>
 
 using test::Workbench;
 

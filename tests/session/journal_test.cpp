@@ -3,7 +3,7 @@
 #include "support/registry.h"
 #include "workbench.h"
 
-#include <QtTest>
+#include <QTest>
 
 using nlohmann::json;
 using test::Workbench;

@@ -6,7 +6,7 @@
 #include "support/registry.h"
 #include "workbench.h"
 
-#include <QtTest>
+#include <QTest>
 
 using base::Vec3d;
 using nlohmann::json;

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
-#include <QtTest>
+#include <QTest>
 
 using nlohmann::json;
 

@@ -6,7 +6,7 @@
 #include "workbench.h"
 
 #include <png.h>
-#include <QtTest>
+#include <QTest>
 
 using nlohmann::json;
 using sculpt::StrokeSettings;

@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
-#include <QtTest>
+#include <QTest>
 #include <vector>
 
 namespace test {

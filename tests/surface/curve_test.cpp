@@ -4,7 +4,7 @@
 #include "support/registry.h"
 
 #include <functional>
-#include <QtTest>
+#include <QTest>
 
 using base::Vec3d;
 using surface::Cause, surface::Frame, surface::Need, surface::Projector, surface::Status, surface::Surface,

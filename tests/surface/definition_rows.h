@@ -3,7 +3,7 @@
 
 #include "core/surface/definition_text.h"
 
-#include <QtTest>
+#include <QTest>
 
 namespace test {
 

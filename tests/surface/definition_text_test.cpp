@@ -5,7 +5,7 @@
 #include "support/registry.h"
 
 #include <bit>
-#include <QtTest>
+#include <QTest>
 
 using namespace surface;
 

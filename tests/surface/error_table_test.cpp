@@ -16,7 +16,7 @@
 #include "shapes.h"
 #include "support/registry.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace surface;
 using base::Vec3d, base::Vec3f;
@@ -31,7 +31,7 @@ class ErrorTableTest : public QObject {
 namespace {
 
 constexpr double mostTurn = 3;
-constexpr int positions = 12;
+constexpr int positions = test::effort(12), tries = 48;
 
 /// Worst over the positions.
 struct Errors {
@@ -105,7 +105,7 @@ Row compare(const Surface& surface) {
     const brute::Model all = brute::modelOf(list, surface.definition());
     const Surface wide = surface.withSupportScale(surface.definition().curvatureScale());
     base::Random random(test::seed());
-    for (int i = 0; i < 4 * positions && out.compared < positions; ++i) {
+    for (int i = 0; i < tries && out.compared < positions; ++i) {
         const surfel::Surfel& from = list.items[random.below(list.size())];
         const double unit = double(unitOf(surface.definition().weight, from.support));
         const Vec3f at = from.position + base::cast<float>(random.unitVector() * (random.uniform(0, 0.2) * unit));

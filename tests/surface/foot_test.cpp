@@ -10,7 +10,7 @@
 #include "shapes.h"
 #include "support/registry.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace surface;
 using base::Vec3d, base::Vec3f;

@@ -4,7 +4,7 @@
 #include "shapes.h"
 #include "support/registry.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace surface;
 using base::Vec3d, base::Vec3f;
@@ -176,7 +176,7 @@ void KernelTest::sumsAreThoseOfPlainLoops() {
     base::Random random(test::seed());
     const surfel::SurfelList list = shapes::jittered(shapes::torus(1, 0.4, 0.06, 0.21), 0.01, test::seed());
     const Surface surface = shapes::surfaceOf(list);
-    for (int i = 0; i < 100; ++i) {
+    for (int i = 0; i < test::effort(100); ++i) {
         SumOptions options;
         options.weight = static_cast<Weight>(weight);
         options.facing = static_cast<Facing>(facing);
@@ -203,7 +203,7 @@ void KernelTest::denseNeighbourhoodsAreSummedInParts() {
     const surfel::SurfelList list = shapes::jittered(shapes::sphere(5000, 1, 0.6), 0.01, test::seed());
     const Surface surface = shapes::surfaceOf(list);
     int most = 0;
-    for (int i = 0; i < 50; ++i) {
+    for (int i = 0; i < test::effort(50); ++i) {
         const Vec3f x = shapes::beside(list, random, 0.4);
         SumOptions options;
         options.outer = i % 2 == 0 ? Outer::None : Outer::Offsets;

@@ -6,7 +6,7 @@
 #include "support/registry.h"
 
 #include <cstring>
-#include <QtTest>
+#include <QTest>
 
 using namespace surface;
 using base::Vec3d, base::Vec3f;

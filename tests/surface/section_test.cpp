@@ -7,7 +7,7 @@
 #include "shapes.h"
 #include "support/registry.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace surface;
 using base::Plane, base::Vec3d;

@@ -5,7 +5,7 @@
 #include "support/registry.h"
 
 #include <hwy/targets.h>
-#include <QtTest>
+#include <QTest>
 
 using namespace surface;
 using base::Vec3f;

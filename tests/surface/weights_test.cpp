@@ -4,7 +4,7 @@
 #include "shapes.h"
 #include "support/registry.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace surface;
 using base::Vec3f;

@@ -5,7 +5,7 @@
 
 #include <cstring>
 #include <limits>
-#include <QtTest>
+#include <QTest>
 
 using namespace surfel;
 

@@ -4,7 +4,7 @@
 #include "support/registry.h"
 #include "tree/fixtures.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace tree;
 

@@ -1,7 +1,7 @@
 #include "support/registry.h"
 #include "tree/random_edits.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace tree;
 

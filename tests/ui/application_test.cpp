@@ -4,7 +4,7 @@
 
 #include <QApplication>
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 
 /// Nothing that a test does may reach the person's own files.
 QCoreApplication* makeApplication(int& argc, char** argv) {

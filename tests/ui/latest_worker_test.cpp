@@ -2,7 +2,7 @@
 
 #include "support/registry.h"
 
-#include <QtTest>
+#include <QTest>
 
 using ui::LatestWorker;
 

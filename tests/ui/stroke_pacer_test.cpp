@@ -2,7 +2,7 @@
 
 #include "support/registry.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace ui;
 using sculpt::StrokeSample;

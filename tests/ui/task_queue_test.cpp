@@ -2,7 +2,7 @@
 
 #include "support/registry.h"
 
-#include <QtTest>
+#include <QTest>
 #include <thread>
 
 using namespace ui;

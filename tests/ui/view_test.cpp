@@ -8,7 +8,7 @@
 #include "ui/saved_views.h"
 
 #include <numbers>
-#include <QtTest>
+#include <QTest>
 
 using namespace ui;
 using base::Vec3d;

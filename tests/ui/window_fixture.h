@@ -8,7 +8,7 @@
 #include <QMenu>
 #include <QMouseEvent>
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 
 namespace test {
 

@@ -6,7 +6,7 @@
 #include "core/surface/intersect.h"
 #include "support/registry.h"
 
-#include <QtTest>
+#include <QTest>
 
 using base::Vec3d;
 using bench::NaiveEvaluation;

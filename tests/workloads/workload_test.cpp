@@ -4,7 +4,7 @@
 #include "core/sculpt/tool.h"
 #include "support/registry.h"
 
-#include <QtTest>
+#include <QTest>
 #include <set>
 
 using bench::Scene;
@@ -77,7 +77,7 @@ void WorkloadTest::everyRunDoesItsItems() {
             const std::size_t items = run();
             const bool many = workload.item == "ray" || workload.item == "triangle" || workload.item == "pixel";
             QVERIFY(items > 0 && (many || items <= scene.size()));
-            const int again = many || name.startsWith("splat") ? 1 : 40;
+            const int again = many || name.startsWith("splat") ? 1 : test::effort(40);
             for (int i = 0; i < again; ++i)
                 QCOMPARE(run(), items); // brushes, batches and edits come round
         }
