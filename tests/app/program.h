@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <QFloat16>
 #include <QProcess>
 #include <QTemporaryDir>
 #include <sstream>

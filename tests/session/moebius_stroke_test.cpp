@@ -8,6 +8,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <QFloat16>
 #include <QTest>
 
 using nlohmann::json;

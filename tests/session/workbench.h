@@ -11,6 +11,7 @@
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <QFloat16>
 #include <QTemporaryDir>
 #include <sstream>
 

@@ -8,6 +8,7 @@
 #include "ui/saved_views.h"
 
 #include <numbers>
+#include <QSignalSpy>
 #include <QTest>
 
 using namespace ui;
