@@ -24,7 +24,7 @@ struct Options {
     mesh::MarchingOptions marching;
     mesh::DelaunayOptions delaunay;
     double adaptive = 0;
-    bool check = false, roughRims = false;
+    bool check = false;
     std::shared_ptr<SurfaceOptions> surface;
 
     bool isDelaunay() const { return method == "delaunay"; }
@@ -38,16 +38,20 @@ void checkUsage(const Options& options, const CLI::App& command) {
             if (command.count(name) > 0 && options.method != method)
                 throw UsageError(std::string(name) + " goes with --method " + method);
     };
-    onlyWith("delaunay", {"--angle", "--size", "--distance", "--rough-rims"});
-    onlyWith("marching-cubes", {"--cell", "--close-folds", "--drop-small"});
+    onlyWith("delaunay", {"--angle", "--size", "--distance"});
+    onlyWith("marching-cubes", {"--cell"});
+}
+
+void tellCount(Console& console, std::size_t count, const char* what) {
+    if (count > 0)
+        console.tell(std::to_string(count) + what);
 }
 
 mesh::Mesh makeByCubes(const Options& options, const surface::Surface& surface, Console& console,
                        const base::Progress& progress) {
     mesh::MarchingReport report;
     mesh::Mesh out = marchingCubes(surface, options.marching, report, progress);
-    if (report.foldsClosed > 0)
-        console.tell(std::to_string(report.foldsClosed) + " loops at folds were closed.");
+    tellCount(console, report.foldsClosed, " loops at folds were closed.");
     return out;
 }
 
@@ -55,14 +59,10 @@ mesh::Mesh makeByDelaunay(const Options& options, const surface::Surface& surfac
                           const base::Progress& progress) {
     mesh::DelaunayReport report;
     mesh::Mesh out = restrictedDelaunay(surface, options.delaunay, report, progress);
-    const auto tell = [&](std::size_t count, const char* what) {
-        if (count > 0)
-            console.tell(std::to_string(count) + what);
-    };
-    tell(report.unrefined,
-         " triangles were left out: refining did not bring them within what was asked for, as at folds.");
-    tell(report.removed, " triangles were left out where more than two met at an edge.");
-    tell(report.uncovered, " points have no triangle near them.");
+    tellCount(console, report.unrefined,
+              " triangles were left out: refining did not bring them within what was asked for, as at folds.");
+    tellCount(console, report.removed, " triangles were left out where more than two met at an edge.");
+    tellCount(console, report.foldsClosed, " loops at folds were closed.");
     return out;
 }
 
@@ -92,7 +92,7 @@ void run(const Options& options, const CLI::App& command, Console& console) {
         judge(options, mesh, surface, process::part(progress, 0.7, 1));
 }
 
-void addDelaunayOptions(CLI::App& command, mesh::DelaunayOptions& options, bool& roughRims) {
+void addDelaunayOptions(CLI::App& command, mesh::DelaunayOptions& options) {
     command.add_option("--angle", options.angle, "smallest angle of a triangle, in degrees")
         ->check(between(0, 30))
         ->capture_default_str()
@@ -109,22 +109,11 @@ void addDelaunayOptions(CLI::App& command, mesh::DelaunayOptions& options, bool&
                     "with --adaptive its TOLERANCE]")
         ->check(above(0))
         ->group("Delaunay");
-    command.add_flag("--rough-rims", roughRims, "do not trace rims: the mesh ends somewhat before them, in a zigzag")
-        ->group("Delaunay");
 }
 
 void addMarchingOptions(CLI::App& command, mesh::MarchingOptions& options) {
     command.add_option("--cell", options.cell, "side of the cubes, in model units [the median spacing]")
         ->check(above(0))
-        ->group("Marching cubes");
-    command
-        .add_flag("--close-folds", options.closeFolds,
-                  "close all loops where the surface ends without a rim, as at folds, up to " +
-                      std::to_string(options.longestFold) + " edges [only short ones, where the surface goes on]")
-        ->group("Marching cubes");
-    command
-        .add_flag("--drop-small", options.dropSmall,
-                  "leave out pieces of fewer than " + std::to_string(options.smallPiece) + " triangles")
         ->group("Marching cubes");
 }
 
@@ -149,7 +138,13 @@ Action addMesh(CLI::App& command) {
         ->type_name("TOLERANCE")
         ->check(above(0));
     addMarchingOptions(command, options->marching);
-    addDelaunayOptions(command, options->delaunay, options->roughRims);
+    addDelaunayOptions(command, options->delaunay);
+    command.add_flag("--close-folds", options->marching.closeFolds,
+                     "close all loops where the surface ends without a rim, as at folds, up to " +
+                         std::to_string(options->marching.longestFold) +
+                         " edges [marching cubes: short ones, where the surface goes on]");
+    command.add_flag("--drop-small", options->marching.dropSmall,
+                     "leave out pieces of fewer than " + std::to_string(options->marching.smallPiece) + " triangles");
     command.add_flag(
         "--check", options->check,
         "print what the mesh is: pieces, rims, genus, angles, distances to the surface, self-intersections");
@@ -157,7 +152,8 @@ Action addMesh(CLI::App& command) {
         ->type_name("OUT.json");
     options->surface = addSurfaceOptions(command, false);
     return [options, &command](Console& console) {
-        options->delaunay.snapToRims = !options->roughRims;
+        options->delaunay.closeFolds = options->marching.closeFolds;
+        options->delaunay.dropSmall = options->marching.dropSmall;
         options->delaunay.adaptive = options->marching.adaptive = options->adaptive;
         run(*options, command, console);
     };

@@ -102,10 +102,9 @@ Run naiveMarching(Scene& scene) {
     return [march = NaiveMarch(scene.surface(), scene.naive())]() mutable { return march.next(); };
 }
 
-/// Triangles that are small beside the model and large beside its spacing: some thousand, however many surfels.
+/// Triangles about as large as the spacing.
 Run triangulating(Scene& scene) {
-    mesh::DelaunayOptions options;
-    options.size = options.distance = 0.1 * scene.radius();
+    const mesh::DelaunayOptions options;
     return [&surface = scene.surface(), options] {
         mesh::DelaunayReport report;
         const mesh::Mesh made = mesh::restrictedDelaunay(surface, options, report);
@@ -117,12 +116,11 @@ Run triangulating(Scene& scene) {
 } // namespace
 
 std::vector<Workload> meshWorkloads() {
-    // CGAL's mesher with a naive ray for its oracle would not end: its roots do not agree from segment to segment.
     constexpr const char* denseGrid = "dense grid, nanoflann, Eigen double, corner signs";
     return {
         {"mesh-marching-cubes", "triangle", "marching cubes, cells of one spacing", denseGrid, marching, naiveMarching},
-        {"mesh-delaunay", "triangle", "restricted Delaunay triangulation by CGAL's mesher, our segments its oracle",
-         denseGrid, triangulating, naiveMarching},
+        {"mesh-delaunay", "triangle", "restricted Delaunay triangulation, sizes of one spacing", denseGrid,
+         triangulating, naiveMarching},
     };
 }
 

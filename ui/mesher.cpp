@@ -98,6 +98,8 @@ static mesh::Mesh meshOf(const surface::Surface& surface, double spacing, const 
         mesh::DelaunayReport report;
         options.size = choice.cell * spacing;
         options.distance = 0.1 * choice.cell * spacing;
+        options.closeFolds = choice.closeFolds;
+        options.dropSmall = choice.dropSmall;
         return mesh::restrictedDelaunay(surface, options, report, progress);
     }
     mesh::MarchingOptions options;

@@ -2,13 +2,16 @@
 
 #include "core/base/error.h"
 #include "core/mesh/delaunay_finish.h"
-#include "core/mesh/delaunay_start.h"
+#include "core/mesh/delaunay_refine.h"
+#include "core/mesh/marching_cubes.h"
 #include "core/mesh/mesh_attributes.h"
 #include "core/mesh/mesh_repair.h"
 #include "core/mesh/orient_mesh.h"
 #include "core/process/part_progress.h"
 #include "core/process/spacing_field.h"
 #include "core/process/spacing_sample.h"
+
+#include <algorithm>
 
 namespace mesh {
 
@@ -18,17 +21,27 @@ namespace {
 
 constexpr double degree = 3.14159265358979323846 / 180;
 
-/// A demand in lengths, defaults filled in.
-FacetDemand demandOf(const surface::Surface& surface, const DelaunayOptions& options, const base::Progress& progress) {
+bool hasSides(const surface::Surface& surface) {
+    return surface.tree().layout()->normals && surface.tree().layout()->oriented;
+}
+
+/// The median spacing; of a model too small to have one what its support tells.
+double unitOf(const surface::Surface& surface) {
     const double spacing = double(process::typicalSpacing(surface.tree()));
-    const double unit = spacing > 0 ? spacing : double(surface.tree().maxSupport()) * surface::spacingOfUnit;
-    FacetDemand out;
-    out.leastAngle = options.angle * degree;
+    return spacing > 0 ? spacing : double(surface.tree().maxSupport()) * surface::spacingOfUnit;
+}
+
+/// A demand in lengths, defaults filled in.
+FaceDemand demandOf(const surface::Surface& surface, const DelaunayOptions& options, const base::Progress& progress) {
+    const double unit = unitOf(surface);
+    FaceDemand out;
+    constexpr double spare = 1e-3; // degrees that settling may take
+    out.leastAngle = (options.angle + spare) * degree;
     double least = options.size > 0 ? options.size : unit;
     out.size = [least](const Vec3d&) { return least; };
     out.distance = options.distance > 0 ? options.distance : options.adaptive > 0 ? options.adaptive : 0.1 * unit;
     if (options.adaptive > 0) {
-        // A facet of radius r on a surface of curvature k stays within r^2 k / 2; the field gives sqrt(tolerance / k).
+        // A face of radius r on a surface of curvature k stays within r^2 k / 2; the field gives sqrt(tolerance / k).
         constexpr float fine = 0.25f, coarse = 8;
         process::CurvatureSpacing by;
         by.tolerance = static_cast<float>(2 * options.adaptive);
@@ -41,7 +54,63 @@ FacetDemand demandOf(const surface::Surface& surface, const DelaunayOptions& opt
     }
     // What a bumpy surface's finest triangles need, and some; folds would be refined forever.
     out.floor = std::min(0.1 * std::sqrt(out.distance * unit), least / 8);
+    out.foldFloor = std::max(out.floor, 0.25 * std::min(least, unit));
     return out;
+}
+
+/// Cubes as large as the median spacing, or up to a third of it where some of the surfels are that much denser.
+double guideCell(const surface::Surface& surface) {
+    std::vector<process::SpacingSample> samples = process::sampleSpacing(surface.tree());
+    std::sort(samples.begin(), samples.end(),
+              [](const process::SpacingSample& a, const process::SpacingSample& b) { return a.spacing < b.spacing; });
+    const double unit = unitOf(surface);
+    return samples.empty() ? unit : std::clamp(double(samples[samples.size() / 20].spacing), unit / 3, unit);
+}
+
+/// Leaves out faces of cubes that are nowhere near the surface, as at folds.
+Mesh trimmed(const surface::Surface& surface, const Mesh& mesh, const base::Progress& progress) {
+    constexpr double facing = 0.2, tall = 0.5;
+    SurfaceNet net(surface, mesh);
+    std::vector<bool> leftOut(mesh.triangles.size());
+    for (std::uint32_t f = 0; f < leftOut.size(); ++f) {
+        if (f % 4096 == 0)
+            progress.step(double(f) / double(leftOut.size()), "Looking for folds");
+        const Triangle& t = mesh.triangles[f];
+        const auto [a, b, c] = net.places(t);
+        const double cosine = hasSides(surface) ? net.facing(t) : std::abs(net.facing(t));
+        const double reach = tall * std::max({distance(a, b), distance(b, c), distance(c, a)});
+        leftOut[f] = cosine < facing || !net.root((a + b + c) / 3, net.across(t), reach, net.normal(t));
+    }
+    Mesh out = net.mesh(leftOut);
+    makeManifold(out);
+    dropUnused(out);
+    return out;
+}
+
+Mesh guideOf(const surface::Surface& surface, const base::Progress& progress) {
+    MarchingOptions options;
+    options.cell = guideCell(surface);
+    MarchingReport report;
+    return trimmed(surface, marchingCubes(surface, options, report, process::part(progress, 0, 0.8)),
+                   process::part(progress, 0.8, 1));
+}
+
+/// Takes away what the demand, the surface or a request says, and fills in what the mesh has besides its triangles.
+void finish(const surface::Surface& surface, const DelaunayOptions& options, const FaceDemand& demand, Mesh& mesh,
+            DelaunayReport& report) {
+    settleVertices(surface, options.angle * degree, mesh);
+    report.unrefined += leaveOutFar(surface, demand.distance, mesh);
+    report.removed = makeManifold(mesh);
+    tellRims(surface, mesh);
+    const Orientation orientation = orient(mesh, hasSides(surface));
+    if (options.dropSmall)
+        dropSmallPieces(mesh, orientation, options.smallPiece);
+    else
+        report.unrefined += dropCrumbs(mesh, orientation);
+    if (options.closeFolds)
+        report.foldsClosed = closeFolds(mesh, surface, {unitOf(surface), true, options.longestFold}).size();
+    dropUnused(mesh);
+    takeAttributes(mesh, surface);
 }
 
 } // namespace
@@ -50,37 +119,17 @@ Mesh restrictedDelaunay(const surface::Surface& surface, const DelaunayOptions& 
                         const base::Progress& progress) {
     if (surface.tree().empty() || surface.definition().manifold == surface::Manifold::Curve)
         throw base::Error("only a surface can be meshed", "", "choose a model with points of a surface");
-    const FacetDemand demand = demandOf(surface, options, process::part(progress, 0, 0.05));
-    RestrictedDelaunay triangulation(surface, demand);
-    std::vector<Vec3d> taken;
+    const FaceDemand demand = demandOf(surface, options, process::part(progress, 0, 0.05));
     report = {};
-    if (options.snapToRims)
-        for (const RimChain& rim : rimChains(surface, demand.size, process::part(progress, 0.05, 0.1))) {
-            triangulation.addRim(rim);
-            taken.insert(taken.end(), rim.positions.begin(), rim.positions.end());
-            ++report.rims;
-        }
-    triangulation.add(spreadPoints(surface, demand.size, taken, process::part(progress, 0.1, 0.2)));
-    constexpr std::size_t rounds = 4;
-    constexpr double reach = 2.5;
-    Mesh out;
-    for (report.rounds = 1;; ++report.rounds) {
-        triangulation.refine(process::part(progress, 0.2, 0.9));
-        out = triangulation.mesh();
-        const std::vector<Vec3d> bare = uncoveredFeet(surface, demand.size, out, reach);
-        report.uncovered = bare.size();
-        if (bare.empty() || report.rounds == rounds)
-            break;
-        triangulation.add(bare);
-    }
-    report.unrefined = triangulation.unrefined();
+    SurfaceNet net(surface, guideOf(surface, process::part(progress, 0.05, 0.35)));
+    coarsen(net, demand.size, demand.distance, process::part(progress, 0.35, 0.4));
+    DelaunayRefinement refinement(net, demand);
+    refinement.run(process::part(progress, 0.4, 0.9));
+    const std::vector<bool> failing = refinement.failing();
+    report.unrefined = static_cast<std::size_t>(std::count(failing.begin(), failing.end(), true));
     progress.step(0.9, "Finishing");
-    report.removed = makeManifold(out);
-    dropUnused(out);
-    settleVertices(surface, demand.leastAngle, out);
-    const surfel::AttributeLayout& layout = *surface.tree().layout();
-    orient(out, layout.normals && layout.oriented);
-    takeAttributes(out, surface);
+    Mesh out = net.mesh(failing);
+    finish(surface, options, demand, out, report);
     return out;
 }
 

@@ -1,20 +1,21 @@
-// Restricted Delaunay triangulation of the surface (alg. 4.5), after Boissonnat & Oudot, Provably good sampling and
-// meshing of surfaces (2005), by CGAL's surface mesher:
+// Restricted Delaunay triangulation of the surface (alg. 4.5): few triangles of good shape, within a distance.
 //
-//     a facet of the Delaunay triangulation of points on the surface belongs to the mesh where its dual edge meets the
-//     surface; the ball about that place through the facet's corners is empty. Facets that are too thin, too large or
-//     too far away are refined by inserting the ball's centre.
+// After Boissonnat & Oudot, Provably good sampling and meshing of surfaces (2005), what it is:
 //
-// All that is asked of the surface is where a segment meets it (surface/segments.h), so that open and one-sided
-// surfaces are meshed like closed ones: CGAL's volume mesher, the other choice, wants to know inside from outside.
-// Traced rims (surface/rims.h) are vertices from the beginning and are split where others come too near (Ruppert
-// 1995), so that the mesh ends in smooth polylines.
+//     a triangle of points on the surface belongs to the mesh where the ball through its corners about a place of the
+//     surface is empty; triangles that are too thin, too large or too far away are refined by inserting that place
 //
-//     delaunay_start.h   points to begin with: rims, and surfels spread over every piece
-//     restricted.h       the triangulation; the only header in front of CGAL's mesher
-//     delaunay_finish.h  vertices to the surface, sides, attributes
+// and after Chew, Guaranteed-quality mesh generation for curved surfaces (1993), how it is found: along the surface, by
+// flips, from a mesh that has the right topology. What is near in space only, such as sheets that touch and thin parts,
+// needs no finer triangles therefore, and open and one-sided surfaces are meshed like others. Where the definition
+// itself ends, as at folds, so does the mesh.
 //
-// One thread does most of it. The same bits at any thread count.
+//     marching_cubes.h     the mesh to begin with          triangle_net.h       what flips and splits work on
+//     coarsen_net.h        few of its vertices             surface_net.h        the same on a surface
+//     delaunay_refine.h    flips, refinement               delaunay_finish.h    vertices to the surface, rims
+//
+// Rims are those of marching cubes; their sides are halved where others come too near (Ruppert 1995). One thread does
+// most of it. The same bits at any thread count.
 #pragma once
 
 #include "core/base/progress.h"
@@ -24,21 +25,23 @@
 namespace mesh {
 
 struct DelaunayOptions {
-    double angle = 25;      ///< least angle of triangles, in degrees; 30 at most, beyond which it may not end
-    double size = 0;        ///< largest radius of a triangle's ball, in model units; 0: the median spacing
-    double distance = 0;    ///< of triangles from the surface, in model units; 0: a tenth of the median spacing
-    double adaptive = 0;    ///< sizes by curvature, for triangles this close to the surface; 0: one size
-    bool snapToRims = true; ///< trace rims and let the mesh end there; false: it ends up to `size` before them
+    double angle = 25;       ///< least angle of triangles, in degrees; 30 at most, beyond which it may not end
+    double size = 0;         ///< largest radius of a triangle's ball, in model units; 0: the median spacing
+    double distance = 0;     ///< of triangles from the surface, in model units; 0: a tenth of the median spacing
+    double adaptive = 0;     ///< sizes by curvature, for triangles this close to the surface; 0: one size
+    bool closeFolds = false; ///< close rims where the definition ends, up to `longestFold` edges, whatever comes of
+                             ///< angles and distances there
+    std::size_t longestFold = 24;
+    bool dropSmall = false; ///< leave out pieces of fewer than `smallPiece` triangles
+    std::size_t smallPiece = 200;
 };
 
 struct DelaunayReport {
-    std::size_t rims = 0;      ///< traced, vertices of the mesh along them
-    std::size_t rounds = 0;    ///< how often pieces were found uncovered and begun anew, with the first
-    std::size_t uncovered = 0; ///< surfels that no triangle is near to, although the surface is there
     /// Triangles left out because they broke a criterion when they were as small as is sensible: at folds and where
     /// near sheets meet, f jumps, and the mesh ends.
     std::size_t unrefined = 0;
-    std::size_t removed = 0; ///< triangles taken away to leave a manifold mesh
+    std::size_t removed = 0;     ///< triangles taken away to leave a manifold mesh
+    std::size_t foldsClosed = 0; ///< loops
 };
 
 /// Throws base::Cancelled, base::Error where the surface has no points.

@@ -2,9 +2,10 @@
 
 #include "core/base/parallel.h"
 #include "core/mesh/classes.h"
+#include "core/mesh/deviation.h"
 #include "core/mesh/edges.h"
+#include "core/mesh/own_sheet.h"
 #include "core/mesh/shape.h"
-#include "core/surface/project.h"
 
 #include <map>
 #include <utility>
@@ -59,6 +60,8 @@ void splitFans(Mesh& mesh) {
         if (isNew) {
             mesh.positions.push_back(mesh.positions[v]);
             mesh.kinds.push_back(mesh.kinds[v]);
+            if (!mesh.normals.empty())
+                mesh.normals.push_back(mesh.normals[v]);
             fanOf.push_back(fan);
         }
         v = at->second;
@@ -90,19 +93,16 @@ std::size_t makeManifold(Mesh& mesh) {
 
 namespace {
 
-/// Feet of all vertices but those of rims; a vertex without one near stays.
+/// Where vertices lie on their own sheets; those of rims stay, and those without a place near.
 std::vector<Vec3d> feetOf(const surface::Surface& surface, const Mesh& mesh) {
-    constexpr double most = 0.05; // of h: further is another place
+    constexpr double most = 0.05; // of the largest support: further is another place
+    const double farthest = most * double(surface.tree().maxSupport());
+    const WalkSetting setting(surface);
     std::vector<Vec3d> out = mesh.positions;
     base::parallelFor(out.size(), 64, [&](std::size_t v) {
-        if (mesh.kinds[v] == VertexKind::Limit)
-            return;
-        surface::ProjectOptions how;
-        how.projector = surface::Projector::Basic;
-        how.checkBoundary = false;
-        const auto found = projectReference(surface, out[v], how); // no hint, as rays have none
-        if (found.ok() && distance(found.foot, out[v]) <= most * found.at.unit)
-            out[v] = found.foot;
+        if (mesh.kinds[v] != VertexKind::Limit)
+            if (const auto foot = ontoOwnSheet(surface, setting, out[v], mesh.normals[v], farthest))
+                out[v] = foot->position;
     });
     return out;
 }
@@ -138,19 +138,71 @@ void takeBackSpoiling(const std::vector<Vec3d>& before, double leastAngle, Mesh&
 void settleVertices(const surface::Surface& surface, double leastAngle, Mesh& mesh) {
     const std::vector<Vec3d> before = std::exchange(mesh.positions, feetOf(surface, mesh));
     takeBackSpoiling(before, leastAngle, mesh);
+    base::parallelFor(mesh.positions.size(), 64, [&](std::size_t v) {
+        const surface::Hint sheet{mesh.normals[v]};
+        const surface::Evaluationd e = surface.evaluateReference(mesh.positions[v], surface::Need::Gradient, sheet);
+        if (e.ok() || e.status == surface::Status::BeyondBoundary)
+            mesh.normals[v] = base::cast<float>(base::normalized(e.gradient));
+    });
+}
+
+std::size_t leaveOutFar(const surface::Surface& surface, double farthest, Mesh& mesh) {
+    const auto nearEnough = [&](const Vec3d& x, const base::Vec3f& normal, double most) {
+        constexpr float sure = 0.7f;
+        const surface::Evaluationf e = surface.evaluate(base::cast<float>(x), surface::Need::Gradient, {normal});
+        if (e.ok() && std::abs(e.value) <= sure * static_cast<float>(most) * length(e.gradient))
+            return true;
+        return distanceTo(surface, x, {normal}) <= most;
+    };
+    std::vector<char> good(mesh.positions.size()), keep(mesh.triangles.size());
+    base::parallelFor(good.size(), 64,
+                      [&](std::size_t v) { good[v] = nearEnough(mesh.positions[v], mesh.normals[v], 0.1 * farthest); });
+    base::parallelFor(keep.size(), 64, [&](std::size_t f) {
+        const Triangle& t = mesh.triangles[f];
+        const Vec3d a = mesh.positions[t[0]], b = mesh.positions[t[1]], c = mesh.positions[t[2]];
+        const Vec3d across = base::normalized(cross(b - a, c - a));
+        keep[f] =
+            good[t[0]] && good[t[1]] && good[t[2]] && nearEnough((a + b + c) / 3, base::cast<float>(across), farthest);
+    });
+    std::size_t kept = 0;
+    for (std::size_t f = 0; f < keep.size(); ++f)
+        if (keep[f])
+            mesh.triangles[kept++] = mesh.triangles[f];
+    const std::size_t out = mesh.triangles.size() - kept;
+    mesh.triangles.resize(kept);
+    return out;
+}
+
+void tellRims(const surface::Surface& surface, Mesh& mesh) {
     constexpr double nearLimit = 0.5;
     const double limit = double(surface.definition().boundaryLimit);
     const std::vector<bool> boundary = boundaryVertices(mesh);
-    mesh.normals.resize(mesh.positions.size());
     base::parallelFor(mesh.positions.size(), 64, [&](std::size_t v) {
-        const surface::Evaluationd e = surface.evaluateReference(mesh.positions[v], surface::Need::Gradient);
+        if (!boundary[v] || mesh.kinds[v] == VertexKind::Limit) {
+            mesh.kinds[v] = boundary[v] ? VertexKind::Limit : VertexKind::Inner;
+            return;
+        }
+        const surface::Evaluationd e =
+            surface.evaluateReference(mesh.positions[v], surface::Need::Value, {mesh.normals[v]});
         const bool usable = e.ok() || e.status == surface::Status::BeyondBoundary;
-        mesh.normals[v] = usable ? base::cast<float>(base::normalized(e.gradient)) : base::Vec3f{};
-        if (boundary[v] && mesh.kinds[v] == VertexKind::Inner)
-            mesh.kinds[v] = usable && e.offCentre > nearLimit * limit * e.unit ? VertexKind::Limit : VertexKind::Fold;
-        else if (!boundary[v])
-            mesh.kinds[v] = VertexKind::Inner;
+        mesh.kinds[v] = usable && e.offCentre > nearLimit * limit * e.unit ? VertexKind::Limit : VertexKind::Fold;
     });
+}
+
+std::size_t dropCrumbs(Mesh& mesh, const Orientation& pieces) {
+    constexpr std::uint32_t crumb = 12;
+    std::vector<bool> atFold(pieces.pieceSizes.size(), false);
+    for (std::size_t f = 0; f < mesh.triangles.size(); ++f)
+        for (const std::uint32_t v : mesh.triangles[f])
+            if (mesh.kinds[v] == VertexKind::Fold)
+                atFold[pieces.pieceOf[f]] = true;
+    std::size_t kept = 0;
+    for (std::size_t f = 0; f < mesh.triangles.size(); ++f)
+        if (const std::uint32_t piece = pieces.pieceOf[f]; !atFold[piece] || pieces.pieceSizes[piece] >= crumb)
+            mesh.triangles[kept++] = mesh.triangles[f];
+    const std::size_t out = mesh.triangles.size() - kept;
+    mesh.triangles.resize(kept);
+    return out;
 }
 
 } // namespace mesh
