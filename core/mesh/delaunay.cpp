@@ -31,6 +31,15 @@ double unitOf(const surface::Surface& surface) {
     return spacing > 0 ? spacing : double(surface.tree().maxSupport()) * surface::spacingOfUnit;
 }
 
+/// Throws where the smallest triangles allowed would be more than a net can number.
+void checkCount(const surface::Surface& surface, const FaceDemand& demand, double least) {
+    constexpr double most = 3e8;
+    const double unit = unitOf(surface), radius = std::min(least, std::sqrt(demand.distance * unit));
+    if (double(surface.tree().size()) * unit * unit > most * radius * radius)
+        throw base::Error("the triangles are too small for a model of this size", "",
+                          "choose a larger size or distance");
+}
+
 /// A demand in lengths, defaults filled in.
 FaceDemand demandOf(const surface::Surface& surface, const DelaunayOptions& options, const base::Progress& progress) {
     const double unit = unitOf(surface);
@@ -52,6 +61,7 @@ FaceDemand demandOf(const surface::Surface& surface, const DelaunayOptions& opti
         out.size = [field](const Vec3d& x) { return double(field->at(base::cast<float>(x))); };
         least = double(by.finest);
     }
+    checkCount(surface, out, least);
     // What a bumpy surface's finest triangles need, and some; folds would be refined forever.
     out.floor = std::min(0.1 * std::sqrt(out.distance * unit), least / 8);
     out.foldFloor = std::max(out.floor, 0.25 * std::min(least, unit));

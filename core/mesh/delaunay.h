@@ -44,7 +44,7 @@ struct DelaunayReport {
     std::size_t foldsClosed = 0; ///< loops
 };
 
-/// Throws base::Cancelled, base::Error where the surface has no points.
+/// Throws base::Cancelled, base::Error where the surface has no points or the triangles would be too many.
 Mesh restrictedDelaunay(const surface::Surface& surface, const DelaunayOptions& options, DelaunayReport& report,
                         const base::Progress& progress = {});
 

@@ -123,14 +123,15 @@ class Fan {
     SheetPoint m_middle;
 };
 
+/// Of `each` values per vertex.
 template <class T>
-void keepOnly(std::vector<T>& values, std::span<const std::uint32_t> numbers) {
+void keepOnly(std::vector<T>& values, std::span<const std::uint32_t> numbers, std::size_t each = 1) {
     if (values.empty())
         return;
     std::size_t count = 0;
-    for (std::size_t v = 0; v < numbers.size(); ++v)
-        if (numbers[v] != MeshFans::none)
-            values[count++] = values[v];
+    for (std::size_t i = 0; i < numbers.size() * each; ++i)
+        if (numbers[i / each] != MeshFans::none)
+            values[count++] = values[i];
     values.resize(count);
 }
 
@@ -168,6 +169,7 @@ void dropUnused(Mesh& mesh) {
     keepOnly(mesh.colours, numbers);
     keepOnly(mesh.masks, numbers);
     keepOnly(mesh.kinds, numbers);
+    keepOnly(mesh.extra, numbers, mesh.layout->words());
     for (Triangle& t : mesh.triangles)
         for (std::uint32_t& v : t)
             v = numbers[v];

@@ -37,6 +37,7 @@ class DelaunayTest : public QObject {
     void excessTrianglesAreTakenAway();
     void cancellingStops();
     void curvesAreRefused();
+    void sizesWithoutEndAreRefused();
 };
 
 namespace {
@@ -328,6 +329,16 @@ void DelaunayTest::cancellingStops() {
 void DelaunayTest::curvesAreRefused() {
     DelaunayReport report;
     QVERIFY_EXCEPTION_THROWN(mesh::restrictedDelaunay({}, {}, report), base::Error);
+}
+
+void DelaunayTest::sizesWithoutEndAreRefused() {
+    const surface::Surface surface = shape("sphere");
+    DelaunayReport report;
+    DelaunayOptions small, near;
+    small.size = 1e-9;
+    near.distance = 1e-15;
+    QVERIFY_EXCEPTION_THROWN(mesh::restrictedDelaunay(surface, small, report), base::Error);
+    QVERIFY_EXCEPTION_THROWN(mesh::restrictedDelaunay(surface, near, report), base::Error);
 }
 
 static const test::Registered<DelaunayTest> registered;
