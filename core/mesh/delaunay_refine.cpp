@@ -60,15 +60,17 @@ void DelaunayRefinement::judgeTouched() {
     m_touched.clear();
 }
 
-/// Flips until no side can be improved.
+/// Flips until no side can be improved. Balls that are not quite a plane's could send flips round in circles; after
+/// many only those go on that make the smallest angle larger, which comes to an end.
 void DelaunayRefinement::settle(const base::Progress& progress) {
+    const std::size_t many = 100 * (m_open.size() + 100);
     for (std::size_t i = 0; !m_open.empty(); ++i) {
         if (i % 4096 == 4095)
             progress.step(1 - double(m_open.size()) / double(m_open.size() + i), "Flipping");
         const std::uint32_t f = m_open.back();
         m_open.pop_back();
         for (int k = 0; k < 3; ++k)
-            if (improve({f, k}))
+            if (improve({f, k}, i < many))
                 break;
     }
 }
@@ -94,7 +96,7 @@ bool DelaunayRefinement::fit(std::span<const Triangle> faces, std::span<const Tr
 
 /// Flips a side that is not Delaunay. Where balls do not agree with themselves, as at folds, the smallest angle
 /// decides: no flip is undone.
-bool DelaunayRefinement::improve(const Side& s) {
+bool DelaunayRefinement::improve(const Side& s, bool byBalls) {
     TriangleNet& net = m_net.net;
     if (net.onRim(s))
         return false;
@@ -109,7 +111,7 @@ bool DelaunayRefinement::improve(const Side& s) {
     if (!fit(std::array{first, second}, std::array{was, other}, wellFacing))
         return false;
     const Ball one = m_net.ball(first), two = m_net.ball(second);
-    if (one.holds(at[b]) || two.holds(at[a])) {
+    if (!byBalls || one.holds(at[b]) || two.holds(at[a])) {
         const auto least = [&](const Triangle& t) { return smallestAngle(at[t[0]], at[t[1]], at[t[2]]); };
         constexpr double better = 1e-9;
         if (std::min(least(first), least(second)) <= std::min(least(was), least(other)) + better)

@@ -59,7 +59,7 @@ class DelaunayRefinement {
     void touchFan(std::uint32_t vertex);
     void judgeTouched();
     void settle(const base::Progress& progress = {});
-    bool improve(const Side& s);
+    bool improve(const Side& s, bool byBalls);
     Location locate(std::uint32_t face, const base::Vec3d& x) const;
     Side encroached(std::uint32_t face, const base::Vec3d& x) const;
     bool inBall(const Side& s, const base::Vec3d& x) const;
