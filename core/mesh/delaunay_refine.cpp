@@ -206,6 +206,8 @@ bool DelaunayRefinement::halve(const Side& s) {
         if (side.exists() && distance(m_net.positions[m_net.net.apex(side)], place->position) < 0.5 * floor)
             return false;
     const std::uint32_t v = m_net.add(*place, kind);
+    if (!fitsSide(v, s))
+        return false;
     m_net.net.splitSide(s, v);
     touchFan(v);
     return true;
@@ -269,13 +271,16 @@ bool DelaunayRefinement::fitsFace(std::uint32_t vertex, std::uint32_t face) cons
     return fit(parts, {&t, 1}, insertFacing);
 }
 
-bool DelaunayRefinement::fitsSide(std::uint32_t vertex, const Side& s) {
-    m_net.net.align(s);
-    const std::uint32_t p = m_net.net.apex(s), a = m_net.net.from(s), b = m_net.net.to(s),
-                        q = m_net.net.apex(m_net.net.across(s));
-    const std::array here{Triangle{p, a, vertex}, Triangle{p, vertex, b}}, was{Triangle{p, a, b}, Triangle{q, b, a}};
-    const std::array there{Triangle{q, b, vertex}, Triangle{q, vertex, a}};
-    return fit(here, {&was[0], 1}, insertFacing) && fit(there, {&was[1], 1}, insertFacing);
+bool DelaunayRefinement::fitsSide(std::uint32_t vertex, const Side& s) const {
+    for (const Side& side : {s, m_net.net.across(s)}) {
+        if (!side.exists())
+            continue;
+        const std::uint32_t p = m_net.net.apex(side), a = m_net.net.from(side), b = m_net.net.to(side);
+        const Triangle was{p, a, b};
+        if (!fit(std::array{Triangle{p, a, vertex}, Triangle{p, vertex, b}}, {&was, 1}, insertFacing))
+            return false;
+    }
+    return true;
 }
 
 void DelaunayRefinement::refine(const Bad& bad) {

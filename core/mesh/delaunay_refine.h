@@ -69,7 +69,7 @@ class DelaunayRefinement {
     bool split(const Location& where, std::uint32_t vertex);
     bool fit(std::span<const Triangle> faces, std::span<const Triangle> was, double good) const;
     bool fitsFace(std::uint32_t vertex, std::uint32_t face) const;
-    bool fitsSide(std::uint32_t vertex, const Side& s);
+    bool fitsSide(std::uint32_t vertex, const Side& s) const;
     std::optional<SurfaceNet::Place> middleOf(const Side& s, VertexKind& kind);
     bool halve(const Side& s);
     Side longestSide(std::uint32_t face) const;

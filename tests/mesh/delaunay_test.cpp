@@ -2,6 +2,7 @@
 // name.
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/base/random.h"
 #include "core/mesh/check.h"
 #include "core/mesh/delaunay.h"
 #include "core/mesh/delaunay_finish.h"
@@ -29,6 +30,8 @@ class DelaunayTest : public QObject {
     void rimsAreKept();
     void everyPieceIsFound();
     void demandsHoldAtFolds();
+    void demandsHoldWhateverTheyAre_data();
+    void demandsHoldWhateverTheyAre();
     void demandsHoldOnScans_data();
     void demandsHoldOnScans();
     void foldsCloseOnRequest();
@@ -224,10 +227,10 @@ void DelaunayTest::everyPieceIsFound() {
     QVERIFY(both.components == 1 || both.components == 2);
 }
 
-static void verifyDemands(const surface::Surface& surface, double unit) {
+static void verifyDemands(const surface::Surface& surface, double unit, double size = 1, double distance = 0.1) {
     DelaunayOptions options;
-    options.size = unit;
-    options.distance = 0.1 * unit;
+    options.size = size * unit;
+    options.distance = distance * unit;
     DelaunayReport report;
     const Mesh mesh = mesh::restrictedDelaunay(surface, options, report);
     const mesh::Report found = mesh::check(mesh, surface);
@@ -245,10 +248,32 @@ void DelaunayTest::demandsHoldAtFolds() {
     verifyDemands(shape("touching spheres"), shapes::sphereSpacing(600, 1));
 }
 
+void DelaunayTest::demandsHoldWhateverTheyAre_data() {
+    QTest::addColumn<QString>("name");
+    for (const char* name : {"cube", "half sphere", "moebius", "touching spheres"})
+        QTest::addRow("%s", name) << QString(name);
+}
+
+/// Coarse triangles that must become fine at edges, fine ones with room to spare.
+void DelaunayTest::demandsHoldWhateverTheyAre() {
+    QFETCH(QString, name);
+    const unsigned long long seed = test::seed();
+    base::Random random(seed);
+    const surface::Surface surface = shape(name.toStdString());
+    const double unit = double(process::typicalSpacing(surface.tree()));
+    for (int i = 0; i < test::effort(6); ++i) {
+        const double size = random.uniform(0.5, 5), near = random.uniform(0.03, 0.3);
+        verifyDemands(surface, unit, size, near);
+        if (QTest::currentTestFailed())
+            QFAIL(qPrintable(QString("seed %1: size %2, distance %3").arg(seed).arg(size).arg(near)));
+    }
+}
+
 void DelaunayTest::demandsHoldOnScans_data() {
     QTest::addColumn<QString>("file");
-    QTest::addRow("bunny") << "bunny/bun_zipper.ply";
-    QTest::addRow("dragon") << "dragon_res2.ply";
+    QTest::addColumn<double>("size");
+    QTest::addRow("bunny") << "bunny/bun_zipper.ply" << 3.0;
+    QTest::addRow("dragon") << "dragon_res2.ply" << 1.0;
 }
 
 void DelaunayTest::demandsHoldOnScans() {
@@ -261,7 +286,8 @@ void DelaunayTest::demandsHoldOnScans() {
     if (points.items.empty())
         QSKIP("no such scan in the folder");
     const surface::Surface surface = process::prepare(std::move(points), {});
-    verifyDemands(surface, double(process::typicalSpacing(surface.tree())));
+    QFETCH(double, size);
+    verifyDemands(surface, double(process::typicalSpacing(surface.tree())), size);
 }
 
 void DelaunayTest::foldsCloseOnRequest() {
