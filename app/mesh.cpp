@@ -62,6 +62,7 @@ mesh::Mesh makeByDelaunay(const Options& options, const surface::Surface& surfac
     tellCount(console, report.unrefined,
               " triangles were left out: refining did not bring them within what was asked for, as at folds.");
     tellCount(console, report.removed, " triangles were left out where more than two met at an edge.");
+    tellCount(console, report.trimmed, " triangles were left out because they cut others at folds.");
     tellCount(console, report.foldsClosed, " loops at folds were closed.");
     return out;
 }

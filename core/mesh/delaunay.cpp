@@ -3,10 +3,12 @@
 #include "core/base/error.h"
 #include "core/mesh/delaunay_finish.h"
 #include "core/mesh/delaunay_refine.h"
+#include "core/mesh/fold_trim.h"
 #include "core/mesh/marching_cubes.h"
 #include "core/mesh/mesh_attributes.h"
 #include "core/mesh/mesh_repair.h"
 #include "core/mesh/orient_mesh.h"
+#include "core/mesh/shape.h"
 #include "core/process/part_progress.h"
 #include "core/process/spacing_field.h"
 #include "core/process/spacing_sample.h"
@@ -111,6 +113,8 @@ void finish(const surface::Surface& surface, const DelaunayOptions& options, con
     settleVertices(surface, options.angle * degree, mesh);
     report.unrefined += leaveOutFar(surface, demand.distance, mesh);
     report.removed = makeManifold(mesh);
+    tellRims(surface, mesh);
+    report.trimmed = trimFolds(mesh, 0.5 * shapeOf(mesh).longestEdge);
     tellRims(surface, mesh);
     const Orientation orientation = orient(mesh, hasSides(surface));
     if (options.dropSmall)

@@ -41,6 +41,7 @@ struct DelaunayReport {
     /// near sheets meet, f jumps, and the mesh ends.
     std::size_t unrefined = 0;
     std::size_t removed = 0;     ///< triangles taken away to leave a manifold mesh
+    std::size_t trimmed = 0;     ///< triangles at folds taken away because they cut others
     std::size_t foldsClosed = 0; ///< loops
 };
 

@@ -240,6 +240,7 @@ static void verifyDemands(const surface::Surface& surface, double unit, double s
     QVERIFY2(found.faces.max <= options.distance && found.faces.lost == 0, QByteArray::number(found.faces.max / unit));
     QVERIFY2(found.vertices.max <= 0.01 * unit && found.vertices.lost == 0,
              QByteArray::number(found.vertices.max / unit));
+    QCOMPARE(found.selfIntersections, std::size_t(0));
     QVERIFY2(report.unrefined <= mesh.triangles.size() / 50, QByteArray::number(report.unrefined));
 }
 
