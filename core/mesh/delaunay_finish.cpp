@@ -4,6 +4,7 @@
 #include "core/mesh/classes.h"
 #include "core/mesh/deviation.h"
 #include "core/mesh/edges.h"
+#include "core/mesh/mesh_repair.h"
 #include "core/mesh/own_sheet.h"
 #include "core/mesh/shape.h"
 
@@ -82,11 +83,7 @@ std::vector<bool> boundaryVertices(const Mesh& mesh) {
 std::size_t makeManifold(Mesh& mesh) {
     std::vector<bool> excess(mesh.triangles.size(), false);
     const std::size_t out = markExcess(mesh, excess);
-    std::vector<Triangle> kept;
-    for (std::size_t f = 0; f < mesh.triangles.size(); ++f)
-        if (!excess[f])
-            kept.push_back(mesh.triangles[f]);
-    mesh.triangles = std::move(kept);
+    keepTriangles(mesh, [&](std::size_t f) { return !excess[f]; });
     splitFans(mesh);
     return out;
 }
@@ -164,13 +161,7 @@ std::size_t leaveOutFar(const surface::Surface& surface, double farthest, Mesh& 
         keep[f] =
             good[t[0]] && good[t[1]] && good[t[2]] && nearEnough((a + b + c) / 3, base::cast<float>(across), farthest);
     });
-    std::size_t kept = 0;
-    for (std::size_t f = 0; f < keep.size(); ++f)
-        if (keep[f])
-            mesh.triangles[kept++] = mesh.triangles[f];
-    const std::size_t out = mesh.triangles.size() - kept;
-    mesh.triangles.resize(kept);
-    return out;
+    return keepTriangles(mesh, [&](std::size_t f) { return keep[f] != 0; });
 }
 
 void tellRims(const surface::Surface& surface, Mesh& mesh) {
@@ -196,13 +187,10 @@ std::size_t dropCrumbs(Mesh& mesh, const Orientation& pieces) {
         for (const std::uint32_t v : mesh.triangles[f])
             if (mesh.kinds[v] == VertexKind::Fold)
                 atFold[pieces.pieceOf[f]] = true;
-    std::size_t kept = 0;
-    for (std::size_t f = 0; f < mesh.triangles.size(); ++f)
-        if (const std::uint32_t piece = pieces.pieceOf[f]; !atFold[piece] || pieces.pieceSizes[piece] >= crumb)
-            mesh.triangles[kept++] = mesh.triangles[f];
-    const std::size_t out = mesh.triangles.size() - kept;
-    mesh.triangles.resize(kept);
-    return out;
+    return keepTriangles(mesh, [&](std::size_t f) {
+        const std::uint32_t piece = pieces.pieceOf[f];
+        return !atFold[piece] || pieces.pieceSizes[piece] >= crumb;
+    });
 }
 
 } // namespace mesh

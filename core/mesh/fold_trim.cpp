@@ -73,14 +73,6 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> cutsNear(const Mesh& mesh, 
     return out;
 }
 
-void drop(Mesh& mesh, const std::vector<bool>& gone) {
-    std::size_t count = 0;
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-        if (!gone[t])
-            mesh.triangles[count++] = mesh.triangles[t];
-    mesh.triangles.resize(count);
-}
-
 /// One round of leaving out.
 class Trim {
   public:
@@ -97,7 +89,7 @@ class Trim {
     }
 
     std::size_t finish() {
-        drop(m_mesh, m_gone);
+        keepTriangles(m_mesh, [&](std::size_t t) { return !m_gone[t]; });
         return m_count;
     }
 
@@ -174,7 +166,7 @@ std::size_t reopenCut(Mesh& mesh, std::span<const std::uint32_t> middles, double
             for (const std::uint32_t v : corners)
                 mesh.kinds[v] = VertexKind::Fold;
     }
-    drop(mesh, gone);
+    keepTriangles(mesh, [&](std::size_t t) { return !gone[t]; });
     const auto count = static_cast<std::size_t>(std::count(reopened.begin(), reopened.end(), true));
     if (count > 0)
         dropUnused(mesh);

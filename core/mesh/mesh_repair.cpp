@@ -155,6 +155,16 @@ std::vector<std::uint32_t> closeFolds(Mesh& mesh, const surface::Surface& surfac
     return middles;
 }
 
+std::size_t keepTriangles(Mesh& mesh, const std::function<bool(std::size_t)>& keep) {
+    std::size_t kept = 0;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+        if (keep(t))
+            mesh.triangles[kept++] = mesh.triangles[t];
+    const std::size_t out = mesh.triangles.size() - kept;
+    mesh.triangles.resize(kept);
+    return out;
+}
+
 void dropUnused(Mesh& mesh) {
     std::vector<std::uint32_t> numbers(mesh.positions.size(), MeshFans::none);
     for (const Triangle& t : mesh.triangles)
@@ -176,11 +186,7 @@ void dropUnused(Mesh& mesh) {
 }
 
 void dropSmallPieces(Mesh& mesh, const Orientation& pieces, std::size_t least) {
-    std::size_t count = 0;
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-        if (pieces.pieceSizes[pieces.pieceOf[t]] >= least)
-            mesh.triangles[count++] = mesh.triangles[t];
-    mesh.triangles.resize(count);
+    keepTriangles(mesh, [&](std::size_t t) { return pieces.pieceSizes[pieces.pieceOf[t]] >= least; });
     dropUnused(mesh);
 }
 

@@ -5,6 +5,8 @@
 #include "core/mesh/edge_walk.h"
 #include "core/mesh/orient_mesh.h"
 
+#include <functional>
+
 namespace mesh {
 
 struct FoldClosing {
@@ -19,6 +21,9 @@ struct FoldClosing {
 /// request, where the middle need not lie on the surface. The loops' vertices become Inner. Returns the
 /// vertices in the middle. REQUIRES: normals and kinds; a manifold mesh.
 std::vector<std::uint32_t> closeFolds(Mesh& mesh, const surface::Surface& surface, const FoldClosing& options);
+
+/// Leaves out triangles that are not to be kept, by number; returns how many. Vertices stay.
+std::size_t keepTriangles(Mesh& mesh, const std::function<bool(std::size_t)>& keep);
 
 /// Leaves out vertices that no triangle uses.
 void dropUnused(Mesh& mesh);

@@ -281,12 +281,10 @@ void DelaunayTest::demandsHoldOnScans_data() {
 void DelaunayTest::demandsHoldOnScans() {
     if (test::effort(10) < 10)
         QSKIP("minutes under a sanitizer");
-    if (test::dataFolder().empty())
-        QSKIP("POINTCLAY_DATA names no folder of scans");
     QFETCH(QString, file);
-    surfel::SurfelList points = scans::positionsOf(test::dataFolder() + "/" + file.toStdString());
-    if (points.items.empty())
-        QSKIP("no such scan in the folder");
+    surfel::SurfelList points;
+    if (const char* why = scans::load(file, points))
+        QSKIP(why);
     const surface::Surface surface = process::prepare(std::move(points), {});
     QFETCH(double, size);
     verifyDemands(surface, double(process::typicalSpacing(surface.tree())), size);

@@ -120,12 +120,10 @@ void FoldsTest::meshesOfScansAreSound_data() {
 
 /// Manifold, on the surface, no triangle through another or without area.
 void FoldsTest::meshesOfScansAreSound() {
-    if (test::dataFolder().empty())
-        QSKIP("POINTCLAY_DATA names no folder of scans");
     QFETCH(QString, file);
-    surfel::SurfelList points = scans::positionsOf(test::dataFolder() + "/" + file.toStdString());
-    if (points.items.empty())
-        QSKIP("no such scan in the folder");
+    surfel::SurfelList points;
+    if (const char* why = scans::load(file, points))
+        QSKIP(why);
     const surface::Surface surface = process::prepare(std::move(points), {});
     MarchingReport report;
     const Mesh m = mesh::marchingCubes(surface, {}, report);

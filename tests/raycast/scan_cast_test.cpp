@@ -24,13 +24,11 @@ void ScanCastTest::raysAreFewAndRight_data() {
 }
 
 void ScanCastTest::raysAreFewAndRight() {
-    if (test::dataFolder().empty())
-        QSKIP("POINTCLAY_DATA names no folder of scans");
     QFETCH(QString, file);
     QFETCH(int, pixelsPerRay);
-    surfel::SurfelList points = scans::positionsOf(test::dataFolder() + "/" + file.toStdString());
-    if (points.items.empty())
-        QSKIP("no such scan in the folder");
+    surfel::SurfelList points;
+    if (const char* why = scans::load(file, points))
+        QSKIP(why);
     const Surface model = process::prepare(std::move(points), {});
     const ImageRays view = filling(centreOf(model), 0.72 * radiusOf(model), {0.3, -0.2, -1}, 1024);
     AdaptiveCast caster(model);

@@ -255,12 +255,10 @@ void RayAgreementTest::scansAgreeWithDenseMarching_data() {
 
 /// Camera rays from two sides: 99.9 % of hits and misses, with t to 1e-4 h. POINTCLAY_RAYS asks for more of them.
 void RayAgreementTest::scansAgreeWithDenseMarching() {
-    if (test::dataFolder().empty())
-        QSKIP("POINTCLAY_DATA names no folder of scans");
     QFETCH(QString, file);
-    surfel::SurfelList points = scans::positionsOf(test::dataFolder() + "/" + file.toStdString());
-    if (points.items.empty())
-        QSKIP("no such scan in the folder");
+    surfel::SurfelList points;
+    if (const char* why = scans::load(file, points))
+        QSKIP(why);
     process::PrepareOptions prepare;
     prepare.definition.boundary = Boundary::None;
     const Surface surface = process::prepare(std::move(points), prepare);

@@ -25,12 +25,10 @@ void ScanTest::precisionsAgreeWithBruteForce_data() {
 }
 
 void ScanTest::precisionsAgreeWithBruteForce() {
-    if (test::dataFolder().empty())
-        QSKIP("POINTCLAY_DATA names no folder of scans");
     QFETCH(QString, file);
-    surfel::SurfelList points = scans::positionsOf(test::dataFolder() + "/" + file.toStdString());
-    if (points.items.empty())
-        QSKIP("no such scan in the folder");
+    surfel::SurfelList points;
+    if (const char* why = scans::load(file, points))
+        QSKIP(why);
     process::PrepareOptions options;
     options.definition.boundary = Boundary::None;
     const Surface surface = process::prepare(std::move(points), options);

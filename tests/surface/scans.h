@@ -2,9 +2,11 @@
 #pragma once
 
 #include "core/surfel/surfel.h"
+#include "support/registry.h"
 
 #include <fstream>
 #include <limits>
+#include <QString>
 #include <sstream>
 
 namespace scans {
@@ -26,6 +28,14 @@ inline surfel::SurfelList positionsOf(const std::string& path) {
             out.items.push_back(s);
     }
     return out;
+}
+
+/// Reads a scan of the folder; where there is none says why, for the test to skip with, else returns nullptr.
+inline const char* load(const QString& file, surfel::SurfelList& out) {
+    if (test::dataFolder().empty())
+        return "POINTCLAY_DATA names no folder of scans";
+    out = positionsOf(test::dataFolder() + "/" + file.toStdString());
+    return out.items.empty() ? "no such scan in the folder" : nullptr;
 }
 
 /// What lies within `radius` of the position at `index`.
