@@ -3,7 +3,7 @@
 #include "app/polyline_file.h"
 #include "app/polyline_options.h"
 #include "app/subcommand.h"
-#include "core/surface/rims.h"
+#include "core/surface/curves/rims.h"
 
 #include <iostream>
 

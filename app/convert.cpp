@@ -2,7 +2,7 @@
 #include "app/open_model.h"
 #include "app/subcommand.h"
 #include "core/io/formats.h"
-#include "core/process/part_progress.h"
+#include "core/process/estimation/part_progress.h"
 
 #include <sstream>
 

@@ -1,7 +1,7 @@
 #include "app/curve_answers.h"
 
 #include "core/base/parallel.h"
-#include "core/surface/curve.h"
+#include "core/surface/curves/curve.h"
 
 namespace app {
 

@@ -1,4 +1,4 @@
-// What `query` answers on curves (core/surface/curve.h), in the columns that surfaces use.
+// What `query` answers on curves (core/surface/curves/curve.h), in the columns that surfaces use.
 #pragma once
 
 #include "app/query_columns.h"

@@ -1,8 +1,8 @@
 // The camera that shows a whole model as large as it can.
 #pragma once
 
+#include "core/render/camera.h"
 #include "core/tree/surfel_tree.h"
-#include "ui/render/camera.h"
 
 namespace app {
 

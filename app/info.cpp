@@ -2,9 +2,9 @@
 #include "app/open_model.h"
 #include "app/subcommand.h"
 #include "core/base/error.h"
-#include "core/process/part_progress.h"
-#include "core/process/prepare.h"
-#include "core/process/spacing.h"
+#include "core/process/estimation/part_progress.h"
+#include "core/process/estimation/prepare.h"
+#include "core/process/estimation/spacing.h"
 #include "core/session/document.h"
 
 #include <iostream>

@@ -1,5 +1,5 @@
 // pointclay intersect: where rays meet the surface, as CSV rows in their order.
-#include "core/surface/intersect.h"
+#include "core/surface/rays/intersect.h"
 #include "app/csv_writer.h"
 #include "app/number_table.h"
 #include "app/open_model.h"

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/subcommand.h"
-#include "ui/render/picture.h"
+#include "core/render/picture.h"
 
 namespace app {
 

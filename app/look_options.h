@@ -1,10 +1,10 @@
 // Options of `render` that say how the picture looks, whatever it shows from wherever: shading and its scale,
-// background. Loops over the tables of ui/render.
+// background. Loops over the tables of core/render.
 #pragma once
 
 #include "app/light_options.h"
+#include "core/render/picture.h"
 #include "core/session/document.h"
-#include "ui/render/picture.h"
 
 #include <nlohmann/json_fwd.hpp>
 

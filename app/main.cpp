@@ -2,7 +2,7 @@
 // 1 the input or the data is at fault, 2 wrong usage.
 #include "app/subcommand.h"
 #include "core/base/parallel.h"
-#include "ui/run_window.h"
+#include "ui/window/run_window.h"
 
 #include <cstdio>
 #include <iostream>

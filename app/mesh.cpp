@@ -6,11 +6,11 @@
 #include "app/surface_options.h"
 #include "core/io/mesh_formats.h"
 #include "core/io/safe_file.h"
-#include "core/mesh/delaunay.h"
-#include "core/mesh/marching_cubes.h"
+#include "core/mesh/delaunay/delaunay.h"
+#include "core/mesh/marching/marching_cubes.h"
 #include "core/process/curve_tube.h"
-#include "core/process/part_progress.h"
-#include "core/process/spacing_sample.h"
+#include "core/process/estimation/part_progress.h"
+#include "core/process/estimation/spacing_sample.h"
 
 #include <iostream>
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
 // What the validator found, as a table for people and as JSON for scripts (INTERFACES, `mesh --check`, `--report`).
 #pragma once
 
-#include "core/mesh/check.h"
+#include "core/mesh/check/check.h"
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>

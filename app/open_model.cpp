@@ -1,7 +1,7 @@
 #include "app/open_model.h"
 
 #include "core/io/formats.h"
-#include "core/process/samples.h"
+#include "core/process/samples/samples.h"
 #include "core/session/model_argument.h"
 
 #include <nlohmann/json.hpp>

@@ -4,7 +4,7 @@
 #include "app/console.h"
 #include "app/surface_options.h"
 #include "core/session/document.h"
-#include "core/surface/boundary.h"
+#include "core/surface/curves/boundary.h"
 
 #include <CLI/CLI.hpp>
 #include <string>

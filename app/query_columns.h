@@ -3,7 +3,7 @@
 
 #include "app/csv_writer.h"
 #include "core/surface/curvature.h"
-#include "core/surface/project.h"
+#include "core/surface/projection/project.h"
 
 #include <optional>
 #include <string>

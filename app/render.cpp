@@ -7,9 +7,10 @@
 #include "app/view_options.h"
 #include "core/io/safe_file.h"
 #include "core/process/curve_tube.h"
-#include "ui/render/depth_exr.h"
-#include "ui/render/image_io.h"
-#include "ui/render/picture.h"
+#include "core/render/depth_exr.h"
+#include "core/render/image_io.h"
+#include "core/render/picture.h"
+#include "ui/gl/backends.h"
 
 #include <nlohmann/json.hpp>
 
@@ -18,7 +19,7 @@ namespace app {
 namespace {
 
 struct Options {
-    std::string model, image, depth, stats, mode = "splats";
+    std::string model, image, depth, stats, mode = "splats", backend = "cpu";
     std::shared_ptr<ViewOptions> view;
     render::PictureOptions picture;
     std::shared_ptr<LookOptions> look;
@@ -58,6 +59,7 @@ void run(Options options, Console& console) {
     const auto cameras = camerasOf(*options.view, surface.tree(), document.provenance().origin);
     const int count = static_cast<int>(cameras.size());
     applyLook(*options.look, document, options.surface->parameters(), cameras.front().up, console, options.picture);
+    options.picture.renderer = [&options] { return render::makeRenderer(options.backend); };
     render::PictureMaker maker(surface, options.picture);
     render::PictureStats stats;
     for (int k = 0; k < count; ++k) {
@@ -86,7 +88,7 @@ Action addRender(CLI::App& command) {
         ->capture_default_str();
     options->view = addViewOptions(command);
     options->look = addLookOptions(command);
-    command.add_option("--backend", options->picture.backend, "what draws splats; the machine may lack osmesa and egl")
+    command.add_option("--backend", options->backend, "what draws splats; the machine may lack osmesa and egl")
         ->check(CLI::IsMember({"cpu", "osmesa", "egl"}))
         ->capture_default_str();
     command

@@ -7,10 +7,10 @@
 #include "core/base/error.h"
 #include "core/io/safe_file.h"
 #include "core/process/curve_tube.h"
+#include "core/render/image_io.h"
+#include "core/render/picture.h"
 #include "core/session/journal.h"
 #include "core/session/session_file.h"
-#include "ui/render/image_io.h"
-#include "ui/render/picture.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>

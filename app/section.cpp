@@ -1,5 +1,5 @@
 // pointclay section: where a plane cuts the surface, as polylines in a CSV or OBJ file.
-#include "core/surface/section.h"
+#include "core/surface/curves/section.h"
 
 #include "app/open_model.h"
 #include "app/polyline_file.h"

@@ -4,8 +4,8 @@
 #include "app/option_checks.h"
 #include "app/subcommand.h"
 #include "core/base/error.h"
-#include "ui/render/named_views.h"
-#include "ui/settings.h"
+#include "core/render/named_views.h"
+#include "ui/window/settings.h"
 
 #include <cstdio>
 #include <filesystem>

@@ -2,8 +2,8 @@
 // model. In the file's coordinates.
 #pragma once
 
+#include "core/render/camera.h"
 #include "core/tree/surfel_tree.h"
-#include "ui/render/camera.h"
 
 #include <CLI/CLI.hpp>
 #include <memory>

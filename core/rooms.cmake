@@ -19,7 +19,7 @@ pointclay_room(mesh core/mesh process)
 # CGAL is headers over these two. Its own target would set -frounding-math, which its predicates need, for all of the
 # room: only those files get it that include CGAL.
 pointclay_link(mesh gmp mpfr)
-set_source_files_properties(core/mesh/self_intersections.cpp PROPERTIES COMPILE_OPTIONS "-frounding-math")
+set_source_files_properties(core/mesh/check/self_intersections.cpp PROPERTIES COMPILE_OPTIONS "-frounding-math")
 
 pointclay_room(sculpt core/sculpt process)
 # Neither changes a bit; without them loops with square roots and selections stay scalar.
@@ -27,6 +27,9 @@ target_compile_options(pointclay_sculpt PRIVATE -fno-math-errno -fno-trapping-ma
 
 pointclay_room(io core/io process mesh)
 pointclay_link(io PNG::PNG JPEG::JPEG)
+
+pointclay_room(render core/render raycast io)
+pointclay_link(render PkgConfig::HWY PkgConfig::EXR Qt6::Gui)
 
 pointclay_room(session core/session sculpt io)
 pointclay_link(session nlohmann_json::nlohmann_json)

@@ -1,8 +1,8 @@
 # Level 7: what draws and what a person touches. The renderers know no widget; the window knows no GL function.
-pointclay_room(render ui/render session raycast)
-pointclay_link(render PkgConfig::HWY PkgConfig::EXR Qt6::Gui ${CMAKE_DL_LIBS})
+pointclay_room(gl ui/gl render)
+pointclay_link(gl ${CMAKE_DL_LIBS})
 
-pointclay_room(ui ui render)
+pointclay_room(ui ui session gl)
 pointclay_link(ui Qt6::Widgets Qt6::OpenGLWidgets Qt6::Svg nlohmann_json::nlohmann_json)
 # AUTOMOC does not notice a file that the glob has just found unless it depends on its own list of files.
 set_target_properties(pointclay_ui PROPERTIES AUTOMOC ON AUTORCC ON AUTOGEN_TARGET_DEPENDS

@@ -1,8 +1,8 @@
 #include "core/mesh/mesh_attributes.h"
 
 #include "core/base/parallel.h"
-#include "core/surface/attribute_sum.h"
-#include "core/surface/weights.h"
+#include "core/surface/evaluation/attribute_sum.h"
+#include "core/surface/evaluation/weights.h"
 
 namespace mesh {
 

@@ -1,7 +1,7 @@
 #include "core/mesh/mesh_repair.h"
 
+#include "core/mesh/marching/own_sheet.h"
 #include "core/mesh/mesh_fans.h"
-#include "core/mesh/own_sheet.h"
 
 #include <algorithm>
 #include <unordered_map>

@@ -2,7 +2,7 @@
 // B10).
 #pragma once
 
-#include "core/mesh/edge_walk.h"
+#include "core/mesh/marching/edge_walk.h"
 #include "core/mesh/orient_mesh.h"
 
 #include <functional>

@@ -1,7 +1,7 @@
 #include "core/process/curve_tube.h"
 
 #include "core/base/parallel.h"
-#include "core/surface/curve.h"
+#include "core/surface/curves/curve.h"
 
 #include <numbers>
 

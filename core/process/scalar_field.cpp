@@ -1,11 +1,11 @@
 #include "core/process/scalar_field.h"
 
 #include "core/base/parallel.h"
-#include "core/process/spacing_sample.h"
+#include "core/process/estimation/spacing_sample.h"
 #include "core/surface/curvature.h"
-#include "core/surface/project.h"
-#include "core/surface/self.h"
-#include "core/surface/weights.h"
+#include "core/surface/evaluation/self.h"
+#include "core/surface/evaluation/weights.h"
+#include "core/surface/projection/project.h"
 
 #include <algorithm>
 #include <unordered_set>

@@ -1,8 +1,8 @@
 #include "core/raycast/full_cast.h"
 
 #include "core/raycast/cast_pixels.h"
-#include "core/surface/attribute_sum.h"
-#include "core/surface/weights.h"
+#include "core/surface/evaluation/attribute_sum.h"
+#include "core/surface/evaluation/weights.h"
 
 #include <chrono>
 

@@ -6,7 +6,7 @@
 
 #include "core/base/plane.h"
 #include "core/base/progress.h"
-#include "core/surface/intersect.h"
+#include "core/surface/rays/intersect.h"
 #include "core/surfel/surfel.h"
 
 namespace raycast {

@@ -1,7 +1,7 @@
 #include "core/sculpt/contact.h"
 
 #include "core/base/parallel.h"
-#include "core/surface/intersect.h"
+#include "core/surface/rays/intersect.h"
 
 namespace sculpt {
 

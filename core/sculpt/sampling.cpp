@@ -1,6 +1,6 @@
 #include "core/sculpt/sampling.h"
 
-#include "core/process/resample.h"
+#include "core/process/resampling/resample.h"
 
 #include <algorithm>
 #include <cmath>

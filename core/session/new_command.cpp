@@ -1,5 +1,5 @@
-#include "core/process/prepare.h"
-#include "core/process/samples.h"
+#include "core/process/estimation/prepare.h"
+#include "core/process/samples/samples.h"
 #include "core/session/commands.h"
 #include "core/session/surface_options.h"
 

@@ -1,7 +1,7 @@
 #include "core/base/error.h"
 #include "core/io/formats.h"
-#include "core/process/part_progress.h"
-#include "core/process/prepare.h"
+#include "core/process/estimation/part_progress.h"
+#include "core/process/estimation/prepare.h"
 #include "core/session/commands.h"
 #include "core/session/surface_options.h"
 

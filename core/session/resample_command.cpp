@@ -1,4 +1,4 @@
-#include "core/process/resample.h"
+#include "core/process/resampling/resample.h"
 #include "core/session/commands.h"
 
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-#include "core/process/prepare.h"
+#include "core/process/estimation/prepare.h"
 #include "core/session/commands.h"
 #include "core/session/surface_options.h"
 

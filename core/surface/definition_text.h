@@ -5,7 +5,7 @@
 // as bring back the same bits.
 #pragma once
 
-#include "core/surface/project.h"
+#include "core/surface/projection/project.h"
 
 #include <span>
 #include <string>

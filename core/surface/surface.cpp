@@ -1,6 +1,6 @@
 #include "core/surface/surface.h"
 
-#include "core/surface/packets.h"
+#include "core/surface/evaluation/packets.h"
 
 #include <cassert>
 

@@ -3,11 +3,11 @@
 #include "core/base/mat3.h"
 #include "core/base/parallel.h"
 #include "core/base/random.h"
-#include "core/process/normals.h"
-#include "core/process/prepare.h"
-#include "core/process/samples.h"
-#include "core/process/spacing.h"
-#include "core/process/supports.h"
+#include "core/process/estimation/normals.h"
+#include "core/process/estimation/prepare.h"
+#include "core/process/estimation/spacing.h"
+#include "core/process/estimation/supports.h"
+#include "core/process/samples/samples.h"
 
 #include <algorithm>
 #include <benchmark/benchmark.h>

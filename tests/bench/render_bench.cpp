@@ -1,7 +1,7 @@
 // What an edit costs the display; frames are workloads of the table (workloads_bench.cpp).
 #include "core/base/error.h"
 #include "render/render_models.h"
-#include "ui/render/offscreen_renderer.h"
+#include "ui/gl/offscreen_renderer.h"
 
 #include <benchmark/benchmark.h>
 

@@ -1,8 +1,8 @@
 // One dab of each tool with 1k, 10k and 50k surfels under the brush, on models of 100k and 1M, with and without
 // resampling, and in a stroke; items are the surfels under the brush. The naive way stands beside the tools in the
 // table of workloads (workloads_bench.cpp).
-#include "bench/plain_dab.h"
-#include "core/process/resample.h"
+#include "app/bench/plain_dab.h"
+#include "core/process/resampling/resample.h"
 #include "core/sculpt/contact.h"
 #include "core/sculpt/sampling.h"
 #include "core/sculpt/stroke.h"

@@ -2,8 +2,8 @@
 // the naive way in the same run: nanoflann radius search and plain double loops with Eigen, the same formulas.
 #include "core/base/parallel.h"
 #include "core/base/random.h"
-#include "core/surface/intersect.h"
-#include "core/surface/project.h"
+#include "core/surface/projection/project.h"
+#include "core/surface/rays/intersect.h"
 
 #include <algorithm>
 #include <benchmark/benchmark.h>

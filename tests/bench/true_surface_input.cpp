@@ -3,8 +3,8 @@
 //
 //     xvfb-run -s '-screen 0 1280x800x24' pointclay_true_surface_input MODEL|sample:ID [--quality PX] [--pictures
 //     PREFIX]
-#include "ui/main_window.h"
-#include "ui/theme.h"
+#include "ui/window/main_window.h"
+#include "ui/window/theme.h"
 
 #include <cstdio>
 #include <QAction>

@@ -8,10 +8,10 @@
 // turns of the view between.
 // Times count from when an event was due, not from when the window got round to it. Events that make no dab, for being
 // closer than the spacing, have no picture to wait for and do not count.
-#include "ui/main_window.h"
-#include "ui/status_line.h"
-#include "ui/theme.h"
-#include "ui/tool_bar.h"
+#include "ui/panels/tool_bar.h"
+#include "ui/window/main_window.h"
+#include "ui/window/status_line.h"
+#include "ui/window/theme.h"
 
 #include <algorithm>
 #include <cmath>

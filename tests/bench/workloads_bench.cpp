@@ -4,7 +4,7 @@
 //     evaluate/points:1M/noise:0.02/threads:2        evaluate/points:1M/noise:0.02/baseline
 //
 // For example: pointclay_bench --benchmark_filter='^(evaluate|project).*1M.*0.02'
-#include "bench/workload.h"
+#include "app/bench/workload.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 

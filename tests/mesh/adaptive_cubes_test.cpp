@@ -1,6 +1,6 @@
 // Cubes of several sizes: manifold without cracks, fewer where the surface is flat, within the tolerance.
-#include "core/mesh/check.h"
-#include "core/mesh/marching_cubes.h"
+#include "core/mesh/check/check.h"
+#include "core/mesh/marching/marching_cubes.h"
 #include "support/registry.h"
 #include "surface/bounded.h"
 #include "surface/shapes.h"

@@ -1,6 +1,6 @@
 #include "core/base/random.h"
-#include "core/mesh/check.h"
-#include "core/surface/project.h"
+#include "core/mesh/check/check.h"
+#include "core/surface/projection/project.h"
 
 #include "mesh/meshes.h"
 #include "support/registry.h"

@@ -1,7 +1,7 @@
 // Coarsening a net: fewer vertices, the same surface.
-#include "core/mesh/coarsen_net.h"
-#include "core/mesh/marching_cubes.h"
-#include "core/mesh/topology.h"
+#include "core/mesh/check/topology.h"
+#include "core/mesh/delaunay/coarsen_net.h"
+#include "core/mesh/marching/marching_cubes.h"
 #include "mesh/models.h"
 #include "support/registry.h"
 

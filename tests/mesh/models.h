@@ -1,8 +1,8 @@
 // Models for meshers whose topology is known.
 #pragma once
 
-#include "core/process/prepare.h"
-#include "core/process/samples.h"
+#include "core/process/estimation/prepare.h"
+#include "core/process/samples/samples.h"
 #include "surface/bounded.h"
 #include "surface/shapes.h"
 

@@ -1,5 +1,5 @@
 #include "core/base/random.h"
-#include "core/mesh/self_intersections.h"
+#include "core/mesh/check/self_intersections.h"
 
 #include "mesh/meshes.h"
 #include "support/registry.h"

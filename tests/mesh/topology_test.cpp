@@ -1,5 +1,5 @@
 #include "core/base/random.h"
-#include "core/mesh/topology.h"
+#include "core/mesh/check/topology.h"
 
 #include "mesh/meshes.h"
 #include "support/registry.h"

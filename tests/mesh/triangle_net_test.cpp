@@ -1,8 +1,8 @@
 // A triangle net under edits: it stays the manifold it was, and each edit does what it says.
-#include "core/mesh/triangle_net.h"
+#include "core/mesh/delaunay/triangle_net.h"
 
 #include "core/base/random.h"
-#include "core/mesh/topology.h"
+#include "core/mesh/check/topology.h"
 #include "mesh/meshes.h"
 #include "support/registry.h"
 

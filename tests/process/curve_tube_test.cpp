@@ -2,9 +2,9 @@
 #include "core/process/curve_tube.h"
 
 #include "core/base/parallel.h"
-#include "core/process/prepare.h"
-#include "core/process/samples.h"
-#include "core/surface/curve.h"
+#include "core/process/estimation/prepare.h"
+#include "core/process/samples/samples.h"
+#include "core/surface/curves/curve.h"
 #include "support/registry.h"
 
 #include <QTest>

@@ -1,9 +1,9 @@
 // Exact, evenly sampled shapes, and what one wants to know about what became of them.
 #pragma once
 
-#include "core/process/resample.h"
-#include "core/process/spacing.h"
-#include "core/surface/project.h"
+#include "core/process/estimation/spacing.h"
+#include "core/process/resampling/resample.h"
+#include "core/surface/projection/project.h"
 
 #include <algorithm>
 #include <cmath>

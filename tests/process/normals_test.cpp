@@ -1,8 +1,8 @@
-#include "core/process/normals.h"
+#include "core/process/estimation/normals.h"
 
 #include "core/base/parallel.h"
 #include "core/base/random.h"
-#include "core/process/samples.h"
+#include "core/process/samples/samples.h"
 #include "support/registry.h"
 
 #include <QTest>

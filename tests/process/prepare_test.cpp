@@ -1,11 +1,11 @@
-#include "core/process/prepare.h"
+#include "core/process/estimation/prepare.h"
 
 #include "core/base/parallel.h"
 #include "core/base/random.h"
-#include "core/process/boundary_limit.h"
-#include "core/process/normals.h"
-#include "core/process/samples.h"
-#include "core/process/spacing.h"
+#include "core/process/estimation/boundary_limit.h"
+#include "core/process/estimation/normals.h"
+#include "core/process/estimation/spacing.h"
+#include "core/process/samples/samples.h"
 #include "support/registry.h"
 
 #include <array>

@@ -1,9 +1,9 @@
-#include "core/process/resample.h"
+#include "core/process/resampling/resample.h"
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/base/random.h"
-#include "core/surface/project.h"
+#include "core/surface/projection/project.h"
 #include "process/even_shapes.h"
 #include "support/registry.h"
 

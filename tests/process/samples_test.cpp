@@ -1,8 +1,8 @@
-#include "core/process/samples.h"
+#include "core/process/samples/samples.h"
 
 #include "core/base/box.h"
 #include "core/base/error.h"
-#include "core/process/spacing.h"
+#include "core/process/estimation/spacing.h"
 #include "support/registry.h"
 
 #include <QTest>

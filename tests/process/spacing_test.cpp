@@ -1,10 +1,10 @@
-#include "core/process/spacing.h"
+#include "core/process/estimation/spacing.h"
 
 #include "core/base/parallel.h"
 #include "core/base/random.h"
-#include "core/process/samples.h"
-#include "core/process/spacing_sample.h"
-#include "core/process/supports.h"
+#include "core/process/estimation/spacing_sample.h"
+#include "core/process/estimation/supports.h"
+#include "core/process/samples/samples.h"
 #include "support/registry.h"
 
 #include <algorithm>

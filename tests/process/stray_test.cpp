@@ -1,5 +1,5 @@
 // Crumbs of folds, that no sheet bears, are removed by resampling; corners and thin plates are none.
-#include "core/process/resample.h"
+#include "core/process/resampling/resample.h"
 #include "process/even_shapes.h"
 #include "support/registry.h"
 

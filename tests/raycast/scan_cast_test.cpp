@@ -1,6 +1,6 @@
 // Real scans at full size: few rays, nearly all pixels right, and fewer still in the next view. The folder is
 // POINTCLAY_DATA.
-#include "core/process/prepare.h"
+#include "core/process/estimation/prepare.h"
 #include "raycast_models.h"
 #include "support/registry.h"
 #include "surface/scans.h"

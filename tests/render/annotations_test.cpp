@@ -1,9 +1,9 @@
-#include "ui/render/annotation_canvas.h"
+#include "core/render/overlay/annotation_canvas.h"
 
+#include "core/render/overlay/stroke_font.h"
+#include "core/render/shading/shading_table.h"
 #include "render/render_models.h"
 #include "support/registry.h"
-#include "ui/render/shading_table.h"
-#include "ui/render/stroke_font.h"
 
 #include <QTest>
 

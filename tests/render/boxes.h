@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/base/random.h"
-#include "ui/render/camera.h"
-#include "ui/render/view_frame.h"
+#include "core/render/camera.h"
+#include "core/render/view_frame.h"
 
 #include <algorithm>
 #include <limits>

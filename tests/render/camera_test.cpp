@@ -1,9 +1,9 @@
-#include "ui/render/camera.h"
+#include "core/render/camera.h"
 
 #include "core/base/random.h"
+#include "core/render/view_frame.h"
 #include "render/boxes.h"
 #include "support/registry.h"
-#include "ui/render/view_frame.h"
 
 #include <QTest>
 

@@ -1,10 +1,10 @@
-#include "ui/render/cpu_splatter.h"
+#include "core/render/splats/cpu_splatter.h"
 
 #include "core/base/parallel.h"
-#include "core/process/supports.h"
+#include "core/process/estimation/supports.h"
+#include "core/render/shading/shading.h"
 #include "render/render_models.h"
 #include "support/registry.h"
-#include "ui/render/shading.h"
 
 #include <QTest>
 

@@ -1,9 +1,10 @@
-#include "ui/render/offscreen_renderer.h"
+#include "ui/gl/backends.h"
+#include "ui/gl/offscreen_renderer.h"
 
 #include "core/base/error.h"
+#include "core/render/splats/cpu_splatter.h"
 #include "render/render_models.h"
 #include "support/registry.h"
-#include "ui/render/cpu_splatter.h"
 
 #include <QTest>
 

@@ -1,4 +1,4 @@
-#include "ui/render/image_io.h"
+#include "core/render/image_io.h"
 
 #include "core/base/error.h"
 #include "core/base/random.h"

@@ -1,9 +1,9 @@
 #include "core/base/parallel.h"
+#include "core/render/splats/cpu_splatter.h"
+#include "core/render/splats/detail_pacer.h"
 #include "render/render_models.h"
 #include "support/registry.h"
-#include "ui/render/cpu_splatter.h"
-#include "ui/render/detail_pacer.h"
-#include "ui/render/offscreen_renderer.h"
+#include "ui/gl/offscreen_renderer.h"
 
 #include <QTest>
 

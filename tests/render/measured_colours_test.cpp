@@ -1,11 +1,11 @@
-#include "ui/render/measured_colours.h"
+#include "core/render/shading/measured_colours.h"
 
 #include "core/base/error.h"
+#include "core/render/picture.h"
+#include "core/render/splats/cpu_splatter.h"
 #include "render/render_models.h"
 #include "support/registry.h"
-#include "ui/render/cpu_splatter.h"
-#include "ui/render/offscreen_renderer.h"
-#include "ui/render/picture.h"
+#include "ui/gl/offscreen_renderer.h"
 
 #include <QTest>
 

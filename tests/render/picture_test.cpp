@@ -1,5 +1,5 @@
 // Pictures for files: those of a sequence are those drawn one by one.
-#include "ui/render/picture.h"
+#include "core/render/picture.h"
 
 #include "render/render_models.h"
 #include "support/registry.h"

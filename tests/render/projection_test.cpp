@@ -1,12 +1,13 @@
 // Parallel rays and clip planes: cameras, bounds, and the same picture however it is drawn.
 #include "core/base/error.h"
+#include "core/render/cast/raycast_image.h"
+#include "core/render/splats/cpu_splatter.h"
+#include "core/render/view_frame.h"
 #include "render/boxes.h"
 #include "render/render_models.h"
 #include "support/registry.h"
-#include "ui/render/cpu_splatter.h"
-#include "ui/render/offscreen_renderer.h"
-#include "ui/render/raycast_image.h"
-#include "ui/render/view_frame.h"
+#include "ui/gl/backends.h"
+#include "ui/gl/offscreen_renderer.h"
 
 #include <QTest>
 

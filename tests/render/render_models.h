@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/random.h"
-#include "ui/render/renderer.h"
+#include "core/render/renderer.h"
 
 #include <numbers>
 

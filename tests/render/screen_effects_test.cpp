@@ -1,11 +1,11 @@
-#include "ui/render/screen_effects.h"
+#include "core/render/effects/screen_effects.h"
 
 #include "core/base/error.h"
+#include "core/render/cast/raycast_image.h"
+#include "core/render/splats/cpu_splatter.h"
 #include "render/render_models.h"
 #include "support/registry.h"
-#include "ui/render/cpu_splatter.h"
-#include "ui/render/offscreen_renderer.h"
-#include "ui/render/raycast_image.h"
+#include "ui/gl/offscreen_renderer.h"
 
 #include <QTest>
 

@@ -1,9 +1,9 @@
-#include "ui/render/shaded_layer.h"
+#include "core/render/shaded_layer.h"
 
+#include "core/render/cast/raycast_image.h"
+#include "core/render/splats/cpu_splatter.h"
 #include "render/render_models.h"
 #include "support/registry.h"
-#include "ui/render/cpu_splatter.h"
-#include "ui/render/raycast_image.h"
 
 #include <QTest>
 

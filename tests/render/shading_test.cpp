@@ -1,4 +1,4 @@
-#include "ui/render/shading.h"
+#include "core/render/shading/shading.h"
 
 #include "core/base/error.h"
 #include "core/base/random.h"

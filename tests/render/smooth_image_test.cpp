@@ -1,8 +1,8 @@
-#include "ui/render/smooth_image.h"
+#include "core/render/smooth_image.h"
 
+#include "core/render/splats/cpu_splatter.h"
 #include "render/render_models.h"
 #include "support/registry.h"
-#include "ui/render/cpu_splatter.h"
 
 #include <QTest>
 

@@ -1,8 +1,8 @@
 // Splats cover the surface: no pixel inside an outline looks through it, whatever the spacing does.
-#include "core/process/supports.h"
+#include "core/process/estimation/supports.h"
+#include "core/render/splats/cpu_splatter.h"
 #include "render/render_models.h"
 #include "support/registry.h"
-#include "ui/render/cpu_splatter.h"
 
 #include <QTest>
 

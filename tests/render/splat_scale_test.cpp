@@ -1,4 +1,4 @@
-#include "ui/render/splat_scale.h"
+#include "core/render/splats/splat_scale.h"
 
 #include "render/render_models.h"
 #include "support/registry.h"

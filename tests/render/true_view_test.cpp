@@ -1,8 +1,8 @@
-#include "ui/render/true_view.h"
+#include "core/render/cast/true_view.h"
 
+#include "core/render/cast/raycast_image.h"
 #include "render/render_models.h"
 #include "support/registry.h"
-#include "ui/render/raycast_image.h"
 
 #include <atomic>
 #include <QTest>

@@ -1,4 +1,4 @@
-#include "ui/render/wireframe.h"
+#include "core/render/overlay/wireframe.h"
 
 #include "core/base/parallel.h"
 #include "core/base/random.h"

@@ -1,7 +1,7 @@
 #include "core/session/command.h"
 
-#include "core/process/samples.h"
-#include "core/process/spacing.h"
+#include "core/process/estimation/spacing.h"
+#include "core/process/samples/samples.h"
 #include "core/sculpt/tool.h"
 #include "support/registry.h"
 #include "workbench.h"

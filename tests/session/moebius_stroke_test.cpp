@@ -2,7 +2,7 @@
 #include "core/base/random.h"
 #include "core/session/commands.h"
 #include "core/session/document.h"
-#include "core/surface/project.h"
+#include "core/surface/projection/project.h"
 #include "support/registry.h"
 
 #include <cmath>

@@ -1,9 +1,9 @@
 // Rims: where theory says they are, once each, closed where the model's are, with and without orientation.
 #include "bounded.h"
 #include "core/base/parallel.h"
-#include "core/process/boundary_limit.h"
-#include "core/process/prepare.h"
-#include "core/surface/rims.h"
+#include "core/process/estimation/boundary_limit.h"
+#include "core/process/estimation/prepare.h"
+#include "core/surface/curves/rims.h"
 #include "scans.h"
 #include "shapes.h"
 #include "support/registry.h"

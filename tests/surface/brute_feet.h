@@ -3,7 +3,7 @@
 #pragma once
 
 #include "brute_force.h"
-#include "core/surface/project.h"
+#include "core/surface/projection/project.h"
 
 namespace brute {
 

@@ -2,7 +2,7 @@
 #include "core/base/parallel.h"
 #include "core/surface/curvature.h"
 #include "core/surface/definition_text.h"
-#include "core/surface/project.h"
+#include "core/surface/projection/project.h"
 #include "shapes.h"
 #include "support/registry.h"
 

@@ -1,5 +1,5 @@
 // Curves in space (alg. 2.3, 3.1, 7): analytic curves, finite differences, ends and degenerate cases.
-#include "core/surface/curve.h"
+#include "core/surface/curves/curve.h"
 #include "shapes.h"
 #include "support/registry.h"
 

@@ -2,7 +2,7 @@
 // and nearest surfels alone.
 #pragma once
 
-#include "core/surface/intersect.h"
+#include "core/surface/rays/intersect.h"
 
 #include <optional>
 

@@ -1,7 +1,7 @@
 // Nearest discs along rays: the walk against a loop over all surfels, packets against single rays.
-#include "core/surface/disc_kernel.h"
+#include "core/surface/rays/disc_kernel.h"
 
-#include "core/surface/surface_intervals.h"
+#include "core/surface/rays/surface_intervals.h"
 #include "shapes.h"
 #include "support/registry.h"
 

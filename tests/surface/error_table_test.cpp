@@ -9,7 +9,7 @@
 // than `mostTurn` radians per h: an eigenvector near its closing gap multiplies every rounding by that, squared for
 // curvature. Scans are patches of the files in the folder that POINTCLAY_DATA names.
 #include "brute_feet.h"
-#include "core/process/prepare.h"
+#include "core/process/estimation/prepare.h"
 #include "core/surface/curvature.h"
 #include "core/surface/definition_text.h"
 #include "scans.h"

@@ -1,8 +1,8 @@
 // All ways to the same evaluation: alone, in batches, by steps, on scaled supports, by the short way and by the
 // reference.
-#include "core/surface/assemble.h"
 #include "core/surface/definition_text.h"
-#include "core/surface/summed_normals.h"
+#include "core/surface/evaluation/assemble.h"
+#include "core/surface/evaluation/summed_normals.h"
 #include "shapes.h"
 #include "support/registry.h"
 

@@ -3,9 +3,9 @@
 //
 // POINTCLAY_FEET names the number of queries on the scan; 100000 is what issue 3 asks for.
 #include "core/base/parallel.h"
-#include "core/process/prepare.h"
+#include "core/process/estimation/prepare.h"
 #include "core/surface/definition_text.h"
-#include "core/surface/project.h"
+#include "core/surface/projection/project.h"
 #include "scans.h"
 #include "shapes.h"
 #include "support/registry.h"

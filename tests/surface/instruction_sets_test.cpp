@@ -1,6 +1,6 @@
 // The vectorised kernels on the instruction sets of this machine.
 #include "core/surface/definition_text.h"
-#include "core/surface/self.h"
+#include "core/surface/evaluation/self.h"
 #include "definition_rows.h"
 #include "shapes.h"
 #include "support/registry.h"

@@ -1,7 +1,7 @@
 // Ray intersection: the first root in every ray, none where there is none.
-#include "core/surface/intersect.h"
+#include "core/surface/rays/intersect.h"
 
-#include "core/surface/project.h"
+#include "core/surface/projection/project.h"
 #include "shapes.h"
 #include "support/registry.h"
 

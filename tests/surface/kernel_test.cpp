@@ -1,6 +1,6 @@
 // The float kernel's sums against plain loops in double, and their independence of how the clusters were found.
-#include "core/surface/clusters.h"
 #include "core/surface/definition_text.h"
+#include "core/surface/evaluation/clusters.h"
 #include "shapes.h"
 #include "support/registry.h"
 

@@ -1,5 +1,5 @@
 // Projections: what their feet promise, where they start from, and what they say when they fail.
-#include "core/surface/project.h"
+#include "core/surface/projection/project.h"
 
 #include "core/surface/definition_text.h"
 #include "shapes.h"

@@ -1,5 +1,5 @@
 // Both policies against dense marching in float64: every frame and weight, near sheets, and a scan.
-#include "core/process/prepare.h"
+#include "core/process/estimation/prepare.h"
 #include "core/surface/definition_text.h"
 #include "definition_rows.h"
 #include "dense_march.h"

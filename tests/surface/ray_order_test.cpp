@@ -1,5 +1,5 @@
 // Rays of a view put in an order of tiles: a permutation, whose runs lie closer together than rows do.
-#include "core/surface/ray_order.h"
+#include "core/surface/rays/ray_order.h"
 
 #include "core/base/random.h"
 #include "support/registry.h"

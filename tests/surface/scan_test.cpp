@@ -1,7 +1,7 @@
 // Real scans against brute force in both precisions. The folder is POINTCLAY_DATA.
 #include "brute_feet.h"
-#include "core/process/prepare.h"
-#include "core/surface/project.h"
+#include "core/process/estimation/prepare.h"
+#include "core/surface/projection/project.h"
 #include "scans.h"
 #include "shapes.h"
 #include "support/registry.h"

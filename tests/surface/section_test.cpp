@@ -1,9 +1,9 @@
 // Plane sections: curves that theory knows, points that fulfil both equations, ends at rims, agreement with rays.
-#include "core/surface/section.h"
+#include "core/surface/curves/section.h"
 
 #include "bounded.h"
 #include "core/base/parallel.h"
-#include "core/surface/intersect.h"
+#include "core/surface/rays/intersect.h"
 #include "shapes.h"
 #include "support/registry.h"
 

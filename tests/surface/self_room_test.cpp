@@ -1,4 +1,4 @@
-#include "core/surface/self_room.h"
+#include "core/surface/evaluation/self_room.h"
 
 #include "core/base/random.h"
 #include "shapes.h"

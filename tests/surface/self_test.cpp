@@ -1,7 +1,7 @@
 // Evaluation at a surface's own surfels, against the reference and against single evaluations.
 #include "core/base/parallel.h"
 #include "core/surface/definition_text.h"
-#include "core/surface/self.h"
+#include "core/surface/evaluation/self.h"
 #include "shapes.h"
 #include "support/registry.h"
 

@@ -1,6 +1,6 @@
 // The constants of alg. 0, 2 and 6 to the digits given there, on dense regular samples.
 #include "core/surface/definition_text.h"
-#include "core/surface/moments.h"
+#include "core/surface/evaluation/moments.h"
 #include "shapes.h"
 #include "support/registry.h"
 

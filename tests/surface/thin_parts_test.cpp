@@ -2,7 +2,7 @@
 // (RESAMPLING 4, issue 3 item 8).
 #include "brute_force.h"
 #include "core/surface/definition_text.h"
-#include "core/surface/project.h"
+#include "core/surface/projection/project.h"
 #include "shapes.h"
 #include "support/registry.h"
 

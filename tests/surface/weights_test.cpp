@@ -1,6 +1,6 @@
 // Weights one by one, against closed forms and against the sums of the reference; means of attributes by brute force.
-#include "core/surface/attribute_sum.h"
-#include "core/surface/weights.h"
+#include "core/surface/evaluation/attribute_sum.h"
+#include "core/surface/evaluation/weights.h"
 #include "shapes.h"
 #include "support/registry.h"
 

@@ -1,7 +1,7 @@
 // The window with OpenGL: needs an X server, for example
 //     QT_QPA_PLATFORM=xcb POINTCLAY_RENDERER=gl xvfb-run -a ui_tests GlWindowTest
 #include "support/registry.h"
-#include "ui/gl_viewport.h"
+#include "ui/viewport/gl_viewport.h"
 #include "window_fixture.h"
 
 #include <QGuiApplication>

@@ -1,4 +1,4 @@
-#include "ui/latest_worker.h"
+#include "ui/work/latest_worker.h"
 
 #include "support/registry.h"
 

@@ -1,4 +1,4 @@
-#include "ui/measurer.h"
+#include "ui/work/measurer.h"
 
 #include "render/render_models.h"
 #include "support/registry.h"

@@ -1,11 +1,11 @@
 // The properties panel: one table of options, edited by slider, by typing and by hand; each tool keeps its own.
 #include "support/registry.h"
-#include "ui/curve_editor.h"
-#include "ui/number_slider.h"
-#include "ui/panel_group.h"
-#include "ui/properties_panel.h"
-#include "ui/stamp_field.h"
-#include "ui/tool_bar.h"
+#include "ui/panels/curve_editor.h"
+#include "ui/panels/number_slider.h"
+#include "ui/panels/panel_group.h"
+#include "ui/panels/properties_panel.h"
+#include "ui/panels/stamp_field.h"
+#include "ui/panels/tool_bar.h"
 #include "window_fixture.h"
 
 #include <QCheckBox>

@@ -4,8 +4,8 @@
 #include "core/session/session_file.h"
 #include "reach.h"
 #include "support/registry.h"
-#include "ui/status_line.h"
-#include "ui/tool_bar.h"
+#include "ui/panels/tool_bar.h"
+#include "ui/window/status_line.h"
 #include "window_fixture.h"
 
 #include <QPointingDevice>

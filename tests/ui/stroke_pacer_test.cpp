@@ -1,4 +1,4 @@
-#include "ui/stroke_pacer.h"
+#include "ui/work/stroke_pacer.h"
 
 #include "support/registry.h"
 

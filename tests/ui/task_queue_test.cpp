@@ -1,4 +1,4 @@
-#include "ui/task_queue.h"
+#include "ui/work/task_queue.h"
 
 #include "support/registry.h"
 

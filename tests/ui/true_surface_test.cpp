@@ -1,7 +1,7 @@
 // The true surface in the window: it replaces the splats where the view rests, and follows strokes.
+#include "core/render/cast/raycast_image.h"
 #include "support/registry.h"
-#include "ui/render/raycast_image.h"
-#include "ui/truth_bar.h"
+#include "ui/panels/truth_bar.h"
 #include "window_fixture.h"
 
 using test::WindowFixture;

@@ -1,11 +1,11 @@
 // The view as a hand moves it: what stays where it is, what comes back, and what time does not change.
 #include "core/base/random.h"
+#include "core/render/named_views.h"
 #include "support/registry.h"
-#include "ui/fly.h"
-#include "ui/navigation.h"
-#include "ui/navigator.h"
-#include "ui/render/named_views.h"
-#include "ui/saved_views.h"
+#include "ui/viewport/fly.h"
+#include "ui/viewport/navigation.h"
+#include "ui/viewport/navigator.h"
+#include "ui/window/saved_views.h"
 
 #include <numbers>
 #include <QSignalSpy>

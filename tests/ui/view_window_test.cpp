@@ -1,6 +1,6 @@
 // Views, pivots, cuts and flight in the window: picking is what is drawn, whatever the camera.
 #include "support/registry.h"
-#include "ui/cut_bar.h"
+#include "ui/panels/cut_bar.h"
 #include "window_fixture.h"
 
 #include <QSlider>

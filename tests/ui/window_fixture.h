@@ -1,7 +1,7 @@
 // A main window with its files in a temporary folder, and the hand that uses it.
 #pragma once
 
-#include "ui/main_window.h"
+#include "ui/window/main_window.h"
 
 #include <memory>
 #include <QApplication>

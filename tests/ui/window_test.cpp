@@ -1,13 +1,13 @@
 // The main window on any platform: what it offers comes from the tables, what the hand does reaches the model.
-#include "core/process/samples.h"
+#include "core/process/samples/samples.h"
 #include "core/session/journal.h"
 #include "support/registry.h"
-#include "ui/command_dialog.h"
-#include "ui/icon.h"
-#include "ui/number_slider.h"
-#include "ui/properties_panel.h"
-#include "ui/status_line.h"
-#include "ui/tool_bar.h"
+#include "ui/panels/number_slider.h"
+#include "ui/panels/properties_panel.h"
+#include "ui/panels/tool_bar.h"
+#include "ui/window/command_dialog.h"
+#include "ui/window/icon.h"
+#include "ui/window/status_line.h"
 #include "window_fixture.h"
 
 #include <QLabel>

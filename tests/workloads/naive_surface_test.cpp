@@ -1,9 +1,9 @@
 // A baseline is worth something only where it computes the same: the naive ways against the float64 reference.
-#include "bench/naive_surface.h"
+#include "app/bench/naive_surface.h"
 
-#include "bench/scene.h"
+#include "app/bench/scene.h"
 #include "core/base/random.h"
-#include "core/surface/intersect.h"
+#include "core/surface/rays/intersect.h"
 #include "support/registry.h"
 
 #include <QTest>

@@ -1,5 +1,5 @@
 // Every workload of the table, on a small scene.
-#include "bench/measure.h"
+#include "app/bench/measure.h"
 #include "core/base/error.h"
 #include "core/sculpt/tool.h"
 #include "support/registry.h"

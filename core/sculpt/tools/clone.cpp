@@ -2,8 +2,8 @@
 
 #include "core/sculpt/tools/deform.h"
 #include "core/sculpt/tools/gather.h"
-#include "core/surface/intersect.h"
-#include "core/surface/project.h"
+#include "core/surface/projection/project.h"
+#include "core/surface/rays/intersect.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "core/sculpt/tools/density.h"
 
 #include "core/base/parallel.h"
-#include "core/process/resample.h"
+#include "core/process/resampling/resample.h"
 #include "core/sculpt/tools/inside.h"
 
 #include <algorithm>

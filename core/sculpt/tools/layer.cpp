@@ -3,7 +3,7 @@
 #include "core/base/parallel.h"
 #include "core/sculpt/tools/deform.h"
 #include "core/sculpt/tools/gather.h"
-#include "core/surface/project.h"
+#include "core/surface/projection/project.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "core/sculpt/tools/mask_slope.h"
 
 #include "core/base/mat3.h"
-#include "core/surface/weights.h"
+#include "core/surface/evaluation/weights.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "core/sculpt/tools/relax.h"
 
-#include "core/process/resample.h"
+#include "core/process/resampling/resample.h"
 #include "core/sculpt/tools/inside.h"
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 
 #include "core/sculpt/tools/along_surface.h"
 #include "core/sculpt/tools/recolour.h"
-#include "core/surface/attribute_sum.h"
-#include "core/surface/weights.h"
+#include "core/surface/evaluation/attribute_sum.h"
+#include "core/surface/evaluation/weights.h"
 
 namespace sculpt {
 

@@ -3,7 +3,7 @@
 #include "core/base/clones.h"
 #include "core/base/parallel.h"
 #include "core/sculpt/tools/brush.h"
-#include "core/surface/self.h"
+#include "core/surface/evaluation/self.h"
 
 #include <bit>
 #include <cmath>

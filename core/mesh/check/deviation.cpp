@@ -1,0 +1,94 @@
+#include "core/mesh/check/deviation.h"
+
+#include "core/base/parallel.h"
+#include "core/surface/curves/boundary.h"
+#include "core/surface/projection/project.h"
+
+#include <algorithm>
+
+namespace mesh {
+
+using base::Vec3d;
+using surface::Status;
+
+namespace {
+
+constexpr double none = std::numeric_limits<double>::infinity();
+
+/// f over its slope, where that tells the distance: so close to the surface that its bending does not count.
+double byOneEvaluation(const surface::Surface& surface, const Vec3d& x, const surface::Hint& hint) {
+    constexpr double close = 1e-3, rounding = 1e-5; // of h
+    const surface::Evaluationd e = surface.evaluateReference(x, surface::Need::Gradient, hint);
+    if (!e.ok() && e.status != Status::BeyondBoundary)
+        return none;
+    const double limit = double(surface.definition().boundaryLimit);
+    const double slope = length(e.gradient);
+    if (!(std::abs(e.value) <= close * e.unit * slope) || !(e.offCentre <= (limit + rounding) * e.unit))
+        return none;
+    return std::abs(e.value) / slope;
+}
+
+/// `each(i)` tells the distance of the i-th place.
+template <class Each>
+Deviation collect(std::size_t n, const base::Progress& progress, const char* what, const Each& each) {
+    constexpr std::size_t slab = 1 << 14;
+    std::vector<double> all(n);
+    for (std::size_t first = 0; first < n; first += slab) {
+        progress.step(static_cast<double>(first) / static_cast<double>(n), what);
+        base::parallelFor(std::min(slab, n - first), 64, [&](std::size_t i) { all[first + i] = each(first + i); });
+    }
+    Deviation out;
+    out.count = n;
+    std::sort(all.begin(), all.end());
+    while (!all.empty() && !std::isfinite(all.back()))
+        all.pop_back();
+    out.lost = n - all.size();
+    if (!all.empty()) {
+        out.max = all.back();
+        out.hundredth = all[all.size() - 1 - all.size() / 100];
+        out.median = all[all.size() / 2];
+    }
+    return out;
+}
+
+} // namespace
+
+double distanceTo(const surface::Surface& surface, const Vec3d& x, const surface::Hint& hint) {
+    // what the surface answers unasked is what rays and cubes meet; the hint tells sheets apart further away
+    for (const surface::Hint& asked : {surface::Hint{}, hint})
+        if (const double near = byOneEvaluation(surface, x, asked); near < none)
+            return near;
+    const auto found = projectReference(surface, x, {}, hint);
+    if (found.ok())
+        return distance(x, found.foot);
+    if (found.status != Status::BeyondBoundary)
+        return none;
+    const surface::RimSearch rim = findRimPoint(surface, found.foot, hint);
+    return rim.ok() ? distance(x, rim.point.position) : none;
+}
+
+Deviation vertexDeviation(const Mesh& mesh, const surface::Surface& surface, const base::Progress& progress) {
+    std::vector<bool> used(mesh.positions.size(), false);
+    for (const Triangle& t : mesh.triangles)
+        for (const std::uint32_t v : t)
+            used[v] = true;
+    std::vector<std::uint32_t> which;
+    for (std::uint32_t v = 0; v < used.size(); ++v)
+        if (used[v])
+            which.push_back(v);
+    return collect(which.size(), progress, "Measuring vertices", [&](std::size_t i) {
+        const std::uint32_t v = which[i];
+        return distanceTo(surface, mesh.positions[v], {mesh.normals.empty() ? base::Vec3f{} : mesh.normals[v]});
+    });
+}
+
+Deviation faceDeviation(const Mesh& mesh, const surface::Surface& surface, const base::Progress& progress) {
+    return collect(mesh.triangles.size(), progress, "Measuring faces", [&](std::size_t f) {
+        const auto at = [&](std::size_t k) { return mesh.positions[mesh.triangles[f][k]]; };
+        const Vec3d centre = (at(0) + at(1) + at(2)) / 3;
+        const Vec3d across = base::normalized(cross(at(1) - at(0), at(2) - at(0)));
+        return distanceTo(surface, centre, {base::cast<float>(across)});
+    });
+}
+
+} // namespace mesh

@@ -1,0 +1,101 @@
+#include "core/mesh/check/self_intersections.h"
+
+#include "core/mesh/edges.h"
+
+#include <algorithm>
+#include <CGAL/box_intersection_d.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <numeric>
+
+namespace mesh {
+
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::uint32_t>;
+using Point = Kernel::Point_3;
+
+class Meetings {
+  public:
+    explicit Meetings(const Mesh& mesh) : m_mesh(mesh) {}
+
+    /// Do two triangles share more than the vertices that both name?
+    bool meet(std::uint32_t a, std::uint32_t b) const {
+        Triangle s = m_mesh.triangles[a], t = m_mesh.triangles[b];
+        switch (bringForward(s, t)) {
+        case 0:
+            return CGAL::do_intersect(triangle(s), triangle(t));
+        case 1: // the sides opposite to the common corner
+            return CGAL::do_intersect(triangle(s), segment(t)) || CGAL::do_intersect(triangle(t), segment(s));
+        case 2: // folded flat onto each other
+            return CGAL::coplanar(at(s[0]), at(s[1]), at(s[2]), at(t[2])) &&
+                   CGAL::coplanar_orientation(at(s[0]), at(s[1]), at(s[2]), at(t[2])) == CGAL::POSITIVE;
+        default:
+            return true; // the same triangle twice
+        }
+    }
+    bool flat(std::uint32_t f) const {
+        const Triangle& t = m_mesh.triangles[f];
+        return !isProper(t) || CGAL::collinear(at(t[0]), at(t[1]), at(t[2]));
+    }
+    Box box(std::uint32_t f) const {
+        CGAL::Bbox_3 out;
+        for (const std::uint32_t v : m_mesh.triangles[f])
+            out += at(v).bbox();
+        return {out, f};
+    }
+
+  private:
+    /// Common vertices to the front, in the same order; returns how many.
+    static int bringForward(Triangle& s, Triangle& t) {
+        int common = 0;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto found = std::find(t.begin() + common, t.end(), s[i]);
+            if (found == t.end())
+                continue;
+            std::iter_swap(t.begin() + common, found);
+            std::swap(s[std::size_t(common++)], s[i]);
+        }
+        return common;
+    }
+    Point at(std::uint32_t v) const {
+        const base::Vec3d& p = m_mesh.positions[v];
+        return {p.x, p.y, p.z};
+    }
+    Kernel::Triangle_3 triangle(const Triangle& t) const { return {at(t[0]), at(t[1]), at(t[2])}; }
+    Kernel::Segment_3 segment(const Triangle& t) const { return {at(t[1]), at(t[2])}; }
+
+    const Mesh& m_mesh;
+};
+
+} // namespace
+
+std::vector<std::pair<std::uint32_t, std::uint32_t>> selfIntersections(const Mesh& mesh,
+                                                                       const base::Progress& progress) {
+    std::vector<std::uint32_t> all(mesh.triangles.size());
+    std::iota(all.begin(), all.end(), 0u);
+    return selfIntersections(mesh, all, progress);
+}
+
+std::vector<std::pair<std::uint32_t, std::uint32_t>>
+selfIntersections(const Mesh& mesh, std::span<const std::uint32_t> among, const base::Progress& progress) {
+    const Meetings meetings(mesh);
+    std::vector<Box> boxes;
+    for (const std::uint32_t f : among)
+        if (!meetings.flat(f))
+            boxes.push_back(meetings.box(f));
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> out;
+    std::size_t pairs = 0;
+    CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
+        // How many there are to come is not known: some 15 for each triangle of a good mesh.
+        if (++pairs % 65536 == 0)
+            progress.step(std::min(0.99, double(pairs) / (15.0 * double(boxes.size()))), "Looking for intersections");
+        const std::pair<std::uint32_t, std::uint32_t> pair = std::minmax({a.info(), b.info()});
+        if (meetings.meet(pair.first, pair.second))
+            out.emplace_back(pair.first, pair.second);
+    });
+    std::sort(out.begin(), out.end());
+    return out;
+}
+
+} // namespace mesh

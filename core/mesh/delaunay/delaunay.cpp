@@ -1,0 +1,148 @@
+#include "core/mesh/delaunay/delaunay.h"
+
+#include "core/base/error.h"
+#include "core/mesh/check/shape.h"
+#include "core/mesh/delaunay/delaunay_finish.h"
+#include "core/mesh/delaunay/delaunay_refine.h"
+#include "core/mesh/marching/fold_trim.h"
+#include "core/mesh/marching/marching_cubes.h"
+#include "core/mesh/mesh_attributes.h"
+#include "core/mesh/mesh_repair.h"
+#include "core/mesh/orient_mesh.h"
+#include "core/process/estimation/part_progress.h"
+#include "core/process/estimation/spacing_sample.h"
+#include "core/process/resampling/spacing_field.h"
+
+#include <algorithm>
+
+namespace mesh {
+
+using base::Vec3d;
+
+namespace {
+
+constexpr double degree = 3.14159265358979323846 / 180;
+
+/// The median spacing; of a model too small to have one what its support tells.
+double unitOf(const surface::Surface& surface) {
+    const double spacing = double(process::typicalSpacing(surface.tree()));
+    return spacing > 0 ? spacing : double(surface.tree().maxSupport()) * surface::spacingOfUnit;
+}
+
+/// Throws where the smallest triangles allowed would be more than a net can number.
+void checkCount(const surface::Surface& surface, const FaceDemand& demand, double least, double unit) {
+    constexpr double most = 3e8;
+    const double radius = std::min(least, std::sqrt(demand.distance * unit));
+    if (double(surface.tree().size()) * unit * unit > most * radius * radius)
+        throw base::Error("the triangles are too small for a model of this size", "",
+                          "choose a larger size or distance");
+}
+
+/// A demand in lengths, defaults filled in.
+FaceDemand demandOf(const surface::Surface& surface, const DelaunayOptions& options, double unit,
+                    const base::Progress& progress) {
+    FaceDemand out;
+    constexpr double spare = 1e-3; // degrees that settling may take
+    out.leastAngle = (options.angle + spare) * degree;
+    double least = options.size > 0 ? options.size : unit;
+    out.size = [least](const Vec3d&) { return least; };
+    out.distance = options.distance > 0 ? options.distance : options.adaptive > 0 ? options.adaptive : 0.1 * unit;
+    if (options.adaptive > 0) {
+        // A face of radius r on a surface of curvature k stays within r^2 k / 2; the field gives sqrt(tolerance / k).
+        constexpr float fine = 0.25f, coarse = 8;
+        process::CurvatureSpacing by;
+        by.tolerance = static_cast<float>(2 * options.adaptive);
+        by.finest = fine * static_cast<float>(unit);
+        by.coarsest = options.size > 0 ? static_cast<float>(options.size) : coarse * static_cast<float>(unit);
+        const auto field =
+            std::make_shared<process::SpacingField>(process::SpacingField::byCurvature(surface, by, progress));
+        out.size = [field](const Vec3d& x) { return double(field->at(base::cast<float>(x))); };
+        least = double(by.finest);
+    }
+    checkCount(surface, out, least, unit);
+    // What a bumpy surface's finest triangles need, and some; folds would be refined forever.
+    out.floor = std::min(0.1 * std::sqrt(out.distance * unit), least / 8);
+    out.foldFloor = std::max(out.floor, 0.25 * std::min(least, unit));
+    return out;
+}
+
+/// Cubes as large as the median spacing, or up to a third of it where some of the surfels are that much denser.
+double guideCell(const surface::Surface& surface, double unit) {
+    std::vector<process::SpacingSample> samples = process::sampleSpacing(surface.tree());
+    std::sort(samples.begin(), samples.end(),
+              [](const process::SpacingSample& a, const process::SpacingSample& b) { return a.spacing < b.spacing; });
+    return samples.empty() ? unit : std::clamp(double(samples[samples.size() / 20].spacing), unit / 3, unit);
+}
+
+/// Leaves out faces of cubes that are nowhere near the surface, as at folds.
+Mesh trimmed(const surface::Surface& surface, const Mesh& mesh, const base::Progress& progress) {
+    constexpr double facing = 0.2, tall = 0.5;
+    const bool oriented = WalkSetting(surface).oriented;
+    SurfaceNet net(surface, mesh);
+    std::vector<bool> leftOut(mesh.triangles.size());
+    for (std::uint32_t f = 0; f < leftOut.size(); ++f) {
+        if (f % 4096 == 0)
+            progress.step(double(f) / double(leftOut.size()), "Looking for folds");
+        const Triangle& t = mesh.triangles[f];
+        const auto [a, b, c] = net.places(t);
+        const double cosine = oriented ? net.facing(t) : std::abs(net.facing(t));
+        const double reach = tall * std::max({distance(a, b), distance(b, c), distance(c, a)});
+        leftOut[f] = cosine < facing || !net.root((a + b + c) / 3, net.across(t), reach, net.normal(t));
+    }
+    Mesh out = net.mesh(leftOut);
+    makeManifold(out);
+    dropUnused(out);
+    return out;
+}
+
+Mesh guideOf(const surface::Surface& surface, double unit, const base::Progress& progress) {
+    MarchingOptions options;
+    options.cell = guideCell(surface, unit);
+    MarchingReport report;
+    return trimmed(surface, marchingCubes(surface, options, report, process::part(progress, 0, 0.8)),
+                   process::part(progress, 0.8, 1));
+}
+
+/// Takes away what the demand, the surface or a request says, and fills in what the mesh has besides its triangles.
+void finish(const surface::Surface& surface, const DelaunayOptions& options, const FaceDemand& demand, double unit,
+            Mesh& mesh, DelaunayReport& report) {
+    settleVertices(surface, options.angle * degree, mesh);
+    report.unrefined += leaveOutFar(surface, demand.distance, mesh);
+    report.removed = makeManifold(mesh);
+    tellRims(surface, mesh);
+    report.trimmed = trimFolds(mesh, 0.5 * shapeOf(mesh).longestEdge);
+    if (report.trimmed > 0)
+        tellRims(surface, mesh);
+    const Orientation orientation = orient(mesh, WalkSetting(surface).oriented);
+    if (options.dropSmall)
+        dropSmallPieces(mesh, orientation, options.smallPiece);
+    else
+        report.unrefined += dropCrumbs(mesh, orientation);
+    if (options.closeFolds)
+        report.foldsClosed = closeFolds(mesh, surface, {unit, true, options.longestFold}).size();
+    dropUnused(mesh);
+    takeAttributes(mesh, surface);
+}
+
+} // namespace
+
+Mesh restrictedDelaunay(const surface::Surface& surface, const DelaunayOptions& options, DelaunayReport& report,
+                        const base::Progress& progress) {
+    if (surface.tree().empty() || surface.definition().manifold == surface::Manifold::Curve)
+        throw base::Error("only a surface can be meshed", "", "choose a model with points of a surface");
+    const double unit = unitOf(surface);
+    const FaceDemand demand = demandOf(surface, options, unit, process::part(progress, 0, 0.05));
+    report = {};
+    SurfaceNet net(surface, guideOf(surface, unit, process::part(progress, 0.05, 0.35)));
+    coarsen(net, demand.size, demand.distance, process::part(progress, 0.35, 0.4));
+    DelaunayRefinement refinement(net, demand);
+    refinement.run(process::part(progress, 0.4, 0.9));
+    const std::vector<bool> failing = refinement.failing();
+    report.unrefined = static_cast<std::size_t>(std::count(failing.begin(), failing.end(), true));
+    progress.step(0.9, "Finishing");
+    Mesh out = net.mesh(failing);
+    finish(surface, options, demand, unit, out, report);
+    return out;
+}
+
+} // namespace mesh

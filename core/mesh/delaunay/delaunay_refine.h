@@ -1,0 +1,84 @@
+// Refines a net until its faces are a Delaunay triangulation on the surface that fulfils a demand. Internal to the
+// room.
+//
+// After L. P. Chew, Guaranteed-quality mesh generation for curved surfaces (1993): the ball through a face's corners
+// about a place of the surface holds no corner of its neighbours, else the side between them is flipped; the centre of
+// a bad face's ball becomes a vertex; where it would come too near to a rim, the rim's side is halved instead (Ruppert
+// 1995). What is near in space but not along the surface never meets: sheets that touch, folds, thin parts.
+#pragma once
+
+#include "core/mesh/delaunay/coarsen_net.h"
+
+#include <queue>
+
+namespace mesh {
+
+/// What faces must fulfil.
+struct FaceDemand {
+    double leastAngle = 0; ///< radians
+    double distance = 0;   ///< of a face from the surface
+    double floor = 0;      ///< balls smaller than this are not refined any more, whatever their faces lack
+    double foldFloor = 0;  ///< the same where a ball has no place on the surface for its centre
+    SizeField size;        ///< largest radius of the ball about a place
+};
+
+class DelaunayRefinement {
+  public:
+    /// REQUIRES: both outlive the refinement.
+    DelaunayRefinement(SurfaceNet& net, const FaceDemand& demand);
+
+    /// Throws base::Cancelled.
+    void run(const base::Progress& progress);
+    /// By face: those that break the demand.
+    std::vector<bool> failing();
+
+  private:
+    struct Facet {
+        Ball ball;
+        std::uint32_t version = 0; ///< counts its changes
+        bool touched = false;      ///< changed, not judged since
+    };
+    struct Bad {
+        double radius;
+        std::uint32_t face, version;
+        bool operator<(const Bad& o) const {
+            return radius != o.radius ? radius < o.radius : face != o.face ? face > o.face : version > o.version;
+        }
+    };
+    struct Location {
+        Side side;            ///< the face, and the side that the place is nearest to
+        bool outside = false; ///< beyond that side, which is a rim's
+        bool found = false;
+        std::array<double, 3> weights{}; ///< of the corners
+        double least() const { return weights[std::size_t(side.k)]; }
+    };
+
+    bool fails(std::uint32_t face);
+    bool isFar(const Triangle& t, const Ball& ball);
+    void touch(std::uint32_t face, const Ball& ball);
+    void touchFan(std::uint32_t vertex);
+    void judgeTouched();
+    void settle(const base::Progress& progress = {});
+    bool improve(const Side& s, bool byBalls);
+    Location locate(std::uint32_t face, const base::Vec3d& x) const;
+    Side encroached(std::uint32_t face, const base::Vec3d& x) const;
+    bool inBall(const Side& s, const base::Vec3d& x) const;
+    void refine(const Bad& bad);
+    std::optional<SurfaceNet::Place> placeOver(std::uint32_t face, const base::Vec3d& x);
+    bool insertCentre(const Bad& bad);
+    bool split(const Location& where, std::uint32_t vertex);
+    bool fit(std::span<const Triangle> faces, std::span<const Triangle> was, double good) const;
+    bool fitsFace(std::uint32_t vertex, std::uint32_t face) const;
+    bool fitsSide(std::uint32_t vertex, const Side& s) const;
+    std::optional<SurfaceNet::Place> middleOf(const Side& s, VertexKind& kind);
+    bool halve(const Side& s);
+    Side longestSide(std::uint32_t face) const;
+
+    SurfaceNet& m_net;
+    const FaceDemand& m_demand;
+    std::vector<Facet> m_facets;
+    std::vector<std::uint32_t> m_touched, m_open; ///< to be judged; whose sides are to be looked at
+    std::priority_queue<Bad> m_bad;
+};
+
+} // namespace mesh

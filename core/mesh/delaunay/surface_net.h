@@ -1,0 +1,75 @@
+// A triangle net with its vertices on a surface: what Delaunay refinement works on. Internal to the room.
+#pragma once
+
+#include "core/mesh/delaunay/triangle_net.h"
+#include "core/surface/evaluation/source.h"
+
+#include <optional>
+
+namespace mesh {
+
+/// The ball through a face's corners whose centre lies on the surface, near the face and on its own sheet. Where none
+/// is found, as at folds, the smallest ball through the corners.
+struct Ball {
+    base::Vec3d centre;
+    double radius = 0;
+    bool onSurface = false;
+
+    bool holds(const base::Vec3d& x) const {
+        constexpr double rounding = 1e-7; // more than f's in float
+        return distanceSq(x, centre) < radius * radius * (1 - rounding);
+    }
+};
+
+class SurfaceNet {
+  public:
+    /// REQUIRES: positions, normals and kinds of a manifold mesh; `surface` outlives the net.
+    SurfaceNet(const surface::Surface& surface, const Mesh& mesh);
+
+    TriangleNet net;
+    std::vector<base::Vec3d> positions;
+    std::vector<base::Vec3f> normals; ///< unit gradients; of either sign where the surface has no sides
+    std::vector<VertexKind> kinds;
+
+    struct Place {
+        base::Vec3d position;
+        base::Vec3f normal;
+    };
+    /// A vertex that is not in use yet.
+    std::uint32_t add(const Place& place, VertexKind kind);
+    std::array<base::Vec3d, 3> places(const Triangle& t) const {
+        return {positions[t[0]], positions[t[1]], positions[t[2]]};
+    }
+    /// Unit, of the side from which the corners run counter-clockwise; zero without area.
+    base::Vec3d across(const Triangle& t) const;
+    /// The mean of the corners' normals, unit, with the first one's sign.
+    base::Vec3d normal(const Triangle& t) const;
+    /// Cosine between a face and the surface's normals at its corners; negative where it runs the other way.
+    double facing(const Triangle& t) const { return dot(across(t), normal(t)); }
+
+    Ball ball(const Triangle& t);
+    /// The root of f on a line, at most `reach` from x, whose normal is near to that given.
+    struct Root {
+        double t = 0;
+        base::Vec3f normal;
+    };
+    std::optional<Root> root(const base::Vec3d& x, const base::Vec3d& along, double reach, const base::Vec3d& normal);
+    /// f over its slope at x, on the sheet with that normal; infinite where the definition gives none.
+    double height(const base::Vec3d& x, const base::Vec3d& normal);
+
+    const surface::Surface& surface() const { return m_source.surface(); }
+    /// Of the faces that are not left out; vertices keep their numbers.
+    Mesh mesh(const std::vector<bool>& leftOut) const;
+
+  private:
+    struct Sheet {
+        double value = 0;
+        base::Vec3d gradient; ///< zero where the definition gives none
+        double unit = 0;
+    };
+    Sheet evaluate(const base::Vec3d& x, const base::Vec3d& normal);
+
+    surface::Source m_source;
+};
+
+} // namespace mesh

@@ -1,0 +1,291 @@
+#include "core/mesh/marching/marching_cubes.h"
+
+#include "core/base/parallel.h"
+#include "core/mesh/marching/cube_tree.h"
+#include "core/mesh/marching/fill_loop.h"
+#include "core/mesh/marching/fold_trim.h"
+#include "core/mesh/marching/relax_mesh.h"
+#include "core/mesh/mesh_attributes.h"
+#include "core/mesh/mesh_repair.h"
+#include "core/process/estimation/part_progress.h"
+#include "core/process/estimation/spacing_sample.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace mesh {
+
+using base::Vec3d, base::Vec3f;
+
+namespace {
+
+constexpr std::size_t bricksPerTask = 64;
+constexpr double margin = 8; ///< in cells, around everything
+
+Lattice latticeFor(const surface::Surface& surface, const MarchingOptions& options) {
+    Lattice out;
+    out.cell = options.cell > 0 ? options.cell : static_cast<double>(process::typicalSpacing(surface.tree()));
+    if (!(out.cell > 0) || !std::isfinite(out.cell))
+        throw base::Error("the model has no spacing to take the cell size from", "", "give a cell size");
+    out.turned = options.turned;
+    const base::Box3f bounds = surface.tree().bounds().inflated(surface.tree().maxSupport());
+    base::Box3d turned;
+    for (int corner = 0; corner < 8; ++corner) {
+        const Vec3f at{corner & 1 ? bounds.hi.x : bounds.lo.x, corner & 2 ? bounds.hi.y : bounds.lo.y,
+                       corner & 4 ? bounds.hi.z : bounds.lo.z};
+        turned.extend(out.turned * base::cast<double>(at));
+    }
+    const Vec3d size = turned.size() / out.cell;
+    if (std::max({size.x, size.y, size.z}) + 4 * margin > Lattice::extent)
+        throw base::Error("the cells are too small for a model of this size", "", "choose larger cells");
+    const Vec3d around = Vec3d{margin, margin, margin} + options.shift;
+    out.origin = transposed(out.turned) * (turned.lo - around * out.cell);
+    return out;
+}
+
+/// Traces loose ends; edges beside those that end in nothing are walked again with care, twice at most.
+LooseEnds settleEnds(SurfaceGrid& grid, std::vector<TracedEnd>& rims, MarchingReport& report,
+                     const base::Progress& progress) {
+    constexpr int rounds = 2;
+    for (int round = 0;; ++round) {
+        std::vector<LooseEnd> ends = looseEnds(grid);
+        const std::vector<TracedEnd> traced = trace(grid, ends, process::part(progress, 0.8, 0.85));
+        std::vector<SurfaceGrid::EdgeName> doubtful;
+        for (std::size_t i = 0; i < ends.size(); ++i)
+            if (traced[i].end != TraceEnd::Limit)
+                for (int side = 0; side < 4; ++side)
+                    doubtful.push_back(GridFace::edge(ends[i].face.place, ends[i].axis, side));
+        if (round < rounds && !doubtful.empty() && grid.reconsider(doubtful, progress))
+            continue;
+        LooseEnds out(grid, std::move(ends), traced);
+        for (const std::uint32_t end : out.rims()) {
+            rims.push_back(traced[end]);
+            ++(traced[end].end == TraceEnd::Limit ? report.limitEnds : report.foldEnds);
+        }
+        return out;
+    }
+}
+
+void addVertices(const SurfaceGrid& grid, std::span<const TracedEnd> rims, Mesh& out) {
+    for (const Crossing& each : grid.crossings()) {
+        out.positions.push_back(each.position);
+        out.normals.push_back(each.normal);
+    }
+    out.kinds.assign(out.positions.size(), VertexKind::Inner);
+    for (const TracedEnd& rim : rims) {
+        out.positions.push_back(rim.position);
+        out.normals.push_back(rim.normal);
+        out.kinds.push_back(rim.end == TraceEnd::Limit ? VertexKind::Limit : VertexKind::Fold);
+    }
+}
+
+/// Triangles of some bricks; middles are numbered from 0 above `middleBit` until all are known.
+struct CubePart {
+    static constexpr std::uint32_t middleBit = 0x80000000u;
+    std::vector<Triangle> triangles;
+    std::vector<Vec3d> middles;
+    std::vector<Vec3f> middleNormals;
+    std::size_t cubes = 0;
+};
+
+class CubeFiller {
+  public:
+    CubeFiller(const Mesh& mesh, bool oriented, CubePart& out) : m_mesh(mesh), m_oriented(oriented), m_out(out) {}
+
+    void fill(const std::vector<Loop>& loops) {
+        for (const Loop& loop : loops)
+            fill(loop);
+        m_out.cubes += loops.empty() ? 0 : 1;
+    }
+
+  private:
+    void fill(const Loop& loop) {
+        m_positions.clear();
+        m_normals.clear();
+        for (const LoopVertex& each : loop) {
+            m_positions.push_back(m_mesh.positions[each.vertex]);
+            m_normals.push_back(m_mesh.normals[each.vertex]);
+        }
+        if (fillLoop({loop, m_positions, m_normals}, m_triangles))
+            addMiddle();
+        const bool turned = m_oriented && facing() < 0;
+        for (const auto& t : m_triangles) {
+            const Triangle named{name(loop, t[0]), name(loop, t[1]), name(loop, t[2])};
+            m_out.triangles.push_back(turned ? Triangle{named[0], named[2], named[1]} : named);
+        }
+    }
+
+    void addMiddle() {
+        const double count = static_cast<double>(m_positions.size());
+        const Vec3d middle = std::accumulate(m_positions.begin(), m_positions.end(), Vec3d{}) / count;
+        Vec3f normal = m_normals[0];
+        for (const Vec3f& each : m_normals)
+            normal += dot(each, m_normals[0]) < 0 ? -each : each;
+        m_positions.push_back(middle);
+        m_normals.push_back(base::normalized(normal, m_normals[0]));
+        m_out.middles.push_back(middle);
+        m_out.middleNormals.push_back(m_normals.back());
+    }
+    /// Above zero where triangles run around the normals.
+    double facing() const {
+        double sum = 0;
+        for (const auto& t : m_triangles) {
+            const auto [i, j, k] = std::tuple(std::size_t(t[0]), std::size_t(t[1]), std::size_t(t[2]));
+            const Vec3d area = cross(m_positions[j] - m_positions[i], m_positions[k] - m_positions[i]);
+            sum += dot(area, base::cast<double>(m_normals[i] + m_normals[j] + m_normals[k]));
+        }
+        return sum;
+    }
+    std::uint32_t name(const Loop& loop, int i) const {
+        return std::size_t(i) < loop.size()
+                   ? loop[std::size_t(i)].vertex
+                   : CubePart::middleBit | static_cast<std::uint32_t>(m_out.middles.size() - 1);
+    }
+
+    const Mesh& m_mesh;
+    bool m_oriented;
+    CubePart& m_out;
+    std::vector<Vec3d> m_positions;
+    std::vector<Vec3f> m_normals;
+    std::vector<std::array<int, 3>> m_triangles;
+};
+
+/// Cubes of the grid's own size, but those that `covered` says are part of larger ones.
+template <class Covered>
+std::vector<CubePart> fillCubes(const SurfaceGrid& grid, const LooseEnds& loose, const Mesh& mesh,
+                                const Covered& covered) {
+    const SparseSet& nodes = grid.nodes();
+    std::vector<CubePart> parts(base::chunkCount(nodes.bricks().size(), bricksPerTask));
+    const auto fill = [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+        CubeFiller filler(mesh, grid.setting().oriented, parts[chunk]);
+        std::vector<Loop> loops;
+        for (std::size_t b = begin; b < end; ++b) {
+            const Neighbourhood around(nodes, static_cast<std::uint32_t>(b));
+            nodes.forPlaces(static_cast<std::uint32_t>(b), [&](const Place& p, std::uint32_t) {
+                if (covered(p))
+                    return;
+                loopsOf(grid, loose, around, p, loops);
+                filler.fill(loops);
+            });
+        }
+    };
+    base::parallelChunks(nodes.bricks().size(), bricksPerTask, fill);
+    return parts;
+}
+
+/// The larger ones.
+std::vector<CubePart> fillLargeCubes(const CubeTree& tree, int level, bool oriented, const Mesh& mesh) {
+    constexpr std::size_t cubesPerTask = 1024;
+    const std::vector<Place>& places = tree.large()[std::size_t(level)];
+    std::vector<CubePart> parts(base::chunkCount(places.size(), cubesPerTask));
+    base::parallelChunks(places.size(), cubesPerTask, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+        CubeFiller filler(mesh, oriented, parts[chunk]);
+        std::vector<Loop> loops;
+        for (std::size_t i = begin; i < end; ++i) {
+            tree.loopsOf(places[i], level, loops);
+            filler.fill(loops);
+        }
+    });
+    return parts;
+}
+
+void addParts(const std::vector<CubePart>& parts, Mesh& out, MarchingReport& report) {
+    for (const CubePart& part : parts) {
+        const auto first = static_cast<std::uint32_t>(out.positions.size());
+        out.positions.insert(out.positions.end(), part.middles.begin(), part.middles.end());
+        out.normals.insert(out.normals.end(), part.middleNormals.begin(), part.middleNormals.end());
+        out.kinds.resize(out.positions.size(), VertexKind::Inner);
+        report.cubes += part.cubes;
+        for (Triangle t : part.triangles) {
+            for (std::uint32_t& v : t)
+                if (v & CubePart::middleBit)
+                    v = first + (v & ~CubePart::middleBit);
+            out.triangles.push_back(t);
+        }
+    }
+}
+
+/// Triangles as cubes make them, each loop facing as its normals do.
+Mesh cutMesh(const surface::Surface& surface, const MarchingOptions& options, MarchingReport& report,
+             const base::Progress& progress) {
+    const Lattice lattice = latticeFor(surface, options);
+    report.cell = lattice.cell;
+    SurfaceGrid grid(surface, lattice);
+    grid.build(process::part(progress, 0, 0.8));
+    std::vector<TracedEnd> rims;
+    const LooseEnds loose = settleEnds(grid, rims, report, progress);
+    progress.step(0.85, "filling cubes");
+    Mesh out;
+    addVertices(grid, rims, out);
+    report.largestCell = lattice.cell;
+    if (!(options.adaptive > 0)) {
+        addParts(fillCubes(grid, loose, out, [](const Place&) { return false; }), out, report);
+        return out;
+    }
+    const CubeTree tree(grid, loose.ends(), options.adaptive);
+    addParts(fillCubes(grid, loose, out, [&](const Place& p) { return tree.covered(p); }), out, report);
+    for (int level = 1; level < static_cast<int>(tree.large().size()); ++level) {
+        addParts(fillLargeCubes(tree, level, grid.setting().oriented, out), out, report);
+        if (!tree.large()[std::size_t(level)].empty())
+            report.largestCell = lattice.cell * (1 << level);
+    }
+    dropUnused(out);
+    return out;
+}
+
+RelaxOptions shapingOf(const MarchingOptions& options, const MarchingReport& report) {
+    return {options.relax ? 2 : 0, 0.7, report.cell, {}};
+}
+
+/// Loops at folds are closed, and triangles shaped that are near those.
+std::vector<std::uint32_t> close(Mesh& mesh, const surface::Surface& surface, const FoldClosing& closing,
+                                 RelaxOptions shaping, const base::Progress& progress) {
+    shaping.about = closeFolds(mesh, surface, closing);
+    if (!shaping.about.empty())
+        relax(mesh, surface, shaping, progress);
+    return shaping.about;
+}
+
+/// Short loops are closed where the surface is there, what cuts other triangles is left out, and what is still open
+/// closed on request.
+void finishFolds(Mesh& mesh, const surface::Surface& surface, const MarchingOptions& options, MarchingReport& report,
+                 const base::Progress& progress) {
+    const RelaxOptions shaping = shapingOf(options, report);
+    FoldClosing closing{report.cell, false, options.longestFold};
+    const auto middles = close(mesh, surface, closing, shaping, process::part(progress, 0, 0.4));
+    report.foldsClosed = middles.size() - reopenCut(mesh, middles, report.cell);
+    report.trimmed = trimFolds(mesh, report.cell);
+    closing.everyLoop = true;
+    if (options.closeFolds)
+        report.foldsClosed += close(mesh, surface, closing, shaping, process::part(progress, 0.4, 1)).size();
+}
+
+} // namespace
+
+Mesh marchingCubes(const surface::Surface& surface, const MarchingOptions& options, MarchingReport& report,
+                   const base::Progress& progress) {
+    if (surface.definition().manifold == surface::Manifold::Curve)
+        throw base::Error("curves have no surface to mesh", "", "choose the manifold 'surface'");
+    if (surface.tree().empty())
+        throw base::Error("the model has no surfels");
+    report = {};
+    Mesh out = cutMesh(surface, options, report, process::part(progress, 0, 0.7));
+    if (out.triangles.empty())
+        throw base::Error("no surface was found to mesh", "", "check normals, supports and the boundary limit");
+    progress.step(0.7, "orienting triangles");
+    const Orientation orientation = orient(out, WalkSetting(surface).oriented);
+    report.parityConflicts = orientation.conflicts;
+    report.pieces = orientation.pieceSizes.size();
+    report.smallPieces =
+        static_cast<std::size_t>(std::count_if(orientation.pieceSizes.begin(), orientation.pieceSizes.end(),
+                                               [&](std::uint32_t size) { return size < options.smallPiece; }));
+    if (options.dropSmall)
+        dropSmallPieces(out, orientation, options.smallPiece);
+    relax(out, surface, shapingOf(options, report), process::part(progress, 0.75, 0.93));
+    finishFolds(out, surface, options, report, process::part(progress, 0.93, 0.95));
+    takeAttributes(out, surface);
+    progress.step(1, "shaping triangles");
+    return out;
+}
+
+} // namespace mesh

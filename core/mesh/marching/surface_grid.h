@@ -1,0 +1,76 @@
+// The cubes near the surface, the values at their nodes and the crossings of their edges. Internal to the room.
+//
+// Looked for from the surfels outwards: the cubes that the surfels' own small discs of surface pass through, and then,
+// round after round, all four cubes about every edge that crosses, until no crossing lacks a cube. So nothing is
+// evaluated but corners of cubes that the surface passes through, and what floats away from all surfels is not found.
+//
+// Numbers of nodes and crossings follow the order of bricks (sparse_set.h): the same at any thread count.
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/mesh/marching/edge_walk.h"
+#include "core/mesh/marching/sparse_set.h"
+
+namespace mesh {
+
+class SurfaceGrid {
+  public:
+    /// Of an edge's number of crossing: not looked at yet, looked at and none.
+    static constexpr std::uint32_t unknown = 0xffffffffu, none = 0xfffffffeu;
+
+    SurfaceGrid(const surface::Surface& surface, const Lattice& lattice);
+
+    /// Throws base::Cancelled, base::Error where there are more nodes than can be numbered.
+    void build(const base::Progress& progress);
+
+    const surface::Surface& surface() const { return m_surface; }
+    const WalkSetting& setting() const { return m_setting; }
+    const Lattice& lattice() const { return m_lattice; }
+    const SparseSet& nodes() const { return m_nodes; }
+    const NodeValue& value(std::uint32_t node) const { return m_values[node]; }
+    /// Of the edge from a node along an axis: below `none` where there is a crossing.
+    std::uint32_t crossingOf(std::uint32_t node, int axis) const { return m_edges[3 * std::size_t(node) + axis]; }
+    const std::vector<Crossing>& crossings() const { return m_crossings; }
+
+    /// Walks edges again in short steps, and takes their crossings or none for what is found. Returns whether any
+    /// changed; the grid is complete again.
+    struct EdgeName {
+        Place node;
+        int axis = 0;
+    };
+    bool reconsider(std::span<const EdgeName> edges, const base::Progress& progress);
+
+  private:
+    struct Job {
+        Place node;
+        std::uint32_t first = 0, last = 0; ///< ranks of its ends
+        int axis = 0;
+    };
+    std::vector<BrickBits> discs(const base::Progress& progress) const;
+    void complete(std::vector<BrickBits> cubes, const base::Progress& progress);
+    void add(std::vector<BrickBits> cubes);
+    void evaluateNodes(const base::Progress& progress);
+    std::vector<Job> openEdges();
+    struct Found {
+        std::size_t job = 0;
+        Crossing crossing;
+    };
+    Edge edgeOf(const Place& node, int axis) const {
+        return {m_lattice.at(node), m_lattice.direction(axis), m_lattice.cell};
+    }
+    std::vector<Found> walk(std::span<const Job> jobs, Care care, const base::Progress& progress) const;
+    std::vector<Job> take(std::span<const Job> jobs, std::span<const Found> found);
+    std::vector<BrickBits> cubesAbout(std::span<const Job> jobs) const;
+    void number();
+
+    const surface::Surface& m_surface;
+    WalkSetting m_setting;
+    Lattice m_lattice;
+    SparseSet m_nodes;
+    std::vector<NodeValue> m_values;
+    std::vector<std::uint8_t> m_known; ///< is the value of the node there?
+    std::vector<std::uint32_t> m_edges;
+    std::vector<Crossing> m_crossings;
+};
+
+} // namespace mesh

@@ -1,0 +1,97 @@
+#include "core/process/estimation/normals.h"
+
+#include "core/base/mat3.h"
+#include "core/process/estimation/normals_of.h"
+#include "core/process/estimation/part_progress.h"
+
+namespace process {
+
+namespace {
+
+/// Reach of the weight over the distance of the farthest neighbour: beyond 1, so that the farthest counts too.
+constexpr double reachOverFarthest = 1.4;
+
+/// Eigenvector of the least eigenvalue of a positive semidefinite matrix. It is the greatest one's of the cofactor
+/// matrix, which squaring leaves alone and everything else dies from: three times as fast as the full decomposition.
+base::Vec3d leastDirection(const base::Mat3d& c) {
+    base::Mat3d a = base::cofactor(c);
+    const double t = base::trace(c);
+    double scale = base::trace(a);
+    if (!(scale > 1e-9 * t * t)) // collinear: the cofactors are rounding
+        return base::symmetricEigen(c).vector[0];
+    a *= 1 / scale;
+    for (int squarings = 0; squarings < 30 && !(scale > 1 - 1e-10 && squarings > 0); ++squarings) {
+        a = a * a;
+        scale = base::trace(a); // 1 once all but one direction are gone
+        a *= 1 / scale;
+    }
+    const int k = a[0][0] >= a[1][1] && a[0][0] >= a[2][2] ? 0 : a[1][1] >= a[2][2] ? 1 : 2;
+    return base::normalized(base::Vec3d{a[k][0], a[k][1], a[k][2]}, {0, 0, 1});
+}
+
+/// Least direction of the Wendland-weighted covariance about the weighted mean (alg. 2.4, cov_m), relative to the
+/// position itself.
+base::Vec3f planeNormal(std::span<const base::Vec3f> positions, std::size_t i, const Neighbours& near) {
+    const double reachSq = reachOverFarthest * reachOverFarthest * static_cast<double>(near.distanceSq.back());
+    double w = 1, sum[3] = {}, xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0; // the position itself: weight 1 at 0
+    for (std::size_t k = 0; k < near.size(); ++k) {
+        const base::Vec3d q = base::cast<double>(positions[near.index[k]] - positions[i]);
+        const double r = std::sqrt(static_cast<double>(near.distanceSq[k]) / reachSq), u = 1 - r;
+        const double weight = u * u * u * u * (4 * r + 1);
+        const base::Vec3d v = q * weight;
+        w += weight;
+        sum[0] += v.x, sum[1] += v.y, sum[2] += v.z;
+        xx += v.x * q.x, xy += v.x * q.y, xz += v.x * q.z, yy += v.y * q.y, yz += v.y * q.z, zz += v.z * q.z;
+    }
+    const base::Vec3d m{sum[0] / w, sum[1] / w, sum[2] / w};
+    base::Mat3d c;
+    c[0][0] = xx - w * m.x * m.x, c[0][1] = c[1][0] = xy - w * m.x * m.y, c[0][2] = c[2][0] = xz - w * m.x * m.z;
+    c[1][1] = yy - w * m.y * m.y, c[1][2] = c[2][1] = yz - w * m.y * m.z, c[2][2] = zz - w * m.z * m.z;
+    return base::normalized(base::cast<float>(leastDirection(c)), {0, 0, 1});
+}
+
+void setFlags(surfel::SurfelList& points, bool oriented) {
+    auto layout = std::make_shared<surfel::AttributeLayout>(*points.layout);
+    layout->normals = true;
+    layout->oriented = oriented;
+    points.layout = std::move(layout);
+}
+
+} // namespace
+
+std::vector<base::Vec3f> normalsOf(const Cloud& cloud, int neighbours, const base::Progress& progress) {
+    std::vector<base::Vec3f> out(cloud.size(), {0, 0, 1});
+    if (cloud.size() > 2)
+        cloud.forEach(static_cast<std::size_t>(neighbours), progress, "Estimating normals",
+                      [&](std::size_t i, const Neighbours& near) { out[i] = planeNormal(cloud.positions(), i, near); });
+    return out;
+}
+
+void estimateNormals(surfel::SurfelList& points, int neighbours, const base::Progress& progress) {
+    const Cloud cloud(points.items, part(progress, 0, 0.2));
+    const std::vector<base::Vec3f> normals = normalsOf(cloud, neighbours, part(progress, 0.2, 1));
+    for (std::size_t i = 0; i < points.size(); ++i)
+        points.items[i].normal = normals[cloud.places()[i]];
+    setFlags(points, false);
+}
+
+bool orientNormals(surfel::SurfelList& points, int neighbours, const base::Progress& progress) {
+    const Cloud cloud(points.items, part(progress, 0, 0.2));
+    std::vector<base::Vec3f> normals(cloud.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+        normals[cloud.places()[i]] = points.items[i].normal;
+    if (!orient(cloud, normals, neighbours, part(progress, 0.2, 1))) {
+        setFlags(points, false);
+        return false;
+    }
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        // Coincident points may differ in their normals: each one turns towards what its place decided.
+        base::Vec3f& n = points.items[i].normal;
+        if (base::dot(n, normals[cloud.places()[i]]) < 0)
+            n = -n;
+    }
+    setFlags(points, true);
+    return true;
+}
+
+} // namespace process

@@ -1,0 +1,15 @@
+// Normals of the distinct positions of a cloud, for work that has the cloud already.
+#pragma once
+
+#include "core/process/estimation/knn.h"
+
+namespace process {
+
+/// Unit normals without a meaningful sign, one per position.
+std::vector<base::Vec3f> normalsOf(const Cloud& cloud, int neighbours = 18, const base::Progress& progress = {});
+/// Flips unit normals in place so that they agree over the surface. False where they cannot: along some seam neighbours
+/// that are certain of each other end up opposite, as on a Moebius strip.
+bool orient(const Cloud& cloud, std::span<base::Vec3f> normals, int neighbours = 12,
+            const base::Progress& progress = {});
+
+} // namespace process

@@ -1,0 +1,36 @@
+#include "core/process/estimation/spacing.h"
+
+#include "core/process/estimation/part_progress.h"
+#include "core/process/estimation/spacing_of.h"
+#include "core/process/estimation/spacing_sample.h"
+
+#include <algorithm>
+
+namespace process {
+
+std::vector<float> spacingsOf(const Cloud& cloud, const base::Progress& progress) {
+    std::vector<float> out(cloud.size());
+    cloud.forEach(6, progress, "Measuring spacing",
+                  [&](std::size_t i, const Neighbours& near) { out[i] = spacingFromRing(near.distanceSq); });
+    return out;
+}
+
+std::vector<float> spacings(std::span<const surfel::Surfel> points, const base::Progress& progress) {
+    const Cloud cloud(points, part(progress, 0, 0.3));
+    const std::vector<float> at = spacingsOf(cloud, part(progress, 0.3, 1));
+    std::vector<float> out(points.size());
+    for (std::size_t i = 0; i < out.size(); ++i)
+        out[i] = at[cloud.places()[i]];
+    return out;
+}
+
+Summary summarise(std::vector<float> values) {
+    if (values.empty())
+        return {};
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    const auto [least, most] = std::minmax_element(values.begin(), values.end());
+    return {*least, *middle, *most};
+}
+
+} // namespace process

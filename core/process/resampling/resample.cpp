@@ -1,0 +1,88 @@
+#include "core/process/resampling/resample.h"
+
+#include "core/process/resampling/resample_set.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace process {
+
+static float supportsPerSpacing(const surface::SurfaceDefinition& definition) {
+    const float h = definition.unitInSpacings();
+    return definition.weight == surface::Weight::Gaussian ? h * surface::gaussianScale * surface::gaussianReach : h;
+}
+
+float supportOf(const surface::SurfaceDefinition& definition, float spacing) {
+    if (definition.support <= 0)
+        return spacing * supportsPerSpacing(definition);
+    return definition.weight == surface::Weight::Gaussian ? definition.support * surface::gaussianReach
+                                                          : definition.support;
+}
+
+float spacingOf(const surface::SurfaceDefinition& definition, float support) {
+    return support / supportsPerSpacing(definition);
+}
+
+/// The steps after which no gap and no close pair is left among what was touched.
+static void mergeAndFill(SampleSet& set, ScanResult& found, float distance, std::size_t& firstNew) {
+    dropStrays(set, found.strays);
+    merge(set, found.pairs, distance);
+    std::erase_if(found.gaps, [&](const Gap& gap) { return set.is(gap.from, Gone) || set.is(gap.from, Scan); });
+    std::vector<Gap> more = scan(set).gaps; // around what went
+    std::vector<Gap> gaps;
+    std::merge(found.gaps.begin(), found.gaps.end(), more.begin(), more.end(), std::back_inserter(gaps),
+               [](const Gap& a, const Gap& b) { return std::tie(a.from, a.k) < std::tie(b.from, b.k); });
+    firstNew = fill(set, std::move(gaps));
+}
+
+static bool changed(const SampleSet& set) {
+    return std::any_of(set.flags.begin(), set.flags.end(), [](std::uint8_t f) { return (f & (Moved | Gone)) != 0; });
+}
+
+tree::Edit resample(const surface::Surface& version, const tree::Selection& touched, const ResampleOptions& options,
+                    const surface::Surface& frozen) {
+    if (touched.empty() || !(options.spacing > 0))
+        return {};
+    // mu = 0 erodes whatever is put back on it; the samples themselves carry the form with 1/2 (RESAMPLING 2).
+    surface::SurfaceDefinition definition = frozen.definition();
+    definition.shrinkFree = true;
+    const surface::Surface ground(frozen.tree(), definition);
+
+    const tree::Selection restless = restlessOf(version, touched, options);
+    if (restless.empty() && !options.relaxAll)
+        return {};
+    SampleSet set(version, touched, restless, options, ground);
+    ScanResult found = scan(set);
+    std::size_t firstNew = 0;
+    const float closeSq = closeDistance * closeDistance;
+    mergeAndFill(set, found, options.merge, firstNew);
+    set.options.merge = mergeDistance;
+    std::erase_if(found.pairs, [&](const ClosePair& pair) { return pair.distanceSq >= closeSq; });
+    wake(set, found.pairs, firstNew);
+    relax(set);
+    if (!changed(set))
+        return {};
+    set.rebuildGrid();
+    set.scanNearMoved(fillReach + relaxStep);
+    found = scan(set);
+    mergeAndFill(set, found, mergeDistance, firstNew);
+    return settle(set);
+}
+
+tree::Edit resample(const surface::Surface& version, const tree::Selection& touched, const ResampleOptions& options) {
+    return resample(version, touched, options, version);
+}
+
+tree::Selection selectAll(const tree::SurfelTree& tree) {
+    tree::Selection out;
+    tree.forEachBlock([&](std::uint32_t number, const surfel::SurfelBlock& block) {
+        tree::SelectedBlock all{number, {}};
+        for (int slot = 0; slot < block.size(); ++slot)
+            all.slots.set(static_cast<std::size_t>(slot));
+        out.push_back(all);
+    });
+    return out;
+}
+
+} // namespace process

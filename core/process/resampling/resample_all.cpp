@@ -1,0 +1,138 @@
+// Resampling of a whole model to a spacing.
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/process/estimation/spacing.h"
+#include "core/process/resampling/resample_set.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace process {
+
+/// The spacing changes by at most this factor at a time: fill looks for room one spacing away, not ten.
+constexpr float largestChange = 1.5f;
+/// Pairs closer than this part of the spacing lose one to begin with.
+constexpr float thinning = 1.3f;
+/// An even sampling passes as good enough though it is finer, or up to a quarter coarser; then it has to be thinned
+/// before it is filled. What has the spacing already stays.
+static bool passesUnseen(float ratio) {
+    return ratio < 1.25f && std::abs(ratio - 1) > 0.05f;
+}
+
+/// More surfels than this are asked for by mistake.
+constexpr double mostSurfels = 2e8;
+
+static void check(const surface::Surface& surface, float spacing, float present) {
+    if (!(spacing > 0) || !std::isfinite(spacing))
+        throw base::Error("spacing must be a length greater than 0", "resample");
+    const double ratio = double(present) / double(spacing);
+    const double count = double(surface.tree().size()) * ratio * ratio;
+    if (count > mostSurfels)
+        throw base::Error("that spacing would make about " + std::to_string(std::llround(count / 1e6)) +
+                              " million surfels",
+                          "resample", "choose a wider one");
+}
+
+/// The same surfels with supports by their places.
+template <class SupportAt>
+static tree::SurfelTree withSupports(const tree::SurfelTree& tree, const SupportAt& supportAt) {
+    tree::Edit edit;
+    tree.forEachBlock([&](std::uint32_t number, const surfel::SurfelBlock&) {
+        edit.blocks.push_back({number, {}, {}});
+    });
+    base::parallelFor(edit.blocks.size(), 16, [&](std::size_t i) {
+        const surfel::MutableBlockPtr changed = tree.block(edit.blocks[i].block)->clone();
+        for (int slot = 0; slot < changed->size(); ++slot)
+            changed->channel(slot / surfel::clusterSize, surfel::Support)[slot % surfel::clusterSize] =
+                supportAt(changed->position(slot));
+        changed->seal();
+        edit.blocks[i].changed = changed;
+    });
+    edit.inserted.layout = tree.layout();
+    return tree.apply(edit);
+}
+
+/// Rounds at one spacing, or field, until nothing changes.
+static void rounds(ResampleResult& out, const surface::Surface& ground, ResampleOptions options, bool thin,
+                   int maxRounds, const std::function<void(double)>& step) {
+    out.settled = false;
+    for (int round = 0; round < maxRounds && !out.settled; ++round) {
+        step(double(round) / maxRounds);
+        options.merge = round == 0 && thin ? thinning : mergeDistance;
+        const tree::Edit edit = resample(out.surface, selectAll(out.surface.tree()), options, ground);
+        out.settled = edit.empty();
+        out.surface = {out.surface.tree().apply(edit), ground.definition()};
+        ++out.rounds;
+    }
+}
+
+static int changesFor(double ratio) {
+    return std::max(1, static_cast<int>(std::ceil(std::abs(std::log(ratio)) / std::log(double(largestChange)) - 0.01)));
+}
+
+ResampleResult resampleAll(const surface::Surface& surface, float spacing, int maxRounds,
+                           const base::Progress& progress) {
+    ResampleResult out{surface, 0, false};
+    if (surface.tree().empty())
+        return out;
+    progress.step(0, "Measuring spacing");
+    const float present = summarise(spacings(surface.tree().surfels().items, progress)).median;
+    check(surface, spacing, present);
+    const int changes = changesFor(double(spacing) / double(present));
+    float was = present;
+    for (int change = 1; change <= changes; ++change) {
+        ResampleOptions options;
+        const float share = static_cast<float>(change) / static_cast<float>(changes);
+        options.spacing = change == changes ? spacing : present * std::pow(spacing / present, share);
+        options.support = supportOf(surface.definition(), options.spacing);
+        rounds(out, surface, options, passesUnseen(was / options.spacing), maxRounds,
+               [&](double done) { progress.step((double(change - 1) + done) / changes, "Resampling"); });
+        was = options.spacing;
+    }
+    const float support = supportOf(surface.definition(), spacing);
+    out.surface = {withSupports(out.surface.tree(), [&](const base::Vec3f&) { return support; }), surface.definition()};
+    progress.step(1, "Resampling");
+    return out;
+}
+
+/// Where the spacing was `present` and shall be the field's, what it is on the way, after a share of it.
+static std::shared_ptr<const SpacingField> onTheWay(const surfel::SurfelList& list, const SpacingField& field,
+                                                    float present, float share) {
+    std::vector<float> targets(list.size());
+    base::parallelFor(targets.size(), 256, [&](std::size_t i) {
+        targets[i] = present * std::pow(field.at(list.items[i].position) / present, share);
+    });
+    return std::make_shared<SpacingField>(list, std::move(targets));
+}
+
+ResampleResult resampleByCurvature(const surface::Surface& surface, const CurvatureSpacing& by, int maxRounds,
+                                   const base::Progress& progress) {
+    ResampleResult out{surface, 0, false};
+    if (surface.tree().empty())
+        return out;
+    if (!(by.tolerance > 0) || !(by.finest > 0) || !(by.coarsest >= by.finest) || !std::isfinite(by.coarsest))
+        throw base::Error("spacing by curvature asks for a tolerance and limits greater than 0", "resample",
+                          "the finest must not be wider than the coarsest");
+    const surfel::SurfelList list = surface.tree().surfels();
+    const float present = summarise(spacings(list.items, progress)).median;
+    check(surface, by.finest, present);
+    const auto field = std::make_shared<const SpacingField>(SpacingField::byCurvature(surface, by, progress));
+    const int changes = std::max(changesFor(double(field->finest()) / double(present)),
+                                 changesFor(double(field->coarsest()) / double(present)));
+    for (int change = 1; change <= changes; ++change) {
+        ResampleOptions options;
+        options.field = change == changes
+                            ? field
+                            : onTheWay(list, *field, present, static_cast<float>(change) / static_cast<float>(changes));
+        options.spacing = options.field->coarsest();
+        rounds(out, surface, options, change == changes, maxRounds,
+               [&](double done) { progress.step((double(change - 1) + done) / changes, "Resampling"); });
+    }
+    const auto supportAt = [&](const base::Vec3f& p) { return supportOf(surface.definition(), field->at(p)); };
+    out.surface = {withSupports(out.surface.tree(), supportAt), surface.definition()};
+    progress.step(1, "Resampling");
+    return out;
+}
+
+} // namespace process

@@ -1,0 +1,110 @@
+#include "core/base/parallel.h"
+#include "core/process/resampling/resample_land.h"
+#include "core/process/resampling/resample_set.h"
+#include "core/surface/evaluation/packets.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace process {
+
+namespace {
+
+/// Landings for a gap are for its place only; settling makes them exact.
+constexpr int steps = 6;
+constexpr float tolerance = 1e-3f; ///< in spacings
+/// In units of h: they come down within it.
+constexpr float packetSlack = 0.2f;
+/// Sum of the normals over the sum of the weights below which sheets mix: what grows there grows inside out.
+constexpr float leastAgreement = 0.5f;
+
+/// Does anything that faces as `n` lie within `radius` of x?
+bool occupied(const SampleSet& set, const PointGrid& grid, const base::Vec3f& x, const base::Vec3f& n, float radius) {
+    bool found = false;
+    grid.forNear(x, radius, [&](const PointGrid::Entry& e) {
+        found |= !set.is(e.index, Gone) && distanceSq(e.position, x) < radius * radius &&
+                 set.facing.same(n, set.normal[e.index]);
+    });
+    return found;
+}
+
+/// Would a sample there stand alone among others that face elsewhere?
+bool stray(const SampleSet& set, const base::Vec3f& x, const base::Vec3f& n, float radius) {
+    int alike = 0, others = 0;
+    set.grid.forNear(x, radius, [&](const PointGrid::Entry& e) {
+        if (!set.is(e.index, Gone) && distanceSq(e.position, x) < radius * radius)
+            ++(set.facing.same(n, set.normal[e.index]) ? alike : others);
+    });
+    return isStray(alike, others);
+}
+
+bool acceptable(const SampleSet& set, const Gap& gap, const Landing& y) {
+    const base::Vec3f n = set.normal[gap.from];
+    const float stray = fillStray * set.target[gap.from];
+    return y.ok && distanceSq(y.place, gap.place) <= stray * stray && y.at.agreement >= leastAgreement &&
+           set.facing.same(n, y.gradient) && y.at.offCentre <= set.grown * y.at.unit;
+}
+
+/// Takes out what something stands in by now, or whose surfel is gone.
+void dropClosed(const SampleSet& set, std::vector<Gap>& gaps) {
+    std::vector<std::uint8_t> closed(gaps.size());
+    base::parallelFor(gaps.size(), 128, [&](std::size_t k) {
+        const Gap& gap = gaps[k];
+        const float clear = fillClear * set.target[gap.from];
+        closed[k] = set.is(gap.from, Gone) || occupied(set, set.grid, gap.place, set.normal[gap.from], clear) ? 1 : 0;
+    });
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < gaps.size(); ++k)
+        if (!closed[k])
+            gaps[kept++] = gaps[k];
+    gaps.resize(kept);
+}
+
+/// Takes from `gaps`, in order, a largest set of places that are apart: one answer then serves all around it.
+std::vector<Gap> takeApart(SampleSet& set, std::vector<Gap>& gaps) {
+    std::vector<Gap> taken, left;
+    PointGrid places(set.version.tree().bounds().centre(), fillReach * set.spacing);
+    for (const Gap& gap : gaps) {
+        const float apart = fillClear * set.target[gap.from];
+        bool alone = true;
+        places.forNear(gap.place, apart, [&](const PointGrid::Entry& e) {
+            alone &= distanceSq(e.position, gap.place) >= apart * apart ||
+                     !set.facing.same(set.normal[gap.from], set.normal[e.index]);
+        });
+        if (alone)
+            places.insert({gap.place, gap.from}), taken.push_back(gap);
+        else
+            left.push_back(gap);
+    }
+    gaps = std::move(left);
+    return taken;
+}
+
+} // namespace
+
+std::size_t fill(SampleSet& set, std::vector<Gap> gaps) {
+    const std::size_t first = set.size();
+    while (!gaps.empty()) {
+        dropClosed(set, gaps);
+        const std::vector<Gap> asked = takeApart(set, gaps);
+        std::vector<Landing> found(asked.size());
+        std::vector<base::Vec3f> places(asked.size());
+        for (std::size_t i = 0; i < asked.size(); ++i)
+            places[i] = asked[i].place;
+        surface::forPackets(set.frozen, places, packetSlack, [&](surface::Source& source, std::size_t i) {
+            const float target = set.target[asked[i].from];
+            found[i] = land(source, places[i], set.normal[asked[i].from], steps, tolerance * target);
+            found[i].ok = found[i].ok && !stray(set, found[i].place, found[i].gradient, fillReach * target);
+        });
+        for (std::size_t i = 0; i < asked.size(); ++i) {
+            if (!acceptable(set, asked[i], found[i]))
+                continue;
+            const base::Vec3f n = set.normal[asked[i].from];
+            if (!occupied(set, set.grid, found[i].place, n, fillApart * set.target[asked[i].from]))
+                set.bear(found[i].place, dot(found[i].gradient, n) < 0 ? -found[i].gradient : found[i].gradient);
+        }
+    }
+    return first;
+}
+
+} // namespace process

@@ -1,0 +1,36 @@
+#include "core/process/resampling/resample_land.h"
+
+#include <cmath>
+
+namespace process {
+
+/// Below this slope f says nothing about distance (RESAMPLING 7 counts it as outside).
+constexpr float flattest = 0.05f;
+
+float centredValue(const surface::Surface& surface, const base::Vec3f& x, const surface::Evaluationf& e) {
+    const base::Vec3f off = x - e.centroid;
+    return e.value + (1 - surface.definition().mu()) * dot(off, e.normalGradient * off);
+}
+
+Landing land(surface::Source& source, const base::Vec3f& x0, const base::Vec3f& hint, int steps, float tolerance) {
+    Landing out;
+    out.place = x0;
+    for (int k = 0; k < steps; ++k) {
+        out.at = source.evaluate(out.place, surface::Need::Gradient, {hint});
+        const float slope = length(out.at.gradient);
+        const bool there = out.at.status == surface::Status::Ok || out.at.status == surface::Status::BeyondBoundary;
+        if (!there || !(slope > flattest))
+            return out;
+        out.gradient = out.at.gradient / slope;
+        const float value = centredValue(source.surface(), out.place, out.at) / slope;
+        const base::Vec3f next = x0 - out.gradient * (value + dot(out.gradient, x0 - out.place));
+        const float step = distance(next, out.place);
+        out.place = next;
+        out.ok = true;
+        if (step <= tolerance)
+            break;
+    }
+    return out;
+}
+
+} // namespace process

@@ -1,0 +1,29 @@
+// Landing on the frozen surface from nearby: gradient-orthogonal Newton steps, with the bias term. Internal to
+// resample.
+//
+//     y <- x0 - g (f_c + g.(x0 - y)) / |g|^2,    f_c = f + (1 - mu) e^T (grad n) e,   e = y - c(y)
+//
+// f_c is what f would be were the samples centred around y: it removes the drift that projection of uneven samples has
+// left in the symmetric form (RESAMPLING, section 2).
+#pragma once
+
+#include "core/surface/evaluation/source.h"
+
+namespace process {
+
+struct Landing {
+    bool ok = false;
+    base::Vec3f place;
+    base::Vec3f gradient; ///< unit, at the last place evaluated
+    surface::Evaluationf at;
+};
+
+/// f_c of an evaluation at x with gradient.
+float centredValue(const surface::Surface& surface, const base::Vec3f& x, const surface::Evaluationf& e);
+
+/// At most `steps` steps from x0, until one is shorter than `tolerance` (model units). Not ok: no surface there.
+/// REQUIRES: steps >= 1.
+/// What lands with one source one after the other should lie side by side.
+Landing land(surface::Source& source, const base::Vec3f& x0, const base::Vec3f& hint, int steps, float tolerance);
+
+} // namespace process

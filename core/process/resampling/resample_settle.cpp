@@ -1,0 +1,148 @@
+#include "core/base/parallel.h"
+#include "core/process/resampling/resample_blend.h"
+#include "core/process/resampling/resample_land.h"
+#include "core/process/resampling/resample_set.h"
+#include "core/surface/evaluation/packets.h"
+
+#include <cmath>
+
+namespace process {
+
+namespace {
+
+constexpr int steps = 12;
+constexpr float tolerance = 1e-5f; ///< of the support
+/// In units of h: they lie near the surface already.
+constexpr float packetSlack = 0.1f;
+constexpr std::size_t grain = 32;
+
+/// What becomes of one sample that moved or is new.
+struct Settled {
+    surfel::Surfel surfel;
+    std::vector<std::uint32_t> words;
+};
+
+/// The smallest rotation that takes the unit vector a to b, applied to v.
+base::Vec3f rotated(const base::Vec3f& v, const base::Vec3f& a, const base::Vec3f& b) {
+    const float c = dot(a, b);
+    if (c < -0.999f)
+        return v; // no smallest one
+    const base::Vec3f h = a + b;
+    return v - h * (dot(h, v) / (1 + c)) + b * (2 * dot(a, v));
+}
+
+/// A normal that leans further than this from the surface belongs to a fold; then the surface's own takes its place.
+constexpr float leastUpright = 0.5f;
+base::Vec3f upright(const base::Vec3f& n, const base::Vec3f& g) {
+    return dot(n, g) < leastUpright ? g : n;
+}
+
+/// Landings of all samples that need one; those that find no surface go back to where they were, or go.
+std::vector<std::uint32_t> landAll(SampleSet& set, std::vector<Landing>& landings) {
+    std::vector<std::uint32_t> out;
+    for (std::uint32_t i = 0; i < set.size(); ++i)
+        if (set.is(i, Moved) && !set.is(i, Gone))
+            out.push_back(i);
+    landings.resize(out.size());
+    std::vector<base::Vec3f> places(out.size());
+    for (std::size_t k = 0; k < out.size(); ++k)
+        places[k] = set.position[out[k]];
+    surface::forPackets(set.frozen, places, packetSlack, [&](surface::Source& source, std::size_t k) {
+        const std::uint32_t i = out[k];
+        landings[k] = land(source, places[k], set.normal[i], steps, tolerance * set.options.support);
+        const float far = set.target[i] * set.target[i];
+        landings[k].ok = landings[k].ok && distanceSq(landings[k].place, places[k]) < far;
+        if (!landings[k].ok)
+            set.unmark(i, Moved), set.mark(i, set.is(i, New) ? Gone : 0);
+    });
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < out.size(); ++k)
+        if (landings[k].ok)
+            out[kept] = out[k], landings[kept] = landings[k], ++kept;
+    out.resize(kept);
+    landings.resize(kept);
+    return out;
+}
+
+Settled settled(const SampleSet& set, std::uint32_t i, const Landing& y, const Blender& blender, Blender::Near& near) {
+    Blend blend;
+    base::Vec3f g = y.gradient;
+    if (dot(g, set.normal[i]) < 0 && set.facing.known())
+        g = -g;
+    blender.at(y.place, g, near, blend);
+    Settled out;
+    out.surfel.position = y.place + g * blend.height;
+    out.surfel.support =
+        set.options.field ? supportOf(set.version.definition(), set.targetAt(y.place)) : set.options.support;
+    out.surfel.colour = blend.colour;
+    if (set.is(i, New)) {
+        out.surfel.mask = blend.mask;
+        out.surfel.normal = normalized(g + blend.tilt, g);
+    } else {
+        base::Vec3f was = set.oldGradient[i];
+        if (dot(was, set.normal[i]) < 0)
+            was = -was;
+        out.surfel.mask = set.block[set.source[i].block]->mask(set.source[i].slot);
+        out.surfel.normal = upright(normalized(rotated(set.normal[i], was, g), g), g);
+    }
+    if (!set.facing.known())
+        out.surfel.normal = {};
+    out.words = std::move(blend.words);
+    return out;
+}
+
+/// Edits of the version's blocks, and the new surfels in the order of their birth.
+tree::Edit editOf(const SampleSet& set, const std::vector<std::uint32_t>& which, const std::vector<Settled>& settled) {
+    std::vector<std::int64_t> at(set.size(), -1);
+    for (std::size_t k = 0; k < which.size(); ++k)
+        at[which[k]] = static_cast<std::int64_t>(k);
+    tree::Edit edit;
+    edit.inserted.layout = set.version.tree().layout();
+    for (std::size_t i = 0; i < set.oldCount();) {
+        const std::uint32_t block = set.source[i].block;
+        tree::BlockEdit change{set.blockNumber[block], {}, {}};
+        surfel::MutableBlockPtr changed;
+        for (; i < set.oldCount() && set.source[i].block == block; ++i) {
+            const int slot = set.source[i].slot;
+            if (set.is(i, Gone))
+                change.removed.set(static_cast<std::size_t>(slot));
+            if (at[i] < 0)
+                continue;
+            if (!changed)
+                changed = set.block[block]->clone();
+            const Settled& s = settled[static_cast<std::size_t>(at[i])];
+            changed->set(slot, s.surfel);
+            changed->setExtra(slot, s.words);
+        }
+        if (changed)
+            changed->seal();
+        change.changed = changed;
+        if (changed || change.removed.any())
+            edit.blocks.push_back(std::move(change));
+    }
+    for (std::size_t i = set.oldCount(); i < set.size(); ++i)
+        if (at[i] >= 0)
+            edit.inserted.append(settled[static_cast<std::size_t>(at[i])].surfel,
+                                 settled[static_cast<std::size_t>(at[i])].words);
+    return edit;
+}
+
+} // namespace
+
+tree::Edit settle(SampleSet& set) {
+    std::vector<Landing> landings;
+    const std::vector<std::uint32_t> which = landAll(set, landings);
+    std::vector<base::Vec3f> places(landings.size());
+    for (std::size_t k = 0; k < places.size(); ++k)
+        places[k] = landings[k].place;
+    const Blender blender(set.frozen, set.spacing, places);
+    std::vector<Settled> all(which.size());
+    base::parallelChunks(which.size(), grain, [&](std::size_t begin, std::size_t end, std::size_t) {
+        Blender::Near near;
+        for (std::size_t k = begin; k < end; ++k)
+            all[k] = settled(set, which[k], landings[k], blender, near);
+    });
+    return editOf(set, which, all);
+}
+
+} // namespace process

@@ -1,0 +1,21 @@
+// The views that have names: along the axes, y upwards. One table for keys, menus and the command line.
+#pragma once
+
+#include "core/render/camera.h"
+
+#include <span>
+#include <string_view>
+
+namespace render {
+
+struct NamedView {
+    const char* id;       ///< "front"
+    const char* label;    ///< "Front"
+    const char* shortcut; ///< "1"; with Ctrl what lies opposite
+    base::Vec3d toEye, up;
+};
+std::span<const NamedView> namedViews();
+/// Null where there is none of that name.
+const NamedView* namedView(std::string_view id);
+
+} // namespace render

@@ -1,0 +1,20 @@
+// What of a model its splats show, the same for every renderer.
+#pragma once
+
+#include "core/render/renderer.h"
+#include "core/render/splats/splat_kernels.h"
+
+namespace render {
+
+inline SplatStyle splatStyle(const tree::SurfelTree& model, const RenderOptions& options) {
+    const surfel::AttributeLayout& layout = *model.layout();
+    SplatStyle style;
+    style.radiusOfSupport = splatRadiusOfSupport * options.splatScale;
+    style.oriented = layout.normals && layout.oriented;
+    const ShadingRow& row = shadingRow(options.shading);
+    style.table = row.measure ? options.colours.get() : nullptr;
+    style.colours = layout.masks || (layout.colours && row.surfelColours) || style.table;
+    return style;
+}
+
+} // namespace render

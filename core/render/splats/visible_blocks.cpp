@@ -1,0 +1,255 @@
+#include "core/render/splats/visible_blocks.h"
+
+#include <algorithm>
+#include <numbers>
+
+namespace render {
+
+namespace {
+
+using tree::Node;
+
+/// Nodes with fewer surfels than this have too little to gain.
+constexpr std::size_t leastSurfels = 2 * surfel::blockCapacity;
+/// The widest disc of a proxy in usual ones: where a node has wider ones, its blocks are drawn.
+constexpr float widestDisc = 3;
+/// Before a proxy is made: its usual radius is hardly less than this part of that of evenly spread samples.
+constexpr float leastGrowth = 0.5f;
+/// Splats that turn away by less than this (sine) still show at outlines.
+constexpr float awayBy = 0.2f;
+
+/// A child as its parent knows it, or the root.
+struct Place {
+    base::Box3f box;
+    float support;
+};
+
+Place placeOf(const Node& node, std::size_t i) {
+    return {{{node.loX[i], node.loY[i], node.loZ[i]}, {node.hiX[i], node.hiY[i], node.hiZ[i]}}, node.maxSupport[i]};
+}
+
+Place placeOf(const tree::SurfelTree& model) {
+    return {model.bounds(), model.maxSupport()};
+}
+
+class Looker {
+  public:
+    explicit Looker(const Sight& sight) : m_sight(sight) {}
+
+    ScreenBounds bounds(const Place& place) const {
+        return screenBounds(m_sight.view, place.box, m_sight.reachOfSupport * place.support);
+    }
+    ScreenBounds bounds(const surfel::SurfelBlock& block) const {
+        return screenBounds(m_sight.view, block.box(), m_sight.reachOfSupport * block.maxSupport());
+    }
+    /// Whether it pays to know the node's detail.
+    bool wants(const Node& node, const Place& place, const ScreenBounds& bounds) const {
+        if (!m_sight.details)
+            return false;
+        const float growth = std::sqrt(static_cast<float>(node.surfelCount) / surfel::blockCapacity);
+        const bool small =
+            node.surfelCount >= leastSurfels &&
+            pixels(leastGrowth * growth * m_sight.reachOfSupport * place.support, bounds) <= m_sight.detailPx;
+        return small || m_sight.closed;
+    }
+    /// What is drawn instead of what is below; null: nothing, descend.
+    const NodeDetail* instead(const Node& node, const Place& place, const ScreenBounds& bounds) const {
+        if (!wants(node, place, bounds) || node.surfelCount < leastSurfels)
+            return nullptr;
+        const NodeDetail& detail = m_sight.details->of(node);
+        const float widest = m_sight.reachOfSupport * detail.proxy->maxSupport();
+        return pixels(detail.radius, bounds) <= m_sight.detailPx &&
+                       pixels(widest, bounds) <= widestDisc * m_sight.detailPx
+                   ? &detail
+                   : nullptr;
+    }
+    /// All of it faces away. `reach`: what its splats may stand out of the place.
+    bool away(const Node& node, const Place& place) const {
+        if (!m_sight.closed || !m_sight.details || m_sight.view.clipCount > 0) // cut open, the inside shows
+            return false;
+        const NormalCone& cone = m_sight.details->of(node).cone;
+        if (cone.all())
+            return false;
+        if (m_sight.view.parallel)
+            return std::acos(std::clamp(dot(m_sight.view.forward, cone.axis), -1.0f, 1.0f)) + cone.angleRad + awayBy <
+                   std::numbers::pi_v<float> / 2;
+        const base::Vec3f to = place.box.centre() - m_sight.view.eye;
+        const float distance = length(to);
+        const float radius = 0.5f * place.box.diagonal() + m_sight.reachOfSupport * place.support;
+        if (!(distance > radius))
+            return false;
+        const float facing = std::acos(std::clamp(dot(to, cone.axis) / distance, -1.0f, 1.0f));
+        return facing + cone.angleRad + std::asin(radius / distance) + awayBy < std::numbers::pi_v<float> / 2;
+    }
+    /// Whether anything drawn for the node can touch the tiles: discs of proxies may stand out of the node's bounds.
+    bool touches(const TileMask* only, ScreenBounds b) const {
+        if (!only)
+            return true;
+        const int more = m_sight.details ? static_cast<int>(std::ceil(widestDisc * m_sight.detailPx)) + 1 : 0;
+        b.left = std::max(0, b.left - more), b.top = std::max(0, b.top - more);
+        b.right = std::min(m_sight.view.width - 1, b.right + more);
+        b.bottom = std::min(m_sight.view.height - 1, b.bottom + more);
+        return only->touches(b);
+    }
+
+    /// How long a length at the nearest depth is in the image.
+    float pixels(float length, const ScreenBounds& bounds) const {
+        if (m_sight.view.parallel)
+            return length * m_sight.view.focalPx;
+        return bounds.nearest > 0 ? length * m_sight.view.focalPx / bounds.nearest
+                                  : std::numeric_limits<float>::infinity();
+    }
+
+  private:
+    const Sight& m_sight;
+};
+
+/// Calls block(block, bounds) and proxy(detail) for what is drawn of a version.
+template <class Block, class Proxy>
+struct Walk {
+    const Looker& look;
+    const TileMask* only;
+    Block block;
+    Proxy proxy;
+
+    void node(const Node& node, const Place& place) {
+        const ScreenBounds bounds = look.bounds(place);
+        if (!bounds.visible || !look.touches(only, bounds) || look.away(node, place))
+            return;
+        if (const NodeDetail* detail = look.instead(node, place, bounds))
+            proxy(*detail);
+        else
+            below(node);
+    }
+    void below(const Node& node) {
+        for (std::size_t i = 0; i < node.childCount; ++i)
+            if (node.level > 1)
+                this->node(*node.nodes[i], placeOf(node, i));
+            else
+                block(*node.blocks[i], look.bounds(placeOf(node, i)));
+    }
+};
+
+template <class Block, class Proxy>
+Walk<Block, Proxy> walkOf(const Looker& look, const TileMask* only, Block block, Proxy proxy) {
+    return {look, only, block, proxy};
+}
+
+/// Nodes whose detail a walk will ask for.
+void gatherWanted(const Looker& look, const Node& node, const Place& place, std::vector<const Node*>& out) {
+    const ScreenBounds bounds = look.bounds(place);
+    if (!bounds.visible)
+        return;
+    if (look.wants(node, place, bounds))
+        out.push_back(&node);
+    else if (node.level > 1)
+        for (std::size_t i = 0; i < node.childCount; ++i)
+            gatherWanted(look, *node.nodes[i], placeOf(node, i), out);
+}
+
+/// Both versions side by side, down to where they share.
+struct Comparison {
+    const Looker& look;
+    TileMask& out;
+
+    void all(const Node& node, const Place& place) const {
+        walkOf(
+            look, nullptr, [&](const surfel::SurfelBlock&, const ScreenBounds& bounds) { add(bounds); },
+            [&](const NodeDetail& detail) { add(look.bounds(*detail.proxy)); })
+            .node(node, place);
+    }
+    void add(const ScreenBounds& bounds) const {
+        if (bounds.visible)
+            out.add(bounds);
+    }
+    bool whole(const Node& node, const Place& place) const {
+        const ScreenBounds bounds = look.bounds(place);
+        return !bounds.visible || look.away(node, place) || look.instead(node, place, bounds);
+    }
+    void nodes(const Node& a, const Place& placeA, const Node& b, const Place& placeB) const {
+        if (&a == &b)
+            return;
+        if (a.level != b.level || whole(a, placeA) || whole(b, placeB)) {
+            all(a, placeA);
+            all(b, placeB);
+            return;
+        }
+        for (std::size_t i = 0; i < std::max<std::size_t>(a.childCount, b.childCount); ++i)
+            children(a, b, i);
+    }
+    void child(const Node& node, std::size_t i) const {
+        if (node.level > 1)
+            all(*node.nodes[i], placeOf(node, i));
+        else
+            add(look.bounds(placeOf(node, i)));
+    }
+    void children(const Node& a, const Node& b, std::size_t i) const {
+        const bool inA = i < a.childCount, inB = i < b.childCount;
+        if (inA && inB && a.level > 1)
+            return nodes(*a.nodes[i], placeOf(a, i), *b.nodes[i], placeOf(b, i));
+        if (inA && inB && a.blocks[i] == b.blocks[i])
+            return;
+        if (inA)
+            child(a, i);
+        if (inB)
+            child(b, i);
+    }
+};
+
+} // namespace
+
+void visibleBlocks(const tree::SurfelTree& model, const Sight& sight, std::vector<VisibleBlock>& out,
+                   const TileMask* only) {
+    const Looker look(sight);
+    out.clear();
+    if (!model.root())
+        return;
+    if (sight.details && !only) {
+        std::vector<const Node*> wanted;
+        gatherWanted(look, *model.root(), placeOf(model), wanted);
+        sight.details->prepare(wanted);
+    }
+    const auto add = [&](const surfel::SurfelBlock& block, const ScreenBounds& bounds, bool proxy) {
+        if (bounds.visible && (!only || only->touches(bounds)))
+            out.push_back({&block, bounds, proxy, false, nullptr});
+    };
+    walkOf(
+        look, only, [&](const surfel::SurfelBlock& block, const ScreenBounds& bounds) { add(block, bounds, false); },
+        [&](const NodeDetail& d) { add(*d.proxy, look.bounds(*d.proxy), true); })
+        .node(*model.root(), placeOf(model));
+}
+
+void findRims(const Sight& sight, RimCuts& rims, std::span<VisibleBlock> blocks) {
+    const Looker look(sight);
+    std::vector<const surfel::SurfelBlock*> wanted;
+    for (VisibleBlock& each : blocks) {
+        each.large =
+            !each.proxy && !(look.pixels(sight.reachOfSupport * each.block->maxSupport(), each.bounds) < rimPx);
+        if (each.large)
+            wanted.push_back(each.block);
+    }
+    rims.prepare(wanted);
+    for (VisibleBlock& each : blocks)
+        if (each.large)
+            each.rims = rims.of(each.block);
+}
+
+void addTiles(std::span<const surfel::SurfelBlock* const> blocks, const Sight& sight, TileMask& out) {
+    const Looker look(sight);
+    for (const surfel::SurfelBlock* block : blocks)
+        if (const ScreenBounds bounds = look.bounds(*block); bounds.visible)
+            out.add(bounds);
+}
+
+void addChangedTiles(const tree::SurfelTree& from, const tree::SurfelTree& to, const Sight& sight, TileMask& out) {
+    const Looker look(sight);
+    const Comparison compare{look, out};
+    if (from.root() && to.root())
+        compare.nodes(*from.root(), placeOf(from), *to.root(), placeOf(to));
+    else if (from.root())
+        compare.all(*from.root(), placeOf(from));
+    else if (to.root())
+        compare.all(*to.root(), placeOf(to));
+}
+
+} // namespace render

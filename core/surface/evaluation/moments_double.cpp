@@ -1,0 +1,135 @@
+#include "core/surface/evaluation/moments.h"
+#include "core/surfel/surfel_block.h"
+
+namespace surface {
+
+using base::Vec3d;
+
+namespace {
+
+/// A weight with its derivatives by u = r^2 / 2, r the distance over the support: phi, and alpha, beta, gamma of
+/// alg. 2.1. Those that r = 0 makes infinite are zero there, as are the products that they stand in.
+struct Radial {
+    double phi = 0, alpha = 0, beta = 0, gamma = 0;
+
+    Radial& operator*=(double factor) {
+        phi *= factor, alpha *= factor, beta *= factor, gamma *= factor;
+        return *this;
+    }
+};
+
+constexpr double atSample = 1e-14; ///< r below which 1/r is left out
+
+Radial wendlandC2(double r) {
+    const double t = 1 - r, inverse = r < atSample ? 0 : 1 / r;
+    return {t * t * t * t * (4 * r + 1), -20 * t * t * t, 60 * t * t * inverse,
+            -60 * t * (1 + r) * inverse * inverse * inverse};
+}
+
+Radial wendlandC4(double r) {
+    const double t = 1 - r, inverse = r < atSample ? 0 : 1 / r, t3 = t * t * t, t4 = t3 * t;
+    return {t3 * t3 * (35 * r * r + 18 * r + 3) / 3, -56.0 / 3 * t4 * t * (5 * r + 1), 560 * t4, -2240 * t3 * inverse};
+}
+
+Radial gaussian(double r) {
+    constexpr double reach = gaussianReach, reachSq = reach * reach; // of exp(-s^2), s = r reach
+    const double phi = std::exp(-r * r * reachSq);
+    return {phi, -2 * phi * reachSq, 4 * phi * reachSq * reachSq, -8 * phi * reachSq * reachSq * reachSq};
+}
+
+/// w over max(r^2, least), by Leibniz' rule with v = 1 / (2u) where it moves (alg. 10.5).
+Radial interpolating(const Radial& w, double r) {
+    const double square = r * r, least = leastInterpolation;
+    const double v = 1 / std::max(square, least), moving = square > least ? v : 0;
+    const double v1 = -2 * v * moving, v2 = -4 * v1 * moving, v3 = -6 * v2 * moving;
+    return {w.phi * v, w.alpha * v + w.phi * v1, w.beta * v + 2 * w.alpha * v1 + w.phi * v2,
+            w.gamma * v + 3 * w.beta * v1 + 3 * w.alpha * v2 + w.phi * v3};
+}
+
+Radial weightAt(double r, const SumOptions& options) {
+    const Radial plain = options.weight == Weight::Wendland     ? wendlandC2(r)
+                         : options.weight == Weight::WendlandC4 ? wendlandC4(r)
+                                                                : gaussian(r);
+    return options.interpolating ? interpolating(plain, r) : plain;
+}
+
+/// theta with its derivatives by x (alg. 2.1), G = (x - p) / h^2.
+template <int O>
+Jet<double, O> jetOf(const Radial& w, const Vec3d& q, double h) {
+    const double m = 1 / (h * h);
+    const Vec3d g = -q * m;
+    Jet<double, O> out;
+    out.v = w.phi;
+    if constexpr (O >= 1)
+        for (int k = 0; k < 3; ++k)
+            out.d[k] = w.alpha * g[k];
+    if constexpr (O >= 2)
+        for (int k = 0; k < 3; ++k)
+            for (int l = k; l < 3; ++l)
+                out.dd[sym(k, l)] = w.beta * g[k] * g[l] + (k == l ? w.alpha * m : 0);
+    if constexpr (O >= 3)
+        forTriples([&](int j, int k, int l) {
+            const double edges = (j == k ? m * g[l] : 0) + (j == l ? m * g[k] : 0) + (k == l ? m * g[j] : 0);
+            out.ddd[sym(j, k, l)] = w.beta * edges + w.gamma * g[j] * g[k] * g[l];
+        });
+    return out;
+}
+
+template <int O>
+void add(const Jet<double, O>& theta, const Vec3d& q, const Vec3d& n, Outer outer, Moments<double, O>& out) {
+    out.one += theta;
+    for (int k = 0; k < 3; ++k) {
+        out.q[k] += theta * q[k];
+        out.n[k] += theta * n[k];
+    }
+    out.height += theta * dot(n, q);
+    out.square += theta * lengthSq(q);
+    if (outer == Outer::None)
+        return;
+    const Vec3d& y = outer == Outer::Normals ? n : q;
+    for (int k = 0; k < 3; ++k)
+        for (int l = k; l < 3; ++l)
+            out.outer[sym(k, l)] += theta * (y[k] * y[l]);
+}
+
+} // namespace
+
+template <int O>
+void sum(ClusterSpan clusters, const Vec3d& x, const SumOptions& options, Moments<double, O>& out) {
+    constexpr int lanes = surfel::clusterSize;
+    const double scale = options.scale, sigma = options.sigma;
+    out = {};
+    for (const float* c : clusters)
+        for (int i = 0; i < lanes; ++i) {
+            const double h = scale * static_cast<double>(c[surfel::Support * lanes + i]);
+            const Vec3d q = Vec3d{c[i], c[lanes + i], c[2 * lanes + i]} - x;
+            const double distance = length(q);
+            if (!(distance < h))
+                continue;
+            Vec3d n{c[surfel::NormalX * lanes + i], c[surfel::NormalY * lanes + i], c[surfel::NormalZ * lanes + i]};
+            const double facing = dot(n, options.reference);
+            if (options.facing == Facing::Skip && facing <= static_cast<double>(facingLimit))
+                continue;
+            if (options.facing == Facing::Flip && facing < 0)
+                n = -n;
+            Radial w = weightAt(distance / h, options);
+            if (options.facing == Facing::Refit)
+                w *= std::exp(-lengthSq(n - options.reference) / (sigma * sigma));
+            if (!(w.phi > 0))
+                continue;
+            ++out.samples;
+            const Jet<double, O> theta = jetOf<O>(w, q, h);
+            const double unit = options.weight == Weight::Gaussian ? h / static_cast<double>(gaussianReach) : h;
+            out.unit += theta.v * unit;
+            if constexpr (O >= 1)
+                out.unitSlope += Vec3d{theta.d[0], theta.d[1], theta.d[2]} * unit;
+            add(theta, q, n, options.outer, out);
+        }
+}
+
+template void sum(ClusterSpan, const Vec3d&, const SumOptions&, Moments<double, 0>&);
+template void sum(ClusterSpan, const Vec3d&, const SumOptions&, Moments<double, 1>&);
+template void sum(ClusterSpan, const Vec3d&, const SumOptions&, Moments<double, 2>&);
+template void sum(ClusterSpan, const Vec3d&, const SumOptions&, Moments<double, 3>&);
+
+} // namespace surface

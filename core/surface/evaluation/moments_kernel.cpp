@@ -1,0 +1,370 @@
+// The sums at a position, compiled once per instruction set and chosen at run time (Google Highway).
+//
+// Two ways to sum, each always used for the same sums:
+//   - plain values of cheap weights over all lanes of the clusters, though only about a fifth have weight: putting
+//     those together would cost as much as it saves;
+//   - all else over dense lanes: first the surfels in support are picked out of the clusters, in their order.
+// 16 virtual lanes, whatever the width of the registers; on narrower ones they are done in groups. In the first way a
+// surfel's lane is its place in its cluster; in the second the i-th surfel in support goes to lane i mod 16.
+// Multiply-adds are explicit, roots and quotients exact, the reduction fixed. So AVX2 and AVX-512 give the same bits,
+// and so do all lists of clusters that hold the surfels in support in tree order.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/surface/evaluation/moments_kernel.cpp"
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
+#include "core/surface/evaluation/candidates.h"
+
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+// Per instruction set, after the main header.
+#include "core/surface/evaluation/kernel_weights.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace surface {
+namespace HWY_NAMESPACE {
+
+constexpr std::size_t capacity = 128;            ///< dense surfels summed at once
+constexpr std::size_t stride = capacity + lanes; ///< a compressed store may write a whole cluster behind them
+
+/// Surfels in support in dense lanes.
+struct Dense {
+    /// Rows of the monomials that are picked as they are; Support takes the place of the 1.
+    enum Row : int { Support = OneTerm };
+    HWY_ALIGN float monomial[monomialCount(Outer::Normals)][stride];
+    HWY_ALIGN float factor[factorCount(2)][stride];
+};
+
+/// Puts those of the cluster that are in support behind the `count` first; returns how many there are then.
+HWY_INLINE std::size_t pick(const float* cluster, const KernelInput& in, std::size_t count, Dense& out) {
+    const D d;
+    for (std::size_t first = 0; first < lanes; first += hn::Lanes(d)) {
+        const float* c = cluster + first;
+        const V3 q = minus(load3(c, lanes), in.x), n = load3(c + surfel::NormalX * lanes, lanes);
+        const V h = hn::Mul(hn::Load(d, c + surfel::Support * lanes), constant(in.scale));
+        M keep = hn::Lt(dot(q, q), hn::Mul(h, h));
+        if (in.facing == Facing::Skip)
+            keep = hn::And(keep, hn::Gt(dot(n, in.reference), constant(facingLimit)));
+        const Packing packing(keep);
+        const auto append = [&](int row, V value) { hn::StoreU(packing.pack(value), d, out.monomial[row] + count); };
+        append(Dense::Support, h);
+        append(QTerm, q.x), append(QTerm + 1, q.y), append(QTerm + 2, q.z);
+        append(NTerm, n.x), append(NTerm + 1, n.y), append(NTerm + 2, n.z);
+        count += hn::CountTrue(d, keep);
+    }
+    return count;
+}
+
+/// Fills up to whole groups of 16 with surfels that add zeros.
+HWY_INLINE void pad(std::size_t count, Dense& dense) {
+    const D d;
+    for (std::size_t first = 0; first < lanes; first += hn::Lanes(d)) {
+        hn::StoreU(constant(1), d, dense.monomial[Dense::Support] + count + first);
+        unrolled<HeightTerm - QTerm>(
+            [&](auto k) { hn::StoreU(hn::Zero(d), d, dense.monomial[QTerm + k] + count + first); });
+    }
+}
+
+/// One group of lanes with its weights.
+struct Lanes {
+    V3 q, n;
+    V h, height, square, inverse;
+    WeightLanes weight;
+};
+
+/// Weights of the surfels from `at` on, zero from `end` on.
+template <int order>
+HWY_INLINE Lanes weigh(const KernelInput& in, const Dense& dense, std::size_t at, std::size_t end) {
+    const D d;
+    Lanes s;
+    s.q = load3(dense.monomial[QTerm] + at, stride);
+    s.n = load3(dense.monomial[NTerm] + at, stride);
+    s.h = hn::Load(d, dense.monomial[Dense::Support] + at);
+    s.square = dot(s.q, s.q);
+    s.inverse = hn::Div(constant(1), s.h);
+    s.weight = weightsAt<order>(hn::Mul(hn::Sqrt(s.square), s.inverse), in.weight, in.interpolating);
+    if (in.facing == Facing::Flip) {
+        const V flip = hn::And(dot(s.n, in.reference), hn::SignBit(d));
+        s.n = {hn::Xor(s.n.x, flip), hn::Xor(s.n.y, flip), hn::Xor(s.n.z, flip)};
+    }
+    if (in.facing == Facing::Refit) {
+        const V3 off = minus(s.n, in.reference);
+        const V exponent = hn::Neg(hn::Mul(dot(off, off), constant(in.inverseSigmaSquare)));
+        scale<order>(hn::Exp(d, hn::Max(exponent, constant(-80))), s.weight);
+    }
+    // What pads the lanes lies at distance 0 and has weight until here.
+    const M inside = hn::FirstN(d, at < end ? end - at : 0);
+    s.weight.theta = hn::IfThenElseZero(inside, s.weight.theta);
+    if constexpr (order >= 1)
+        s.weight.slope = hn::IfThenElseZero(inside, s.weight.slope);
+    if constexpr (order >= 2)
+        s.weight.bend = hn::IfThenElseZero(inside, s.weight.bend);
+    s.height = dot(s.n, s.q);
+    return s;
+}
+
+/// Sums in memory, 8 of the 16 lanes: lane i holds that of i and i + 8 together.
+template <int order, Outer outer>
+struct Rows {
+    static constexpr int monomials = monomialCount(outer), sums = sumCount(order, outer), padded = (sums + 7) / 8 * 8;
+    static constexpr std::size_t width = lanes / 2;
+    HWY_ALIGN float row[padded * width];
+    HWY_ALIGN float lower[padded * width]; ///< lanes below 8, where registers hold no more
+
+    /// Takes the lanes from `first` on of one part's sum and adds them to the parts before, unless it is the first.
+    HWY_INLINE void put(std::size_t k, std::size_t first, V sum, bool fresh) {
+        float* to = row + k * width + first % width;
+#if HWY_MAX_BYTES >= 64
+        const hn::FixedTag<float, width> d;
+        const auto both = hn::Add(hn::LowerHalf(d, sum), hn::UpperHalf(d, sum));
+#else
+        const D d;
+        float* below = lower + k * width + first % width;
+        if (first < width) {
+            hn::Store(sum, d, below);
+            return;
+        }
+        const auto both = hn::Add(hn::Load(d, below), sum);
+#endif
+        hn::Store(fresh ? both : hn::Add(hn::Load(d, to), both), d, to);
+    }
+};
+
+/// The sums of order 0 without outer products, in their order.
+struct PlainSums {
+    V one, qx, qy, qz, nx, ny, nz, height, square, unit;
+
+    HWY_INLINE PlainSums() { one = qx = qy = qz = nx = ny = nz = height = square = unit = hn::Zero(D()); }
+    HWY_INLINE void add(const Lanes& s) {
+        const V theta = s.weight.theta;
+        one = hn::Add(one, theta);
+        accumulate(qx, theta, s.q.x), accumulate(qy, theta, s.q.y), accumulate(qz, theta, s.q.z);
+        accumulate(nx, theta, s.n.x), accumulate(ny, theta, s.n.y), accumulate(nz, theta, s.n.z);
+        accumulate(height, theta, s.height);
+        accumulate(square, theta, s.square);
+        accumulate(unit, theta, s.h);
+    }
+    template <class R>
+    HWY_INLINE void put(std::size_t first, bool fresh, R& rows) const {
+        const auto store = [&](std::size_t k, V sum) { rows.put(k, first, sum, fresh); };
+        store(OneTerm, one);
+        store(QTerm, qx), store(QTerm + 1, qy), store(QTerm + 2, qz);
+        store(NTerm, nx), store(NTerm + 1, ny), store(NTerm + 2, nz);
+        store(HeightTerm, height), store(SquareTerm, square), store(R::sums - 1, unit);
+    }
+};
+
+/// Order 0 without outer products: all in registers.
+template <class R>
+HWY_INLINE std::size_t sumPlain(const KernelInput& in, const Dense& dense, std::size_t count, bool fresh, R& rows) {
+    const D d;
+    std::size_t samples = 0;
+    for (std::size_t first = 0; first < lanes; first += hn::Lanes(d)) {
+        PlainSums sums;
+        for (std::size_t at = first; at < count; at += lanes) {
+            const Lanes s = weigh<0>(in, dense, at, count);
+            samples += hn::CountTrue(d, hn::Gt(s.weight.theta, hn::Zero(d)));
+            sums.add(s);
+        }
+        sums.put(first, fresh, rows);
+    }
+    return samples;
+}
+
+/// The factors and the monomials that are not picked as they are, for one group of lanes.
+template <int order, Outer outer>
+HWY_INLINE void prepare(const Lanes& s, std::size_t place, Dense& dense) {
+    const D d;
+    const auto factor = [&](std::size_t k, V value) { hn::Store(value, d, dense.factor[k] + place); };
+    const auto monomial = [&](std::size_t k, V value) { hn::Store(value, d, dense.monomial[k] + place); };
+    factor(ThetaFactor, s.weight.theta);
+    const V3 u{hn::Mul(s.q.x, s.inverse), hn::Mul(s.q.y, s.inverse), hn::Mul(s.q.z, s.inverse)};
+    if constexpr (order >= 1) {
+        const V slope = hn::Mul(s.weight.slope, s.inverse);
+        unrolled<3>([&](auto k) { factor(SlopeFactor + k, hn::Mul(slope, at<k>(u))); });
+        if constexpr (order >= 2)
+            factor(PlainSlopeFactor, hn::Mul(slope, s.inverse));
+    }
+    if constexpr (order >= 2) {
+        const V bend = hn::Mul(hn::Mul(s.weight.bend, s.inverse), s.inverse);
+        forPairs([&](auto k, auto l) { factor(BendFactor + sym(k, l), hn::Mul(hn::Mul(bend, at<k>(u)), at<l>(u))); });
+    }
+    unrolled<3>([&](auto k) { monomial(NTerm + k, at<k>(s.n)); });
+    monomial(HeightTerm, s.height);
+    monomial(SquareTerm, s.square);
+    if constexpr (outer != Outer::None) {
+        const V3& y = outer == Outer::Normals ? s.n : s.q;
+        forPairs([&](auto k, auto l) { monomial(OuterTerm + sym(k, l), hn::Mul(at<k>(y), at<l>(y))); });
+    }
+}
+
+/// Factors times monomials, a factor at a time so that its accumulators fit into registers.
+template <int order, Outer outer>
+HWY_INLINE std::size_t sumProducts(const KernelInput& in, Dense& dense, std::size_t count, bool fresh,
+                                   Rows<order, outer>& rows) {
+    constexpr std::size_t monomials = monomialCount(outer);
+    const D d;
+    std::size_t samples = 0;
+    for (std::size_t first = 0; first < lanes; first += hn::Lanes(d)) {
+        V unit = hn::Zero(d);
+        for (std::size_t at = first; at < count; at += lanes) {
+            const Lanes s = weigh<order>(in, dense, at, count);
+            samples += hn::CountTrue(d, hn::Gt(s.weight.theta, hn::Zero(d)));
+            accumulate(unit, s.weight.theta, s.h);
+            prepare<order, outer>(s, at, dense);
+        }
+        rows.put(sumCount(order, outer) - 1, first, unit, fresh);
+        for (std::size_t f = 0; f < factorCount(order); ++f) {
+            V acc[monomials];
+            unrolled<monomials>([&](auto k) { acc[k] = hn::Zero(d); });
+            for (std::size_t at = first; at < count; at += lanes) {
+                const V factor = hn::Load(d, dense.factor[f] + at);
+                acc[OneTerm] = hn::Add(acc[OneTerm], factor);
+                unrolled<monomials - 1>(
+                    [&](auto k) { accumulate(acc[k + 1], factor, hn::Load(d, dense.monomial[k + 1] + at)); });
+            }
+            unrolled<monomials>([&](auto k) { rows.put(k * factorCount(order) + f, first, acc[k], fresh); });
+        }
+    }
+    return samples;
+}
+
+/// The first way.
+template <Weight weight>
+HWY_INLINE std::size_t sumClusters(const KernelInput& in, Rows<0, Outer::None>& rows) {
+    const D d;
+    const V3 x{constant(in.x[0]), constant(in.x[1]), constant(in.x[2])};
+    std::size_t samples = 0;
+    for (std::size_t first = 0; first < lanes; first += hn::Lanes(d)) {
+        PlainSums sums;
+        for (std::size_t c = 0; c < in.clusterCount; ++c) {
+            const float* cluster = in.clusters[c] + first;
+            const V3 p = load3(cluster, lanes);
+            Lanes s;
+            s.q = {hn::Sub(p.x, x.x), hn::Sub(p.y, x.y), hn::Sub(p.z, x.z)};
+            s.n = load3(cluster + surfel::NormalX * lanes, lanes);
+            s.h = hn::Mul(hn::Load(d, cluster + surfel::Support * lanes), constant(in.scale));
+            s.square = dot(s.q, s.q);
+            const V r = hn::Mul(hn::Sqrt(s.square), hn::Div(constant(1), s.h));
+            s.weight = weightsAt<0>(r, weight, false);
+            s.weight.theta = hn::IfThenElseZero(hn::Lt(s.square, hn::Mul(s.h, s.h)), s.weight.theta);
+            s.height = dot(s.n, s.q);
+            samples += hn::CountTrue(d, hn::Gt(s.weight.theta, hn::Zero(d)));
+            sums.add(s);
+        }
+        sums.put(first, true, rows);
+    }
+    return samples;
+}
+
+/// Adds up the lanes of 8 sums by halves, always the same adds: i and i + 8 (in Rows), i and i + 4, i and i + 2, the
+/// last two.
+#if HWY_MAX_BYTES >= 32
+HWY_INLINE void reduceEight(const float* rows, float* out) {
+    using D8 = hn::FixedTag<float, 8>;
+    const D8 d8;
+    const hn::Repartition<double, D8> pairs;
+    const auto quarter = [&](std::size_t k) { // the lower block of sum k, the upper of sum k + 4
+        const auto a = hn::Load(d8, rows + 8 * k), b = hn::Load(d8, rows + 8 * (k + 4));
+        return hn::Add(hn::ConcatLowerLower(d8, b, a), hn::ConcatUpperUpper(d8, b, a));
+    };
+    const auto eighth = [&](auto a, auto b) {
+        return hn::Add(hn::InterleaveLower(d8, a, b), hn::InterleaveUpper(d8, a, b));
+    };
+    const auto ab = hn::BitCast(pairs, eighth(quarter(0), quarter(1)));
+    const auto cd = hn::BitCast(pairs, eighth(quarter(2), quarter(3)));
+    const auto even = hn::BitCast(d8, hn::InterleaveLower(pairs, ab, cd));
+    const auto odd = hn::BitCast(d8, hn::InterleaveUpper(pairs, ab, cd));
+    hn::Store(hn::Add(even, odd), d8, out);
+}
+#else
+HWY_INLINE void reduceEight(const float* rows, float* out) {
+    for (int k = 0; k < 8; ++k, rows += 8) {
+        float r[4];
+        for (int i = 0; i < 4; ++i)
+            r[i] = rows[i] + rows[i + 4];
+        out[k] = (r[0] + r[2]) + (r[1] + r[3]);
+    }
+}
+#endif
+
+template <int order, Outer outer>
+HWY_INLINE void reduce(const Rows<order, outer>& rows, float* sums) {
+    for (int k = 0; k < rows.padded; k += 8)
+        reduceEight(rows.row + k * rows.width, sums + k);
+}
+
+template <Weight weight>
+int sumPlainly(const KernelInput& in, float* sums) {
+    Rows<0, Outer::None> rows;
+    const std::size_t samples = sumClusters<weight>(in, rows);
+    reduce(rows, sums);
+    return static_cast<int>(samples);
+}
+
+/// The second way. In parts of `capacity`, which leave the lanes as they are, being multiples of 16.
+template <int order, Outer outer>
+int sumAll(const KernelInput& in, float* sums) {
+    Dense dense;
+    Rows<order, outer> rows;
+    bool fresh = true;
+    std::size_t samples = 0, count = 0;
+    for (std::size_t c = 0; c <= in.clusterCount; ++c) {
+        if (c < in.clusterCount)
+            count = pick(in.clusters[c], in, count, dense);
+        else
+            pad(count, dense);
+        if (c < in.clusterCount && count < capacity)
+            continue;
+        const std::size_t part = std::min(count, capacity);
+        if constexpr (order == 0 && outer == Outer::None)
+            samples += sumPlain(in, dense, part, fresh, rows);
+        else
+            samples += sumProducts<order, outer>(in, dense, part, fresh, rows);
+        fresh = false;
+        count -= part;
+        for (int k = 0; k < HeightTerm && count > 0; ++k)
+            std::copy_n(dense.monomial[k] + capacity, lanes, dense.monomial[k]);
+    }
+    reduce(rows, sums);
+    return static_cast<int>(samples);
+}
+
+template <Outer outer>
+int sumOfOrder(int order, const KernelInput& in, float* sums) {
+    return order == 0   ? sumAll<0, outer>(in, sums)
+           : order == 1 ? sumAll<1, outer>(in, sums)
+                        : sumAll<2, outer>(in, sums);
+}
+
+int sumDispatched(int order, Outer outer, const KernelInput& in, float* sums) {
+    if (order == 0 && outer == Outer::None && in.facing == Facing::All && !in.interpolating) {
+        if (in.weight == Weight::Wendland)
+            return sumPlainly<Weight::Wendland>(in, sums);
+        if (in.weight == Weight::WendlandC4)
+            return sumPlainly<Weight::WendlandC4>(in, sums);
+    }
+    switch (outer) {
+    case Outer::None:
+        return sumOfOrder<Outer::None>(order, in, sums);
+    case Outer::Normals:
+        return sumOfOrder<Outer::Normals>(order, in, sums);
+    case Outer::Offsets:
+        break;
+    }
+    return sumOfOrder<Outer::Offsets>(order, in, sums);
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace surface
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace surface {
+
+HWY_EXPORT(sumDispatched);
+
+int sumKernel(int order, Outer outer, const KernelInput& in, float* sums) {
+    return HWY_DYNAMIC_DISPATCH(sumDispatched)(order, outer, in, sums);
+}
+
+} // namespace surface
+#endif

@@ -1,0 +1,24 @@
+// The vectorised part of self-evaluation. Internal to the room.
+#pragma once
+
+#include "core/surface/evaluation/self.h"
+
+namespace surface {
+
+struct SelfInput {
+    const float* cluster; ///< whose surfels are the positions
+    base::Box3f box;      ///< of their places
+    ClusterSpan around;   ///< all clusters that may have weight in the box
+    Weight weight;
+    float scale, mu, boundaryLimit;
+    float leastAgreement, leastSpread; ///< below these a surfel is special
+    bool gradient;
+};
+
+constexpr std::size_t selfRows = surfel::Support + 2; ///< that `selfKernel` picks into
+
+/// Evaluates at the 16 surfels; returns a bit for each that is special, whose numbers are not to be used. `scratch` has
+/// room for selfRows.
+unsigned selfKernel(const SelfInput& in, float* scratch, SelfLanes& out);
+
+} // namespace surface

@@ -1,0 +1,58 @@
+// Where the room's own loops evaluate: a surface with the neighbourhood that consecutive positions share.
+//
+//     Source source(surface);
+//     source.expect(box);                   a packet of positions, or nothing
+//     source.evaluate(x, need, hint)        again and again
+//
+// Float positions that come close to the one before find their clusters among those collected around it; the answer has
+// the same bits as that of a fresh Source. One thread at a time.
+#pragma once
+
+#include "core/surface/evaluation/candidates.h"
+#include "core/surface/evaluation/summed_normals.h"
+
+namespace surface {
+
+/// How evaluations follow each other: anywhere, or most of them close to the one before, as iterations do.
+enum class Steps { Apart, Close };
+
+class Source {
+  public:
+    explicit Source(const Surface& surface, Steps steps = Steps::Close)
+        : m_surface(&surface), m_plain(surface), m_steps(steps) {}
+
+    const Surface& surface() const { return *m_surface; }
+    /// Collects for positions in `box` at once.
+    void expect(const base::Box3f& box) { m_candidates.collect(*m_surface, box); }
+    /// `expect` in two steps: what one does for several sources in turn has its memory at hand in the next.
+    void announce(const base::Box3f& box) { m_candidates.findBlocks(*m_surface, box); }
+    void fetch() { m_candidates.fetchClusters(); }
+
+    bool covers(const base::Vec3f& x) const { return m_candidates.covers(x); }
+
+    Evaluationf evaluate(const base::Vec3f& x, Need need, const Hint& hint = {}) {
+        Evaluationf out;
+        evaluate(x, need, hint, out);
+        return out;
+    }
+    /// The same in place.
+    void evaluate(const base::Vec3f& x, Need need, const Hint& hint, Evaluationf& out);
+    Evaluationd evaluate(const base::Vec3d& x, Need need, const Hint& hint = {});
+
+    void gather(const base::Vec3f& x, ClusterList& out) const;
+    void gather(const base::Vec3d& x, ClusterList& out) const;
+
+  private:
+    /// The general case.
+    Evaluationf assemble(const base::Vec3f& x, Need need, const Hint& hint, ClusterSpan clusters) const;
+    /// In float for summed normals; the other frames go through the reference.
+    Evaluationf hessian(const base::Vec3f& x, const Hint& hint, ClusterSpan clusters) const;
+
+    const Surface* m_surface;
+    SummedNormals m_plain;
+    Steps m_steps;
+    Candidates m_candidates;
+    float m_slack = 0; ///< how far around a position to collect; 0 before anything is known
+};
+
+} // namespace surface

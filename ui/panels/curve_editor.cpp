@@ -1,0 +1,181 @@
+#include "ui/panels/curve_editor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QPainterPath>
+
+namespace ui {
+
+using sculpt::BrushCurve;
+using sculpt::CurvePoint;
+
+constexpr double margin = 7, reach = 9;
+/// Pixels beyond the field from which a dragged point counts as thrown away.
+constexpr double away = 22;
+
+CurveEditor::CurveEditor(QWidget* parent) : QWidget(parent) {
+    setMouseTracking(true);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    setFixedHeight(sizeHint().height());
+}
+
+void CurveEditor::setPoints(const sculpt::CurvePoints& points) {
+    if (m_held >= 0)
+        return; // the hand knows better
+    m_points = points;
+    m_under = -1;
+    update();
+}
+
+void CurveEditor::setShape(Shape shape) {
+    m_shape = std::move(shape);
+    update();
+}
+
+QRectF CurveEditor::field() const {
+    return QRectF(rect()).adjusted(margin, margin, -margin, -margin);
+}
+
+QPointF CurveEditor::placeOf(CurvePoint point) const {
+    const QRectF in = field();
+    return {in.left() + double(point.x) * in.width(), in.bottom() - double(point.y) * in.height()};
+}
+
+CurvePoint CurveEditor::pointAt(const QPointF& place) const {
+    const QRectF in = field();
+    return {static_cast<float>(std::clamp((place.x() - in.left()) / in.width(), 0.0, 1.0)),
+            static_cast<float>(std::clamp((in.bottom() - place.y()) / in.height(), 0.0, 1.0))};
+}
+
+int CurveEditor::nearest(const QPointF& place) const {
+    int out = -1;
+    double best = reach;
+    for (std::size_t i = 0; i < m_points.size() && !m_shape; ++i) {
+        const QPointF by = placeOf(m_points[i]) - place;
+        if (const double gap = std::hypot(by.x(), by.y()); gap < best)
+            best = gap, out = static_cast<int>(i);
+    }
+    return out;
+}
+
+int CurveEditor::insert(CurvePoint point) {
+    const auto at = std::find_if(m_points.begin(), m_points.end(), [&](const CurvePoint& p) { return p.x > point.x; });
+    const bool roomBefore = at == m_points.begin() || point.x - std::prev(at)->x >= BrushCurve::minGap;
+    const bool roomBehind = at == m_points.end() || at->x - point.x >= BrushCurve::minGap;
+    if (m_points.size() >= BrushCurve::maxPoints || !roomBefore || !roomBehind)
+        return -1;
+    return static_cast<int>(m_points.insert(at, point) - m_points.begin());
+}
+
+/// Starts from the curve that is shown in place of our own.
+void CurveEditor::adopt() {
+    if (!m_shape)
+        return;
+    m_points.clear();
+    for (const float x : {0.0f, 0.2f, 0.4f, 0.6f, 0.8f, 1.0f})
+        m_points.push_back({x, std::clamp(m_shape(x), 0.0f, 1.0f)});
+    m_shape = {};
+}
+
+void CurveEditor::changed() {
+    update();
+    Q_EMIT edited();
+}
+
+void CurveEditor::mousePressEvent(QMouseEvent* event) {
+    adopt();
+    const int under = nearest(event->position());
+    if (event->button() == Qt::RightButton && under >= 0 && m_points.size() > 2) {
+        m_points.erase(m_points.begin() + under);
+        m_under = -1;
+        return changed();
+    }
+    if (event->button() != Qt::LeftButton)
+        return;
+    m_held = under >= 0 ? under : insert(pointAt(event->position()));
+    m_under = m_held;
+    m_out = false;
+    if (under < 0 && m_held >= 0)
+        changed();
+}
+
+void CurveEditor::mouseMoveEvent(QMouseEvent* event) {
+    if (m_held < 0) {
+        m_under = nearest(event->position());
+        return update();
+    }
+    const auto i = static_cast<std::size_t>(m_held);
+    CurvePoint to = pointAt(event->position());
+    constexpr float gap = 2 * BrushCurve::minGap; // more than rounding takes
+    to.x = std::clamp(to.x, i > 0 ? m_points[i - 1].x + gap : 0.0f,
+                      i + 1 < m_points.size() ? m_points[i + 1].x - gap : 1.0f);
+    m_points[i] = to;
+    const QRectF kept = QRectF(rect()).adjusted(-away, -away, away, away);
+    m_out = m_points.size() > 2 && !kept.contains(event->position());
+    changed();
+}
+
+void CurveEditor::mouseReleaseEvent(QMouseEvent*) {
+    const int held = std::exchange(m_held, -1);
+    if (held >= 0 && m_out) {
+        m_points.erase(m_points.begin() + held);
+        m_under = -1;
+        changed();
+    }
+    m_out = false;
+    update();
+}
+
+void CurveEditor::leaveEvent(QEvent*) {
+    m_under = -1;
+    update();
+}
+
+void CurveEditor::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(palette().base());
+    painter.drawRoundedRect(rect(), 4, 4);
+    const QRectF in = field();
+    painter.setPen(QPen(QColor(255, 255, 255, 18), 1));
+    for (int k = 0; k <= 4; ++k) {
+        const double x = std::round(in.left() + in.width() * k / 4) + 0.5,
+                     y = std::round(in.top() + in.height() * k / 4) + 0.5;
+        painter.drawLine(QPointF(x, in.top()), QPointF(x, in.bottom()));
+        painter.drawLine(QPointF(in.left(), y), QPointF(in.right(), y));
+    }
+    sculpt::CurvePoints shown = m_points;
+    if (m_out && m_held >= 0)
+        shown.erase(shown.begin() + m_held);
+    const BrushCurve own(shown);
+    QPainterPath line;
+    for (int x = 0; x <= qRound(in.width()); ++x) {
+        const auto u = static_cast<float>(x / in.width());
+        const QPointF at = placeOf({u, m_shape ? std::clamp(m_shape(u), 0.0f, 1.0f) : own.value(u)});
+        x == 0 ? line.moveTo(at) : line.lineTo(at);
+    }
+    QPainterPath under = line;
+    under.lineTo(in.bottomRight());
+    under.lineTo(in.bottomLeft());
+    under.closeSubpath();
+    QColor accent = palette().highlight().color();
+    accent.setAlphaF(m_shape ? 0.12f : 0.2f);
+    painter.fillPath(under, accent);
+    accent.setAlphaF(m_shape ? 0.6f : 1);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(accent, 1.6));
+    painter.drawPath(line);
+    if (m_shape)
+        return;
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+        const bool lit = static_cast<int>(i) == (m_held >= 0 ? m_held : m_under) && !m_out;
+        painter.setPen(QPen(palette().base().color(), 1.2));
+        painter.setBrush(lit ? QColor(Qt::white) : palette().text().color());
+        painter.drawEllipse(placeOf(shown[i]), lit ? 4.5 : 3.5, lit ? 4.5 : 3.5);
+    }
+}
+
+} // namespace ui

@@ -1,0 +1,45 @@
+// The bar of clip planes: for each of the window's cuts a button, a slider for its place and a button that shows the
+// other side; and whether section curves are drawn. It edits a Cuts and says so; it knows no view.
+#pragma once
+
+#include "ui/viewport/cuts.h"
+
+#include <QToolBar>
+
+class QAction;
+class QSlider;
+class QToolButton;
+
+namespace ui {
+
+class CutBar : public QToolBar {
+    Q_OBJECT
+  public:
+    explicit CutBar(QWidget* parent = nullptr);
+
+    /// What is shown and edited from now on: the sliders reach over `bounds`. Emits nothing.
+    void display(const Cuts& cuts, const base::Box3f& bounds);
+    const Cuts& cuts() const { return m_cuts; }
+
+  Q_SIGNALS:
+    void edited(const Cuts& cuts);
+    void freeWanted(); ///< the free plane was switched on: it wants to face the view
+
+  private:
+    static constexpr int sliderSteps = 2000;
+    struct Row {
+        QToolButton *on, *flip;
+        QSlider* place;
+    };
+    void build(std::size_t number, const QString& label, const QString& tip);
+    void change(const std::function<void()>& edit);
+    void refresh();
+
+    Cuts m_cuts;
+    base::Box3f m_bounds;
+    std::array<Row, 4> m_rows;
+    QToolButton* m_section;
+    bool m_quiet = false; ///< while the widgets are set
+};
+
+} // namespace ui

@@ -1,0 +1,284 @@
+#include "ui/panels/properties_panel.h"
+
+#include "ui/panels/number_slider.h"
+#include "ui/panels/panel_group.h"
+#include "ui/window/icon.h"
+
+#include <algorithm>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QToolButton>
+
+namespace ui {
+
+static QHBoxLayout* rowOf(QWidget* widget, int spacing) {
+    auto* out = new QHBoxLayout(widget);
+    out->setContentsMargins(0, 0, 0, 0);
+    out->setSpacing(spacing);
+    return out;
+}
+
+PropertiesPanel::PropertiesPanel(Settings& settings, QWidget* parent) : QScrollArea(parent), m_settings(settings) {
+    m_edit = [this](const std::function<void(sculpt::StrokeSettings&)>& change) {
+        change(m_settings.edit(m_settings.toolRow()));
+        refresh();
+        Q_EMIT edited();
+    };
+    auto* content = new QWidget;
+    auto* layout = new QVBoxLayout(content);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(1);
+    layout->addWidget(titleRow());
+    for (const auto& row : sculpt::optionGroupTable()) {
+        PanelGroup* group = addGroup(*layout, row.id, row.label, row.open);
+        m_groups.emplace_back(group, row.group);
+        if (row.group == sculpt::OptionGroup::Brush)
+            buildBrush(*group);
+        else
+            fill(*group, row.group);
+        if (row.group == sculpt::OptionGroup::Stroke) // after what is wanted for every stroke, before the rest
+            buildSymmetry(*addGroup(*layout, "symmetry", "Symmetry", true));
+    }
+    layout->addStretch();
+    setWidget(content);
+    setWidgetResizable(true);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setFixedWidth(256);
+    refresh();
+}
+
+// --- building ---
+
+QWidget* PropertiesPanel::titleRow() {
+    auto* out = new QWidget;
+    auto* row = rowOf(out, 8);
+    row->setContentsMargins(10, 8, 8, 6);
+    m_toolIcon = new QLabel;
+    m_toolName = new QLabel;
+    m_toolName->setObjectName("title");
+    m_reset = new QToolButton;
+    m_reset->setObjectName("plain");
+    m_reset->setText(tr("Reset"));
+    m_reset->setToolTip(tr("This tool's options as they were at first; radius and symmetry stay."));
+    connect(m_reset, &QToolButton::clicked, this, &PropertiesPanel::resetTool);
+    QSizePolicy kept = m_reset->sizePolicy(); // what is below must not jump
+    kept.setRetainSizeWhenHidden(true);
+    m_reset->setSizePolicy(kept);
+    row->addWidget(m_toolIcon);
+    row->addWidget(m_toolName, 1);
+    row->addWidget(m_reset);
+    return out;
+}
+
+PanelGroup* PropertiesPanel::addGroup(QVBoxLayout& layout, const char* id, const char* label, bool open) {
+    const auto wish = m_settings.groups.find(id);
+    auto* out = new PanelGroup(tr(label), wish == m_settings.groups.end() ? open : wish->second);
+    out->setObjectName(QString("group-") + id);
+    connect(out, &PanelGroup::toggled, this, [this, id](bool on) { m_settings.groups[id] = on; });
+    layout.addWidget(out);
+    return out;
+}
+
+void PropertiesPanel::fill(PanelGroup& group, sculpt::OptionGroup which) {
+    for (const auto& option : sculpt::strokeOptionTable()) {
+        if (option.group != which)
+            continue;
+        const OptionEditor editor = makeOptionEditor(option, m_edit);
+        if (editor.half)
+            group.addHalf(editor.widget);
+        else
+            group.add(editor.widget);
+        m_options.push_back({&option, editor});
+    }
+}
+
+void PropertiesPanel::buildBrush(PanelGroup& group) {
+    group.add(radiusRow());
+    m_toolParameters = new QWidget;
+    (new QGridLayout(m_toolParameters))->setContentsMargins(0, 0, 0, 0);
+    fill(group, sculpt::OptionGroup::Brush);
+    m_resample = new QCheckBox(tr("Resample"));
+    m_resample->setToolTip(tr("The sampling follows the deformation, with every tool: gaps fill, crowds merge."));
+    connect(m_resample, &QCheckBox::clicked, this, [this](bool on) {
+        m_settings.resample = on;
+        Q_EMIT edited();
+    });
+    group.addHalf(m_resample);
+    group.add(m_toolParameters);
+    m_source = new QLabel;
+    m_source->setObjectName("hint");
+    m_source->setWordWrap(true);
+    group.add(m_source);
+    showSource({});
+}
+
+QWidget* PropertiesPanel::radiusRow() {
+    auto* out = new QWidget;
+    auto* row = rowOf(out, 4);
+    m_radius =
+        new NumberSlider(tr("Radius"), tr("Radius of the brush. [ and ], or hold F and move, change it too."), {});
+    connect(m_radius, &NumberSlider::edited, this, [this](double value) {
+        (m_settings.radiusUnit == RadiusUnit::Pixels ? m_settings.radiusPx : m_settings.radiusModel) = value;
+        Q_EMIT edited();
+    });
+    m_unit = new QToolButton;
+    m_unit->setObjectName("plain");
+    m_unit->setFixedWidth(54);
+    m_unit->setToolTip(tr("Screen: the brush keeps its size in pixels. Model: it keeps its size on the model."));
+    connect(m_unit, &QToolButton::clicked, this, [this] {
+        m_settings.radiusUnit = m_settings.radiusUnit == RadiusUnit::Pixels ? RadiusUnit::Model : RadiusUnit::Pixels;
+        showRadius();
+        Q_EMIT edited();
+    });
+    row->addWidget(m_radius, 1);
+    row->addWidget(m_unit);
+    return out;
+}
+
+void PropertiesPanel::buildSymmetry(PanelGroup& group) {
+    group.add(planesRow());
+    group.add(radialRow());
+}
+
+QWidget* PropertiesPanel::planesRow() {
+    auto* out = new QWidget;
+    auto* row = rowOf(out, 4);
+    auto* name = new QLabel(tr("Mirror"));
+    name->setObjectName("faint");
+    name->setFixedWidth(54);
+    row->addWidget(name);
+    bool* const flags[] = {&m_settings.symmetry.x, &m_settings.symmetry.y, &m_settings.symmetry.z};
+    const char* const names[] = {"X", "Y", "Z"};
+    for (int k = 0; k < 3; ++k) {
+        auto* button = m_planes[k] = new QToolButton;
+        button->setObjectName("plain");
+        button->setText(names[k]);
+        button->setCheckable(true);
+        button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+        button->setToolTip(tr("Every dab is made on both sides of the plane %1 = 0.").arg(QString(names[k]).toLower()));
+        connect(button, &QToolButton::clicked, this, [this, flag = flags[k]](bool on) {
+            *flag = on;
+            Q_EMIT edited();
+        });
+        row->addWidget(button, 1);
+    }
+    return out;
+}
+
+QWidget* PropertiesPanel::radialRow() {
+    auto* out = new QWidget;
+    auto* row = rowOf(out, 4);
+    m_copies = new NumberSlider(tr("Radial"), tr("Copies of every dab, turned evenly about an axis; 1: none."),
+                                {1, 32, true, 0, {}, 1, 64});
+    connect(m_copies, &NumberSlider::edited, this, [this](double value) {
+        m_settings.symmetry.copies = static_cast<int>(value);
+        showSymmetry();
+        Q_EMIT edited();
+    });
+    m_axis = new QComboBox;
+    m_axis->addItems({tr("X axis"), tr("Y axis"), tr("Z axis")});
+    m_axis->setToolTip(tr("The axis through the origin that the copies are turned about."));
+    connect(m_axis, &QComboBox::activated, this, [this](int axis) {
+        m_settings.symmetry.axis = axis;
+        Q_EMIT edited();
+    });
+    row->addWidget(m_copies, 1);
+    row->addWidget(m_axis);
+    return out;
+}
+
+void PropertiesPanel::buildToolParameters() {
+    const auto& row = m_settings.toolRow();
+    qDeleteAll(m_toolParameters->findChildren<QWidget*>(Qt::FindDirectChildrenOnly));
+    m_parameters.clear();
+    auto& grid = static_cast<QGridLayout&>(*m_toolParameters->layout());
+    grid.setSpacing(4);
+    int place = 0; // in halves of a row
+    for (const auto& p : row.parameters) {
+        if (sculpt::hasSource(row)) // chosen on the model
+            break;
+        const OptionEditor editor = makeParameterEditor(p, m_edit);
+        const int span = editor.half ? 1 : 2;
+        grid.addWidget(editor.widget, place / 2, place % 2, 1, span);
+        place += span;
+        m_parameters.push_back(editor);
+    }
+    m_toolParameters->setVisible(!m_parameters.empty());
+}
+
+void PropertiesPanel::resetTool() {
+    m_settings.tools.erase(m_settings.toolRow().id);
+    refresh();
+    Q_EMIT edited();
+}
+
+// --- showing ---
+
+void PropertiesPanel::setModelSize(double diagonal) {
+    if (diagonal > 0 && std::isfinite(diagonal))
+        m_diagonal = diagonal;
+    showRadius();
+}
+
+void PropertiesPanel::showSource(const QString& place) {
+    m_source->setText(place.isEmpty() ? tr("Ctrl+click on the model: where to copy from.")
+                                      : tr("Copies from %1. Ctrl+click for another place.").arg(place));
+}
+
+void PropertiesPanel::showRadius() {
+    const bool pixels = m_settings.radiusUnit == RadiusUnit::Pixels;
+    m_unit->setText(pixels ? tr("Screen") : tr("Model"));
+    if (pixels)
+        m_radius->setRange({Settings::minRadiusPx, Settings::maxRadiusPx, true, 0, tr("px")});
+    else {
+        const int digits = static_cast<int>(std::ceil(-std::log10(m_diagonal))) + 3;
+        m_radius->setRange({m_diagonal * 1e-3, m_diagonal * 0.5, true, std::clamp(digits, 0, 9), {}});
+        m_settings.radiusModel = std::clamp(m_settings.radiusModel, m_diagonal * 1e-3, m_diagonal * 0.5);
+    }
+    m_radius->setValue(pixels ? m_settings.radiusPx : m_settings.radiusModel);
+}
+
+void PropertiesPanel::showTool() {
+    const auto& row = m_settings.toolRow();
+    if (m_shownTool != row.id) {
+        m_shownTool = row.id;
+        buildToolParameters();
+        m_toolIcon->setPixmap(icon(row.icon).pixmap(20, 20));
+        m_toolName->setText(tr(row.label));
+        m_toolName->setToolTip(tr(row.tip));
+        m_source->setVisible(sculpt::hasSource(row));
+    }
+    const sculpt::StrokeSettings choice = m_settings.choice(row);
+    m_reset->setVisible(choice != sculpt::defaultsOf(row));
+    for (const OptionEditor& editor : m_parameters)
+        editor.show(choice);
+    for (const Shown& shown : m_options) {
+        shown.editor.widget->setVisible(shown.option->applies(row, choice));
+        shown.editor.show(choice);
+    }
+    for (const auto& [group, which] : m_groups)
+        group->setVisible(std::any_of(m_options.begin(), m_options.end(), [&, w = which](const Shown& shown) {
+            return shown.option->group == w && shown.option->applies(row, choice);
+        }));
+}
+
+void PropertiesPanel::showSymmetry() {
+    const auto& s = m_settings.symmetry;
+    m_planes[0]->setChecked(s.x);
+    m_planes[1]->setChecked(s.y);
+    m_planes[2]->setChecked(s.z);
+    m_copies->setValue(s.copies);
+    m_axis->setCurrentIndex(s.axis);
+    m_axis->setEnabled(s.copies > 1);
+}
+
+void PropertiesPanel::refresh() {
+    showRadius();
+    showTool();
+    showSymmetry();
+    m_resample->setChecked(m_settings.resample);
+}
+
+} // namespace ui

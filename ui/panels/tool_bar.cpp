@@ -1,0 +1,61 @@
+#include "ui/panels/tool_bar.h"
+
+#include "ui/window/icon.h"
+
+#include <QActionGroup>
+#include <QGridLayout>
+#include <QToolButton>
+
+namespace ui {
+
+/// Two columns hold the whole table in a low window too.
+constexpr int columns = 2;
+
+static QString tipOf(const sculpt::ToolRow& row) {
+    const QString shortcut = row.shortcut;
+    const QString title = shortcut.isEmpty() ? QString(row.label) : QString("%1  (%2)").arg(row.label, shortcut);
+    return QString("<b>%1</b><br>%2").arg(title, row.tip);
+}
+
+static QAction* actionOf(const sculpt::ToolRow& row, QObject* parent) {
+    auto* action = new QAction(icon(row.icon), row.label, parent);
+    action->setCheckable(true);
+    action->setData(row.id);
+    action->setToolTip(tipOf(row));
+    action->setStatusTip(row.tip);
+    action->setShortcut(QKeySequence(row.shortcut));
+    return action;
+}
+
+ToolBar::ToolBar(Settings& settings, QWidget* parent) : QToolBar(tr("Tools"), parent), m_tools(new QActionGroup(this)) {
+    setObjectName("tools");
+    setOrientation(Qt::Vertical);
+    setMovable(false);
+    auto* grid = new QWidget;
+    auto* places = new QGridLayout(grid);
+    places->setContentsMargins(0, 0, 0, 0);
+    places->setSpacing(1);
+    for (const auto& row : sculpt::toolTable()) {
+        QAction* action = actionOf(row, this);
+        action->setChecked(&row == &settings.toolRow());
+        m_tools->addAction(action);
+        auto* button = new QToolButton;
+        button->setDefaultAction(action);
+        button->setAutoRaise(true);
+        button->setIconSize({24, 24});
+        button->setFocusPolicy(Qt::NoFocus);
+        const int place = places->count();
+        places->addWidget(button, place / columns, place % columns);
+    }
+    addWidget(grid);
+    connect(m_tools, &QActionGroup::triggered, this, [this, &settings](QAction* action) {
+        settings.tool = action->data().toString().toStdString();
+        Q_EMIT chosen();
+    });
+}
+
+QList<QAction*> ToolBar::toolActions() const {
+    return m_tools->actions();
+}
+
+} // namespace ui

@@ -1,0 +1,299 @@
+#include "ui/window/file_actions.h"
+
+#include "core/io/formats.h"
+#include "core/render/image_io.h"
+#include "core/render/picture.h"
+#include "core/session/journal.h"
+#include "core/session/model_argument.h"
+#include "core/session/recover.h"
+#include "ui/window/icon.h"
+
+#include <chrono>
+#include <QDateTime>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMainWindow>
+#include <QMessageBox>
+#include <QPushButton>
+
+namespace ui {
+
+namespace fs = std::filesystem;
+
+// --- names and filters ---
+
+static QString textOf(const fs::path& path) {
+    return QString::fromStdString(path.string());
+}
+
+static fs::path pathOf(const QString& text) {
+    return fs::path(text.toStdString());
+}
+
+static QString patterns(const io::FormatRow& row) {
+    QStringList out;
+    for (const QString& extension : QString(row.extensions).split(' ', Qt::SkipEmptyParts))
+        out << "*." + extension;
+    return out.join(' ');
+}
+
+QString openFilter() {
+    QStringList all, each;
+    for (const auto& row : io::formatTable())
+        if (row.read) {
+            all << patterns(row);
+            each << QString("%1 (%2)").arg(row.label, patterns(row));
+        }
+    each.prepend(QObject::tr("Models (%1)").arg(all.join(' ')));
+    each << QObject::tr("All files (*)");
+    return each.join(";;");
+}
+
+QString saveFilter() {
+    QStringList each;
+    for (const auto& row : io::formatTable())
+        if (row.write)
+            each << QString("%1 (%2)").arg(row.label, patterns(row));
+    return each.join(";;");
+}
+
+static bool isNative(const fs::path& path) {
+    return textOf(path.extension()).toLower() == ".ply";
+}
+
+/// With the extension that the chosen filter names, where the person gave none.
+static fs::path completed(const QString& file, const QString& filter) {
+    if (!QFileInfo(file).suffix().isEmpty())
+        return pathOf(file);
+    const QString first = filter.section("*.", 1, 1).section(' ', 0, 0).section(')', 0, 0);
+    return pathOf(first.isEmpty() ? file : file + "." + first);
+}
+
+FileActions::FileActions(QMainWindow& window, Editor& editor, Settings& settings, ViewController& controller)
+    : QObject(&window), m_window(window), m_editor(editor), m_settings(settings), m_controller(controller) {
+    connect(&editor, &Editor::failed, this, [this](const QString& message) { m_failure = message; });
+}
+
+QString FileActions::folder() const {
+    const fs::path& path = m_editor.snapshot().path;
+    if (!path.empty())
+        return textOf(path.parent_path());
+    return m_settings.recentFiles.empty() ? QString() : textOf(fs::path(m_settings.recentFiles.front()).parent_path());
+}
+
+void FileActions::remember(const fs::path& path) {
+    m_settings.remember(path.string());
+    Q_EMIT recentChanged();
+}
+
+void FileActions::showFailure(const QString& title) {
+    if (m_failure.isEmpty())
+        return; // cancelled
+    auto* box = new QMessageBox(QMessageBox::NoIcon, title, m_failure, QMessageBox::Ok, &m_window);
+    box->setIconPixmap(icon("stop").pixmap(32, 32));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->open();
+}
+
+// --- new and open ---
+
+void FileActions::make(const std::string& sample) {
+    unlessUnsaved([this, sample] { m_editor.run({{"op", "new"}, {"sample", sample}}); });
+}
+
+void FileActions::open() {
+    const QString file = QFileDialog::getOpenFileName(&m_window, tr("Open a model"), folder(), openFilter());
+    if (!file.isEmpty())
+        open(pathOf(file));
+}
+
+void FileActions::open(const fs::path& path) {
+    unlessUnsaved([this, path] { load(path); });
+}
+
+void FileActions::openArgument(const std::string& model) {
+    if (!model.starts_with("sample:"))
+        return open(model);
+    m_failure.clear();
+    const QString title = tr("Could not make %1").arg(QString::fromStdString(model));
+    try {
+        m_editor.run(session::modelCommand(model), [this, title](bool done) {
+            if (!done)
+                showFailure(title);
+        });
+    } catch (const base::Error& error) {
+        m_failure = QString::fromStdString(error.message());
+        showFailure(title);
+    }
+}
+
+void FileActions::load(const fs::path& path) {
+    m_failure.clear();
+    const fs::path whole = fs::absolute(path);
+    m_editor.run({{"op", "open"}, {"path", whole.string()}}, [this, whole](bool done) {
+        if (done)
+            remember(whole);
+        else
+            showFailure(tr("Could not open %1").arg(textOf(whole.filename())));
+    });
+}
+
+// --- save and export ---
+
+void FileActions::save(std::function<void()> then) {
+    const fs::path& path = m_editor.snapshot().path;
+    if (path.empty() || !isNative(path))
+        saveAs(std::move(then));
+    else
+        write(path, std::move(then));
+}
+
+void FileActions::saveAs(std::function<void()> then) {
+    const fs::path& path = m_editor.snapshot().path;
+    const fs::path suggested = path.empty() ? fs::path("untitled.ply") : path.filename().replace_extension(".ply");
+    QString filter;
+    const QString start = folder().isEmpty() ? textOf(suggested) : folder() + "/" + textOf(suggested);
+    const QString file = QFileDialog::getSaveFileName(&m_window, tr("Save the model"), start, saveFilter(), &filter);
+    if (!file.isEmpty())
+        write(completed(file, filter), std::move(then));
+}
+
+void FileActions::write(const fs::path& path, std::function<void()> then) {
+    m_failure.clear();
+    const fs::path whole = fs::absolute(path);
+    m_editor.run({{"op", "save"}, {"path", whole.string()}}, [this, whole, then = std::move(then)](bool done) {
+        if (!done)
+            return showFailure(tr("Could not save %1").arg(textOf(whole.filename())));
+        remember(whole);
+        Q_EMIT m_editor.told(isNative(whole) ? tr("Saved %1").arg(textOf(whole))
+                                             : tr("Wrote %1; a .ply would keep everything").arg(textOf(whole)));
+        if (then)
+            then();
+    });
+}
+
+void FileActions::exportImage() {
+    const render::Camera now = m_controller.camera();
+    const QSize view(now.width, now.height);
+    const ImageChoice fresh{.size = view, .transparent = false, .smooth = true, .rayCast = false};
+    auto* dialog = new ImageDialog(m_image.size.isEmpty() ? fresh : m_image, view, &m_window);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, this, [this, dialog] {
+        m_image = dialog->choice();
+        askImagePath(m_image);
+    });
+    dialog->open();
+}
+
+void FileActions::askImagePath(const ImageChoice& choice) {
+    const fs::path& path = m_editor.snapshot().path;
+    const QString name = path.empty() ? QString("pointclay") : textOf(path.stem());
+    const QString start = (folder().isEmpty() ? QString() : folder() + "/") + name + ".png";
+    const QString filter = tr("Portable Network Graphics (*.png)");
+    const QString file = QFileDialog::getSaveFileName(&m_window, tr("Export the image"), start, filter);
+    if (!file.isEmpty())
+        writeImage(completed(file, filter), choice);
+}
+
+void FileActions::writeImage(const fs::path& path) {
+    const render::Camera now = m_controller.camera();
+    writeImage(path, {.size = {now.width, now.height}, .transparent = false, .smooth = true, .rayCast = false});
+}
+
+void FileActions::writeImage(const fs::path& path, const ImageChoice& choice) {
+    m_failure.clear();
+    render::Camera camera = m_controller.camera();
+    camera.width = choice.size.width(), camera.height = choice.size.height();
+    render::PictureOptions options;
+    options.style = m_controller.look();
+    options.annotated = m_settings.annotated;
+    options.reference = m_editor.snapshot().reference;
+    options.style.transparent = choice.transparent;
+    options.smooth = options.smoothRays = choice.smooth;
+    options.rayCast = choice.rayCast;
+    options.lighting = m_settings.truth.lighting;
+    options.sections = m_controller.cuts().section;
+    const auto work = [=](const surface::Surface& surface, const base::Progress& progress) {
+        render::PictureStats stats;
+        const render::Image image = render::drawPicture(surface, camera, options, stats, progress);
+        progress.step(0.5, "Writing the image");
+        render::savePng(image, path);
+    };
+    m_editor.runAside({"Drawing the image", work, [this, path](bool done) {
+                           if (done)
+                               Q_EMIT m_editor.told(tr("Wrote %1").arg(textOf(path)));
+                           else
+                               showFailure(tr("Could not write %1").arg(textOf(path.filename())));
+                       }});
+}
+
+// --- unsaved and lost work ---
+
+void FileActions::unlessUnsaved(std::function<void()> next) {
+    if (m_editor.busy()) { // what is under way decides whether there is something to lose
+        if (m_editor.working())
+            Q_EMIT m_editor.told(tr("Waiting for what is under way; Esc stops it."));
+        const auto again = [this, next = std::move(next)] { unlessUnsaved(next); };
+        connect(&m_editor, &Editor::idled, this, again, Qt::SingleShotConnection);
+        return;
+    }
+    if (!m_editor.snapshot().modified)
+        return next();
+    auto* box = new QMessageBox(QMessageBox::NoIcon, tr("Unsaved changes"),
+                                tr("The model has changes that are not saved. Save them first?"),
+                                QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &m_window);
+    box->setIconPixmap(icon("save").pixmap(32, 32));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    connect(box, &QMessageBox::finished, this, [this, next = std::move(next)](int answer) {
+        if (answer == QMessageBox::Discard)
+            next();
+        else if (answer == QMessageBox::Save)
+            save(next);
+    });
+    box->open();
+}
+
+static QString describe(const session::LeftJournal& journal) {
+    const auto when = std::chrono::file_clock::to_sys(journal.time);
+    const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(when.time_since_epoch()).count();
+    const QString name = journal.model.empty() ? QObject::tr("a new model") : textOf(journal.model.filename());
+    const QString steps = journal.commands == 1 ? QObject::tr("1 step") : QObject::tr("%1 steps").arg(journal.commands);
+    return QObject::tr("%1 (%2, the last at %3)")
+        .arg(name, steps, QDateTime::fromSecsSinceEpoch(seconds).toString("yyyy-MM-dd hh:mm"));
+}
+
+bool FileActions::offerRecovery() {
+    for (const session::LeftJournal& journal : session::findLeftJournals()) {
+        if (journal.commands == 0) { // nothing is lost
+            session::removeJournal(journal.path);
+            continue;
+        }
+        QMessageBox box(QMessageBox::NoIcon, tr("Recover lost work?"),
+                        tr("The program ended without saving %1.").arg(describe(journal)), QMessageBox::NoButton,
+                        &m_window);
+        box.setIconPixmap(icon("recover").pixmap(32, 32));
+        const auto* recovered = box.addButton(tr("Recover"), QMessageBox::AcceptRole);
+        const auto* discarded = box.addButton(tr("Discard it"), QMessageBox::DestructiveRole);
+        box.addButton(tr("Later"), QMessageBox::RejectRole);
+        box.exec();
+        if (box.clickedButton() == recovered) {
+            unlessUnsaved([this, path = journal.path] { recover(path); });
+            return true;
+        }
+        if (box.clickedButton() == discarded)
+            session::removeJournal(journal.path);
+    }
+    return false;
+}
+
+void FileActions::recover(const fs::path& journal) {
+    m_failure.clear();
+    m_editor.recover(journal, [this, journal](bool done) {
+        if (!done)
+            return showFailure(tr("Could not recover"));
+        session::removeJournal(journal); // this window's own journal holds it all now
+        Q_EMIT m_editor.told(tr("Recovered. Save it to keep it."));
+    });
+}
+
+} // namespace ui

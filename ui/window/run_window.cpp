@@ -1,0 +1,71 @@
+#include "ui/window/run_window.h"
+
+#include "core/process/samples/samples.h"
+#include "ui/window/icon.h"
+#include "ui/window/main_window.h"
+#include "ui/window/theme.h"
+
+#include <cstdio>
+#include <QApplication>
+#include <QTimer>
+#include <string_view>
+
+namespace ui {
+
+static void prepare(QApplication& application) {
+    QApplication::setApplicationName("pointclay");
+    QApplication::setApplicationDisplayName("Pointclay");
+    QApplication::setApplicationVersion(POINTCLAY_VERSION);
+    QApplication::setDesktopFileName("pointclay");
+    QApplication::setWindowIcon(icon("pointclay"));
+    applyTheme(application);
+}
+
+/// Without any display Qt would abort instead of telling.
+static bool hasDisplay(int argc, char** argv) {
+    for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"})
+        if (!qEnvironmentVariableIsEmpty(name))
+            return true;
+    for (int i = 1; i < argc; ++i)
+        if (std::string_view(argv[i]) == "-platform")
+            return true;
+    return false;
+}
+
+/// The first thing that a person sees: what they asked for, what a crash has left, or a lump of clay.
+static void fill(MainWindow& window, const std::filesystem::path* model) {
+    if (model)
+        window.files().openArgument(model->string());
+    else
+        window.files().make(process::sampleTable().front().id);
+}
+
+int runWindow(int argc, char** argv, const std::vector<std::filesystem::path>& models) {
+    if (!hasDisplay(argc, argv)) {
+        std::fprintf(stderr,
+                     "pointclay: there is no display to open a window on; set DISPLAY, or work without a window: "
+                     "pointclay --help\n");
+        return 1;
+    }
+    QApplication application(argc, argv);
+    prepare(application);
+    std::vector<std::unique_ptr<MainWindow>> windows;
+    const auto addWindow = [&]() -> MainWindow& {
+        windows.push_back(std::make_unique<MainWindow>());
+        windows.back()->show();
+        return *windows.back();
+    };
+    // Once the loop runs, so that a question about lost work has a window behind it.
+    const auto start = [&] {
+        const bool recovering = windows.front()->files().offerRecovery();
+        if (models.empty() && !recovering)
+            fill(*windows.front(), nullptr);
+        for (std::size_t i = 0; i < models.size(); ++i)
+            fill(i == 0 && !recovering ? *windows.front() : addWindow(), &models[i]);
+    };
+    addWindow();
+    QTimer::singleShot(0, &application, start);
+    return QApplication::exec();
+}
+
+} // namespace ui

@@ -1,0 +1,105 @@
+// The document's place: one thread owns it, runs commands and strokes on it in the order asked, and publishes
+// snapshots. The interface's thread never waits for it.
+//
+//     interface                              model thread
+//     run(command, then)  ---- TaskQueue -->  session::run            --> changed(), then(done)
+//     beginStroke, addSample... (merged)     session::LiveStroke::add --> changed() after every slice of dabs
+//     endStroke                              finish, commit, journal  --> changed()
+//     cancelStroke                           drops the LiveStroke     --> changed(), as if nothing had been
+//
+// Snapshots that arrive faster than they are shown replace each other.
+#pragma once
+
+#include "ui/work/snapshot.h"
+#include "ui/work/task_queue.h"
+
+#include <atomic>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <QElapsedTimer>
+#include <QObject>
+#include <thread>
+
+namespace ui {
+
+struct EditorOptions {
+    bool keepJournal = true;
+    std::filesystem::path journal; ///< empty: a file of this process in the state folder
+};
+
+class Editor : public QObject {
+    Q_OBJECT
+  public:
+    static constexpr qint64 patienceMs = 150; ///< what takes longer is long
+
+    /// Throws base::Error where the journal cannot be written.
+    explicit Editor(const EditorOptions& options = {}, QObject* parent = nullptr);
+    /// Stops what is running and waits for it; what was queued is dropped. The journal stays unless discarded.
+    ~Editor() override;
+
+    // All of these on the interface's thread; they return at once.
+    void run(nlohmann::json command, std::function<void(bool done)> then = {});
+    /// The model as a left journal's last command had it, recorded anew in this editor's own journal.
+    void recover(std::filesystem::path journal, std::function<void(bool done)> then = {});
+    void runAside(SideTask task);
+    void beginStroke(const sculpt::StrokeSettings& settings);
+    /// `input`: what Snapshot::input says once it is in the picture.
+    void addSample(const sculpt::StrokeSample& sample, std::uint64_t input = 0);
+    void endStroke();
+    /// As if it had not been: what still waits of it is not done any more.
+    void cancelStroke();
+    /// Asks the command that is running to stop; it then leaves the model as it was.
+    void cancelWork() { m_cancel = true; }
+
+    /// The journal goes with the editor: the person has saved, or does not want to.
+    void discardJournalAtEnd() { m_discardJournal = true; }
+
+    /// Something is running or waiting.
+    bool busy() const { return m_waiting > 0; }
+    /// Jobs that run or wait, a piece of a stroke being one.
+    int waiting() const { return m_waiting; }
+    /// A command or side task is among it, so that the model may soon be another.
+    bool working() const { return m_commands > 0; }
+    /// A stroke may begin: the model is not about to be another, and nothing that takes long is before it.
+    bool ready() const { return m_replacing == 0 && (!working() || m_workingSince.elapsed() < patienceMs); }
+    const Snapshot& snapshot() const { return m_snapshot; }
+    /// Of a stroke's input: the last that the engine has taken, and the last of these that changed the model. The
+    /// latter comes with a snapshot.
+    std::uint64_t takenInput() const { return m_takenInput; }
+    std::uint64_t changingInput() const { return m_changingInput; }
+    /// Of the document's content once all that was asked is done. Blocks: for tests and reports.
+    base::Hash128 hashWhenDone();
+
+  Q_SIGNALS:
+    void changed();                               ///< snapshot() is new
+    void progressed(double share, QString doing); ///< of a running command, 0 to 1
+    void told(QString message);                   ///< one sentence for the person
+    void failed(QString message);                 ///< what is wrong, where, what to do
+    void idled();                                 ///< nothing runs or waits any more
+
+  private:
+    struct Model;
+    void push(Task task);
+    void work(); ///< the model thread
+    void finished(std::function<void(bool)> then, bool done, int commands);
+    void replace(CommandTask task);
+    void deliver();
+
+    std::unique_ptr<Model> m_model; ///< touched by the model thread alone
+    TaskQueue m_queue;
+    std::atomic<bool> m_cancel = false;
+    std::atomic<bool> m_closing = false;
+    std::atomic<int> m_strokeCancels = 0; ///< asked, not yet done
+    std::atomic<std::uint64_t> m_takenInput = 0, m_changingInput = 0;
+    bool m_discardJournal = false;
+    Snapshot m_snapshot;
+    int m_waiting = 0;
+    int m_commands = 0;  ///< of them, those that are no part of a stroke
+    int m_replacing = 0; ///< of these, those that start another model
+    QElapsedTimer m_workingSince;
+    std::mutex m_freshMutex;
+    std::optional<Snapshot> m_fresh; ///< published, not yet delivered
+    std::thread m_thread;            ///< last: it uses all of the above
+};
+
+} // namespace ui
