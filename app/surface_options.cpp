@@ -3,7 +3,6 @@
 #include "core/base/error.h"
 #include "core/io/number_text.h"
 #include "core/session/surface_options.h"
-#include "core/surface/definition_text.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -28,8 +27,10 @@ json SurfaceOptions::parameters() const {
     return out;
 }
 
-static std::string fallbackOf(const std::string& id) {
-    return id == "support" ? "" : surface::option({}, id);
+/// What holds where nobody has said otherwise; "" where that is nothing.
+static std::string fallbackOf(const CommandParameter& p) {
+    const surface::DefinitionOption& option = surface::definitionOption(p.id);
+    return option.range.orZero ? "" : surface::textOf(option, {});
 }
 
 static std::string helpOf(const CommandParameter& p) {
@@ -42,7 +43,7 @@ static std::string helpOf(const CommandParameter& p) {
         out += std::string(", in ") + p.unit;
     if (!choices.empty())
         out += ": " + (type == "number or choice" ? "LIMIT|" + choices : choices);
-    const std::string fallback = fallbackOf(p.id);
+    const std::string fallback = fallbackOf(p);
     return fallback.empty() ? out : out + " [" + fallback + ", or what the file says]";
 }
 
@@ -58,16 +59,15 @@ static std::string fault(const std::string& id, const std::string& value) {
 
 std::shared_ptr<SurfaceOptions> addSurfaceOptions(CLI::App& command, bool withPrecision) {
     auto options = std::make_shared<SurfaceOptions>();
-    CLI::Option* support = nullptr;
+    std::map<std::string, CLI::Option*> added;
     for (const CommandParameter& p : session::surfaceParameters()) {
         const std::string id = p.id;
         CLI::Option* option = command.add_option_function<std::string>(
             "--" + id, [options, id](const std::string& value) { options->given.emplace_back(id, value); }, helpOf(p));
         option->group("Surface")->check([id](const std::string& value) { return fault(id, value); });
-        if (id == "support")
-            support = option;
-        else if (id == "neighbours")
-            option->excludes(support);
+        added[id] = option;
+        if (const char* other = surface::definitionOption(id).excludes)
+            option->excludes(added.at(other));
     }
     if (withPrecision)
         command

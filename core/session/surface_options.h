@@ -3,10 +3,11 @@
 #pragma once
 
 #include "core/session/command.h"
+#include "core/surface/definition_options.h"
 
 namespace session {
 
-/// manifold, frame, weight, support, neighbours, boundary, shrink-free, one-sheet; all may be left out.
+/// A parameter for every option that a person chooses; all may be left out.
 std::span<const CommandParameter> surfaceParameters();
 
 struct SurfaceChange {
@@ -14,7 +15,7 @@ struct SurfaceChange {
     bool newSupports = false; ///< supports that a file brought must not be kept
 };
 
-/// `base` with the options that `complete` names. Throws base::Error where `support` and `neighbours` are both there.
+/// `base` with the options that `complete` names. Throws base::Error where two of them exclude each other.
 SurfaceChange changed(const surface::SurfaceDefinition& base, const nlohmann::json& complete);
 
 /// The parameters of `own` followed by those of a surface.

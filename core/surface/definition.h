@@ -1,5 +1,5 @@
 // How the points of a model define its surface: weight, frame, supports, boundary (alg. 2, 6). A plain value with
-// defaults, compared with ==, written to files and sessions under the names of INTERFACES (see definition_text.h).
+// defaults, compared with ==, written to files and sessions; its options: definition_options.h.
 #pragma once
 
 #include <algorithm>

@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/base/random.h"
+#include "core/surface/definition_options.h"
 #include "support/registry.h"
 
 #include <bit>
@@ -51,10 +52,11 @@ void DefinitionTextTest::wordsBringBackTheSameBits() {
 
 void DefinitionTextTest::boundaryIsAWordOrANumber() {
     SurfaceDefinition d;
-    setOption(d, "boundary", "0.25");
+    const DefinitionOption& boundary = definitionOption("boundary");
+    setText(boundary, d, "0.25");
     QVERIFY(d.boundary == Boundary::Limit && d.boundaryLimit == 0.25f);
-    QCOMPARE(option(d, "boundary"), std::string("0.25"));
-    setOption(d, "boundary", "none");
+    QCOMPARE(textOf(boundary, d), std::string("0.25"));
+    setText(boundary, d, "none");
     QVERIFY(d.boundary == Boundary::None && !std::isfinite(d.boundaryLimit));
     d = definitionFromWords("boundary=auto boundary-limit=0.3125");
     QVERIFY(d.boundary == Boundary::Auto && d.boundaryLimit == 0.3125f);
@@ -63,7 +65,7 @@ void DefinitionTextTest::boundaryIsAWordOrANumber() {
 static std::string errorOf(const char* name, const char* value) {
     try {
         SurfaceDefinition d;
-        setOption(d, name, value);
+        setText(definitionOption(name), d, value);
     } catch (const base::Error& error) {
         return error.message();
     }
