@@ -5,7 +5,7 @@
 #include "app/subcommand.h"
 #include "core/base/error.h"
 #include "core/render/named_views.h"
-#include "ui/window/settings.h"
+#include "ui/settings/settings.h"
 
 #include <cstdio>
 #include <filesystem>

@@ -2,13 +2,44 @@
 pointclay_room(gl ui/gl render)
 pointclay_link(gl ${CMAKE_DL_LIBS})
 
-pointclay_room(ui ui session gl)
-pointclay_link(ui Qt6::Widgets Qt6::OpenGLWidgets Qt6::Svg nlohmann_json::nlohmann_json)
-# AUTOMOC does not notice a file that the glob has just found unless it depends on its own list of files.
-set_target_properties(pointclay_ui PROPERTIES AUTOMOC ON AUTORCC ON AUTOGEN_TARGET_DEPENDS
-    ${CMAKE_BINARY_DIR}/CMakeFiles/pointclay_ui_autogen.dir/AutogenInfo.json)
-pointclay_unhurried(pointclay_ui)
-pointclay_heavy(pointclay_ui <QMainWindow> <QPainter> <nlohmann/json.hpp>)
-target_sources(pointclay_ui PRIVATE ${CMAKE_SOURCE_DIR}/icons/icons.qrc)
-# Without Qt's keywords: `slots` is a word of the core, too.
-target_compile_definitions(pointclay_ui PUBLIC QT_NO_KEYWORDS PRIVATE POINTCLAY_VERSION="${PROJECT_VERSION}")
+# The camera as a hand moves it, and views by name; `render --view` needs them without a window.
+pointclay_room(view ui/view render)
+
+# Every folder of the window is a room, too, so that they depend on each other in one direction only.
+function(pointclay_qt_room name)
+    pointclay_room(${name} ${ARGN})
+    set(target pointclay_${name})
+    # AUTOMOC does not notice a file that the glob has just found unless it depends on its own list of files.
+    set_target_properties(${target} PROPERTIES AUTOMOC ON AUTOGEN_TARGET_DEPENDS
+        ${CMAKE_BINARY_DIR}/CMakeFiles/${target}_autogen.dir/AutogenInfo.json)
+    # Without Qt's keywords: `slots` is a word of the core, too.
+    target_compile_definitions(${target} PUBLIC QT_NO_KEYWORDS)
+    pointclay_link(${name} Qt6::Widgets Qt6::OpenGLWidgets Qt6::Svg nlohmann_json::nlohmann_json)
+    pointclay_unhurried(${target})
+    if(name STREQUAL theme)
+        pointclay_heavy(${target} <QMainWindow> <QPainter> <nlohmann/json.hpp>)
+    else()
+        target_precompile_headers(${target} REUSE_FROM pointclay_theme)
+        target_compile_options(${target} PRIVATE -fpch-preprocess) # for ccache
+    endif()
+endfunction()
+
+pointclay_qt_room(theme ui/theme)
+pointclay_qt_room(work ui/work session render)
+pointclay_qt_room(settings ui/settings sculpt view)
+pointclay_qt_room(overlay ui/overlay sculpt render)
+pointclay_qt_room(panels ui/panels theme settings work)
+pointclay_qt_room(viewport ui/viewport gl work)
+pointclay_qt_room(interaction ui/interaction settings overlay viewport)
+pointclay_qt_room(window ui/window interaction panels)
+add_library(pointclay_ui INTERFACE)
+target_link_libraries(pointclay_ui INTERFACE pointclay_window)
+set_source_files_properties(ui/window/run_window.cpp PROPERTIES COMPILE_DEFINITIONS POINTCLAY_VERSION="${PROJECT_VERSION}")
+
+# Every drawing in icons/ is in the program under its file's name.
+file(GLOB icons RELATIVE ${CMAKE_SOURCE_DIR}/icons CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/icons/*.svg)
+list(TRANSFORM icons REPLACE "(.+)" "<file alias=\"\\1\">${CMAKE_SOURCE_DIR}/icons/\\1</file>")
+list(JOIN icons "\n" icons)
+file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/icons.qrc CONTENT "<RCC><qresource prefix=\"/icons\">\n@icons@\n</qresource></RCC>\n" @ONLY)
+set_target_properties(pointclay_theme PROPERTIES AUTORCC ON)
+target_sources(pointclay_theme PRIVATE ${CMAKE_BINARY_DIR}/icons.qrc)

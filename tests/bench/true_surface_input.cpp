@@ -3,8 +3,8 @@
 //
 //     xvfb-run -s '-screen 0 1280x800x24' pointclay_true_surface_input MODEL|sample:ID [--quality PX] [--pictures
 //     PREFIX]
+#include "ui/theme/theme.h"
 #include "ui/window/main_window.h"
-#include "ui/window/theme.h"
 
 #include <cstdio>
 #include <QAction>
@@ -63,7 +63,7 @@ class Hand {
         send(QEvent::MouseMove, centre(), Qt::NoButton);
         begin();
         send(QEvent::MouseButtonPress, centre(), Qt::LeftButton);
-        m_awaited = m_window.controller().inputs();
+        m_awaited = m_window.sculptView().pointer().inputs();
         waitUntil([this] { return m_shown >= 0; }, 10);
         m_first = m_final = -1;
         send(QEvent::MouseButtonRelease, centre(), Qt::LeftButton);

@@ -9,9 +9,9 @@
 // Times count from when an event was due, not from when the window got round to it. Events that make no dab, for being
 // closer than the spacing, have no picture to wait for and do not count.
 #include "ui/panels/tool_bar.h"
+#include "ui/theme/theme.h"
 #include "ui/window/main_window.h"
 #include "ui/window/status_line.h"
-#include "ui/window/theme.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +28,7 @@
 
 namespace {
 
-using Gesture = ui::ViewController::Gesture;
+using Gesture = ui::PointerRouter::Gesture;
 
 /// A stroke or a turn of the view, `moveSeconds` long.
 struct Move {
@@ -129,8 +129,8 @@ class Driver : public QObject {
                           release || (!press && !m_down) ? Qt::NoButton : button, Qt::NoModifier);
         m_down = press || (m_down && !release);
         QApplication::sendEvent(&view, &event);
-        if (!release && m_window.controller().gesture() != Gesture::None)
-            m_open.push_back({m_window.controller().inputs(), due, &move});
+        if (!release && m_window.sculptView().pointer().gesture() != Gesture::None)
+            m_open.push_back({m_window.sculptView().pointer().inputs(), due, &move});
     }
 
     void answered(std::uint64_t input) {

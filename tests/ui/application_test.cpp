@@ -1,6 +1,6 @@
 // The application that the window tests run in, and that it starts where there is neither GPU nor desktop.
 #include "support/registry.h"
-#include "ui/window/theme.h"
+#include "ui/theme/theme.h"
 
 #include <QApplication>
 #include <QTemporaryDir>

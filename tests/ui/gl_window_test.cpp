@@ -57,7 +57,7 @@ bool GlWindowTest::show() {
     ui::Viewport& viewport = m_fixture->window->viewport();
     bool painted = false;
     viewport.framePainted = [&](double) { painted = true; };
-    m_fixture->window->controller().refresh();
+    m_fixture->window->sculptView().refresh();
     const bool done = QTest::qWaitFor([&] { return painted; }, 60000);
     viewport.framePainted = nullptr;
     return done;
@@ -77,7 +77,7 @@ void GlWindowTest::glDrawsWhatTheCpuDraws() {
     QVERIFY(m_fixture->make("torus", 20000));
     QVERIFY(show());
     const QImage gl = picture();
-    m_fixture->window->files().writeImage(m_fixture->file("cpu.png").toStdString()); // by the CPU renderer
+    m_fixture->window->images().write(m_fixture->file("cpu.png").toStdString()); // by the CPU renderer
     QVERIFY(m_fixture->settle());
     const QImage cpu(m_fixture->file("cpu.png"));
     QCOMPARE(gl.size(), cpu.size());
@@ -106,7 +106,7 @@ void GlWindowTest::overlayIsLeftOutOfPictures() {
     QVERIFY(show());
     const QImage plain = picture();
     test::sendMouse(f.view(), QEvent::MouseMove, f.centre(), Qt::NoButton);
-    QVERIFY(f.window->controller().cursor().contact);
+    QVERIFY(f.window->sculptView().cursor().contact);
     QCOMPARE(picture(), plain);
 }
 

@@ -2,7 +2,7 @@
 #include "core/io/formats.h"
 #include "core/io/mesh_formats.h"
 #include "support/registry.h"
-#include "ui/work/mesh_export.h"
+#include "ui/window/mesh_export.h"
 #include "window_fixture.h"
 
 using test::WindowFixture;

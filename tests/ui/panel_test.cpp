@@ -62,7 +62,7 @@ void PanelTest::numbersAreTypedAfterAClick() {
         QTest::mouseClick(bar, Qt::LeftButton);
         QTRY_VERIFY(box->isVisible() && box->hasFocus());
     };
-    const ui::View view = f.window->controller().view();
+    const ui::View view = f.window->sculptView().motion().view();
     const std::string tool = f.window->settings().tool;
     click();
     QTest::keyClicks(box, "0.37"); // 3 and 7 turn the view elsewhere
@@ -78,7 +78,7 @@ void PanelTest::numbersAreTypedAfterAClick() {
     QTest::keyClicks(box, "3"); // farther than the bar goes, no farther than a stroke may
     QTest::keyClick(box, Qt::Key_Return);
     QCOMPARE(spacing(), 3.0f);
-    QVERIFY(f.window->controller().view() == view);
+    QVERIFY(f.window->sculptView().motion().view() == view);
     QCOMPARE(f.window->settings().tool, tool);
 }
 

@@ -22,9 +22,9 @@ void PointerTest::dragBesideTheModelTurnsTheView() {
     WindowFixture f;
     QVERIFY(f.make("sphere", 3000));
     const base::Hash128 start = f.hash();
-    const ui::View before = f.window->controller().view();
+    const ui::View before = f.window->sculptView().motion().view();
     f.drag({8, 8}, {108, 58});
-    const ui::View after = f.window->controller().view();
+    const ui::View after = f.window->sculptView().motion().view();
     const base::Vec3d eye = before.turn.inverse()(after.turn({0, 0, 1}));
     QVERIFY(eye.x < -0.1 && after.turn({0, 0, 1}).y > before.turn({0, 0, 1}).y);
     QCOMPARE(after.distance, before.distance);
@@ -35,8 +35,8 @@ void PointerTest::dragBesideTheModelTurnsTheView() {
 void PointerTest::rightDragTurnsTheViewOnTheModelToo() {
     WindowFixture f;
     QVERIFY(f.make("sphere", 3000));
-    const ui::View before = f.window->controller().view();
-    const auto eye = [&] { return before.turn.inverse()(f.window->controller().view().turn({0, 0, 1})); };
+    const ui::View before = f.window->sculptView().motion().view();
+    const auto eye = [&] { return before.turn.inverse()(f.window->sculptView().motion().view().turn({0, 0, 1})); };
     f.drag(f.centre(), f.centre() + QPointF(50, 0), {}, Qt::RightButton);
     QVERIFY(eye().x < -0.05);
     f.drag(f.centre(), f.centre() + QPointF(-50, 0), Qt::AltModifier);
@@ -49,13 +49,13 @@ void PointerTest::wheelZoomsTowardsThePointer() {
     QVERIFY(f.make("sphere", 3000));
     const QPointF at = f.centre() + QPointF(60, 30);
     test::sendMouse(f.view(), QEvent::MouseMove, at, Qt::NoButton);
-    const auto contact = f.window->controller().cursor().contact;
+    const auto contact = f.window->sculptView().cursor().contact;
     QVERIFY(contact);
-    const double distance = f.window->controller().view().distance;
+    const double distance = f.window->sculptView().motion().view().distance;
     QWheelEvent wheel(at, f.view().mapToGlobal(at), {}, {0, 240}, Qt::NoButton, {}, Qt::NoScrollPhase, false);
     QApplication::sendEvent(&f.view(), &wheel);
-    QVERIFY(f.window->controller().view().distance < distance);
-    const base::Vec3d place = f.window->controller().camera().project(contact->position);
+    QVERIFY(f.window->sculptView().motion().view().distance < distance);
+    const base::Vec3d place = f.window->sculptView().motion().camera().project(contact->position);
     QVERIFY(std::hypot(place.x - at.x(), place.y - at.y()) < 0.01);
 }
 
@@ -65,19 +65,19 @@ void PointerTest::cursorLiesAtTheExactContact() {
     const float radius = reachOf(f).highest;
     for (const QPointF by : {QPointF(0, 0), QPointF(70, 40), QPointF(-90, 20)}) {
         test::sendMouse(f.view(), QEvent::MouseMove, f.centre() + by, Qt::NoButton);
-        const auto& cursor = f.window->controller().cursor();
+        const auto& cursor = f.window->sculptView().cursor();
         QVERIFY(cursor.contact);
         const base::Vec3d p = cursor.contact->position;
         QVERIFY(std::abs(base::length(p) / double(radius) - 1) < 2e-3);
         QVERIFY(base::dot(base::normalized(p), cursor.contact->normal) > 0.9999); // tilted to the surface
-        const base::Vec3d place = f.window->controller().camera().project(p);
+        const base::Vec3d place = f.window->sculptView().motion().camera().project(p);
         QVERIFY(std::hypot(place.x - f.centre().x() - by.x(), place.y - f.centre().y() - by.y()) < 0.01);
         // The circle has the asked radius in pixels where it is seen from the front.
-        const double pixels = cursor.radius * f.window->controller().camera().focalPx() / place.z;
+        const double pixels = cursor.radius * f.window->sculptView().motion().camera().focalPx() / place.z;
         QVERIFY(std::abs(pixels - f.window->settings().radiusPx) < 1e-6);
     }
     test::sendMouse(f.view(), QEvent::MouseMove, {3, 3}, Qt::NoButton);
-    QVERIFY(!f.window->controller().cursor().contact);
+    QVERIFY(!f.window->sculptView().cursor().contact);
 }
 
 void PointerTest::symmetryIsShownOverThePictureOnly() {
@@ -144,7 +144,7 @@ void PointerTest::modelRadiusKeepsItsSizeOnTheModel() {
                           Qt::NoScrollPhase, false);
         QApplication::sendEvent(&f.view(), &wheel);
         test::sendMouse(f.view(), QEvent::MouseMove, f.centre(), Qt::NoButton);
-        QCOMPARE(f.window->controller().cursor().radius, 0.25);
+        QCOMPARE(f.window->sculptView().cursor().radius, 0.25);
     }
 }
 
@@ -160,7 +160,7 @@ void PointerTest::shiftFChangesTheStrength() {
     const float start = strength();
     QTest::keyPress(&f.view(), Qt::Key_F, Qt::ShiftModifier);
     test::sendMouse(f.view(), QEvent::MouseMove, f.centre() + QPointF(60, 0), Qt::NoButton, Qt::ShiftModifier);
-    QVERIFY(!f.window->controller().cursor().label.isEmpty());
+    QVERIFY(!f.window->sculptView().cursor().label.isEmpty());
     QTest::keyRelease(&f.view(), Qt::Key_F, Qt::ShiftModifier);
     QVERIFY(std::abs(strength() - start - 0.2f) < 1e-5f);
     QTest::keyPress(&f.view(), Qt::Key_F, Qt::ShiftModifier);
@@ -169,7 +169,7 @@ void PointerTest::shiftFChangesTheStrength() {
     QTest::keyClick(&f.view(), Qt::Key_Escape);
     QVERIFY(std::abs(strength() - start - 0.2f) < 1e-5f);
     QCOMPARE(f.window->settings().radiusPx, radius);
-    QVERIFY(f.window->controller().cursor().label.isEmpty());
+    QVERIFY(f.window->sculptView().cursor().label.isEmpty());
 }
 
 static const test::Registered<PointerTest> registered;

@@ -35,15 +35,15 @@ class SculptingTest : public QObject {
 void SculptingTest::everyToolMovesPointsAndUndoBringsTheHashBack() {
     WindowFixture f;
     QVERIFY(f.make("knot", 8000));
-    f.window->controller().frameAll();
+    f.window->sculptView().motion().frameAll();
     const base::Hash128 start = f.hash();
     // Some place on the model.
     QPointF place = f.centre();
-    for (int k = 0; k < 200 && !f.window->controller().cursor().contact; ++k) {
+    for (int k = 0; k < 200 && !f.window->sculptView().cursor().contact; ++k) {
         place = f.centre() + QPointF(k, k / 3.0);
         test::sendMouse(f.view(), QEvent::MouseMove, place, Qt::NoButton);
     }
-    QVERIFY(f.window->controller().cursor().contact);
+    QVERIFY(f.window->sculptView().cursor().contact);
     for (QAction* tool : f.window->toolBar().toolActions()) {
         tool->trigger();
         f.drag(place, place + QPointF(30, 20));
@@ -137,7 +137,7 @@ void SculptingTest::undoDuringAStrokeTakesItBack() {
 void SculptingTest::symmetricStrokeWorksOnBothSides() {
     WindowFixture f;
     QVERIFY(f.make("sphere", 8000));
-    f.window->controller().turnTo(render::namedViews()[0]);
+    f.window->sculptView().motion().turnTo(render::namedViews()[0]);
     f.window->settings().symmetry = {true, false, false};
     const float radius = reachOf(f).highest;
     f.drag(f.centre() + QPointF(90, -10), f.centre() + QPointF(90, 30));
@@ -236,11 +236,11 @@ void SculptingTest::escapeEndsAStrokeThatWaits() {
     for (int k = 0; k < 1000; ++k)
         test::sendMouse(f.view(), QEvent::MouseMove, f.centre() + QPointF(100 * std::sin(k * 0.1), k * 0.1),
                         Qt::LeftButton);
-    f.window->controller().cancel();
+    f.window->sculptView().pointer().cancel();
     f.press(f.centre()); // another one right behind it is none of its business
     f.moveTo(f.centre() + QPointF(50, 0));
     QVERIFY(reachOf(f).highest > 1.001f * reachOf(f).lowest);
-    f.window->controller().cancel();
+    f.window->sculptView().pointer().cancel();
     QVERIFY(f.settle());
     QVERIFY(f.hash() == start);
     QCOMPARE(contentOf(f.journal()), journal);
@@ -256,7 +256,7 @@ void SculptingTest::cloneCopiesFromWhereControlClicked() {
         f.drag(bump, bump + QPointF(2, 0));
     const auto heightAt = [&](QPointF at) {
         test::sendMouse(f.view(), QEvent::MouseMove, at, Qt::NoButton);
-        return base::length(f.window->controller().cursor().contact->position);
+        return base::length(f.window->sculptView().cursor().contact->position);
     };
     const double bare = heightAt(other), bumped = heightAt(bump);
     QVERIFY(bumped > bare * 1.002);
@@ -271,11 +271,11 @@ void SculptingTest::cloneCopiesFromWhereControlClicked() {
     f.press(bump, Qt::ControlModifier);
     f.release(bump, Qt::ControlModifier);
     QVERIFY(f.hash() == before);
-    QVERIFY(f.window->controller().source());
+    QVERIFY(f.window->sculptView().source().place());
     f.drag(other, other + QPointF(1, 0));
     QVERIFY2(heightAt(other) - bare > 0.4 * (bumped - bare), qPrintable(QString::number(heightAt(other) - bare)));
     QVERIFY(f.make("sphere", 3000));
-    QVERIFY(!f.window->controller().source()); // another model, another place
+    QVERIFY(!f.window->sculptView().source().place()); // another model, another place
 }
 
 void SculptingTest::killedSessionsAreRecovered() {

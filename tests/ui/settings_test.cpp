@@ -1,4 +1,4 @@
-#include "ui/window/settings.h"
+#include "ui/settings/settings.h"
 
 #include "support/registry.h"
 

@@ -37,10 +37,10 @@ struct Fixture : WindowFixture {
         return QTest::qWaitFor([this, before] { return complete > before; }, 60000);
     }
     double meanDifferenceToRays() {
-        auto& controller = window->controller();
+        auto& scene = window->sculptView();
         render::Image cast;
         render::RayCounts counts;
-        render::rayCast(editor().snapshot().surface, controller.camera(), controller.look(), cast, counts);
+        render::rayCast(editor().snapshot().surface, scene.motion().camera(), scene.look().options(), cast, counts);
         const QImage shown = window->viewport().picture();
         double sum = 0;
         for (int y = 0; y < cast.height; ++y)

@@ -2,10 +2,10 @@
 #include "core/base/random.h"
 #include "core/render/named_views.h"
 #include "support/registry.h"
-#include "ui/viewport/fly.h"
-#include "ui/viewport/navigation.h"
-#include "ui/viewport/navigator.h"
-#include "ui/window/saved_views.h"
+#include "ui/interaction/navigator.h"
+#include "ui/view/fly.h"
+#include "ui/view/navigation.h"
+#include "ui/view/saved_views.h"
 
 #include <numbers>
 #include <QSignalSpy>

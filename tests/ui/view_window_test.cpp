@@ -35,12 +35,12 @@ void ViewWindowTest::parallelPickingIsTheDrawnPlace() {
     WindowFixture f;
     QVERIFY(f.make("sphere", 4000));
     f.action("view", "Orthographic")->trigger();
-    QVERIFY(f.window->controller().view().parallel);
+    QVERIFY(f.window->sculptView().motion().view().parallel);
     for (const QPointF& at : {f.centre(), f.centre() + QPointF(80, -60), f.centre() + QPointF(-120, 90)}) {
         test::sendMouse(f.view(), QEvent::MouseMove, at, Qt::NoButton);
-        const auto& contact = f.window->controller().cursor().contact;
+        const auto& contact = f.window->sculptView().cursor().contact;
         QVERIFY(contact);
-        const render::Camera camera = f.window->controller().camera();
+        const render::Camera camera = f.window->sculptView().motion().camera();
         QVERIFY(camera.parallel());
         const Vec3d place = camera.project(contact->position);
         QVERIFY(std::hypot(place.x - at.x(), place.y - at.y()) < 0.05);
@@ -55,31 +55,31 @@ void ViewWindowTest::parallelPickingIsTheDrawnPlace() {
 void ViewWindowTest::pivotsArePickedOnTheSurface() {
     WindowFixture f;
     QVERIFY(f.make("sphere", 4000));
-    auto& controller = f.window->controller();
-    const render::Camera before = controller.camera();
+    auto& scene = f.window->sculptView();
+    const render::Camera before = scene.motion().camera();
     const QPointF at = f.centre() + QPointF(90, 40);
     test::sendMouse(f.view(), QEvent::MouseButtonDblClick, at, Qt::RightButton);
-    QVERIFY(controller.view().pivot && std::abs(length(*controller.view().pivot) - 1) < 0.01);
-    QVERIFY(controller.camera() == before); // no jump
+    QVERIFY(scene.motion().view().pivot && std::abs(length(*scene.motion().view().pivot) - 1) < 0.01);
+    QVERIFY(scene.motion().camera() == before); // no jump
     f.drag({30, 30}, {130, 60});
-    const Vec3d place = controller.camera().project(*controller.view().pivot);
+    const Vec3d place = scene.motion().camera().project(*scene.motion().view().pivot);
     QVERIFY(std::hypot(place.x - at.x(), place.y - at.y()) < 0.1);
-    QVERIFY(controller.camera() != before);
+    QVERIFY(scene.motion().camera() != before);
     test::sendMouse(f.view(), QEvent::MouseButtonDblClick, {5, 5}, Qt::RightButton);
-    QVERIFY(!controller.view().pivot);
+    QVERIFY(!scene.motion().view().pivot);
 }
 
 void ViewWindowTest::strokesWorkBehindAPlane() {
     WindowFixture f;
     QVERIFY(f.make("sphere", 4000));
-    auto& controller = f.window->controller();
-    controller.turnTo(render::namedViews()[0]);
-    ui::Cuts cuts = controller.cuts();
+    auto& scene = f.window->sculptView();
+    scene.motion().turnTo(render::namedViews()[0]);
+    ui::Cuts cuts = scene.cuts().cuts();
     cuts.each[2].on = true; // what is nearer than the middle goes
     cuts.each[2].offset = 0;
-    controller.setCuts(cuts);
+    scene.cuts().set(cuts);
     test::sendMouse(f.view(), QEvent::MouseMove, f.centre(), Qt::NoButton);
-    const auto& contact = controller.cursor().contact;
+    const auto& contact = scene.cursor().contact;
     QVERIFY(contact && contact->position.z < -0.9);
     f.drag(f.centre(), f.centre() + QPointF(30, 0));
     QVERIFY(f.editor().snapshot().canUndo);
@@ -96,83 +96,83 @@ void ViewWindowTest::strokesWorkBehindAPlane() {
 void ViewWindowTest::sectionsFollowTheirPlanes() {
     WindowFixture f;
     QVERIFY(f.make("torus", 6000));
-    auto& controller = f.window->controller();
+    auto& scene = f.window->sculptView();
     auto& bar = *f.window->findChild<ui::CutBar*>();
     bar.findChild<QToolButton*>("cut-0")->click();
-    QVERIFY(controller.cuts().each[0].on && controller.camera().clips.all().size() == 1);
-    QTRY_VERIFY(controller.sections().size() == 1 && controller.sections()[0].size() == 2);
-    for (const auto& curve : controller.sections()[0])
+    QVERIFY(scene.cuts().cuts().each[0].on && scene.motion().camera().clips.all().size() == 1);
+    QTRY_VERIFY(scene.cuts().sections().size() == 1 && scene.cuts().sections()[0].size() == 2);
+    for (const auto& curve : scene.cuts().sections()[0])
         for (const auto& p : curve.points)
             QVERIFY(std::abs(p.position.x) < 1e-6);
     bar.findChild<QSlider*>("cut-0-place")->setValue(1500);
-    const double offset = controller.cuts().each[0].offset;
+    const double offset = scene.cuts().cuts().each[0].offset;
     QVERIFY(offset > 0.1);
-    QTRY_VERIFY(controller.sections().size() == 1 && !controller.sections()[0].empty() &&
-                std::abs(controller.sections()[0][0].points[0].position.x - offset) < 1e-6);
+    QTRY_VERIFY(scene.cuts().sections().size() == 1 && !scene.cuts().sections()[0].empty() &&
+                std::abs(scene.cuts().sections()[0][0].points[0].position.x - offset) < 1e-6);
     bar.findChild<QToolButton*>("cut-0-flip")->click();
-    QVERIFY(controller.camera().clips.all()[0].normal.x > 0);
+    QVERIFY(scene.motion().camera().clips.all()[0].normal.x > 0);
     bar.findChild<QToolButton*>("cut-3")->click();
-    QCOMPARE(controller.camera().clips.all().size(), std::size_t(2));
-    QVERIFY(distance(controller.cuts().each[3].normal, -controller.camera().forward()) < 1e-9);
+    QCOMPARE(scene.motion().camera().clips.all().size(), std::size_t(2));
+    QVERIFY(distance(scene.cuts().cuts().each[3].normal, -scene.motion().camera().forward()) < 1e-9);
     QVERIFY(f.make("sphere", 2000)); // another model is whole
-    QVERIFY(controller.camera().clips.empty() && !bar.cuts().each[0].on);
+    QVERIFY(scene.motion().camera().clips.empty() && !bar.cuts().each[0].on);
 }
 
 void ViewWindowTest::savedViewsAreKeptAndRecalled() {
     WindowFixture f;
     QVERIFY(f.make("torus", 3000));
     f.drag({30, 30}, {230, 90});
-    const render::Camera camera = f.window->controller().camera();
-    ui::keep(f.window->settings().savedViews, f.window->controller().savedView("mine"));
+    const render::Camera camera = f.window->sculptView().motion().camera();
+    ui::keep(f.window->settings().savedViews, f.window->sculptView().motion().savedView("mine"));
     f.window->close(); // writes the settings
     f.open();
     QVERIFY(f.make("torus", 3000));
     f.window->resize(1000, 700);
     QCOMPARE(f.window->settings().savedViews.size(), std::size_t(1));
-    QVERIFY(f.window->controller().camera() != camera);
-    f.window->controller().recall(f.window->settings().savedViews[0]);
-    QVERIFY(f.window->controller().camera() == camera);
+    QVERIFY(f.window->sculptView().motion().camera() != camera);
+    f.window->sculptView().motion().recall(f.window->settings().savedViews[0]);
+    QVERIFY(f.window->sculptView().motion().camera() == camera);
 }
 
 void ViewWindowTest::flightTakesLettersAndEndsWithEscape() {
     WindowFixture f;
     QVERIFY(f.make("torus", 3000));
-    auto& controller = f.window->controller();
+    auto& scene = f.window->sculptView();
     const std::string tool = f.window->settings().toolRow().id;
-    controller.fly();
-    QVERIFY(controller.navigator().flying());
+    scene.pointer().takeOff();
+    QVERIFY(scene.motion().navigator().flying());
     QKeyEvent letter(QEvent::ShortcutOverride, Qt::Key_S, Qt::NoModifier);
     letter.ignore();
     QApplication::sendEvent(&f.view(), &letter);
     QVERIFY(letter.isAccepted());
-    const Vec3d eye = controller.camera().eye;
+    const Vec3d eye = scene.motion().camera().eye;
     key(f.view(), QEvent::KeyPress, Qt::Key_S);
-    QTRY_VERIFY(distance(controller.camera().eye, eye) > 0.05);
+    QTRY_VERIFY(distance(scene.motion().camera().eye, eye) > 0.05);
     key(f.view(), QEvent::KeyRelease, Qt::Key_S);
-    QVERIFY(dot(controller.camera().eye - eye, controller.camera().forward()) < 0); // backwards
+    QVERIFY(dot(scene.motion().camera().eye - eye, scene.motion().camera().forward()) < 0); // backwards
     QCOMPARE(std::string(f.window->settings().toolRow().id), tool);
-    QVERIFY(controller.cancel());
-    QVERIFY(!controller.navigator().flying() && !controller.cancel());
+    QVERIFY(scene.pointer().cancel());
+    QVERIFY(!scene.motion().navigator().flying() && !scene.pointer().cancel());
 }
 
 void ViewWindowTest::frameSelectionShowsWhatIsNotMasked() {
     WindowFixture f;
     QVERIFY(f.make("torus", 3000));
-    auto& controller = f.window->controller();
-    controller.frameAll();
-    const double all = controller.view().distance;
+    auto& scene = f.window->sculptView();
+    scene.motion().frameAll();
+    const double all = scene.motion().view().distance;
     QEvent leave(QEvent::Leave);
     QApplication::sendEvent(&f.view(), &leave);
-    controller.frameSelection(); // nothing is masked, nothing under the brush
-    QCOMPARE(controller.view().distance, all);
+    scene.frameSelection(); // nothing is masked, nothing under the brush
+    QCOMPARE(scene.motion().view().distance, all);
     for (const int dx : {-160, -150, -140, 140, 150, 160}) { // somewhere on the ring
         test::sendMouse(f.view(), QEvent::MouseMove, f.centre() + QPointF(dx, 0), Qt::NoButton);
-        if (!controller.cursor().contact)
+        if (!scene.cursor().contact)
             continue;
-        const Vec3d place = controller.cursor().contact->position;
-        controller.frameSelection();
-        QVERIFY(controller.view().distance < all);
-        QVERIFY(distance(controller.view().target, place) < 1e-5);
+        const Vec3d place = scene.cursor().contact->position;
+        scene.frameSelection();
+        QVERIFY(scene.motion().view().distance < all);
+        QVERIFY(distance(scene.motion().view().target, place) < 1e-5);
         return;
     }
     QFAIL("no contact");

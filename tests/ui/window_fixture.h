@@ -34,7 +34,7 @@ class WindowFixture {
         options.settingsFile = folder.filePath("settings.ini");
         options.editor.journal = journal();
         window = std::make_unique<ui::MainWindow>(options);
-        window->controller().navigator().setSmooth(false); // tests look at where a view leads
+        window->sculptView().motion().navigator().setSmooth(false); // tests look at where a view leads
         window->resize(1000, 700);
         window->show();
     }

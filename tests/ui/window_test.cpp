@@ -5,8 +5,8 @@
 #include "ui/panels/number_slider.h"
 #include "ui/panels/properties_panel.h"
 #include "ui/panels/tool_bar.h"
+#include "ui/theme/icon.h"
 #include "ui/window/command_dialog.h"
-#include "ui/window/icon.h"
 #include "ui/window/status_line.h"
 #include "window_fixture.h"
 
@@ -132,7 +132,7 @@ static double filled(const QImage& picture) {
 }
 
 static bool waitForPicture(WindowFixture& f) {
-    f.window->controller().refresh();
+    f.window->sculptView().refresh();
     // A frame that is asked for after this one cannot be older than it.
     bool painted = false;
     auto shown = f.window->viewport().framePainted;
@@ -143,7 +143,7 @@ static bool waitForPicture(WindowFixture& f) {
     };
     const bool first = QTest::qWaitFor([&] { return painted; }, 60000);
     painted = false;
-    f.window->controller().refresh();
+    f.window->sculptView().refresh();
     const bool second = first && QTest::qWaitFor([&] { return painted; }, 60000);
     f.window->viewport().framePainted = shown;
     return second;
@@ -164,17 +164,17 @@ void WindowTest::numberedViewsTurnAndFrameShowsAll() {
     QVERIFY(f.make("torus", 3000));
     for (const auto& row : render::namedViews()) {
         f.action("view", row.label)->trigger();
-        const render::Camera camera = f.window->controller().camera();
+        const render::Camera camera = f.window->sculptView().motion().camera();
         QVERIFY(base::length(camera.forward() + row.toEye) < 1e-12);
         QVERIFY(base::length(camera.upright() - row.up) < 1e-12);
     }
     const auto framed = [&] {
         f.action("view", "Frame All")->trigger();
-        return f.window->controller().view().distance;
+        return f.window->sculptView().motion().view().distance;
     };
     const double before = framed();
     f.drag(f.centre(), f.centre() + QPointF(300, 100), {}, Qt::MiddleButton);
-    QVERIFY(base::length(f.window->controller().view().target) > 0.1);
+    QVERIFY(base::length(f.window->sculptView().motion().view().target) > 0.1);
     QCOMPARE(framed(), before);
 }
 
@@ -282,7 +282,7 @@ void WindowTest::unreadableFilesLeaveTheModelAndSayWhy() {
 void WindowTest::imagesAreExported() {
     WindowFixture f;
     QVERIFY(f.make("sphere", 3000));
-    f.window->files().writeImage(f.file("picture.png").toStdString());
+    f.window->images().write(f.file("picture.png").toStdString());
     QVERIFY(f.settle());
     const QImage picture(f.file("picture.png"));
     QCOMPARE(picture.size(), f.view().size() * f.view().devicePixelRatioF());
@@ -313,7 +313,7 @@ void WindowTest::figuresInTheStatusLineAreRight() {
 void WindowTest::settingsOutliveTheWindow() {
     WindowFixture f;
     f.window->toolBar().toolActions().back()->trigger();
-    f.window->controller().scaleRadius(1.5);
+    f.window->sculptView().sizing().scaleRadius(1.5);
     f.window->close();
     const ui::Settings before = f.window->settings();
     f.open();

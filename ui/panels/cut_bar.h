@@ -2,7 +2,7 @@
 // other side; and whether section curves are drawn. It edits a Cuts and says so; it knows no view.
 #pragma once
 
-#include "ui/viewport/cuts.h"
+#include "ui/view/cuts.h"
 
 #include <QToolBar>
 

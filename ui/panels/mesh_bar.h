@@ -2,6 +2,9 @@
 // MeshChoice and says so; it makes no mesh itself.
 #pragma once
 
+#include "ui/work/mesh_choice.h"
+
+#include <functional>
 #include <QToolBar>
 
 class QCheckBox;
@@ -12,19 +15,6 @@ class QPushButton;
 namespace ui {
 
 class NumberSlider;
-
-struct MeshChoice {
-    static constexpr double minCell = 0.5, maxCell = 8;
-    bool delaunay = false; ///< restricted Delaunay triangles; else marching cubes
-    double cell = 1;       ///< side of a cube, or largest triangle's radius, in spacings
-    bool closeFolds = false, dropSmall = false;
-    bool preview = true; ///< lines over the picture
-    bool operator==(const MeshChoice&) const = default;
-    /// Do both give the same mesh?
-    bool sameMesh(const MeshChoice& o) const {
-        return delaunay == o.delaunay && cell == o.cell && closeFolds == o.closeFolds && dropSmall == o.dropSmall;
-    }
-};
 
 class MeshBar : public QToolBar {
     Q_OBJECT

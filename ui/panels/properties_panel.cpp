@@ -2,7 +2,7 @@
 
 #include "ui/panels/number_slider.h"
 #include "ui/panels/panel_group.h"
-#include "ui/window/icon.h"
+#include "ui/theme/icon.h"
 
 #include <algorithm>
 #include <QCheckBox>

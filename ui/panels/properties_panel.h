@@ -3,7 +3,7 @@
 #pragma once
 
 #include "ui/panels/option_editor.h"
-#include "ui/window/settings.h"
+#include "ui/settings/settings.h"
 
 #include <QScrollArea>
 

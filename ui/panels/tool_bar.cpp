@@ -1,6 +1,6 @@
 #include "ui/panels/tool_bar.h"
 
-#include "ui/window/icon.h"
+#include "ui/theme/icon.h"
 
 #include <QActionGroup>
 #include <QGridLayout>

@@ -2,7 +2,7 @@
 // knows a tool.
 #pragma once
 
-#include "ui/window/settings.h"
+#include "ui/settings/settings.h"
 
 #include <QToolBar>
 

@@ -2,7 +2,7 @@
 // so; it knows no view. Shown while the true surface is.
 #pragma once
 
-#include "ui/window/settings.h"
+#include "ui/settings/settings.h"
 
 #include <QToolBar>
 

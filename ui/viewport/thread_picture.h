@@ -2,6 +2,7 @@
 // OpenGL. Interface's thread only.
 #pragma once
 
+#include "ui/viewport/viewport.h"
 #include "ui/work/render_thread.h"
 
 #include <QWidget>

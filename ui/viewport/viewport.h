@@ -2,9 +2,7 @@
 // a viewport only shows frames and calls back.
 #pragma once
 
-#include "core/raycast/lighting.h"
-#include "core/render/renderer.h"
-#include "core/render/shading/measured_colours.h"
+#include "ui/work/frame.h"
 
 #include <functional>
 #include <memory>
@@ -15,33 +13,6 @@ class QPainter;
 class QWidget;
 
 namespace ui {
-
-/// The surface itself, to be shown instead of splats as soon as rays have found it.
-struct TrueSurface {
-    surface::Surface surface; ///< of the frame's model
-    double quality = 1;       ///< in pixels (adaptive_cast.h)
-    raycast::Lighting lighting;
-    std::shared_ptr<const render::Measured> measured; ///< what the shading measures, where it does
-};
-
-/// How far a picture of the true surface has come.
-struct Refinement {
-    double quality = 0; ///< reached, in pixels
-    bool complete = false;
-    double seconds = 0; ///< since the view rests
-    double light = 0;   ///< share of the light found, 0 to 1, once the surface is; it is the last to come
-};
-
-/// One picture asked for.
-struct Frame {
-    tree::SurfelTree model;
-    render::Camera camera; ///< its size is the viewport's in device pixels
-    render::RenderOptions options;
-    bool moving = false;              ///< more will follow at once: speed before quality
-    std::optional<TrueSurface> truth; ///< else splats
-    /// The last pointer event (ViewController counts them) whose effect it shows.
-    std::uint64_t input = 0;
-};
 
 /// Interface's thread only.
 class Viewport {

@@ -1,17 +1,14 @@
 #include "ui/window/file_actions.h"
 
-#include "core/io/formats.h"
-#include "core/render/image_io.h"
-#include "core/render/picture.h"
 #include "core/session/journal.h"
 #include "core/session/model_argument.h"
 #include "core/session/recover.h"
-#include "ui/window/icon.h"
+#include "ui/theme/icon.h"
+#include "ui/window/file_dialogs.h"
 
 #include <chrono>
 #include <QDateTime>
 #include <QFileDialog>
-#include <QFileInfo>
 #include <QMainWindow>
 #include <QMessageBox>
 #include <QPushButton>
@@ -20,79 +17,16 @@ namespace ui {
 
 namespace fs = std::filesystem;
 
-// --- names and filters ---
-
-static QString textOf(const fs::path& path) {
-    return QString::fromStdString(path.string());
-}
-
-static fs::path pathOf(const QString& text) {
-    return fs::path(text.toStdString());
-}
-
-static QString patterns(const io::FormatRow& row) {
-    QStringList out;
-    for (const QString& extension : QString(row.extensions).split(' ', Qt::SkipEmptyParts))
-        out << "*." + extension;
-    return out.join(' ');
-}
-
-QString openFilter() {
-    QStringList all, each;
-    for (const auto& row : io::formatTable())
-        if (row.read) {
-            all << patterns(row);
-            each << QString("%1 (%2)").arg(row.label, patterns(row));
-        }
-    each.prepend(QObject::tr("Models (%1)").arg(all.join(' ')));
-    each << QObject::tr("All files (*)");
-    return each.join(";;");
-}
-
-QString saveFilter() {
-    QStringList each;
-    for (const auto& row : io::formatTable())
-        if (row.write)
-            each << QString("%1 (%2)").arg(row.label, patterns(row));
-    return each.join(";;");
-}
-
-static bool isNative(const fs::path& path) {
-    return textOf(path.extension()).toLower() == ".ply";
-}
-
-/// With the extension that the chosen filter names, where the person gave none.
-static fs::path completed(const QString& file, const QString& filter) {
-    if (!QFileInfo(file).suffix().isEmpty())
-        return pathOf(file);
-    const QString first = filter.section("*.", 1, 1).section(' ', 0, 0).section(')', 0, 0);
-    return pathOf(first.isEmpty() ? file : file + "." + first);
-}
-
-FileActions::FileActions(QMainWindow& window, Editor& editor, Settings& settings, ViewController& controller)
-    : QObject(&window), m_window(window), m_editor(editor), m_settings(settings), m_controller(controller) {
-    connect(&editor, &Editor::failed, this, [this](const QString& message) { m_failure = message; });
-}
+FileActions::FileActions(QMainWindow& window, Editor& editor, Settings& settings)
+    : QObject(&window), m_window(window), m_editor(editor), m_settings(settings), m_failure(window, editor) {}
 
 QString FileActions::folder() const {
-    const fs::path& path = m_editor.snapshot().path;
-    if (!path.empty())
-        return textOf(path.parent_path());
-    return m_settings.recentFiles.empty() ? QString() : textOf(fs::path(m_settings.recentFiles.front()).parent_path());
+    return folderFor(m_editor.snapshot(), m_settings);
 }
 
 void FileActions::remember(const fs::path& path) {
     m_settings.remember(path.string());
     Q_EMIT recentChanged();
-}
-
-void FileActions::showFailure(const QString& title) {
-    if (m_failure.isEmpty())
-        return; // cancelled
-    auto* box = new QMessageBox(QMessageBox::NoIcon, title, m_failure, QMessageBox::Ok, &m_window);
-    box->setIconPixmap(icon("stop").pixmap(32, 32));
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    box->open();
 }
 
 // --- new and open ---
@@ -119,11 +53,10 @@ void FileActions::openArgument(const std::string& model) {
     try {
         m_editor.run(session::modelCommand(model), [this, title](bool done) {
             if (!done)
-                showFailure(title);
+                m_failure.show(title);
         });
     } catch (const base::Error& error) {
-        m_failure = QString::fromStdString(error.message());
-        showFailure(title);
+        m_failure.show(title, QString::fromStdString(error.message()));
     }
 }
 
@@ -134,11 +67,11 @@ void FileActions::load(const fs::path& path) {
         if (done)
             remember(whole);
         else
-            showFailure(tr("Could not open %1").arg(textOf(whole.filename())));
+            m_failure.show(tr("Could not open %1").arg(textOf(whole.filename())));
     });
 }
 
-// --- save and export ---
+// --- save ---
 
 void FileActions::save(std::function<void()> then) {
     const fs::path& path = m_editor.snapshot().path;
@@ -163,68 +96,13 @@ void FileActions::write(const fs::path& path, std::function<void()> then) {
     const fs::path whole = fs::absolute(path);
     m_editor.run({{"op", "save"}, {"path", whole.string()}}, [this, whole, then = std::move(then)](bool done) {
         if (!done)
-            return showFailure(tr("Could not save %1").arg(textOf(whole.filename())));
+            return m_failure.show(tr("Could not save %1").arg(textOf(whole.filename())));
         remember(whole);
         Q_EMIT m_editor.told(isNative(whole) ? tr("Saved %1").arg(textOf(whole))
                                              : tr("Wrote %1; a .ply would keep everything").arg(textOf(whole)));
         if (then)
             then();
     });
-}
-
-void FileActions::exportImage() {
-    const render::Camera now = m_controller.camera();
-    const QSize view(now.width, now.height);
-    const ImageChoice fresh{.size = view, .transparent = false, .smooth = true, .rayCast = false};
-    auto* dialog = new ImageDialog(m_image.size.isEmpty() ? fresh : m_image, view, &m_window);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    connect(dialog, &QDialog::accepted, this, [this, dialog] {
-        m_image = dialog->choice();
-        askImagePath(m_image);
-    });
-    dialog->open();
-}
-
-void FileActions::askImagePath(const ImageChoice& choice) {
-    const fs::path& path = m_editor.snapshot().path;
-    const QString name = path.empty() ? QString("pointclay") : textOf(path.stem());
-    const QString start = (folder().isEmpty() ? QString() : folder() + "/") + name + ".png";
-    const QString filter = tr("Portable Network Graphics (*.png)");
-    const QString file = QFileDialog::getSaveFileName(&m_window, tr("Export the image"), start, filter);
-    if (!file.isEmpty())
-        writeImage(completed(file, filter), choice);
-}
-
-void FileActions::writeImage(const fs::path& path) {
-    const render::Camera now = m_controller.camera();
-    writeImage(path, {.size = {now.width, now.height}, .transparent = false, .smooth = true, .rayCast = false});
-}
-
-void FileActions::writeImage(const fs::path& path, const ImageChoice& choice) {
-    m_failure.clear();
-    render::Camera camera = m_controller.camera();
-    camera.width = choice.size.width(), camera.height = choice.size.height();
-    render::PictureOptions options;
-    options.style = m_controller.look();
-    options.annotated = m_settings.annotated;
-    options.reference = m_editor.snapshot().reference;
-    options.style.transparent = choice.transparent;
-    options.smooth = options.smoothRays = choice.smooth;
-    options.rayCast = choice.rayCast;
-    options.lighting = m_settings.truth.lighting;
-    options.sections = m_controller.cuts().section;
-    const auto work = [=](const surface::Surface& surface, const base::Progress& progress) {
-        render::PictureStats stats;
-        const render::Image image = render::drawPicture(surface, camera, options, stats, progress);
-        progress.step(0.5, "Writing the image");
-        render::savePng(image, path);
-    };
-    m_editor.runAside({"Drawing the image", work, [this, path](bool done) {
-                           if (done)
-                               Q_EMIT m_editor.told(tr("Wrote %1").arg(textOf(path)));
-                           else
-                               showFailure(tr("Could not write %1").arg(textOf(path.filename())));
-                       }});
 }
 
 // --- unsaved and lost work ---
@@ -290,7 +168,7 @@ void FileActions::recover(const fs::path& journal) {
     m_failure.clear();
     m_editor.recover(journal, [this, journal](bool done) {
         if (!done)
-            return showFailure(tr("Could not recover"));
+            return m_failure.show(tr("Could not recover"));
         session::removeJournal(journal); // this window's own journal holds it all now
         Q_EMIT m_editor.told(tr("Recovered. Save it to keep it."));
     });

@@ -2,13 +2,15 @@
 
 #include "ui/panels/properties_panel.h"
 #include "ui/panels/tool_bar.h"
+#include "ui/window/menus.h"
+#include "ui/window/mesh_export.h"
 #include "ui/window/status_line.h"
+#include "ui/window/work_progress.h"
 #include "ui/work/measurer.h"
-#include "ui/work/mesh_export.h"
 
-#include <QAction>
 #include <QCloseEvent>
 #include <QDockWidget>
+#include <QMenu>
 #include <QMimeData>
 #include <QUrl>
 
@@ -37,29 +39,26 @@ MainWindow::MainWindow(const WindowOptions& options, QWidget* parent)
     setAcceptDrops(true);
     setContextMenuPolicy(Qt::NoContextMenu);
     buildViewport();
-    m_files = new FileActions(*this, *m_editor, m_settings, *m_controller);
-    buildBars();
-    buildFileMenu();
-    buildEditMenu();
-    buildBrushMenu();
-    buildModelMenu();
-    buildViewMenu();
-    buildHelpMenu();
-    buildCorner();
-    connectEditor();
+    m_files = new FileActions(*this, *m_editor, m_settings);
+    m_images = new ImageExport(*this, *m_editor, m_settings, *m_view);
+    buildStatus();
+    buildTools();
+    buildPanel();
+    buildMenus();
+    connectWork();
     showSnapshot();
     resize(1280, 800);
     restoreGeometry(m_settings.geometry);
     restoreState(m_settings.windowState);
     if (!trouble.isEmpty())
-        m_status->tell(trouble, true);
+        tellFailure(trouble);
 }
 
 /// In this order, since what goes later is used by what goes earlier; the base class would take the children after the
 /// members that they refer to.
 MainWindow::~MainWindow() {
     m_editor->disconnect();
-    delete m_controller;
+    delete m_view;
     delete m_mesh; // waits for its threads
     delete takeCentralWidget();
     delete m_panel;
@@ -67,33 +66,38 @@ MainWindow::~MainWindow() {
     delete m_editor;   // waits for its thread
 }
 
+// --- building ---
+
 void MainWindow::buildViewport() {
     m_viewport = makeViewport(this, &m_whyRenderer);
     setCentralWidget(m_viewport->widget());
     m_viewport->widget()->setMinimumSize(320, 240);
-    m_controller = new ViewController(*m_editor, m_settings, *m_viewport, this);
+    m_view = new SculptView(*m_editor, m_settings, *m_viewport, this);
     m_measurer = new Measurer(this);
     m_mesh = new MeshExport(*this, *m_editor, *m_viewport->widget());
-    m_controller->beneath = [this](QPainter& painter, const render::Camera& seen) { m_mesh->paint(painter, seen); };
+    m_view->overlay().beneath = [this](QPainter& painter, const render::Camera& seen) { m_mesh->paint(painter, seen); };
     m_viewport->framePainted = [this](double seconds) { m_status->showFrame(seconds, m_viewport->rendererName()); };
     m_viewport->refined = [this](const auto& refinement) { m_status->showRefinement(refinement); };
-    m_viewport->troubled = [this](const QString& trouble) { m_status->tell(trouble, true); };
+    m_viewport->troubled = [this](const QString& trouble) { tellFailure(trouble); };
 }
 
-void MainWindow::buildBars() {
+void MainWindow::buildStatus() {
     m_status = new StatusLine;
     setStatusBar(m_status);
-    connect(m_status, &StatusLine::cancelled, m_editor, &Editor::cancelWork);
-    connect(m_status, &StatusLine::cancelled, m_measurer, &Measurer::cancel);
-    connect(m_status, &StatusLine::cancelled, &m_mesh->mesher(), &Mesher::cancel);
+    m_progress = new WorkProgress(*m_editor, *m_measurer, m_mesh->mesher(), *m_status, this);
+    connect(m_view, &SculptView::hinted, this, &MainWindow::tell);
+}
 
+void MainWindow::buildTools() {
     m_tools = new ToolBar(m_settings);
     addToolBar(Qt::LeftToolBarArea, m_tools);
     connect(m_tools, &ToolBar::chosen, this, [this] {
         m_panel->refresh();
-        m_status->tell(m_settings.toolRow().tip);
+        tell(m_settings.toolRow().tip);
     });
+}
 
+void MainWindow::buildPanel() {
     m_panel = new PropertiesPanel(m_settings);
     auto* dock = new QDockWidget(tr("Properties"));
     dock->setObjectName("properties");
@@ -101,44 +105,43 @@ void MainWindow::buildBars() {
     dock->setTitleBarWidget(new QWidget); // none: the headings inside say it
     dock->setWidget(m_panel);
     addDockWidget(Qt::RightDockWidgetArea, dock);
-    connect(m_panel, &PropertiesPanel::edited, this, &MainWindow::settingsEdited);
-    connect(m_controller, &ViewController::brushChanged, m_panel, &PropertiesPanel::refresh);
-    connect(m_controller, &ViewController::sourceChanged, m_panel, &PropertiesPanel::showSource);
-    connect(m_controller, &ViewController::hinted, this, [this](const QString& what) { m_status->tell(what); });
+    connect(m_panel, &PropertiesPanel::edited, m_view, [this] { m_view->refresh(); });
+    connect(&m_view->sizing(), &BrushSizing::changed, m_panel, &PropertiesPanel::refresh);
+    connect(&m_view->source(), &CloneSource::changed, m_panel, &PropertiesPanel::showSource);
 }
 
-void MainWindow::connectEditor() {
-    connect(m_editor, &Editor::changed, this, &MainWindow::showSnapshot);
-    connect(m_editor, &Editor::progressed, this, &MainWindow::showProgress);
-    connect(m_editor, &Editor::told, this, [this](const QString& message) { m_status->tell(message); });
-    connect(m_editor, &Editor::failed, this, [this](const QString& message) { m_status->tell(message, true); });
-    connect(m_measurer, &Measurer::changed, this,
-            [this] { m_controller->showColours(m_measurer->colours(), m_measurer->scale()); });
-    connect(m_measurer, &Measurer::failed, this, [this](const QString& why) { m_status->tell(why, true); });
-    connect(m_measurer, &Measurer::progressed, this, &MainWindow::showProgress);
-    const auto idled = [this] {
-        if (working())
-            return;
-        m_working.invalidate();
-        m_status->hideProgress();
-    };
-    connect(m_editor, &Editor::idled, this, idled);
-    connect(m_measurer, &Measurer::idled, this, idled);
-    connect(&m_mesh->mesher(), &Mesher::progressed, this, &MainWindow::showProgress);
-    connect(&m_mesh->mesher(), &Mesher::idled, this, idled);
-    connect(&m_mesh->mesher(), &Mesher::failed, this, [this](const QString& why) { m_status->tell(why, true); });
-    connect(m_mesh, &MeshExport::told, this, [this](const QString& message) { m_status->tell(message); });
+void MainWindow::buildMenus() {
+    addFileMenu(*this);
+    addEditMenu(*this);
+    addBrushMenu(*this);
+    addModelMenu(*this);
+    addViewMenu(*this);
+    addHelpMenu(*this);
+    addCornerBar(*this);
 }
+
+QMenu* MainWindow::menu(const QString& name) const {
+    return findChild<QMenu*>(name);
+}
+
+void MainWindow::connectWork() {
+    connect(m_editor, &Editor::changed, this, &MainWindow::showSnapshot);
+    connect(m_editor, &Editor::told, this, &MainWindow::tell);
+    connect(m_editor, &Editor::failed, this, &MainWindow::tellFailure);
+    connect(m_measurer, &Measurer::changed, this,
+            [this] { m_view->showColours(m_measurer->colours(), m_measurer->scale()); });
+    connect(m_measurer, &Measurer::failed, this, &MainWindow::tellFailure);
+    connect(&m_mesh->mesher(), &Mesher::failed, this, &MainWindow::tellFailure);
+    connect(m_mesh, &MeshExport::told, this, &MainWindow::tell);
+}
+
+// --- showing ---
 
 void MainWindow::showSnapshot() {
     const Snapshot& now = m_editor->snapshot();
     const QString name = now.path.empty() ? tr("Untitled") : QString::fromStdString(now.path.filename().string());
     setWindowTitle(tr("%1[*] – Pointclay").arg(name));
     setWindowModified(now.modified);
-    m_undo->setEnabled(now.canUndo);
-    m_undo->setText(now.canUndo ? tr("Undo %1").arg(QString::fromStdString(now.undoLabel)) : tr("Undo"));
-    m_redo->setEnabled(now.canRedo);
-    m_redo->setText(now.canRedo ? tr("Redo %1").arg(QString::fromStdString(now.redoLabel)) : tr("Redo"));
     m_status->showModel(now);
     measure();
     if (now.models != m_models) {
@@ -147,30 +150,24 @@ void MainWindow::showSnapshot() {
     }
 }
 
-void MainWindow::showProgress(double share, const QString& doing) {
-    constexpr qint64 patienceMs = 250; // shorter work shows no bar
-    if (!m_working.isValid())
-        m_working.start();
-    if (working() && m_working.elapsed() >= patienceMs)
-        m_status->showProgress(share, doing);
-}
-
-bool MainWindow::working() const {
-    return m_editor->working() || m_measurer->busy() || m_mesh->mesher().busy();
-}
-
 void MainWindow::measure() {
     const Snapshot& now = m_editor->snapshot();
     m_measurer->want(m_settings.shading, now.surface, now.reference, now.models);
-    m_controller->showColours(m_measurer->colours(), m_measurer->scale());
+    m_view->showColours(m_measurer->colours(), m_measurer->scale());
 }
 
-void MainWindow::settingsEdited() {
-    m_controller->refresh();
+void MainWindow::tell(const QString& message) {
+    m_status->tell(message);
 }
+
+void MainWindow::tellFailure(const QString& message) {
+    m_status->tell(message, true);
+}
+
+// --- undo and stopping ---
 
 void MainWindow::undo() {
-    if (!m_controller->cancel()) // the stroke in progress goes first
+    if (!m_view->pointer().cancel())
         m_editor->run({{"op", "undo"}});
 }
 
@@ -179,12 +176,8 @@ void MainWindow::redo() {
 }
 
 void MainWindow::escape() {
-    if (m_controller->cancel())
-        return;
-    if (m_editor->working())
-        m_editor->cancelWork();
-    m_measurer->cancel();
-    m_mesh->mesher().cancel();
+    if (!m_view->pointer().cancel())
+        m_progress->stop();
 }
 
 // --- leaving and dropping ---

@@ -1,26 +1,22 @@
 // The main window: viewport in the centre, tools left, properties right, menus above, figures below. It assembles and
-// connects; what things do is elsewhere (editor.h, view_controller.h, file_actions.h).
+// connects; what things do is elsewhere (editor.h, sculpt_view.h, menus.h, file_actions.h). Interface's thread only.
 #pragma once
 
-#include "ui/viewport/view_controller.h"
+#include "ui/interaction/sculpt_view.h"
 #include "ui/window/file_actions.h"
-#include "ui/window/settings.h"
-#include "ui/work/editor.h"
+#include "ui/window/image_export.h"
 
-#include <memory>
-#include <QElapsedTimer>
 #include <QMainWindow>
 #include <QSettings>
 
 namespace ui {
 
-class CutBar;
 class Measurer;
 class MeshExport;
 class PropertiesPanel;
 class StatusLine;
 class ToolBar;
-class TruthBar;
+class WorkProgress;
 
 struct WindowOptions {
     QString settingsFile; ///< empty: the person's own
@@ -36,19 +32,28 @@ class MainWindow : public QMainWindow {
     Editor& editor() { return *m_editor; }
     Settings& settings() { return m_settings; }
     Viewport& viewport() { return *m_viewport; }
-    ViewController& controller() { return *m_controller; }
+    SculptView& sculptView() { return *m_view; }
     FileActions& files() { return *m_files; }
+    ImageExport& images() { return *m_images; }
     StatusLine& statusLine() { return *m_status; }
     const ToolBar& toolBar() const { return *m_tools; }
     PropertiesPanel& panel() { return *m_panel; }
     Measurer& measurer() { return *m_measurer; }
     MeshExport& meshExport() { return *m_mesh; }
-    /// Menu of that object name: "file", "new", "recent", "edit", "brush", "model", "view", "navigation",
-    /// "saved-views", "help".
+    /// By its object name (menus.h).
     QMenu* menu(const QString& name) const;
+    /// One sentence about the choice of the renderer.
+    const QString& whyRenderer() const { return m_whyRenderer; }
 
-    void undo();
+    void undo(); ///< a stroke in progress goes first
     void redo();
+    /// Drops what the pointer is doing; where that is nothing, stops long work.
+    void escape();
+    /// In the status line.
+    void tell(const QString& message);
+    void tellFailure(const QString& message);
+    /// What the shading shows, where it measures.
+    void measure();
 
   protected:
     void closeEvent(QCloseEvent* event) override;
@@ -57,34 +62,12 @@ class MainWindow : public QMainWindow {
 
   private:
     void buildViewport();
-    void buildBars();
-    void buildFileMenu();
-    void buildEditMenu();
-    void buildBrushMenu();
-    void buildModelMenu();
-    void buildViewMenu();
-    void buildLookMenus(QMenu& view);
-    void buildSwitches(QMenu& view);
-    void buildNavigation(QMenu& view);
-    void buildClipping(QMenu& view);
-    void buildTrueSurface(QMenu& view);
-    void showSavedViews();
-    void saveView();
-    void buildHelpMenu();
-    void buildCorner();
-    QMenu* addMenu(const QString& name, const QString& title, QMenu* parent = nullptr);
-    QAction* addAction(QMenu& menu, const char* icon, const QString& text, const QKeySequence& shortcut,
-                       const std::function<void()>& work);
-    void connectEditor();
+    void buildStatus();
+    void buildTools();
+    void buildPanel();
+    void buildMenus();
+    void connectWork();
     void showSnapshot();
-    void showProgress(double share, const QString& doing);
-    void showRecent();
-    void settingsEdited();
-    bool working() const; ///< on something that tells its progress
-    void measure();       ///< what the shading shows, where it measures
-    void escape();
-    void ask(const session::CommandRow& row);
-    void about();
 
     std::unique_ptr<QSettings> m_store;
     Settings m_settings;
@@ -92,16 +75,15 @@ class MainWindow : public QMainWindow {
     Measurer* m_measurer = nullptr;
     MeshExport* m_mesh = nullptr;
     Viewport* m_viewport = nullptr;
-    ViewController* m_controller = nullptr;
+    SculptView* m_view = nullptr;
     FileActions* m_files = nullptr;
+    ImageExport* m_images = nullptr;
     ToolBar* m_tools = nullptr;
     PropertiesPanel* m_panel = nullptr;
     StatusLine* m_status = nullptr;
-    CutBar* m_cutBar = nullptr;
-    QAction *m_undo = nullptr, *m_redo = nullptr, *m_frame = nullptr;
+    WorkProgress* m_progress = nullptr;
     QString m_whyRenderer;
-    QElapsedTimer m_working; ///< since the work whose progress is reported began
-    std::uint64_t m_models = 0;
+    std::uint64_t m_models = 0; ///< of the snapshot that the panel's ranges suit
     bool m_mayClose = false;
 };
 

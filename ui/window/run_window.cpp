@@ -1,9 +1,9 @@
 #include "ui/window/run_window.h"
 
 #include "core/process/samples/samples.h"
-#include "ui/window/icon.h"
+#include "ui/theme/icon.h"
+#include "ui/theme/theme.h"
 #include "ui/window/main_window.h"
-#include "ui/window/theme.h"
 
 #include <cstdio>
 #include <QApplication>

@@ -1,6 +1,6 @@
 #include "ui/window/status_line.h"
 
-#include "ui/window/icon.h"
+#include "ui/theme/icon.h"
 
 #include <QLabel>
 #include <QLocale>

@@ -1,7 +1,7 @@
 // The line at the bottom: messages left, the model's figures right, and the progress of long work when there is some.
 #pragma once
 
-#include "ui/viewport/viewport.h"
+#include "ui/work/frame.h"
 #include "ui/work/snapshot.h"
 
 #include <QStatusBar>

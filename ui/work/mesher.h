@@ -8,8 +8,8 @@
 #pragma once
 
 #include "core/mesh/mesh.h"
-#include "ui/panels/mesh_bar.h"
 #include "ui/work/latest_worker.h"
+#include "ui/work/mesh_choice.h"
 #include "ui/work/snapshot.h"
 
 #include <QObject>

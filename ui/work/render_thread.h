@@ -12,12 +12,15 @@
 #include "core/render/cast/true_view.h"
 #include "core/render/splats/cpu_splatter.h"
 #include "core/render/splats/detail_pacer.h"
-#include "ui/viewport/viewport.h"
+#include "ui/work/frame.h"
 
 #include <atomic>
 #include <condition_variable>
+#include <functional>
 #include <mutex>
 #include <optional>
+#include <QImage>
+#include <QString>
 #include <thread>
 
 namespace ui {

@@ -1,0 +1,80 @@
+#include "ui/interaction/brush_sizing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <QWidget>
+#include <utility>
+
+namespace ui {
+
+/// Pixels of a drag that multiply the radius by e.
+constexpr double radiusDragPx = 150;
+/// Pixels of a drag across all strengths from 0 to 1.
+constexpr double strengthDragPx = 300;
+
+BrushSizing::BrushSizing(Settings& settings, const ViewMotion& motion, const QWidget& canvas, QObject* parent)
+    : QObject(parent), m_settings(settings), m_motion(motion), m_canvas(canvas) {}
+
+double& BrushSizing::radius() const {
+    return m_settings.radiusUnit == RadiusUnit::Pixels ? m_settings.radiusPx : m_settings.radiusModel;
+}
+
+float BrushSizing::strength() const {
+    return m_settings.choice(m_settings.toolRow()).strength;
+}
+
+void BrushSizing::scaleRadius(double factor) {
+    if (m_settings.radiusUnit == RadiusUnit::Pixels)
+        m_settings.radiusPx = std::clamp(m_settings.radiusPx * factor, Settings::minRadiusPx, Settings::maxRadiusPx);
+    else
+        m_settings.radiusModel = std::clamp(m_settings.radiusModel * factor, 1e-30, 1e30);
+    Q_EMIT changed();
+}
+
+void BrushSizing::shiftStrength(double by) {
+    sculpt::StrokeSettings& tool = m_settings.edit(m_settings.toolRow());
+    tool.strength = static_cast<float>(std::clamp(double(tool.strength) + by, 0.0, 1.0));
+    Q_EMIT changed();
+}
+
+void BrushSizing::beginDrag(Value value) {
+    m_drag = Drag{value, value == Value::Radius ? radius() : double(strength())};
+}
+
+void BrushSizing::drag(double dxPx) {
+    if (m_drag->value == Value::Radius)
+        scaleRadius(std::exp(dxPx / radiusDragPx));
+    else
+        shiftStrength(dxPx / strengthDragPx);
+}
+
+void BrushSizing::endDrag(bool keep) {
+    const Drag drag = *std::exchange(m_drag, std::nullopt);
+    if (!keep && drag.value == Value::Radius)
+        radius() = drag.before;
+    else if (!keep)
+        m_settings.edit(m_settings.toolRow()).strength = static_cast<float>(drag.before);
+    Q_EMIT changed();
+}
+
+QString BrushSizing::label() const {
+    if (!m_drag)
+        return {};
+    if (m_drag->value == Value::Radius)
+        return tr("Radius %1").arg(radius(), 0, 'g', 3);
+    return tr("Strength %1").arg(double(strength()), 0, 'f', 2);
+}
+
+double BrushSizing::radiusAt(const base::Vec3d& place) const {
+    if (m_settings.radiusUnit == RadiusUnit::Model)
+        return m_settings.radiusModel;
+    return m_settings.radiusPx * m_canvas.devicePixelRatioF() / m_motion.pixelsPerUnitAt(place);
+}
+
+double BrushSizing::radiusPx() const {
+    if (m_settings.radiusUnit == RadiusUnit::Pixels)
+        return m_settings.radiusPx * m_canvas.devicePixelRatioF();
+    return m_settings.radiusModel * m_motion.pixelsPerUnitAt(m_motion.view().target);
+}
+
+} // namespace ui

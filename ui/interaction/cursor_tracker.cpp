@@ -1,0 +1,30 @@
+#include "ui/interaction/cursor_tracker.h"
+
+#include "ui/interaction/contact.h"
+
+#include <QWidget>
+
+namespace ui {
+
+CursorTracker::CursorTracker(const Editor& editor, const Settings& settings, const ViewMotion& motion,
+                             const BrushSizing& sizing, QWidget& canvas)
+    : m_editor(editor), m_settings(settings), m_motion(motion), m_sizing(sizing), m_canvas(canvas) {}
+
+void CursorTracker::follow(const Pointer& pointer, bool shown) {
+    const bool flip = pointer.modifiers.testFlag(Qt::ControlModifier);
+    m_cursor.pointer = pointer.pixel;
+    m_cursor.inverted = m_settings.choice(m_settings.toolRow()).invert != flip;
+    m_cursor.label = m_sizing.label();
+    m_cursor.contact.reset();
+    m_cursor.radiusPx = 0;
+    if (shown) {
+        m_cursor.contact = contactAt(m_editor.snapshot().surface, m_motion.camera(), pointer.pixel);
+        if (m_cursor.contact)
+            m_cursor.radius = m_sizing.radiusAt(m_cursor.contact->position);
+        else
+            m_cursor.radiusPx = m_sizing.radiusPx();
+    }
+    m_canvas.update();
+}
+
+} // namespace ui

@@ -1,0 +1,36 @@
+#include "ui/interaction/framing.h"
+
+namespace ui {
+
+std::vector<base::Box3f> boxesOf(const tree::SurfelTree& tree) {
+    std::vector<base::Box3f> out;
+    tree.forEachBlock([&](std::uint32_t, const surfel::SurfelBlock& block) { out.push_back(block.box()); });
+    return out;
+}
+
+std::vector<base::Box3f> unmaskedBoxes(const tree::SurfelTree& tree) {
+    if (!tree.layout()->masks)
+        return {};
+    std::vector<base::Box3f> out;
+    bool masked = false;
+    tree.forEachBlock([&](std::uint32_t, const surfel::SurfelBlock& block) {
+        base::Box3f box;
+        for (int slot = 0; slot < block.size(); ++slot) {
+            if (block.mask(slot) < 0.5f)
+                box.extend(block.position(slot));
+            else
+                masked = true;
+        }
+        if (!box.empty())
+            out.push_back(box);
+    });
+    return masked ? out : std::vector<base::Box3f>{};
+}
+
+base::Box3f boxAround(const base::Vec3d& centre, double radius) {
+    const auto reach = static_cast<float>(radius);
+    const base::Vec3f middle = base::cast<float>(centre), corner{reach, reach, reach};
+    return {middle - corner, middle + corner};
+}
+
+} // namespace ui

@@ -1,0 +1,60 @@
+#include "ui/interaction/picture_look.h"
+
+#include <algorithm>
+#include <QWidget>
+
+namespace ui {
+
+PictureLook::PictureLook(const Editor& editor, const Settings& settings, const QWidget& canvas)
+    : m_editor(editor), m_settings(settings), m_canvas(canvas) {}
+
+bool PictureLook::showColours(std::shared_ptr<const render::BlockColours> colours,
+                              const std::optional<render::ColourScale>& scale) {
+    m_scale = scale;
+    if (colours == m_colours)
+        return false;
+    m_colours = std::move(colours);
+    return true;
+}
+
+void PictureLook::placeGrid() {
+    const Snapshot& now = m_editor.snapshot();
+    m_grid = render::gridBelow(now.surface.tree().bounds(), {0, 1, 0}, now.origin);
+}
+
+render::RenderOptions PictureLook::options() const {
+    render::RenderOptions out = lookOf(m_settings);
+    out.pixelScale = static_cast<float>(m_canvas.devicePixelRatioF());
+    if (m_settings.grid)
+        out.grid = m_grid;
+    return out;
+}
+
+std::optional<TrueSurface> PictureLook::truth() const {
+    const Snapshot& now = m_editor.snapshot();
+    if (!m_settings.truth.on || now.surface.tree().empty())
+        return {};
+    TrueSurface out{now.surface, m_settings.truth.quality, m_settings.truth.lighting, nullptr};
+    const std::optional<render::MeasureRow>& row = render::shadingRow(m_settings.shading).measure;
+    if (row && m_scale)
+        out.measured =
+            std::make_shared<render::Measured>(render::Measured{{row->quantity, now.surface, now.reference}, *m_scale});
+    return out;
+}
+
+Frame PictureLook::frame(const render::Camera& camera, bool moving, std::uint64_t input) const {
+    const Snapshot& now = m_editor.snapshot();
+    Frame out;
+    out.model = now.surface.tree();
+    out.camera = camera;
+    out.moving = moving;
+    out.options = options();
+    out.options.colours = m_colours;
+    out.options.definition = now.surface.definition();
+    out.options.splatScale = now.splatScale;
+    out.truth = truth();
+    out.input = std::max(now.input, input);
+    return out;
+}
+
+} // namespace ui

@@ -1,0 +1,82 @@
+#include "ui/interaction/sculpt_view.h"
+
+#include "ui/interaction/framing.h"
+
+#include <QPainter>
+#include <QWidget>
+
+namespace ui {
+
+SculptView::SculptView(Editor& editor, Settings& settings, Viewport& viewport, QObject* parent)
+    : QObject(parent), m_editor(editor), m_viewport(viewport), m_cuts(editor),
+      m_motion(editor, m_cuts, *viewport.widget()), m_sizing(settings, m_motion, *viewport.widget()), m_source(editor),
+      m_strokes(editor, settings, m_motion, m_sizing, m_source),
+      m_flight(m_motion.navigator(), editor, *viewport.widget()), m_look(editor, settings, *viewport.widget()),
+      m_cursor(editor, settings, m_motion, m_sizing, *viewport.widget()),
+      m_pointer({editor, settings, m_motion, m_flight, m_sizing, m_source, m_strokes, m_cursor}, *viewport.widget()),
+      m_overlay({editor, settings, m_motion, m_cuts, m_source, m_strokes, m_look, m_pointer, m_cursor.cursor()}) {
+    viewport.paintOverlay = [this](QPainter& painter) {
+        m_overlay.paint(painter, m_viewport.widget()->devicePixelRatioF());
+    };
+    connectParts();
+    connect(&editor, &Editor::changed, this, &SculptView::followModel);
+    m_motion.navigator().chooseStyle(navigation(settings.navigation));
+}
+
+SculptView::~SculptView() = default;
+
+void SculptView::connectParts() {
+    connect(&m_motion, &ViewMotion::moved, this, [this](bool more) {
+        m_viewInput = m_pointer.inputs();
+        refresh(more);
+    });
+    connect(&m_pointer, &PointerRouter::pictureChanged, this, &SculptView::refresh);
+    connect(&m_sizing, &BrushSizing::changed, &m_pointer, &PointerRouter::followCursor);
+    connect(&m_cuts, &CutPlanes::moved, this, [this] { refresh(true); });
+    connect(&m_cuts, &CutPlanes::traced, this, [this] { m_viewport.widget()->update(); });
+    connect(&m_cuts, &CutPlanes::failed, this, &SculptView::hinted);
+    connect(&m_flight, &Flight::hinted, this, &SculptView::hinted);
+    connect(&m_pointer, &PointerRouter::hinted, this, &SculptView::hinted);
+}
+
+void SculptView::refresh(bool moving) {
+    m_viewport.show(m_look.frame(m_motion.shownCamera(), moving, m_viewInput));
+    m_pointer.followCursor();
+}
+
+void SculptView::showColours(std::shared_ptr<const render::BlockColours> colours,
+                             const std::optional<render::ColourScale>& scale) {
+    if (m_look.showColours(std::move(colours), scale))
+        refresh(busy());
+}
+
+void SculptView::followModel() {
+    const Snapshot& now = m_editor.snapshot();
+    if (now.models != m_models) {
+        m_models = now.models;
+        m_source.choose({});
+        m_cuts.reset();
+        m_look.placeGrid();
+        m_motion.showNewModel();
+    }
+    m_cuts.trace();
+    refresh(busy());
+}
+
+void SculptView::frameSelection() {
+    constexpr double around = 3; // radii of the brush
+    std::vector<base::Box3f> boxes = unmaskedBoxes(m_editor.snapshot().surface.tree());
+    if (boxes.empty())
+        if (const auto contact = m_pointer.contactUnderPointer())
+            boxes = {boxAround(contact->position, around * m_sizing.radiusAt(contact->position))};
+    if (boxes.empty())
+        m_motion.frameAll();
+    else
+        m_motion.frame(boxes);
+}
+
+void SculptView::faceFreePlane() {
+    m_cuts.turnFreePlane(m_motion.view().turn({0, 0, 1}));
+}
+
+} // namespace ui

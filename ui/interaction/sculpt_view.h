@@ -1,0 +1,62 @@
+// The viewport with all that works in it: the parts that move the view, cut the model, size the brush, make strokes
+// and paint over the picture. It makes them in the order of their dependencies, connects them, and keeps the picture
+// up to date. What each part does is told in its own header; nothing is done here.
+//
+// Interface's thread only.
+#pragma once
+
+#include "ui/interaction/view_overlay.h"
+#include "ui/viewport/viewport.h"
+
+namespace ui {
+
+class SculptView : public QObject {
+    Q_OBJECT
+  public:
+    /// All three outlive it.
+    SculptView(Editor& editor, Settings& settings, Viewport& viewport, QObject* parent = nullptr);
+    ~SculptView() override;
+
+    CutPlanes& cuts() { return m_cuts; }
+    ViewMotion& motion() { return m_motion; }
+    BrushSizing& sizing() { return m_sizing; }
+    CloneSource& source() { return m_source; }
+    const PictureLook& look() const { return m_look; }
+    PointerRouter& pointer() { return m_pointer; }
+    ViewOverlay& overlay() { return m_overlay; }
+    const BrushCursor& cursor() const { return m_cursor.cursor(); }
+
+    /// Another picture: the settings that show in it have changed.
+    void refresh(bool moving = false);
+    void showColours(std::shared_ptr<const render::BlockColours> colours,
+                     const std::optional<render::ColourScale>& scale);
+    /// What is not masked, where something is; else what is under the brush; else all.
+    void frameSelection();
+    /// Turns the free plane across the direction of view.
+    void faceFreePlane();
+
+  Q_SIGNALS:
+    void hinted(QString what); ///< by any of the parts, for the person
+
+  private:
+    void connectParts();
+    void followModel();
+    bool busy() const { return m_pointer.gesture() != PointerRouter::Gesture::None; }
+
+    const Editor& m_editor;
+    Viewport& m_viewport;
+    CutPlanes m_cuts;
+    ViewMotion m_motion;
+    BrushSizing m_sizing;
+    CloneSource m_source;
+    StrokeInput m_strokes;
+    Flight m_flight;
+    PictureLook m_look;
+    CursorTracker m_cursor;
+    PointerRouter m_pointer;
+    ViewOverlay m_overlay;
+    std::uint64_t m_models = 0;    ///< of the snapshot that the view was framed for
+    std::uint64_t m_viewInput = 0; ///< the last pointer event that moved the view
+};
+
+} // namespace ui

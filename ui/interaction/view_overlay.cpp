@@ -1,0 +1,51 @@
+#include "ui/interaction/view_overlay.h"
+
+#include "ui/overlay/annotation_overlay.h"
+#include "ui/overlay/pivot_overlay.h"
+#include "ui/overlay/symmetry_overlay.h"
+
+#include <QPainter>
+
+namespace ui {
+
+using Gesture = PointerRouter::Gesture;
+
+void ViewOverlay::paint(QPainter& painter, double pixelRatio) const {
+    painter.save();
+    painter.scale(1 / pixelRatio, 1 / pixelRatio);
+    const Snapshot& now = m_parts.editor.snapshot();
+    const Settings& settings = m_parts.settings;
+    const ViewMotion& motion = m_parts.motion;
+    const render::Camera seen = motion.shownCamera();
+    if (beneath)
+        beneath(painter, seen);
+    if (m_parts.cuts.sections().size() == seen.clips.all().size())
+        render::paintSections(painter, m_parts.cuts.sections(), seen, 1.6 * pixelRatio);
+    const bool turning = m_parts.pointer.gesture() == Gesture::Orbit;
+    if (motion.view().pivot || turning)
+        paintPivot(painter, motion.view().turningPoint(), seen, turning);
+    const surface::Surface& surface = now.surface;
+    if (settings.symmetry != sculpt::Symmetry{} && !surface.tree().empty())
+        ui::paint(painter,
+                  SymmetryOverlay{settings.symmetry, now.origin, surface.tree().bounds(), m_parts.cursor.contact},
+                  seen);
+    paintSource(painter, seen);
+    const render::RenderOptions look = m_parts.look.options();
+    ui::paint(painter,
+              render::annotate(settings.annotated, seen, m_parts.look.scale(), settings.backdrop, look.pixelScale));
+    if (!motion.navigator().flying())
+        ui::paint(painter, m_parts.cursor, seen);
+    painter.restore();
+}
+
+/// During a stroke the source goes along with the brush.
+void ViewOverlay::paintSource(QPainter& painter, const render::Camera& seen) const {
+    const std::optional<base::Vec3d>& place = m_parts.source.place();
+    if (!place || !sculpt::hasSource(m_parts.settings.toolRow()))
+        return;
+    const std::optional<BrushContact>& contact = m_parts.cursor.contact;
+    const bool going = m_parts.pointer.gesture() == Gesture::Sculpt && contact;
+    ui::paintSource(painter, *place + (going ? contact->position - m_parts.strokes.start() : base::Vec3d{}), seen);
+}
+
+} // namespace ui

@@ -1,0 +1,37 @@
+// All that is painted over the picture: section curves, the pivot, symmetry, the clone source, annotations, the brush.
+// Interface's thread only.
+#pragma once
+
+#include "ui/interaction/picture_look.h"
+#include "ui/interaction/pointer_router.h"
+
+namespace ui {
+
+class ViewOverlay {
+  public:
+    /// What is shown; all of it outlives the overlay.
+    struct Parts {
+        const Editor& editor;
+        const Settings& settings;
+        const ViewMotion& motion;
+        const CutPlanes& cuts;
+        const CloneSource& source;
+        const StrokeInput& strokes;
+        const PictureLook& look;
+        const PointerRouter& pointer;
+        const BrushCursor& cursor;
+    };
+    explicit ViewOverlay(const Parts& parts) : m_parts(parts) {}
+
+    /// Paints for the camera that the picture shows. The painter is a widget's, `pixelRatio` device pixels to a unit.
+    void paint(QPainter& painter, double pixelRatio) const;
+    /// Painted before all of that, in device pixels of the camera.
+    std::function<void(QPainter&, const render::Camera&)> beneath;
+
+  private:
+    void paintSource(QPainter& painter, const render::Camera& seen) const;
+
+    Parts m_parts;
+};
+
+} // namespace ui

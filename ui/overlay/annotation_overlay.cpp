@@ -1,0 +1,58 @@
+#include "ui/overlay/annotation_overlay.h"
+
+#include <QFontMetricsF>
+#include <QPainter>
+#include <QPainterPath>
+
+namespace ui {
+
+static QColor colourOf(const base::Vec3f& c) {
+    return QColor::fromRgbF(c.x, c.y, c.z);
+}
+
+/// What lies around letters and lines so that they read on anything.
+static QColor rimOf(const base::Vec3f& c) {
+    return c.x + c.y + c.z > 1.2f ? QColor(13, 13, 15, 120) : QColor(255, 255, 255, 150);
+}
+
+static void paintText(QPainter& painter, const render::DrawnText& text) {
+    QFont font = painter.font();
+    font.setPixelSize(std::max(6, qRound(text.capHeight * 1.4f))); // capitals are some 0.7 of a font's size
+    const QFontMetricsF metrics(font);
+    const QString words = QString::fromStdString(text.text);
+    const double x = text.at.x - text.anchor * metrics.horizontalAdvance(words);
+    QPainterPath path;
+    path.addText(QPointF(x, text.at.y), font, words);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(rimOf(text.colour), 2.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.drawPath(path);
+    painter.fillPath(path, colourOf(text.colour));
+}
+
+static void paintRamp(QPainter& painter, const render::DrawnRamp& ramp) {
+    const int rows = std::max(1, qRound(ramp.height));
+    for (int row = 0; row < rows; ++row) {
+        const surfel::Colour c =
+            render::mapped(ramp.map, 1 - (static_cast<float>(row) + 0.5f) / static_cast<float>(rows));
+        painter.fillRect(QRectF(ramp.corner.x, ramp.corner.y + static_cast<float>(row), ramp.width, 1),
+                         QColor(int(c & 255u), int(c >> 8 & 255u), int(c >> 16 & 255u)));
+    }
+}
+
+void paint(QPainter& painter, const render::Drawing& drawing) {
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    for (const render::DrawnRamp& ramp : drawing.ramps)
+        paintRamp(painter, ramp);
+    for (const render::DrawnLine& line : drawing.lines)
+        for (const bool rim : {true, false}) {
+            painter.setPen(QPen(rim ? rimOf(line.colour) : colourOf(line.colour), line.width + (rim ? 2 : 0),
+                                Qt::SolidLine, Qt::RoundCap));
+            painter.drawLine(QPointF(line.from.x, line.from.y), QPointF(line.to.x, line.to.y));
+        }
+    for (const render::DrawnText& text : drawing.texts)
+        paintText(painter, text);
+    painter.restore();
+}
+
+} // namespace ui

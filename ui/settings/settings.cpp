@@ -1,0 +1,304 @@
+#include "ui/settings/settings.h"
+
+#include "ui/view/navigation.h"
+
+#include "core/base/error.h"
+
+#include <algorithm>
+#include <QSettings>
+#include <QStringList>
+
+namespace ui {
+
+static const sculpt::ToolRow* findTool(const std::string& id) {
+    for (const auto& row : sculpt::toolTable())
+        if (id == row.id)
+            return &row;
+    return nullptr;
+}
+
+const sculpt::ToolRow& Settings::toolRow() const {
+    const auto* row = findTool(tool);
+    return row ? *row : sculpt::toolTable().front();
+}
+
+sculpt::StrokeSettings Settings::choice(const sculpt::ToolRow& row) const {
+    const auto found = tools.find(row.id);
+    return found != tools.end() ? found->second : sculpt::defaultsOf(row);
+}
+
+sculpt::StrokeSettings& Settings::edit(const sculpt::ToolRow& row) {
+    return tools.try_emplace(row.id, sculpt::defaultsOf(row)).first->second;
+}
+
+void Settings::remember(const std::string& file) {
+    std::erase(recentFiles, file);
+    recentFiles.insert(recentFiles.begin(), file);
+    if (recentFiles.size() > recentLimit)
+        recentFiles.resize(recentLimit);
+}
+
+sculpt::StrokeSettings strokeSettings(const Settings& settings, const sculpt::ToolRow& row, float radius, bool flip) {
+    sculpt::StrokeSettings out = settings.choice(row);
+    out.radius = radius;
+    out.invert = out.invert != flip;
+    out.symmetry = settings.symmetry;
+    out.resample = settings.resample;
+    return out;
+}
+
+render::RenderOptions lookOf(const Settings& settings) {
+    render::RenderOptions out;
+    out.shading = settings.shading;
+    out.backdrop = settings.backdrop;
+    out.effects = settings.effects;
+    return out;
+}
+
+static sculpt::Falloff rowValue(const sculpt::FalloffRow& row) {
+    return row.falloff;
+}
+static render::Shading rowValue(const render::ShadingRow& row) {
+    return row.shading;
+}
+static render::Backdrop rowValue(const render::BackdropRow& row) {
+    return row.backdrop;
+}
+static raycast::Material rowValue(const raycast::MaterialRow& row) {
+    return row.material;
+}
+static raycast::LightRig rowValue(const raycast::LightRigRow& row) {
+    return row.rig;
+}
+static sculpt::StrokeMethod rowValue(const sculpt::MethodRow& row) {
+    return row.method;
+}
+
+// --- reading: each value is taken only where it is a finite number in its range ---
+
+static void readNumber(const QSettings& store, const QString& key, double min, double max, double& value) {
+    bool ok = false;
+    const double number = store.value(key).toDouble(&ok);
+    if (ok && number >= min && number <= max)
+        value = number;
+}
+
+/// "0,1;0.5,0.75;1,0"; what is no curve keeps the value.
+static void readCurve(const QSettings& store, const QString& key, sculpt::CurvePoints& value) {
+    sculpt::CurvePoints points;
+    for (const QString& pair : store.value(key).toString().split(';', Qt::SkipEmptyParts)) {
+        const QStringList numbers = pair.split(',');
+        bool okX = false, okY = false;
+        points.push_back({numbers.front().toFloat(&okX), numbers.back().toFloat(&okY)});
+        if (numbers.size() != 2 || !okX || !okY)
+            return;
+    }
+    try {
+        sculpt::BrushCurve checked(points);
+        value = points;
+    } catch (const base::Error&) {
+    }
+}
+
+template <class Rows, class Value>
+static void readRow(const QSettings& store, const QString& key, const Rows& rows, Value& value) {
+    const std::string id = store.value(key).toString().toStdString();
+    for (const auto& row : rows)
+        if (id == row.id)
+            value = rowValue(row);
+}
+
+/// "outline,creases": the bits of the rows named; an unknown name has none.
+template <class Rows, class Bit>
+static void readSet(const QSettings& store, const QString& key, const Rows& rows, Bit bit, std::uint32_t& value) {
+    if (!store.contains(key))
+        return;
+    const QStringList names = store.value(key).toString().split(',');
+    value = 0;
+    for (const auto& row : rows)
+        value |= names.contains(QString(row.id)) ? static_cast<std::uint32_t>(row.*bit) : 0u;
+}
+
+template <class Rows, class Bit>
+static QString storedSet(const Rows& rows, Bit bit, std::uint32_t value) {
+    QStringList names;
+    for (const auto& row : rows)
+        if (value & row.*bit)
+            names << row.id;
+    return names.join(',');
+}
+
+static void readOption(const QSettings& store, const QString& key, const sculpt::StrokeOption& option,
+                       sculpt::StrokeSettings& out) {
+    if (!store.contains(key))
+        return;
+    const auto read = [&](auto field) {
+        auto& value = out.*field;
+        using Value = std::decay_t<decltype(value)>;
+        if constexpr (std::is_same_v<Value, float>) {
+            const double scale = option.range.scale;
+            double number = double(value) * scale;
+            readNumber(store, key, option.range.min, option.range.max, number);
+            value = static_cast<float>(number / scale);
+        } else if constexpr (std::is_same_v<Value, bool>)
+            value = store.value(key).toBool();
+        else if constexpr (std::is_same_v<Value, std::string>)
+            value = store.value(key).toString().toStdString();
+        else if constexpr (std::is_same_v<Value, sculpt::CurvePoints>)
+            readCurve(store, key, value);
+        else if constexpr (std::is_same_v<Value, sculpt::Falloff>)
+            readRow(store, key, sculpt::falloffTable(), value);
+        else
+            readRow(store, key, sculpt::methodTable(), value);
+    };
+    std::visit(read, option.field);
+}
+
+static void readTools(const QSettings& store, Settings& out) {
+    for (const auto& row : sculpt::toolTable()) {
+        const QString group = QString("tools/%1/").arg(row.id);
+        const sculpt::StrokeSettings fallback = sculpt::defaultsOf(row);
+        sculpt::StrokeSettings choice = fallback;
+        for (const auto& option : sculpt::strokeOptionTable())
+            readOption(store, group + option.id, option, choice);
+        for (const auto& p : row.parameters)
+            readNumber(store, group + "parameters/" + p.id, p.min, p.max, choice.parameters[p.id]);
+        if (choice != fallback)
+            out.tools[row.id] = choice;
+    }
+}
+
+static void readTableRows(const QSettings& store, Settings& out) {
+    readRow(store, "view/shading", render::shadingTable(), out.shading);
+    readRow(store, "view/background", render::backdropTable(), out.backdrop);
+    readSet(store, "view/effects", render::effectTable(), &render::EffectRow::effect, out.effects);
+    readSet(store, "view/annotations", render::annotationTable(), &render::AnnotationRow::annotation, out.annotated);
+    out.grid = store.value("view/grid", out.grid).toBool();
+    out.truth.on = store.value("view/trueSurface", out.truth.on).toBool();
+    readNumber(store, "view/trueQuality", TruthSettings::minQuality, TruthSettings::maxQuality, out.truth.quality);
+    raycast::Lighting& lighting = out.truth.lighting;
+    readRow(store, "view/material", raycast::materialTable(), lighting.material);
+    readRow(store, "view/lights", raycast::lightRigTable(), lighting.rig);
+    lighting.shadows = store.value("view/shadows", lighting.shadows).toBool();
+    lighting.occlusion = store.value("view/occlusion", lighting.occlusion).toBool();
+    lighting.ground = store.value("view/shadowGround", lighting.ground).toBool();
+    const std::string tool = store.value("brush/tool").toString().toStdString();
+    if (findTool(tool))
+        out.tool = tool;
+    const std::string shiftTool = store.value("brush/shiftTool").toString().toStdString();
+    if (findTool(shiftTool))
+        out.shiftTool = shiftTool;
+}
+
+static void readSymmetry(const QSettings& store, sculpt::Symmetry& out) {
+    const QString planes = store.value("brush/symmetry").toString();
+    out.x = planes.contains('x'), out.y = planes.contains('y'), out.z = planes.contains('z');
+    double copies = out.copies, axis = out.axis;
+    readNumber(store, "brush/radial", 1, 64, copies);
+    readNumber(store, "brush/radialAxis", 0, 2, axis);
+    out.copies = static_cast<int>(copies), out.axis = static_cast<int>(axis);
+}
+
+Settings readSettings(const QSettings& store) {
+    Settings out;
+    readTableRows(store, out);
+    readTools(store, out);
+    if (store.value("brush/radiusUnit").toString() == "model")
+        out.radiusUnit = RadiusUnit::Model;
+    readNumber(store, "brush/radiusPx", Settings::minRadiusPx, Settings::maxRadiusPx, out.radiusPx);
+    readNumber(store, "brush/radiusModel", 1e-30, 1e30, out.radiusModel);
+    readSymmetry(store, out.symmetry);
+    out.resample = store.value("brush/resample", out.resample).toBool();
+    for (const QString& key : store.allKeys())
+        if (key.startsWith("panel/"))
+            out.groups[key.mid(6).toStdString()] = store.value(key).toBool();
+    out.navigation = navigation(store.value("view/navigation").toString().toStdString()).id;
+    for (const QString& text : store.value("view/saved").toStringList())
+        if (const auto view = savedViewOf(text.toStdString()))
+            keep(out.savedViews, *view);
+    for (const QString& file : store.value("files/recent").toStringList())
+        if (out.recentFiles.size() < Settings::recentLimit)
+            out.recentFiles.push_back(file.toStdString());
+    out.geometry = store.value("window/geometry").toByteArray();
+    out.windowState = store.value("window/state").toByteArray();
+    return out;
+}
+
+static QVariant stored(const sculpt::StrokeOption& option, const sculpt::StrokeSettings& settings) {
+    const auto text = [&](auto field) -> QVariant {
+        const auto& value = settings.*field;
+        using Value = std::decay_t<decltype(value)>;
+        if constexpr (std::is_same_v<Value, float>)
+            return double(value) * option.range.scale;
+        else if constexpr (std::is_same_v<Value, bool>)
+            return value;
+        else if constexpr (std::is_same_v<Value, std::string>)
+            return QString::fromStdString(value);
+        else if constexpr (std::is_same_v<Value, sculpt::CurvePoints>) {
+            QStringList pairs;
+            for (const auto& p : value)
+                pairs << QString("%1,%2").arg(double(p.x), 0, 'g', 9).arg(double(p.y), 0, 'g', 9);
+            return pairs.join(';');
+        } else
+            return QString(sculpt::row(value).id);
+    };
+    return std::visit(text, option.field);
+}
+
+static void writeTools(const Settings& settings, QSettings& store) {
+    store.remove("tools");
+    for (const auto& [id, choice] : settings.tools) {
+        const QString group = QString("tools/%1/").arg(QString::fromStdString(id));
+        const sculpt::StrokeSettings fallback = sculpt::defaultsOf(sculpt::tool(id));
+        for (const auto& option : sculpt::strokeOptionTable())
+            if (const QVariant value = stored(option, choice); value != stored(option, fallback))
+                store.setValue(group + option.id, value);
+        for (const auto& [name, value] : choice.parameters)
+            if (value != fallback.parameters.at(name))
+                store.setValue(group + "parameters/" + QString::fromStdString(name), value);
+    }
+}
+
+void writeSettings(const Settings& settings, QSettings& store) {
+    store.setValue("brush/tool", QString::fromStdString(settings.tool));
+    store.setValue("brush/shiftTool", QString::fromStdString(settings.shiftTool));
+    store.setValue("brush/radiusUnit", settings.radiusUnit == RadiusUnit::Model ? "model" : "pixels");
+    store.setValue("brush/radiusPx", settings.radiusPx);
+    store.setValue("brush/radiusModel", settings.radiusModel);
+    const auto& s = settings.symmetry;
+    store.setValue("brush/symmetry", QString(s.x ? "x" : "") + (s.y ? "y" : "") + (s.z ? "z" : ""));
+    store.setValue("brush/radial", s.copies);
+    store.setValue("brush/radialAxis", s.axis);
+    store.setValue("brush/resample", settings.resample);
+    store.remove("panel");
+    for (const auto& [id, open] : settings.groups)
+        store.setValue(QString("panel/") + QString::fromStdString(id), open);
+    writeTools(settings, store);
+    store.setValue("view/shading", render::shadingRow(settings.shading).id);
+    store.setValue("view/background", render::backdropRow(settings.backdrop).id);
+    store.setValue("view/effects", storedSet(render::effectTable(), &render::EffectRow::effect, settings.effects));
+    store.setValue("view/annotations",
+                   storedSet(render::annotationTable(), &render::AnnotationRow::annotation, settings.annotated));
+    store.setValue("view/grid", settings.grid);
+    store.setValue("view/trueSurface", settings.truth.on);
+    store.setValue("view/trueQuality", settings.truth.quality);
+    const raycast::Lighting& lighting = settings.truth.lighting;
+    store.setValue("view/material", raycast::materialRow(lighting.material).id);
+    store.setValue("view/lights", raycast::lightRigRow(lighting.rig).id);
+    store.setValue("view/shadows", lighting.shadows);
+    store.setValue("view/occlusion", lighting.occlusion);
+    store.setValue("view/shadowGround", lighting.ground);
+    store.setValue("view/navigation", QString::fromStdString(settings.navigation));
+    QStringList saved;
+    for (const SavedView& view : settings.savedViews)
+        saved << QString::fromStdString(textOf(view));
+    store.setValue("view/saved", saved);
+    QStringList recent;
+    for (const auto& file : settings.recentFiles)
+        recent << QString::fromStdString(file);
+    store.setValue("files/recent", recent);
+    store.setValue("window/geometry", settings.geometry);
+    store.setValue("window/state", settings.windowState);
+}
+
+} // namespace ui

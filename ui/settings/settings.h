@@ -1,0 +1,79 @@
+// What the window remembers between two runs: a plain value with defaults, compared with ==, read from and written to
+// QSettings. Each tool has its own options; radius, symmetry and resampling are everybody's. Nothing here changes a
+// model; a stroke takes what it needs with strokeSettings().
+//
+// Reading is forgiving: what is missing, unknown or out of range keeps its default, so that a settings file of another
+// version never stops the program.
+#pragma once
+
+#include "core/raycast/lighting.h"
+#include "core/render/overlay/annotations.h"
+#include "core/render/renderer.h"
+#include "core/sculpt/stroke_options.h"
+#include "ui/view/saved_views.h"
+
+#include <QByteArray>
+#include <string>
+#include <vector>
+
+class QSettings;
+
+namespace ui {
+
+enum class RadiusUnit {
+    Pixels, ///< the brush keeps its size on the screen
+    Model   ///< the brush keeps its size on the model
+};
+
+/// Of showing the surface itself instead of splats.
+struct TruthSettings {
+    static constexpr double minQuality = 0.25, maxQuality = 8;
+    bool on = false;
+    double quality = 1;         ///< in pixels (adaptive_cast.h)
+    raycast::Lighting lighting; ///< of cast pictures for files, too
+    bool operator==(const TruthSettings&) const = default;
+};
+
+struct Settings {
+    std::string tool;                 ///< id of the chosen tool; empty: the table's first
+    std::string shiftTool = "smooth"; ///< the tool while Shift is held
+    RadiusUnit radiusUnit = RadiusUnit::Pixels;
+    double radiusPx = 50;
+    double radiusModel = 0.1;
+    sculpt::Symmetry symmetry;
+    bool resample = true;
+    std::map<std::string, sculpt::StrokeSettings> tools; ///< by id, what a person has set; else sculpt::defaultsOf
+    std::map<std::string, bool> groups;                  ///< of the panel, by id: open or shut by a person
+    render::Shading shading = render::Shading::Matcap;
+    render::Backdrop backdrop = render::Backdrop::Studio;
+    render::Effects effects = 0;
+    render::Annotated annotated = render::Legend;
+    bool grid = false; ///< on the ground
+    TruthSettings truth;
+    std::string navigation = "turntable"; ///< id of the style in which dragging turns the view
+    std::vector<SavedView> savedViews;    ///< names differ
+    std::vector<std::string> recentFiles; ///< newest first, at most `recentLimit`
+    QByteArray geometry, windowState;     ///< as QMainWindow saves them
+
+    static constexpr std::size_t recentLimit = 10;
+    static constexpr double minRadiusPx = 2, maxRadiusPx = 500;
+    bool operator==(const Settings&) const = default;
+
+    const sculpt::ToolRow& toolRow() const;
+    /// The options of a tool; radius, symmetry and resampling have no meaning in it.
+    sculpt::StrokeSettings choice(const sculpt::ToolRow& row) const;
+    /// The same to change: from now on the person's own.
+    sculpt::StrokeSettings& edit(const sculpt::ToolRow& row);
+    void remember(const std::string& file);
+};
+
+/// What a stroke of `row` with a brush of `radius` (model units) does; `flip` inverts once more (Ctrl held).
+sculpt::StrokeSettings strokeSettings(const Settings& settings, const sculpt::ToolRow& row, float radius, bool flip);
+
+/// How the model looks, whichever it is: what these settings say of a picture; the grid's place follows from the model.
+render::RenderOptions lookOf(const Settings& settings);
+
+Settings readSettings(const QSettings& store);
+void writeSettings(const Settings& settings, QSettings& store);
+
+} // namespace ui

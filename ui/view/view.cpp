@@ -1,0 +1,119 @@
+#include "ui/view/view.h"
+
+#include <algorithm>
+#include <numbers>
+
+namespace ui {
+
+using base::Vec3d;
+static constexpr double pi = std::numbers::pi;
+
+double View::heightAtTarget() const {
+    return 2 * distance * std::tan(fovDeg * pi / 360);
+}
+
+render::Camera View::camera(int width, int height) const {
+    render::Camera out;
+    out.target = target;
+    out.eye = target + turn({0, 0, distance});
+    out.up = turn({0, 1, 0});
+    out.fovDeg = fovDeg;
+    out.orthoHeight = parallel ? heightAtTarget() : 0;
+    out.width = width;
+    out.height = height;
+    return out;
+}
+
+View View::of(const render::Camera& camera) {
+    View out;
+    out.target = camera.target;
+    out.distance = length(camera.eye - camera.target);
+    out.turn = Rotation::toAxes(camera.right(), camera.upright(), -camera.forward());
+    out.fovDeg = camera.fovDeg;
+    out.parallel = camera.parallel();
+    if (out.parallel)
+        out.distance *= camera.orthoHeight / out.heightAtTarget();
+    return out;
+}
+
+void View::turnTo(const Vec3d& toEye, const Vec3d& up) {
+    turn = Rotation::toAxes(cross(up, toEye), up, toEye);
+}
+
+void View::turnAbout(const Vec3d& place, const Rotation& by) {
+    target = place + by(target - place);
+    turn = (by * turn).unit();
+}
+
+View View::upright() const {
+    const Vec3d back = turn({0, 0, 1});
+    // Straight above or below, the heading is in the up vector alone.
+    Vec3d heading{back.x, 0, back.z};
+    if (length(heading) < 1e-9) {
+        const Vec3d up = turn({0, 1, 0});
+        heading = Vec3d{up.x, 0, up.z} * (back.y > 0 ? -1.0 : 1.0);
+    }
+    const Vec3d right = cross({0, 1, 0}, base::normalized(heading, {0, 0, 1}));
+    View out = *this;
+    out.turn = Rotation::toAxes(right, cross(back, right), back);
+    return out;
+}
+
+void View::pan(double dx, double dy, int height) {
+    const double unitsPerPixel = heightAtTarget() / std::max(height, 1);
+    target += turn({-dx * unitsPerPixel, dy * unitsPerPixel, 0});
+}
+
+void View::zoom(double steps, const Vec3d& about) {
+    const double factor = std::pow(0.85, steps);
+    target = about + (target - about) * factor;
+    distance *= factor;
+}
+
+/// A corner at (x, y, z) right, above and behind the centre is inside where |x| <= k (distance + z), alike for y; k is
+/// the slope of the image's margin, and z does not matter where rays are parallel. The target is the centre, so that
+/// the model turns about its middle.
+void View::frame(std::span<const base::Box3f> boxes, int width, int height) {
+    constexpr double part = 0.92; // of the image that the boxes may fill
+    base::Box3f whole;
+    for (const base::Box3f& box : boxes)
+        whole.extend(box);
+    if (whole.empty())
+        return;
+    target = base::cast<double>(whole.centre());
+    pivot.reset();
+    const double slope = std::tan(fovDeg * pi / 360), ky = part * slope, kx = ky * width / height;
+    const Vec3d r = turn({1, 0, 0}), u = turn({0, 1, 0}), back = turn({0, 0, 1});
+    double needed = 0;
+    for (const base::Box3f& box : boxes)
+        for (int corner = 0; corner < 8; ++corner) {
+            const base::Vec3f c{corner & 1 ? box.hi.x : box.lo.x, corner & 2 ? box.hi.y : box.lo.y,
+                                corner & 4 ? box.hi.z : box.lo.z};
+            const Vec3d v = base::cast<double>(c) - target;
+            const double nearer = parallel ? 0 : dot(v, back);
+            needed = std::max({needed, std::abs(dot(v, r)) / kx + nearer, std::abs(dot(v, u)) / ky + nearer});
+        }
+    if (needed > 0) // else a single point: any distance shows it
+        distance = needed;
+}
+
+View View::threeQuarter(std::span<const base::Box3f> boxes, int width, int height) {
+    constexpr double yaw = 0.42, pitch = 0.27;
+    View out;
+    out.turn = Rotation::about({0, 1, 0}, yaw) * Rotation::about({1, 0, 0}, -pitch);
+    out.frame(boxes, width, height);
+    return out;
+}
+
+View between(const View& from, const View& to, double part) {
+    if (part >= 1)
+        return to;
+    View out = to;
+    out.turn = Rotation::between(from.turn, to.turn, part);
+    out.target = from.target + (to.target - from.target) * part;
+    out.distance = from.distance * std::pow(to.distance / from.distance, part);
+    out.fovDeg = from.fovDeg + (to.fovDeg - from.fovDeg) * part;
+    return out;
+}
+
+} // namespace ui

@@ -1,0 +1,32 @@
+#include "ui/window/main_window.h"
+#include "ui/window/menu_tools.h"
+#include "ui/window/menus.h"
+
+#include <QAction>
+#include <QMenu>
+#include <QShortcut>
+
+namespace ui {
+
+/// What undo and redo would do now, in their entries.
+static void showSteps(const Snapshot& now, QAction& undo, QAction& redo) {
+    undo.setEnabled(now.canUndo);
+    undo.setText(now.canUndo ? QObject::tr("Undo %1").arg(QString::fromStdString(now.undoLabel)) : QObject::tr("Undo"));
+    redo.setEnabled(now.canRedo);
+    redo.setText(now.canRedo ? QObject::tr("Redo %1").arg(QString::fromStdString(now.redoLabel)) : QObject::tr("Redo"));
+}
+
+void addEditMenu(MainWindow& window) {
+    QMenu* edit = addMenu(window, "edit", QObject::tr("&Edit"));
+    QAction* undo = addEntry(*edit, "undo", QObject::tr("Undo"), QKeySequence("Ctrl+Z"), [&window] { window.undo(); });
+    QAction* redo =
+        addEntry(*edit, "redo", QObject::tr("Redo"), QKeySequence("Ctrl+Shift+Z"), [&window] { window.redo(); });
+    redo->setShortcuts({QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")});
+    const auto show = [&editor = window.editor(), undo, redo] { showSteps(editor.snapshot(), *undo, *redo); };
+    QObject::connect(&window.editor(), &Editor::changed, edit, show);
+    show();
+    auto* escape = new QShortcut(QKeySequence(Qt::Key_Escape), &window);
+    QObject::connect(escape, &QShortcut::activated, &window, &MainWindow::escape);
+}
+
+} // namespace ui

@@ -1,0 +1,38 @@
+#include "ui/theme/icon.h"
+#include "ui/window/main_window.h"
+#include "ui/window/menu_tools.h"
+#include "ui/window/menus.h"
+#include "ui/window/shortcuts_dialog.h"
+
+#include <QCoreApplication>
+#include <QMenu>
+#include <QMessageBox>
+
+namespace ui {
+
+static void showShortcuts(MainWindow& window) {
+    auto* dialog = new ShortcutsDialog(window, &window);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->show();
+}
+
+static void showAbout(MainWindow& window) {
+    auto* box = new QMessageBox(&window);
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setWindowTitle(QObject::tr("About Pointclay"));
+    box->setIconPixmap(icon("pointclay").pixmap(64, 64));
+    box->setText(QObject::tr("<b>Pointclay %1</b><br>Sculpts and edits point-set surfaces.")
+                     .arg(QCoreApplication::applicationVersion()));
+    box->setInformativeText(QObject::tr("Drawn by: %1 (%2).<br>Free software under the GNU General Public License, "
+                                        "version 3 or later.")
+                                .arg(window.viewport().rendererName(), window.whyRenderer()));
+    box->open();
+}
+
+void addHelpMenu(MainWindow& window) {
+    QMenu* help = addMenu(window, "help", QObject::tr("&Help"));
+    addEntry(*help, "keyboard", QObject::tr("&Shortcuts…"), QKeySequence("F1"), [&window] { showShortcuts(window); });
+    addEntry(*help, "about", QObject::tr("&About Pointclay…"), {}, [&window] { showAbout(window); });
+}
+
+} // namespace ui

@@ -1,0 +1,49 @@
+#include "ui/window/menu_tools.h"
+
+#include "ui/theme/icon.h"
+
+#include <QActionGroup>
+#include <QMainWindow>
+#include <QMenu>
+#include <QMenuBar>
+
+namespace ui {
+
+QMenu* addMenu(QMainWindow& window, const QString& name, const QString& title, QMenu* parent) {
+    QMenu* out = parent ? parent->addMenu(title) : window.menuBar()->addMenu(title);
+    out->setObjectName(name);
+    out->setToolTipsVisible(true);
+    return out;
+}
+
+QAction* addEntry(QMenu& menu, const char* iconName, const QString& text, const QKeySequence& shortcut,
+                  const std::function<void()>& work) {
+    QAction* out = menu.addAction(icon(iconName), text);
+    out->setShortcut(shortcut);
+    QObject::connect(out, &QAction::triggered, out, [work] { work(); });
+    return out;
+}
+
+QAction* addChoice(QMenu& menu, QActionGroup& group, const char* id, const QString& label, const QString& tip,
+                   bool chosen, const std::function<void()>& choose) {
+    QAction* out = addEntry(menu, "", label, {}, choose);
+    out->setToolTip(tip);
+    out->setData(id);
+    out->setCheckable(true);
+    out->setChecked(chosen);
+    group.addAction(out);
+    return out;
+}
+
+QAction* addSwitch(QMenu& menu, const char* id, const QString& label, const QString& tip, bool on,
+                   const std::function<void(bool)>& turn) {
+    QAction* out = menu.addAction(label);
+    out->setToolTip(tip);
+    out->setData(id);
+    out->setCheckable(true);
+    out->setChecked(on);
+    QObject::connect(out, &QAction::toggled, out, turn);
+    return out;
+}
+
+} // namespace ui

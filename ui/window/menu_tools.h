@@ -1,0 +1,33 @@
+// What all menus are made with: menus with a name to find them by, and their entries. Whatever an entry does ends with
+// the window. Interface's thread only.
+#pragma once
+
+#include <functional>
+#include <QKeySequence>
+#include <QString>
+
+class QAction;
+class QActionGroup;
+class QMainWindow;
+class QMenu;
+
+namespace ui {
+
+/// At the end of the menu bar, or of `parent`.
+QMenu* addMenu(QMainWindow& window, const QString& name, const QString& title, QMenu* parent = nullptr);
+/// `iconName` may be empty, `shortcut` too.
+QAction* addEntry(QMenu& menu, const char* iconName, const QString& text, const QKeySequence& shortcut,
+                  const std::function<void()>& work);
+/// One of a group of which one is chosen. `id` is its data, by which tests find it, here and below.
+QAction* addChoice(QMenu& menu, QActionGroup& group, const char* id, const QString& label, const QString& tip,
+                   bool chosen, const std::function<void()>& choose);
+/// The same, of a table's row.
+template <class Row>
+QAction* addChoice(QMenu& menu, QActionGroup& group, const Row& row, bool chosen, const std::function<void()>& choose) {
+    return addChoice(menu, group, row.id, row.label, row.tip, chosen, choose);
+}
+/// On or off.
+QAction* addSwitch(QMenu& menu, const char* id, const QString& label, const QString& tip, bool on,
+                   const std::function<void(bool)>& turn);
+
+} // namespace ui

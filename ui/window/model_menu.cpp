@@ -1,0 +1,29 @@
+#include "ui/window/command_dialog.h"
+#include "ui/window/main_window.h"
+#include "ui/window/menu_tools.h"
+#include "ui/window/menus.h"
+
+#include <QAction>
+#include <QMenu>
+
+namespace ui {
+
+static void ask(MainWindow& window, const session::CommandRow& row) {
+    CommandDialog dialog(row, &window);
+    if (dialog.exec() == QDialog::Accepted)
+        window.editor().run(dialog.command());
+}
+
+void addModelMenu(MainWindow& window) {
+    QMenu* model = addMenu(window, "model", QObject::tr("&Model"));
+    for (const session::CommandRow& row : session::commandTable()) {
+        if (!hasDialog(row))
+            continue;
+        QAction* action =
+            addEntry(*model, row.op, QObject::tr("%1…").arg(row.label), {}, [&window, &row] { ask(window, row); });
+        action->setToolTip(row.tip);
+        action->setData(row.op);
+    }
+}
+
+} // namespace ui
