@@ -1,7 +1,7 @@
 #include "core/mesh/orient_mesh.h"
 
+#include "core/base/disjoint_sets.h"
 #include "core/base/parallel.h"
-#include "core/mesh/classes.h"
 #include "core/mesh/mesh_fans.h"
 
 #include <algorithm>
@@ -70,10 +70,10 @@ void turn(Triangle& t) {
 }
 
 /// Numbers the sets by their first triangles.
-void number(const ParityClasses& sets, Orientation& out) {
+void number(base::ParitySets& sets, Orientation& out) {
     std::vector<std::uint32_t> numberOf(out.pieceOf.size(), MeshFans::none);
     for (std::size_t t = 0; t < out.pieceOf.size(); ++t) {
-        std::uint32_t& piece = numberOf[sets.of(static_cast<std::uint32_t>(t)).first];
+        std::uint32_t& piece = numberOf[sets.find(static_cast<std::uint32_t>(t)).root];
         if (piece == MeshFans::none) {
             piece = static_cast<std::uint32_t>(out.pieceSizes.size());
             out.pieceSizes.push_back(0);
@@ -122,15 +122,15 @@ Orientation orient(Mesh& mesh, bool byNormals) {
     const bool agreed = std::all_of(edges.begin(), edges.end(), [](const SharedEdge& e) { return e.against; });
     if (!agreed)
         edges = flattestFirst(edges);
-    ParityClasses sets(mesh.triangles.size());
+    base::ParitySets sets(mesh.triangles.size());
     for (const SharedEdge& edge : edges)
         sets.relate(edge.a, edge.b, !edge.against);
     if (!agreed) {
         for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-            if (sets.of(static_cast<std::uint32_t>(t)).second)
+            if (sets.find(static_cast<std::uint32_t>(t)).opposite)
                 turn(mesh.triangles[t]);
         for (const SharedEdge& edge : edges) {
-            const bool turned = sets.of(edge.a).second != sets.of(edge.b).second;
+            const bool turned = sets.find(edge.a).opposite != sets.find(edge.b).opposite;
             out.conflicts += edge.against == turned ? 1 : 0;
         }
     }

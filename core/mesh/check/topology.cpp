@@ -1,6 +1,6 @@
 #include "core/mesh/check/topology.h"
 
-#include "core/mesh/classes.h"
+#include "core/base/disjoint_sets.h"
 #include "core/mesh/edges.h"
 
 #include <stdexcept>
@@ -17,7 +17,7 @@ class TopologyCount {
         : m_triangles(triangles), m_kinds(kinds), m_used(vertices, false), m_uses(checked(triangles, vertices)) {}
 
     Topology run() {
-        Classes pieces(m_used.size());
+        base::DisjointSets pieces(m_used.size());
         for (const Triangle& t : m_triangles)
             countFace(t, pieces);
         countVertices(pieces);
@@ -35,21 +35,21 @@ class TopologyCount {
         return edgeUses(triangles);
     }
 
-    void countFace(const Triangle& t, Classes& pieces) {
+    void countFace(const Triangle& t, base::DisjointSets& pieces) {
         if (!isProper(t)) {
             ++m_out.improper;
             return;
         }
         ++m_out.faces;
-        pieces.unite(t[0], t[1]);
-        pieces.unite(t[0], t[2]);
+        pieces.join(t[0], t[1]);
+        pieces.join(t[0], t[2]);
         m_used[t[0]] = m_used[t[1]] = m_used[t[2]] = true;
     }
 
-    void countVertices(Classes& pieces) {
+    void countVertices(base::DisjointSets& pieces) {
         for (std::uint32_t v = 0; v < m_used.size(); ++v) {
             ++(m_used[v] ? m_out.vertices : m_out.unused);
-            m_out.components += m_used[v] && pieces.of(v) == v;
+            m_out.components += m_used[v] && pieces.find(v) == v;
         }
     }
 
@@ -63,52 +63,52 @@ class TopologyCount {
     }
 
     /// A piece has one side where going around it turns a triangle over.
-    void countSides(Classes& pieces) {
-        ParityClasses sides(m_triangles.size());
+    void countSides(base::DisjointSets& pieces) {
+        base::ParitySets sides(m_triangles.size());
         std::vector<bool> oneSided(m_used.size(), false);
         forEdges(m_uses, [&](std::span<const EdgeUse> edge) {
             if (edge.size() == 2 && !sides.relate(edge[0].face(), edge[1].face(), edge[0].forward == edge[1].forward)) {
                 m_out.orientable = false;
-                oneSided[pieces.of(edge[0].low)] = true;
+                oneSided[pieces.find(edge[0].low)] = true;
             }
         });
         if (!m_out.orientable)
             for (std::uint32_t v = 0; v < m_used.size(); ++v)
-                m_out.mixed |= m_used[v] && pieces.of(v) == v && !oneSided[v];
+                m_out.mixed |= m_used[v] && pieces.find(v) == v && !oneSided[v];
     }
 
     /// A fan is a class of corners that meet across manifold edges. An open one joins two ends of boundary edges.
     void countFansAndLoops() {
-        Classes fans(3 * m_triangles.size()), loops(m_uses.size());
+        base::DisjointSets fans(3 * m_triangles.size()), loops(m_uses.size());
         forEdges(m_uses, [&](std::span<const EdgeUse> edge) {
             if (edge.size() != 2)
                 return;
             const bool opposed = edge[0].forward == edge[1].forward;
-            fans.unite(edge[0].corner, opposed ? edge[1].corner : edge[1].next());
-            fans.unite(edge[0].next(), opposed ? edge[1].next() : edge[1].corner);
+            fans.join(edge[0].corner, opposed ? edge[1].corner : edge[1].next());
+            fans.join(edge[0].next(), opposed ? edge[1].next() : edge[1].corner);
         });
         countPinches(fans);
         std::vector<std::uint32_t> first(3 * m_triangles.size(), none);
         forBoundary([&](std::uint32_t use) {
             for (const std::uint32_t corner : {m_uses[use].corner, m_uses[use].next()}) {
-                std::uint32_t& other = first[fans.of(corner)];
+                std::uint32_t& other = first[fans.find(corner)];
                 if (other == none)
                     other = use;
                 else
-                    loops.unite(other, use);
+                    loops.join(other, use);
             }
         });
         countLoops(loops);
     }
 
-    void countPinches(Classes& fans) {
+    void countPinches(base::DisjointSets& fans) {
         std::vector<std::uint32_t> fanOf(m_used.size(), none);
         std::vector<bool> pinched(m_used.size(), false);
         for (std::uint32_t corner = 0; corner < 3 * m_triangles.size(); ++corner) {
             const Triangle& t = m_triangles[corner / 3];
             if (!isProper(t))
                 continue;
-            const std::uint32_t v = t[corner % 3], fan = fans.of(corner);
+            const std::uint32_t v = t[corner % 3], fan = fans.find(corner);
             if (fanOf[v] == none)
                 fanOf[v] = fan;
             if (fanOf[v] != fan && !pinched[v]) {
@@ -118,16 +118,16 @@ class TopologyCount {
         }
     }
 
-    void countLoops(Classes& loops) {
+    void countLoops(base::DisjointSets& loops) {
         std::vector<bool> fold(m_uses.size(), false);
         forBoundary([&](std::uint32_t use) {
             const auto isFold = [&](std::uint32_t v) { return !m_kinds.empty() && m_kinds[v] == VertexKind::Fold; };
             if (isFold(m_uses[use].low) || isFold(m_uses[use].high))
-                fold[loops.of(use)] = true;
+                fold[loops.find(use)] = true;
         });
         forBoundary([&](std::uint32_t use) {
-            m_out.boundaryLoops += loops.of(use) == use;
-            m_out.foldLoops += loops.of(use) == use && fold[use];
+            m_out.boundaryLoops += loops.find(use) == use;
+            m_out.foldLoops += loops.find(use) == use && fold[use];
         });
     }
 

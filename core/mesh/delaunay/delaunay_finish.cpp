@@ -1,9 +1,9 @@
 #include "core/mesh/delaunay/delaunay_finish.h"
 
+#include "core/base/disjoint_sets.h"
 #include "core/base/parallel.h"
 #include "core/mesh/check/deviation.h"
 #include "core/mesh/check/shape.h"
-#include "core/mesh/classes.h"
 #include "core/mesh/edges.h"
 #include "core/mesh/marching/own_sheet.h"
 #include "core/mesh/mesh_repair.h"
@@ -40,19 +40,19 @@ std::size_t markExcess(const Mesh& mesh, std::vector<bool>& excess) {
 }
 
 void splitFans(Mesh& mesh) {
-    Classes fans(3 * mesh.triangles.size());
+    base::DisjointSets fans(3 * mesh.triangles.size());
     forEdges(edgeUses(mesh.triangles), [&](std::span<const EdgeUse> edge) {
         if (edge.size() != 2)
             return;
         const bool opposed = edge[0].forward == edge[1].forward;
-        fans.unite(edge[0].corner, opposed ? edge[1].corner : edge[1].next());
-        fans.unite(edge[0].next(), opposed ? edge[1].next() : edge[1].corner);
+        fans.join(edge[0].corner, opposed ? edge[1].corner : edge[1].next());
+        fans.join(edge[0].next(), opposed ? edge[1].next() : edge[1].corner);
     });
     std::vector<std::uint32_t> fanOf(mesh.positions.size(), none);
     std::map<std::uint32_t, std::uint32_t> fresh; // vertex of a further fan
     for (std::uint32_t corner = 0; corner < 3 * mesh.triangles.size(); ++corner) {
         std::uint32_t& v = mesh.triangles[corner / 3][corner % 3];
-        const std::uint32_t fan = fans.of(corner);
+        const std::uint32_t fan = fans.find(corner);
         if (fanOf[v] == none)
             fanOf[v] = fan;
         if (fanOf[v] == fan)

@@ -1,8 +1,8 @@
 // Consistent orientation: the minimum spanning tree of unlikeness over the neighbour graph (H. Hoppe et al., Surface
 // reconstruction from unorganized points, 1992), with a flip rule that knows the edge between the two points.
+#include "core/base/disjoint_sets.h"
 #include "core/process/estimation/normals_of.h"
 #include "core/process/estimation/part_progress.h"
-#include "core/process/estimation/signed_union.h"
 
 #include <algorithm>
 #include <numbers>
@@ -81,14 +81,14 @@ constexpr double seamLength = 0.3; ///< in sqrt(n) points, from which there is a
 constexpr std::size_t leastSeam = 4;
 
 /// Is there a seam, along which certain edges contradict the signs that the trees gave?
-bool hasSeam(SignedUnion& trees, const std::vector<Edge>& edges, const std::vector<Likeness>& likenesses,
+bool hasSeam(base::ParitySets& trees, const std::vector<Edge>& edges, const std::vector<Likeness>& likenesses,
              std::size_t points) {
     std::vector<std::uint32_t> seam;
     for (std::size_t e = 0; e < edges.size(); ++e) {
         if (likenesses[e].unlike >= certain)
             continue;
         const auto a = trees.find(edges[e].a), b = trees.find(edges[e].b);
-        if (a.root == b.root && (a.flip != b.flip) != likenesses[e].flip)
+        if (a.root == b.root && (a.opposite != b.opposite) != likenesses[e].flip)
             seam.insert(seam.end(), {edges[e].a, edges[e].b});
     }
     std::sort(seam.begin(), seam.end());
@@ -97,8 +97,8 @@ bool hasSeam(SignedUnion& trees, const std::vector<Edge>& edges, const std::vect
 }
 
 struct Orientation {
-    SignedUnion trees; ///< with the flips along their edges
-    bool sided;        ///< the signs agree everywhere
+    base::ParitySets trees; ///< with the flips along their edges
+    bool sided;             ///< the signs agree everywhere
 };
 
 /// Kruskal's minimum spanning trees of the neighbour graph.
@@ -113,12 +113,12 @@ Orientation spanningTrees(const Cloud& cloud, std::span<const base::Vec3f> norma
     });
     progress.step(0.65, orienting);
     const std::vector<std::uint32_t> order = byUnlikeness(likenesses);
-    SignedUnion trees(cloud.size());
+    base::ParitySets trees(cloud.size());
     for (std::size_t k = 0; k < order.size(); ++k) {
         if (k % 131072 == 0)
             progress.step(0.7 + 0.2 * static_cast<double>(k) / static_cast<double>(order.size()), orienting);
         const std::uint32_t e = order[k];
-        trees.join(edges[e].a, edges[e].b, likenesses[e].flip);
+        trees.relate(edges[e].a, edges[e].b, likenesses[e].flip);
     }
     const bool sided = !hasSeam(trees, edges, likenesses, cloud.size());
     return {std::move(trees), sided};
