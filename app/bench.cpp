@@ -5,6 +5,7 @@
 #include "app/subcommand.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/base/row_of_id.h"
 #include "core/io/safe_file.h"
 
 #include <cstdio>
@@ -25,19 +26,13 @@ struct Options {
     double seconds = 1;
 };
 
-std::string knownNames() {
-    std::string out;
-    for (const Workload& workload : bench::workloadTable())
-        out += (out.empty() ? "" : ", ") + workload.name;
-    return out;
-}
-
 std::vector<const Workload*> chosen(const std::vector<std::string>& names) {
     std::vector<const Workload*> out;
     for (const std::string& name : names) {
         out.push_back(bench::findWorkload(name));
         if (!out.back())
-            throw UsageError("there is no workload '" + name + "'; choose among " + knownNames());
+            throw UsageError("there is no workload '" + name + "'; choose among " +
+                             base::joinedIds(bench::workloadTable(), &Workload::name));
     }
     if (names.empty())
         for (const Workload& workload : bench::workloadTable())

@@ -1,6 +1,7 @@
 #include "app/query_columns.h"
 
 #include "app/subcommand.h"
+#include "core/base/row_of_id.h"
 
 #include <algorithm>
 #include <limits>
@@ -148,12 +149,9 @@ static std::vector<std::string> wordsOf(const std::string& list) {
 }
 
 static void checkKnown(const std::vector<std::string>& asked) {
-    std::string known;
-    for (const WhatRow& row : whatTable())
-        known += (known.empty() ? "" : ", ") + std::string(row.id);
     for (const std::string& word : asked)
-        if (std::none_of(whatTable().begin(), whatTable().end(), [&](const WhatRow& row) { return word == row.id; }))
-            throw UsageError("--what: unknown '" + word + "'; known are " + known);
+        if (!base::findRow(whatTable(), word))
+            throw UsageError("--what: unknown '" + word + "'; known are " + base::joinedIds(whatTable()));
 }
 
 Question parseQuestion(const std::string& list) {

@@ -4,6 +4,7 @@
 #include "app/option_checks.h"
 #include "app/subcommand.h"
 #include "core/base/error.h"
+#include "core/base/row_of_id.h"
 #include "core/render/named_views.h"
 #include "ui/settings/settings.h"
 
@@ -70,10 +71,7 @@ static CLI::Option* addVector(CLI::App& command, const char* name, std::string& 
 }
 
 static std::string viewNames() {
-    std::string out;
-    for (const render::NamedView& row : render::namedViews())
-        out += (out.empty() ? "" : ", ") + std::string(row.id);
-    return out;
+    return base::joinedIds(render::namedViews());
 }
 
 std::shared_ptr<ViewOptions> addViewOptions(CLI::App& command) {

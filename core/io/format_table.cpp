@@ -1,3 +1,4 @@
+#include "core/base/row_of_id.h"
 #include "core/io/content_kind.h"
 #include "core/io/file_name.h"
 #include "core/io/formats.h"
@@ -15,13 +16,6 @@ static constexpr FormatRow table[] = {
 
 std::span<const FormatRow> formatTable() {
     return table;
-}
-
-static const FormatRow* rowOfId(const std::string& id) {
-    for (const FormatRow& row : table)
-        if (id == row.id)
-            return &row;
-    return nullptr;
 }
 
 /// Points as text have a line that begins with a number among their first ones, and no zero bytes.
@@ -54,9 +48,9 @@ static const FormatRow& readerOf(const path& name) {
     const FormatRow* row = rowOfExtension(table, extension);
     // A content that proves itself is believed more than the name; "stl" proves little, so only without another name.
     if (!kind.empty() && (!row || kind != "stl"))
-        row = rowOfId(kind);
+        row = base::findRow(table, kind);
     if (!row && looksLikeText(file.bytes()))
-        row = rowOfId("xyz");
+        row = base::findRow(table, "xyz");
     if (!row || !row->read)
         file.fail("is in no known format", "readable are: " + knownExtensions(false));
     return *row;

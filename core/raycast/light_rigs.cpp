@@ -51,7 +51,7 @@ const LightRigRow& lightRigRow(LightRig rig) {
 }
 
 LightRig lightRig(std::string_view id) {
-    return base::rowOf(lightRigTable(), "lights", id).rig;
+    return base::rowOf(lightRigTable(), id, {"unknown lights '%'", "", "use one of: %"}).rig;
 }
 
 Lamp lampTowards(const base::Vec3f& direction, std::size_t count) {

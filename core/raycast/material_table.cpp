@@ -51,7 +51,7 @@ const MaterialRow& materialRow(Material material) {
 }
 
 Material material(std::string_view id) {
-    return base::rowOf(materialTable(), "material", id).material;
+    return base::rowOf(materialTable(), id, {"unknown material '%'", "", "use one of: %"}).material;
 }
 
 } // namespace raycast

@@ -1,5 +1,7 @@
 #include "core/render/named_views.h"
 
+#include "core/base/row_of_id.h"
+
 namespace render {
 
 std::span<const NamedView> namedViews() {
@@ -12,10 +14,7 @@ std::span<const NamedView> namedViews() {
 }
 
 const NamedView* namedView(std::string_view id) {
-    for (const NamedView& row : namedViews())
-        if (id == row.id)
-            return &row;
-    return nullptr;
+    return base::findRow(namedViews(), id);
 }
 
 } // namespace render

@@ -1,7 +1,7 @@
 #include "core/sculpt/falloff.h"
 
 #include "core/base/clones.h"
-#include "core/base/error.h"
+#include "core/base/row_of_id.h"
 
 #include <algorithm>
 #include <cmath>
@@ -69,13 +69,7 @@ const FalloffRow& row(Falloff falloff) {
 }
 
 Falloff falloff(std::string_view id) {
-    std::string known;
-    for (const FalloffRow& r : rows) {
-        if (id == r.id)
-            return r.falloff;
-        known += known.empty() ? r.id : std::string(", ") + r.id;
-    }
-    throw base::Error("there is no falloff '" + std::string(id) + "'", "falloff", "choose one of " + known);
+    return base::rowOf(rows, id, {"there is no falloff '%'", "falloff", "choose one of %"}).falloff;
 }
 
 float weight(Falloff falloff, float r) {

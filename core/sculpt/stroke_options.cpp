@@ -1,6 +1,7 @@
 #include "core/sculpt/stroke_options.h"
 
-#include <algorithm>
+#include "core/base/row_of_id.h"
+
 #include <numbers>
 
 namespace sculpt {
@@ -16,8 +17,7 @@ std::span<const OptionGroupRow> optionGroupTable() {
 }
 
 static bool has(const ToolRow& tool, std::string_view id) {
-    return std::any_of(tool.parameters.begin(), tool.parameters.end(),
-                       [&](const ToolParameter& parameter) { return id == parameter.id; });
+    return base::findRow(tool.parameters, id) != nullptr;
 }
 
 bool hasSource(const ToolRow& tool) {

@@ -1,6 +1,7 @@
 // What a stroke's settings may be: the one place that refuses them.
 #include "core/sculpt/stroke_settings.h"
 #include "core/base/error.h"
+#include "core/base/row_of_id.h"
 #include "core/sculpt/stroke_options.h"
 
 #include <algorithm>
@@ -21,13 +22,9 @@ static void inRange(const char* name, double value, double min, double max) {
 }
 
 static void checkParameter(const ToolRow& row, const std::string& id, double value) {
-    const auto known = std::find_if(row.parameters.begin(), row.parameters.end(),
-                                    [&](const ToolParameter& parameter) { return id == parameter.id; });
-    if (known != row.parameters.end())
+    if (const ToolParameter* known = base::findRow(row.parameters, id))
         return inRange(known->id, value, known->min, known->max);
-    std::string names;
-    for (const ToolParameter& parameter : row.parameters)
-        names += (names.empty() ? "" : ", ") + std::string(parameter.id);
+    const std::string names = base::joinedIds(row.parameters);
     throw base::Error("the tool '" + std::string(row.id) + "' has no parameter '" + id + "'", "stroke",
                       names.empty() ? "it has none" : "it has " + names);
 }
@@ -51,13 +48,7 @@ const MethodRow& row(StrokeMethod method) {
 }
 
 StrokeMethod method(std::string_view id) {
-    std::string known;
-    for (const MethodRow& each : methods) {
-        if (id == each.id)
-            return each.method;
-        known += known.empty() ? each.id : std::string(", ") + each.id;
-    }
-    throw base::Error("there is no stroke method '" + std::string(id) + "'", "method", "choose one of " + known);
+    return base::rowOf(methods, id, {"there is no stroke method '%'", "method", "choose one of %"}).method;
 }
 
 bool lastOnly(const StrokeSettings& settings) {

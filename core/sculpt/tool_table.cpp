@@ -1,4 +1,4 @@
-#include "core/base/error.h"
+#include "core/base/row_of_id.h"
 #include "core/sculpt/tool.h"
 #include "core/sculpt/tools/blob.h"
 #include "core/sculpt/tools/clay.h"
@@ -41,13 +41,7 @@ std::span<const ToolRow> toolTable() {
 }
 
 const ToolRow& tool(std::string_view id) {
-    std::string known;
-    for (const ToolRow& row : toolTable()) {
-        if (id == row.id)
-            return row;
-        known += known.empty() ? row.id : std::string(", ") + row.id;
-    }
-    throw base::Error("there is no tool '" + std::string(id) + "'", "tool", "choose one of " + known);
+    return base::rowOf(toolTable(), id, {"there is no tool '%'", "tool", "choose one of %"});
 }
 
 } // namespace sculpt

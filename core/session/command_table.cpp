@@ -1,4 +1,5 @@
 #include "core/base/error.h"
+#include "core/base/row_of_id.h"
 #include "core/session/commands.h"
 
 #include <array>
@@ -12,13 +13,7 @@ std::span<const CommandRow> commandTable() {
 }
 
 const CommandRow& command(std::string_view op) {
-    std::string known;
-    for (const CommandRow& row : commandTable()) {
-        if (row.op == op)
-            return row;
-        known += std::string(known.empty() ? "" : ", ") + row.op;
-    }
-    throw base::Error("unknown op \"" + std::string(op) + "\"", {}, "known are " + known);
+    return base::rowOf(commandTable(), op, {"unknown op \"%\"", "", "known are %"}, &CommandRow::op);
 }
 
 void requireModel(const Context& context) {

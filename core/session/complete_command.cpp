@@ -1,5 +1,6 @@
 // Checking and completing a command against its row.
 #include "core/base/error.h"
+#include "core/base/row_of_id.h"
 #include "core/session/commands.h"
 
 #include <cmath>
@@ -97,17 +98,8 @@ json checked(const CommandRow& row, const CommandParameter& p, const json& value
     return value;
 }
 
-const CommandParameter* find(const CommandRow& row, const std::string& id) {
-    for (const CommandParameter& p : row.parameters)
-        if (id == p.id)
-            return &p;
-    return nullptr;
-}
-
 [[noreturn]] void refuseUnknown(const CommandRow& row, const std::string& id) {
-    std::string known;
-    for (const CommandParameter& p : row.parameters)
-        known += std::string(known.empty() ? "" : ", ") + p.id;
+    const std::string known = base::joinedIds(row.parameters);
     throw base::Error("unknown parameter " + named(row, id), {}, known.empty() ? "it takes none" : "it takes " + known);
 }
 
@@ -127,7 +119,7 @@ json complete(const json& given, const std::filesystem::path& folder) {
             out[p.id] = json::parse(p.fallback);
     }
     for (const auto& [key, value] : given.items()) {
-        if (key == "op" || find(row, key))
+        if (key == "op" || base::findRow(row.parameters, key))
             continue;
         if (!row.checkFurther)
             refuseUnknown(row, key);

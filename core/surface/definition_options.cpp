@@ -1,6 +1,7 @@
 #include "core/surface/definition_options.h"
 
 #include "core/base/error.h"
+#include "core/base/row_of_id.h"
 #include "core/surface/definition_text.h"
 
 #include <charconv>
@@ -65,13 +66,7 @@ std::span<const DefinitionOption> definitionOptionTable() {
 }
 
 const DefinitionOption& definitionOption(std::string_view id) {
-    std::string known;
-    for (const DefinitionOption& row : definitionOptionTable()) {
-        if (id == row.id)
-            return row;
-        known.append(known.empty() ? "" : ", ").append(row.id);
-    }
-    throw base::Error("unknown surface option '" + std::string(id) + "'", {}, "known are " + known);
+    return base::rowOf(definitionOptionTable(), id, {"unknown surface option '%'", "", "known are %"});
 }
 
 template <class E>

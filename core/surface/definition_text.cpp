@@ -1,6 +1,7 @@
 #include "core/surface/definition_text.h"
 
 #include "core/base/error.h"
+#include "core/base/row_of_id.h"
 #include "core/surface/definition_options.h"
 
 namespace surface {
@@ -46,13 +47,7 @@ static const char* nameIn(std::span<const Named<E>> table, E value) {
 
 template <class E>
 static E parseIn(std::span<const Named<E>> table, const char* what, std::string_view name) {
-    std::string known;
-    for (const auto& row : table) {
-        if (name == row.name)
-            return row.value;
-        known.append(known.empty() ? "" : ", ").append(row.name);
-    }
-    throw base::Error("unknown " + std::string(what) + " '" + std::string(name) + "'", {}, "known are " + known);
+    return base::rowOf(table, name, {what, "", "known are %"}, &Named<E>::name).value;
 }
 
 const char* nameOf(Manifold manifold) {
@@ -71,16 +66,16 @@ const char* nameOf(Projector projector) {
     return nameIn(projectorNames(), projector);
 }
 Manifold parseManifold(std::string_view name) {
-    return parseIn(manifoldNames(), "manifold", name);
+    return parseIn(manifoldNames(), "unknown manifold '%'", name);
 }
 Weight parseWeight(std::string_view name) {
-    return parseIn(weightNames(), "weight", name);
+    return parseIn(weightNames(), "unknown weight '%'", name);
 }
 Frame parseFrame(std::string_view name) {
-    return parseIn(frameNames(), "frame", name);
+    return parseIn(frameNames(), "unknown frame '%'", name);
 }
 Projector parseProjector(std::string_view name) {
-    return parseIn(projectorNames(), "projection", name);
+    return parseIn(projectorNames(), "unknown projection '%'", name);
 }
 
 std::string toWords(const SurfaceDefinition& definition) {

@@ -3,6 +3,7 @@
 #include "ui/view/navigation.h"
 
 #include "core/base/error.h"
+#include "core/base/row_of_id.h"
 
 #include <algorithm>
 #include <QSettings>
@@ -11,10 +12,7 @@
 namespace ui {
 
 static const sculpt::ToolRow* findTool(const std::string& id) {
-    for (const auto& row : sculpt::toolTable())
-        if (id == row.id)
-            return &row;
-    return nullptr;
+    return base::findRow(sculpt::toolTable(), id);
 }
 
 const sculpt::ToolRow& Settings::toolRow() const {
@@ -103,9 +101,8 @@ static void readCurve(const QSettings& store, const QString& key, sculpt::CurveP
 template <class Rows, class Value>
 static void readRow(const QSettings& store, const QString& key, const Rows& rows, Value& value) {
     const std::string id = store.value(key).toString().toStdString();
-    for (const auto& row : rows)
-        if (id == row.id)
-            value = rowValue(row);
+    if (const auto* row = base::findRow(rows, id))
+        value = rowValue(*row);
 }
 
 /// "outline,creases": the bits of the rows named; an unknown name has none.

@@ -1,5 +1,7 @@
 #include "ui/view/navigation.h"
 
+#include "core/base/row_of_id.h"
+
 #include <algorithm>
 #include <numbers>
 
@@ -72,10 +74,8 @@ std::span<const NavigationRow> navigationTable() {
 }
 
 const NavigationRow& navigation(std::string_view id) {
-    for (const NavigationRow& row : navigationTable())
-        if (id == row.id)
-            return row;
-    return navigationTable().front();
+    const NavigationRow* found = base::findRow(navigationTable(), id);
+    return found ? *found : navigationTable().front();
 }
 
 } // namespace ui

@@ -1,13 +1,11 @@
 #include "core/process/samples/samples.h"
 
-#include "core/base/error.h"
+#include "core/base/row_of_id.h"
 #include "core/process/samples/block_of_clay.h"
 #include "core/process/samples/simulated_scan.h"
 #include "core/process/samples/tube.h"
 
-#include <algorithm>
 #include <numbers>
-#include <string>
 
 namespace process {
 
@@ -123,14 +121,7 @@ std::span<const SampleRow> sampleTable() {
 }
 
 const SampleRow& sample(std::string_view id) {
-    const auto found =
-        std::find_if(std::begin(table), std::end(table), [&](const SampleRow& row) { return id == row.id; });
-    if (found != std::end(table))
-        return *found;
-    std::string known;
-    for (const SampleRow& row : table)
-        known += (known.empty() ? "" : ", ") + std::string(row.id);
-    throw base::Error("there is no sample called '" + std::string(id) + "'", "", "choose one of " + known);
+    return base::rowOf(table, id, {"there is no sample called '%'", "", "choose one of %"});
 }
 
 } // namespace process

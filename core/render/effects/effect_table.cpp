@@ -1,8 +1,8 @@
 #include "core/render/effects/effect_table.h"
 
-#include "core/base/error.h"
+#include "core/base/row_of_id.h"
 
-#include <string>
+#include <algorithm>
 
 namespace render {
 
@@ -22,15 +22,7 @@ Effects effects(std::string_view list) {
     while (!list.empty()) {
         const std::string_view id = list.substr(0, list.find(','));
         list.remove_prefix(std::min(list.size(), id.size() + 1));
-        std::string known;
-        const EffectRow* found = nullptr;
-        for (const EffectRow& row : effectTable()) {
-            found = row.id == id ? &row : found;
-            known += (known.empty() ? "" : ", ") + std::string(row.id);
-        }
-        if (!found)
-            throw base::Error("unknown effect '" + std::string(id) + "'", "", "use some of: " + known);
-        out |= found->effect;
+        out |= base::rowOf(effectTable(), id, {"unknown effect '%'", "", "use some of: %"}).effect;
     }
     return out;
 }

@@ -50,7 +50,7 @@ const BackdropRow& backdropRow(Backdrop backdrop) {
 }
 
 Backdrop backdrop(std::string_view id) {
-    return base::rowOf(backdropTable(), "background", id).backdrop;
+    return base::rowOf(backdropTable(), id, {"unknown background '%'", "", "use one of: %"}).backdrop;
 }
 
 static Vec3f lightAt(Backdrop backdrop, float height) {

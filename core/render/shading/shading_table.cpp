@@ -151,7 +151,7 @@ const ShadingRow& shadingRow(Shading shading) {
 }
 
 Shading shading(std::string_view id) {
-    return base::rowOf(shadingTable(), "shading", id).shading;
+    return base::rowOf(shadingTable(), id, {"unknown shading '%'", "", "use one of: %"}).shading;
 }
 
 /// To two digits, away from zero or, for `direction` < 0, downwards.
