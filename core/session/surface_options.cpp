@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/session/commands.h"
 #include "core/surface/definition_text.h"
+#include "core/surface/frames/frame_table.h"
 
 #include <deque>
 #include <nlohmann/json.hpp>
@@ -49,10 +50,9 @@ static void refuseExclusive(const DefinitionOption& option, const json& complete
 }
 
 static void refuseSurfaceFrameOnCurve(const surface::SurfaceDefinition& definition) {
-    const surface::Frame frame = definition.frame;
-    if (definition.manifold == surface::Manifold::Curve &&
-        (frame == surface::Frame::Apss || frame == surface::Frame::Rimls))
-        throw base::Error("the frame " + std::string(surface::nameOf(frame)) + " defines surfaces, not curves", {},
+    const surface::FrameRow& frame = surface::rowOf(definition.frame);
+    if (definition.manifold == surface::Manifold::Curve && frame.ownField)
+        throw base::Error("the frame " + std::string(frame.name) + " defines surfaces, not curves", {},
                           "choose covariance, covariance-at-centroid, centroid-gradient or hyperplanes");
 }
 

@@ -1,5 +1,5 @@
-// How the points of a model define its surface: weight, frame, supports, boundary (alg. 2, 6). A plain value with
-// defaults, compared with ==, written to files and sessions; its options: definition_options.h.
+// How the points of a model define its surface: weight, frame, supports, boundary (surface/README 2, 5). A plain
+// value with defaults, compared with ==, written to files and sessions; its options: definition_options.h.
 #pragma once
 
 #include <algorithm>
@@ -9,12 +9,16 @@
 
 namespace surface {
 
-/// What the points sample. On a curve the surfels' normal channel holds unit tangents, or nothing (alg. 2.3).
+/// What the points sample. On a curve the surfels' normal channel holds unit tangents, or nothing (surface/README 7.1).
 enum class Manifold { Surface, Curve };
-/// Wendland's C2 and C4 kernels, and the Gaussian cut where it falls below 1e-8 (alg. 2.1).
+/// Wendland's C2 and C4 kernels, and the Gaussian cut where it falls below 1e-8 (surface/README 2.1).
 enum class Weight { Wendland, WendlandC4, Gaussian };
-/// Where n comes from: alg. 2.4; centroid-gradient by the left convention of 2.2; apss and rimls (10.3, 10.4).
-enum class Frame { Normals, Hyperplanes, Covariance, CovarianceAtCentroid, CentroidGradient, Apss, Rimls };
+/// Where n comes from (surface/README 2.4): Normals, Hyperplanes, Covariance and so on, a row each of that file.
+enum class Frame {
+#define POINTCLAY_FRAME(frame, ...) frame,
+#include "core/surface/frames/frame_rows.inl"
+#undef POINTCLAY_FRAME
+};
 enum class Boundary { Auto, Limit, None };
 
 struct SurfaceDefinition {
@@ -26,17 +30,19 @@ struct SurfaceDefinition {
     /// Neighbours in support that the per-surfel radii aim at: h = s sqrt(K / pi). Used where `support` is 0.
     int neighbours = 38;
     Boundary boundary = Boundary::Auto;
-    /// Off-centre limit in units of h: x is on the surface only where o(x) <= limit * h (alg. 6). Set by whoever
-    /// resolves Boundary::Auto for a model; infinity for closed ones.
+    /// Off-centre limit in units of h: x is on the surface only where o(x) <= limit * h (surface/README 5.1). Set by
+    /// whoever resolves Boundary::Auto for a model; infinity for closed ones.
     float boundaryLimit = std::numeric_limits<float>::infinity();
-    bool shrinkFree = true;     ///< the symmetric form mu = 1/2 (alg. 2.6); false is the dissertation's own, mu = 0
-    bool oneSheet = true;       ///< second pass where near sheets meet (sheets.h)
-    bool interpolating = false; ///< weights over r^2, so that the surface passes through the points (alg. 10.5)
-    /// Curvature is taken on supports that reach over at least so many spacings (alg. 2.6); 0: on those of the surface.
-    /// Known for supports from neighbours; one support for all is taken at its word.
+    bool shrinkFree = true; ///< the symmetric form mu = 1/2 (surface/README 2.6); false: [Adamson07], mu = 0
+    bool oneSheet = true;   ///< second pass where near sheets meet (near_sheets.h)
+    bool interpolating =
+        false; ///< weights over r^2, so that the surface passes through the points (surface/README 2.10)
+    /// Curvature is taken on supports that reach over at least so many spacings (surface/README 6.3); 0: on those of
+    /// the surface. Known for supports from neighbours; one support for all is taken at its word.
     float curvatureSpacings = 6;
-    float apssBeta = 1;      ///< 1 fits spheres, 0 planes (alg. 10.3)
-    float rimlsSigma = 0.8f; ///< how much normals may differ before they count as another side of an edge (alg. 10.4)
+    float apssBeta = 1; ///< 1 fits spheres, 0 planes (surface/README 2.8)
+    float rimlsSigma =
+        0.8f; ///< how much normals may differ before they count as another side of an edge (surface/README 2.9)
 
     float mu() const { return shrinkFree ? 0.5f : 0.0f; }
     /// h / s of supports from neighbours.
@@ -46,13 +52,13 @@ struct SurfaceDefinition {
     bool operator==(const SurfaceDefinition&) const = default;
 };
 
-/// s / h at the default of 38 neighbours, h = 3.5 s (alg. 2.6): a guess where nobody counted neighbours.
+/// s / h at the default of 38 neighbours, h = 3.5 s (surface/README 2.11): a guess where nobody counted neighbours.
 constexpr double spacingOfUnit = 1 / 3.5;
 
 /// A surfel's support radius is the distance at which its weight is zero. For the Gaussian exp(-s^2/H^2), cut where it
 /// falls below 1e-8, that is H * gaussianReach.
 constexpr float gaussianReach = 4.29193205f; // sqrt(ln 1e8)
-/// Gaussian scale with the second moment of a Wendland support of 1 (alg. 0): per-surfel supports use it.
+/// Gaussian scale with the second moment of a Wendland support of 1 (surface/README 1.2): per-surfel supports use it.
 constexpr float gaussianScale = 0.37267800f; // sqrt(5) / 6
 
 /// Length that "units of h" means for a surfel whose reach is `support`.

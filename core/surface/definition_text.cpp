@@ -3,19 +3,21 @@
 #include "core/base/error.h"
 #include "core/base/row_of_id.h"
 #include "core/surface/definition_options.h"
+#include "core/surface/frames/frame_table.h"
+
+#include <array>
 
 namespace surface {
 
 static constexpr Named<Manifold> manifolds[] = {{Manifold::Surface, "surface"}, {Manifold::Curve, "curve"}};
 static constexpr Named<Weight> weights[] = {
     {Weight::Wendland, "wendland"}, {Weight::WendlandC4, "wendland-c4"}, {Weight::Gaussian, "gaussian"}};
-static constexpr Named<Frame> frames[] = {{Frame::Normals, "normals"},
-                                          {Frame::Hyperplanes, "hyperplanes"},
-                                          {Frame::Covariance, "covariance"},
-                                          {Frame::CovarianceAtCentroid, "covariance-at-centroid"},
-                                          {Frame::CentroidGradient, "centroid-gradient"},
-                                          {Frame::Apss, "apss"},
-                                          {Frame::Rimls, "rimls"}};
+static constexpr auto frames = [] {
+    std::array<Named<Frame>, std::size(frameTable)> out{};
+    for (std::size_t i = 0; i < out.size(); ++i)
+        out[i] = {frameTable[i].frame, frameTable[i].name};
+    return out;
+}();
 static constexpr Named<Boundary> boundaries[] = {
     {Boundary::Auto, "auto"}, {Boundary::Limit, "limit"}, {Boundary::None, "none"}};
 static constexpr Named<Projector> projectors[] = {

@@ -18,7 +18,7 @@ struct Named {
 
 std::span<const Named<Manifold>> manifoldNames();   ///< surface, curve
 std::span<const Named<Weight>> weightNames();       ///< wendland, wendland-c4, gaussian
-std::span<const Named<Frame>> frameNames();         ///< normals, hyperplanes, covariance, ..., apss, rimls
+std::span<const Named<Frame>> frameNames();         ///< those of frame_table.h
 std::span<const Named<Boundary>> boundaryNames();   ///< auto, limit, none; written, a limit is its number
 std::span<const Named<Projector>> projectorNames(); ///< basic, almost, orthogonal; `query` puts "project-" before them
 

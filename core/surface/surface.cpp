@@ -1,6 +1,7 @@
 #include "core/surface/surface.h"
 
 #include "core/surface/evaluation/packets.h"
+#include "core/surface/frames/frame_table.h"
 
 #include <cassert>
 
@@ -55,21 +56,10 @@ Surface Surface::withSupportScale(float scale) const {
 
 Frame Surface::effectiveFrame() const {
     const auto& layout = *m_tree.layout();
-    const Frame frame = m_definition.frame;
-    switch (frame) {
-    case Frame::Normals:
-    case Frame::Hyperplanes:
-    case Frame::Apss:
-    case Frame::Rimls:
-        break;
-    case Frame::Covariance:
-    case Frame::CovarianceAtCentroid:
-    case Frame::CentroidGradient:
-        return frame;
-    }
-    if (!layout.normals)
+    const NormalsRead reads = rowOf(m_definition.frame).reads;
+    if (reads != NormalsRead::None && !layout.normals)
         return Frame::CovarianceAtCentroid;
-    return layout.oriented ? frame : Frame::Hyperplanes;
+    return reads == NormalsRead::Oriented && !layout.oriented ? Frame::Hyperplanes : m_definition.frame;
 }
 
 Evaluationf Surface::evaluate(const base::Vec3f& x, Need need, const Hint& hint) const {

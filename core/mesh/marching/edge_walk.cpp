@@ -1,6 +1,6 @@
 #include "core/mesh/marching/edge_walk.h"
 
-#include "core/surface/definition.h"
+#include "core/surface/frames/frame_table.h"
 
 #include <numbers>
 
@@ -61,7 +61,7 @@ bool EdgeWalk::passes(const WalkSetting& setting, const Edge& edge, const NodeVa
 
 WalkSetting::WalkSetting(const surface::Surface& surface)
     : oriented(surface.tree().layout()->normals && surface.tree().layout()->oriented),
-      distances(surface.effectiveFrame() != surface::Frame::Covariance),
+      distances(surface::rowOf(surface.effectiveFrame()).distance),
       spacingsPerUnit(spacingsPerUnitOf(surface.definition())) {}
 
 NodeValue NodeValue::of(const Evaluationf& at) {

@@ -1,7 +1,8 @@
 #include "core/surface/curves/curve.h"
 
 #include "core/surface/evaluation/clusters.h"
-#include "core/surface/evaluation/fields.h"
+#include "core/surface/evaluation/moving_sums.h"
+#include "core/surface/frames/frame_normal.h"
 
 namespace surface {
 
@@ -152,10 +153,9 @@ class CurveAssembler {
 } // namespace
 
 Frame effectiveCurveFrame(const Surface& curve) {
-    const Frame frame = curve.definition().frame;
-    if (frame == Frame::Hyperplanes && curve.tree().layout()->normals)
-        return frame;
-    return frame == Frame::Covariance || frame == Frame::CentroidGradient ? frame : Frame::CovarianceAtCentroid;
+    const FrameRow& row = rowOf(curve.definition().frame);
+    const bool tangents = row.reads == NormalsRead::Unoriented && curve.tree().layout()->normals;
+    return row.onCurves || tangents ? row.frame : Frame::CovarianceAtCentroid;
 }
 
 CurveEvaluation evaluateCurve(const Surface& curve, const Vec3d& x, Need need) {

@@ -7,15 +7,12 @@
 // Two implementations: float32, vectorised (moments_float.cpp), and float64, plain loops (moments_double.cpp).
 #pragma once
 
-#include "core/surface/definition.h"
 #include "core/surface/evaluation/jet.h"
+#include "core/surface/frames/frame_table.h"
 
 #include <span>
 
 namespace surface {
-
-/// Which products of two are summed besides the rest.
-enum class Outer { None, Normals, Offsets };
 
 /// What happens to surfels by their normal's angle to a reference: nothing; those facing away are skipped (the second
 /// pass of RESAMPLING 4); normals are flipped to the reference's side (unoriented normals); weights are multiplied by

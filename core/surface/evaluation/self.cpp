@@ -1,7 +1,7 @@
 #include "core/surface/evaluation/self.h"
 
 #include "core/base/parallel.h"
-#include "core/surface/evaluation/assemble.h"
+#include "core/surface/evaluation/near_sheets.h"
 #include "core/surface/evaluation/self_kernel.h"
 
 #include <bit>

@@ -1,7 +1,7 @@
 #include "core/surface/evaluation/summed_normals.h"
 
-#include "core/surface/evaluation/assemble.h"
-#include "core/surface/evaluation/moments_float.h"
+#include "core/surface/evaluation/near_sheets.h"
+#include "core/surface/frames/frame_normal.h"
 
 namespace surface {
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/surface/evaluation/source.h"
+#include "core/surface/frames/frame_table.h"
 #include "core/surface/rays/intersect.h"
 
 namespace surface {
@@ -16,7 +17,7 @@ struct RaySetting {
         const surfel::AttributeLayout& layout = *surface.tree().layout();
         oriented = layout.normals && layout.oriented;
         any = !surface.tree().empty() && surface.definition().manifold == Manifold::Surface;
-        trace = !options.robust && surface.effectiveFrame() != Frame::Covariance;
+        trace = !options.robust && rowOf(surface.effectiveFrame()).distance;
         discs = trace && oriented;
         if (!refine)
             options.tolerance = std::max(options.tolerance, 0.02);

@@ -1,4 +1,5 @@
-// Normals of frames with their derivatives (alg. 2.4, 7): normalised sums and eigenvectors of symmetric matrices.
+// Normals of frames with their derivatives (surface/README 6.2): normalised sums and eigenvectors of symmetric
+// matrices.
 #pragma once
 
 #include "core/surface/evaluation/jet.h"
@@ -25,8 +26,12 @@ FrameNormal<T, O> normalisedSum(const JetVec<T, O>& m) {
 }
 
 enum class Pick { Smallest, Largest };
-/// What the matrix's eigenvalues are: what the tests of alg. 2.4 compare, or its squares (those of J J^T).
+/// What the matrix's eigenvalues are: what the tests of degeneracy compare, or its squares (those of J J^T).
 enum class Eigenvalues { Plain, Squares };
+
+/// l1/l2 below which points count as collinear, and l1 - l0 and l2 - l1 in l2 below which an eigenvector is not told
+/// from the next (surface/README 2.5).
+constexpr double collinearBelow = 1e-2, leastGap = 1e-3, leastGapOfLargest = 0.1;
 
 namespace detail {
 
@@ -54,17 +59,17 @@ base::Mat3<T> secondMatrix(const Jet<T, O>* s, int k, int l) {
     return matrixOf(v);
 }
 
-/// The tests of alg. 2.4 on ascending eigenvalues: is the picked direction alone, and are the samples not all on a
+/// On ascending eigenvalues: is the picked direction alone, and are the samples not all on a
 /// line? None where it is.
 template <class T>
 Cause degeneracy(const T (&l)[3], Pick pick) {
     if (!(l[2] > T(0)))
         return Cause::Coincident;
     if (pick == Pick::Largest)
-        return l[2] - l[1] >= T(0.1) * l[2] ? Cause::None : Cause::ClosedGap;
-    if (!(l[1] >= T(1e-2) * l[2]))
+        return l[2] - l[1] >= T(leastGapOfLargest) * l[2] ? Cause::None : Cause::ClosedGap;
+    if (!(l[1] >= T(collinearBelow) * l[2]))
         return Cause::Collinear;
-    return l[1] - l[0] >= T(1e-3) * l[2] ? Cause::None : Cause::ClosedGap;
+    return l[1] - l[0] >= T(leastGap) * l[2] ? Cause::None : Cause::ClosedGap;
 }
 
 template <class T>
