@@ -19,7 +19,8 @@ struct PolylineOptions {
     surface::TraceOptions tracing() const;
 };
 
-/// Adds -o, --turn, --least and the surface options. `what` is traced ("rim"), `tip` and `type` tell of the file.
+/// Adds -o, --turn, --least and the surface options. `what` is traced ("boundary curve"), `tip` and `type` tell of the
+/// file.
 void addPolylineOptions(CLI::App& command, PolylineOptions& options, const std::string& what, const std::string& tip,
                         const char* type);
 

@@ -10,7 +10,7 @@ std::span<const SubcommandRow> subcommandTable() {
          "pointclay query bunny.ply --at points.xyz --what value,normal,project-orthogonal -o out.csv", addQuery},
         {"intersect", "Meet rays with the surface, into a CSV file",
          "pointclay intersect bunny.ply --rays rays.csv -o hits.csv", addIntersect},
-        {"boundary", "Trace the rims of an open surface, into a CSV or OBJ file",
+        {"boundary", "Trace the boundary of an open surface, into a CSV or OBJ file",
          "pointclay boundary sample:moebius -o rims.obj", addBoundary},
         {"section", "Trace where a plane cuts the surface, into a CSV or OBJ file",
          "pointclay section bunny.ply --plane 0,1,0,0.1 -o section.obj", addSection},

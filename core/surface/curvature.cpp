@@ -56,7 +56,7 @@ Curvature curvatureOf(const Evaluationd& e) {
     return of(e);
 }
 
-Curvature curvatureReference(const Surface& surface, const Vec3d& x, const Hint& hint) {
+Curvature curvatureReference(const Surface& surface, const Vec3d& x, const OrientationHint& hint) {
     return of(widened(surface).evaluateReference(x, Need::Hessian, hint));
 }
 

@@ -1,8 +1,9 @@
-// Curvature of the surface (alg. 7): of the level set of f through a position, which on the surface is the surface.
+// Curvature of the surface (surface/README 6.3): of the level set of f through a position, which on the surface is the
+// surface.
 //
 // Second derivatives need more samples than f itself: they are taken on supports that reach over at least
-// definition().curvatureSpacings spacings (alg. 2.6), while f and its surface stay on their own. What is asked at a
-// point of the surface is answered by the level set through it of the wider f.
+// definition().curvatureSpacings spacings (surface/README 6.3), while f and its surface stay on their own. What is
+// asked at a point of the surface is answered by the level set through it of the wider f.
 //
 // The Hessian of f is exact, not a difference. Curvatures are positive on a sphere with outward normals; unoriented
 // frames choose the sign by the hint, else arbitrarily, for k1 and k2 together.
@@ -32,7 +33,7 @@ struct Curvature {
 Curvature curvatureOf(const Evaluationd& e);
 
 /// At one position, in double.
-Curvature curvatureReference(const Surface& surface, const base::Vec3d& x, const Hint& hint = {});
+Curvature curvatureReference(const Surface& surface, const base::Vec3d& x, const OrientationHint& hint = {});
 
 /// At many positions, in parallel, best when neighbours in the list are neighbours in space: as exact as float allows.
 /// The same bits at any thread count, and for each position the same whatever stands beside it.

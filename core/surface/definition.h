@@ -33,16 +33,14 @@ struct SurfaceDefinition {
     /// Off-centre limit in units of h: x is on the surface only where o(x) <= limit * h (surface/README 5.1). Set by
     /// whoever resolves Boundary::Auto for a model; infinity for closed ones.
     float boundaryLimit = std::numeric_limits<float>::infinity();
-    bool shrinkFree = true; ///< the symmetric form mu = 1/2 (surface/README 2.6); false: [Adamson07], mu = 0
-    bool oneSheet = true;   ///< second pass where near sheets meet (near_sheets.h)
-    bool interpolating =
-        false; ///< weights over r^2, so that the surface passes through the points (surface/README 2.10)
+    bool shrinkFree = true;     ///< the symmetric form mu = 1/2 (surface/README 2.6); false: mu = 0 [Adamson07]
+    bool oneSheet = true;       ///< second pass where near sheets meet (near_sheets.h)
+    bool interpolating = false; ///< weights over r^2: the surface passes through the points (surface/README 2.10)
     /// Curvature is taken on supports that reach over at least so many spacings (surface/README 6.3); 0: on those of
     /// the surface. Known for supports from neighbours; one support for all is taken at its word.
     float curvatureSpacings = 6;
-    float apssBeta = 1; ///< 1 fits spheres, 0 planes (surface/README 2.8)
-    float rimlsSigma =
-        0.8f; ///< how much normals may differ before they count as another side of an edge (surface/README 2.9)
+    float apssBeta = 1;      ///< 1 fits spheres, 0 planes (surface/README 2.8)
+    float rimlsSigma = 0.8f; ///< by how much normals may differ on one side of an edge (surface/README 2.9)
 
     float mu() const { return shrinkFree ? 0.5f : 0.0f; }
     /// h / s of supports from neighbours.

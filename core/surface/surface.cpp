@@ -62,11 +62,11 @@ Frame Surface::effectiveFrame() const {
     return reads == NormalsRead::Oriented && !layout.oriented ? Frame::Hyperplanes : m_definition.frame;
 }
 
-Evaluationf Surface::evaluate(const base::Vec3f& x, Need need, const Hint& hint) const {
+Evaluationf Surface::evaluate(const base::Vec3f& x, Need need, const OrientationHint& hint) const {
     return Source(*this, Steps::Apart).evaluate(x, need, hint);
 }
 
-Evaluationd Surface::evaluateReference(const base::Vec3d& x, Need need, const Hint& hint) const {
+Evaluationd Surface::evaluateReference(const base::Vec3d& x, Need need, const OrientationHint& hint) const {
     return Source(*this, Steps::Apart).evaluate(x, need, hint);
 }
 

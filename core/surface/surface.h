@@ -1,10 +1,10 @@
-// Surface: a tree with a definition. It answers what the points mean at a position (alg. 2, 7):
+// Surface: a tree with a definition. It answers what the points mean at a position (surface/README 2, 6):
 //
 //     f(x) = sum theta_i [(1-mu) n(x) + mu n_i] . (x - p_i) / w      zero on the surface, > 0 where the normals point
 //     c(x) = sum theta_i p_i / w                                     centroid;  o(x) = |x - c(x)| off-centre value
 //     g(x) = grad f                                                  the surface's true normal direction
 //
-// after A. Adamson, Computing Curves and Surfaces from Points (2007), chapters 2 and 7; mu is our symmetric form.
+// [Adamson07, 2, 7]; mu is our symmetric form.
 //
 // Two implementations of the same formulas: `evaluate` in float32, vectorised, relative to the query position, and
 // `evaluateReference` in float64, plain loops. Tests compare them; `--precision double` asks for the second.
@@ -20,11 +20,12 @@
 
 namespace surface {
 
-/// What an answer is worth; INTERFACES names them for `query`. Degenerate covers the cases of alg. 2.4.
+/// What an answer is worth, as `query` prints it. Degenerate covers the cases of surface/README 2.5.
 enum class Status : unsigned char { Ok, Outside, Degenerate, NotConverged, BeyondBoundary };
 const char* statusName(Status status);
 
-/// Why there is no answer: the degenerate cases of alg. 2.4 by name. None where the status is Ok or BeyondBoundary.
+/// Why there is no answer: the degenerate cases of surface/README 2.5 by name. None where the status is Ok or
+/// BeyondBoundary.
 enum class Cause : unsigned char {
     None,
     NoSupport,         ///< no surfel has weight here
@@ -42,8 +43,8 @@ const char* causeName(Cause cause);
 enum class Need { Value, Gradient, Hessian };
 
 /// Where the status is Outside or Degenerate, samples, weight, unit and agreement are what was counted, and everything
-/// else is NaN. For rimls (alg. 10.4) gradient and Hessian are the derivatives of the last pass's f with its factors
-/// held constant.
+/// else is NaN. For rimls (surface/README 2.9) gradient and Hessian are the derivatives of the last pass's f with its
+/// factors held constant.
 template <class T>
 struct Evaluation {
     Status status = Status::Outside;
@@ -68,7 +69,7 @@ using Evaluationd = Evaluation<double>;
 
 /// A direction that chooses the sign of unoriented frames and, for near sheets, the sheet (its own normal); zero for
 /// none: unoriented frames then keep an arbitrary sign, near sheets go by the nearest surfel.
-struct Hint {
+struct OrientationHint {
     base::Vec3f direction;
 };
 
@@ -84,18 +85,19 @@ class Surface {
     float supportScale() const { return m_supportScale; }
 
     /// The definition's frame, or the nearest that the surfels have normals for: without a common sign hyperplanes
-    /// stand in for summed normals, apss and rimls, without normals covariance-at-centroid for all of them (alg. 2.6,
-    /// defaults).
+    /// stand in for summed normals, apss and rimls, without normals covariance-at-centroid for all of them
+    /// (surface/README 2.4).
     Frame effectiveFrame() const;
 
     /// One position (one contact, one haptic step). Status is Ok, Outside, Degenerate or BeyondBoundary; in the last
     /// case all numbers are valid. With Need::Hessian, frames without vectorised sums for it are answered by the
     /// reference, rounded.
-    Evaluationf evaluate(const base::Vec3f& x, Need need = Need::Gradient, const Hint& hint = {}) const;
+    Evaluationf evaluate(const base::Vec3f& x, Need need = Need::Gradient, const OrientationHint& hint = {}) const;
     /// Many positions, in parallel, best when neighbours in the list are neighbours in space. The same bits as one by
     /// one.
     void evaluate(std::span<const base::Vec3f> x, Need need, std::span<Evaluationf> out) const;
-    Evaluationd evaluateReference(const base::Vec3d& x, Need need = Need::Gradient, const Hint& hint = {}) const;
+    Evaluationd evaluateReference(const base::Vec3d& x, Need need = Need::Gradient,
+                                  const OrientationHint& hint = {}) const;
 
   private:
     tree::SurfelTree m_tree;

@@ -1,4 +1,4 @@
-// boundary: the rims of models whose rims are known, and what the files hold.
+// boundary: the boundaries of models for which they are known, and what the files hold.
 #include "program.h"
 #include "support/registry.h"
 
@@ -85,8 +85,8 @@ void BoundaryTest::theMoebiusStripHasOneRim() {
     const Program program;
     const Outcome outcome = program.run({"boundary", "sample:moebius:6000", "-o", "rims.csv"});
     QVERIFY2(outcome.code == 0, outcome.err.c_str());
-    QVERIFY2(outcome.out.starts_with("rim 0: length "), outcome.out.c_str());
-    QVERIFY2(outcome.out.find("rim 1") == std::string::npos, outcome.out.c_str());
+    QVERIFY2(outcome.out.starts_with("boundary curve 0: length "), outcome.out.c_str());
+    QVERIFY2(outcome.out.find("boundary curve 1") == std::string::npos, outcome.out.c_str());
     QVERIFY2(outcome.out.find("closed") != std::string::npos, outcome.out.c_str());
 }
 
@@ -94,7 +94,7 @@ void BoundaryTest::closedSurfacesHaveNone() {
     const Program program;
     const Outcome outcome = program.run({"boundary", "sample:sphere:3000"});
     QCOMPARE(outcome.code, 0);
-    QVERIFY2(outcome.out.starts_with("no rims"), outcome.out.c_str());
+    QVERIFY2(outcome.out.starts_with("no boundary"), outcome.out.c_str());
 }
 
 void BoundaryTest::wrongUsageIsRefused() {

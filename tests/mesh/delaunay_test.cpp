@@ -8,7 +8,7 @@
 #include "core/mesh/delaunay/delaunay_finish.h"
 #include "core/mesh/mesh_repair.h"
 #include "core/process/estimation/spacing_sample.h"
-#include "core/surface/curves/rims.h"
+#include "core/surface/curves/boundary_curves.h"
 #include "core/surface/projection/project.h"
 #include "core/surface/rays/intersect.h"
 #include "mesh/meshes.h"
@@ -196,7 +196,7 @@ void DelaunayTest::rimsAreKept() {
         const surface::Evaluationd e = surface.evaluateReference(mesh.positions[v]);
         QVERIFY(std::abs(e.offCentre - double(surface.definition().boundaryLimit) * e.unit) < 1e-9);
     }
-    const auto rims = findRims(surface);
+    const auto rims = findBoundaryCurves(surface);
     QCOMPARE(rims.size(), std::size_t(1));
     QVERIFY(double(limits) > rims[0].length() / (2 * options.size));
 }

@@ -1,4 +1,4 @@
-// Definitions of surfaces that end at a rim.
+// Definitions of surfaces that have a boundary.
 #pragma once
 
 #include "core/surface/definition.h"

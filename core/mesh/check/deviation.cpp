@@ -16,7 +16,7 @@ namespace {
 constexpr double none = std::numeric_limits<double>::infinity();
 
 /// f over its slope, where that tells the distance: so close to the surface that its bending does not count.
-double byOneEvaluation(const surface::Surface& surface, const Vec3d& x, const surface::Hint& hint) {
+double byOneEvaluation(const surface::Surface& surface, const Vec3d& x, const surface::OrientationHint& hint) {
     constexpr double close = 1e-3, rounding = 1e-5; // of h
     const surface::Evaluationd e = surface.evaluateReference(x, surface::Need::Gradient, hint);
     if (!e.ok() && e.status != Status::BeyondBoundary)
@@ -53,9 +53,9 @@ Deviation collect(std::size_t n, const base::Progress& progress, const char* wha
 
 } // namespace
 
-double distanceTo(const surface::Surface& surface, const Vec3d& x, const surface::Hint& hint) {
+double distanceTo(const surface::Surface& surface, const Vec3d& x, const surface::OrientationHint& hint) {
     // what the surface answers unasked is what rays and cubes meet; the hint tells sheets apart further away
-    for (const surface::Hint& asked : {surface::Hint{}, hint})
+    for (const surface::OrientationHint& asked : {surface::OrientationHint{}, hint})
         if (const double near = byOneEvaluation(surface, x, asked); near < none)
             return near;
     const auto found = projectReference(surface, x, {}, hint);
@@ -63,7 +63,7 @@ double distanceTo(const surface::Surface& surface, const Vec3d& x, const surface
         return distance(x, found.foot);
     if (found.status != Status::BeyondBoundary)
         return none;
-    const surface::RimSearch rim = findRimPoint(surface, found.foot, hint);
+    const surface::BoundarySearch rim = findBoundaryPoint(surface, found.foot, hint);
     return rim.ok() ? distance(x, rim.point.position) : none;
 }
 

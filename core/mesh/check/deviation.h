@@ -19,7 +19,7 @@ struct Deviation {
 };
 
 /// Infinity where there is no surface to be found.
-double distanceTo(const surface::Surface& surface, const base::Vec3d& x, const surface::Hint& hint);
+double distanceTo(const surface::Surface& surface, const base::Vec3d& x, const surface::OrientationHint& hint);
 
 /// Of the vertices that triangles use. Normals, where the mesh has them, tell near sheets apart.
 Deviation vertexDeviation(const Mesh& mesh, const surface::Surface& surface, const base::Progress& progress = {});

@@ -136,7 +136,7 @@ void settleVertices(const surface::Surface& surface, double leastAngle, Mesh& me
     const std::vector<Vec3d> before = std::exchange(mesh.positions, feetOf(surface, mesh));
     takeBackSpoiling(before, leastAngle, mesh);
     base::parallelFor(mesh.positions.size(), 64, [&](std::size_t v) {
-        const surface::Hint sheet{mesh.normals[v]};
+        const surface::OrientationHint sheet{mesh.normals[v]};
         const surface::Evaluationd e = surface.evaluateReference(mesh.positions[v], surface::Need::Gradient, sheet);
         if (e.ok() || e.status == surface::Status::BeyondBoundary)
             mesh.normals[v] = base::cast<float>(base::normalized(e.gradient));

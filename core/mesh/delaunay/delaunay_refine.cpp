@@ -181,7 +181,7 @@ std::optional<SurfaceNet::Place> DelaunayRefinement::middleOf(const Side& s, Ver
     const double near = 0.25 * distance(m_net.positions[a], m_net.positions[b]);
     const bool rim = m_net.net.onRim(s);
     if (rim && m_net.kinds[a] == VertexKind::Limit && m_net.kinds[b] == VertexKind::Limit) {
-        const auto found = findRimPoint(m_net.surface(), middle, {base::cast<float>(normal)});
+        const auto found = findBoundaryPoint(m_net.surface(), middle, {base::cast<float>(normal)});
         if (found.ok() && distance(found.point.position, middle) < near) {
             kind = VertexKind::Limit;
             return SurfaceNet::Place{found.point.position, base::cast<float>(found.point.normal)};

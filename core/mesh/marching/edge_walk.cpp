@@ -159,7 +159,7 @@ bool EdgeWalk::jumps(const Sample& a, const Sample& b) const {
 /// Is the sheet that faces as f does there surface by itself, and near? Beside a step f may be steep for no longer than
 /// the step is wide.
 bool EdgeWalk::onOwnSheet(double t, const Evaluationf& at) {
-    const surface::Hint sheet{base::normalized(at.gradient)};
+    const surface::OrientationHint sheet{base::normalized(at.gradient)};
     Evaluationf own;
     m_source.evaluate(base::cast<float>(m_edge.from + m_edge.direction * t), surface::Need::Gradient, sheet, own);
     const float slope = dot(own.normal, own.gradient);

@@ -210,8 +210,8 @@ class Relaxer {
             out = onRim(out.position, v, {out.normal});
         return out;
     }
-    Settled onRim(const Vec3d& start, std::size_t v, const surface::Hint& sheet) const {
-        const surface::RimSearch found = surface::findRimPoint(m_surface, start, sheet);
+    Settled onRim(const Vec3d& start, std::size_t v, const surface::OrientationHint& sheet) const {
+        const surface::BoundarySearch found = surface::findBoundaryPoint(m_surface, start, sheet);
         if (!found.ok() || distance(found.point.position, start) > farthest * m_options.cell)
             return {};
         const Vec3f normal = facing(base::cast<float>(found.point.normal), v);

@@ -107,7 +107,7 @@ bool hasRim(const surface::Surface& surface, std::span<const Sample> samples) {
         if (!(samples[i].gap >= rimGap && samples[i].offCentre > rimOffCentre))
             return;
         const base::Vec3d foot = base::cast<double>(samples[i].foot);
-        const surface::RimSearch rim = surface::findRimPoint(loose, foot);
+        const surface::BoundarySearch rim = surface::findBoundaryPoint(loose, foot);
         beside[i] = rim.ok() && distance(rim.point.position, foot) < double(rimReach) * rim.point.unit;
     });
     const double expected = static_cast<double>(samples.size()) / std::sqrt(static_cast<double>(surface.tree().size()));

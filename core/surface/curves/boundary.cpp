@@ -23,7 +23,7 @@ struct Conditions {
     bool usable() const { return at.ok() || at.status == Status::BeyondBoundary; }
 };
 
-Conditions conditionsAt(const Surface& surface, const Vec3d& x, const Hint& hint) {
+Conditions conditionsAt(const Surface& surface, const Vec3d& x, const OrientationHint& hint) {
     Source source(surface);
     ScratchClusters clusters;
     source.gather(x, clusters.list());
@@ -40,13 +40,13 @@ Conditions conditionsAt(const Surface& surface, const Vec3d& x, const Hint& hint
 }
 
 /// Newton's iteration of the header.
-class RimNewton {
+class BoundaryNewton {
   public:
-    RimNewton(const Surface& surface, const Vec3d& start, const Hint& hint)
+    BoundaryNewton(const Surface& surface, const Vec3d& start, const OrientationHint& hint)
         : m_surface(surface), m_unoriented(!surface.tree().layout()->oriented), m_hint(hint), m_x(start) {}
 
-    RimSearch run() {
-        RimSearch out;
+    BoundarySearch run() {
+        BoundarySearch out;
         evaluate();
         for (; m_here.usable(); ++out.iterations) {
             const Vec3d step = next();
@@ -99,41 +99,41 @@ class RimNewton {
             m_hint.direction = base::cast<float>(m_here.at.normal);
     }
 
-    RimPoint point() const { return {m_x, base::normalized(m_here.at.gradient), m_outward, m_here.at.unit}; }
+    BoundaryPoint point() const { return {m_x, base::normalized(m_here.at.gradient), m_outward, m_here.at.unit}; }
 
     const Surface& m_surface;
     bool m_unoriented;
-    Hint m_hint; ///< the one given; for frames without a sign the last normal
+    OrientationHint m_hint; ///< the one given; for frames without a sign the last normal
     Vec3d m_x, m_outward;
     Conditions m_here;
 };
 
-struct RimProblem {
-    using Point = RimPoint;
+struct BoundaryProblem {
+    using Point = BoundaryPoint;
     const Surface& of;
 
     const Surface& surface() const { return of; }
-    std::optional<RimPoint> find(const Vec3d& start, const Hint& hint) const {
-        const RimSearch found = findRimPoint(of, start, hint);
+    std::optional<BoundaryPoint> find(const Vec3d& start, const OrientationHint& hint) const {
+        const BoundarySearch found = findBoundaryPoint(of, start, hint);
         return found.ok() ? std::optional(found.point) : std::nullopt;
     }
-    static bool holds(const RimPoint&) { return true; }
+    static bool holds(const BoundaryPoint&) { return true; }
 };
 
 } // namespace
 
-RimSearch findRimPoint(const Surface& surface, const Vec3d& start, const Hint& hint) {
+BoundarySearch findBoundaryPoint(const Surface& surface, const Vec3d& start, const OrientationHint& hint) {
     if (!std::isfinite(surface.definition().boundaryLimit))
         return {Status::NotConverged, {}, 0};
-    return RimNewton(surface, start, hint).run();
+    return BoundaryNewton(surface, start, hint).run();
 }
 
-double Rim::length() const {
+double BoundaryCurve::length() const {
     return arcLength(points, closed);
 }
 
-Rim traceRim(const Surface& surface, const RimPoint& seed, const TraceOptions& options) {
-    auto [points, closed] = traceCurve(RimProblem{surface}, seed, options);
+BoundaryCurve traceBoundary(const Surface& surface, const BoundaryPoint& seed, const TraceOptions& options) {
+    auto [points, closed] = traceCurve(BoundaryProblem{surface}, seed, options);
     return {std::move(points), closed, 0};
 }
 

@@ -12,7 +12,7 @@ using base::Vec3d;
 namespace {
 
 constexpr double leastCurveWeight = 1e-12;
-constexpr int leastCurveSamples = 2; ///< alg. 2.4, test 1
+constexpr int leastCurveSamples = 2; ///< surface/README 7.1
 
 /// F as jets at one position: sums, centroid, direction, and what is left of x - c across the direction.
 template <int O>
@@ -57,7 +57,7 @@ class CurveAssembler {
         }
     }
 
-    /// Names the degenerate case and leaves, or the frame's direction (alg. 2.4).
+    /// Names the degenerate case and leaves, or the frame's direction (surface/README 2.5).
     FrameNormal<double, O> direction() {
         m_out.status = Status::Degenerate;
         if (m_out.samples < leastCurveSamples) {

@@ -1,8 +1,8 @@
-// Curves in space behind points (alg. 2.3, 3.1, 7): the zero set of a vector-valued function of codimension two,
+// Curves in space behind points (surface/README 7.1): the zero set of a vector-valued function of codimension two,
 //
 //     F(x) = (I - t t^T) (x - c(x))       t(x) the direction of the curve, F zero on it
 //
-// after A. Adamson, Computing Curves and Surfaces from Points (2007). |F| has no derivative on the curve, so all
+// [Adamson07, 2.3, 3.1, 7]. |F| has no derivative on the curve, so all
 // iterations use the vector. Everything is float64: curves have few points and their iterations are short.
 //
 // The direction is the dominant eigenvector of the frame's matrix: covariance, covariance-at-centroid (also what the
@@ -46,7 +46,7 @@ struct CurveProjection {
     bool ok() const { return status == Status::Ok; }
 };
 
-/// The three projections (alg. 3.1) onto the curve. `options.need` says what `at` holds at the foot.
+/// The three projections (surface/README 3.1) onto the curve. `options.need` says what `at` holds at the foot.
 CurveProjection projectOnCurve(const Surface& curve, const base::Vec3d& x, const ProjectOptions& options = {});
 
 } // namespace surface

@@ -8,7 +8,7 @@ using base::Vec3d;
 
 namespace {
 
-/// The iteration of alg. 3.1 in codimension two, relaxed as on surfaces (project.cpp).
+/// The iteration of surface/README 3.2 in codimension two, relaxed as on surfaces (project.cpp).
 class CurveProjecting {
   public:
     CurveProjecting(const Surface& curve, const Vec3d& x0, const ProjectOptions& options)
@@ -89,7 +89,7 @@ class CurveProjecting {
         return false;
     }
 
-    /// Outside all supports (alg. 3.1.3): from the nearest surfel on.
+    /// Outside all supports (surface/README 3.3): from the nearest surfel on.
     bool recover() {
         std::vector<tree::Neighbour> nearest;
         m_curve.tree().nearest(base::cast<float>(m_x0), 1, nearest);

@@ -1,5 +1,5 @@
-// Following a curve on the surface by predictor and corrector, whatever it is that singles the curve out: rims
-// (boundary.h) and plane sections (section.h). Internal to the room.
+// Following a curve on the surface by predictor and corrector, whatever it is that singles the curve out:
+// boundaries (boundary.h) and plane sections (section.h). Internal to the room.
 //
 // A Problem tells what a point of the curve is:
 //
@@ -64,8 +64,9 @@ class CurveTracing {
     base::Vec3d along(const Point& p) const { return p.tangent() * m_sense; }
 
     /// The sign of frames that have none. Others are asked as everybody asks them.
-    Hint hint() const {
-        return m_problem.surface().tree().layout()->oriented ? Hint{} : Hint{base::cast<float>(m_at.normal)};
+    OrientationHint hint() const {
+        return m_problem.surface().tree().layout()->oriented ? OrientationHint{}
+                                                             : OrientationHint{base::cast<float>(m_at.normal)};
     }
 
     /// The next point, half as far as often as it takes to find it where the curve was heading; else farther, over the

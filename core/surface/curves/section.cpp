@@ -29,7 +29,7 @@ bool usable(const Evaluationd& at) {
 /// Newton's iteration of the header: every iterate lies in the plane to rounding.
 class SectionNewton {
   public:
-    SectionNewton(const Surface& surface, const Plane& plane, const Vec3d& start, const Hint& hint)
+    SectionNewton(const Surface& surface, const Plane& plane, const Vec3d& start, const OrientationHint& hint)
         : m_surface(surface), m_plane(plane), m_unoriented(!surface.tree().layout()->oriented), m_hint(hint) {
         moveTo(start);
     }
@@ -83,7 +83,7 @@ class SectionNewton {
     const Surface& m_surface;
     const Plane& m_plane;
     bool m_unoriented;
-    Hint m_hint; ///< the one given; for frames without a sign the last normal
+    OrientationHint m_hint; ///< the one given; for frames without a sign the last normal
     Vec3d m_x;
     Evaluationd m_at;
 };
@@ -99,7 +99,7 @@ struct SectionProblem {
     const Plane& plane;
 
     const Surface& surface() const { return of; }
-    std::optional<Candidate> find(const Vec3d& start, const Hint& hint) const {
+    std::optional<Candidate> find(const Vec3d& start, const OrientationHint& hint) const {
         const SectionSearch found = findSectionPoint(of, plane, start, hint);
         return found.ok() ? std::optional(Candidate{found.point, found.surface}) : std::nullopt;
     }
@@ -157,7 +157,8 @@ std::vector<Candidate> findSeeds(const Surface& surface, const Plane& plane, con
 
 } // namespace
 
-SectionSearch findSectionPoint(const Surface& surface, const Plane& plane, const Vec3d& start, const Hint& hint) {
+SectionSearch findSectionPoint(const Surface& surface, const Plane& plane, const Vec3d& start,
+                               const OrientationHint& hint) {
     return SectionNewton(surface, plane, start, hint).run();
 }
 

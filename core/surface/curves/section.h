@@ -4,8 +4,8 @@
 //
 // as polylines whose corners fulfil both to rounding. A point is found by Newton's iteration inside the plane, along
 // the part of g in it; the curve is followed along t = n x g and corrected by the same iteration (curve_tracing.h).
-// Loops close; at a rim, and where f stops being surface (intersect.h: minSlope, maxOffCentre), the curve ends there.
-// All of it is float64. Surfaces without a common sign work the same.
+// Loops close; at a boundary, and where f stops being surface (intersect.h: minSlope, maxOffCentre), the curve ends
+// there. All of it is float64. Surfaces without a common sign work the same.
 //
 // Where the surface touches the plane without crossing it there is no curve, and none is reported.
 #pragma once
@@ -26,7 +26,7 @@ struct SectionPoint {
 };
 
 /// The point of the section that Newton's iteration finds from `start`, to 1e-12 h; nothing where there is none near.
-/// It may lie beyond a rim.
+/// It may lie beyond a boundary.
 struct SectionSearch {
     Status status = Status::Outside;
     SectionPoint point;
@@ -36,7 +36,7 @@ struct SectionSearch {
     bool ok() const { return status == Status::Ok; }
 };
 SectionSearch findSectionPoint(const Surface& surface, const base::Plane& plane, const base::Vec3d& start,
-                               const Hint& hint = {});
+                               const OrientationHint& hint = {});
 
 /// One curve of a section; a closed one does not repeat its first point.
 struct SectionCurve {

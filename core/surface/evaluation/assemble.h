@@ -18,7 +18,7 @@ constexpr double leastAgreement = 0.2; ///< |m|/w below which oriented normals c
 template <class T, int O>
 class Assembler {
   public:
-    Assembler(const Source& source, ClusterSpan clusters, const base::Vec3<T>& x, const Hint& hint)
+    Assembler(const Source& source, ClusterSpan clusters, const base::Vec3<T>& x, const OrientationHint& hint)
         : m_at(source, clusters, x, hint) {}
 
     Evaluation<T> run() {

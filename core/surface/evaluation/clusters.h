@@ -81,7 +81,7 @@ class ScratchClusters {
 };
 
 /// Normal of the surfel with weight at x that is nearest in d^2 + 3 (n.q)^2, which prefers surfels beside x to those
-/// above and below it (RESAMPLING 4). Zero where there is none. Supports are multiplied by `scale`.
+/// above and below it (surface/README 2.7). Zero where there is none. Supports are multiplied by `scale`.
 base::Vec3d nearestNormal(ClusterSpan clusters, const base::Vec3d& x, double scale = 1);
 
 } // namespace surface

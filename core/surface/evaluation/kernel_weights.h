@@ -1,5 +1,5 @@
-// Weights in lanes (alg. 2.1, 10.4, 10.5), for the kernels of this room. Included once per instruction set, from within
-// a file that Highway compiles several times, after <hwy/highway.h>.
+// Weights in lanes (surface/README 2.1, 2.10), for the kernels of this room. Included once per instruction set, from
+// within a file that Highway compiles several times, after <hwy/highway.h>.
 //
 // Derivatives come free of length: with u = q / h, theta_,k = (slope / h) u_k and
 // theta_,kl = (bend u_k u_l - slope delta_kl) / h^2, so that nothing leaves the range of float while 1 / h^2 stays in.

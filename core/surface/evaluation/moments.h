@@ -1,4 +1,4 @@
-// First stage of an evaluation: weighted sums over the surfels in support of a position (alg. 2.1, 2.2).
+// First stage of an evaluation: weighted sums over the surfels in support of a position (surface/README 2.1, 2.2).
 //
 // With q_i = p_i - x and theta_i(x), each sum is a jet in x whose derivatives act on the weights alone, the monomials
 // staying as they are at x: sum theta y, sum theta_,k y, sum theta_,kl y. That q_i moves with x too is put back by
@@ -15,8 +15,9 @@
 namespace surface {
 
 /// What happens to surfels by their normal's angle to a reference: nothing; those facing away are skipped (the second
-/// pass of RESAMPLING 4); normals are flipped to the reference's side (unoriented normals); weights are multiplied by
-/// exp(-|n - reference|^2 / sigma^2), the factor counting as constant (the refits of RIMLS, alg. 10.4).
+/// pass of surface/README 2.7); normals are flipped to the reference's side (unoriented normals); weights are
+/// multiplied by exp(-|n - reference|^2 / sigma^2), the factor counting as constant (the refits of rimls,
+/// surface/README 2.9).
 enum class Facing { All, Skip, Flip, Refit };
 constexpr float facingLimit = -0.17f;
 constexpr float leastInterpolation = 1e-12f;
@@ -28,7 +29,7 @@ struct SumOptions {
     base::Vec3d reference; ///< unit vector for Skip and Flip; the gradient of the pass before for Refit
     float sigma = 1;       ///< of Refit
     float scale = 1;       ///< supports are multiplied by it
-    /// Weights over max(r^2, leastInterpolation) (alg. 10.5), r the distance over the support.
+    /// Weights over max(r^2, leastInterpolation) (surface/README 2.10), r the distance over the support.
     bool interpolating = false;
 };
 
@@ -36,7 +37,7 @@ template <class T, int O>
 struct Moments {
     int samples = 0;         ///< surfels with weight
     T unit = 0;              ///< sum theta unitOf(h), with h scaled
-    base::Vec3<T> unitSlope; ///< sum grad theta unitOf(h): in double and from order 1 on, which rims need
+    base::Vec3<T> unitSlope; ///< sum grad theta unitOf(h): in double and from order 1 on, which boundaries need
     Jet<T, O> one;           ///< sum theta
     JetVec<T, O> q;          ///< sum theta q
     JetVec<T, O> n;          ///< sum theta n

@@ -8,7 +8,7 @@ using base::Vec3d;
 namespace {
 
 /// A weight with its derivatives by u = r^2 / 2, r the distance over the support: phi, and alpha, beta, gamma of
-/// alg. 2.1. Those that r = 0 makes infinite are zero there, as are the products that they stand in.
+/// surface/README 2.1. Those that r = 0 makes infinite are zero there, as are the products that they stand in.
 struct Radial {
     double phi = 0, alpha = 0, beta = 0, gamma = 0;
 
@@ -37,7 +37,7 @@ Radial gaussian(double r) {
     return {phi, -2 * phi * reachSq, 4 * phi * reachSq * reachSq, -8 * phi * reachSq * reachSq * reachSq};
 }
 
-/// w over max(r^2, least), by Leibniz' rule with v = 1 / (2u) where it moves (alg. 10.5).
+/// w over max(r^2, least), by Leibniz' rule with v = 1 / (2u) where it moves (surface/README 2.10).
 Radial interpolating(const Radial& w, double r) {
     const double square = r * r, least = leastInterpolation;
     const double v = 1 / std::max(square, least), moving = square > least ? v : 0;
@@ -53,7 +53,7 @@ Radial weightAt(double r, const SumOptions& options) {
     return options.interpolating ? interpolating(plain, r) : plain;
 }
 
-/// theta with its derivatives by x (alg. 2.1), G = (x - p) / h^2.
+/// theta with its derivatives by x (surface/README 2.1), G = (x - p) / h^2.
 template <int O>
 Jet<double, O> jetOf(const Radial& w, const Vec3d& q, double h) {
     const double m = 1 / (h * h);

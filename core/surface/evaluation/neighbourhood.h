@@ -23,7 +23,7 @@ struct Neighbourhood {
     JetVec<T, O> centroid{}, d{}; ///< c relative to where x is; x - c
     T agreement = 1;              ///< |m|/w; 1 without normals
 
-    Neighbourhood(const Source& source_, ClusterSpan clusters_, const base::Vec3<T>& x_, const Hint& hint)
+    Neighbourhood(const Source& source_, ClusterSpan clusters_, const base::Vec3<T>& x_, const OrientationHint& hint)
         : source(source_), clusters(clusters_), x(x_), side(base::normalized(base::cast<double>(hint.direction))),
           frame(rowOf(source_.surface().effectiveFrame())), normals(source_.surface().tree().layout()->normals),
           oriented(normals && source_.surface().tree().layout()->oriented) {

@@ -18,7 +18,7 @@ constexpr std::size_t pickStride(std::size_t clusters) {
 class PickScratch {
   public:
     /// 64-byte aligned; valid until the next call, its content is anything.
-    float* room(std::size_t rows, std::size_t clusters) {
+    float* rows(std::size_t rows, std::size_t clusters) {
         constexpr std::size_t alignment = 64, spare = alignment / sizeof(float);
         const std::size_t wanted = rows * pickStride(clusters) + spare;
         if (m_memory.size() < wanted)

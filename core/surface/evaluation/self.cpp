@@ -49,7 +49,7 @@ void SelfEvaluator::evaluateCluster(const surfel::SurfelBlock& block, int cluste
     const base::Box3f box = block.bounds(cluster).box;
     m_near.clear();
     m_candidates.select(box, m_near);
-    float* scratch = m_scratch.room(selfRows, m_near.size());
+    float* scratch = m_scratch.rows(selfRows, m_near.size());
     const SelfInput in{block.channel(cluster, surfel::X),
                        box,
                        m_near.span(),

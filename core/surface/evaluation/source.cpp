@@ -43,7 +43,7 @@ void Source::gather(const base::Vec3d& x, ClusterList& out) const {
     surface::gather(m_surface->tree(), x, out, m_surface->supportScale());
 }
 
-Evaluationf Source::hessian(const base::Vec3f& x, const Hint& hint, ClusterSpan clusters) const {
+Evaluationf Source::hessian(const base::Vec3f& x, const OrientationHint& hint, ClusterSpan clusters) const {
     if (m_surface->effectiveFrame() == Frame::Normals && !m_surface->definition().interpolating)
         return Assembler<float, 2>(*this, clusters, x, hint).run();
     ScratchClusters around;
@@ -52,7 +52,7 @@ Evaluationf Source::hessian(const base::Vec3f& x, const Hint& hint, ClusterSpan 
     return rounded(Assembler<double, 2>(*this, around.span(), at, hint).run());
 }
 
-Evaluationf Source::assemble(const base::Vec3f& x, Need need, const Hint& hint, ClusterSpan clusters) const {
+Evaluationf Source::assemble(const base::Vec3f& x, Need need, const OrientationHint& hint, ClusterSpan clusters) const {
     switch (need) {
     case Need::Value:
         return Assembler<float, 0>(*this, clusters, x, hint).run();
@@ -64,7 +64,7 @@ Evaluationf Source::assemble(const base::Vec3f& x, Need need, const Hint& hint, 
     return hessian(x, hint, clusters);
 }
 
-void Source::evaluate(const base::Vec3f& x, Need need, const Hint& hint, Evaluationf& out) {
+void Source::evaluate(const base::Vec3f& x, Need need, const OrientationHint& hint, Evaluationf& out) {
     if (m_steps == Steps::Close && m_slack > 0 && !m_candidates.covers(x))
         expect(base::Box3f{x, x}.inflated(m_slack));
     ScratchClusters clusters;
@@ -75,7 +75,7 @@ void Source::evaluate(const base::Vec3f& x, Need need, const Hint& hint, Evaluat
         m_slack = slackOfUnit * out.unit;
 }
 
-Evaluationd Source::evaluate(const base::Vec3d& x, Need need, const Hint& hint) {
+Evaluationd Source::evaluate(const base::Vec3d& x, Need need, const OrientationHint& hint) {
     ScratchClusters clusters;
     gather(x, clusters.list());
     switch (need) {

@@ -30,23 +30,23 @@ class Source {
 
     bool covers(const base::Vec3f& x) const { return m_candidates.covers(x); }
 
-    Evaluationf evaluate(const base::Vec3f& x, Need need, const Hint& hint = {}) {
+    Evaluationf evaluate(const base::Vec3f& x, Need need, const OrientationHint& hint = {}) {
         Evaluationf out;
         evaluate(x, need, hint, out);
         return out;
     }
     /// The same in place.
-    void evaluate(const base::Vec3f& x, Need need, const Hint& hint, Evaluationf& out);
-    Evaluationd evaluate(const base::Vec3d& x, Need need, const Hint& hint = {});
+    void evaluate(const base::Vec3f& x, Need need, const OrientationHint& hint, Evaluationf& out);
+    Evaluationd evaluate(const base::Vec3d& x, Need need, const OrientationHint& hint = {});
 
     void gather(const base::Vec3f& x, ClusterList& out) const;
     void gather(const base::Vec3d& x, ClusterList& out) const;
 
   private:
     /// The general case.
-    Evaluationf assemble(const base::Vec3f& x, Need need, const Hint& hint, ClusterSpan clusters) const;
+    Evaluationf assemble(const base::Vec3f& x, Need need, const OrientationHint& hint, ClusterSpan clusters) const;
     /// In float for summed normals; the other frames go through the reference.
-    Evaluationf hessian(const base::Vec3f& x, const Hint& hint, ClusterSpan clusters) const;
+    Evaluationf hessian(const base::Vec3f& x, const OrientationHint& hint, ClusterSpan clusters) const;
 
     const Surface* m_surface;
     SummedNormals m_plain;

@@ -14,8 +14,8 @@ constexpr float wendlandC2(float r) {
     return t * t * (4 * r + 1);
 }
 
-/// theta (alg. 2.1); 0 from the support on. Whether the definition interpolates has no say: over r^2 the nearest surfel
-/// would be all that counts.
+/// theta (surface/README 2.1); 0 from the support on. Whether the definition interpolates has no say: over r^2 the
+/// nearest surfel would be all that counts.
 inline float weightAt(Weight weight, float distanceSq, float support) {
     if (!(distanceSq < support * support))
         return 0;

@@ -1,5 +1,5 @@
-// One step towards a foot (alg. 3.1): the plain image of an iterate under its projector, and from it a faster step that
-// stays in the same basin.
+// One step towards a foot (surface/README 3.2): the plain image of an iterate under its projector, and from it a faster
+// step that stays in the same basin.
 //
 // At an iterate y with the plane's direction v (the gradient g for orthogonal projections, the frame normal n for the
 // others) the plain image is
@@ -10,7 +10,7 @@
 // r = T(y) - y and W = I + s Dv the foot lies about W^-1 r away. `guarded` takes that step with an estimate of Dv,
 // `newton` with Dv itself, where the system for (y, s) is
 //
-//     (I + s Dv) dy + v ds = r,   l.dy = -f                    (alg. 3.1, Newton finish)
+//     (I + s Dv) dy + v ds = r,   l.dy = -f                    (surface/README 3.2)
 //
 // The guard: the fixed point of a map that contracts by q = 1 - w lies within q/(1-q) of a step beyond its image. W's
 // eigenvalues along the surface therefore count as 1/2 or more while Dv is only estimated or the step is long: the step

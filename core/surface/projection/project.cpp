@@ -18,11 +18,11 @@ constexpr float packetSlack = 0.3f; ///< of h, around a packet: most feet lie wi
 /// the same arithmetic as the reference's is sure to choose the same.
 constexpr int hardAfter = 8;
 
-/// The iteration of alg. 3.1 for one position.
+/// The iteration of surface/README 3.2 for one position.
 template <class T>
 class Projecting {
   public:
-    Projecting(Source& source, const base::Vec3<T>& x0, const ProjectOptions& options, const Hint& hint)
+    Projecting(Source& source, const base::Vec3<T>& x0, const ProjectOptions& options, const OrientationHint& hint)
         : m_source(source), m_options(options), m_given(hint), m_x0(x0),
           m_tolerance(static_cast<T>(options.tolerance > 0 ? options.tolerance
                                      : exact               ? 1e-12
@@ -189,7 +189,7 @@ class Projecting {
         return m_idle < 12;
     }
 
-    /// Oscillation damping of alg. 3.1: after two steps in a row that hardly shrank half as far, until they shrink.
+    /// Oscillation damping: after two steps in a row that hardly shrank half as far, until they shrink.
     void damp(T size) {
         m_slow = m_steps > 0 && size > T(0.9) * m_lastSize ? m_slow + 1 : 0;
         if (m_slow >= 2) {
@@ -226,7 +226,7 @@ class Projecting {
 
     Projection<T> result(Status status) const { return {status, m_y, m_at, m_iterations, m_evaluations}; }
 
-    // --- recovery (alg. 3.1.3)
+    // --- recovery (surface/README 3.3)
 
     /// Whether there is a foot, and for closest points not so far that another must be nearer.
     bool settledNear(const Projection<T>& p) {
@@ -306,8 +306,8 @@ class Projecting {
 
     Source& m_source;
     const ProjectOptions& m_options;
-    const Hint& m_given;
-    Hint m_hint; ///< the one given; for unoriented frames else the last normal
+    const OrientationHint& m_given;
+    OrientationHint m_hint; ///< the one given; for unoriented frames else the last normal
     const bool m_unoriented = !m_source.surface().tree().layout()->oriented;
     base::Vec3<T> m_x0, m_y;
     T m_tolerance;
@@ -325,13 +325,13 @@ class Projecting {
 } // namespace
 
 Projection<float> project(const Surface& surface, const base::Vec3f& x, const ProjectOptions& options,
-                          const Hint& hint) {
+                          const OrientationHint& hint) {
     Source source(surface);
     return Projecting<float>(source, x, options, hint).run();
 }
 
 Projection<double> projectReference(const Surface& surface, const base::Vec3d& x, const ProjectOptions& options,
-                                    const Hint& hint) {
+                                    const OrientationHint& hint) {
     Source source(surface);
     return Projecting<double>(source, x, options, hint).run();
 }
@@ -339,7 +339,7 @@ Projection<double> projectReference(const Surface& surface, const base::Vec3d& x
 void project(const Surface& surface, std::span<const base::Vec3f> x, const ProjectOptions& options,
              std::span<Projection<float>> out) {
     assert(x.size() == out.size());
-    const Hint none;
+    const OrientationHint none;
     forPackets(surface, x, packetSlack,
                [&](Source& source, std::size_t i) { out[i] = Projecting<float>(source, x[i], options, none).run(); });
 }

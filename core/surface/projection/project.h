@@ -1,12 +1,12 @@
-// The three projections onto the surface (alg. 3.1), in float32 and in the float64 reference.
+// The three projections onto the surface (surface/README 3.1), in float32 and in the float64 reference.
 //
 //     basic              x_{k+1} = Q(x_k, x_k)     lands on the surface somewhere near
 //     almost orthogonal  x_{k+1} = Q(x_0, x_k)     x_0 - foot is parallel to the frame normal there
 //     orthogonal         x_{k+1} = Qo(x_0, x_k)    x_0 - foot is parallel to the gradient: a closest point
 //
-// Positions outside all supports start from their nearest surfel (alg. 3.1.3). Steps are relaxed by what the last
-// two tell, which damps oscillation far from the surface. What did not converge says so in its status; its numbers are
-// then not to be used.
+// Positions outside all supports start from their nearest surfel (surface/README 3.3). Steps are relaxed by what the
+// last two tell, which damps oscillation far from the surface. What did not converge says so in its status; its numbers
+// are then not to be used.
 #pragma once
 
 #include "core/surface/surface.h"
@@ -35,9 +35,9 @@ struct ProjectOptions {
 };
 
 Projection<float> project(const Surface& surface, const base::Vec3f& x, const ProjectOptions& options = {},
-                          const Hint& hint = {});
+                          const OrientationHint& hint = {});
 Projection<double> projectReference(const Surface& surface, const base::Vec3d& x, const ProjectOptions& options = {},
-                                    const Hint& hint = {});
+                                    const OrientationHint& hint = {});
 /// Many positions in parallel; the same bits as one by one.
 void project(const Surface& surface, std::span<const base::Vec3f> x, const ProjectOptions& options,
              std::span<Projection<float>> out);

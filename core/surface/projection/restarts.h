@@ -1,6 +1,6 @@
-// Where to start a projection anew (alg. 3.1.3): the nearest surfels, nearest first, that lie in other directions than
-// those that led to a foot (more than 60 degrees apart as seen from the position) and outside the supports of those
-// that led nowhere. Internal to the room; one thread, one position.
+// Where to start a projection anew (surface/README 3.3): the nearest surfels, nearest first, that lie in other
+// directions than those that led to a foot (more than 60 degrees apart as seen from the position) and outside the
+// supports of those that led nowhere. Internal to the room; one thread, one position.
 #pragma once
 
 #include "core/tree/surfel_tree.h"

@@ -1,8 +1,8 @@
 // The oriented discs of a model along a ray, found front to back through the boxes of the tree.
 //
 // Disc i lies about p_i across n_i with radius surfaceReach * h_i. Together they cover the surface wherever it has
-// normals; smaller ones lose hits (TREE.md). The surface is near the nearest of them, not on it: what comes out is
-// where to begin, and what makes that beginning doubtful.
+// normals; smaller ones lose hits (surface/README 4.2). The surface is near the nearest of them, not on it: what comes
+// out is where to begin, and what makes that beginning doubtful.
 //
 // The walk and the discs of a cluster run in vectors chosen at run time, 16 virtual lanes with explicit multiply-adds:
 // AVX2 and AVX-512 give the same bits, the portable fallback may differ. Each ray is walked by itself, whatever else is

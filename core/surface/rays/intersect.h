@@ -1,10 +1,10 @@
-// Rays and the surface (alg. 3.2): the first hit, all hits along the ray, or whether there is any.
+// Rays and the surface (surface/README 4): the first hit, all hits along the ray, or whether there is any.
 //
 // Two policies. `fast` finds the nearest oriented disc along the ray (disc_kernel.h), iterates planes from there to the
-// root, and marches around whatever makes that beginning doubtful: grazing rays, near sheets, rims, failing frames.
-// `robust` marches through all surface bounds, front to back, with the sign of the frame transported along the ray.
-// Surfels without oriented normals have no discs to trust: their bounds are walked by either policy, with planes and
-// sphere tracing in the fast one.
+// root, and marches around whatever makes that beginning doubtful: grazing rays, near sheets, boundaries, failing
+// frames. `robust` marches through all surface bounds, front to back, with the sign of the frame transported along the
+// ray. Surfels without oriented normals have no discs to trust: their bounds are walked by either policy, with planes
+// and sphere tracing in the fast one.
 //
 //     intersect.h     what callers see            ray_policy.h         fast and robust, first, any and all
 //     ray_probe.h     f along one ray             surface_intervals.h  where on the ray surface may be
@@ -20,15 +20,15 @@
 
 namespace surface {
 
-/// Which zeros of f are surface: the mesher and the ray caster use the same constant (RULES-4 B2).
+/// Which zeros of f are surface: the mesher and the ray caster use the same constant (surface/README 4.4).
 constexpr double minSlope = 0.3;
 /// In units of h, also of surfaces without a boundary limit: where all surfels in support lie to one side so much, f
-/// vanishes between near sheets and beside sharp parts without anything being there (alg. 6, 8). Holes of radius up to
-/// 0.75 h stay closed.
+/// vanishes between near sheets and beside sharp parts without anything being there (surface/README 4.4). Holes of
+/// radius up to 0.75 h stay closed.
 constexpr double maxOffCentre = 0.5;
 
-/// Is the frame valid there, o within the limit, and f steep enough along its own normal (alg. 2.4, test 4)? Of a zero
-/// of f, evaluated with its gradient.
+/// Is the frame valid there, o within the limit, and f steep enough along its own normal (surface/README 4.4)? Of a
+/// zero of f, evaluated with its gradient.
 template <class T>
 bool isSurface(const Evaluation<T>& at) {
     return at.ok() && dot(at.normal, at.gradient) >= static_cast<T>(minSlope) &&

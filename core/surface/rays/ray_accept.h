@@ -1,4 +1,4 @@
-// Which roots are surface (alg. 3.2.2), and what a hit tells. Internal to the room.
+// Which roots are surface (surface/README 4.4), and what a hit tells. Internal to the room.
 #pragma once
 
 #include "core/surface/rays/ray_probe.h"

@@ -1,5 +1,5 @@
-// The first root in an interval of a ray: marching with transported sign (alg. 3.2.4), in the fast policy with sphere
-// tracing (3.2.3) and plane iteration. Internal to the room.
+// The first root in an interval of a ray: marching with transported sign (surface/README 4.3), in the fast policy with
+// sphere tracing and plane iteration. Internal to the room.
 #pragma once
 
 #include "core/surface/rays/ray_roots.h"
@@ -69,7 +69,8 @@ class RayMarch {
         constexpr double outside = 0.25;   // of h: the bounds end 0.3 h before all weight does
         constexpr double march = 1.0 / 14; // of h: a quarter of the spacing, and half of it with dips looked for
         constexpr double fast = 1.0 / 7;
-        constexpr double traceFactor = 0.85; // |g| stays below 1.05 up to 0.7 h: never jumps a root (alg. 3.2.3)
+        constexpr double traceFactor =
+            0.85; // |g| stays below 1.05 up to 0.7 h: never jumps a root (surface/README 4.3)
         if (last.at.status == Status::Outside)
             return outside * m_unit;
         const double unit = last.at.unit > T(0) ? double(last.at.unit) : m_unit;

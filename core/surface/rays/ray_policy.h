@@ -1,4 +1,4 @@
-// One ray by either policy: from surface bounds or discs to hits (alg. 3.2). Internal to the room.
+// One ray by either policy: from surface bounds or discs to hits (surface/README 4). Internal to the room.
 #pragma once
 
 #include "core/surface/rays/ray_march.h"

@@ -31,7 +31,7 @@ struct RaySetting {
     bool refine;
     bool any;      ///< may rays hit at all?
     bool oriented; ///< do the surfels' normals give f a sign?
-    bool trace;    ///< fast, and |f| is like a distance (cov is none off the surface, alg. 3.2.3)
+    bool trace;    ///< fast, and |f| is like a distance (the frame's row says so)
     bool discs;    ///< fast, from discs
     float maxSupport;
     base::Box3f bounds; ///< where f is defined; rays that start outside meet discs before the surface
@@ -44,7 +44,7 @@ struct RaySources {
     Source guesses, steps;
     /// Room for one evaluation: making one anew takes longer than much of what is done with it.
     template <class T>
-    Evaluation<T>& room() {
+    Evaluation<T>& scratch() {
         if constexpr (std::is_same_v<T, float>)
             return m_single;
         else
@@ -88,7 +88,7 @@ class RayProbe {
     /// Around the first guess: no neighbourhood is collected but the packet's. Good until the next call.
     const Evaluation<T>& guess(double t) {
         ++m_evaluations;
-        Evaluation<T>& out = m_sources.template room<T>();
+        Evaluation<T>& out = m_sources.template scratch<T>();
         if constexpr (std::is_same_v<T, float>)
             m_sources.guesses.evaluate(base::cast<T>(position(t)), Need::Gradient, {}, out);
         else

@@ -45,8 +45,8 @@ bool polished(RayProbe<T>& probe, double guess, double side, RayHit<T>& out) {
     return false;
 }
 
-/// Plane iteration (alg. 3.2.2) from a sample within the band where |f| bounds the distance, on a ray that does not
-/// graze: exact in a few steps, and at the first root.
+/// Plane iteration (surface/README 4.3) from a sample within the band where |f| bounds the distance, on a ray that does
+/// not graze: exact in a few steps, and at the first root.
 template <class T>
 std::optional<RayRoot> planeIteration(RayProbe<T>& probe, const RaySample<T>& start, double end) {
     constexpr double band = 0.5, steep = 0.25; // of h; least |n.d|

@@ -1,5 +1,5 @@
-// Where on a ray the surface may be: the union of the balls of radius surfaceReach * h about the surfels (alg. 3.2.1,
-// 5.2), front to back. Internal to the room.
+// Where on a ray the surface may be: the union of the balls of radius surfaceReach * h about the surfels
+// (surface/README 4.1), front to back. Internal to the room.
 #pragma once
 
 #include "core/surface/rays/disc_kernel.h"
