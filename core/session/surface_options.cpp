@@ -49,11 +49,19 @@ static void refuseExclusive(const DefinitionOption& option, const json& complete
                           "give one of them");
 }
 
+static std::string framesOfCurves() {
+    std::string out;
+    for (const surface::FrameRow& row : surface::frameTable)
+        if (row.onCurves || row.reads == surface::NormalsRead::Unoriented)
+            out.append(out.empty() ? "" : ", ").append(row.name);
+    return out;
+}
+
 static void refuseSurfaceFrameOnCurve(const surface::SurfaceDefinition& definition) {
     const surface::FrameRow& frame = surface::rowOf(definition.frame);
     if (definition.manifold == surface::Manifold::Curve && frame.ownField)
         throw base::Error("the frame " + std::string(frame.name) + " defines surfaces, not curves", {},
-                          "choose covariance, covariance-at-centroid, centroid-gradient or hyperplanes");
+                          "choose one of " + framesOfCurves());
 }
 
 SurfaceChange changed(const surface::SurfaceDefinition& base, const json& complete) {

@@ -11,6 +11,13 @@ using base::Vec3d;
 
 namespace {
 
+/// The definition's frame as it reads on curves.
+Frame effectiveCurveFrame(const Surface& curve) {
+    const FrameRow& row = rowOf(curve.definition().frame);
+    const bool tangents = row.reads == NormalsRead::Unoriented && curve.tree().layout()->normals;
+    return row.onCurves || tangents ? row.frame : Frame::CovarianceAtCentroid;
+}
+
 constexpr double leastCurveWeight = 1e-12;
 constexpr int leastCurveSamples = 2; ///< surface/README 7.1
 
@@ -151,12 +158,6 @@ class CurveAssembler {
 };
 
 } // namespace
-
-Frame effectiveCurveFrame(const Surface& curve) {
-    const FrameRow& row = rowOf(curve.definition().frame);
-    const bool tangents = row.reads == NormalsRead::Unoriented && curve.tree().layout()->normals;
-    return row.onCurves || tangents ? row.frame : Frame::CovarianceAtCentroid;
-}
 
 CurveEvaluation evaluateCurve(const Surface& curve, const Vec3d& x, Need need) {
     switch (need) {

@@ -31,9 +31,6 @@ struct CurveEvaluation {
     bool usable() const { return status == Status::Ok || status == Status::BeyondBoundary; }
 };
 
-/// The definition's frame as it reads on curves (see above).
-Frame effectiveCurveFrame(const Surface& curve);
-
 /// Status as Surface::evaluate gives it: Outside, Degenerate with its cause, BeyondBoundary, Ok.
 CurveEvaluation evaluateCurve(const Surface& curve, const base::Vec3d& x, Need need = Need::Gradient);
 

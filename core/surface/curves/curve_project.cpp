@@ -59,7 +59,7 @@ class CurveProjecting {
         return m_x0 - (a * (bb * fu - ab * fv) + b * (aa * fv - ab * fu)) * (1 / det);
     }
 
-    /// The part of the way to go, from two ways in a row (Irons & Tuck 1969); halved where they hardly shrink.
+    /// The part of the way to go, from two ways in a row [Irons69]; halved where they hardly shrink.
     void relax(const Vec3d& way) {
         if (m_iterations > 1 && m_options.projector != Projector::Basic) {
             const Vec3d change = way - m_lastWay;

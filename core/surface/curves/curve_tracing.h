@@ -36,7 +36,7 @@ class CurveTracing {
           m_step(0.25 * options.longestStep * seed.unit) {}
 
     /// Appends points to the seed until the curve closes (true) or ends. Where f has a step, the way from the seed may
-    /// lead into a loop that does not come back to it: then the loop alone is kept (found as Brent 1980 finds cycles).
+    /// lead into a loop that does not come back to it: then the loop alone is kept (found as in [Brent80]).
     bool run(std::vector<Point>& out) {
         std::size_t mark = 0, nextMark = 64;
         while (out.size() < m_options.mostPoints && !m_ended) {

@@ -15,8 +15,6 @@ namespace surface {
 
 class Candidates {
   public:
-    /// Forgets what was collected.
-    void clear() { m_box = {}; }
     /// All clusters that may have weight somewhere in `box`.
     void collect(const Surface& surface, const base::Box3f& box) {
         findBlocks(surface, box);

@@ -53,7 +53,7 @@ class TangentMatrix {
         m_vv += factor * dot(m_v, av);
     }
 
-    /// The least change that maps s to z and keeps the matrix symmetric (Powell 1970).
+    /// The least change that maps s to z and keeps the matrix symmetric [Powell70].
     void learn(const base::Vec3<T>& s, const base::Vec3<T>& z) {
         const T su = dot(s, m_u), sv = dot(s, m_v), square = su * su + sv * sv;
         if (!(square > T(0)))
