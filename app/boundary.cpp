@@ -1,4 +1,4 @@
-// pointclay boundary: the boundary of an open surface as polylines, in a CSV or OBJ file.
+// pointclay boundary: the boundary loops of an open surface (surface/README 5.3) as polylines, in a CSV or OBJ file.
 #include "app/open_model.h"
 #include "app/polyline_file.h"
 #include "app/polyline_options.h"

@@ -1,4 +1,4 @@
-// pointclay info: what is in a model, as text or as JSON (INTERFACES fixes the keys).
+// pointclay info: what is in a model, as text or as JSON (app/README 2.2).
 #include "app/open_model.h"
 #include "app/subcommand.h"
 #include "core/base/error.h"

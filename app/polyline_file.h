@@ -6,7 +6,7 @@
 #include "app/csv_writer.h"
 #include "core/io/safe_file.h"
 
-#include <cstdio>
+#include <charconv>
 #include <string>
 #include <vector>
 
@@ -18,10 +18,14 @@ constexpr int curveDigits = 17;
 template <class Point>
 std::string objPolyline(const std::vector<Point>& points, bool closed, std::size_t before, const base::Vec3d& origin) {
     const auto row = [](const char* key, const base::Vec3d& v) {
-        char text[100];
-        std::snprintf(text, sizeof text, "%s %.*g %.*g %.*g\n", key, curveDigits, v.x, curveDigits, v.y, curveDigits,
-                      v.z);
-        return std::string(text);
+        std::string text = key;
+        for (std::size_t k = 0; k < 3; ++k) {
+            char number[40];
+            const auto end =
+                std::to_chars(number, number + sizeof number, v[k], std::chars_format::general, curveDigits);
+            text.append(1, ' ').append(number, end.ptr);
+        }
+        return text + '\n';
     };
     std::string out;
     for (const Point& p : points)

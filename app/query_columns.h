@@ -1,4 +1,4 @@
-// What `query --what` can ask for, as a table in the order of the columns (INTERFACES).
+// What `query --what` can ask for, as a table in the order of the columns (app/README 2.3).
 #pragma once
 
 #include "app/csv_writer.h"

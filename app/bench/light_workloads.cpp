@@ -29,12 +29,12 @@ struct LightRays {
         for (std::size_t i = 0; i < hits.size(); ++i) {
             if (!hits[i].hit)
                 continue;
-            raycast::Place place;
-            place.x = hits[i].position, place.n = hits[i].normal, place.unit = hits[i].unit;
-            const int pattern = static_cast<int>(i) % raycast::patterns;
-            const Vec3f d = ask == Ask::Lamp ? lamp : around(place.n, raycast::unitPlace(pattern, 0, 1), 1);
-            if (dot(d, place.n) > 0)
-                rays.push_back({startBeside(place, place.n), d});
+            raycast::LightPoint point;
+            point.x = hits[i].position, point.n = hits[i].normal, point.unit = hits[i].unit;
+            const int pattern = static_cast<int>(i) % raycast::patternCount;
+            const Vec3f d = ask == Ask::Lamp ? lamp : around(point.n, raycast::unitSquarePoint(pattern, 0, 1), 1);
+            if (dot(d, point.n) > 0)
+                rays.push_back({secondaryOrigin(point, point.n), d});
         }
         if (ask == Ask::Sky)
             options.tMax = nearby * scene.surface().tree().bounds().diagonal();

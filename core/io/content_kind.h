@@ -1,4 +1,4 @@
-// What the first bytes of a file say it is, whatever its name says.
+// What the first bytes of a file say it is, whatever its name says (io/README 2.1).
 #pragma once
 
 #include "core/io/file_bytes.h"

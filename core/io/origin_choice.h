@@ -1,4 +1,4 @@
-// When a model gets an origin of its own, and which.
+// When a model gets an origin of its own, and which (io/README 4).
 //
 // Inside, positions are float32: at a distance R from zero they are up to R 2^-24 off. Georeferenced scans lie millions
 // of units out, where that is a quarter of a metre. Near zero an origin would only make coordinates harder to read.

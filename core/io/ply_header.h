@@ -1,4 +1,5 @@
-// The header of a PLY file (Turk 1994), which is a claim: nothing in it is believed before the bytes are seen.
+// The header of a PLY file (Turk 1994; io/README 2.2). It is a claim: nothing in it is believed before the bytes are
+// seen.
 #pragma once
 
 #include "core/io/file_bytes.h"

@@ -1,5 +1,4 @@
-// The native format: binary little-endian PLY that every other program can read too. README.md of this folder has it
-// byte by byte.
+// The native format: binary little-endian PLY that every other program can read, too (io/README 2.3).
 #include "core/base/parallel.h"
 #include "core/io/file_coordinates.h"
 #include "core/io/ply_comments.h"

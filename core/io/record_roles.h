@@ -1,4 +1,4 @@
-// Which column of a record is what, by its name: the fixed channels of a surfel, or a further attribute.
+// Which column of a record is what, by its name (io/README 3): a fixed channel of a surfel, or a further attribute.
 #pragma once
 
 #include "core/io/record_table.h"

@@ -1,5 +1,6 @@
-// Writing a file so that nobody ever sees half of it: the bytes go into a new file beside the target, reach the disk,
-// and then take the target's name in one step. Models, images, sessions and reports are all written this way.
+// Writing a file so that nobody ever sees half of it (io/README 6): the bytes go into a new file beside the target,
+// reach the disk, and then take the target's name in one step. Models, images, sessions and reports are all written
+// this way.
 //
 //     SafeFile file(path);        // the folder must be there; the target is not touched yet
 //     file.write(bytes);          // as often as needed

@@ -1,4 +1,4 @@
-// What the unnamed columns of a text file are: there is no header, so the numbers themselves must tell.
+// What the unnamed columns of a text file are: there is no header, so the numbers must tell (io/README 2.4).
 #pragma once
 
 #include <span>

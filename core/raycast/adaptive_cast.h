@@ -1,19 +1,19 @@
-// Adaptive ray casting (alg. 4.3): rays where the surface varies, interpolation between them where it does not, and
-// what was found in one view used again in the next.
+// Adaptive ray casting (raycast/README 2 and 3): rays where the surface varies, interpolation between them where it
+// does not, and what one view found used again in the next.
 //
 //     AdaptiveCast cast(surface);
 //     cast.cast(view, {.quality = 1}, counts, shown)   again and again; `shown` sees every level as it is finished
 //     cast.setSurface(next version)                     drops what the edit touched
 //
-// Rays sit on pixel centres, at the corners of square cells (one start size for the view, halved down to the pixel).
-// To split a cell takes up to 5 rays, in the middle of its sides and of itself; how far they are from what its corners
-// predicted decides whether its quarters are split further. Cells that the surface covers in part always are, and so
-// is what small discs about the surfels say has not been seen: outlines are exact to the pixel. Pixels without any
-// surfel near are background without a ray.
+// Rays sit on pixel centres, at the corners of square cells: one start size for the view, halved down to the pixel.
+// A split casts up to 5 rays, at the middles of the cell's sides and of the cell. How far they are from what the
+// corners predicted decides whether the quarters are split further. Cells that the surface covers in part always are,
+// and so are those where small discs about the surfels show something that no ray has met: outlines are exact to the
+// pixel. Pixels far from any surfel are background without a ray.
 //
-// Between views the leaves are kept as patches in space. In the next view they are drawn again, where it shows the same
-// side and does not magnify them too much, and rays are cast for the rest. After an edit what lies within the supports
-// of changed surfels is dropped, and in the same view the rays that come through there.
+// Between views the leaves are kept as patches in space. The next view draws them again where it shows the same side
+// and does not magnify them too much, and casts rays for the rest. After an edit, patches and rays within the supports
+// of changed surfels are dropped.
 //
 //     cast_pixels.h   rays of chosen pixels            splat_guard.h       what discs know before a ray is cast
 //     lattice.h       what is known of each pixel      subdivision.h       which cells are split
@@ -21,8 +21,8 @@
 //     kept_patches.h  patches of earlier views         redraw.h            their pixels in a new one
 //     edited_region.h where an edit moved the surface
 //
-// The same bits at any thread count. One thread at a time; it holds its version of the model alive, so that the thread
-// may be any. Pictures of the same view go on where the one before ended, cancelled or not.
+// The same bits at any thread count. Used by one thread at a time, which may be any: the caster keeps its version of
+// the model alive. A picture of the same view goes on where the last one ended, cancelled or not.
 #pragma once
 
 #include "core/raycast/full_cast.h"

@@ -1,35 +1,35 @@
-// Rays that ask one thing: does anything stand in their way? Shadows and ambient occlusion are made of them.
+// Any-hit rays, for shadows and ambient occlusion (raycast/README 4.3 and 4.4): does anything stand in their way?
 #pragma once
 
-#include "core/raycast/places.h"
+#include "core/raycast/light_points.h"
 
 namespace raycast {
 
-/// 1 for rays that meet the model nearer than `reach`, 0 for others. Where planes cut the model, what they cut away
-/// stands in nobody's way. In parallel; the same bits at any thread count.
+/// 1 for rays that hit the model nearer than `reach`, 0 for others. What clip planes cut away blocks nothing. In
+/// parallel; the same bits at any thread count.
 void findBlocked(const LightScene& scene, std::span<const base::Rayf> rays, float reach, std::span<std::uint8_t> out);
 
-/// Which directions places look into (directions.h).
-struct Looks {
-    std::vector<std::uint8_t> pattern; ///< of each place
+/// Which directions of directions.h the points take.
+struct RayPatterns {
+    std::vector<std::uint8_t> pattern; ///< of each point
     int factor = 1;                    ///< times the rays of the lighting
 };
 
-/// For samples [begin, begin + count): sixteen neighbours in an image share all directions; of places that are no
-/// neighbours eight do, as smooth_edges.h asks for them, and take twice as many each.
-Looks looksOf(const SeenSamples& seen, std::size_t begin, std::size_t count);
+/// For samples [begin, begin + count). Sixteen neighbours in an image share all directions; of points that are no
+/// neighbours, as smooth_edges.h asks about, eight do, and each takes twice as many.
+RayPatterns rayPatternsOf(const SeenSamples& seen, std::size_t begin, std::size_t count);
 
-/// Whether lamps and sky are asked for at a place: glass and metal show them in the paths of light.
-bool asksForLight(const LightScene& scene, const Place& place);
+/// Whether rays to lamps and sky start at a point. Not on glass and metal, which show them along paths of light.
+bool asksForLight(const LightScene& scene, const LightPoint& point);
 
-/// The part of each lamp that the places see: out[lamp * places.size() + i]. Lamps below the place's horizon are not
-/// asked for, and count as seen.
-void findShadows(const LightScene& scene, std::span<const Place> places, const Looks& looks, std::span<float> out,
-                 LightCounts& counts);
+/// The part of each lamp that the points see: out[lamp * points.size() + i]. Lamps below a point's horizon cost no ray
+/// and count as seen.
+void findShadows(const LightScene& scene, std::span<const LightPoint> points, const RayPatterns& patterns,
+                 std::span<float> out, LightCounts& counts);
 
-/// The part of the sky above the places that is open, weighted with the cosine: surface within `occlusionReach` and
-/// the ground hold it off.
-void findOcclusion(const LightScene& scene, std::span<const Place> places, const Looks& looks, std::span<float> out,
-                   LightCounts& counts);
+/// The part of the sky above the points that is open, weighted with the cosine: the ground, and surface within
+/// `occlusionReach`, block it.
+void findOcclusion(const LightScene& scene, std::span<const LightPoint> points, const RayPatterns& patterns,
+                   std::span<float> out, LightCounts& counts);
 
 } // namespace raycast

@@ -1,4 +1,4 @@
-// Rays of chosen pixels: what fullCast finds there, bit for bit.
+// Casts the rays of chosen pixels: what fullCast finds there, bit for bit.
 #pragma once
 
 #include "core/base/parallel.h"
@@ -6,7 +6,7 @@
 
 namespace raycast {
 
-/// A pixel, also one beside the image: columns and rows go on there.
+/// A pixel of the image or beside it, where columns and rows go on.
 struct Pixel {
     int column = 0, row = 0;
     bool operator==(const Pixel&) const = default;
@@ -16,11 +16,11 @@ struct Pixel {
 void castPixels(const surface::Surface& surface, const ImageRays& view, std::span<const Pixel> pixels,
                 std::span<Sample> out);
 
-/// The same for samples that stand anywhere: of pixels[i] it is place(i), which is empty before and stays so where the
-/// planes leave nothing of the ray. Rays begin behind the planes, and hit nothing beyond the part that is kept.
-template <class Place>
+/// The same for samples that stand anywhere: of pixels[i] it is sampleAt(i), which is empty before and stays so where
+/// the planes leave nothing of the ray. Rays begin behind the planes, and hit nothing beyond the part that is kept.
+template <class SampleAt>
 void castEach(const surface::Surface& surface, const ImageRays& view, std::span<const Pixel> pixels,
-              const Place& place) {
+              const SampleAt& sampleAt) {
     std::vector<std::size_t> kept;
     std::vector<base::RayPart> parts;
     std::vector<base::Rayf> rays;
@@ -38,7 +38,7 @@ void castEach(const surface::Surface& surface, const ImageRays& view, std::span<
     const surfel::AttributeLayout& layout = *surface.tree().layout();
     const bool attributes = layout.colours || layout.masks;
     base::parallelFor(kept.size(), 256, [&](std::size_t i) {
-        Sample& sample = place(kept[i]);
+        Sample& sample = sampleAt(kept[i]);
         sample.hit = hits[i];
         const double t = static_cast<double>(hits[i].t) + parts[i].first;
         sample.hit.t = static_cast<float>(t);

@@ -1,12 +1,12 @@
-// Where an edit can have changed the surface: boxes about the surfels that one version has and the other has not, each
-// as wide as those surfels' supports. Nothing outside them moved (alg. 2.1: there no weight changed).
+// Where an edit can have changed the surface: boxes about the surfels that only one of two versions has, each as wide
+// as those surfels' supports. Outside them no weight changed, so nothing moved (raycast/README 3.3).
 #pragma once
 
 #include "core/tree/surfel_tree.h"
 
 namespace raycast {
 
-/// A box for every cluster with such surfels, of either version. Cost follows what the versions do not share.
+/// A box for every cluster of either version with such surfels. Costs as much as the versions do not share.
 std::vector<base::Box3f> editedRegion(const tree::SurfelTree& from, const tree::SurfelTree& to);
 
 } // namespace raycast

@@ -1,5 +1,5 @@
-// What light that leaves the model comes from: the picture's own background where it goes on nearly straight, a room
-// with a floor and a ceiling elsewhere, and the lamps as bright round panels. A formula, no image.
+// What rays that leave the model see (raycast/README 4.2): the picture's own background where they go on nearly
+// straight, elsewhere a room with floor and ceiling, and the lamps as bright round panels. A formula, not an image.
 #pragma once
 
 #include "core/raycast/lighting.h"
@@ -24,7 +24,7 @@ class Environment {
     const base::Vec3f& up() const { return m_up; }
     /// Light from a unit direction.
     base::Vec3f from(const base::Vec3f& direction) const;
-    /// What a white dull surface with normal n sends on of the room's light, without lamps.
+    /// What a white matte surface with normal n reflects of the room's light, without lamps.
     base::Vec3f room(const base::Vec3f& n) const;
 
   private:

@@ -1,7 +1,7 @@
-// Full-image ray casting: the exact first meeting of every pixel's ray with the surface (alg. 4.2).
+// Full-image ray casting: the exact first hit of every pixel's ray on the surface (raycast/README 1.2).
 //
-// The picture that all faster ways of drawing are compared with. Rays of neighbouring pixels go to the intersection
-// together, in tiles, because they meet the same surfels; the result does not depend on that.
+// All faster ways of drawing are compared with this picture. Rays of neighbouring pixels are intersected together, in
+// tiles, because they meet the same surfels; the result does not depend on that.
 #pragma once
 
 #include "core/base/plane.h"
@@ -41,7 +41,7 @@ struct CastCounts {
 std::vector<Sample> fullCast(const surface::Surface& surface, const ImageRays& rays, CastCounts& counts,
                              const base::Progress& progress = {});
 
-/// Colour and mask at a place of the surface: means of the surfels', weighted like their positions (alg. 2.1).
+/// Colour and mask at a point of the surface: means of the surfels', with the weights of the surface itself.
 void blendAttributes(const surface::Surface& surface, const base::Vec3f& x, Sample& out);
 
 } // namespace raycast

@@ -1,5 +1,5 @@
-// Patches of earlier views, kept with their samples to be drawn again from elsewhere (alg. 4.3, object space): between
-// exact hits, or between pixels redrawn from such patches, but not further, so that errors do not add up.
+// Patches of earlier views, kept with their samples so that another view can draw them again (raycast/README 3.2).
+// Their samples are rays, or were redrawn from patches a few generations old at most, so that errors do not add up.
 #pragma once
 
 #include "core/raycast/adaptive_picture.h"

@@ -1,5 +1,5 @@
-// What is known of the pixels of one view: the rays cast so far by pixel, and which pixels need none. The lattice goes
-// on beyond the right and the lower edge of the image, to whole start cells. One thread writes, any number read.
+// What is known of the pixels of one view: the rays cast so far, and which pixels need none. The lattice extends beyond
+// the right and the lower edge of the image to whole start cells. One thread writes, any number read.
 #pragma once
 
 #include "core/base/parallel.h"

@@ -9,7 +9,7 @@ using base::Vec3f;
 namespace {
 
 struct Path {
-    std::uint32_t place = 0; ///< that it adds to
+    std::uint32_t point = 0; ///< that it adds to
     bool inside = false;
     base::Rayf ray;
     Vec3f weight;
@@ -27,8 +27,8 @@ class LightPaths {
           m_absorption(m_row.absorption / scene.size) {}
 
     /// The surface's part in a ray along d that has met it.
-    void meet(std::uint32_t place, const Place& at, const Vec3f& d, Path path) {
-        path.place = place;
+    void meet(std::uint32_t point, const LightPoint& at, const Vec3f& d, Path path) {
+        path.point = point;
         if (m_row.material == Material::Metal)
             reflect(at, d, times(path.weight, metalReflectance(-dot(d, at.n), m_row.colour)), path);
         else
@@ -55,7 +55,7 @@ class LightPaths {
     }
 
   private:
-    void add(const Path& path, const Vec3f& light) { m_out[path.place] += times(path.weight, light); }
+    void add(const Path& path, const Vec3f& light) { m_out[path.point] += times(path.weight, light); }
 
     void advance(const Path& path, const surface::RayHit<float>& hit) {
         const Vec3f& d = path.ray.direction;
@@ -66,13 +66,13 @@ class LightPaths {
                 add(path, m_scene.environment.from(d));
             return;
         }
-        Place at;
+        LightPoint at;
         at.x = hit.position, at.n = hit.normal, at.unit = hit.unit;
         at.back = m_scene.oriented && dot(hit.normal, hit.outward) < 0;
         Path next = path;
         if (path.inside)
             next.weight = times(path.weight, transmitted(m_absorption, hit.t));
-        meet(path.place, at, d, next);
+        meet(path.point, at, d, next);
     }
     bool kept(const base::Rayf& ray, const surface::RayHit<float>& hit) const {
         if (!hit.hit || m_scene.clips.empty())
@@ -88,7 +88,7 @@ class LightPaths {
         m_next.push_back(path);
     }
 
-    void meetGlass(const Place& at, const Vec3f& d, const Path& path) {
+    void meetGlass(const LightPoint& at, const Vec3f& d, const Path& path) {
         const float c = -dot(d, at.n);
         const bool leaves = at.back;
         if (!m_scene.oriented || path.inside != leaves)
@@ -106,10 +106,10 @@ class LightPaths {
         next.inside = !leaves;
         next.weight = path.weight * (1 - back);
         next.before = d;
-        next.ray = {startBeside(at, -at.n), *through};
+        next.ray = {secondaryOrigin(at, -at.n), *through};
         m_next.push_back(next);
     }
-    void meetPane(const Place& at, const Vec3f& d, const Path& path) {
+    void meetPane(const LightPoint& at, const Vec3f& d, const Path& path) {
         constexpr float thickness = 0.03f; // of the model's diagonal: what tints a pane
         float back = path.inside ? 0 : paneReflectance(-dot(d, at.n), 1 / m_row.index);
         if (strength(path.weight) * back < leastPart)
@@ -118,12 +118,12 @@ class LightPaths {
             reflect(at, d, path.weight * back, path);
         Path next = path;
         next.weight = times(path.weight * (1 - back), transmitted(m_row.absorption, thickness));
-        next.ray = {startBeside(at, -at.n), d};
+        next.ray = {secondaryOrigin(at, -at.n), d};
         m_next.push_back(next);
     }
-    void reflect(const Place& at, const Vec3f& d, const Vec3f& weight, Path path) {
+    void reflect(const LightPoint& at, const Vec3f& d, const Vec3f& weight, Path path) {
         path.weight = weight;
-        path.ray = {startBeside(at, at.n), mirrored(d, at.n)};
+        path.ray = {secondaryOrigin(at, at.n), mirrored(d, at.n)};
         m_next.push_back(path);
     }
 
@@ -136,15 +136,15 @@ class LightPaths {
 
 } // namespace
 
-void followLight(const LightScene& scene, std::span<const Place> places, std::span<const Vec3f> directions,
+void followLight(const LightScene& scene, std::span<const LightPoint> points, std::span<const Vec3f> directions,
                  std::span<Vec3f> out, LightCounts& counts) {
     LightPaths paths(scene, out);
-    for (std::size_t i = 0; i < places.size(); ++i)
-        if (places[i].seen == Seen::Model) {
+    for (std::size_t i = 0; i < points.size(); ++i)
+        if (points[i].seen == Seen::Model) {
             out[i] = {};
             Path path;
             path.weight = {1, 1, 1};
-            paths.meet(static_cast<std::uint32_t>(i), places[i], directions[i], path);
+            paths.meet(static_cast<std::uint32_t>(i), points[i], directions[i], path);
         }
     paths.follow(counts);
 }

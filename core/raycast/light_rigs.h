@@ -1,7 +1,7 @@
 // Lamps around the model: one table of rigs that help, menus and tests loop over.
 //
 // A rig stands around whoever looks: x to the right, y up in the model's world, z level towards the eye. Lamps are
-// round and infinitely far; `power` is what a white dull surface that faces one sends on (linear light).
+// round and infinitely far; `power` is what a white matte surface that faces one reflects (linear light).
 #pragma once
 
 #include "core/base/vec.h"
@@ -19,7 +19,7 @@ struct Lamp {
     float radius = 0;      ///< angle, radians
     base::Vec3f power;
 
-    /// Shadows of smaller lamps have edges like knives; one ray tells.
+    /// Smaller lamps cast hard shadows; one ray is enough.
     bool soft() const { return radius > 0.03f; }
     bool operator==(const Lamp&) const = default;
 };

@@ -14,11 +14,11 @@ struct Lighting {
     /// Own lamps in these directions (towards them, model coordinates) instead of the rig's.
     std::vector<base::Vec3f> directions;
     bool shadows = false;
-    bool occlusion = false; ///< ambient occlusion: light of the room that nearby surface holds off
+    bool occlusion = false; ///< ambient occlusion: nearby surface blocks light of the room
     bool ground = false;    ///< shadows and occlusion fall on the ground below the model too
-    /// Rays of each place to each soft lamp, and around it. Sixteen neighbours share what theirs found.
+    /// Rays of each point to each soft lamp, and around it. Sixteen neighbours share what theirs found.
     int shadowRays = 3, occlusionRays = 6;
-    float occlusionReach = 0.25f; ///< how far surface holds light off, in diagonals of the model's bounds
+    float occlusionReach = 0.25f; ///< how far surface blocks it, in diagonals of the model's bounds
     int bounces = 10;             ///< of light in glass and between mirrors
 
     bool operator==(const Lighting&) const = default;

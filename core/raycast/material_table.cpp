@@ -18,7 +18,7 @@ std::span<const MaterialRow> materialTable() {
         {Material::Clay,
          "clay",
          "Clay",
-         "Dull clay in the light of the lamps; painted models keep their colours",
+         "Matte clay in the light of the lamps; painted models keep their colours",
          {0.56f, 0.42f, 0.335f},
          0.05f,
          1,

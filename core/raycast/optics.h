@@ -1,4 +1,4 @@
-// What light does at a smooth surface (alg. 4.2). All directions are unit vectors; n faces against d.
+// What light does at a smooth surface (raycast/README 4.6). All directions are unit vectors; n faces against d.
 #pragma once
 
 #include "core/base/vec.h"
@@ -8,8 +8,8 @@
 
 namespace raycast {
 
-/// Of the picture's light: rays that carry less are not followed, their light goes with the brother's. Just below what
-/// glass reflects straight on, so that its first reflection is followed and those inside only where they are strong.
+/// Rays that carry less of the picture's light are not followed; their light goes with the other ray of the pair. Just
+/// below what glass reflects head-on, so that its first reflection is followed, and those inside only where strong.
 constexpr float leastPart = 0.039f;
 
 inline base::Vec3f mirrored(const base::Vec3f& d, const base::Vec3f& n) {
@@ -24,7 +24,7 @@ inline std::optional<base::Vec3f> refracted(const base::Vec3f& d, const base::Ve
     return normalized(d * eta + n * (eta * c - std::sqrt(k)));
 }
 
-/// Fresnel's equations for light without polarisation: the part reflected where the cosine of the incoming ray is c.
+/// Fresnel's equations for unpolarised light: the part reflected of a ray that arrives with cosine c.
 inline float reflectance(float c, float eta) {
     const float k = 1 - eta * eta * (1 - c * c);
     if (k <= 0)
@@ -34,19 +34,19 @@ inline float reflectance(float c, float eta) {
     return 0.5f * (across * across + along * along);
 }
 
-/// Both faces of a thin pane: 2F / (1 + F), all orders of inner reflection summed.
+/// Both faces of a thin pane: 2R / (1 + R), all orders of inner reflection summed.
 inline float paneReflectance(float c, float eta) {
     const float once = reflectance(c, eta);
     return 2 * once / (1 + once);
 }
 
-/// Schlick's part reflected by a metal that reflects `straight` of what falls straight on it.
+/// Schlick's approximation for a metal that reflects `straight` of what arrives head-on.
 inline base::Vec3f metalReflectance(float c, const base::Vec3f& straight) {
     const float away = 1 - std::clamp(c, 0.0f, 1.0f), s = away * away * away * away * away;
     return straight + (base::Vec3f{1, 1, 1} - straight) * s;
 }
 
-/// Beer's law: what is left of light after a way through glass.
+/// Beer's law: the part of the light that is left after a way through glass.
 inline base::Vec3f transmitted(const base::Vec3f& absorption, float way) {
     return {std::exp(-absorption.x * way), std::exp(-absorption.y * way), std::exp(-absorption.z * way)};
 }

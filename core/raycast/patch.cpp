@@ -50,13 +50,13 @@ float predictionError(const Patch& patch, const std::array<double, 9>& stretch, 
             return std::numeric_limits<float>::infinity();
     const Values predictions[5] = {mean({&k[0], &k[2]}), mean({&k[0], &k[6]}), mean({&k[0], &k[2], &k[6], &k[8]}),
                                    mean({&k[2], &k[8]}), mean({&k[6], &k[8]})};
-    constexpr std::size_t places[5] = {1, 3, 4, 5, 7};
+    constexpr std::size_t between[5] = {1, 3, 4, 5, 7};
     float worst = 0;
     for (std::size_t i = 0; i < 5; ++i) {
-        const Knot& found = k[places[i]];
+        const Knot& found = k[between[i]];
         const float spacing = kind.spacingOfUnit * found.v[Knot::Unit];
         worst = std::max({worst, normalError(predictions[i], found),
-                          depthError(predictions[i], found, stretch[places[i]], lens) / (depthTarget * spacing)});
+                          depthError(predictions[i], found, stretch[between[i]], lens) / (depthTarget * spacing)});
         if (kind.attributes)
             worst = std::max(worst, attributeError(predictions[i], found));
     }

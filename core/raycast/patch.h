@@ -1,10 +1,11 @@
-// Between nine samples: what a picture interpolates, and how far a prediction from the corners was off (alg. 4.3).
+// Between nine samples: what a picture interpolates, and how far the prediction from the corners is off
+// (raycast/README 2.2 and 2.5).
 //
 //     0 1 2      the corners of a cell are 0, 2, 6, 8; the others are what its split asked for
 //     3 4 5
 //     6 7 8
 //
-// Interpolated are the even depth of ViewLens, which is exact for planes, and the normal that faces against the ray.
+// What is interpolated: the even depth of ViewLens, which is exact for planes, and the normal turned against the ray.
 #pragma once
 
 #include "core/raycast/view_lens.h"
@@ -14,7 +15,7 @@
 
 namespace raycast {
 
-/// What a sample gives to those between it and others.
+/// What a sample contributes to the interpolation.
 struct Knot {
     enum : std::size_t { Depth, NormalX, NormalY, NormalZ, Unit, Agreement, Red, Green, Blue, Mask, Count = 12 };
 
@@ -107,14 +108,14 @@ struct PatchKind {
     float spacingOfUnit = static_cast<float>(surface::spacingOfUnit);
 };
 
-/// A leaf is shown by the biquadratic of the split it comes from where a bilinear prediction was off by so many targets
-/// at most: it is off by an eighth as much itself, unless the surface bends between the samples.
+/// A leaf shows the biquadratic of the split that it comes from where the bilinear prediction was off by this much at
+/// most: the leaf is off by an eighth of that, unless the surface bends between the samples.
 inline bool goodFor(float error, double quality) {
     return error <= 2.5f * static_cast<float>(quality);
 }
 
 /// How far the bilinear prediction from the corners is from the five other samples, in units of what quality 1 aims at:
-/// 2 degrees, 0.2 spacings along the ray, and 8 of 255 steps of a colour. Infinite where a sample is a miss.
+/// 2 degrees, 0.2 spacings along the ray, and 8 of 255 steps of a colour. Infinite where any sample is a miss.
 /// `stretch` is the lens' for each of the nine.
 float predictionError(const Patch& patch, const std::array<double, 9>& stretch, const ViewLens& lens, PatchKind kind);
 

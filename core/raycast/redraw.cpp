@@ -18,14 +18,14 @@ constexpr float stillBent = 8;                           ///< prediction errors 
 constexpr float squareSide = 4;                          ///< pixels
 constexpr float overlap = 0.02f; ///< pixels: no gaps between squares of patches that are split differently
 
-/// A place of a patch in the new view.
+/// A point of a patch in the new view.
 struct Corner {
     float column = 0, row = 0, even = 0;
     float u = 0, v = 0; ///< in the patch
     bool faces = false;
 };
 
-/// Which place of which patch a pixel shows.
+/// Which point of which patch a pixel shows.
 struct Fragment {
     float order = std::numeric_limits<float>::infinity(); ///< smaller is nearer
     std::uint32_t quarter = 0;                            ///< of all patches
@@ -41,12 +41,12 @@ class PatchProjector {
   public:
     explicit PatchProjector(const CastView& view) : m_lens(view.lens), m_forward(normalized(view.rays.corner)) {}
 
-    Vec3d place(const Vec3f& p) const { return m_lens.project(base::cast<double>(p)); }
+    Vec3d projected(const Vec3f& p) const { return m_lens.project(base::cast<double>(p)); }
 
     Corner corner(const KeptPatch::Values& k, float u, float v) const {
         const Vec3f p{k[KeptPatch::X], k[KeptPatch::Y], k[KeptPatch::Z]};
         const Vec3f n = normalized(Vec3f{k[KeptPatch::NormalX], k[KeptPatch::NormalY], k[KeptPatch::NormalZ]});
-        const Vec3d at = place(p);
+        const Vec3d at = projected(p);
         const Vec3d toIt = m_lens.parallel() ? m_forward : normalized(base::cast<double>(p) - m_lens.eye());
         return {static_cast<float>(at.x),
                 static_cast<float>(at.y),
@@ -60,7 +60,7 @@ class PatchProjector {
         for (std::size_t i = 0; i < 9; ++i) {
             if (!(patch.knots[i][KeptPatch::Unit] > 0))
                 continue;
-            const Vec3d at = place(patch.position(i));
+            const Vec3d at = projected(patch.position(i));
             if (!(at.z > 0))
                 return {};
             out.first = std::min(out.first, static_cast<float>(at.y));

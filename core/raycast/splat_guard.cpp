@@ -88,7 +88,7 @@ class Projector {
     double reach(float support) const { return m_reach * plainSupport(m_definition, support); }
     double spacing(float support) const { return surface::spacingOfUnit * plainSupport(m_definition, support); }
     const ViewLens& lens() const { return m_lens; }
-    /// Do the planes keep something within `distance` of the place?
+    /// Do the planes keep something within `distance` of the point?
     bool kept(const Vec3d& p, double distance) const {
         return std::ranges::all_of(m_clips, [&](const base::Plane& plane) { return plane.distance(p) >= -distance; });
     }

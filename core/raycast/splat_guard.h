@@ -1,9 +1,9 @@
-// What small discs about the surfels know of a view before any ray is cast: where a ray cannot meet the surface, and
-// where something stands that rays on either side of it may have passed (alg. 4.3).
+// What small discs about the surfels tell of a view before any ray is cast: where a ray cannot hit the surface, and
+// where something stands that the rays on either side of it may have missed (raycast/README 2.4).
 //
-// Nearest depths of discs of radius 0.6 s (s the spacing) for every pixel, with the smallest of squares above them, and
-// the squares of pixels that a ball about some surfel, as wide as the surface can reach, is seen in. Fine enough for
-// both; the surface itself is where the rays say. In parallel; the same bits at any thread count.
+// For every pixel the nearest depth of discs of radius 0.6 s (s the spacing), with a pyramid of least depths above; and
+// the tiles of pixels in which a ball about some surfel is seen, as wide as the surface can reach. Both are hints: the
+// surface itself is where the rays say. In parallel; the same bits at any thread count.
 #pragma once
 
 #include "core/raycast/cast_pixels.h"
@@ -13,13 +13,13 @@ namespace raycast {
 
 class SplatGuard {
   public:
-    /// For an image of so many columns and rows, which may be more than the view's.
+    /// REQUIRES: at least the view's columns and rows.
     void look(const surface::Surface& surface, const ImageRays& view, int columns, int rows,
               const base::Progress& progress);
 
-    /// Spacing of the surfels in view in pixels: the median.
+    /// Median spacing of the surfels in view, in pixels.
     double spacingPx() const { return m_spacingPx; }
-    /// May the ray of this pixel meet the surface?
+    /// May the ray of this pixel hit the surface?
     bool reached(Pixel p) const { return m_reached[tileIndex(p)] != 0; }
     /// May some ray of the pixels [column, column + size) x [row, row + size), or every one? Size and pixel are
     /// multiples of a power of two up to 32.
@@ -27,7 +27,7 @@ class SplatGuard {
     bool allReached(Pixel p, int size) const;
     /// Does a disc cover a pixel of the square?
     bool anyDisc(Pixel p, int size) const { return nearest(p, size) < none; }
-    /// Depth from which on a surface there is hidden: 1.5 s behind the nearest disc of the square; infinite without.
+    /// From this depth on a surface is hidden: 1.5 s behind the nearest disc of the square; infinite without one.
     float hiddenFrom(Pixel p, int size) const { return nearest(p, size); }
 
     static constexpr int largestSquare = 32;

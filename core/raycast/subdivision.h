@@ -1,4 +1,4 @@
-// Which cells of a view are split, and what the splits ask for: predict, cast, verify (alg. 4.3).
+// Which cells of a view are split, and what the splits ask for: predict, cast, verify (raycast/README 2).
 //
 // A cell is [column, column + size) x [row, row + size), between samples at its four corners. Its split adds the five
 // samples of patch.h and makes four cells of half the size; each of them is shown by interpolation, is missed by the

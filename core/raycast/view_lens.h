@@ -1,5 +1,5 @@
-// The rays of an image seen from the other side: where a place of the model lies in the image, and which measure of
-// depth changes evenly across the image of a plane. Float64.
+// The inverse of an image's rays: where a point of the model lies in the image, and the measure of depth that is affine
+// across the image of a plane (raycast/README 1.1). Float64.
 #pragma once
 
 #include "core/base/mat3.h"
@@ -33,7 +33,7 @@ class ViewLens {
         const double z = dot(m_depth, d), scale = m_parallel ? 1 : 1 / z;
         return {dot(m_column, d) * scale, dot(m_row, d) * scale, z};
     }
-    /// A box that lies about the plane of the eye is seen everywhere.
+    /// A box that crosses the plane of the eye is seen everywhere.
     BoxImage imageOf(const base::Box3f& box) const {
         constexpr double inf = std::numeric_limits<double>::infinity();
         BoxImage out{inf, -inf, inf, -inf, inf};
@@ -56,12 +56,12 @@ class ViewLens {
     double stretch(double column, double row) const {
         return m_parallel ? 1 : length(m_rays.corner + m_rays.across * column + m_rays.down * row);
     }
-    /// The place at a depth along the ray of a pixel.
+    /// The point at a depth along the ray of a pixel.
     base::Vec3d at(double column, double row, double depth) const {
         return m_parallel ? m_rays.eye + m_rays.originAcross * column + m_rays.originDown * row + m_along * depth
                           : m_rays.eye + (m_rays.corner + m_rays.across * column + m_rays.down * row) * depth;
     }
-    /// Of a point at depth z: it changes evenly across the image of a plane.
+    /// Affine in column and row over the image of a plane; z is the depth.
     double evenDepth(double z) const { return m_parallel ? z : 1 / z; }
 
     const base::Vec3d& eye() const { return m_rays.eye; }

@@ -296,7 +296,7 @@ void QueryTest::curvesAnswerTheSameQuestions() {
     QCOMPARE(rows.size(), std::size_t(3));
     const auto& row = rows[1];
     QCOMPARE(row.at(3), std::string("ok"));
-    const double radius = 2 - 0.04 / 28 / 2; // alg. 0: kappa h^2 / 28
+    const double radius = 2 - 0.04 / 28 / 2; // the shift of a curve, surface/README
     QVERIFY(std::abs(std::stod(row.at(4)) - std::hypot(2.05 - radius, 0.02)) < 1e-3);
     QVERIFY(std::abs(std::stod(row.at(5)) - 0.5) < 0.05 && std::stod(row.at(6)) == 0);
     QVERIFY(std::abs(std::abs(vectorAt(row, 13).y) - 1) < 1e-3);

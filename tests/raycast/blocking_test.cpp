@@ -12,7 +12,7 @@
 using namespace raycast;
 using base::Vec3d;
 using base::Vec3f;
-using scenes::placeAt;
+using scenes::pointAt;
 
 class BlockingTest : public QObject {
     Q_OBJECT
@@ -29,10 +29,10 @@ class BlockingTest : public QObject {
     void placesBesideTheSurfaceAreMovedOntoIt();
 };
 
-static Looks inTurn(std::size_t n) {
-    Looks out;
+static RayPatterns inTurn(std::size_t n) {
+    RayPatterns out;
     for (std::size_t i = 0; i < n; ++i)
-        out.pattern.push_back(static_cast<std::uint8_t>(i % raycast::patterns));
+        out.pattern.push_back(static_cast<std::uint8_t>(i % raycast::patternCount));
     return out;
 }
 
@@ -59,13 +59,13 @@ void BlockingTest::aBallsShadowHasUmbraAndPenumbra() {
                            scenes::viewer());
     const double a = scene.environment.lamps().front().radius;
     const double umbra = r / std::cos(a) - H * std::tan(a), penumbra = r / std::cos(a) + H * std::tan(a);
-    std::vector<Place> places;
+    std::vector<LightPoint> points;
     for (int k = 0; k < 90; ++k)
-        places.push_back(placeAt({0.01 * k * std::cos(2.4 * k), 0.01 * k * std::sin(2.4 * k), 0}, {0, 0, 1}, 0.07f));
-    std::vector<float> seen(places.size());
+        points.push_back(pointAt({0.01 * k * std::cos(2.4 * k), 0.01 * k * std::sin(2.4 * k), 0}, {0, 0, 1}, 0.07f));
+    std::vector<float> seen(points.size());
     LightCounts counts;
-    findShadows(scene, places, inTurn(places.size()), seen, counts);
-    QCOMPARE(counts.shadowRays, places.size() * 128);
+    findShadows(scene, points, inTurn(points.size()), seen, counts);
+    QCOMPARE(counts.shadowRays, points.size() * 128);
     for (int k = 0; k < 90; ++k) {
         const double at = 0.01 * k;
         const float part = seen[static_cast<std::size_t>(k)];
@@ -79,10 +79,10 @@ void BlockingTest::aBallsShadowHasUmbraAndPenumbra() {
     }
 }
 
-static float openAt(const LightScene& scene, const Place& place) {
+static float openAt(const LightScene& scene, const LightPoint& point) {
     float open = 0;
     LightCounts counts;
-    findOcclusion(scene, {&place, 1}, {{0}}, {&open, 1}, counts);
+    findOcclusion(scene, {&point, 1}, {{0}}, {&open, 1}, counts);
     return open;
 }
 
@@ -105,14 +105,14 @@ void BlockingTest::theSkyAboveACupIsTheMissingPartOfTheBall() {
         surface::SurfaceDefinition definition;
         definition.boundaryLimit = 0.3f;
         const LightScene scene(shapes::surfaceOf(cup, definition), farSky(), scenes::viewer());
-        const float open = openAt(scene, placeAt({0, 0, -1}, {0, 0, 1}, static_cast<float>(3.5 * spacing)));
+        const float open = openAt(scene, pointAt({0, 0, -1}, {0, 0, 1}, static_cast<float>(3.5 * spacing)));
         const double expected = std::max(0.0, 0.5 * (1 - z));
         QVERIFY2(std::abs(open - expected) < 0.015, qPrintable(QString("%1: %2").arg(z).arg(open)));
     }
 }
 
 void BlockingTest::aWallTakesItsFormFactor() {
-    // A wall of height H, endless to both sides, at distance a from a place of the floor: (1 - a / sqrt(a^2 + H^2))
+    // A wall of height H, endless to both sides, at distance a from a point of the floor: (1 - a / sqrt(a^2 + H^2))
     // / 2.
     constexpr double s = 0.05, H = 0.5;
     surfel::SurfelList wall;
@@ -124,37 +124,37 @@ void BlockingTest::aWallTakesItsFormFactor() {
     definition.boundaryLimit = 0.25f;
     const LightScene scene(shapes::surfaceOf(wall, definition), farSky(), scenes::viewer());
     for (const double a : {0.25, 0.5, 1.0}) {
-        const float open = openAt(scene, placeAt({a, 0, 0}, {0, 0, 1}, 3.5f * float(s)));
+        const float open = openAt(scene, pointAt({a, 0, 0}, {0, 0, 1}, 3.5f * float(s)));
         const double expected = 1 - 0.5 * (1 - a / std::sqrt(a * a + H * H));
         QVERIFY2(std::abs(open - expected) < 0.015, qPrintable(QString("%1: %2, %3").arg(a).arg(open).arg(expected)));
     }
 }
 
 void BlockingTest::theGroundHoldsLightOff() {
-    // A place of a small ball that looks down sees nothing but the ground; one that looks level sees half of it.
+    // A point of a small ball that looks down sees nothing but the ground; one that looks level sees half of it.
     Lighting lighting = farSky();
     lighting.ground = true;
     const LightScene scene(shapes::surfaceOf(shapes::sphere(3000, 0.2, 0.1)), lighting, scenes::viewer());
     QVERIFY(scene.ground.has_value());
-    QVERIFY(openAt(scene, placeAt({0, -0.2, 0}, {0, -1, 0}, 0.1f)) < 1e-3f);
-    QVERIFY(std::abs(openAt(scene, placeAt({0.2, 0, 0}, {1, 0, 0}, 0.1f)) - 0.5f) <
+    QVERIFY(openAt(scene, pointAt({0, -0.2, 0}, {0, -1, 0}, 0.1f)) < 1e-3f);
+    QVERIFY(std::abs(openAt(scene, pointAt({0.2, 0, 0}, {1, 0, 0}, 0.1f)) - 0.5f) <
             0.03f); // what is far holds off none
-    QVERIFY(openAt(scene, placeAt({0, 0.2, 0}, {0, 1, 0}, 0.1f)) > 1 - 1e-3f);
+    QVERIFY(openAt(scene, pointAt({0, 0.2, 0}, {0, 1, 0}, 0.1f)) > 1 - 1e-3f);
 }
 
 void BlockingTest::anyHitAgreesWithFirstHit() {
-    // From places of the surface, as shadows ask; and from anywhere.
+    // From points of the surface, as shadows ask; and from anywhere.
     base::Random random(test::seed());
     const LightScene scene(shapes::surfaceOf(shapes::torus(0.7, 0.3, 0.03, 0.1)), {}, scenes::viewer());
     std::vector<base::Rayf> rays;
     const surfel::SurfelList list = scene.surface.tree().surfels();
     for (int k = 0; k < test::effort(4000); ++k) {
         const surfel::Surfel& s = list.items[random.below(list.items.size())];
-        const Place place = placeAt(base::cast<double>(s.position), base::cast<double>(s.normal), s.support);
+        const LightPoint point = pointAt(base::cast<double>(s.position), base::cast<double>(s.normal), s.support);
         Vec3f d = base::cast<float>(random.unitVector());
         d = dot(d, s.normal) < 0 ? -d : d;
         if (dot(d, s.normal) > 0.02f)
-            rays.push_back({startBeside(place, place.n), d});
+            rays.push_back({secondaryOrigin(point, point.n), d});
         const Vec3f from = base::cast<float>(random.unitVector() * 1.5);
         rays.push_back(
             {from, base::cast<float>(normalized(base::cast<double>(s.position - from) + random.unitVector() * 0.5))});
@@ -197,10 +197,10 @@ void BlockingTest::aSheetCloseByIsNotLeapt() {
     base::Random random(test::seed());
     std::vector<base::Rayf> rays;
     for (int k = 0; k < test::effort(800); ++k) {
-        const Place place = placeAt({random.uniform(-1, 1), random.uniform(-1, 1), 0}, {0, 0, 1}, float(h));
+        const LightPoint point = pointAt({random.uniform(-1, 1), random.uniform(-1, 1), 0}, {0, 0, 1}, float(h));
         Vec3d d = random.unitVector();
         d.z = std::abs(d.z) + 0.15;
-        rays.push_back({startBeside(place, place.n), base::cast<float>(normalized(d))});
+        rays.push_back({secondaryOrigin(point, point.n), base::cast<float>(normalized(d))});
     }
     std::vector<std::uint8_t> any(rays.size());
     surface::intersectAny(model, rays, {}, any);
@@ -221,17 +221,17 @@ void BlockingTest::whatIsCutAwayCastsNoShadow() {
 }
 
 void BlockingTest::neighboursShareAllDirections() {
-    // Any 4 x 4 pixels of an image, and any eight places in a row that are no neighbours, look into the same set.
-    const auto directions = [](const Looks& looks, std::span<const std::size_t> places) {
+    // Any 4 x 4 pixels of an image, and any eight points in a row that are no neighbours, look into the same set.
+    const auto directions = [](const RayPatterns& patterns, std::span<const std::size_t> points) {
         std::set<std::pair<float, float>> out;
-        for (const std::size_t i : places)
-            for (int j = 0; j < 3 * looks.factor; ++j) {
-                const UnitPlace place = unitPlace(looks.pattern[i], j, 3 * looks.factor);
-                out.insert({place.u, place.v});
+        for (const std::size_t i : points)
+            for (int j = 0; j < 3 * patterns.factor; ++j) {
+                const UnitSquarePoint point = unitSquarePoint(patterns.pattern[i], j, 3 * patterns.factor);
+                out.insert({point.u, point.v});
             }
         return out;
     };
-    const Looks image = looksOf({{}, {}, 21}, 0, 21 * 9), apart = looksOf({{}, {}, 0}, 64, 32);
+    const RayPatterns image = rayPatternsOf({{}, {}, 21}, 0, 21 * 9), apart = rayPatternsOf({{}, {}, 0}, 64, 32);
     std::set<std::pair<float, float>> all;
     for (const std::size_t corner : {0u, 5u, 21u * 3 + 10, 21u * 5 + 17}) {
         std::vector<std::size_t> square, row;
@@ -258,12 +258,12 @@ void BlockingTest::placesBesideTheSurfaceAreMovedOntoIt() {
         sample.hit.position = base::cast<float>(d * (1 + 0.2 * spacing * random.uniform(-1, 1)));
         sample.hit.normal = sample.hit.outward = base::cast<float>(d);
     }
-    std::vector<Place> places(samples.size());
-    findPlaces(scene, {samples, [](std::size_t) { return base::Rayd{}; }}, 0, places);
-    for (const Place& place : places) {
-        QVERIFY(std::abs(scene.surface.evaluate(place.x).value) < 2e-4f * place.unit);
-        const surface::Evaluationf at = scene.surface.evaluate(startBeside(place, place.n));
-        QVERIFY2(at.value > 0 && at.value < 1e-3f * place.unit, "a start is not beside the surface");
+    std::vector<LightPoint> points(samples.size());
+    findLightPoints(scene, {samples, [](std::size_t) { return base::Rayd{}; }}, 0, points);
+    for (const LightPoint& point : points) {
+        QVERIFY(std::abs(scene.surface.evaluate(point.x).value) < 2e-4f * point.unit);
+        const surface::Evaluationf at = scene.surface.evaluate(secondaryOrigin(point, point.n));
+        QVERIFY2(at.value > 0 && at.value < 1e-3f * point.unit, "a start is not beside the surface");
     }
 }
 

@@ -2,7 +2,7 @@
 #include "core/raycast/illuminate.h"
 
 #include "core/base/parallel.h"
-#include "core/raycast/even_out.h"
+#include "core/raycast/edge_aware_filter.h"
 #include "light_scenes.h"
 #include "raycast_views.h"
 #include "support/registry.h"
@@ -119,19 +119,19 @@ void IlluminateTest::aFacingPlaceGetsTheLampsPower() {
 
 void IlluminateTest::evenOutKeepsWhatDoesNotBelongTogether() {
     constexpr int side = 16;
-    std::vector<Place> places(side * side);
-    std::vector<float> flat(places.size(), 0.7f), halves(places.size()), pattern(places.size());
+    std::vector<LightPoint> points(side * side);
+    std::vector<float> flat(points.size(), 0.7f), halves(points.size()), pattern(points.size());
     for (int y = 0; y < side; ++y)
         for (int x = 0; x < side; ++x) {
             const auto i = static_cast<std::size_t>(y * side + x);
             const bool near = x < side / 2; // a step in depth between the halves
-            places[i] = scenes::placeAt({0.01 * x, 0.01 * y, near ? 1.0 : 0.0}, {0, 0, 1}, 0.1f);
+            points[i] = scenes::pointAt({0.01 * x, 0.01 * y, near ? 1.0 : 0.0}, {0, 0, 1}, 0.1f);
             halves[i] = near ? 0.25f : 1;
             pattern[i] = static_cast<float>(y % 4 * 4 + x % 4) / 15;
         }
-    evenOut(places, side, flat);
-    evenOut(places, side, halves);
-    evenOut(places, side, pattern);
+    edgeAwareFilter(points, side, flat);
+    edgeAwareFilter(points, side, halves);
+    edgeAwareFilter(points, side, pattern);
     for (int y = 2; y < side - 2; ++y)
         for (const int x : {0, 5, 7, 8, 12}) {
             const auto i = static_cast<std::size_t>(y * side + x);
@@ -140,7 +140,7 @@ void IlluminateTest::evenOutKeepsWhatDoesNotBelongTogether() {
                 QVERIFY(std::abs(pattern[i] - 0.5f) < 1e-5f); // all sixteen have the same say
         }
     auto alone = pattern;
-    evenOut(places, 0, alone);
+    edgeAwareFilter(points, 0, alone);
     QVERIFY(alone == pattern);
 }
 

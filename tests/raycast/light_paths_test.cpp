@@ -67,9 +67,9 @@ void LightPathsTest::aGlassBallTurnsRaysByTwiceTheDifferenceOfAngles() {
         const auto in = intersect(ball(), {{0, static_cast<float>(b), 3}, d});
         QVERIFY(in.hit);
         const auto inside = refracted(d, in.normal, 1 / 1.5f);
-        Place at;
+        LightPoint at;
         at.x = in.position, at.unit = in.unit;
-        const auto out = intersect(ball(), {startBeside(at, -in.normal), *inside});
+        const auto out = intersect(ball(), {secondaryOrigin(at, -in.normal), *inside});
         QVERIFY(out.hit && dot(out.outward, *inside) > 0);
         const auto gone = refracted(*inside, out.normal, 1.5f);
         QVERIFY(gone);

@@ -8,8 +8,8 @@ namespace scenes {
 
 using base::Vec3d;
 using base::Vec3f;
+using raycast::LightPoint;
 using raycast::LightScene;
-using raycast::Place;
 
 inline raycast::Lighting lightingOf(raycast::Material material = raycast::Material::Matcap) {
     raycast::Lighting out;
@@ -24,21 +24,21 @@ inline raycast::Viewer viewer() {
     return out;
 }
 
-inline Place placeAt(const Vec3d& x, const Vec3d& n, float unit) {
-    Place out;
+inline LightPoint pointAt(const Vec3d& x, const Vec3d& n, float unit) {
+    LightPoint out;
     out.x = base::cast<float>(x), out.n = base::cast<float>(n), out.unit = unit;
     out.seen = raycast::Seen::Model;
     return out;
 }
 
 /// Places of the surface where rays meet it first.
-inline std::vector<Place> met(const LightScene& scene, std::span<const base::Rayd> rays) {
+inline std::vector<LightPoint> met(const LightScene& scene, std::span<const base::Rayd> rays) {
     std::vector<raycast::Sample> samples(rays.size());
     for (std::size_t i = 0; i < rays.size(); ++i)
         samples[i].hit =
             intersect(scene.surface, {base::cast<float>(rays[i].origin), base::cast<float>(rays[i].direction)});
-    std::vector<Place> out(rays.size());
-    findPlaces(scene, {samples, [&](std::size_t i) { return rays[i]; }}, 0, out);
+    std::vector<LightPoint> out(rays.size());
+    findLightPoints(scene, {samples, [&](std::size_t i) { return rays[i]; }}, 0, out);
     return out;
 }
 

@@ -1,4 +1,5 @@
-// Where light is asked about: places of the surface, and of the ground below it, that the pixels of a picture show.
+// Where light is asked about (raycast/README 4.1): points of the surface, and of the ground below it, that the pixels
+// of a picture show.
 #pragma once
 
 #include "core/raycast/environment.h"
@@ -11,24 +12,24 @@ namespace raycast {
 
 enum class Seen : std::uint8_t { Nothing, Model, Ground };
 
-struct Place {
+struct LightPoint {
     base::Vec3f x;
     base::Vec3f n;  ///< unit, facing against the ray
-    float fade = 1; ///< of the ground, which ends nowhere
+    float fade = 1; ///< of the ground, which has no edge
     float unit = 0; ///< h
     Seen seen = Seen::Nothing;
     bool back = false; ///< the side that outward normals do not point to
 };
 
-/// What light may be asked about: samples with their rays. `width` is that of the image whose pixels they are, row by
-/// row; 0: they are no neighbours.
+/// Samples with their rays. `width` is that of the image whose pixels they are, row by row; 0 where they are not
+/// neighbours.
 struct SeenSamples {
     std::span<const Sample> samples;
     std::function<base::Rayd(std::size_t)> ray;
     int width = 0;
 };
 
-/// Of an image, all its pixels. REQUIRES: `rays` outlive it.
+/// All pixels of an image. REQUIRES: `rays` outlive it.
 inline SeenSamples seenThrough(const ImageRays& rays, std::span<const Sample> samples) {
     const auto ray = [&rays](std::size_t i) {
         return rays.ray(static_cast<int>(i) % rays.width, static_cast<int>(i) / rays.width);
@@ -36,7 +37,7 @@ inline SeenSamples seenThrough(const ImageRays& rays, std::span<const Sample> sa
     return {samples, ray, rays.width};
 }
 
-/// All that light meets: the model, the ground, planes that cut.
+/// All that light can meet: the model, the ground, planes that cut.
 struct LightScene {
     /// REQUIRES: `clips` outlive it.
     LightScene(const surface::Surface& surface, const Lighting& lighting, const Viewer& viewer,
@@ -52,12 +53,12 @@ struct LightScene {
     base::Vec3f middle;                ///< of the model, on the ground
 };
 
-/// Places of samples. Interpolated ones may lie off the surface by a fifth of a spacing: all are moved onto it along
-/// the gradient, so that rays from them start where the surface is. In parallel.
-void findPlaces(const LightScene& scene, const SeenSamples& seen, std::size_t begin, std::span<Place> out);
+/// The points of samples begin, begin + 1, ... Interpolated samples may lie off the surface by a fifth of a spacing;
+/// all are moved onto it along the gradient, so that rays from them start where the surface is. In parallel.
+void findLightPoints(const LightScene& scene, const SeenSamples& seen, std::size_t begin, std::span<LightPoint> out);
 
-/// Where a ray begins that leaves a place to the side that n points to: off the surface by twice `secondaryEpsilon`
-/// spacings, so that f there has that side's sign.
-base::Vec3f startBeside(const Place& place, const base::Vec3f& n);
+/// Where a ray starts that leaves a point to the side that n points to: off the surface by twice `secondaryEpsilon`
+/// spacings, so that f has the sign of that side there.
+base::Vec3f secondaryOrigin(const LightPoint& point, const base::Vec3f& n);
 
 } // namespace raycast

@@ -1,4 +1,4 @@
-#include "core/raycast/places.h"
+#include "core/raycast/light_points.h"
 
 #include "core/base/parallel.h"
 
@@ -31,7 +31,7 @@ LightScene::LightScene(const surface::Surface& surface_, const Lighting& lightin
 /// The ground fades between these distances from the middle, in diagonals.
 constexpr float groundFrom = 1.1f, groundTo = 2.6f;
 
-static bool meetGround(const LightScene& scene, const base::Rayd& ray, Place& out) {
+static bool meetGround(const LightScene& scene, const base::Rayd& ray, LightPoint& out) {
     const double height = scene.ground->distance(ray.origin), fall = -dot(scene.ground->normal, ray.direction);
     if (!(height > 0 && fall > 0))
         return false;
@@ -45,44 +45,44 @@ static bool meetGround(const LightScene& scene, const base::Rayd& ray, Place& ou
     return out.fade > 0;
 }
 
-/// Newton's steps along the gradient: what is left of a fifth of a spacing after two is far below any epsilon.
-static void settle(const surface::Surface& surface, Place& place) {
+/// Newton steps along the gradient: of a fifth of a spacing two of them leave far less than any epsilon.
+static void settle(const surface::Surface& surface, LightPoint& point) {
     constexpr int steps = 2;
     constexpr float enough = 1e-4f, most = 0.5f; // of h
     for (int k = 0; k < steps; ++k) {
-        const surface::Evaluationf at = surface.evaluate(place.x);
+        const surface::Evaluationf at = surface.evaluate(point.x);
         if (!at.ok() && at.status != surface::Status::BeyondBoundary)
             return;
-        place.unit = at.unit;
+        point.unit = at.unit;
         const float slopeSq = lengthSq(at.gradient);
         if (!(std::abs(at.value) > enough * at.unit) || !(slopeSq > 0.01f) || std::abs(at.value) > most * at.unit)
             return;
-        place.x -= at.gradient * (at.value / slopeSq);
+        point.x -= at.gradient * (at.value / slopeSq);
     }
 }
 
-void findPlaces(const LightScene& scene, const SeenSamples& seen, std::size_t begin, std::span<Place> out) {
+void findLightPoints(const LightScene& scene, const SeenSamples& seen, std::size_t begin, std::span<LightPoint> out) {
     base::parallelFor(out.size(), 256, [&](std::size_t k) {
         const std::size_t i = begin + k;
         const surface::RayHit<float>& hit = seen.samples[i].hit;
-        Place& place = out[k];
-        place = {};
+        LightPoint& point = out[k];
+        point = {};
         if (hit.hit) {
-            place.x = hit.position, place.n = hit.normal, place.unit = hit.unit;
-            place.seen = Seen::Model;
-            place.back = scene.oriented && dot(hit.normal, hit.outward) < 0;
-            settle(scene.surface, place);
+            point.x = hit.position, point.n = hit.normal, point.unit = hit.unit;
+            point.seen = Seen::Model;
+            point.back = scene.oriented && dot(hit.normal, hit.outward) < 0;
+            settle(scene.surface, point);
         } else if (scene.ground) {
-            meetGround(scene, seen.ray(i), place);
+            meetGround(scene, seen.ray(i), point);
         }
     });
 }
 
-Vec3f startBeside(const Place& place, const Vec3f& n) {
+Vec3f secondaryOrigin(const LightPoint& point, const Vec3f& n) {
     constexpr float epsilon =
         2 * static_cast<float>(surface::secondaryEpsilon) * static_cast<float>(surface::spacingOfUnit);
-    const float rounding = 4e-7f * length(place.x);
-    return place.x + n * std::max(epsilon * place.unit, rounding);
+    const float rounding = 4e-7f * length(point.x);
+    return point.x + n * std::max(epsilon * point.unit, rounding);
 }
 
 } // namespace raycast
