@@ -110,7 +110,7 @@ std::span<const WhatRow> whatTable() {
          Need::Hessian,
          [](CsvWriter& out, const Answer& a, const Vec3d&) { out.vector(vectorOf(a, a.curvatureVector)); },
          Asks::Curve},
-        {"project-basic", foot, "a point of the surface near by", Projector::Basic, Need::Value, writeFoot},
+        {"project-basic", foot, "a nearby point of the surface", Projector::Basic, Need::Value, writeFoot},
         {"project-almost", foot, "a point of the surface along its plane's normal", Projector::Almost, Need::Value,
          writeFoot},
         {"project-orthogonal", foot, "a closest point of the surface", Projector::Orthogonal, Need::Value, writeFoot},

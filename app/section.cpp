@@ -52,7 +52,7 @@ void run(const Options& options, Console& console) {
 Action addSection(CLI::App& command) {
     auto options = std::make_shared<Options>();
     command.add_option("MODEL", options->model, modelHelp)->required();
-    command.add_option("--plane", options->plane, "all places where nx*x + ny*y + nz*z = d, in model units")
+    command.add_option("--plane", options->plane, "the points where nx*x + ny*y + nz*z = d, in model units")
         ->type_name("nx,ny,nz,d")
         ->check(CLI::Validator(planeFault, ""))
         ->required();

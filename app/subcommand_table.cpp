@@ -4,24 +4,24 @@ namespace app {
 
 std::span<const SubcommandRow> subcommandTable() {
     static constexpr SubcommandRow rows[] = {
-        {"info", "Tell what is in a model", "pointclay info bunny.ply --json", addInfo},
+        {"info", "Show what a model contains", "pointclay info bunny.ply --json", addInfo},
         {"convert", "Write a model in another format", "pointclay convert scan.xyz scan.ply", addConvert},
         {"query", "Evaluate, differentiate and project at positions, into a CSV file",
          "pointclay query bunny.ply --at points.xyz --what value,normal,project-orthogonal -o out.csv", addQuery},
-        {"intersect", "Meet rays with the surface, into a CSV file",
+        {"intersect", "Intersect rays with the surface, into a CSV file",
          "pointclay intersect bunny.ply --rays rays.csv -o hits.csv", addIntersect},
         {"boundary", "Trace the boundary of an open surface, into a CSV or OBJ file",
          "pointclay boundary sample:moebius -o rims.obj", addBoundary},
-        {"section", "Trace where a plane cuts the surface, into a CSV or OBJ file",
+        {"section", "Trace the curves where a plane cuts the surface, into a CSV or OBJ file",
          "pointclay section bunny.ply --plane 0,1,0,0.1 -o section.obj", addSection},
-        {"mesh", "Turn the surface into triangles, in a mesh file",
+        {"mesh", "Triangulate the surface, into a mesh file",
          "pointclay mesh bunny.ply -o bunny.stl --method delaunay --check", addMesh},
         {"render", "Draw a model into an image file, without a window",
          "pointclay render bunny.ply -o bunny.png --size 800x600 --mode raycast", addRender},
         {"run", "Execute a session file", "pointclay run session.jsonl --model bunny.ply -o out.ply", addRun},
-        {"recover", "Bring back the model of a journal that a crash has left",
+        {"recover", "Restore the model from the journal that a crash left behind",
          "pointclay recover ~/.local/state/pointclay/journal-4711.jsonl -o rescued.ply", addRecover},
-        {"bench", "Measure how fast this machine is, with the naive way beside each workload",
+        {"bench", "Measure how fast this machine is, each workload beside a naive baseline",
          "pointclay bench evaluate rays-camera --threads 1 --json out.json", addBench},
     };
     return rows;

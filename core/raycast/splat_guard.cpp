@@ -246,14 +246,6 @@ float SplatGuard::nearest(Pixel p, int size) const {
                             static_cast<std::size_t>(column)];
 }
 
-bool SplatGuard::anyReached(Pixel p, int size) const {
-    for (int row = p.row; row < std::min(p.row + size, m_rows); row += m_tile)
-        for (int column = p.column; column < std::min(p.column + size, m_columns); column += m_tile)
-            if (reached({column, row}))
-                return true;
-    return false;
-}
-
 bool SplatGuard::allReached(Pixel p, int size) const {
     for (int row = p.row; row < std::min(p.row + size, m_rows); row += m_tile)
         for (int column = p.column; column < std::min(p.column + size, m_columns); column += m_tile)

@@ -21,9 +21,8 @@ class SplatGuard {
     double spacingPx() const { return m_spacingPx; }
     /// May the ray of this pixel hit the surface?
     bool reached(Pixel p) const { return m_reached[tileIndex(p)] != 0; }
-    /// May some ray of the pixels [column, column + size) x [row, row + size), or every one? Size and pixel are
-    /// multiples of a power of two up to 32.
-    bool anyReached(Pixel p, int size) const;
+    /// May every ray of the pixels [column, column + size) x [row, row + size)? Size and pixel are multiples of a power
+    /// of two up to 32.
     bool allReached(Pixel p, int size) const;
     /// Does a disc cover a pixel of the square?
     bool anyDisc(Pixel p, int size) const { return nearest(p, size) < none; }

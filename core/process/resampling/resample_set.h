@@ -72,7 +72,6 @@ struct SampleSet {
     bool is(std::size_t i, unsigned flag) const { return (flags[i] & flag) != 0; }
     void mark(std::size_t i, unsigned flag) { flags[i] = static_cast<std::uint8_t>(flags[i] | flag); }
     void unmark(std::size_t i, unsigned flag) { flags[i] = static_cast<std::uint8_t>(flags[i] & ~flag); }
-    base::Vec3f oldPosition(std::size_t i) const { return block[source[i].block]->position(source[i].slot); }
     /// May it move or vanish?
     bool free(std::size_t i) const { return is(i, Touched) && !is(i, Masked); }
 
