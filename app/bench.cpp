@@ -86,14 +86,20 @@ ordered_json jsonOf(const std::optional<bench::Latency>& latency) {
             {"max", 1e3 * latency->max}};
 }
 
+/// Ours over the baseline, where both do the same work.
+std::string ratioOf(const Workload& workload, const Measurement& found) {
+    return found.baseline && workload.sameWork ? shortNumber(found.ours.perSecond() / found.baseline->perSecond())
+                                               : "-";
+}
+
 std::string rowOf(const Workload& workload, std::size_t points, const Measurement& found) {
-    const double ours = found.ours.perSecond(), baseline = found.baseline ? found.baseline->perSecond() : 0;
     char text[320];
-    std::snprintf(text, sizeof text, "%-24s %9s %7d %10s %12s %8s %26s  %s", workload.name.c_str(),
-                  shortNumber(static_cast<double>(points)).c_str(), base::threadCount(), shortNumber(ours).c_str(),
-                  found.baseline ? shortNumber(baseline).c_str() : "-",
-                  found.baseline ? shortNumber(ours / baseline).c_str() : "-", milliseconds(found.latency).c_str(),
-                  workload.item.c_str());
+    std::snprintf(text, sizeof text, "%-24s %9s %7d %10s %12s %8s %26s  %s%s%s", workload.name.c_str(),
+                  shortNumber(static_cast<double>(points)).c_str(), base::threadCount(),
+                  shortNumber(found.ours.perSecond()).c_str(),
+                  found.baseline ? shortNumber(found.baseline->perSecond()).c_str() : "-",
+                  ratioOf(workload, found).c_str(), milliseconds(found.latency).c_str(), workload.item.c_str(),
+                  found.remark.empty() ? "" : ", ", found.remark.c_str());
     return text;
 }
 
@@ -107,9 +113,12 @@ ordered_json jsonOf(const Workload& workload, std::size_t points, const Measurem
                      {"baseline", nullptr},
                      {"baseline_items_per_second", nullptr},
                      {"ms", jsonOf(found.latency)},
-                     {"baseline_ms", jsonOf(found.baselineLatency)}};
+                     {"baseline_ms", jsonOf(found.baselineLatency)},
+                     {"same_work", nullptr},
+                     {"remark", found.remark}};
     if (found.baseline) {
         out["baseline"] = workload.baseline;
+        out["same_work"] = workload.sameWork;
         out["baseline_items_per_second"] = found.baseline->perSecond();
     }
     return out;
@@ -145,12 +154,17 @@ const char* article(const std::string& noun) {
     return std::string("aeiou").find(noun.front()) == std::string::npos ? "a " : "an ";
 }
 
+std::string baselineHelp(const Workload& workload) {
+    return workload.baseline.empty() ? "none" : (workload.sameWork ? "" : "other work, ") + workload.baseline;
+}
+
 std::string namesHelp() {
     std::string out = "what to measure; all without names. An item is";
     for (const Workload& workload : bench::workloadTable())
         out += "\n  " + workload.name + ": " + article(workload.item) + workload.item + ", " + workload.tip +
-               "; baseline: " + (workload.baseline.empty() ? "none" : workload.baseline);
-    return out + "\n  Baselines run in one thread. What somebody waits for has the milliseconds of single runs beside "
+               "; baseline: " + baselineHelp(workload);
+    return out + "\n  Baselines run in one thread; those that do other work have no ratio. What somebody waits for has "
+                 "the milliseconds of single runs beside "
                  "the rate.";
 }
 

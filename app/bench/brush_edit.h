@@ -1,4 +1,4 @@
-// Edits at a brush: the surfels nearest to a place go, as many others come (BUDGETS P7).
+// Edits at a brush: the surfels nearest to a place go, as many others come.
 #pragma once
 
 #include "app/bench/scene.h"

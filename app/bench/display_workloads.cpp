@@ -96,11 +96,11 @@ Run uploading(Scene& scene, bool whole) {
 std::vector<Workload> displayWorkloads() {
     return {
         {"splat-cpu-edit", "surfel", "redraws what an edit of 20k surfels can touch of a frame",
-         "the whole frame by the same renderer", [](Scene& scene) { return redrawing(scene, false); },
+         "ours: the whole frame", [](Scene& scene) { return redrawing(scene, false); },
          [](Scene& scene) { return redrawing(scene, true); }, true},
-        {"splat-osmesa-upload", "surfel", "hands an edit of 20k surfels over to OpenGL", "the whole model handed over",
-         [](Scene& scene) { return uploading(scene, false); }, [](Scene& scene) { return uploading(scene, true); },
-         true},
+        {"splat-osmesa-upload", "surfel", "hands an edit of 20k surfels over to OpenGL",
+         "ours: the whole model handed over", [](Scene& scene) { return uploading(scene, false); },
+         [](Scene& scene) { return uploading(scene, true); }, true},
     };
 }
 

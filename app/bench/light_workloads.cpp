@@ -1,4 +1,4 @@
-// Rays that light asks for: any hit on the way to a lamp, or nearby (BUDGETS P3).
+// Rays that light asks for: any hit on the way to a lamp, or nearby.
 #include "app/bench/batches.h"
 #include "app/bench/workload.h"
 #include "core/raycast/blocking.h"
@@ -62,7 +62,7 @@ Workload asking(const char* name, const char* tip, Ask ask) {
     return {name,
             "ray",
             tip,
-            "first hits of the same rays",
+            "ours: first hits of the same rays",
             [=](Scene& scene) {
                 return casting<std::uint8_t>(scene, ask, [](const auto&... x) { surface::intersectAny(x...); });
             },

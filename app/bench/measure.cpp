@@ -7,7 +7,7 @@ namespace bench {
 
 namespace {
 
-constexpr std::size_t wantedRepetitions = 9, leastRepetitions = 3;
+constexpr std::size_t wantedRepetitions = 9;
 
 using Clock = std::chrono::steady_clock;
 
@@ -38,38 +38,53 @@ Rate median(std::vector<Rate> rates) {
     return rates[rates.size() / 2];
 }
 
+/// One of the two sides of a measurement.
+struct Side {
+    Run run;
+    std::vector<Rate> rates;
+    std::vector<double> times;
+    double spent = 0;
+
+    void repeat(double seconds) {
+        rates.push_back(repetition(run, seconds, times));
+        spent += rates.back().seconds;
+    }
+    /// What it measured is dropped, unless it took all the time.
+    void warmUp(double slice, double seconds) {
+        repeat(0.5 * slice);
+        if (spent < seconds)
+            rates.clear(), times.clear(), spent = 0;
+    }
+};
+
 } // namespace
 
 Measurement measure(const Workload& workload, Scene& scene, double seconds, const base::Progress& progress) {
     const auto step = [&](double done) { progress.step(done, workload.name); };
     step(0);
-    std::vector<Run> runs{workload.ours(scene)};
+    std::vector<Side> sides{{workload.ours(scene), {}, {}}};
     step(0);
     if (workload.naive)
         if (Run naive = workload.naive(scene))
-            runs.push_back(std::move(naive));
+            sides.push_back({std::move(naive), {}, {}});
     const double slice = seconds / static_cast<double>(wantedRepetitions);
-    std::vector<std::vector<Rate>> rates(runs.size());
-    std::vector<std::vector<double>> times(runs.size());
-    for (std::size_t i = 0; i < runs.size(); ++i) {
+    for (Side& side : sides) {
         step(0);
-        repetition(runs[i], 0.5 * slice, times[i]); // warms up
-        times[i].clear();
+        side.warmUp(slice, seconds);
     }
-    const auto start = Clock::now();
-    const double wanted = seconds * static_cast<double>(runs.size());
-    for (std::size_t k = 0; k < wantedRepetitions && (k < leastRepetitions || secondsSince(start) < wanted); ++k)
-        for (std::size_t i = 0; i < runs.size(); ++i) {
-            step(std::min(1.0, secondsSince(start) / wanted));
-            rates[i].push_back(repetition(runs[i], slice, times[i]));
+    for (std::size_t k = 0; k < wantedRepetitions; ++k)
+        for (Side& side : sides) {
+            step(static_cast<double>(k) / wantedRepetitions);
+            if (side.rates.empty() || side.spent + slice <= 1.001 * seconds)
+                side.repeat(slice);
         }
-    Measurement out{median(rates[0]), {}, {}, {}};
+    Measurement out{median(sides[0].rates), {}, {}, {}, sides[0].run.remark()};
     if (workload.awaited)
-        out.latency = latencyOf(times[0]);
-    if (rates.size() > 1) {
-        out.baseline = median(rates[1]);
+        out.latency = latencyOf(sides[0].times);
+    if (sides.size() > 1) {
+        out.baseline = median(sides[1].rates);
         if (workload.awaited)
-            out.baselineLatency = latencyOf(times[1]);
+            out.baselineLatency = latencyOf(sides[1].times);
     }
     return out;
 }

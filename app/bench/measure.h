@@ -1,6 +1,6 @@
 // Items per second of a workload and of its baseline, side by side: after a warm-up both are repeated in turns, so that
-// whatever slows the machine down slows both, and the median repetition of each counts. Where runs are waited for, each
-// is timed as well.
+// whatever slows the machine down slows both, and the median repetition of each counts. Where a single run takes all
+// the time there is, it is the measurement. Where runs are waited for, each is timed as well.
 #pragma once
 
 #include "app/bench/workload.h"
@@ -25,9 +25,10 @@ struct Measurement {
     Rate ours;
     std::optional<Rate> baseline;
     std::optional<Latency> latency, baselineLatency; ///< where the workload is awaited
+    std::string remark;                              ///< of ours; empty for none
 };
 
-/// Takes about `seconds` for each of the two, longer where three repetitions do. Throws base::Cancelled, base::Error.
+/// Takes about `seconds` for each of the two, and one run more at most. Throws base::Cancelled, base::Error.
 Measurement measure(const Workload& workload, Scene& scene, double seconds, const base::Progress& progress = {});
 
 } // namespace bench

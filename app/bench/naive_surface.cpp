@@ -1,7 +1,7 @@
 #include "app/bench/naive_surface.h"
 
+#include "app/bench/naive_cloud.h"
 #include "app/bench/naive_jet.h"
-#include "app/bench/naive_points.h"
 
 namespace bench {
 
@@ -9,30 +9,6 @@ using base::Vec3d;
 using base::Vec3f;
 using surface::Need;
 using surface::Projector;
-
-struct NaiveSurface::Index {
-    surfel::SurfelList surfels;
-    NaivePoints points;
-    NaiveStaticIndex tree;
-    float reach; ///< largest support
-    double mu;
-    base::Box3d box;
-    mutable NaiveFound found; ///< of one thread
-
-    explicit Index(const surface::Surface& surface)
-        : surfels(surface.tree().surfels()), points(surfels.items), tree(3, points, {naiveLeaf}),
-          reach(surface.tree().maxSupport()), mu(static_cast<double>(surface.definition().mu())) {
-        const base::Box3f bounds = surface.tree().bounds().inflated(reach);
-        box = {base::cast<double>(bounds.lo), base::cast<double>(bounds.hi)};
-    }
-    /// Distance to the nearest point.
-    double clearance(const Vec3f& x) const {
-        std::uint32_t nearest = 0;
-        float distanceSq = 0;
-        tree.knnSearch(&x.x, 1, &nearest, &distanceSq);
-        return std::sqrt(static_cast<double>(distanceSq));
-    }
-};
 
 namespace {
 
@@ -65,6 +41,7 @@ template <int O>
 struct Sums {
     NaiveJet<O> one, height;      ///< sum theta, sum theta n.(x-p)
     NaiveJet<O> offset[3], up[3]; ///< sum theta (x-p), sum theta n
+    double support = 0;           ///< sum theta h
 
     void add(const surfel::Surfel& s, const Vec3d& x, double scale) {
         const Eigen::Vector3d q = Eigen::Vector3d(x.x, x.y, x.z) - eigenOf(s.position), n = eigenOf(s.normal);
@@ -73,6 +50,7 @@ struct Sums {
             return;
         const NaiveJet<O> theta = weight<O>(q, distance, h);
         one += theta;
+        support += theta.v * h;
         height.add(theta, n.dot(q));
         for (int k = 0; k < 3; ++k) {
             offset[k].add(theta, q[k]);
@@ -106,6 +84,7 @@ NaiveEvaluation finished(Sums<O>& sums, const Vec3d& x, double mu) {
     f.add(sums.height * perWeight, mu);
     out.valid = true;
     out.value = f.v;
+    out.unit = sums.support * perWeight.v;
     out.centroid = x - Vec3d{sums.offset[0].v, sums.offset[1].v, sums.offset[2].v} * perWeight.v;
     out.normal = Vec3d{sums.up[0].v, sums.up[1].v, sums.up[2].v} * perLength.v;
     if constexpr (O >= 1)
@@ -119,7 +98,9 @@ NaiveEvaluation finished(Sums<O>& sums, const Vec3d& x, double mu) {
 
 } // namespace
 
-NaiveSurface::NaiveSurface(const surface::Surface& surface) : m_index(std::make_unique<Index>(surface)) {}
+NaiveSurface::NaiveSurface(const surface::Surface& surface)
+    : m_cloud(std::make_unique<NaiveCloud>(surface.tree().surfels().items)),
+      m_mu(static_cast<double>(surface.definition().mu())) {}
 NaiveSurface::~NaiveSurface() = default;
 
 bool NaiveSurface::speaks(const surface::Surface& surface) {
@@ -130,18 +111,15 @@ bool NaiveSurface::speaks(const surface::Surface& surface) {
 
 NaiveEvaluation NaiveSurface::evaluate(const Vec3d& x, Need need, double scale) const {
     const auto answer = [&]<int O>(Sums<O> sums) {
-        const float radius = static_cast<float>(scale) * m_index->reach;
-        naiveSearch(m_index->tree, base::cast<float>(x), radius * 1.00001f, m_index->found);
-        for (const auto& [i, distanceSq] : m_index->found)
-            sums.add(m_index->surfels.items[i], x, scale);
-        return finished(sums, x, m_index->mu);
+        m_cloud->forSupports(base::cast<float>(x), static_cast<float>(scale),
+                             [&](const surfel::Surfel& s) { sums.add(s, x, scale); });
+        return finished(sums, x, m_mu);
     };
     return need == Need::Value ? answer(Sums<0>()) : need == Need::Gradient ? answer(Sums<1>()) : answer(Sums<2>());
 }
 
 bool NaiveSurface::project(const Vec3d& x, Projector projector, double tolerance, Vec3d& foot) const {
     const bool orthogonal = projector == Projector::Orthogonal;
-    const double step = tolerance * static_cast<double>(m_index->reach);
     foot = x;
     for (int i = 0; i < 30; ++i) {
         const NaiveEvaluation at = evaluate(foot, orthogonal ? Need::Gradient : Need::Value);
@@ -152,28 +130,10 @@ bool NaiveSurface::project(const Vec3d& x, Projector projector, double tolerance
         const Vec3d next = from - n * ((at.value + dot(n, from - foot)) / dot(n, n));
         const double moved = distance(next, foot);
         foot = next;
-        if (moved <= step)
+        if (moved <= tolerance * at.unit)
             return true;
     }
     return false;
-}
-
-double NaiveSurface::intersect(const base::Rayd& ray) const {
-    const double h = static_cast<double>(m_index->reach);
-    const auto [begin, end] = base::clip(ray, m_index->box);
-    for (double t = begin; t <= end;) {
-        const Vec3d x = ray.at(t);
-        const NaiveEvaluation plane = evaluate(x, Need::Value);
-        if (!plane.valid) {
-            t += std::max(m_index->clearance(base::cast<float>(x)) - h, 0.5 * h);
-            continue;
-        }
-        const double slope = dot(plane.normal, ray.direction), value = std::abs(plane.value);
-        if (value < 1e-5 * h)
-            return t;
-        t += slope < -0.05 && value < 0.3 * h ? -plane.value / slope : std::max(0.85 * value, h / 14);
-    }
-    return std::numeric_limits<double>::infinity();
 }
 
 } // namespace bench

@@ -1,6 +1,6 @@
-// First hits of rays (BUDGETS P3).
+// First hits of rays.
 #include "app/bench/batches.h"
-#include "app/bench/naive_surface.h"
+#include "app/bench/naive_rays.h"
 #include "app/bench/workload.h"
 #include "core/surface/rays/intersect.h"
 
@@ -11,8 +11,6 @@ using base::Rayf;
 namespace {
 
 constexpr std::size_t batchSize = 16384, naiveBatch = 256;
-/// Naive rays are taken this far apart, so that some of them are like all of them.
-constexpr std::size_t stride = 40503;
 
 Run casting(Scene& scene, std::span<const Rayf> rays) {
     return [&surface = scene.surface(), batches = Batches<Rayf>(rays, batchSize),
@@ -26,19 +24,17 @@ Run casting(Scene& scene, std::span<const Rayf> rays) {
 Run naiveCasting(Scene& scene, std::span<const Rayf> rays) {
     if (!NaiveSurface::speaks(scene.surface()))
         return {};
-    return [&naive = scene.naive(), rays, at = std::size_t(0)]() mutable {
-        for (std::size_t i = 0; i < naiveBatch; ++i) {
-            at = (at + stride) % rays.size();
-            keep(naive.intersect({base::cast<double>(rays[at].origin), base::cast<double>(rays[at].direction)}));
-        }
-        return naiveBatch;
+    return [&naive = scene.naiveRays(), batches = Batches<Rayf>(rays, naiveBatch)]() mutable {
+        for (const Rayf& ray : batches.next())
+            keep(naive.intersect({base::cast<double>(ray.origin), base::cast<double>(ray.direction)}));
+        return batches.size();
     };
 }
 
 } // namespace
 
 std::vector<Workload> rayWorkloads() {
-    constexpr const char* naiveWay = "nanoflann, Eigen double, marching";
+    constexpr const char* naiveWay = "Embree oriented discs, Newton steps on nanoflann sums in Eigen double";
     return {
         {"rays-camera", "ray", "first hit of a view's rays, row by row", naiveWay,
          [](Scene& scene) { return casting(scene, scene.cameraRays()); },

@@ -1,6 +1,6 @@
 #include "app/bench/scene.h"
 
-#include "app/bench/naive_surface.h"
+#include "app/bench/naive_rays.h"
 #include "core/base/random.h"
 
 namespace bench {
@@ -122,6 +122,12 @@ const NaiveSurface& Scene::naive() {
     if (!m_naive)
         m_naive = std::make_unique<NaiveSurface>(m_surface);
     return *m_naive;
+}
+
+const NaiveRays& Scene::naiveRays() {
+    if (!m_naiveRays)
+        m_naiveRays = std::make_unique<NaiveRays>(naive());
+    return *m_naiveRays;
 }
 
 } // namespace bench

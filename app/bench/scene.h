@@ -9,6 +9,7 @@
 
 namespace bench {
 
+class NaiveRays;
 class NaiveSurface;
 
 struct SceneOptions {
@@ -20,7 +21,8 @@ struct SceneOptions {
 
 class Scene {
   public:
-    /// BUDGETS' cloud: a bumpy closed surface of about unit radius, evenly sampled, oriented, 20 neighbours in support.
+    /// The cloud of all figures: a bumpy closed surface of about unit radius, evenly sampled, oriented, 20 neighbours
+    /// in support.
     explicit Scene(const SceneOptions& options, const base::Progress& progress = {});
     /// A model's own points and supports, under the definition that the naive ways speak: summed normals, Wendland.
     explicit Scene(const surface::Surface& model);
@@ -41,8 +43,9 @@ class Scene {
     std::span<const base::Rayf> randomRays();
     /// Places on the model for brushes: surfels spread over it.
     std::vector<surfel::Surfel> places(std::size_t count);
-    /// nanoflann and Eigen over the same surfels.
+    /// nanoflann and Eigen over the same surfels; Embree with them.
     const NaiveSurface& naive();
+    const NaiveRays& naiveRays();
 
     base::Vec3d centre() const;
     /// Half the longest edge of the model's box.
@@ -54,6 +57,7 @@ class Scene {
     std::vector<base::Vec3f> m_coherent, m_scattered;
     std::vector<base::Rayf> m_camera, m_random;
     std::unique_ptr<NaiveSurface> m_naive;
+    std::unique_ptr<NaiveRays> m_naiveRays;
 };
 
 /// Points of the bumpy surface, in an order that hops all over it.

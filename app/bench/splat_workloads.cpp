@@ -1,4 +1,5 @@
-// Frames of splats at 1280 x 720 (BUDGETS P8), at rest and of a view that moves.
+// Frames of splats at 1280 x 720, at rest and of a view that moves.
+#include "app/bench/naive_splats.h"
 #include "app/bench/workload.h"
 #include "core/render/splats/detail_pacer.h"
 #include "core/render/splats/splat_kernels.h"
@@ -6,6 +7,7 @@
 #include "ui/gl/backends.h"
 
 #include <chrono>
+#include <cstdio>
 
 namespace bench {
 
@@ -40,7 +42,7 @@ Run drawing(Scene& scene, const char* backend) {
 /// window asks for.
 Run moving(Scene& scene, const char* backend) {
     auto state = std::make_shared<Drawing>(scene, backend);
-    return [&tree = scene.surface().tree(), state] {
+    const auto frame = [&tree = scene.surface().tree(), state] {
         constexpr double sine = 0.052336, cosine = 0.998630;
         const base::Vec3d back = state->camera.eye - state->camera.target;
         state->camera.eye = state->camera.target +
@@ -53,46 +55,26 @@ Run moving(Scene& scene, const char* backend) {
         keep(state->image);
         return tree.size();
     };
+    const auto detail = [state] {
+        char text[32];
+        std::snprintf(text, sizeof text, "detail %.1f px", static_cast<double>(state->pacer.moving()));
+        return std::string(text);
+    };
+    return {frame, detail};
 }
 
-/// Every surfel as a square of its splat's size, the nearest wins the pixel, lit by its own normal: no blending.
 Run naiveDrawing(Scene& scene) {
     struct State {
         std::vector<surfel::Surfel> surfels;
         render::Camera camera;
         render::Image image;
-        float radiusOfSupport;
     };
     auto state = std::make_shared<State>();
     state->surfels = scene.surface().tree().surfels().items;
     state->camera = view(scene);
-    state->radiusOfSupport = render::splatRadiusOfSupport * render::splatScaleOf(scene.surface().tree());
-    return [state] {
-        const render::Camera& camera = state->camera;
-        render::Image& image = state->image;
-        image.resize(camera.width, camera.height);
-        const base::Vec3d light = -camera.forward();
-        for (const surfel::Surfel& s : state->surfels) {
-            const base::Vec3d p = camera.project(base::cast<double>(s.position));
-            if (p.z <= 0)
-                continue;
-            const double half = static_cast<double>(state->radiusOfSupport * s.support) * camera.focalPx() / p.z;
-            const int x0 = std::max(0, static_cast<int>(p.x - half)), y0 = std::max(0, static_cast<int>(p.y - half));
-            const int x1 = std::min(camera.width - 1, static_cast<int>(p.x + half)),
-                      y1 = std::min(camera.height - 1, static_cast<int>(p.y + half));
-            const double lit = std::abs(dot(base::cast<double>(s.normal), light));
-            const auto grey = static_cast<unsigned>(255 * std::min(1.0, lit));
-            for (int y = y0; y <= y1; ++y)
-                for (int x = x0; x <= x1; ++x) {
-                    const auto i = static_cast<std::size_t>(y) * static_cast<std::size_t>(camera.width) +
-                                   static_cast<std::size_t>(x);
-                    if (static_cast<float>(p.z) >= image.depth[i])
-                        continue;
-                    image.depth[i] = static_cast<float>(p.z);
-                    image.colour[i] = surfel::rgba(grey, grey, grey);
-                }
-        }
-        keep(image);
+    return [state, radius = render::splatRadiusOfSupport * render::splatScaleOf(scene.surface().tree())] {
+        naiveSplats(state->surfels, radius, state->camera, state->image);
+        keep(state->image);
         return state->surfels.size();
     };
 }
@@ -103,7 +85,7 @@ std::vector<Workload> splatWorkloads() {
     constexpr const char* naiveWay = "a loop of squares into a z-buffer, not blended";
     std::vector<Workload> out;
     const auto add = [&](const char* name, const char* tip, auto ours) {
-        out.push_back({name, "surfel", tip, naiveWay, ours, naiveDrawing, true});
+        out.push_back({name, "surfel", tip, naiveWay, ours, naiveDrawing, true, false});
     };
     add("splat-cpu", "a frame of 1280 x 720 by the renderer for machines without a GPU",
         [](Scene& scene) { return drawing(scene, "cpu"); });

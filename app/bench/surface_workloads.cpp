@@ -1,4 +1,4 @@
-// Evaluations, projections and curvature (BUDGETS P1, P2, P4).
+// Evaluations, projections and curvature.
 #include "app/bench/batches.h"
 #include "app/bench/naive_surface.h"
 #include "app/bench/workload.h"
@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t batchSize = 16384, naiveBatch = 1024;
 constexpr std::size_t batchOfBlocks = 128; ///< about as many surfels
-/// Of projections, in units of h, as BUDGETS has it.
+/// Of projections, in units of h.
 constexpr double tolerance = 1e-5;
 constexpr const char* naiveWay = "nanoflann radius search, Eigen double";
 

@@ -3,8 +3,10 @@
 //
 //     workload.ours(scene)  -> Run     prepares once, outside the clock
 //     run()                 -> items   one run, some milliseconds where the workload allows; called again and again
+//     run.remark()          -> text    what should be told beside the figures, of the last run
 //
-// A row is added in one of the *_workloads.cpp files; nothing else knows a workload by name.
+// A row is added in one of the *_workloads.cpp files; nothing else knows a workload by name. How baselines are made and
+// what makes them fair: app/bench/README.
 #pragma once
 
 #include "app/bench/scene.h"
@@ -16,10 +18,25 @@
 namespace bench {
 
 /// Does the work once and returns how many items that were. Holds what was prepared; the scene outlives it.
-using Run = std::function<std::size_t()>;
+class Run {
+  public:
+    Run() = default;
+    template <class Work>
+    requires std::is_invocable_r_v<std::size_t, Work&> Run(Work work) : m_work(std::move(work)) {}
+    template <class Work, class Remark>
+    Run(Work work, Remark remark) : m_work(std::move(work)), m_remark(std::move(remark)) {}
+
+    explicit operator bool() const { return static_cast<bool>(m_work); }
+    std::size_t operator()() const { return m_work(); }
+    std::string remark() const { return m_remark ? m_remark() : std::string(); }
+
+  private:
+    std::function<std::size_t()> m_work;
+    std::function<std::string()> m_remark;
+};
 
 struct Workload {
-    std::string name;     ///< as INTERFACES has it: "evaluate-scattered"
+    std::string name;     ///< scripts know it: "evaluate-scattered"
     std::string item;     ///< what is counted: "position"
     std::string tip;      ///< what one item's work is
     std::string baseline; ///< what it is compared with; empty: nothing
@@ -29,6 +46,8 @@ struct Workload {
     std::function<Run(Scene&)> naive;
     /// A run is what somebody waits for: how long each takes is told beside the rate.
     bool awaited = false;
+    /// The baseline answers the same question; otherwise no ratio is told.
+    bool sameWork = true;
 };
 
 /// All workloads in the order they are told.
@@ -51,6 +70,7 @@ std::vector<Workload> dabWorkloads();
 std::vector<Workload> splatWorkloads();
 std::vector<Workload> displayWorkloads();
 std::vector<Workload> fileWorkloads();
+std::vector<Workload> startWorkloads();
 std::vector<Workload> meshWorkloads();
 std::vector<Workload> castWorkloads();
 

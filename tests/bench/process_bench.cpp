@@ -1,4 +1,4 @@
-// Normals and orientation per second (BUDGETS P13). The baseline is what one writes first: nanoflann over the points in
+// Normals and orientation per second. The baseline is what one writes first: nanoflann over the points in
 // the order they came, Eigen's solver in double, one thread.
 #include "core/base/mat3.h"
 #include "core/base/parallel.h"

@@ -1,7 +1,7 @@
 // The tree: a thousand edits at brushes in a row, difference, support and nearest queries; nanoflann beside them on the
 // same points. Building and a single edit are workloads of the table (workloads_bench.cpp).
 //
-// BUDGETS P4 and P7. Edit benchmarks report the median and the worst of all edits in milliseconds as counters.
+// Edit benchmarks report the median and the worst of all edits in milliseconds as counters.
 #include "core/base/random.h"
 #include "core/tree/surfel_tree.h"
 

@@ -18,6 +18,7 @@ class WorkloadTest : public QObject {
     void everyRunDoesItsItems();
     void scenesAreTheSameEveryTime();
     void measuringCounts();
+    void oneLongRunIsEnough();
     void cancelStops();
 };
 
@@ -48,7 +49,9 @@ void WorkloadTest::theContractsNamesAreThere() {
                              "splat-cpu-edit",
                              "splat-osmesa-upload",
                              "raycast-adaptive",
-                             "load-ply"})
+                             "load-ply",
+                             "open-ply",
+                             "start"})
         QVERIFY2(names.contains(name), name);
     QVERIFY(names.contains("mesh-marching-cubes"));
     QVERIFY(names.contains("mesh-delaunay"));
@@ -77,7 +80,7 @@ void WorkloadTest::everyRunDoesItsItems() {
             const std::size_t items = run();
             const bool many = workload.item == "ray" || workload.item == "triangle" || workload.item == "pixel";
             QVERIFY(items > 0 && (many || items <= scene.size()));
-            const int again = many || name.startsWith("splat") ? 1 : test::effort(40);
+            const int again = many || workload.item == "start" || name.startsWith("splat") ? 1 : test::effort(40);
             for (int i = 0; i < again; ++i)
                 QCOMPARE(run(), items); // brushes, batches and edits come round
         }
@@ -112,6 +115,23 @@ void WorkloadTest::measuringCounts() {
     QVERIFY(found.baseline && found.baseline->items % 3 == 0 && found.baseline->seconds > 0);
     workload.naive = [](Scene&) { return bench::Run(); };
     QVERIFY(!bench::measure(workload, scene, 0.002).baseline);
+}
+
+void WorkloadTest::oneLongRunIsEnough() {
+    Scene scene({500, 0.02});
+    int calls = 0;
+    Workload workload{"long", "thing", "nothing", "", nullptr, nullptr};
+    workload.ours = [&](Scene&) -> bench::Run {
+        return {[&] {
+                    QTest::qSleep(20);
+                    return static_cast<std::size_t>(++calls);
+                },
+                [&] { return "call " + std::to_string(calls); }};
+    };
+    const bench::Measurement found = bench::measure(workload, scene, 0.001);
+    QCOMPARE(calls, 1);
+    QVERIFY(found.ours.items == 1 && found.ours.seconds >= 0.02);
+    QCOMPARE(found.remark, std::string("call 1"));
 }
 
 void WorkloadTest::cancelStops() {
