@@ -23,6 +23,7 @@ struct Options {
     std::string model, out, method = "marching-cubes", report;
     mesh::MarchingOptions marching;
     mesh::DelaunayOptions delaunay;
+    mesh::Finishing finishing;
     double adaptive = 0;
     bool check = false;
     std::shared_ptr<SurfaceOptions> surface;
@@ -140,21 +141,20 @@ Action addMesh(CLI::App& command) {
         ->check(above(0));
     addMarchingOptions(command, options->marching);
     addDelaunayOptions(command, options->delaunay);
-    command.add_flag("--close-folds", options->marching.closeFolds,
-                     "close all loops where the surface ends without a rim, as at folds, up to " +
-                         std::to_string(options->marching.longestFold) +
+    command.add_flag("--close-folds", options->finishing.closeFolds,
+                     "close all loops where the surface ends without a boundary of its own, as at folds, up to " +
+                         std::to_string(options->finishing.longestFold) +
                          " edges [marching cubes: short ones, where the surface goes on]");
-    command.add_flag("--drop-small", options->marching.dropSmall,
-                     "leave out pieces of fewer than " + std::to_string(options->marching.smallPiece) + " triangles");
+    command.add_flag("--drop-small", options->finishing.dropSmall,
+                     "leave out pieces of fewer than " + std::to_string(options->finishing.smallPiece) + " triangles");
     command.add_flag(
         "--check", options->check,
-        "print what the mesh is: pieces, rims, genus, angles, distances to the surface, self-intersections");
+        "print what the mesh is: pieces, boundary loops, genus, angles, distances to the surface, self-intersections");
     command.add_option("--report", options->report, "JSON file to write the same to, lengths in model units")
         ->type_name("OUT.json");
     options->surface = addSurfaceOptions(command, false);
     return [options, &command](Console& console) {
-        options->delaunay.closeFolds = options->marching.closeFolds;
-        options->delaunay.dropSmall = options->marching.dropSmall;
+        options->delaunay.finishing = options->marching.finishing = options->finishing;
         options->delaunay.adaptive = options->marching.adaptive = options->adaptive;
         run(*options, command, console);
     };

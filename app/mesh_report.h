@@ -1,4 +1,4 @@
-// What the validator found, as a table for people and as JSON for scripts (app/README 2.4).
+// What the validator found, as a table for people and as JSON for scripts (app/README 2.4, mesh/README 6).
 #pragma once
 
 #include "core/mesh/check/check.h"

@@ -1,8 +1,8 @@
-// A triangle mesh, as tessellations make it, the validator judges it and files hold it.
+// A triangle mesh: what the meshers make, the validator judges and files store.
 //
 // Positions are float64 relative to the model's origin, so that a vertex can lie on the surface to rounding. Corners
-// run counter-clockwise seen from where the surface's normals point; on a surface without two sides they agree from
-// triangle to triangle as far as they can. Attributes are interpolated from the surfels where the model has them.
+// run counter-clockwise as seen from the side the surface normals point to; on a one-sided surface neighbours agree
+// wherever they can. Attributes are interpolated from the surfels where the model has them.
 #pragma once
 
 #include "core/base/vec.h"
@@ -14,11 +14,16 @@
 
 namespace mesh {
 
-/// Why a vertex of the boundary is one (RULES-4 B4): the surface ends there by its off-centre limit, or the definition
-/// itself ends, at folds and thin parts.
+/// Why a vertex lies on the boundary (mesh/README 3.4): the surface reaches its off-centre limit there, or its
+/// definition breaks down, as at folds and thin parts.
 enum class VertexKind : std::uint8_t { Inner, Limit, Fold };
 
 using Triangle = std::array<std::uint32_t, 3>;
+
+/// A triangle that names a vertex twice has no sides.
+constexpr bool isProper(const Triangle& t) {
+    return t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
+}
 
 struct Mesh {
     std::vector<base::Vec3d> positions;

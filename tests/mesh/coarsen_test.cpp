@@ -1,13 +1,13 @@
-// Coarsening a net: fewer vertices, the same surface.
+// Coarsening a triangulation: fewer vertices, the same surface.
 #include "core/mesh/check/topology.h"
-#include "core/mesh/delaunay/coarsen_net.h"
+#include "core/mesh/delaunay/coarsen.h"
 #include "core/mesh/marching/marching_cubes.h"
 #include "mesh/models.h"
 #include "support/registry.h"
 
 #include <QTest>
 
-using base::Vec3d, mesh::Mesh, mesh::SurfaceNet;
+using base::Vec3d, mesh::Mesh, mesh::SurfaceTriangulation;
 
 class CoarsenTest : public QObject {
     Q_OBJECT
@@ -27,10 +27,10 @@ Mesh cubesOf(const surface::Surface& surface) {
 }
 
 Mesh coarse(const surface::Surface& surface, const Mesh& fine, double size, double distance) {
-    SurfaceNet net(surface, fine);
+    SurfaceTriangulation faces(surface, fine);
     mesh::coarsen(
-        net, [size](const Vec3d&) { return size; }, distance);
-    return net.mesh(std::vector<bool>(net.net.faceCount()));
+        faces, [size](const Vec3d&) { return size; }, distance);
+    return faces.mesh(std::vector<bool>(faces.faceCount()));
 }
 
 double spacingOf(const surface::Surface& surface) {
@@ -59,9 +59,9 @@ void CoarsenTest::topologyStays() {
     QCOMPARE(after.boundaryLoops, before.boundaryLoops);
     QCOMPARE(after.orientable, before.orientable);
     QVERIFY(made.triangles.size() < fine.triangles.size() / 2);
-    const SurfaceNet net(surface, made);
+    const SurfaceTriangulation faces(surface, made);
     for (const mesh::Triangle& t : made.triangles)
-        QVERIFY2(std::abs(net.facing(t)) > 0.8, QByteArray::number(net.facing(t)));
+        QVERIFY2(std::abs(faces.facing(t)) > 0.8, QByteArray::number(faces.facing(t)));
 }
 
 /// Where nothing bends, no side is left that is shorter than the size.
@@ -83,11 +83,11 @@ void CoarsenTest::rimsKeepTheirCourse() {
     const Mesh made = coarse(surface, fine, 4 * s, farthest);
     const auto rimOf = [](const Mesh& m) {
         std::vector<std::pair<Vec3d, Vec3d>> out;
-        const mesh::TriangleNet net(m.triangles, m.positions.size());
-        for (std::uint32_t f = 0; f < net.faceCount(); ++f)
+        const mesh::Triangulation faces(m.triangles, m.positions.size());
+        for (std::uint32_t f = 0; f < faces.faceCount(); ++f)
             for (int k = 0; k < 3; ++k)
-                if (const mesh::Side side{f, k}; net.onRim(side))
-                    out.emplace_back(m.positions[net.from(side)], m.positions[net.to(side)]);
+                if (const mesh::Side side{f, k}; faces.onBoundary(side))
+                    out.emplace_back(m.positions[faces.from(side)], m.positions[faces.to(side)]);
         return out;
     };
     const auto before = rimOf(fine), after = rimOf(made);

@@ -6,7 +6,7 @@
 #include "core/mesh/check/check.h"
 #include "core/mesh/delaunay/delaunay.h"
 #include "core/mesh/delaunay/delaunay_finish.h"
-#include "core/mesh/mesh_repair.h"
+#include "core/mesh/finish/make_manifold.h"
 #include "core/process/estimation/spacing_sample.h"
 #include "core/surface/curves/boundary_curves.h"
 #include "core/surface/projection/project.h"
@@ -295,7 +295,7 @@ void DelaunayTest::foldsCloseOnRequest() {
     DelaunayOptions options;
     DelaunayReport report;
     const mesh::Topology open = topologyOf(mesh::restrictedDelaunay(surface, options, report));
-    options.closeFolds = true;
+    options.finishing.closeFolds = true;
     const mesh::Topology closed = topologyOf(mesh::restrictedDelaunay(surface, options, report));
     QVERIFY(open.foldLoops > 0 && closed.manifold());
     QVERIFY(report.foldsClosed > 0);

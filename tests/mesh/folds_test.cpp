@@ -1,7 +1,7 @@
 // Where near sheets meet and the definition ends: sound triangles, and vertices on one of the sheets.
 #include "core/mesh/check/check.h"
 #include "core/mesh/check/self_intersections.h"
-#include "core/mesh/marching/fold_trim.h"
+#include "core/mesh/finish/trim_folds.h"
 #include "core/mesh/marching/marching_cubes.h"
 #include "mesh/models.h"
 #include "support/registry.h"

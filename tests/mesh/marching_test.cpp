@@ -220,7 +220,7 @@ void MarchingTest::foldsAreClosedOnRequest() {
     MarchingReport open, closed;
     MarchingOptions options;
     const Mesh before = mesh::marchingCubes(surface, options, open);
-    options.closeFolds = true;
+    options.finishing.closeFolds = true;
     const Mesh after = mesh::marchingCubes(surface, options, closed);
     QVERIFY(topologyOf(after).manifold());
     QCOMPARE(topologyOf(before).boundaryLoops + open.foldsClosed, topologyOf(after).boundaryLoops + closed.foldsClosed);
@@ -244,7 +244,7 @@ void MarchingTest::smallPiecesAreDroppedOnRequest() {
     mesh::marchingCubes(surface, options, report);
     QCOMPARE(report.pieces, std::size_t(2));
     QCOMPARE(report.smallPieces, std::size_t(1));
-    options.dropSmall = true;
+    options.finishing.dropSmall = true;
     const Mesh m = mesh::marchingCubes(surface, options, report);
     QCOMPARE(topologyOf(m).components, std::size_t(1));
     QCOMPARE(topologyOf(m).unused, std::size_t(0));

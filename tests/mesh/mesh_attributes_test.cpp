@@ -1,5 +1,5 @@
 // What vertices take over from surfels, against plain loops in double with each weight.
-#include "core/mesh/mesh_attributes.h"
+#include "core/mesh/finish/mesh_attributes.h"
 #include "support/registry.h"
 #include "surface/shapes.h"
 
@@ -34,7 +34,7 @@ surfel::SurfelList sheets(base::Random& random) {
     return out;
 }
 
-/// alg. 2.1
+/// mesh/README 5
 double theta(Weight weight, double r) {
     const double t = 1 - r;
     if (r >= 1)

@@ -140,7 +140,7 @@ void TopologyTest::loopsOfAPinchedVertexAreOneWalk() {
     const Topology t = of(m);
     QCOMPARE(t.boundaryEdges, std::size_t(6));
     QCOMPARE(t.nonManifoldVertices, std::size_t(1));
-    // Each fan at the vertex leads from one hole to the other.
+    // Each umbrella at the vertex leads from one hole to the other.
     QCOMPARE(t.boundaryLoops, std::size_t(1));
 }
 

@@ -93,20 +93,21 @@ void Mesher::rest() {
 
 static mesh::Mesh meshOf(const surface::Surface& surface, double spacing, const MeshChoice& choice,
                          const base::Progress& progress) {
+    mesh::Finishing finishing;
+    finishing.closeFolds = choice.closeFolds;
+    finishing.dropSmall = choice.dropSmall;
     if (choice.delaunay) {
         mesh::DelaunayOptions options;
         mesh::DelaunayReport report;
         options.size = choice.cell * spacing;
         options.distance = 0.1 * choice.cell * spacing;
-        options.closeFolds = choice.closeFolds;
-        options.dropSmall = choice.dropSmall;
+        options.finishing = finishing;
         return mesh::restrictedDelaunay(surface, options, report, progress);
     }
     mesh::MarchingOptions options;
     mesh::MarchingReport report;
     options.cell = choice.cell * spacing;
-    options.closeFolds = choice.closeFolds;
-    options.dropSmall = choice.dropSmall;
+    options.finishing = finishing;
     return mesh::marchingCubes(surface, options, report, progress);
 }
 

@@ -1,9 +1,9 @@
-// The validator: all that can be asked of a mesh, for tests and for `pointclay mesh --check`.
+// The validator: everything one can ask about a mesh (mesh/README 6), for tests and for `pointclay mesh --check`.
 //
-//     topology.h    manifold, boundary, pieces, sides, genus
-//     shape.h       angles, triangles without area
-//     deviation.h   distances to the surface
-//     self_intersections.h
+//     topology.h              manifold, boundary, pieces, sides, genus
+//     shape.h                 angles, triangles without area
+//     deviation.h             distances to the surface
+//     self_intersections.h    pairs of triangles that cut each other
 #pragma once
 
 #include "core/mesh/check/deviation.h"

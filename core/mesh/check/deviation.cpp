@@ -63,8 +63,8 @@ double distanceTo(const surface::Surface& surface, const Vec3d& x, const surface
         return distance(x, found.foot);
     if (found.status != Status::BeyondBoundary)
         return none;
-    const surface::BoundarySearch rim = findBoundaryPoint(surface, found.foot, hint);
-    return rim.ok() ? distance(x, rim.point.position) : none;
+    const surface::BoundarySearch boundary = findBoundaryPoint(surface, found.foot, hint);
+    return boundary.ok() ? distance(x, boundary.point.position) : none;
 }
 
 Deviation vertexDeviation(const Mesh& mesh, const surface::Surface& surface, const base::Progress& progress) {

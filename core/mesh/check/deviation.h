@@ -1,7 +1,7 @@
-// How far a mesh is from the surface that it was made of: at its vertices and at the centres of its faces.
+// How far a mesh is from the surface it was made from: at its vertices and at the centres of its faces.
 //
-// Distances are to the nearest point that an orthogonal projection finds (alg. 3.1), in float64; beyond a rim to the
-// rim. The same bits at any thread count.
+// Measured in float64 to the nearest point that an orthogonal projection finds, beyond the boundary to that
+// (mesh/README 6.3). Same bits at any thread count.
 #pragma once
 
 #include "core/base/progress.h"
@@ -14,7 +14,7 @@ namespace mesh {
 
 struct Deviation {
     std::size_t count = 0;
-    std::size_t lost = 0; ///< of them, from which no point of the surface was found; they are not in the figures below
+    std::size_t lost = 0; ///< of them, those without a nearby point of the surface; left out of the figures below
     double max = 0, hundredth = 0, median = 0; ///< the largest, what only one of a hundred exceeds, the middle
 };
 

@@ -1,7 +1,5 @@
 #include "core/mesh/check/self_intersections.h"
 
-#include "core/mesh/edges.h"
-
 #include <algorithm>
 #include <CGAL/box_intersection_d.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -15,9 +13,9 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::uint32_t>;
 using Point = Kernel::Point_3;
 
-class Meetings {
+class Intersections {
   public:
-    explicit Meetings(const Mesh& mesh) : m_mesh(mesh) {}
+    explicit Intersections(const Mesh& mesh) : m_mesh(mesh) {}
 
     /// Do two triangles share more than the vertices that both name?
     bool meet(std::uint32_t a, std::uint32_t b) const {
@@ -79,11 +77,11 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> selfIntersections(const Mes
 
 std::vector<std::pair<std::uint32_t, std::uint32_t>>
 selfIntersections(const Mesh& mesh, std::span<const std::uint32_t> among, const base::Progress& progress) {
-    const Meetings meetings(mesh);
+    const Intersections intersections(mesh);
     std::vector<Box> boxes;
     for (const std::uint32_t f : among)
-        if (!meetings.flat(f))
-            boxes.push_back(meetings.box(f));
+        if (!intersections.flat(f))
+            boxes.push_back(intersections.box(f));
     std::vector<std::pair<std::uint32_t, std::uint32_t>> out;
     std::size_t pairs = 0;
     CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
@@ -91,7 +89,7 @@ selfIntersections(const Mesh& mesh, std::span<const std::uint32_t> among, const 
         if (++pairs % 65536 == 0)
             progress.step(std::min(0.99, double(pairs) / (15.0 * double(boxes.size()))), "Looking for intersections");
         const std::pair<std::uint32_t, std::uint32_t> pair = std::minmax({a.info(), b.info()});
-        if (meetings.meet(pair.first, pair.second))
+        if (intersections.meet(pair.first, pair.second))
             out.emplace_back(pair.first, pair.second);
     });
     std::sort(out.begin(), out.end());

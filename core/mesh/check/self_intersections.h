@@ -1,8 +1,7 @@
-// Triangles of a mesh that run through each other, decided exactly; CGAL's boxes and predicates stay behind this
-// header.
+// Triangles of a mesh that intersect, decided exactly (mesh/README 6.4). CGAL stays behind this header.
 //
-// Two triangles meet properly where they share nothing but the vertices and the edge that they have in common. What
-// else they share counts, touching included. Triangles without area are left out.
+// Two triangles meet properly if they share only the vertices and the edge that they have in common; anything more,
+// touching included, is an intersection. Triangles without area are ignored.
 #pragma once
 
 #include "core/base/progress.h"

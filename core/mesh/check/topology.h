@@ -1,9 +1,9 @@
-// What kind of surface a mesh is: manifold or not, its boundary, its pieces, whether it has two sides, its genus. From
-// the triangles' numbers alone; positions have no say.
+// What kind of surface a mesh is (mesh/README 6.1): manifold or not, its boundary, pieces, sides and genus. Uses vertex
+// numbers only; positions play no role.
 //
-// An edge is manifold where one or two triangles share it, a vertex where its triangles form one fan, closed or open.
-// Boundary loops are followed from fan to fan, as cutting the mesh apart where it is pinched would leave them. Pieces
-// are what shares vertices.
+// An edge is manifold if one or two triangles share it, a vertex if its triangles form one umbrella, closed or open.
+// Boundary loops stay within umbrellas, as if the mesh were cut apart where it is pinched. A piece is what shares
+// vertices.
 #pragma once
 
 #include "core/mesh/mesh.h"
@@ -14,7 +14,7 @@
 namespace mesh {
 
 struct Topology {
-    std::size_t vertices = 0; ///< that a triangle uses
+    std::size_t vertices = 0; ///< used by a triangle
     std::size_t unused = 0;   ///< other vertices
     std::size_t edges = 0;
     std::size_t faces = 0;    ///< triangles that name three vertices
@@ -30,10 +30,10 @@ struct Topology {
     long long euler() const {
         return static_cast<long long>(vertices) - static_cast<long long>(edges) + static_cast<long long>(faces);
     }
-    /// Sum over the pieces, of handles, or of crosscaps where it has one side: chi = 2 c - b - 2 g, or - k. Nothing for
-    /// what is not manifold, nor for pieces of both kinds together.
+    /// Handles of all pieces, or crosscaps of one-sided ones: chi = 2 c - b - 2 g, or 2 c - b - k. Undefined for meshes
+    /// that are not manifold or have pieces of both kinds.
     std::optional<long long> genus() const;
-    bool mixed = false; ///< some pieces have two sides and some have one
+    bool mixed = false; ///< both one-sided and two-sided pieces
 };
 
 /// `kinds` may be empty. Throws std::out_of_range where a triangle names a vertex that is not there.

@@ -4,11 +4,12 @@
 #include "core/mesh/check/shape.h"
 #include "core/mesh/delaunay/delaunay_finish.h"
 #include "core/mesh/delaunay/delaunay_refine.h"
-#include "core/mesh/marching/fold_trim.h"
+#include "core/mesh/finish/close_folds.h"
+#include "core/mesh/finish/drop_triangles.h"
+#include "core/mesh/finish/make_manifold.h"
+#include "core/mesh/finish/mesh_attributes.h"
+#include "core/mesh/finish/trim_folds.h"
 #include "core/mesh/marching/marching_cubes.h"
-#include "core/mesh/mesh_attributes.h"
-#include "core/mesh/mesh_repair.h"
-#include "core/mesh/orient_mesh.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/process/estimation/spacing_sample.h"
 #include "core/process/resampling/spacing_field.h"
@@ -29,7 +30,7 @@ double unitOf(const surface::Surface& surface) {
     return spacing > 0 ? spacing : double(surface.tree().maxSupport()) * surface::spacingOfUnit;
 }
 
-/// Throws where the smallest triangles allowed would be more than a net can number.
+/// Throws where the smallest triangles allowed would be more than can be numbered.
 void checkCount(const surface::Surface& surface, const FaceDemand& demand, double least, double unit) {
     constexpr double most = 3e8;
     const double radius = std::min(least, std::sqrt(demand.distance * unit));
@@ -77,19 +78,20 @@ double guideCell(const surface::Surface& surface, double unit) {
 /// Leaves out faces of cubes that are nowhere near the surface, as at folds.
 Mesh trimmed(const surface::Surface& surface, const Mesh& mesh, const base::Progress& progress) {
     constexpr double facing = 0.2, tall = 0.5;
-    const bool oriented = WalkSetting(surface).oriented;
-    SurfaceNet net(surface, mesh);
+    const bool oriented = SurfaceTraits(surface).oriented;
+    SurfaceTriangulation faces(surface, mesh);
     std::vector<bool> leftOut(mesh.triangles.size());
     for (std::uint32_t f = 0; f < leftOut.size(); ++f) {
         if (f % 4096 == 0)
             progress.step(double(f) / double(leftOut.size()), "Looking for folds");
         const Triangle& t = mesh.triangles[f];
-        const auto [a, b, c] = net.places(t);
-        const double cosine = oriented ? net.facing(t) : std::abs(net.facing(t));
+        const auto [a, b, c] = faces.cornersOf(t);
+        const double cosine = oriented ? faces.facing(t) : std::abs(faces.facing(t));
         const double reach = tall * std::max({distance(a, b), distance(b, c), distance(c, a)});
-        leftOut[f] = cosine < facing || !net.root((a + b + c) / 3, net.across(t), reach, net.normal(t));
+        leftOut[f] =
+            cosine < facing || !faces.root((a + b + c) / 3, faces.faceNormal(t), reach, faces.surfaceNormal(t));
     }
-    Mesh out = net.mesh(leftOut);
+    Mesh out = faces.mesh(leftOut);
     makeManifold(out);
     dropUnused(out);
     return out;
@@ -109,17 +111,17 @@ void finish(const surface::Surface& surface, const DelaunayOptions& options, con
     settleVertices(surface, options.angle * degree, mesh);
     report.unrefined += leaveOutFar(surface, demand.distance, mesh);
     report.removed = makeManifold(mesh);
-    tellRims(surface, mesh);
+    tellBoundaryKinds(surface, mesh);
     report.trimmed = trimFolds(mesh, 0.5 * shapeOf(mesh).longestEdge);
     if (report.trimmed > 0)
-        tellRims(surface, mesh);
-    const Orientation orientation = orient(mesh, WalkSetting(surface).oriented);
-    if (options.dropSmall)
-        dropSmallPieces(mesh, orientation, options.smallPiece);
+        tellBoundaryKinds(surface, mesh);
+    const Orientation orientation = orient(mesh, SurfaceTraits(surface).oriented);
+    if (options.finishing.dropSmall)
+        dropSmallPieces(mesh, orientation, options.finishing.smallPiece);
     else
         report.unrefined += dropCrumbs(mesh, orientation);
-    if (options.closeFolds)
-        report.foldsClosed = closeFolds(mesh, surface, {unit, true, options.longestFold}).size();
+    if (options.finishing.closeFolds)
+        report.foldsClosed = closeFolds(mesh, surface, {unit, true, options.finishing.longestFold}).size();
     dropUnused(mesh);
     takeAttributes(mesh, surface);
 }
@@ -133,14 +135,14 @@ Mesh restrictedDelaunay(const surface::Surface& surface, const DelaunayOptions& 
     const double unit = unitOf(surface);
     const FaceDemand demand = demandOf(surface, options, unit, process::part(progress, 0, 0.05));
     report = {};
-    SurfaceNet net(surface, guideOf(surface, unit, process::part(progress, 0.05, 0.35)));
-    coarsen(net, demand.size, demand.distance, process::part(progress, 0.35, 0.4));
-    DelaunayRefinement refinement(net, demand);
+    SurfaceTriangulation faces(surface, guideOf(surface, unit, process::part(progress, 0.05, 0.35)));
+    coarsen(faces, demand.size, demand.distance, process::part(progress, 0.35, 0.4));
+    DelaunayRefinement refinement(faces, demand);
     refinement.run(process::part(progress, 0.4, 0.9));
     const std::vector<bool> failing = refinement.failing();
     report.unrefined = static_cast<std::size_t>(std::count(failing.begin(), failing.end(), true));
     progress.step(0.9, "Finishing");
-    Mesh out = net.mesh(failing);
+    Mesh out = faces.mesh(failing);
     finish(surface, options, demand, unit, out, report);
     return out;
 }

@@ -1,47 +1,43 @@
-// Restricted Delaunay triangulation of the surface (alg. 4.5): few triangles of good shape, within a distance.
+// Restricted Delaunay triangulation of the surface (mesh/README 4): few triangles of good shape, within a distance.
 //
-// After Boissonnat & Oudot, Provably good sampling and meshing of surfaces (2005), what it is:
+// After [Boissonnat05], what it is:
 //
-//     a triangle of points on the surface belongs to the mesh where the ball through its corners about a place of the
-//     surface is empty; triangles that are too thin, too large or too far away are refined by inserting that place
+//     a triangle of points on the surface belongs to the mesh where the ball through its corners about a point of the
+//     surface is empty; triangles that are too thin, too large or too far away are refined by inserting that point
 //
-// and after Chew, Guaranteed-quality mesh generation for curved surfaces (1993), how it is found: along the surface, by
-// flips, from a mesh that has the right topology. What is near in space only, such as sheets that touch and thin parts,
-// needs no finer triangles therefore, and open and one-sided surfaces are meshed like others. Where the definition
-// itself ends, as at folds, so does the mesh.
+// and after [Chew93], how it is found: along the surface, by flips, from a mesh that has the right topology. What is
+// near in space only, such as sheets that touch and thin parts, needs no finer triangles therefore, and open and
+// one-sided surfaces are meshed like others. Where the definition itself ends, as at folds, so does the mesh.
 //
-//     marching_cubes.h     the mesh to begin with          triangle_net.h       what flips and splits work on
-//     coarsen_net.h        few of its vertices             surface_net.h        the same on a surface
-//     delaunay_refine.h    flips, refinement               delaunay_finish.h    vertices to the surface, rims
+//     marching_cubes.h        the mesh to begin with       surface_triangulation.h    what flips and splits work on
+//     coarsen.h               few of its vertices          delaunay_finish.h          vertices to the surface
+//     delaunay_refine.h       flips, refinement            core/mesh/finish           what both methods do at the end
 //
-// Rims are those of marching cubes; their sides are halved where others come too near (Ruppert 1995). One thread does
-// most of it. The same bits at any thread count.
+// Boundary loops are those of marching cubes; their sides are halved where others come too near [Ruppert95]. One thread
+// does most of it. The same bits at any thread count.
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/mesh/finish/finishing.h"
 #include "core/mesh/mesh.h"
 #include "core/surface/surface.h"
 
 namespace mesh {
 
 struct DelaunayOptions {
-    double angle = 25;       ///< least angle of triangles, in degrees; 30 at most, beyond which it may not end
-    double size = 0;         ///< largest radius of a triangle's ball, in model units; 0: the median spacing
-    double distance = 0;     ///< of triangles from the surface, in model units; 0: a tenth of the median spacing
-    double adaptive = 0;     ///< sizes by curvature, for triangles this close to the surface; 0: one size
-    bool closeFolds = false; ///< close rims where the definition ends, up to `longestFold` edges, whatever comes of
-                             ///< angles and distances there
-    std::size_t longestFold = 24;
-    bool dropSmall = false; ///< leave out pieces of fewer than `smallPiece` triangles
-    std::size_t smallPiece = 200;
+    double angle = 25;   ///< least angle of triangles, in degrees; at most 30, beyond which refinement may not end
+    double size = 0;     ///< largest radius of a triangle's ball, in model units; 0: the median spacing
+    double distance = 0; ///< of triangles from the surface, in model units; 0: a tenth of the median spacing
+    double adaptive = 0; ///< sizes by curvature, for triangles this close to the surface; 0: one size
+    Finishing finishing;
 };
 
 struct DelaunayReport {
-    /// Triangles left out because they broke a criterion when they were as small as is sensible: at folds and where
-    /// near sheets meet, f jumps, and the mesh ends.
+    /// Triangles removed because they broke a criterion and were too small to refine: f jumps at folds and where near
+    /// sheets meet, and the mesh ends there.
     std::size_t unrefined = 0;
-    std::size_t removed = 0;     ///< triangles taken away to leave a manifold mesh
-    std::size_t trimmed = 0;     ///< triangles at folds taken away because they cut others
+    std::size_t removed = 0;     ///< triangles removed to make the mesh manifold
+    std::size_t trimmed = 0;     ///< triangles at folds removed because they cut others
     std::size_t foldsClosed = 0; ///< loops
 };
 

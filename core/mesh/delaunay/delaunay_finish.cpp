@@ -1,14 +1,12 @@
 #include "core/mesh/delaunay/delaunay_finish.h"
 
-#include "core/base/disjoint_sets.h"
 #include "core/base/parallel.h"
 #include "core/mesh/check/deviation.h"
 #include "core/mesh/check/shape.h"
-#include "core/mesh/edges.h"
-#include "core/mesh/marching/own_sheet.h"
-#include "core/mesh/mesh_repair.h"
+#include "core/mesh/connectivity/boundary_loops.h"
+#include "core/mesh/finish/drop_triangles.h"
+#include "core/mesh/finish/own_sheet.h"
 
-#include <map>
 #include <utility>
 
 namespace mesh {
@@ -17,88 +15,15 @@ using base::Vec3d;
 
 namespace {
 
-constexpr std::uint32_t none = ~0u;
-
-double areaOf(const Mesh& mesh, const Triangle& t) {
-    const Vec3d& a = mesh.positions[t[0]];
-    return 0.5 * length(cross(mesh.positions[t[1]] - a, mesh.positions[t[2]] - a));
-}
-
-/// Marks what is too much at edges of three triangles and more; returns how many.
-std::size_t markExcess(const Mesh& mesh, std::vector<bool>& excess) {
-    std::size_t out = 0;
-    forEdges(edgeUses(mesh.triangles), [&](std::span<const EdgeUse> uses) {
-        std::vector<std::pair<double, std::uint32_t>> left;
-        for (const EdgeUse& use : uses)
-            if (!excess[use.face()])
-                left.emplace_back(areaOf(mesh, mesh.triangles[use.face()]), use.face());
-        std::sort(left.begin(), left.end());
-        for (std::size_t i = 0; i + 2 < left.size(); ++i, ++out)
-            excess[left[i].second] = true;
-    });
-    return out;
-}
-
-void splitFans(Mesh& mesh) {
-    base::DisjointSets fans(3 * mesh.triangles.size());
-    forEdges(edgeUses(mesh.triangles), [&](std::span<const EdgeUse> edge) {
-        if (edge.size() != 2)
-            return;
-        const bool opposed = edge[0].forward == edge[1].forward;
-        fans.join(edge[0].corner, opposed ? edge[1].corner : edge[1].next());
-        fans.join(edge[0].next(), opposed ? edge[1].next() : edge[1].corner);
-    });
-    std::vector<std::uint32_t> fanOf(mesh.positions.size(), none);
-    std::map<std::uint32_t, std::uint32_t> fresh; // vertex of a further fan
-    for (std::uint32_t corner = 0; corner < 3 * mesh.triangles.size(); ++corner) {
-        std::uint32_t& v = mesh.triangles[corner / 3][corner % 3];
-        const std::uint32_t fan = fans.find(corner);
-        if (fanOf[v] == none)
-            fanOf[v] = fan;
-        if (fanOf[v] == fan)
-            continue;
-        const auto [at, isNew] = fresh.try_emplace(fan, static_cast<std::uint32_t>(mesh.positions.size()));
-        if (isNew) {
-            mesh.positions.push_back(mesh.positions[v]);
-            mesh.kinds.push_back(mesh.kinds[v]);
-            if (!mesh.normals.empty())
-                mesh.normals.push_back(mesh.normals[v]);
-            fanOf.push_back(fan);
-        }
-        v = at->second;
-    }
-}
-
-std::vector<bool> boundaryVertices(const Mesh& mesh) {
-    std::vector<bool> out(mesh.positions.size(), false);
-    forEdges(edgeUses(mesh.triangles), [&](std::span<const EdgeUse> edge) {
-        if (edge.size() == 1)
-            out[edge[0].low] = out[edge[0].high] = true;
-    });
-    return out;
-}
-
-} // namespace
-
-std::size_t makeManifold(Mesh& mesh) {
-    std::vector<bool> excess(mesh.triangles.size(), false);
-    const std::size_t out = markExcess(mesh, excess);
-    keepTriangles(mesh, [&](std::size_t f) { return !excess[f]; });
-    splitFans(mesh);
-    return out;
-}
-
-namespace {
-
-/// Where vertices lie on their own sheets; those of rims stay, and those without a place near.
+/// Where vertices lie on their own sheets; those on the boundary curve stay, and those without a foot near.
 std::vector<Vec3d> feetOf(const surface::Surface& surface, const Mesh& mesh) {
-    constexpr double most = 0.05; // of the largest support: further is another place
+    constexpr double most = 0.05; // of the largest support: further is another part of the surface
     const double farthest = most * double(surface.tree().maxSupport());
-    const WalkSetting setting(surface);
+    const SurfaceTraits traits(surface);
     std::vector<Vec3d> out = mesh.positions;
     base::parallelFor(out.size(), 64, [&](std::size_t v) {
         if (mesh.kinds[v] != VertexKind::Limit)
-            if (const auto foot = ontoOwnSheet(surface, setting, out[v], mesh.normals[v], farthest))
+            if (const auto foot = ontoOwnSheet(surface, traits, out[v], mesh.normals[v], farthest))
                 out[v] = foot->position;
     });
     return out;
@@ -164,10 +89,10 @@ std::size_t leaveOutFar(const surface::Surface& surface, double farthest, Mesh& 
     return keepTriangles(mesh, [&](std::size_t f) { return keep[f] != 0; });
 }
 
-void tellRims(const surface::Surface& surface, Mesh& mesh) {
+void tellBoundaryKinds(const surface::Surface& surface, Mesh& mesh) {
     constexpr double nearLimit = 0.5;
     const double limit = double(surface.definition().boundaryLimit);
-    const std::vector<bool> boundary = boundaryVertices(mesh);
+    const std::vector<bool> boundary = boundaryVertices(Triangulation(mesh));
     base::parallelFor(mesh.positions.size(), 64, [&](std::size_t v) {
         if (!boundary[v] || mesh.kinds[v] == VertexKind::Limit) {
             mesh.kinds[v] = boundary[v] ? VertexKind::Limit : VertexKind::Inner;

@@ -13,27 +13,28 @@ using base::Vec3d;
 /// Cosine: flips soon mend what a new vertex bends.
 static constexpr double insertFacing = 0.5;
 
-DelaunayRefinement::DelaunayRefinement(SurfaceNet& net, const FaceDemand& demand) : m_net(net), m_demand(demand) {}
+DelaunayRefinement::DelaunayRefinement(SurfaceTriangulation& mesh, const FaceDemand& demand)
+    : m_mesh(mesh), m_demand(demand) {}
 
 bool DelaunayRefinement::fails(std::uint32_t face) {
-    const Triangle& t = m_net.net.corners(face);
+    const Triangle& t = m_mesh.corners(face);
     const Ball& ball = m_facets[face].ball;
-    const auto [a, b, c] = m_net.places(t);
+    const auto [a, b, c] = m_mesh.cornersOf(t);
     return ball.radius > m_demand.size(ball.centre) || smallestAngle(a, b, c) < m_demand.leastAngle || isFar(t, ball);
 }
 
 /// By the ball's centre above the face and by f at the face's own, which may be the larger distance where the surface
 /// is bumpy.
 bool DelaunayRefinement::isFar(const Triangle& t, const Ball& ball) {
-    const auto [a, b, c] = m_net.places(t);
-    if (ball.onSurface && std::abs(dot(ball.centre - a, m_net.across(t))) > m_demand.distance)
+    const auto [a, b, c] = m_mesh.cornersOf(t);
+    if (ball.onSurface && std::abs(dot(ball.centre - a, m_mesh.faceNormal(t))) > m_demand.distance)
         return true;
     constexpr double margin = 0.98; // for what one evaluation leaves out
-    return m_net.height((a + b + c) / 3, m_net.normal(t)) > margin * m_demand.distance;
+    return m_mesh.height((a + b + c) / 3, m_mesh.surfaceNormal(t)) > margin * m_demand.distance;
 }
 
 void DelaunayRefinement::touch(std::uint32_t face, const Ball& ball) {
-    m_facets.resize(m_net.net.faceCount());
+    m_facets.resize(m_mesh.faceCount());
     Facet& facet = m_facets[face];
     facet.ball = ball;
     ++facet.version;
@@ -43,11 +44,11 @@ void DelaunayRefinement::touch(std::uint32_t face, const Ball& ball) {
     facet.touched = true;
 }
 
-void DelaunayRefinement::touchFan(std::uint32_t vertex) {
-    std::vector<std::uint32_t> fan;
-    m_net.net.fan(vertex, fan);
-    for (const std::uint32_t f : fan)
-        touch(f, m_net.ball(m_net.net.corners(f)));
+void DelaunayRefinement::touchOneRing(std::uint32_t vertex) {
+    std::vector<std::uint32_t> faces;
+    m_mesh.oneRing(vertex, faces);
+    for (const std::uint32_t f : faces)
+        touch(f, m_mesh.ball(m_mesh.corners(f)));
 }
 
 void DelaunayRefinement::judgeTouched() {
@@ -75,13 +76,13 @@ void DelaunayRefinement::settle(const base::Progress& progress) {
     }
 }
 
-/// Would faces face like the surface as well as those whose place they take, or at least within `good`, and all run
+/// Would faces face like the surface as well as those that they replace, or at least within `good`, and all run
 /// one way?
 bool DelaunayRefinement::fit(std::span<const Triangle> faces, std::span<const Triangle> was, double good) const {
-    const Vec3d up = m_net.normal(was.front());
+    const Vec3d up = m_mesh.surfaceNormal(was.front());
     const auto facing = [&](const Triangle& t) {
-        const Vec3d normal = m_net.normal(t);
-        return dot(m_net.across(t), dot(normal, up) < 0 ? -normal : normal);
+        const Vec3d normal = m_mesh.surfaceNormal(t);
+        return dot(m_mesh.faceNormal(t), dot(normal, up) < 0 ? -normal : normal);
     };
     const auto least = [&](std::span<const Triangle> all) { // 0 where they run both ways
         const double first = facing(all.front());
@@ -97,41 +98,39 @@ bool DelaunayRefinement::fit(std::span<const Triangle> faces, std::span<const Tr
 /// Flips a side that is not Delaunay. Where balls do not agree with themselves, as at folds, the smallest angle
 /// decides: no flip is undone.
 bool DelaunayRefinement::improve(const Side& s, bool byBalls) {
-    TriangleNet& net = m_net.net;
-    if (net.onRim(s))
+    if (m_mesh.onBoundary(s))
         return false;
-    const std::uint32_t p = net.apex(s), q = net.apex(net.across(s)), f = s.face, g = net.across(s).face;
-    const auto& at = m_net.positions;
+    const std::uint32_t p = m_mesh.apex(s), q = m_mesh.apex(m_mesh.across(s)), f = s.face, g = m_mesh.across(s).face;
+    const auto& at = m_mesh.positions;
     if (!m_facets[f].ball.holds(at[q]) && !m_facets[g].ball.holds(at[p]))
         return false;
-    net.align(s);
-    const std::uint32_t a = net.from(s), b = net.to(s);
+    m_mesh.align(s);
+    const std::uint32_t a = m_mesh.from(s), b = m_mesh.to(s);
     constexpr double wellFacing = 0.8;
     const Triangle first{p, a, q}, second{q, b, p}, was{p, a, b}, other{q, b, a};
     if (!fit(std::array{first, second}, std::array{was, other}, wellFacing))
         return false;
-    const Ball one = m_net.ball(first), two = m_net.ball(second);
+    const Ball one = m_mesh.ball(first), two = m_mesh.ball(second);
     if (!byBalls || one.holds(at[b]) || two.holds(at[a])) {
         const auto least = [&](const Triangle& t) { return smallestAngle(at[t[0]], at[t[1]], at[t[2]]); };
         constexpr double better = 1e-9;
         if (std::min(least(first), least(second)) <= std::min(least(was), least(other)) + better)
             return false;
     }
-    if (!net.flip(s))
+    if (!m_mesh.flip(s))
         return false;
     touch(f, one);
     touch(g, two);
     return true;
 }
 
-/// Walks from face to face towards a place.
+/// Walks from face to face towards a point.
 DelaunayRefinement::Location DelaunayRefinement::locate(std::uint32_t face, const Vec3d& x) const {
-    const TriangleNet& net = m_net.net;
     constexpr int mostSteps = 64;
     Location out;
-    std::uint32_t from = TriangleNet::none;
+    std::uint32_t from = Triangulation::none;
     for (int step = 0; step < mostSteps; ++step) {
-        const auto [a, b, c] = m_net.places(net.corners(face));
+        const auto [a, b, c] = m_mesh.cornersOf(m_mesh.corners(face));
         const Vec3d w = cross(b - a, c - a);
         const double area = lengthSq(w);
         out.weights = {dot(cross(c - b, x - b), w) / area, dot(cross(a - c, x - c), w) / area,
@@ -141,9 +140,9 @@ DelaunayRefinement::Location DelaunayRefinement::locate(std::uint32_t face, cons
         out.found = true;
         if (!(out.weights[std::size_t(k)] < 0))
             return out;
-        const Side other = net.across(out.side);
+        const Side other = m_mesh.across(out.side);
         out.outside = !other.exists();
-        if (out.outside || other.face == from) // beyond a rim, or over the side between two faces
+        if (out.outside || other.face == from) // beyond the boundary, or over the side between two faces
             return out;
         from = face;
         face = other.face;
@@ -153,129 +152,129 @@ DelaunayRefinement::Location DelaunayRefinement::locate(std::uint32_t face, cons
 }
 
 bool DelaunayRefinement::inBall(const Side& s, const Vec3d& x) const {
-    const Vec3d a = m_net.positions[m_net.net.from(s)], b = m_net.positions[m_net.net.to(s)];
+    const Vec3d a = m_mesh.positions[m_mesh.from(s)], b = m_mesh.positions[m_mesh.to(s)];
     return dot(a - x, b - x) < 0 && distance(a, b) > 2 * m_demand.floor;
 }
 
-/// A rim's side near the face whose smallest ball holds the place.
+/// A side on the boundary near the face whose smallest ball holds the point.
 Side DelaunayRefinement::encroached(std::uint32_t face, const Vec3d& x) const {
-    const TriangleNet& net = m_net.net;
     for (int k = 0; k < 3; ++k) {
-        const Side s{face, k}, other = net.across(s);
+        const Side s{face, k}, other = m_mesh.across(s);
         if (!other.exists()) {
             if (inBall(s, x))
                 return s;
             continue;
         }
         for (int j = 0; j < 3; ++j)
-            if (const Side t{other.face, j}; net.onRim(t) && inBall(t, x))
+            if (const Side t{other.face, j}; m_mesh.onBoundary(t) && inBall(t, x))
                 return t;
     }
     return {};
 }
 
-/// A place near the middle of a side, on the rim or on the surface; rims of folds are straight where there is none.
-std::optional<SurfaceNet::Place> DelaunayRefinement::middleOf(const Side& s, VertexKind& kind) {
-    const std::uint32_t a = m_net.net.from(s), b = m_net.net.to(s);
-    const Vec3d middle = (m_net.positions[a] + m_net.positions[b]) * 0.5, normal = m_net.normal({a, b, b});
-    const double near = 0.25 * distance(m_net.positions[a], m_net.positions[b]);
-    const bool rim = m_net.net.onRim(s);
-    if (rim && m_net.kinds[a] == VertexKind::Limit && m_net.kinds[b] == VertexKind::Limit) {
-        const auto found = findBoundaryPoint(m_net.surface(), middle, {base::cast<float>(normal)});
+/// A point near the middle of a side, inside or on the surface's boundary curve; loops of folds are straight where
+/// there is none.
+std::optional<SurfacePoint> DelaunayRefinement::middleOf(const Side& s, VertexKind& kind) {
+    const std::uint32_t a = m_mesh.from(s), b = m_mesh.to(s);
+    const Vec3d middle = (m_mesh.positions[a] + m_mesh.positions[b]) * 0.5, normal = m_mesh.surfaceNormal({a, b, b});
+    const double near = 0.25 * distance(m_mesh.positions[a], m_mesh.positions[b]);
+    const bool boundary = m_mesh.onBoundary(s);
+    if (boundary && m_mesh.kinds[a] == VertexKind::Limit && m_mesh.kinds[b] == VertexKind::Limit) {
+        const auto found = findBoundaryPoint(m_mesh.surface(), middle, {base::cast<float>(normal)});
         if (found.ok() && distance(found.point.position, middle) < near) {
             kind = VertexKind::Limit;
-            return SurfaceNet::Place{found.point.position, base::cast<float>(found.point.normal)};
+            return SurfacePoint{found.point.position, base::cast<float>(found.point.normal)};
         }
     }
-    kind = rim ? VertexKind::Fold : VertexKind::Inner;
-    if (const auto root = m_net.root(middle, normal, near, normal))
-        return SurfaceNet::Place{middle + normal * root->t, root->normal};
-    return rim ? std::optional(SurfaceNet::Place{middle, base::cast<float>(normal)}) : std::nullopt;
+    kind = boundary ? VertexKind::Fold : VertexKind::Inner;
+    if (const auto root = m_mesh.root(middle, normal, near, normal))
+        return SurfacePoint{middle + normal * root->t, root->normal};
+    return boundary ? std::optional(SurfacePoint{middle, base::cast<float>(normal)}) : std::nullopt;
 }
 
 /// A vertex in the middle of a side; false where the side is short enough.
 bool DelaunayRefinement::halve(const Side& s) {
     const double floor = m_demand.floor;
-    if (distance(m_net.positions[m_net.net.from(s)], m_net.positions[m_net.net.to(s)]) <= 2 * floor)
+    if (distance(m_mesh.positions[m_mesh.from(s)], m_mesh.positions[m_mesh.to(s)]) <= 2 * floor)
         return false;
     VertexKind kind = VertexKind::Inner;
-    const auto place = middleOf(s, kind);
-    if (!place)
+    const auto point = middleOf(s, kind);
+    if (!point)
         return false;
-    for (const Side& side : {s, m_net.net.across(s)})
-        if (side.exists() && distance(m_net.positions[m_net.net.apex(side)], place->position) < 0.5 * floor)
+    for (const Side& side : {s, m_mesh.across(s)})
+        if (side.exists() && distance(m_mesh.positions[m_mesh.apex(side)], point->position) < 0.5 * floor)
             return false;
-    const std::uint32_t v = m_net.add(*place, kind);
+    const std::uint32_t v = m_mesh.addVertex(*point, kind);
     if (!fitsSide(v, s))
         return false;
-    m_net.net.splitSide(s, v);
-    touchFan(v);
+    m_mesh.splitSide(s, v);
+    touchOneRing(v);
     return true;
 }
 
-/// A place of the surface over a face, near x.
-std::optional<SurfaceNet::Place> DelaunayRefinement::placeOver(std::uint32_t face, const Vec3d& x) {
-    const Triangle& t = m_net.net.corners(face);
-    const auto [a, b, c] = m_net.places(t);
-    const Vec3d along = m_net.across(t);
+/// A point of the surface over a face, near x.
+std::optional<SurfacePoint> DelaunayRefinement::pointOver(std::uint32_t face, const Vec3d& x) {
+    const Triangle& t = m_mesh.corners(face);
+    const auto [a, b, c] = m_mesh.cornersOf(t);
+    const Vec3d along = m_mesh.faceNormal(t);
     const double reach = 0.5 * std::max({distance(a, b), distance(b, c), distance(c, a)});
     const double above = dot(x - a, along);
     const Vec3d start = std::abs(above) > reach ? x - along * above : x;
-    const auto root = m_net.root(start, along, reach, m_net.normal(t));
+    const auto root = m_mesh.root(start, along, reach, m_mesh.surfaceNormal(t));
     if (!root)
         return std::nullopt;
-    return SurfaceNet::Place{start + along * root->t, root->normal};
+    return SurfacePoint{start + along * root->t, root->normal};
 }
 
-/// Makes the centre of a face's ball a vertex; false where the net is too bent to tell where it lies.
+/// Makes the centre of a face's ball a vertex; false where the triangulation is too bent to tell where it lies.
 bool DelaunayRefinement::insertCentre(const Bad& bad) {
     const Vec3d centre = m_facets[bad.face].ball.centre;
     const Location where = locate(bad.face, centre);
     constexpr double beside = -0.5; // over a side between two faces, weights are a little negative
     if (!where.found || (!where.outside && where.least() < beside))
         return false;
-    const Side rim = where.outside ? where.side : encroached(where.side.face, centre);
-    if (rim.exists())
-        return halve(rim);
-    const auto place = placeOver(where.side.face, centre);
+    const Side near = where.outside ? where.side : encroached(where.side.face, centre);
+    if (near.exists())
+        return halve(near);
+    const auto point = pointOver(where.side.face, centre);
     constexpr double empty = 0.3; // of the ball's radius: nearer is no Delaunay triangulation
     const double nearest = std::max(empty * bad.radius, 0.5 * m_demand.floor);
-    if (!place)
+    if (!point)
         return false;
-    for (const Vec3d& corner : m_net.places(m_net.net.corners(where.side.face)))
-        if (distance(corner, place->position) < nearest)
+    for (const Vec3d& corner : m_mesh.cornersOf(m_mesh.corners(where.side.face)))
+        if (distance(corner, point->position) < nearest)
             return false;
-    const std::uint32_t v = m_net.add(*place, VertexKind::Inner);
+    const std::uint32_t v = m_mesh.addVertex(*point, VertexKind::Inner);
     if (!split(where, v))
         return false;
-    touchFan(v);
+    touchOneRing(v);
     return true;
 }
 
 /// The face, or its side where that is near and the face alone would be bent.
 bool DelaunayRefinement::split(const Location& where, std::uint32_t vertex) {
     constexpr double onSide = 0.03, nearSide = 0.3;
-    const bool rim = m_net.net.onRim(where.side);
-    if ((rim || where.least() >= onSide) && fitsFace(vertex, where.side.face))
-        m_net.net.splitFace(where.side.face, vertex);
-    else if (!rim && where.least() < nearSide && fitsSide(vertex, where.side))
-        m_net.net.splitSide(where.side, vertex);
+    const bool boundary = m_mesh.onBoundary(where.side);
+    if ((boundary || where.least() >= onSide) && fitsFace(vertex, where.side.face))
+        m_mesh.splitFace(where.side.face, vertex);
+    else if (!boundary && where.least() < nearSide && fitsSide(vertex, where.side))
+        m_mesh.splitSide(where.side, vertex);
     else
         return false;
     return true;
 }
 
 bool DelaunayRefinement::fitsFace(std::uint32_t vertex, std::uint32_t face) const {
-    const Triangle& t = m_net.net.corners(face);
+    const Triangle& t = m_mesh.corners(face);
     const std::array parts{Triangle{t[0], t[1], vertex}, Triangle{t[1], t[2], vertex}, Triangle{t[2], t[0], vertex}};
     return fit(parts, {&t, 1}, insertFacing);
 }
 
 bool DelaunayRefinement::fitsSide(std::uint32_t vertex, const Side& s) const {
-    for (const Side& side : {s, m_net.net.across(s)}) {
+    for (const Side& side : {s, m_mesh.across(s)}) {
         if (!side.exists())
             continue;
-        const std::uint32_t p = m_net.net.apex(side), a = m_net.net.from(side), b = m_net.net.to(side);
+        const std::uint32_t p = m_mesh.apex(side), a = m_mesh.from(side), b = m_mesh.to(side);
         const Triangle was{p, a, b};
         if (!fit(std::array{Triangle{p, a, vertex}, Triangle{p, vertex, b}}, {&was, 1}, insertFacing))
             return false;
@@ -288,39 +287,39 @@ void DelaunayRefinement::refine(const Bad& bad) {
         return;
     settle();
     judgeTouched();
-    if (m_net.net.alive(bad.face) && m_facets[bad.face].version == bad.version)
+    if (m_mesh.alive(bad.face) && m_facets[bad.face].version == bad.version)
         m_bad.push(bad);
 }
 
 Side DelaunayRefinement::longestSide(std::uint32_t face) const {
-    const auto [a, b, c] = m_net.places(m_net.net.corners(face));
+    const auto [a, b, c] = m_mesh.cornersOf(m_mesh.corners(face));
     const std::array<double, 3> sides{distanceSq(b, c), distanceSq(c, a), distanceSq(a, b)};
     return {face, static_cast<int>(std::max_element(sides.begin(), sides.end()) - sides.begin())};
 }
 
 void DelaunayRefinement::run(const base::Progress& progress) {
-    for (std::uint32_t f = 0; f < m_net.net.faceCount(); ++f)
-        if (m_net.net.alive(f))
-            touch(f, m_net.ball(m_net.net.corners(f)));
+    for (std::uint32_t f = 0; f < m_mesh.faceCount(); ++f)
+        if (m_mesh.alive(f))
+            touch(f, m_mesh.ball(m_mesh.corners(f)));
     settle(process::part(progress, 0, 0.2));
     judgeTouched();
     const base::Progress refining = process::part(progress, 0.2, 1);
     for (std::size_t i = 0; !m_bad.empty(); ++i) {
         if (i % 256 == 0) {
-            const double done = double(m_net.net.faceCount());
+            const double done = double(m_mesh.faceCount());
             refining.step(done / (done + 2 * double(m_bad.size())), "Triangulating");
         }
         const Bad next = m_bad.top();
         m_bad.pop();
-        if (m_net.net.alive(next.face) && m_facets[next.face].version == next.version)
+        if (m_mesh.alive(next.face) && m_facets[next.face].version == next.version)
             refine(next);
     }
 }
 
 std::vector<bool> DelaunayRefinement::failing() {
-    std::vector<bool> out(m_net.net.faceCount(), false);
+    std::vector<bool> out(m_mesh.faceCount(), false);
     for (std::uint32_t f = 0; f < out.size(); ++f)
-        out[f] = m_net.net.alive(f) && fails(f);
+        out[f] = m_mesh.alive(f) && fails(f);
     return out;
 }
 

@@ -1,13 +1,13 @@
-// Refines a net until its faces are a Delaunay triangulation on the surface that fulfils a demand. Internal to the
-// room.
+// Refines a triangulation until it is a Delaunay one on the surface and fulfils a demand (mesh/README 4.4, 4.5).
+// Internal to the room.
 //
-// After L. P. Chew, Guaranteed-quality mesh generation for curved surfaces (1993): the ball through a face's corners
-// about a place of the surface holds no corner of its neighbours, else the side between them is flipped; the centre of
-// a bad face's ball becomes a vertex; where it would come too near to a rim, the rim's side is halved instead (Ruppert
-// 1995). What is near in space but not along the surface never meets: sheets that touch, folds, thin parts.
+// After [Chew93]: the ball through a face's corners about a point of the surface holds no corner of its neighbours,
+// else the side between them is flipped; the centre of a bad face's ball becomes a vertex; where it would come too near
+// to the boundary, the side there is halved instead [Ruppert95]. What is near in space but not along the surface never
+// meets: sheets that touch, folds, thin parts.
 #pragma once
 
-#include "core/mesh/delaunay/coarsen_net.h"
+#include "core/mesh/delaunay/coarsen.h"
 
 #include <queue>
 
@@ -18,14 +18,14 @@ struct FaceDemand {
     double leastAngle = 0; ///< radians
     double distance = 0;   ///< of a face from the surface
     double floor = 0;      ///< balls smaller than this are not refined any more, whatever their faces lack
-    double foldFloor = 0;  ///< the same where a ball has no place on the surface for its centre
-    SizeField size;        ///< largest radius of the ball about a place
+    double foldFloor = 0;  ///< the same where no point of the surface is the centre of a ball
+    SizeField size;        ///< largest radius of the ball about a point
 };
 
 class DelaunayRefinement {
   public:
     /// REQUIRES: both outlive the refinement.
-    DelaunayRefinement(SurfaceNet& net, const FaceDemand& demand);
+    DelaunayRefinement(SurfaceTriangulation& mesh, const FaceDemand& demand);
 
     /// Throws base::Cancelled.
     void run(const base::Progress& progress);
@@ -46,8 +46,8 @@ class DelaunayRefinement {
         }
     };
     struct Location {
-        Side side;            ///< the face, and the side that the place is nearest to
-        bool outside = false; ///< beyond that side, which is a rim's
+        Side side;            ///< the face, and the side that the point is nearest to
+        bool outside = false; ///< beyond that side, which is on the boundary
         bool found = false;
         std::array<double, 3> weights{}; ///< of the corners
         double least() const { return weights[std::size_t(side.k)]; }
@@ -56,7 +56,7 @@ class DelaunayRefinement {
     bool fails(std::uint32_t face);
     bool isFar(const Triangle& t, const Ball& ball);
     void touch(std::uint32_t face, const Ball& ball);
-    void touchFan(std::uint32_t vertex);
+    void touchOneRing(std::uint32_t vertex);
     void judgeTouched();
     void settle(const base::Progress& progress = {});
     bool improve(const Side& s, bool byBalls);
@@ -64,17 +64,17 @@ class DelaunayRefinement {
     Side encroached(std::uint32_t face, const base::Vec3d& x) const;
     bool inBall(const Side& s, const base::Vec3d& x) const;
     void refine(const Bad& bad);
-    std::optional<SurfaceNet::Place> placeOver(std::uint32_t face, const base::Vec3d& x);
+    std::optional<SurfacePoint> pointOver(std::uint32_t face, const base::Vec3d& x);
     bool insertCentre(const Bad& bad);
     bool split(const Location& where, std::uint32_t vertex);
     bool fit(std::span<const Triangle> faces, std::span<const Triangle> was, double good) const;
     bool fitsFace(std::uint32_t vertex, std::uint32_t face) const;
     bool fitsSide(std::uint32_t vertex, const Side& s) const;
-    std::optional<SurfaceNet::Place> middleOf(const Side& s, VertexKind& kind);
+    std::optional<SurfacePoint> middleOf(const Side& s, VertexKind& kind);
     bool halve(const Side& s);
     Side longestSide(std::uint32_t face) const;
 
-    SurfaceNet& m_net;
+    SurfaceTriangulation& m_mesh;
     const FaceDemand& m_demand;
     std::vector<Facet> m_facets;
     std::vector<std::uint32_t> m_touched, m_open; ///< to be judged; whose sides are to be looked at

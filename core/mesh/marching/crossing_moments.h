@@ -11,7 +11,7 @@ namespace mesh {
 /// Sums over the crossings in a cube, relative to the first of them.
 struct CrossingMoments {
     double count = 0;
-    base::Vec3d about; ///< the first crossing's place
+    base::Vec3d about; ///< the first crossing's position
     base::Vec3d sum;
     base::Mat3d squares, normals;
 

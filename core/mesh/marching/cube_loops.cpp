@@ -26,8 +26,8 @@ LooseEnds::LooseEnds(const SurfaceGrid& grid, std::vector<LooseEnd> ends, std::s
         }
         if (m_partner[i] != noRank)
             continue;
-        m_partner[i] = static_cast<std::uint32_t>(crossings + m_rims.size());
-        m_rims.push_back(static_cast<std::uint32_t>(i));
+        m_partner[i] = static_cast<std::uint32_t>(crossings + m_boundary.size());
+        m_boundary.push_back(static_cast<std::uint32_t>(i));
     }
 }
 
@@ -43,11 +43,11 @@ std::uint32_t LooseEnds::partner(std::uint32_t node, int axis, std::uint32_t cro
 
 namespace {
 
-bool anyCrossing(const SurfaceGrid& grid, const Neighbourhood& around, const Place& place) {
+bool anyCrossing(const SurfaceGrid& grid, const Neighbourhood& around, const GridIndex& place) {
     bool any = false;
     for (int corner = 0; corner < 8; ++corner) {
         const std::uint32_t node =
-            around.rank(Place{place.x + (corner & 1), place.y + (corner >> 1 & 1), place.z + (corner >> 2)});
+            around.rank(GridIndex{place.x + (corner & 1), place.y + (corner >> 1 & 1), place.z + (corner >> 2)});
         if (node == noRank)
             return false;
         for (int axis = 0; axis < 3; ++axis)
@@ -58,7 +58,7 @@ bool anyCrossing(const SurfaceGrid& grid, const Neighbourhood& around, const Pla
 
 } // namespace
 
-void loopsOf(const SurfaceGrid& grid, const LooseEnds& loose, const Neighbourhood& around, const Place& place,
+void loopsOf(const SurfaceGrid& grid, const LooseEnds& loose, const Neighbourhood& around, const GridIndex& place,
              std::vector<Loop>& out) {
     out.clear();
     if (!anyCrossing(grid, around, place))
@@ -67,7 +67,7 @@ void loopsOf(const SurfaceGrid& grid, const LooseEnds& loose, const Neighbourhoo
     GridFace face;
     for (int axis = 0; axis < 3; ++axis)
         for (int above = 0; above < 2; ++above) {
-            const Place base = place.next(axis, above);
+            const GridIndex base = place.next(axis, above);
             if (!faceAt(grid, around, base, axis, face) || face.count == 0)
                 continue;
             const FacePairs pairs = pairsOf(grid, face);

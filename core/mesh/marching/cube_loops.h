@@ -1,35 +1,35 @@
-// The loops of segments around a cube (RULES-4 B5). Internal to the room.
+// The loops of segments around a cube (mesh/README 3.5). Internal to the room.
 //
-// Every crossing of the cube lies on two of its faces and has one segment in each: to another crossing, or to the rim
-// vertex where it is loose. So crossings and rim vertices make closed loops and chains between two rim vertices; a
-// chain is closed by the edge between them, which is boundary of the mesh.
+// Every crossing of a cube lies on two of its faces and has one segment in each: to another crossing or, if it is loose
+// there, to the vertex where the surface ends. Crossings and ends therefore form closed loops, and chains between two
+// ends. An edge between its two ends closes a chain; that edge is boundary of the mesh.
 #pragma once
 
+#include "core/mesh/marching/boundary_trace.h"
 #include "core/mesh/marching/cube_graph.h"
-#include "core/mesh/marching/rim_trace.h"
 
 namespace mesh {
 
-/// Where loose ends lead to: a rim vertex, or the loose crossing at the other end of their trace.
+/// Where loose ends lead: to a vertex where the surface ends, or to the loose crossing at the other end of the trace.
 class LooseEnds {
   public:
-    /// Vertices of rims are numbered after the crossings.
+    /// Ends are numbered after the crossings.
     LooseEnds(const SurfaceGrid& grid, std::vector<LooseEnd> ends, std::span<const TracedEnd> traced);
 
     /// The vertex beside the loose crossing in a face. REQUIRES: it is loose there.
     std::uint32_t partner(std::uint32_t node, int axis, std::uint32_t crossing) const;
     std::span<const LooseEnd> ends() const { return m_ends; }
-    /// Indices of the ends that became rim vertices, in their order.
-    const std::vector<std::uint32_t>& rims() const { return m_rims; }
+    /// Indices of the loose ends that became boundary vertices, in order.
+    const std::vector<std::uint32_t>& boundary() const { return m_boundary; }
 
   private:
     std::vector<LooseEnd> m_ends; ///< by node, axis, index
     std::vector<std::uint32_t> m_partner;
-    std::vector<std::uint32_t> m_rims;
+    std::vector<std::uint32_t> m_boundary;
 };
 
-/// The loops of the cube above a node, cleared and filled; none where it lacks a corner. `around` as in faceAt.
-void loopsOf(const SurfaceGrid& grid, const LooseEnds& loose, const Neighbourhood& around, const Place& place,
+/// Replaces `out` by the loops of the cube above a node; none where it lacks a corner. `around` as in faceAt.
+void loopsOf(const SurfaceGrid& grid, const LooseEnds& loose, const Neighbourhood& around, const GridIndex& place,
              std::vector<Loop>& out);
 
 } // namespace mesh

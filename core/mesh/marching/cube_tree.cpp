@@ -8,19 +8,19 @@ namespace mesh {
 
 namespace {
 
-Place halved(const Place& p) {
+GridIndex halved(const GridIndex& p) {
     return {p.x >> 1, p.y >> 1, p.z >> 1};
 }
-Place scaled(const Place& p, int level) {
+GridIndex scaled(const GridIndex& p, int level) {
     return {p.x << level, p.y << level, p.z << level};
 }
-Place corner(const Place& p, int which) {
+GridIndex corner(const GridIndex& p, int which) {
     return {p.x + (which & 1), p.y + (which >> 1 & 1), p.z + (which >> 2)};
 }
 
 /// fn(crossing) for the edges of one of the grid's own cubes. `nodes` tells their ranks.
 template <class Ranks, class Fn>
-void forCrossings(const SurfaceGrid& grid, const Ranks& nodes, const Place& p, const Fn& fn) {
+void forCrossings(const SurfaceGrid& grid, const Ranks& nodes, const GridIndex& p, const Fn& fn) {
     for (int which = 0; which < 8; ++which) {
         const std::uint32_t node = nodes.rank(corner(p, which));
         if (node == noRank)
@@ -34,13 +34,13 @@ void forCrossings(const SurfaceGrid& grid, const Ranks& nodes, const Place& p, c
 template <class Fn>
 void forAll(const SparseSet& set, const Fn& fn) {
     base::parallelFor(set.bricks().size(), 16,
-                      [&](std::size_t b) { set.forPlaces(static_cast<std::uint32_t>(b), fn); });
+                      [&](std::size_t b) { set.forMembers(static_cast<std::uint32_t>(b), fn); });
 }
 
 SparseSet chosen(const SparseSet& from, const std::vector<std::uint8_t>& which) {
     std::vector<BrickBits> bits;
     for (std::uint32_t b = 0; b < from.bricks().size(); ++b)
-        from.forPlaces(b, [&](const Place& p, std::uint32_t rank) {
+        from.forMembers(b, [&](const GridIndex& p, std::uint32_t rank) {
             if (which[rank])
                 bits.push_back(bitsOf(p));
         });
@@ -57,7 +57,7 @@ CubeTree::CubeTree(const SurfaceGrid& grid, std::span<const LooseEnd> loose, dou
     m_large.resize(m_levels.size());
     for (std::size_t level = 1; level < m_levels.size(); ++level)
         for (std::uint32_t b = 0; b < m_levels[level].joined.bricks().size(); ++b)
-            m_levels[level].joined.forPlaces(b, [&](const Place& p, std::uint32_t) {
+            m_levels[level].joined.forMembers(b, [&](const GridIndex& p, std::uint32_t) {
                 if (level + 1 == m_levels.size() || !m_levels[level + 1].joined.contains(halved(p)))
                     m_large[level].push_back(p);
             });
@@ -69,7 +69,7 @@ void CubeTree::findActive(std::span<const LooseEnd> loose) {
     std::vector<std::uint8_t> any(nodes.size());
     base::parallelFor(nodes.bricks().size(), 16, [&](std::size_t b) {
         const Neighbourhood around(nodes, static_cast<std::uint32_t>(b));
-        nodes.forPlaces(static_cast<std::uint32_t>(b), [&](const Place& p, std::uint32_t rank) {
+        nodes.forMembers(static_cast<std::uint32_t>(b), [&](const GridIndex& p, std::uint32_t rank) {
             forCrossings(m_grid, around, p, [&](const Crossing&) { any[rank] = 1; });
         });
     });
@@ -77,7 +77,7 @@ void CubeTree::findActive(std::span<const LooseEnd> loose) {
     finest.active = chosen(nodes, any);
     std::vector<std::uint8_t> free(finest.active.size(), 1);
     for (const LooseEnd& end : loose)
-        for (const Place& beside : {end.face.place, end.face.place.next(end.axis, -1)})
+        for (const GridIndex& beside : {end.face.place, end.face.place.next(end.axis, -1)})
             if (const std::uint32_t rank = finest.active.rank(beside); rank != noRank)
                 free[rank] = 0;
     finest.joined = chosen(finest.active, free);
@@ -87,13 +87,13 @@ void CubeTree::addLevel(int level) {
     const Level& finer = m_levels.back();
     std::vector<BrickBits> bits;
     for (std::uint32_t b = 0; b < finer.active.bricks().size(); ++b)
-        finer.active.forPlaces(b, [&](const Place& p, std::uint32_t) { bits.push_back(bitsOf(halved(p))); });
+        finer.active.forMembers(b, [&](const GridIndex& p, std::uint32_t) { bits.push_back(bitsOf(halved(p))); });
     Level next;
     next.active = SparseSet(std::move(bits));
     next.moments.resize(next.active.size());
     std::vector<std::uint8_t> joined(next.active.size());
-    forAll(next.active, [&](const Place& p, std::uint32_t rank) {
-        const Place lowest = scaled(p, 1);
+    forAll(next.active, [&](const GridIndex& p, std::uint32_t rank) {
+        const GridIndex lowest = scaled(p, 1);
         for (int which = 0; which < 8; ++which)
             if (const std::uint32_t child = finer.active.rank(corner(lowest, which)); child != noRank) {
                 if (level > 1)
@@ -108,7 +108,7 @@ void CubeTree::addLevel(int level) {
     m_levels.push_back(std::move(next));
 }
 
-bool CubeTree::joins(const Place& place, int level, const CrossingMoments& moments) const {
+bool CubeTree::joins(const GridIndex& place, int level, const CrossingMoments& moments) const {
     return neighboursAreLarge(place, level) && flat(moments, level) && oneCrossingPerEdge(place, level) &&
            facesPair(place, level);
 }
@@ -124,12 +124,12 @@ bool CubeTree::flat(const CrossingMoments& moments, int level) const {
 }
 
 /// Children and all cubes of their size around: none is split.
-bool CubeTree::neighboursAreLarge(const Place& place, int level) const {
-    const Place lowest = scaled(place, 1);
+bool CubeTree::neighboursAreLarge(const GridIndex& place, int level) const {
+    const GridIndex lowest = scaled(place, 1);
     for (int z = -1; z < 3; ++z)
         for (int y = -1; y < 3; ++y)
             for (int x = -1; x < 3; ++x) {
-                const Place p{lowest.x + x, lowest.y + y, lowest.z + z};
+                const GridIndex p{lowest.x + x, lowest.y + y, lowest.z + z};
                 const bool child = x >= 0 && x < 2 && y >= 0 && y < 2 && z >= 0 && z < 2;
                 if ((child || level > 1) && split(p, level - 1))
                     return false;
@@ -138,16 +138,16 @@ bool CubeTree::neighboursAreLarge(const Place& place, int level) const {
 }
 
 /// Is it active, but not one cube? On the finest level: does it have to stay alone?
-bool CubeTree::split(const Place& place, int level) const {
+bool CubeTree::split(const GridIndex& place, int level) const {
     const Level& at = m_levels[std::size_t(level)];
     return at.active.contains(place) && !at.joined.contains(place);
 }
 
 /// The crossing of the fine edges along an edge, and how many there are.
-std::uint32_t CubeTree::crossingAlong(const Place& place, int level, int axis, int& count) const {
+std::uint32_t CubeTree::crossingAlong(const GridIndex& place, int level, int axis, int& count) const {
     std::uint32_t out = SurfaceGrid::none;
     count = 0;
-    Place p = scaled(place, level);
+    GridIndex p = scaled(place, level);
     for (int i = 0; i < 1 << level; ++i, ++p[axis]) {
         const std::uint32_t node = m_grid.nodes().rank(p);
         if (node == noRank || m_grid.crossingOf(node, axis) >= SurfaceGrid::none)
@@ -158,10 +158,10 @@ std::uint32_t CubeTree::crossingAlong(const Place& place, int level, int axis, i
     return out;
 }
 
-bool CubeTree::oneCrossingPerEdge(const Place& place, int level) const {
+bool CubeTree::oneCrossingPerEdge(const GridIndex& place, int level) const {
     for (int axis = 0; axis < 3; ++axis)
         for (int which = 0; which < 4; ++which) {
-            const Place at = place.next((axis + 1) % 3, which & 1).next((axis + 2) % 3, which >> 1);
+            const GridIndex at = place.next((axis + 1) % 3, which & 1).next((axis + 2) % 3, which >> 1);
             int count = 0;
             crossingAlong(at, level, axis, count);
             if (count > 1)
@@ -170,7 +170,7 @@ bool CubeTree::oneCrossingPerEdge(const Place& place, int level) const {
     return true;
 }
 
-GridFace CubeTree::face(const Place& place, int level, int axis) const {
+GridFace CubeTree::face(const GridIndex& place, int level, int axis) const {
     GridFace out;
     out.place = place;
     out.axis = axis;
@@ -186,7 +186,7 @@ GridFace CubeTree::face(const Place& place, int level, int axis) const {
     return out;
 }
 
-bool CubeTree::facesPair(const Place& place, int level) const {
+bool CubeTree::facesPair(const GridIndex& place, int level) const {
     for (int axis = 0; axis < 3; ++axis)
         for (int above = 0; above < 2; ++above) {
             const GridFace at = face(place.next(axis, above), level, axis);
@@ -198,24 +198,24 @@ bool CubeTree::facesPair(const Place& place, int level) const {
     return true;
 }
 
-bool CubeTree::covered(const Place& place) const {
+bool CubeTree::covered(const GridIndex& place) const {
     return m_levels.size() > 1 && m_levels[1].joined.contains(halved(place));
 }
 
 /// fn(face) for a face of a cube, or for those of the smaller cubes on its other side, `towards` along the axis.
 template <class Fn>
-void CubeTree::forFaces(const Place& place, int level, int axis, int towards, const Fn& fn) const {
-    const Place beside = towards > 0 ? place : place.next(axis, -1);
+void CubeTree::forFaces(const GridIndex& place, int level, int axis, int towards, const Fn& fn) const {
+    const GridIndex beside = towards > 0 ? place : place.next(axis, -1);
     if (level == 0 || !split(beside, level)) {
         fn(face(place, level, axis));
         return;
     }
-    const Place lowest = scaled(place, 1);
+    const GridIndex lowest = scaled(place, 1);
     for (int which = 0; which < 4; ++which)
         forFaces(lowest.next((axis + 1) % 3, which & 1).next((axis + 2) % 3, which >> 1), level - 1, axis, towards, fn);
 }
 
-void CubeTree::loopsOf(const Place& place, int level, std::vector<Loop>& out) const {
+void CubeTree::loopsOf(const GridIndex& place, int level, std::vector<Loop>& out) const {
     out.clear();
     CubeGraph graph;
     for (int axis = 0; axis < 3; ++axis)

@@ -1,9 +1,5 @@
 #include "core/mesh/marching/edge_walk.h"
 
-#include "core/surface/frames/frame_table.h"
-
-#include <numbers>
-
 namespace mesh {
 
 using base::Vec3d, base::Vec3f;
@@ -11,20 +7,16 @@ using surface::Evaluationf;
 
 namespace {
 
-constexpr double steepest = 1.15;  ///< |f| over distance, at most (alg. 3.2.3)
+constexpr double steepest = 1.15;  ///< |f| over distance, at most (mesh/README 3.2)
 constexpr double shortStep = 0.25; ///< of the spacing
 constexpr double thoroughStep = 1 / 16.0;
 constexpr int mostHalvings = 4;                        ///< of short steps, where unoriented normals turn
 constexpr double turned = 0.7;                         ///< cosine below which they do
 constexpr double rootHeight = 1e-3, goodHeight = 2e-4; ///< of |f|, in spacings: accepted, and no further step
 
-double spacingsPerUnitOf(const surface::SurfaceDefinition& definition) {
-    return definition.support > 0 ? surface::spacingOfUnit : std::sqrt(std::numbers::pi / definition.neighbours);
-}
-
 /// What carries the frame's sign from a to b.
-double signBetween(const WalkSetting& setting, const NodeValue& a, const NodeValue& b) {
-    return setting.oriented || dot(a.normal, b.normal) >= 0 ? 1 : -1;
+double signBetween(const SurfaceTraits& traits, const NodeValue& a, const NodeValue& b) {
+    return traits.oriented || dot(a.normal, b.normal) >= 0 ? 1 : -1;
 }
 
 /// Are both values far larger than the distance between them?
@@ -34,13 +26,14 @@ bool farAway(const NodeValue& a, const NodeValue& b, double length) {
 }
 
 /// Do the ends tell of one smooth sheet? Then they may be judged by signs alone.
-bool smooth(const WalkSetting& setting, const Vec3d& direction, double length, const NodeValue& a, const NodeValue& b) {
+bool smooth(const SurfaceTraits& traits, const Vec3d& direction, double length, const NodeValue& a,
+            const NodeValue& b) {
     constexpr double alike = 0.9, flat = 0.12, deepest = 0.5; // cosine; of the length; of the error
-    if (length > 1.05 * double(std::min(a.unit, b.unit)) * setting.spacingsPerUnit)
+    if (length > 1.05 * double(std::min(a.unit, b.unit)) * traits.spacingsPerUnit)
         return false;
-    if (setting.oriented && double(std::min(a.agreement, b.agreement)) < alike)
+    if (traits.oriented && double(std::min(a.agreement, b.agreement)) < alike)
         return false;
-    const double side = signBetween(setting, a, b), fa = double(a.f), fb = side * double(b.f);
+    const double side = signBetween(traits, a, b), fa = double(a.f), fb = side * double(b.f);
     if (double(dot(a.normal, b.normal)) * side < alike)
         return false;
     const double slopeA = dot(base::cast<double>(a.normal), direction);
@@ -51,18 +44,13 @@ bool smooth(const WalkSetting& setting, const Vec3d& direction, double length, c
 
 } // namespace
 
-bool EdgeWalk::passes(const WalkSetting& setting, const Edge& edge, const NodeValue& first, const NodeValue& last) {
-    if (setting.distances && farAway(first, last, edge.length))
+bool EdgeWalk::passes(const SurfaceTraits& traits, const Edge& edge, const NodeValue& first, const NodeValue& last) {
+    if (traits.distances && farAway(first, last, edge.length))
         return true;
-    if (!first.usable() || !last.usable() || !smooth(setting, edge.direction, edge.length, first, last))
+    if (!first.usable() || !last.usable() || !smooth(traits, edge.direction, edge.length, first, last))
         return false;
-    return (first.f < 0) == (signBetween(setting, first, last) * double(last.f) < 0);
+    return (first.f < 0) == (signBetween(traits, first, last) * double(last.f) < 0);
 }
-
-WalkSetting::WalkSetting(const surface::Surface& surface)
-    : oriented(surface.tree().layout()->normals && surface.tree().layout()->oriented),
-      distances(surface::rowOf(surface.effectiveFrame()).distance),
-      spacingsPerUnit(spacingsPerUnitOf(surface.definition())) {}
 
 NodeValue NodeValue::of(const Evaluationf& at) {
     if (!at.ok() && at.status != surface::Status::BeyondBoundary)
@@ -82,19 +70,19 @@ EdgeWalk::Sample EdgeWalk::sample(double t) {
 }
 
 double EdgeWalk::sign(const Sample& a, const Sample& b) const {
-    return signBetween(m_setting, a.at, b.at);
+    return signBetween(m_traits, a.at, b.at);
 }
 
 void EdgeWalk::between(const Sample& a, const Sample& b, int halvings) {
     const double length = b.t - a.t;
-    if (m_setting.distances && m_care == Care::Usual && farAway(a.at, b.at, length))
+    if (m_traits.distances && m_care == Care::Usual && farAway(a.at, b.at, length))
         return;
     const bool both = a.at.usable() && b.at.usable();
-    const bool trusted = both && m_care == Care::Usual && smooth(m_setting, m_edge.direction, length, a.at, b.at);
+    const bool trusted = both && m_care == Care::Usual && smooth(m_traits, m_edge.direction, length, a.at, b.at);
     if (!trusted) {
         const double unit = double(a.at.usable() ? a.at.unit : b.at.unit);
-        const double step = (m_care == Care::Thorough ? thoroughStep : shortStep) * m_setting.spacingsPerUnit * unit;
-        const bool turns = both && !m_setting.oriented && std::abs(double(dot(a.at.normal, b.at.normal))) < turned;
+        const double step = (m_care == Care::Thorough ? thoroughStep : shortStep) * m_traits.spacingsPerUnit * unit;
+        const bool turns = both && !m_traits.oriented && std::abs(double(dot(a.at.normal, b.at.normal))) < turned;
         const bool coarse = unit > 0 ? length > step : length > m_edge.length / 4;
         if (coarse || (turns && halvings > 0)) {
             const Sample middle = sample(0.5 * (a.t + b.t));
@@ -118,10 +106,10 @@ void EdgeWalk::refine(Sample a, Sample b) {
         Sample c{t, NodeValue::of(at)};
         if (!c.at.usable())
             return;
-        const double side = m_setting.oriented || dot(at.normal, reference) >= 0 ? 1 : -1;
+        const double side = m_traits.oriented || dot(at.normal, reference) >= 0 ? 1 : -1;
         const double f = side * double(at.value);
         const double slope = side * dot(base::cast<double>(at.gradient), m_edge.direction);
-        const double spacing = double(at.unit) * m_setting.spacingsPerUnit;
+        const double spacing = double(at.unit) * m_traits.spacingsPerUnit;
         const double step = std::abs(slope) > 1e-9 ? -f / slope : 0;
         if (std::abs(f) <= goodHeight * spacing) {
             const bool near = std::abs(step) <= 0.1 * spacing;
@@ -164,7 +152,7 @@ bool EdgeWalk::onOwnSheet(double t, const Evaluationf& at) {
     m_source.evaluate(base::cast<float>(m_edge.from + m_edge.direction * t), surface::Need::Gradient, sheet, own);
     const float slope = dot(own.normal, own.gradient);
     return surface::isSurface(own) &&
-           std::abs(own.value) <= static_cast<float>(0.5 * m_setting.spacingsPerUnit) * own.unit * slope;
+           std::abs(own.value) <= static_cast<float>(0.5 * m_traits.spacingsPerUnit) * own.unit * slope;
 }
 
 void EdgeWalk::accept(double t, const Evaluationf& at) {

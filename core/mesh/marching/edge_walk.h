@@ -1,12 +1,13 @@
-// Where an edge of the grid crosses the surface: once, or not at all (RULES-4 B2). Internal to the room.
+// Decides whether an edge of the grid crosses the surface: once, or not at all (mesh/README 3.2). Internal to the room.
 //
-// Between two samples f has no root where both values are far larger than the distance, and as many as their signs say
-// where values, slopes and normals at both ends tell of one smooth sheet. Elsewhere the edge is walked in steps of a
-// quarter of a spacing, with the sign of the frame carried along; where unoriented frames turn, in shorter ones. Roots
-// count where the ray caster's do (surface::isSurface). An odd number of them is a crossing, the one with the least
-// off-centre value, an even number is none.
+// Between two samples f has no root if both values are far larger than the distance; if values, slopes and normals at
+// both ends describe one smooth sheet, their signs decide. Other edges are walked in steps of a quarter of a spacing,
+// shorter where unoriented frames turn, carrying the sign of the frame along. Roots count as they do for rays
+// (surface::isSurface). With an odd number of them the edge crosses, at the root with the least off-centre value; with
+// an even number it does not.
 #pragma once
 
+#include "core/mesh/surface_traits.h"
 #include "core/surface/evaluation/source.h"
 #include "core/surface/rays/intersect.h"
 
@@ -14,16 +15,7 @@
 
 namespace mesh {
 
-/// What all edges of a surface have in common.
-struct WalkSetting {
-    explicit WalkSetting(const surface::Surface& surface);
-
-    bool oriented;          ///< do the surfels' normals give f a sign?
-    bool distances;         ///< |f| is like a distance (cov is none off the surface, alg. 3.2.3)
-    double spacingsPerUnit; ///< s / h
-};
-
-/// What evaluations at nodes and on edges are kept for.
+/// The part of an evaluation that nodes and edges keep.
 struct NodeValue {
     float f = 0;
     base::Vec3f normal;
@@ -36,12 +28,12 @@ struct NodeValue {
 
 struct Crossing {
     base::Vec3d position;
-    base::Vec3f normal;  ///< unit gradient; without orientation of either sign
+    base::Vec3f normal;  ///< unit gradient; of either sign without orientation
     float unit = 0;      ///< h there
     float offCentre = 0; ///< in units of h
 };
 
-/// Edges are walked on trust where it is due; `Thorough` ones in short steps all along.
+/// Usual: trust ends that describe one smooth sheet. Thorough: short steps all along.
 enum class Care { Usual, Thorough };
 
 struct Edge {
@@ -51,13 +43,13 @@ struct Edge {
 
 class EdgeWalk {
   public:
-    EdgeWalk(const WalkSetting& setting, surface::Source& source, const Edge& edge, Care care)
-        : m_setting(setting), m_source(source), m_edge(edge), m_care(care) {}
+    EdgeWalk(const SurfaceTraits& traits, surface::Source& source, const Edge& edge, Care care)
+        : m_traits(traits), m_source(source), m_edge(edge), m_care(care) {}
 
-    /// With the values at its ends.
+    /// Given the values at its ends.
     std::optional<Crossing> run(const NodeValue& first, const NodeValue& last);
-    /// Do the values at the ends tell, without looking further, that it does not cross?
-    static bool passes(const WalkSetting& setting, const Edge& edge, const NodeValue& first, const NodeValue& last);
+    /// Do the values at the ends alone prove that it does not cross?
+    static bool passes(const SurfaceTraits& traits, const Edge& edge, const NodeValue& first, const NodeValue& last);
 
   private:
     struct Sample {
@@ -72,7 +64,7 @@ class EdgeWalk {
     bool onOwnSheet(double t, const surface::Evaluationf& at);
     void accept(double t, const surface::Evaluationf& at);
 
-    const WalkSetting& m_setting;
+    const SurfaceTraits& m_traits;
     surface::Source& m_source;
     const Edge m_edge;
     Care m_care;

@@ -1,8 +1,9 @@
-// Triangles that fill a loop around a cube (RULES-4 B6). Internal to the room.
+// Triangulates a loop around a cube (mesh/README 3.6). Internal to the room.
 //
-// By dynamic programming over all triangulations: short edges, and triangles that lie as the normals at their corners
-// tell. No diagonal joins two vertices of one face of the cube: the cube behind that face may have the same edge, and
-// it would get more than two triangles. Where no triangulation is left, a vertex in the middle is the fan's.
+// Dynamic programming over all triangulations finds short edges and triangles that agree with the normals at their
+// corners. No diagonal may join two vertices on the same face of the cube: the cube behind that face might draw the
+// same edge, which would then have more than two triangles. If no triangulation remains, a fan about a new vertex in
+// the middle fills the loop.
 #pragma once
 
 #include "core/mesh/marching/cube_loops.h"
@@ -16,8 +17,8 @@ struct LoopShape {
     std::span<const base::Vec3f> normals; ///< unit
 };
 
-/// Calls of indices into the loop, which run around as the loop does; loop.size() stands for the middle. Returns
-/// whether a middle was needed. REQUIRES: at least 3 vertices.
+/// Triangles as indices into the loop, in its direction; loop.size() stands for the middle. Returns whether it needs
+/// one. REQUIRES: at least 3 vertices.
 bool fillLoop(const LoopShape& shape, std::vector<std::array<int, 3>>& out);
 
 } // namespace mesh

@@ -4,7 +4,7 @@ namespace mesh {
 
 using base::Vec3d;
 
-SurfaceGrid::EdgeName GridFace::edge(const Place& place, int axis, int side) {
+SurfaceGrid::EdgeName GridFace::edge(const GridIndex& place, int axis, int side) {
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
     switch (side) {
     case 0:
@@ -18,7 +18,7 @@ SurfaceGrid::EdgeName GridFace::edge(const Place& place, int axis, int side) {
     }
 }
 
-bool faceAt(const SurfaceGrid& grid, const Neighbourhood& around, const Place& place, int axis, GridFace& out) {
+bool faceAt(const SurfaceGrid& grid, const Neighbourhood& around, const GridIndex& place, int axis, GridFace& out) {
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
     if (around.rank(place.next(u).next(v)) == noRank)
         return false;
@@ -54,7 +54,7 @@ double costOf(const SurfaceGrid& grid, const GridFace& face, std::size_t i, std:
     const double outA = std::abs(dot(na, d)), outB = std::abs(dot(nb, d));
     if (std::max(outA, outB) > steepest)
         return never;
-    if (grid.setting().oriented) {
+    if (grid.traits().oriented) {
         const Vec3d across = cross(d, grid.lattice().direction(face.axis));
         const double sideA = dot(na, across), sideB = dot(nb, across);
         if (sideA * sideB < 0 && std::min(std::abs(sideA), std::abs(sideB)) > level)

@@ -1,4 +1,4 @@
-// The grid of cubes that marching cubes lays through space, and places in it by whole numbers.
+// The grid of cubes that marching cubes lays through space, and positions in it by whole numbers.
 //
 // Nodes have coordinates from 0 to `Lattice::extent`; a cube is named by its lowest node, an edge by its lower node and
 // its axis. Lengths are in model units.
@@ -11,17 +11,17 @@
 namespace mesh {
 
 /// A node, or the cube above it.
-struct Place {
+struct GridIndex {
     std::int32_t x = 0, y = 0, z = 0;
 
     constexpr std::int32_t& operator[](int axis) { return axis == 0 ? x : axis == 1 ? y : z; }
     constexpr std::int32_t operator[](int axis) const { return axis == 0 ? x : axis == 1 ? y : z; }
-    constexpr Place next(int axis, int by = 1) const {
-        Place out = *this;
+    constexpr GridIndex next(int axis, int by = 1) const {
+        GridIndex out = *this;
         out[axis] += by;
         return out;
     }
-    constexpr bool operator==(const Place&) const = default;
+    constexpr bool operator==(const GridIndex&) const = default;
 };
 
 struct Lattice {
@@ -34,7 +34,7 @@ struct Lattice {
     base::Vec3d direction(int axis) const { return {turned[axis][0], turned[axis][1], turned[axis][2]}; }
     /// Where grid coordinates, whole or not, are in space.
     base::Vec3d at(const base::Vec3d& grid) const { return origin + transposed(turned) * (grid * cell); }
-    base::Vec3d at(const Place& p) const { return at(base::Vec3d{double(p.x), double(p.y), double(p.z)}); }
+    base::Vec3d at(const GridIndex& p) const { return at(base::Vec3d{double(p.x), double(p.y), double(p.z)}); }
     base::Vec3d toGrid(const base::Vec3d& x) const { return turned * (x - origin) / cell; }
 };
 

@@ -1,12 +1,13 @@
 #include "core/mesh/marching/marching_cubes.h"
 
 #include "core/base/parallel.h"
+#include "core/mesh/finish/close_folds.h"
+#include "core/mesh/finish/drop_triangles.h"
+#include "core/mesh/finish/mesh_attributes.h"
+#include "core/mesh/finish/trim_folds.h"
 #include "core/mesh/marching/cube_tree.h"
 #include "core/mesh/marching/fill_loop.h"
-#include "core/mesh/marching/fold_trim.h"
 #include "core/mesh/marching/relax_mesh.h"
-#include "core/mesh/mesh_attributes.h"
-#include "core/mesh/mesh_repair.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/process/estimation/spacing_sample.h"
 
@@ -44,7 +45,7 @@ Lattice latticeFor(const surface::Surface& surface, const MarchingOptions& optio
 }
 
 /// Traces loose ends; edges beside those that end in nothing are walked again with care, twice at most.
-LooseEnds settleEnds(SurfaceGrid& grid, std::vector<TracedEnd>& rims, MarchingReport& report,
+LooseEnds settleEnds(SurfaceGrid& grid, std::vector<TracedEnd>& boundary, MarchingReport& report,
                      const base::Progress& progress) {
     constexpr int rounds = 2;
     for (int round = 0;; ++round) {
@@ -58,24 +59,24 @@ LooseEnds settleEnds(SurfaceGrid& grid, std::vector<TracedEnd>& rims, MarchingRe
         if (round < rounds && !doubtful.empty() && grid.reconsider(doubtful, progress))
             continue;
         LooseEnds out(grid, std::move(ends), traced);
-        for (const std::uint32_t end : out.rims()) {
-            rims.push_back(traced[end]);
+        for (const std::uint32_t end : out.boundary()) {
+            boundary.push_back(traced[end]);
             ++(traced[end].end == TraceEnd::Limit ? report.limitEnds : report.foldEnds);
         }
         return out;
     }
 }
 
-void addVertices(const SurfaceGrid& grid, std::span<const TracedEnd> rims, Mesh& out) {
+void addVertices(const SurfaceGrid& grid, std::span<const TracedEnd> boundary, Mesh& out) {
     for (const Crossing& each : grid.crossings()) {
         out.positions.push_back(each.position);
         out.normals.push_back(each.normal);
     }
     out.kinds.assign(out.positions.size(), VertexKind::Inner);
-    for (const TracedEnd& rim : rims) {
-        out.positions.push_back(rim.position);
-        out.normals.push_back(rim.normal);
-        out.kinds.push_back(rim.end == TraceEnd::Limit ? VertexKind::Limit : VertexKind::Fold);
+    for (const TracedEnd& end : boundary) {
+        out.positions.push_back(end.position);
+        out.normals.push_back(end.normal);
+        out.kinds.push_back(end.end == TraceEnd::Limit ? VertexKind::Limit : VertexKind::Fold);
     }
 }
 
@@ -157,11 +158,11 @@ std::vector<CubePart> fillCubes(const SurfaceGrid& grid, const LooseEnds& loose,
     const SparseSet& nodes = grid.nodes();
     std::vector<CubePart> parts(base::chunkCount(nodes.bricks().size(), bricksPerTask));
     const auto fill = [&](std::size_t begin, std::size_t end, std::size_t chunk) {
-        CubeFiller filler(mesh, grid.setting().oriented, parts[chunk]);
+        CubeFiller filler(mesh, grid.traits().oriented, parts[chunk]);
         std::vector<Loop> loops;
         for (std::size_t b = begin; b < end; ++b) {
             const Neighbourhood around(nodes, static_cast<std::uint32_t>(b));
-            nodes.forPlaces(static_cast<std::uint32_t>(b), [&](const Place& p, std::uint32_t) {
+            nodes.forMembers(static_cast<std::uint32_t>(b), [&](const GridIndex& p, std::uint32_t) {
                 if (covered(p))
                     return;
                 loopsOf(grid, loose, around, p, loops);
@@ -176,7 +177,7 @@ std::vector<CubePart> fillCubes(const SurfaceGrid& grid, const LooseEnds& loose,
 /// The larger ones.
 std::vector<CubePart> fillLargeCubes(const CubeTree& tree, int level, bool oriented, const Mesh& mesh) {
     constexpr std::size_t cubesPerTask = 1024;
-    const std::vector<Place>& places = tree.large()[std::size_t(level)];
+    const std::vector<GridIndex>& places = tree.large()[std::size_t(level)];
     std::vector<CubePart> parts(base::chunkCount(places.size(), cubesPerTask));
     base::parallelChunks(places.size(), cubesPerTask, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
         CubeFiller filler(mesh, oriented, parts[chunk]);
@@ -212,20 +213,20 @@ Mesh cutMesh(const surface::Surface& surface, const MarchingOptions& options, Ma
     report.cell = lattice.cell;
     SurfaceGrid grid(surface, lattice);
     grid.build(process::part(progress, 0, 0.8));
-    std::vector<TracedEnd> rims;
-    const LooseEnds loose = settleEnds(grid, rims, report, progress);
+    std::vector<TracedEnd> boundary;
+    const LooseEnds loose = settleEnds(grid, boundary, report, progress);
     progress.step(0.85, "filling cubes");
     Mesh out;
-    addVertices(grid, rims, out);
+    addVertices(grid, boundary, out);
     report.largestCell = lattice.cell;
     if (!(options.adaptive > 0)) {
-        addParts(fillCubes(grid, loose, out, [](const Place&) { return false; }), out, report);
+        addParts(fillCubes(grid, loose, out, [](const GridIndex&) { return false; }), out, report);
         return out;
     }
     const CubeTree tree(grid, loose.ends(), options.adaptive);
-    addParts(fillCubes(grid, loose, out, [&](const Place& p) { return tree.covered(p); }), out, report);
+    addParts(fillCubes(grid, loose, out, [&](const GridIndex& p) { return tree.covered(p); }), out, report);
     for (int level = 1; level < static_cast<int>(tree.large().size()); ++level) {
-        addParts(fillLargeCubes(tree, level, grid.setting().oriented, out), out, report);
+        addParts(fillLargeCubes(tree, level, grid.traits().oriented, out), out, report);
         if (!tree.large()[std::size_t(level)].empty())
             report.largestCell = lattice.cell * (1 << level);
     }
@@ -251,12 +252,12 @@ std::vector<std::uint32_t> close(Mesh& mesh, const surface::Surface& surface, co
 void finishFolds(Mesh& mesh, const surface::Surface& surface, const MarchingOptions& options, MarchingReport& report,
                  const base::Progress& progress) {
     const RelaxOptions shaping = shapingOf(options, report);
-    FoldClosing closing{report.cell, false, options.longestFold};
+    FoldClosing closing{report.cell, false, options.finishing.longestFold};
     const auto middles = close(mesh, surface, closing, shaping, process::part(progress, 0, 0.4));
     report.foldsClosed = middles.size() - reopenCut(mesh, middles, report.cell);
     report.trimmed = trimFolds(mesh, report.cell);
     closing.everyLoop = true;
-    if (options.closeFolds)
+    if (options.finishing.closeFolds)
         report.foldsClosed += close(mesh, surface, closing, shaping, process::part(progress, 0.4, 1)).size();
 }
 
@@ -273,14 +274,14 @@ Mesh marchingCubes(const surface::Surface& surface, const MarchingOptions& optio
     if (out.triangles.empty())
         throw base::Error("no surface was found to mesh", "", "check normals, supports and the boundary limit");
     progress.step(0.7, "orienting triangles");
-    const Orientation orientation = orient(out, WalkSetting(surface).oriented);
+    const Orientation orientation = orient(out, SurfaceTraits(surface).oriented);
     report.parityConflicts = orientation.conflicts;
     report.pieces = orientation.pieceSizes.size();
-    report.smallPieces =
-        static_cast<std::size_t>(std::count_if(orientation.pieceSizes.begin(), orientation.pieceSizes.end(),
-                                               [&](std::uint32_t size) { return size < options.smallPiece; }));
-    if (options.dropSmall)
-        dropSmallPieces(out, orientation, options.smallPiece);
+    report.smallPieces = static_cast<std::size_t>(
+        std::count_if(orientation.pieceSizes.begin(), orientation.pieceSizes.end(),
+                      [&](std::uint32_t size) { return size < options.finishing.smallPiece; }));
+    if (options.finishing.dropSmall)
+        dropSmallPieces(out, orientation, options.finishing.smallPiece);
     relax(out, surface, shapingOf(options, report), process::part(progress, 0.75, 0.93));
     finishFolds(out, surface, options, report, process::part(progress, 0.93, 0.95));
     takeAttributes(out, surface);

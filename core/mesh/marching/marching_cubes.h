@@ -1,26 +1,29 @@
-// Marching cubes for surfaces with a frame that has a direction, or no direction at all (RULES-4 B, alg. 4.4).
+// Marching cubes for surfaces with a frame that has a direction, or no direction at all (mesh/README 3).
 //
-// After A. Adamson, Computing Curves and Surfaces from Points (2007), section 4.4. The unit of decision is a crossing
-// per edge of the grid, a connection per face, a loop per cube: there are no signs at corners and no tables, so nothing
-// that the cubes about an edge or face could disagree upon. Every edge of the mesh has one or two triangles, every
-// vertex one fan of them, whatever the surface, its frame and the cell size.
+// After [Adamson07, 4.4]. The unit of decision is a crossing per edge of the grid, a connection per face, a loop per
+// cube: there are no signs at corners and no tables, so nothing that the cubes about an edge or face could disagree
+// upon. Every edge of the mesh has one or two triangles, every vertex one umbrella of them, whatever the surface, its
+// frame and the cell size.
 //
-//     surface_grid.h    cubes near the surface, crossings      edge_walk.h      one edge
-//     grid_face.h       pairs of crossings in a face           rim_trace.h      where the surface ends in a face
-//     cube_loops.h      loops around a cube                    fill_loop.h      their triangles
-//     cube_tree.h       cubes of several sizes
-//     own_sheet.h       one of two near sheets                 relax_mesh.h     well shaped triangles
-//     orient_mesh.h     which way triangles face               mesh_repair.h    rims of folds closed, small pieces
-//     fold_trim.h       what cuts itself beside rims               dropped
+//     surface_grid.h    cubes near the surface, crossings      edge_walk.h         one edge
+//     grid_face.h       pairs of crossings in a face           boundary_trace.h    where the surface ends in a face
+//     cube_loops.h      loops around a cube                    fill_loop.h         their triangles
+//     cube_tree.h       cubes of several sizes                 relax_mesh.h        well shaped triangles
 //
-// Where the surface ends, the mesh ends in a polyline: at its off-centre limit (alg. 6) on the rim itself, or where the
-// definition ends: folds, thin parts. The report counts both apart.
+// and from core/mesh/finish
+//
+//     orient_mesh.h     which way triangles face               close_folds.h       loops at folds closed
+//     trim_folds.h      what cuts itself beside the boundary   own_sheet.h         one of two near sheets
+//
+// Where the surface ends, the mesh ends in a polyline: at its off-centre limit on the surface's boundary curve
+// (surface/README 5.3), or where the definition ends: folds, thin parts. The report counts both apart.
 //
 // The same bits at any thread count. Memory follows the number of cubes that the surface passes through.
 #pragma once
 
 #include "core/base/mat3.h"
 #include "core/base/progress.h"
+#include "core/mesh/finish/finishing.h"
 #include "core/mesh/mesh.h"
 #include "core/surface/surface.h"
 
@@ -35,22 +38,17 @@ struct MarchingOptions {
     /// is then the smallest. 0: all of one size.
     double adaptive = 0;
     bool relax = true; ///< shape triangles; otherwise vertices stay on the grid's edges
-    /// Close all rims where the definition ends, up to `longestFold` edges; otherwise only short ones where the surface
-    /// goes on behind a step of f.
-    bool closeFolds = false;
-    std::size_t longestFold = 24;
-    bool dropSmall = false; ///< leave out pieces of fewer than `smallPiece` triangles
-    std::size_t smallPiece = 200;
+    Finishing finishing;
 };
 
 struct MarchingReport {
     double cell = 0;             ///< that was used
     std::size_t cubes = 0;       ///< that the surface passes through, of all sizes
     double largestCell = 0;      ///< that was used
-    std::size_t limitEnds = 0;   ///< rim vertices by the limit
-    std::size_t foldEnds = 0;    ///< rim vertices where the definition ends
+    std::size_t limitEnds = 0;   ///< vertices of the boundary by the limit
+    std::size_t foldEnds = 0;    ///< those where the definition ends
     std::size_t foldsClosed = 0; ///< loops
-    std::size_t trimmed = 0;     ///< triangles left out beside rims, because they cut others
+    std::size_t trimmed = 0;     ///< triangles left out beside the boundary, because they cut others
     std::size_t pieces = 0;      ///< connected, before any were dropped
     std::size_t smallPieces = 0; ///< fewer triangles than `smallPiece`
     /// Edges whose two triangles run the same way along it: none where the mesh has two sides.

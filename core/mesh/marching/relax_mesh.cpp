@@ -1,12 +1,15 @@
 #include "core/mesh/marching/relax_mesh.h"
 
-#include "core/mesh/marching/own_sheet.h"
+#include "core/mesh/connectivity/triangulation.h"
+#include "core/mesh/finish/own_sheet.h"
 #include "core/mesh/marching/slabs.h"
-#include "core/mesh/mesh_fans.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/process/estimation/spacing_sample.h"
 #include "core/surface/curves/boundary.h"
 #include "core/surface/evaluation/packets.h"
+#include "core/surface/rays/intersect.h"
+
+#include <algorithm>
 
 namespace mesh {
 
@@ -32,16 +35,18 @@ struct Settled {
 class Relaxer {
   public:
     Relaxer(Mesh& mesh, const surface::Surface& surface, const RelaxOptions& options)
-        : m_mesh(mesh), m_surface(surface), m_setting(surface), m_options(options), m_fans(mesh),
+        : m_mesh(mesh), m_surface(surface), m_traits(surface), m_options(options), m_triangulation(mesh),
           m_spacing(process::typicalSpacing(surface.tree())), m_landed(mesh.positions.size()) {
         lookAround();
     }
 
     void pass(bool last, const base::Progress& progress) {
         std::vector<Vec3d> targets(m_mesh.positions.size());
-        base::parallelFor(targets.size(), grain, [&](std::size_t v) {
-            if (moves(v))
-                targets[v] = target(static_cast<std::uint32_t>(v));
+        base::parallelChunks(targets.size(), grain, [&](std::size_t begin, std::size_t end, std::size_t) {
+            std::vector<std::uint32_t> ring;
+            for (std::size_t v = begin; v < end; ++v)
+                if (moves(v))
+                    targets[v] = target(static_cast<std::uint32_t>(v), ring);
         });
         move(
             targets, last ? tight : loose, [&](std::size_t v) { return moves(v); }, progress);
@@ -62,28 +67,32 @@ class Relaxer {
         if (m_options.about.empty())
             return;
         m_near.resize(m_mesh.positions.size());
-        std::vector<std::uint32_t> ring = m_options.about;
+        std::vector<std::uint32_t> ring = m_options.about, faces;
         for (int i = 0; i <= rings; ++i) {
             std::vector<std::uint32_t> next;
             for (const std::uint32_t v : ring) {
                 if (std::exchange(m_near[v], std::uint8_t(1)))
                     continue;
-                for (const std::uint32_t t : m_fans.at(v))
+                m_triangulation.oneRing(v, faces);
+                for (const std::uint32_t t : faces)
                     next.insert(next.end(), m_mesh.triangles[t].begin(), m_mesh.triangles[t].end());
             }
             ring = std::move(next);
         }
     }
 
-    /// Along the surface towards the middle of the neighbours.
-    Vec3d target(std::uint32_t v) const {
+    /// Along the surface towards the middle of the neighbours. `ring` is scratch.
+    Vec3d target(std::uint32_t v, std::vector<std::uint32_t>& ring) const {
         const Vec3d here = m_mesh.positions[v];
-        if (m_mesh.kinds[v] == VertexKind::Limit || (m_mesh.kinds[v] == VertexKind::Fold && onBoundary(v)))
-            return alongRim(v);
+        const VertexKind kind = m_mesh.kinds[v];
+        if (kind == VertexKind::Limit || (kind == VertexKind::Fold && m_triangulation.onBoundary(v)))
+            return alongBoundary(v);
+        m_triangulation.oneRing(v, ring);
+        std::sort(ring.begin(), ring.end()); // sums depend on the order, which depends on how triangles are turned
         Vec3d sum;
         double reach = 0;
         int count = 0;
-        for (const std::uint32_t t : m_fans.at(v))
+        for (const std::uint32_t t : ring)
             for (const std::uint32_t other : m_mesh.triangles[t])
                 if (other != v) {
                     sum += m_mesh.positions[other] - here;
@@ -96,28 +105,13 @@ class Relaxer {
         return here + limited(along(sum / count, n) * m_options.share, std::max(m_options.cell, reach / count));
     }
 
-    bool onBoundary(std::uint32_t v) const {
-        for (const std::uint32_t t : m_fans.at(v))
-            for (int corner = 0; corner < 3; ++corner)
-                if (m_fans.across(t, corner) == MeshFans::none &&
-                    (m_mesh.triangles[t][std::size_t(corner)] == v ||
-                     m_mesh.triangles[t][std::size_t((corner + 1) % 3)] == v))
-                    return true;
-        return false;
-    }
-
     /// Towards the middle of the two neighbours on the boundary.
-    Vec3d alongRim(std::uint32_t v) const {
+    Vec3d alongBoundary(std::uint32_t v) const {
         const Vec3d here = m_mesh.positions[v];
         Vec3d sum;
-        for (const std::uint32_t t : m_fans.at(v)) {
-            const Triangle& triangle = m_mesh.triangles[t];
-            for (int corner = 0; corner < 3; ++corner) {
-                const std::uint32_t a = triangle[std::size_t(corner)], b = triangle[std::size_t((corner + 1) % 3)];
-                if ((a == v || b == v) && m_fans.across(t, corner) == MeshFans::none)
-                    sum += m_mesh.positions[a == v ? b : a] - here;
-            }
-        }
+        for (const Side& side : m_triangulation.boundarySides(v))
+            if (side.exists())
+                sum += m_mesh.positions[m_triangulation.otherEnd(side, v)] - here;
         return here + limited(sum * (0.5 * m_options.share), m_options.cell);
     }
 
@@ -167,13 +161,13 @@ class Relaxer {
     Settled byOwnSheet(const Vec3d& start, std::size_t v) const {
         const Vec3f before = m_mesh.normals[v];
         const double far = farthest * std::max(m_options.cell, m_spacing);
-        const auto found = ontoOwnSheet(m_surface, m_setting, start, before, far);
+        const auto found = ontoOwnSheet(m_surface, m_traits, start, before, far);
         return found ? Settled{dot(found->normal, before) >= steadiest, found->position, found->normal} : Settled{};
     }
 
     /// With the sign of the vertex' normal where signs mean nothing.
     Vec3f facing(const Vec3f& normal, std::size_t v) const {
-        return !m_setting.oriented && dot(normal, m_mesh.normals[v]) < 0 ? -normal : normal;
+        return !m_traits.oriented && dot(normal, m_mesh.normals[v]) < 0 ? -normal : normal;
     }
 
     /// Newton's method along the gradient.
@@ -193,7 +187,7 @@ class Relaxer {
                 return {};
             // where near sheets meet f may have steps: only what was evaluated counts
             const double still = at.agreement < oneSheet ? certain : enough;
-            if (size > still * m_setting.spacingsPerUnit * double(at.unit))
+            if (size > still * m_traits.spacingsPerUnit * double(at.unit))
                 continue;
             const Vec3f normal = facing(base::normalized(at.gradient), v);
             return {dot(normal, before) >= steadiest, x, normal};
@@ -202,7 +196,7 @@ class Relaxer {
     }
 
     Settled onRim(const Vec3d& start, std::size_t v) const {
-        // as the surface answers unasked, where that leads to a rim
+        // as the surface answers unasked, where that leads to a boundary
         if (const Settled out = onRim(start, v, {}); out.good)
             return out;
         Settled out = onRim(start, v, {m_mesh.normals[v]});
@@ -258,9 +252,9 @@ class Relaxer {
 
     Mesh& m_mesh;
     const surface::Surface& m_surface;
-    WalkSetting m_setting;
+    SurfaceTraits m_traits;
     const RelaxOptions& m_options;
-    MeshFans m_fans;
+    Triangulation m_triangulation;
     double m_spacing;
     std::vector<std::uint8_t> m_near;   ///< does the vertex move? Empty: all do
     std::vector<std::uint8_t> m_landed; ///< is the vertex on the surface, as closely as can be?

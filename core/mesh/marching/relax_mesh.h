@@ -1,11 +1,12 @@
-// Vertices of a mesh put onto the surface, and moved along it until triangles are well shaped.
+// Puts the vertices of a mesh onto the surface and moves them along it until triangles are well shaped (mesh/README
+// 3.13).
 //
-// Every vertex moves towards the middle of its neighbours, along the surface, and is projected onto it (Newton along
-// the gradient), or where near sheets meet onto its own sheet (own_sheet.h). Rims move along themselves: those by the
-// limit stay rim points (alg. 6). No triangle changes its corners, so what the mesh is connected like stays. A vertex
-// stays where a move would leave the surface, or turn a triangle over that was not.
+// Each vertex moves towards the mean of its neighbours and is projected back by Newton's method along the gradient, or
+// onto its own sheet where several are near (own_sheet.h). Boundary vertices move along the boundary; those at the
+// limit stay on its curve (surface/README 5.3). Connectivity does not change. A vertex stays put where a move would
+// leave the surface or turn a triangle over.
 //
-// The same bits at any thread count.
+// Same bits at any thread count.
 #pragma once
 
 #include "core/base/progress.h"
@@ -15,14 +16,14 @@
 namespace mesh {
 
 struct RelaxOptions {
-    int passes = 2;     ///< 0: vertices are only put onto the surface
-    double share = 0.7; ///< of the way to the middle, per pass
-    double cell = 0;    ///< no vertex moves by more than half of it at once
-    /// Only these move and what is up to four edges from them; empty: all.
+    int passes = 2;     ///< 0: only project vertices onto the surface
+    double share = 0.7; ///< of the way to the mean, per pass
+    double cell = 0;    ///< a vertex moves by at most half of it at once
+    /// Move only these and vertices up to four edges away; empty: all.
     std::vector<std::uint32_t> about;
 };
 
-/// REQUIRES: normals and kinds. Normals become the unit gradients at the vertices, with the sign they had.
+/// REQUIRES: normals and kinds. Normals become unit gradients and keep their sign.
 void relax(Mesh& mesh, const surface::Surface& surface, const RelaxOptions& options,
            const base::Progress& progress = {});
 

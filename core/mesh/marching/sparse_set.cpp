@@ -48,13 +48,13 @@ Moved movedUp(std::uint64_t mask, int axis) {
 
 } // namespace
 
-std::uint64_t brickKey(const Place& p) {
+std::uint64_t brickKey(const GridIndex& p) {
     static_assert(Lattice::extent / brickSide <= 1 << bitsPerAxis);
     return keyOf(static_cast<std::uint32_t>(p.x) >> 2, static_cast<std::uint32_t>(p.y) >> 2,
                  static_cast<std::uint32_t>(p.z) >> 2);
 }
 
-Place brickPlace(std::uint64_t key) {
+GridIndex lowestOf(std::uint64_t key) {
     return {static_cast<std::int32_t>(gathered(key) << 2), static_cast<std::int32_t>(gathered(key >> 1) << 2),
             static_cast<std::int32_t>(gathered(key >> 2) << 2)};
 }
@@ -96,18 +96,18 @@ std::uint32_t SparseSet::find(std::uint64_t key) const {
             return m_table[slot];
 }
 
-std::uint32_t SparseSet::rank(const Place& p) const {
+std::uint32_t SparseSet::rank(const GridIndex& p) const {
     const std::uint32_t brick = find(brickKey(p));
     return brick == noRank ? noRank : rankIn(m_bricks[brick], bitOf(p.x & 3, p.y & 3, p.z & 3));
 }
 
 Neighbourhood::Neighbourhood(const SparseSet& set, std::uint32_t brick, bool below)
-    : m_lowest(brickPlace(set.bricks()[brick].key)) {
+    : m_lowest(lowestOf(set.bricks()[brick].key)) {
     const int first = below ? -1 : 0;
     for (int z = first; z < 2; ++z)
         for (int y = first; y < 2; ++y)
             for (int x = first; x < 2; ++x) {
-                const Place at{m_lowest.x + x * brickSide, m_lowest.y + y * brickSide, m_lowest.z + z * brickSide};
+                const GridIndex at{m_lowest.x + x * brickSide, m_lowest.y + y * brickSide, m_lowest.z + z * brickSide};
                 const std::uint32_t found = set.find(brickKey(at));
                 m_bricks[std::size_t(x + 1 + 3 * (y + 1) + 9 * (z + 1))] =
                     found == noRank ? nullptr : &set.bricks()[found];
@@ -124,7 +124,7 @@ SparseSet cornersOf(const SparseSet& cubes, const SparseSet& beside) {
             const Moved moved = movedUp(bits[i].mask, axis);
             bits[i].mask |= moved.stays;
             if (moved.leaves)
-                bits.push_back({brickKey(brickPlace(bits[i].key).next(axis, brickSide)), moved.leaves});
+                bits.push_back({brickKey(lowestOf(bits[i].key).next(axis, brickSide)), moved.leaves});
         }
         joinBits(bits);
     }

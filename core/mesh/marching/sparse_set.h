@@ -1,5 +1,5 @@
-// A set of places as bricks of 4 x 4 x 4, each one 64-bit word: memory follows the number of bricks, and every place
-// has a number, its rank in the order of bricks.
+// A set of grid indices as bricks of 4 x 4 x 4, each one 64-bit word: memory follows the number of bricks, and every
+// member has a number, its rank in the order of bricks.
 //
 //     SparseSet set(std::move(bits));                 from words gathered anywhere, in any order
 //     Neighbourhood around(set, b);                   brick b and the seven above it
@@ -19,18 +19,18 @@ namespace mesh {
 constexpr int brickSide = 4;
 constexpr std::uint32_t noRank = 0xffffffffu;
 
-/// Some places of one brick. Keys are Morton codes of brick coordinates.
+/// Some members of one brick. Keys are Morton codes of brick coordinates.
 struct BrickBits {
     std::uint64_t key = 0, mask = 0;
 };
 
-std::uint64_t brickKey(const Place& p);
-/// The lowest place of a brick.
-Place brickPlace(std::uint64_t key);
+std::uint64_t brickKey(const GridIndex& p);
+/// The lowest index of a brick.
+GridIndex lowestOf(std::uint64_t key);
 constexpr int bitOf(int x, int y, int z) {
     return x | y << 2 | z << 4;
 }
-inline BrickBits bitsOf(const Place& p) {
+inline BrickBits bitsOf(const GridIndex& p) {
     return {brickKey(p), std::uint64_t(1) << bitOf(p.x & 3, p.y & 3, p.z & 3)};
 }
 /// Sorts by key and joins the words of one brick.
@@ -40,7 +40,7 @@ class SparseSet {
   public:
     struct Brick {
         std::uint64_t key = 0, mask = 0;
-        std::uint32_t first = 0; ///< rank of the lowest place
+        std::uint32_t first = 0; ///< rank of the lowest member
     };
 
     SparseSet() = default;
@@ -50,16 +50,16 @@ class SparseSet {
     const std::vector<Brick>& bricks() const { return m_bricks; }
     /// Number of the brick, or noRank.
     std::uint32_t find(std::uint64_t key) const;
-    std::uint32_t rank(const Place& p) const;
-    bool contains(const Place& p) const { return rank(p) != noRank; }
-    /// Calls fn(place, rank) for all places of a brick.
+    std::uint32_t rank(const GridIndex& p) const;
+    bool contains(const GridIndex& p) const { return rank(p) != noRank; }
+    /// Calls fn(index, rank) for all members of a brick.
     template <class Fn>
-    void forPlaces(std::uint32_t brick, const Fn& fn) const {
-        const Place lowest = brickPlace(m_bricks[brick].key);
+    void forMembers(std::uint32_t brick, const Fn& fn) const {
+        const GridIndex lowest = lowestOf(m_bricks[brick].key);
         std::uint32_t rank = m_bricks[brick].first;
         for (std::uint64_t rest = m_bricks[brick].mask; rest; rest &= rest - 1) {
             const int bit = std::countr_zero(rest);
-            fn(Place{lowest.x + (bit & 3), lowest.y + (bit >> 2 & 3), lowest.z + (bit >> 4)}, rank++);
+            fn(GridIndex{lowest.x + (bit & 3), lowest.y + (bit >> 2 & 3), lowest.z + (bit >> 4)}, rank++);
         }
     }
 
@@ -89,16 +89,16 @@ class Neighbourhood {
     /// Below the brick there are neighbours too if `below`.
     Neighbourhood(const SparseSet& set, std::uint32_t brick, bool below = false);
 
-    const Place& lowest() const { return m_lowest; }
+    const GridIndex& lowest() const { return m_lowest; }
     /// REQUIRES: less than a brick away from the brick, not below it unless asked for.
-    std::uint32_t rank(const Place& p) const {
+    std::uint32_t rank(const GridIndex& p) const {
         const int x = p.x - m_lowest.x + brickSide, y = p.y - m_lowest.y + brickSide, z = p.z - m_lowest.z + brickSide;
         const SparseSet::Brick* brick = m_bricks[std::size_t((x >> 2) + 3 * (y >> 2) + 9 * (z >> 2))];
         return brick ? rankIn(*brick, bitOf(x & 3, y & 3, z & 3)) : noRank;
     }
 
   private:
-    Place m_lowest;
+    GridIndex m_lowest;
     std::array<const SparseSet::Brick*, 27> m_bricks{};
 };
 

@@ -27,7 +27,7 @@ std::vector<T> joined(const std::vector<std::vector<T>>& parts) {
     return out;
 }
 
-Place placeOf(const Vec3d& grid) {
+GridIndex placeOf(const Vec3d& grid) {
     return {static_cast<std::int32_t>(std::floor(grid.x)), static_cast<std::int32_t>(std::floor(grid.y)),
             static_cast<std::int32_t>(std::floor(grid.z))};
 }
@@ -38,8 +38,8 @@ void addDisc(const Vec3d& centre, const Vec3d& normal, double radius, std::vecto
     const double reach = 0.5 * (std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z)) + slack;
     const double widest = (radius + 0.5) * (radius + 0.5);
     const Vec3d side{radius, radius, radius};
-    const Place lo = placeOf(centre - side), hi = placeOf(centre + side);
-    for (Place p = lo; p.z <= hi.z; ++p.z)
+    const GridIndex lo = placeOf(centre - side), hi = placeOf(centre + side);
+    for (GridIndex p = lo; p.z <= hi.z; ++p.z)
         for (p.y = lo.y; p.y <= hi.y; ++p.y)
             for (p.x = lo.x; p.x <= hi.x; ++p.x) {
                 const Vec3d to = Vec3d{p.x + 0.5, p.y + 0.5, p.z + 0.5} - centre;
@@ -52,7 +52,7 @@ void addDisc(const Vec3d& centre, const Vec3d& normal, double radius, std::vecto
 } // namespace
 
 SurfaceGrid::SurfaceGrid(const surface::Surface& surface, const Lattice& lattice)
-    : m_surface(surface), m_setting(surface), m_lattice(lattice) {}
+    : m_surface(surface), m_traits(surface), m_lattice(lattice) {}
 
 void SurfaceGrid::build(const base::Progress& progress) {
     complete(discs(process::part(progress, 0, 0.2)), process::part(progress, 0.2, 1));
@@ -115,7 +115,7 @@ std::vector<BrickBits> SurfaceGrid::discs(const base::Progress& progress) const 
             const Vec3d foot =
                 base::cast<double>(x[i]) - n * std::clamp(double(at[i].value), -furthest * unit, furthest * unit);
             addDisc(m_lattice.toGrid(foot), m_lattice.turned * n,
-                    radius * m_setting.spacingsPerUnit * unit / m_lattice.cell, parts[chunk]);
+                    radius * m_traits.spacingsPerUnit * unit / m_lattice.cell, parts[chunk]);
         }
         joinBits(parts[chunk]);
     });
@@ -161,24 +161,24 @@ void SurfaceGrid::add(std::vector<BrickBits> cubes) {
 
 void SurfaceGrid::evaluateNodes(const base::Progress& progress) {
     constexpr std::size_t bricksAtOnce = 128;
-    parallelSlabs(m_nodes.bricks().size(), bricksAtOnce, progress, step,
-                  [&](std::size_t begin, std::size_t end, std::size_t) {
-                      std::vector<Vec3f> x;
-                      std::vector<std::uint32_t> ranks;
-                      for (std::size_t b = begin; b < end; ++b)
-                          m_nodes.forPlaces(static_cast<std::uint32_t>(b), [&](const Place& place, std::uint32_t rank) {
-                              if (m_known[rank])
-                                  return;
-                              x.push_back(base::cast<float>(m_lattice.at(place)));
-                              ranks.push_back(rank);
-                          });
-                      std::vector<Evaluationf> at(x.size());
-                      m_surface.evaluate(x, surface::Need::Value, at);
-                      for (std::size_t i = 0; i < x.size(); ++i) {
-                          m_values[ranks[i]] = NodeValue::of(at[i]);
-                          m_known[ranks[i]] = 1;
-                      }
-                  });
+    parallelSlabs(
+        m_nodes.bricks().size(), bricksAtOnce, progress, step, [&](std::size_t begin, std::size_t end, std::size_t) {
+            std::vector<Vec3f> x;
+            std::vector<std::uint32_t> ranks;
+            for (std::size_t b = begin; b < end; ++b)
+                m_nodes.forMembers(static_cast<std::uint32_t>(b), [&](const GridIndex& place, std::uint32_t rank) {
+                    if (m_known[rank])
+                        return;
+                    x.push_back(base::cast<float>(m_lattice.at(place)));
+                    ranks.push_back(rank);
+                });
+            std::vector<Evaluationf> at(x.size());
+            m_surface.evaluate(x, surface::Need::Value, at);
+            for (std::size_t i = 0; i < x.size(); ++i) {
+                m_values[ranks[i]] = NodeValue::of(at[i]);
+                m_known[ranks[i]] = 1;
+            }
+        });
 }
 
 /// Edges between nodes that nobody has looked at and that may cross; those that cannot are done with.
@@ -186,18 +186,18 @@ std::vector<SurfaceGrid::Job> SurfaceGrid::openEdges() {
     const std::size_t bricks = m_nodes.bricks().size();
     std::vector<std::vector<Job>> parts(base::chunkCount(bricks, bricksPerTask));
     base::parallelChunks(bricks, bricksPerTask, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
-        const auto look = [&](const Neighbourhood& around, const Place& p, std::uint32_t n, int axis) {
+        const auto look = [&](const Neighbourhood& around, const GridIndex& p, std::uint32_t n, int axis) {
             const std::uint32_t last = around.rank(p.next(axis));
             std::uint32_t& at = m_edges[3 * std::size_t(n) + std::size_t(axis)];
             if (last == noRank || at != unknown)
                 return;
             at = none;
-            if (!EdgeWalk::passes(m_setting, edgeOf(p, axis), m_values[n], m_values[last]))
+            if (!EdgeWalk::passes(m_traits, edgeOf(p, axis), m_values[n], m_values[last]))
                 parts[chunk].push_back({p, n, last, axis});
         };
         for (std::size_t b = begin; b < end; ++b) {
             const Neighbourhood around(m_nodes, static_cast<std::uint32_t>(b));
-            m_nodes.forPlaces(static_cast<std::uint32_t>(b), [&](const Place& p, std::uint32_t n) {
+            m_nodes.forMembers(static_cast<std::uint32_t>(b), [&](const GridIndex& p, std::uint32_t n) {
                 for (int axis = 0; axis < 3; ++axis)
                     look(around, p, n, axis);
             });
@@ -220,7 +220,7 @@ std::vector<SurfaceGrid::Found> SurfaceGrid::walk(std::span<const Job> jobs, Car
         std::vector<std::optional<Crossing>> found(middles.size());
         surface::forPackets(m_surface, middles, slack, [&](surface::Source& source, std::size_t i) {
             const Job& job = jobs[begin + i];
-            found[i] = EdgeWalk(m_setting, source, edgeOf(job.node, job.axis), care)
+            found[i] = EdgeWalk(m_traits, source, edgeOf(job.node, job.axis), care)
                            .run(m_values[job.first], m_values[job.last]);
         });
         for (std::size_t i = 0; i < found.size(); ++i)
@@ -237,14 +237,14 @@ std::vector<BrickBits> SurfaceGrid::cubesAbout(std::span<const Job> jobs) const 
     base::parallelChunks(jobs.size(), jobsPerTask, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
         std::optional<Neighbourhood> around;
         for (const Job& job : jobs.subspan(begin, end - begin)) {
-            if (const std::uint64_t key = brickKey(job.node); !around || !(around->lowest() == brickPlace(key)))
+            if (const std::uint64_t key = brickKey(job.node); !around || !(around->lowest() == lowestOf(key)))
                 around.emplace(m_nodes, m_nodes.find(key), true);
             const int u = (job.axis + 1) % 3, v = (job.axis + 2) % 3;
             // the edge is there: a cube lacks corners where another of its edges along the axis does
             bool there[3][3];
             for (int a = 0; a < 3; ++a)
                 for (int b = 0; b < 3; ++b) {
-                    const Place end0 = job.node.next(u, a - 1).next(v, b - 1);
+                    const GridIndex end0 = job.node.next(u, a - 1).next(v, b - 1);
                     there[a][b] = around->rank(end0) != noRank && around->rank(end0.next(job.axis)) != noRank;
                 }
             for (int a = 0; a < 2; ++a)

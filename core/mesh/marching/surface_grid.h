@@ -1,8 +1,9 @@
-// The cubes near the surface, the values at their nodes and the crossings of their edges. Internal to the room.
+// The cubes near the surface, the values at their nodes and the crossings of their edges (mesh/README 3.1). Internal to
+// the room.
 //
-// Looked for from the surfels outwards: the cubes that the surfels' own small discs of surface pass through, and then,
-// round after round, all four cubes about every edge that crosses, until no crossing lacks a cube. So nothing is
-// evaluated but corners of cubes that the surface passes through, and what floats away from all surfels is not found.
+// The search starts at the surfels: first the cubes that their tangent discs pass through, then, round after round, all
+// four cubes about every edge that crosses, until no crossing lacks a cube. So f is evaluated only at corners of cubes
+// that the surface passes through, and zeros far from all surfels are never found.
 //
 // Numbers of nodes and crossings follow the order of bricks (sparse_set.h): the same at any thread count.
 #pragma once
@@ -15,7 +16,7 @@ namespace mesh {
 
 class SurfaceGrid {
   public:
-    /// Of an edge's number of crossing: not looked at yet, looked at and none.
+    /// Instead of the number of a crossing: edge not visited yet; visited, without a crossing.
     static constexpr std::uint32_t unknown = 0xffffffffu, none = 0xfffffffeu;
 
     SurfaceGrid(const surface::Surface& surface, const Lattice& lattice);
@@ -24,25 +25,25 @@ class SurfaceGrid {
     void build(const base::Progress& progress);
 
     const surface::Surface& surface() const { return m_surface; }
-    const WalkSetting& setting() const { return m_setting; }
+    const SurfaceTraits& traits() const { return m_traits; }
     const Lattice& lattice() const { return m_lattice; }
     const SparseSet& nodes() const { return m_nodes; }
     const NodeValue& value(std::uint32_t node) const { return m_values[node]; }
-    /// Of the edge from a node along an axis: below `none` where there is a crossing.
+    /// Of the edge from a node along an axis: a number below `none` if it crosses.
     std::uint32_t crossingOf(std::uint32_t node, int axis) const { return m_edges[3 * std::size_t(node) + axis]; }
     const std::vector<Crossing>& crossings() const { return m_crossings; }
 
-    /// Walks edges again in short steps, and takes their crossings or none for what is found. Returns whether any
-    /// changed; the grid is complete again.
+    /// Walks edges again in short steps and replaces what is known of them. Returns whether any changed; the grid is
+    /// complete afterwards.
     struct EdgeName {
-        Place node;
+        GridIndex node;
         int axis = 0;
     };
     bool reconsider(std::span<const EdgeName> edges, const base::Progress& progress);
 
   private:
     struct Job {
-        Place node;
+        GridIndex node;
         std::uint32_t first = 0, last = 0; ///< ranks of its ends
         int axis = 0;
     };
@@ -55,7 +56,7 @@ class SurfaceGrid {
         std::size_t job = 0;
         Crossing crossing;
     };
-    Edge edgeOf(const Place& node, int axis) const {
+    Edge edgeOf(const GridIndex& node, int axis) const {
         return {m_lattice.at(node), m_lattice.direction(axis), m_lattice.cell};
     }
     std::vector<Found> walk(std::span<const Job> jobs, Care care, const base::Progress& progress) const;
@@ -64,7 +65,7 @@ class SurfaceGrid {
     void number();
 
     const surface::Surface& m_surface;
-    WalkSetting m_setting;
+    SurfaceTraits m_traits;
     Lattice m_lattice;
     SparseSet m_nodes;
     std::vector<NodeValue> m_values;

@@ -1,7 +1,7 @@
 #include "core/render/overlay/wireframe.h"
 
 #include "core/base/parallel.h"
-#include "core/mesh/edges.h"
+#include "core/mesh/connectivity/triangulation.h"
 #include "core/render/effects/pixel_geometry.h"
 
 #include <algorithm>
@@ -12,8 +12,10 @@ using base::Vec3d;
 
 Wires wiresOf(std::shared_ptr<const mesh::Mesh> mesh) {
     Wires out;
-    mesh::forEdges(mesh::edgeUses(mesh->triangles), [&](std::span<const mesh::EdgeUse> uses) {
-        out.edges.push_back({uses[0].low, uses[0].high, uses.size() == 1});
+    const mesh::Triangulation triangulation(*mesh);
+    triangulation.forEdges([&](const mesh::Side& s) {
+        const auto [low, high] = std::minmax({triangulation.from(s), triangulation.to(s)});
+        out.edges.push_back({low, high, triangulation.onBoundary(s)});
     });
     out.mesh = std::move(mesh);
     return out;

@@ -1,7 +1,8 @@
-// A triangle net with its vertices on a surface: what Delaunay refinement works on. Internal to the room.
+// A triangulation with its vertices on a surface: what Delaunay refinement works on. Internal to the room.
 #pragma once
 
-#include "core/mesh/delaunay/triangle_net.h"
+#include "core/mesh/connectivity/triangulation.h"
+#include "core/mesh/finish/own_sheet.h"
 #include "core/surface/evaluation/source.h"
 
 #include <optional>
@@ -21,31 +22,26 @@ struct Ball {
     }
 };
 
-class SurfaceNet {
+class SurfaceTriangulation : public Triangulation {
   public:
-    /// REQUIRES: positions, normals and kinds of a manifold mesh; `surface` outlives the net.
-    SurfaceNet(const surface::Surface& surface, const Mesh& mesh);
+    /// REQUIRES: positions, normals and kinds of a manifold mesh; `surface` outlives the triangulation.
+    SurfaceTriangulation(const surface::Surface& surface, const Mesh& mesh);
 
-    TriangleNet net;
     std::vector<base::Vec3d> positions;
     std::vector<base::Vec3f> normals; ///< unit gradients; of either sign where the surface has no sides
     std::vector<VertexKind> kinds;
 
-    struct Place {
-        base::Vec3d position;
-        base::Vec3f normal;
-    };
     /// A vertex that is not in use yet.
-    std::uint32_t add(const Place& place, VertexKind kind);
-    std::array<base::Vec3d, 3> places(const Triangle& t) const {
+    std::uint32_t addVertex(const SurfacePoint& at, VertexKind kind);
+    std::array<base::Vec3d, 3> cornersOf(const Triangle& t) const {
         return {positions[t[0]], positions[t[1]], positions[t[2]]};
     }
     /// Unit, of the side from which the corners run counter-clockwise; zero without area.
-    base::Vec3d across(const Triangle& t) const;
+    base::Vec3d faceNormal(const Triangle& t) const;
     /// The mean of the corners' normals, unit, with the first one's sign.
-    base::Vec3d normal(const Triangle& t) const;
+    base::Vec3d surfaceNormal(const Triangle& t) const;
     /// Cosine between a face and the surface's normals at its corners; negative where it runs the other way.
-    double facing(const Triangle& t) const { return dot(across(t), normal(t)); }
+    double facing(const Triangle& t) const { return dot(faceNormal(t), surfaceNormal(t)); }
 
     Ball ball(const Triangle& t);
     /// The root of f on a line, at most `reach` from x, whose normal is near to that given.

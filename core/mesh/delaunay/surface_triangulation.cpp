@@ -1,26 +1,26 @@
-#include "core/mesh/delaunay/surface_net.h"
+#include "core/mesh/delaunay/surface_triangulation.h"
 
 namespace mesh {
 
 using base::Vec3d, base::Vec3f;
 
-SurfaceNet::SurfaceNet(const surface::Surface& surface, const Mesh& mesh)
-    : net(mesh.triangles, mesh.positions.size()), positions(mesh.positions), normals(mesh.normals), kinds(mesh.kinds),
+SurfaceTriangulation::SurfaceTriangulation(const surface::Surface& surface, const Mesh& mesh)
+    : Triangulation(mesh), positions(mesh.positions), normals(mesh.normals), kinds(mesh.kinds),
       m_source(surface, surface::Steps::Apart) {}
 
-std::uint32_t SurfaceNet::add(const Place& place, VertexKind kind) {
-    positions.push_back(place.position);
-    normals.push_back(place.normal);
+std::uint32_t SurfaceTriangulation::addVertex(const SurfacePoint& at, VertexKind kind) {
+    positions.push_back(at.position);
+    normals.push_back(at.normal);
     kinds.push_back(kind);
-    return net.addVertex();
+    return Triangulation::addVertex();
 }
 
-Vec3d SurfaceNet::across(const Triangle& t) const {
+Vec3d SurfaceTriangulation::faceNormal(const Triangle& t) const {
     const Vec3d& a = positions[t[0]];
     return base::normalized(cross(positions[t[1]] - a, positions[t[2]] - a));
 }
 
-Vec3d SurfaceNet::normal(const Triangle& t) const {
+Vec3d SurfaceTriangulation::surfaceNormal(const Triangle& t) const {
     const Vec3f first = normals[t[0]];
     Vec3f sum = first;
     for (std::size_t k = 1; k < 3; ++k)
@@ -29,7 +29,7 @@ Vec3d SurfaceNet::normal(const Triangle& t) const {
 }
 
 /// In float, and from there to x by the slope: far from the origin floats are coarser than small triangles.
-SurfaceNet::Sheet SurfaceNet::evaluate(const Vec3d& x, const Vec3d& normal) {
+SurfaceTriangulation::Sheet SurfaceTriangulation::evaluate(const Vec3d& x, const Vec3d& normal) {
     const Vec3f near = base::cast<float>(x);
     const auto at = m_source.evaluate(near, surface::Need::Gradient, {base::cast<float>(normal)});
     if (!at.ok() && at.status != surface::Status::BeyondBoundary)
@@ -38,8 +38,8 @@ SurfaceNet::Sheet SurfaceNet::evaluate(const Vec3d& x, const Vec3d& normal) {
     return {double(at.value) + dot(gradient, x - base::cast<double>(near)), gradient, double(at.unit)};
 }
 
-std::optional<SurfaceNet::Root> SurfaceNet::root(const Vec3d& x, const Vec3d& along, double reach,
-                                                 const Vec3d& normal) {
+std::optional<SurfaceTriangulation::Root> SurfaceTriangulation::root(const Vec3d& x, const Vec3d& along, double reach,
+                                                                     const Vec3d& normal) {
     constexpr int steps = 8;
     constexpr double precise = 1e-5, leastSlope = 0.1, sameSheet = 0.5;
     double t = 0;
@@ -60,14 +60,14 @@ std::optional<SurfaceNet::Root> SurfaceNet::root(const Vec3d& x, const Vec3d& al
     return std::nullopt;
 }
 
-double SurfaceNet::height(const Vec3d& x, const Vec3d& normal) {
+double SurfaceTriangulation::height(const Vec3d& x, const Vec3d& normal) {
     const Sheet at = evaluate(x, normal);
     const double slope = length(at.gradient);
     return slope > 0 ? std::abs(at.value) / slope : std::numeric_limits<double>::infinity();
 }
 
-Ball SurfaceNet::ball(const Triangle& t) {
-    const auto [a, b, c] = places(t);
+Ball SurfaceTriangulation::ball(const Triangle& t) {
+    const auto [a, b, c] = cornersOf(t);
     const Vec3d u = b - a, v = c - a, w = cross(u, v);
     const double area = lengthSq(w);
     const double longest = std::max({lengthSq(u), lengthSq(v), distanceSq(b, c)});
@@ -84,7 +84,7 @@ Ball SurfaceNet::ball(const Triangle& t) {
     out.centre = a + (cross(w, u) * lengthSq(v) + cross(v, w) * lengthSq(u)) / (2 * area);
     out.radius = distance(out.centre, a);
     const Vec3d along = w / std::sqrt(area);
-    if (const auto found = root(out.centre, along, out.radius, normal(t))) {
+    if (const auto found = root(out.centre, along, out.radius, surfaceNormal(t))) {
         out.centre += along * found->t;
         out.radius = distance(out.centre, a);
         out.onSurface = true;
@@ -92,14 +92,14 @@ Ball SurfaceNet::ball(const Triangle& t) {
     return out;
 }
 
-Mesh SurfaceNet::mesh(const std::vector<bool>& leftOut) const {
+Mesh SurfaceTriangulation::mesh(const std::vector<bool>& leftOut) const {
     Mesh out;
     out.positions = positions;
     out.normals = normals;
     out.kinds = kinds;
-    for (std::uint32_t f = 0; f < net.faceCount(); ++f)
-        if (net.alive(f) && !leftOut[f])
-            out.triangles.push_back(net.corners(f));
+    for (std::uint32_t f = 0; f < faceCount(); ++f)
+        if (alive(f) && !leftOut[f])
+            out.triangles.push_back(corners(f));
     return out;
 }
 

@@ -1,4 +1,4 @@
-#include "core/mesh/marching/rim_trace.h"
+#include "core/mesh/marching/boundary_trace.h"
 
 #include "core/base/parallel.h"
 #include "core/surface/evaluation/packets.h"
@@ -12,23 +12,23 @@ std::vector<LooseEnd> looseEnds(const SurfaceGrid& grid) {
     constexpr std::size_t bricksPerTask = 64;
     const SparseSet& nodes = grid.nodes();
     std::vector<std::vector<LooseEnd>> parts(base::chunkCount(nodes.bricks().size(), bricksPerTask));
-    base::parallelChunks(nodes.bricks().size(), bricksPerTask,
-                         [&](std::size_t begin, std::size_t end, std::size_t chunk) {
-                             for (std::size_t b = begin; b < end; ++b) {
-                                 const Neighbourhood around(nodes, static_cast<std::uint32_t>(b));
-                                 nodes.forPlaces(static_cast<std::uint32_t>(b), [&](const Place& p, std::uint32_t n) {
-                                     GridFace face;
-                                     for (int axis = 0; axis < 3; ++axis) {
-                                         if (!faceAt(grid, around, p, axis, face) || face.count == 0)
-                                             continue;
-                                         const FacePairs pairs = pairsOf(grid, face);
-                                         for (int i = 0; i < face.count; ++i)
-                                             if (pairs.partner[static_cast<std::size_t>(i)] < 0)
-                                                 parts[chunk].push_back({n, axis, face, i});
-                                     }
-                                 });
-                             }
-                         });
+    base::parallelChunks(
+        nodes.bricks().size(), bricksPerTask, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+            for (std::size_t b = begin; b < end; ++b) {
+                const Neighbourhood around(nodes, static_cast<std::uint32_t>(b));
+                nodes.forMembers(static_cast<std::uint32_t>(b), [&](const GridIndex& p, std::uint32_t n) {
+                    GridFace face;
+                    for (int axis = 0; axis < 3; ++axis) {
+                        if (!faceAt(grid, around, p, axis, face) || face.count == 0)
+                            continue;
+                        const FacePairs pairs = pairsOf(grid, face);
+                        for (int i = 0; i < face.count; ++i)
+                            if (pairs.partner[static_cast<std::size_t>(i)] < 0)
+                                parts[chunk].push_back({n, axis, face, i});
+                    }
+                });
+            }
+        });
     std::vector<LooseEnd> out;
     for (const auto& part : parts)
         out.insert(out.end(), part.begin(), part.end());
@@ -115,7 +115,7 @@ class FaceTrace {
             const Vec3d g = base::cast<double>(at.gradient), flat = g - m_across * dot(g, m_across);
             if (!(lengthSq(flat) > leastAcross * leastAcross * lengthSq(g)))
                 return Verdict::Failed;
-            const double spacing = m_grid.setting().spacingsPerUnit * double(at.unit);
+            const double spacing = m_grid.traits().spacingsPerUnit * double(at.unit);
             x -= flat * (double(at.value) / lengthSq(flat));
             if (distance(x, guess) > step)
                 return Verdict::Failed;
@@ -123,7 +123,7 @@ class FaceTrace {
                 continue;
             const double slope = dot(base::cast<double>(at.normal), g);
             Vec3d n = base::normalized(g);
-            if (!m_grid.setting().oriented && dot(n, normal) < 0)
+            if (!m_grid.traits().oriented && dot(n, normal) < 0)
                 n = -n;
             if (slope < surface::minSlope || dot(n, normal) < 0.3)
                 return Verdict::Failed;
@@ -187,7 +187,7 @@ std::vector<TracedEnd> trace(const SurfaceGrid& grid, std::span<const LooseEnd> 
     std::vector<TracedEnd> out(ends.size());
     const float slack = static_cast<float>(grid.lattice().cell) / grid.surface().tree().maxSupport();
     for (std::size_t first = 0; first < ends.size(); first += endsAtOnce) {
-        progress.step(static_cast<double>(first) / static_cast<double>(ends.size()), "tracing rims");
+        progress.step(static_cast<double>(first) / static_cast<double>(ends.size()), "tracing boundaries");
         const std::span<const Vec3f> some{x.data() + first, std::min(endsAtOnce, ends.size() - first)};
         surface::forPackets(grid.surface(), some, slack, [&](surface::Source& source, std::size_t i) {
             out[first + i] = FaceTrace(grid, source, ends[first + i]).run();

@@ -1,8 +1,8 @@
-// Where the surface ends inside a face of the grid (RULES-4 B4). Internal to the room.
+// Finds where the surface ends inside a face of the grid (mesh/README 3.4). Internal to the room.
 //
-// From a loose crossing the curve {f = 0} in the face's plane is followed inwards, until the off-centre value passes
-// its limit, the definition ends, or the face does. The end by the limit is a point of the rim (alg. 6) in the face:
-// both cubes beside the face share it.
+// From a loose crossing we follow the curve {f = 0} in the plane of the face until the off-centre value passes its
+// limit, the definition breaks down, or the curve leaves the face. An end by the limit is a boundary point of the
+// surface (surface/README 5.3); both cubes beside the face share it.
 #pragma once
 
 #include "core/mesh/marching/grid_face.h"

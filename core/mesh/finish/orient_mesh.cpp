@@ -1,8 +1,8 @@
-#include "core/mesh/orient_mesh.h"
+#include "core/mesh/finish/orient_mesh.h"
 
 #include "core/base/disjoint_sets.h"
 #include "core/base/parallel.h"
-#include "core/mesh/mesh_fans.h"
+#include "core/mesh/connectivity/triangulation.h"
 
 #include <algorithm>
 
@@ -13,10 +13,11 @@ using base::Vec3d;
 namespace {
 
 constexpr std::size_t grain = 16384;
+constexpr std::uint32_t none = Triangulation::none;
 
 struct SharedEdge {
     std::uint32_t a = 0, b = 0; ///< triangles, a < b
-    bool against = false;       ///< do they run opposite ways along it, as neighbours should?
+    bool agrees = false;        ///< do they run opposite ways along it, as neighbours should?
     float flatness = 0;
 };
 
@@ -26,20 +27,19 @@ Vec3d areaNormal(const Mesh& mesh, const Triangle& t) {
 }
 
 std::vector<SharedEdge> sharedEdges(const Mesh& mesh) {
-    const MeshFans fans(mesh);
+    const Triangulation triangulation(mesh);
     std::vector<std::vector<SharedEdge>> parts(base::chunkCount(mesh.triangles.size(), grain));
     base::parallelChunks(mesh.triangles.size(), grain, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
         parts[chunk].reserve(3 * (end - begin) / 2);
-        for (std::size_t i = begin; i < end; ++i)
-            for (int corner = 0; corner < 3; ++corner) {
-                const auto t = static_cast<std::uint32_t>(i);
-                const std::uint32_t other = fans.across(t, corner);
-                if (other == MeshFans::none || other < t)
+        for (auto t = static_cast<std::uint32_t>(begin); t < end; ++t)
+            for (const int k : Triangulation::sides) {
+                const Side side{t, k}, other = triangulation.across(side);
+                if (!other.exists() || other.face < t)
                     continue;
-                const Triangle &mine = mesh.triangles[t], &its = mesh.triangles[other];
-                const std::uint32_t from = mine[std::size_t(corner)], to = mine[std::size_t((corner + 1) % 3)];
-                const Vec3d a = normalized(areaNormal(mesh, mine)), b = normalized(areaNormal(mesh, its));
-                parts[chunk].push_back({t, other, runs(its, to, from), static_cast<float>(std::abs(dot(a, b)))});
+                const Vec3d a = normalized(areaNormal(mesh, mesh.triangles[t]));
+                const Vec3d b = normalized(areaNormal(mesh, mesh.triangles[other.face]));
+                parts[chunk].push_back(
+                    {t, other.face, triangulation.agrees(side), static_cast<float>(std::abs(dot(a, b)))});
             }
     });
     std::vector<SharedEdge> out;
@@ -71,10 +71,10 @@ void turn(Triangle& t) {
 
 /// Numbers the sets by their first triangles.
 void number(base::ParitySets& sets, Orientation& out) {
-    std::vector<std::uint32_t> numberOf(out.pieceOf.size(), MeshFans::none);
+    std::vector<std::uint32_t> numberOf(out.pieceOf.size(), none);
     for (std::size_t t = 0; t < out.pieceOf.size(); ++t) {
         std::uint32_t& piece = numberOf[sets.find(static_cast<std::uint32_t>(t)).root];
-        if (piece == MeshFans::none) {
+        if (piece == none) {
             piece = static_cast<std::uint32_t>(out.pieceSizes.size());
             out.pieceSizes.push_back(0);
         }
@@ -119,19 +119,19 @@ Orientation orient(Mesh& mesh, bool byNormals) {
     Orientation out;
     out.pieceOf.resize(mesh.triangles.size());
     std::vector<SharedEdge> edges = sharedEdges(mesh);
-    const bool agreed = std::all_of(edges.begin(), edges.end(), [](const SharedEdge& e) { return e.against; });
+    const bool agreed = std::all_of(edges.begin(), edges.end(), [](const SharedEdge& e) { return e.agrees; });
     if (!agreed)
         edges = flattestFirst(edges);
     base::ParitySets sets(mesh.triangles.size());
     for (const SharedEdge& edge : edges)
-        sets.relate(edge.a, edge.b, !edge.against);
+        sets.relate(edge.a, edge.b, !edge.agrees);
     if (!agreed) {
         for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
             if (sets.find(static_cast<std::uint32_t>(t)).opposite)
                 turn(mesh.triangles[t]);
         for (const SharedEdge& edge : edges) {
             const bool turned = sets.find(edge.a).opposite != sets.find(edge.b).opposite;
-            out.conflicts += edge.against == turned ? 1 : 0;
+            out.conflicts += edge.agrees == turned ? 1 : 0;
         }
     }
     number(sets, out);

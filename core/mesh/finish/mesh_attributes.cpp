@@ -1,4 +1,4 @@
-#include "core/mesh/mesh_attributes.h"
+#include "core/mesh/finish/mesh_attributes.h"
 
 #include "core/base/parallel.h"
 #include "core/surface/evaluation/attribute_sum.h"

@@ -1,9 +1,9 @@
-#include "core/mesh/marching/fold_trim.h"
+#include "core/mesh/finish/trim_folds.h"
 
 #include "core/mesh/check/self_intersections.h"
 #include "core/mesh/check/shape.h"
-#include "core/mesh/mesh_fans.h"
-#include "core/mesh/mesh_repair.h"
+#include "core/mesh/connectivity/triangulation.h"
+#include "core/mesh/finish/drop_triangles.h"
 
 #include <algorithm>
 #include <unordered_set>
@@ -77,7 +77,7 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> cutsNear(const Mesh& mesh, 
 class Trim {
   public:
     explicit Trim(Mesh& mesh)
-        : m_mesh(mesh), m_fans(mesh), m_gone(mesh.triangles.size()), m_touched(mesh.positions.size()) {}
+        : m_mesh(mesh), m_triangulation(mesh), m_gone(mesh.triangles.size()), m_touched(mesh.positions.size()) {}
 
     /// One of two that cut each other, the one that faces less as its normals do.
     void consider(std::uint32_t a, std::uint32_t b) {
@@ -106,27 +106,17 @@ class Trim {
         return out;
     }
 
-    bool open(std::uint32_t t, int corner) const { return m_fans.across(t, corner) == MeshFans::none; }
-    bool onBoundary(std::uint32_t v) const {
-        return std::any_of(m_fans.at(v).begin(), m_fans.at(v).end(), [&](std::uint32_t t) {
-            for (int corner = 0; corner < 3; ++corner)
-                if (open(t, corner) && (m_mesh.triangles[t][std::size_t(corner)] == v ||
-                                        m_mesh.triangles[t][std::size_t((corner + 1) % 3)] == v))
-                    return true;
-            return false;
-        });
-    }
-
     /// Where that pinches nothing: with one side on the boundary, if the corner opposite is not on it; with two.
     bool leaveOut(std::uint32_t t) {
         const Triangle& corners = m_mesh.triangles[t];
         if (std::any_of(corners.begin(), corners.end(), [&](std::uint32_t v) { return m_touched[v]; }))
             return false;
-        int sides = 0, side = 0;
-        for (int corner = 0; corner < 3; ++corner)
-            if (open(t, corner))
-                ++sides, side = corner;
-        if (sides == 0 || (sides == 1 && onBoundary(corners[std::size_t((side + 2) % 3)])))
+        int sides = 0;
+        Side open;
+        for (int k = 0; k < 3; ++k)
+            if (m_triangulation.onBoundary(Side{t, k}))
+                ++sides, open = {t, k};
+        if (sides == 0 || (sides == 1 && m_triangulation.onBoundary(m_triangulation.apex(open))))
             return false;
         const bool fold = std::any_of(corners.begin(), corners.end(),
                                       [&](std::uint32_t v) { return m_mesh.kinds[v] == VertexKind::Fold; });
@@ -141,7 +131,7 @@ class Trim {
     }
 
     Mesh& m_mesh;
-    MeshFans m_fans;
+    Triangulation m_triangulation;
     std::vector<bool> m_gone, m_touched;
     std::size_t m_count = 0;
 };

@@ -1,0 +1,23 @@
+#include "core/mesh/surface_traits.h"
+
+#include "core/surface/definition.h"
+#include "core/surface/frames/frame_table.h"
+
+#include <numbers>
+
+namespace mesh {
+
+namespace {
+
+double spacingsPerUnitOf(const surface::SurfaceDefinition& definition) {
+    return definition.support > 0 ? surface::spacingOfUnit : std::sqrt(std::numbers::pi / definition.neighbours);
+}
+
+} // namespace
+
+SurfaceTraits::SurfaceTraits(const surface::Surface& surface)
+    : oriented(surface.tree().layout()->normals && surface.tree().layout()->oriented),
+      distances(surface::rowOf(surface.effectiveFrame()).distance),
+      spacingsPerUnit(spacingsPerUnitOf(surface.definition())) {}
+
+} // namespace mesh

@@ -1,0 +1,16 @@
+// Facts about a surface that the meshers need at every step.
+#pragma once
+
+#include "core/surface/surface.h"
+
+namespace mesh {
+
+struct SurfaceTraits {
+    explicit SurfaceTraits(const surface::Surface& surface);
+
+    bool oriented;          ///< do the surfels' normals give f a sign?
+    bool distances;         ///< does |f| grow like a distance? With covariance frames it does not
+    double spacingsPerUnit; ///< s / h
+};
+
+} // namespace mesh
