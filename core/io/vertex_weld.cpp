@@ -10,18 +10,18 @@ namespace io {
 namespace {
 
 /// Open addressing over the indices of points; the table is at most half full.
-class PlaceTable {
+class PointTable {
   public:
-    explicit PlaceTable(std::size_t corners) : m_slots(std::bit_ceil(2 * corners + 1), none) {}
+    explicit PointTable(std::size_t corners) : m_slots(std::bit_ceil(2 * corners + 1), none) {}
 
-    std::uint32_t indexOf(const base::Vec3d& place, std::vector<base::Vec3d>& points) {
+    std::uint32_t indexOf(const base::Vec3d& point, std::vector<base::Vec3d>& points) {
         const std::size_t mask = m_slots.size() - 1;
-        for (std::size_t slot = hash(place) & mask;; slot = (slot + 1) & mask) {
+        for (std::size_t slot = hash(point) & mask;; slot = (slot + 1) & mask) {
             if (m_slots[slot] == none) {
                 m_slots[slot] = static_cast<std::uint32_t>(points.size());
-                points.push_back(place);
+                points.push_back(point);
             }
-            if (same(points[m_slots[slot]], place))
+            if (same(points[m_slots[slot]], point))
                 return m_slots[slot];
         }
     }
@@ -47,11 +47,11 @@ class PlaceTable {
 
 Welded weldTriangles(std::span<const base::Vec3d> corners) {
     Welded out;
-    PlaceTable places(corners.size());
+    PointTable table(corners.size());
     for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
         std::uint32_t index[3];
         for (std::size_t k = 0; k < 3; ++k)
-            index[k] = places.indexOf(corners[i + k] + base::Vec3d{}, out.points); // -0 + 0 = 0
+            index[k] = table.indexOf(corners[i + k] + base::Vec3d{}, out.points); // -0 + 0 = 0
         out.normals.resize(out.points.size());
         const base::Vec3d normal = base::cross(corners[i + 1] - corners[i], corners[i + 2] - corners[i]);
         if (base::isFinite(normal))
