@@ -10,7 +10,7 @@ function(pointclay_qt_room name)
     pointclay_room(${name} ${ARGN})
     set(target pointclay_${name})
     # AUTOMOC does not notice a file that the glob has just found unless it depends on its own list of files.
-    set_target_properties(${target} PROPERTIES AUTOMOC ON AUTOGEN_TARGET_DEPENDS
+    set_target_properties(${target} PROPERTIES AUTOMOC ON AUTOGEN_ORIGIN_DEPENDS OFF AUTOGEN_TARGET_DEPENDS
         ${CMAKE_BINARY_DIR}/CMakeFiles/${target}_autogen.dir/AutogenInfo.json)
     # Without Qt's keywords: `slots` is a word of the core, too.
     target_compile_definitions(${target} PUBLIC QT_NO_KEYWORDS)

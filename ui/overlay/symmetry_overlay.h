@@ -1,5 +1,5 @@
 // What symmetry does, faintly over the picture: mirror planes as frames around the model, the axis of radial symmetry,
-// and a dot wherever else the brush works. And the place that a tool copies from.
+// and a dot wherever else the brush works. Also the place that a tool copies from.
 #pragma once
 
 #include "core/sculpt/stroke_settings.h"

@@ -1,4 +1,4 @@
-// A colour with a name: a button of that colour that asks for another.
+// A named colour: a button that shows it and asks for another.
 #pragma once
 
 #include <QColor>

@@ -1,5 +1,5 @@
-// The bar of clip planes: for each of the window's cuts a button, a slider for its place and a button that shows the
-// other side; and whether section curves are drawn. It edits a Cuts and says so; it knows no view.
+// The bar of clip planes: for each of the window's cuts a button, a slider for its position and a button to
+// show the other side; and a switch for section curves. It edits a Cuts and emits it; it knows no view.
 #pragma once
 
 #include "ui/view/cuts.h"

@@ -1,4 +1,4 @@
-// A number with a name: a bar for the hand, and in its place a box for the exact value while one is typed.
+// A named number: a bar to drag, replaced by a box while an exact value is typed.
 #pragma once
 
 #include <limits>

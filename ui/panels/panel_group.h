@@ -1,4 +1,4 @@
-// A part of a panel under a heading that opens and shuts it.
+// A section of a panel, under a heading that opens and closes it.
 #pragma once
 
 #include <QWidget>

@@ -1,4 +1,4 @@
-// A file of a grey image: its picture, a button to choose another and one to do without.
+// A grey image from a file: its picture, a button to choose another, and one to remove it.
 #pragma once
 
 #include <QWidget>
@@ -17,7 +17,7 @@ class StampField : public QWidget {
     const std::string& path() const { return m_path; }
     /// Empty: none. Does not emit.
     void setPath(const std::string& path);
-    /// What the person chose; an image that cannot be read is told of in place of its picture and not taken.
+    /// What the person chose; an image that cannot be read is reported in place of its picture, and not taken.
     void choose(const QString& path);
 
   Q_SIGNALS:

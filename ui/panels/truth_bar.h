@@ -1,5 +1,5 @@
-// The bar of the true surface: how accurate its picture is to become, and its light. It edits a TruthSettings and says
-// so; it knows no view. Shown while the true surface is.
+// The bar of the true surface: how accurate its picture is to become, and its light. It edits a TruthSettings and
+// emits it; it knows no view. Shown while the true surface is.
 #pragma once
 
 #include "ui/settings/settings.h"

@@ -1,5 +1,5 @@
-// A slider that is a field at once: name left, value right, the filled part tells how far along. Drag to change (with
-// Shift: finely), click to type.
+// A slider and a field in one: name on the left, value on the right, filled as far as the value goes. Drag to change
+// it (with Shift, in fine steps), click to type.
 #pragma once
 
 #include <QSlider>

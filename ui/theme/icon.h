@@ -7,7 +7,7 @@
 namespace ui {
 
 /// The drawing `name` ("undo", or as tables name it, "icons/tool-draw.svg") at the usual sizes, dimmed where disabled;
-/// a null icon where there is none of that name.
+/// a null icon if there is none of that name.
 QIcon icon(std::string_view name);
 
 } // namespace ui

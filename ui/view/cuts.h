@@ -12,7 +12,7 @@ namespace ui {
 struct Cut {
     bool on = false, flipped = false;
     base::Vec3d normal; ///< unit
-    double offset = 0;  ///< normal . x on the plane; shown is what lies at or below it, above where flipped
+    double offset = 0;  ///< normal . x on the plane; what lies at or below it is shown, or above it if flipped
 
     bool operator==(const Cut&) const = default;
 
@@ -20,7 +20,7 @@ struct Cut {
 };
 
 struct Cuts {
-    /// Across x, y, z; the last one's normal is chosen from the view.
+    /// Across x, y and z, then the free one, whose normal comes from the view.
     std::array<Cut, 4> each{
         Cut{.normal = {1, 0, 0}}, {.normal = {0, 1, 0}}, {.normal = {0, 0, 1}}, {.normal = {0, 0, 1}}};
     bool section = true; ///< draw the curves in which the planes meet the surface

@@ -13,13 +13,13 @@ struct Rotation {
 
     bool operator==(const Rotation&) const = default;
 
-    /// By the right-hand rule about a unit axis.
+    /// About a unit axis, by the right-hand rule.
     static Rotation about(const base::Vec3d& axis, double angleRad) {
         return {std::cos(0.5 * angleRad), axis * std::sin(0.5 * angleRad)};
     }
-    /// The one that takes x, y, z to these (orthonormal, right-handed) axes.
+    /// Takes x, y, z to these (orthonormal, right-handed) axes.
     static Rotation toAxes(const base::Vec3d& x, const base::Vec3d& y, const base::Vec3d& z) {
-        const double trace = x.x + y.y + z.z; // Shepperd 1978: from the largest component
+        const double trace = x.x + y.y + z.z; // [Shepperd78]: from the largest component
         Rotation out;
         if (trace > 0)
             out = {1 + trace, {y.z - z.y, z.x - x.z, x.y - y.x}};
@@ -44,7 +44,7 @@ struct Rotation {
         return p + t * w + cross(v, t);
     }
 
-    /// From a to b with constant angular speed, the shorter way (Shoemake 1985).
+    /// From a to b at constant angular speed, the shorter way [Shoemake85].
     static Rotation between(const Rotation& a, Rotation b, double part) {
         double cosine = a.w * b.w + dot(a.v, b.v);
         if (cosine < 0)

@@ -1,7 +1,7 @@
-// The viewport of OpenGL: the blended splatter in a QOpenGLWidget's framebuffer, the overlay painted over it.
+// The OpenGL viewport: the blended splatter in a QOpenGLWidget's framebuffer, the overlay painted over it.
 //
 // While the view moves, a DetailPacer keeps frames within a budget; when it rests, the picture settles to its best. The
-// true surface, where it is asked for, is drawn on the CPU and laid over it.
+// true surface, if asked for, is drawn on the CPU and laid over it.
 //
 // Construct it only where `glUsable` says so: on some platforms a QOpenGLWidget crashes when shown.
 #pragma once

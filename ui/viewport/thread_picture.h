@@ -1,5 +1,5 @@
-// What a RenderThread draws, shown in a widget: the whole of the CPU's viewport, and the true surface in that of
-// OpenGL. Interface's thread only.
+// Shows in a widget what a RenderThread draws: all of the CPU viewport, and the true surface of the OpenGL one.
+// Interface's thread only.
 #pragma once
 
 #include "ui/viewport/viewport.h"
@@ -12,7 +12,7 @@ namespace ui {
 class ThreadPicture : public QObject {
     Q_OBJECT
   public:
-    /// Both outlive it; the viewport is told of troubles, times and refinement, the widget to paint itself.
+    /// Both outlive it. The viewport is told of trouble, times and refinement; the widget repaints itself.
     ThreadPicture(QWidget& widget, Viewport& viewport);
     ~ThreadPicture() override;
 

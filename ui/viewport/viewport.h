@@ -1,5 +1,5 @@
-// Where the model is seen: one interface over the two ways to draw it. Input and overlay are the ViewController's;
-// a viewport only shows frames and calls back.
+// Where the model is seen: one interface over the two ways to draw it. Input and overlay are the
+// SculptView's; a viewport only shows frames and calls back.
 #pragma once
 
 #include "ui/work/frame.h"
@@ -32,7 +32,7 @@ class Viewport {
     std::function<void(const QString&)> troubled;                  ///< the renderer failed: what a person should read
 };
 
-/// A viewport of plain CPU, or of OpenGL where it is safe to construct one (RENDERING, pitfalls). The variable
+/// A viewport of plain CPU, or of OpenGL where it is safe to construct one (ui/README 6). The variable
 /// POINTCLAY_RENDERER=gl|cpu decides where it is set; `gl` on a platform where constructing it would crash still
 /// gives the CPU. Its widget belongs to `parent`; `why` receives one sentence about the choice.
 Viewport* makeViewport(QWidget* parent, QString* why = nullptr);

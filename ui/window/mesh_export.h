@@ -1,4 +1,5 @@
-// Mesh export in the window: the bar, the mesher, lines over the picture and the question where to. Interface's thread.
+// Mesh export in the window: the bar, the mesher, the wireframe over the picture, and the file dialog. Interface's
+// thread.
 #pragma once
 
 #include "core/render/overlay/wireframe.h"

@@ -1,5 +1,5 @@
-// A thread that works on the latest request only: a newer one replaces what waits, and stops what runs where the owner
-// says so. What a piece of work throws ends that piece alone.
+// A thread that works on the latest request only: a newer one replaces the one that waits, and stops the one that runs
+// if its owner says so. An exception ends only the piece of work that threw it.
 //
 //     LatestWorker<Request> worker([this](const Request& request, const base::Progress& progress) { ... });
 //     worker.request(wanted, true);

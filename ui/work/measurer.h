@@ -1,4 +1,4 @@
-// Numbers for the shadings that measure, away from the interface's thread: after an edit only the blocks near it.
+// Measures what measuring shadings show, off the interface's thread: after an edit, only the blocks near it.
 //
 //     interface                                  measuring thread
 //     want(shading, surface, reference)   -->    evaluateField, automatic scale, colours

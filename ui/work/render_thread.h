@@ -1,11 +1,11 @@
-// Draws frames away from the interface's thread. Only the latest request counts: a newer one replaces what waits.
+// Draws frames off the interface's thread. Only the latest request counts: a newer one replaces what waits.
 //
 // While frames follow each other, a DetailPacer chooses how coarse they are drawn so that one takes `fluentSeconds` at
-// most; where even the coarsest takes longer, they have half the resolution. When nothing new has come for
+// most; if even the coarsest takes longer, they are drawn at half the resolution. When nothing new has come for
 // `restSeconds` the picture settles: finer from frame to frame up to its best. Frames from the same place, such as
 // those of a stroke, draw only what has changed (Renderer::update), as fine as it was.
 //
-// Where a frame asks for the true surface, its levels are delivered from when the view rests on, until a request comes;
+// If a frame asks for the true surface, its levels are delivered once the view rests, until another request comes;
 // frames of a stroke keep what no dab has touched.
 #pragma once
 

@@ -1,6 +1,5 @@
-// Traces sections away from the interface's thread. Only the latest request counts; one that is being worked on is
-// stopped where its planes are no longer wanted, and finished where only the model has changed, so that curves follow
-// a stroke.
+// Traces sections off the interface's thread. Only the latest request counts; the one at work is stopped if its planes
+// are no longer wanted, and finished if only the model has changed, so that curves follow a stroke.
 #pragma once
 
 #include "core/render/clip_planes.h"
