@@ -93,7 +93,7 @@ struct SymmetricEigen {
 };
 
 /// Cyclic Jacobi on the matrix scaled by its trace: as exact for close eigenvalues as for distant ones, where
-/// a closed form would lose half the digits (alg. 2.4). REQUIRES: `a` symmetric; only its upper half is read.
+/// a closed form would lose half the digits (base/README 3.1). REQUIRES: `a` symmetric; only its upper half is read.
 template <class T>
 SymmetricEigen<T> symmetricEigen(const Mat3<T>& a);
 

@@ -1,6 +1,7 @@
 #include "core/io/record_points.h"
 
 #include "core/base/parallel.h"
+#include "core/base/unit_normal.h"
 #include "core/io/origin_choice.h"
 
 #include <algorithm>
@@ -173,20 +174,12 @@ void PointMaker::exactPositions(const Rows& rows) {
         });
 }
 
-/// Unit length as float arithmetic leaves it; others are scaled in double.
-base::Vec3f unitNormal(const base::Vec3f& n) {
-    const float lengthSq = base::lengthSq(n);
-    if (std::abs(lengthSq - 1.0f) <= 2e-6f)
-        return n;
-    return base::cast<float>(base::normalized(base::cast<double>(n)));
-}
-
 void PointMaker::normals(const Rows& rows) {
     for (std::size_t k = 0; k < 3; ++k)
         forColumn(rows, field(m_roles.normal[k]),
                   [&](std::size_t i, auto value) { m_points.items[i].normal[k] = static_cast<float>(value); });
     for (std::size_t i = rows.begin; i < rows.end; ++i)
-        m_points.items[i].normal = unitNormal(m_points.items[i].normal);
+        m_points.items[i].normal = base::unitNormal(m_points.items[i].normal);
 }
 
 void PointMaker::colours(const Rows& rows) {

@@ -1,6 +1,7 @@
 #include "core/io/safe_file.h"
 
 #include "core/base/error.h"
+#include "core/base/sync_folder.h"
 
 #include <atomic>
 #include <cerrno>
@@ -12,14 +13,6 @@
 namespace io {
 
 namespace fs = std::filesystem;
-
-static void syncFolder(const fs::path& folder) {
-    const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (descriptor < 0)
-        return;
-    ::fsync(descriptor); // best effort: not every file system can sync a folder
-    ::close(descriptor);
-}
 
 SafeFile::SafeFile(const fs::path& target) : m_target(target), m_final(target) {
     std::error_code ignored;
@@ -108,7 +101,7 @@ void SafeFile::commit() {
     if (::rename(m_beside.c_str(), m_final.c_str()) != 0)
         fail("take its name");
     m_beside.clear();
-    syncFolder(m_final.parent_path().empty() ? fs::path(".") : m_final.parent_path());
+    base::syncFolder(m_final.parent_path());
 }
 
 void writeFile(const fs::path& target, std::string_view bytes) {

@@ -1,5 +1,7 @@
 #include "core/sculpt/brush_connected.h"
 
+#include "core/base/cells.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -31,50 +33,35 @@ class Grid {
     /// Calls fn(index) for every surfel left in the cells around `p`; it leaves where fn returns true.
     template <class Fn>
     void takeAround(const Vec3f& p, const Fn& fn) {
-        const auto centre = cellOf(p);
-        for (int dx = -1; dx <= 1; ++dx)
-            for (int dy = -1; dy <= 1; ++dy)
-                for (int dz = -1; dz <= 1; ++dz)
-                    takeFrom(keyOf({centre[0] + dx, centre[1] + dy, centre[2] + dz}), fn);
+        base::forCellsAround(base::cellOf(p, m_low, m_scale),
+                             [&](const base::Cell& cell) { takeFrom(cell.key(), fn); });
     }
 
   private:
-    using Cell = std::array<std::int64_t, 3>;
     struct Range {
         std::uint64_t key;
         std::size_t begin, end; ///< in m_left
     };
-    Cell cellOf(const Vec3f& p) const {
-        const Vec3f at = (p - m_low) * m_scale;
-        return {std::int64_t(std::floor(at.x)), std::int64_t(std::floor(at.y)), std::int64_t(std::floor(at.z))};
-    }
-    /// Cells of the ball lie within 0 to 2^20; one further is not asked for twice, so that 21 bits an axis do.
-    static std::uint64_t keyOf(const Cell& c) {
-        return std::uint64_t(c[0] + 1) << 42 | std::uint64_t(c[1] + 1) << 21 | std::uint64_t(c[2] + 1);
-    }
-    std::size_t home(std::uint64_t key) const { return (key * 0x9E3779B97F4A7C15u >> 20) & (m_table.size() - 1); }
     void index();
 
     template <class Fn>
     void takeFrom(std::uint64_t key, const Fn& fn) {
-        for (std::size_t at = home(key); m_table[at]; at = (at + 1) & (m_table.size() - 1)) {
-            Range& range = m_ranges[m_table[at] - 1];
-            if (range.key != key)
-                continue;
-            for (std::size_t i = range.begin; i < range.end;)
-                if (fn(m_left[i]))
-                    std::swap(m_left[i], m_left[--range.end]);
-                else
-                    ++i;
+        const std::uint32_t number = m_index.find(key, [this](std::uint32_t r) { return m_ranges[r].key; });
+        if (number == base::KeyIndex::none)
             return;
-        }
+        Range& range = m_ranges[number];
+        for (std::size_t i = range.begin; i < range.end;)
+            if (fn(m_left[i]))
+                std::swap(m_left[i], m_left[--range.end]);
+            else
+                ++i;
     }
 
     Vec3f m_low;
     float m_scale;
     std::vector<std::size_t> m_left;
     std::vector<Range> m_ranges;
-    std::vector<std::size_t> m_table; ///< open addressing: 1 + index of a range, 0 where free
+    base::KeyIndex m_index; ///< of the ranges
 };
 
 Grid::Grid(const tree::SurfelTree& version, const Contact& from, float radius, float reach) {
@@ -85,7 +72,7 @@ Grid::Grid(const tree::SurfelTree& version, const Contact& from, float radius, f
         for (int slot = 0; slot < block.size(); ++slot) {
             const Vec3f p = block.position(slot);
             if (distanceSq(p, from.position) < radiusSq)
-                places.push_back({p, block.normal(slot), number, slot, keyOf(cellOf(p))});
+                places.push_back({p, block.normal(slot), number, slot, base::cellOf(p, m_low, m_scale).key()});
         }
     });
     std::stable_sort(places.begin(), places.end(), [](const Place& a, const Place& b) { return a.cell < b.cell; });
@@ -99,16 +86,7 @@ void Grid::index() {
             m_ranges.push_back({places[i].cell, i, i});
         ++m_ranges.back().end;
     }
-    std::size_t size = 16;
-    while (size < 2 * m_ranges.size())
-        size *= 2;
-    m_table.assign(size, 0);
-    for (std::size_t i = 0; i < m_ranges.size(); ++i) {
-        std::size_t at = home(m_ranges[i].key);
-        while (m_table[at])
-            at = (at + 1) & (size - 1);
-        m_table[at] = i + 1;
-    }
+    m_index.assign(static_cast<std::uint32_t>(m_ranges.size()), [this](std::uint32_t r) { return m_ranges[r].key; });
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "core/session/journal.h"
 
 #include "core/base/error.h"
+#include "core/base/sync_folder.h"
 #include "core/session/locked_file.h"
 
 #include <cstdlib>
@@ -93,7 +94,7 @@ void Journal::begin(const std::string& content) {
         throw;
     }
     closeFile(std::exchange(m_file, file));
-    syncFolder(m_path.parent_path());
+    base::syncFolder(m_path.parent_path());
 }
 
 void Journal::append(const std::string& line) {

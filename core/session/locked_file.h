@@ -13,8 +13,6 @@ int createLocked(const std::filesystem::path& path);
 /// Appends all bytes in one go and returns when they are on the disk. Throws std::system_error.
 void appendDurably(int file, std::string_view bytes);
 void closeFile(int file);
-/// Makes a rename or a new name in `folder` survive a power cut; does its best.
-void syncFolder(const std::filesystem::path& folder);
 /// True where another open file holds the lock of `path`.
 bool isLocked(const std::filesystem::path& path);
 

@@ -14,7 +14,7 @@
 
 namespace surfel {
 
-/// How far from a cluster's samples the surface may run, as a part of their support: smaller loses ray hits (TREE.md).
+/// How far from a cluster's samples the surface may run, in supports: smaller loses ray hits (surfel/README 2.2).
 constexpr float surfaceReach = 0.7f;
 
 /// A ray prepared for tests against many boxes: the same arithmetic as base::clip.
@@ -36,7 +36,7 @@ struct alignas(32) BoundsLanes {
     /// Squared distances from x to the boxes.
     void distanceSq(const base::Vec3f& x, float (&out)[laneCount]) const;
     /// Lanes that may have weight at x, supports multiplied by `reach`: distance(x, box) < reach maxSupport
-    /// (alg. 5.1.2).
+    /// (surfel/README 2.2).
     unsigned supporting(const base::Vec3f& x, float reach = 1) const;
     /// Lanes that may have weight somewhere in `q`.
     unsigned supporting(const base::Box3f& q, float reach = 1) const;

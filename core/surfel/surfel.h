@@ -22,7 +22,7 @@ constexpr Colour rgba(unsigned r, unsigned g, unsigned b, unsigned a = 255) {
 struct Surfel {
     base::Vec3f position;
     base::Vec3f normal; ///< unit length, or zero where unknown; its sign has no meaning unless the layout says oriented
-    float support = 0;  ///< radius beyond which its weight is zero (alg. 2.1, h_i); > 0 once in a tree
+    float support = 0;  ///< radius beyond which its weight is zero (surfel/README 1); > 0 once in a tree
     Colour colour = white;
     float mask = 0; ///< 0 free, 1 protected from tools
 

@@ -1,5 +1,5 @@
 // Applying an edit: insertions descend to their blocks, the touched level-1 nodes recut their touched blocks, each on
-// its own and therefore in parallel, and the path above is made anew (TREE.md, "Edit").
+// its own and therefore in parallel, and the path above is made anew (tree/README 3).
 //
 //     locate      insertion -> block whose box is nearest
 //     collect     one LeafTask per touched level-1 node, in tree order

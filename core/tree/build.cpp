@@ -1,5 +1,5 @@
 // Building: Morton order, runs of at most 512 blocks cut where the curve jumps, kd cuts inside a run, and a balanced
-// hierarchy of kd cuts above the blocks (TREE.md, "Build").
+// hierarchy of kd cuts above the blocks (tree/README 2).
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/tree/cutting.h"

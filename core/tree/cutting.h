@@ -13,7 +13,7 @@
 
 namespace tree {
 
-/// Surfels per block that cuts aim at: 7 of 8 clusters, so that a few insertions fit (TREE.md).
+/// Surfels per block that cuts aim at: 7 of 8 clusters, so that a few insertions fit (tree/README 1).
 constexpr std::size_t blockTarget = 112;
 /// Blocks below this size are merged with another.
 constexpr std::size_t blockMinimum = 32;

@@ -1,17 +1,15 @@
 #include "core/tree/morton.h"
 
+#include "core/base/morton.h"
 #include "core/base/parallel.h"
+#include "core/base/radix_sort.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
-#include <utility>
 
 namespace tree {
 
 constexpr int bitsPerAxis = 10;
-constexpr int digitBits = 10; ///< three passes cover the 30 bits
-constexpr std::size_t digits = std::size_t(1) << digitBits;
 constexpr std::size_t grain = 1 << 16;
 
 MortonGrid::MortonGrid(const base::Box3f& box) : m_origin(base::cast<double>(box.lo)) {
@@ -20,54 +18,23 @@ MortonGrid::MortonGrid(const base::Box3f& box) : m_origin(base::cast<double>(box
     m_scale = side > 0 ? (1 << bitsPerAxis) / side : 0.0;
 }
 
-/// Spreads 10 bits to every third place.
-static std::uint32_t spread(std::uint32_t v) {
-    v = (v | v << 16) & 0x030000ffu;
-    v = (v | v << 8) & 0x0300f00fu;
-    v = (v | v << 4) & 0x030c30c3u;
-    return (v | v << 2) & 0x09249249u;
-}
-
 std::uint32_t MortonGrid::code(const base::Vec3f& p) const {
     const base::Vec3d cell = (base::cast<double>(p) - m_origin) * m_scale;
     const auto whole = [](double c) {
         return std::min(static_cast<std::uint32_t>(c), (std::uint32_t(1) << bitsPerAxis) - 1);
     };
-    return spread(whole(cell.x)) | spread(whole(cell.y)) << 1 | spread(whole(cell.z)) << 2;
-}
-
-/// One stable pass by the digit at `shift`: each chunk counts, offsets are summed digit by digit and chunk by chunk.
-static void radixPass(const std::vector<MortonKey>& in, std::vector<MortonKey>& out, int shift) {
-    using Counts = std::array<std::uint32_t, digits>;
-    const auto digit = [shift](MortonKey key) { return key >> shift & (digits - 1); };
-    std::vector<Counts> offsets(base::chunkCount(in.size(), grain));
-    base::parallelChunks(in.size(), grain, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
-        offsets[chunk].fill(0);
-        for (std::size_t i = begin; i < end; ++i)
-            ++offsets[chunk][digit(in[i])];
-    });
-    std::uint32_t sum = 0;
-    for (std::size_t d = 0; d < digits; ++d)
-        for (Counts& counts : offsets)
-            sum += std::exchange(counts[d], sum);
-    base::parallelChunks(in.size(), grain, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
-        for (std::size_t i = begin; i < end; ++i)
-            out[offsets[chunk][digit(in[i])]++] = in[i];
-    });
+    return static_cast<std::uint32_t>(base::mortonCode(whole(cell.x), whole(cell.y), whole(cell.z)));
 }
 
 /// `positionOf(i)` for i in [0, count).
 template <class Fn>
 static std::vector<MortonKey> sortedBy(std::size_t count, const base::Box3f& box, const Fn& positionOf) {
     const MortonGrid grid(box);
-    std::vector<MortonKey> keys(count), other(count);
+    std::vector<MortonKey> keys(count);
     base::parallelFor(count, grain, [&](std::size_t i) {
         keys[i] = MortonKey(grid.code(positionOf(i))) << 32 | static_cast<std::uint32_t>(i);
     });
-    for (int pass = 0; pass < 3; ++pass) {
-        radixPass(keys, other, 32 + pass * digitBits);
-        keys.swap(other);
-    }
+    base::radixSort(keys, 3 * bitsPerAxis, codeOf);
     return keys;
 }
 

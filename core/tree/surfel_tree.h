@@ -87,7 +87,7 @@ class SurfelTree {
 
     // --- queries; those that call back visit in tree order unless they say otherwise; `block` is a const SurfelBlock&
 
-    /// fn(block, cluster) for every cluster that may have weight at `x` (support query, alg. 5.1.2), supports
+    /// fn(block, cluster) for every cluster that may have weight at `x` (support query, tree/README 4.1), supports
     /// multiplied by `reach`.
     template <class Fn>
     void forClustersInSupport(const base::Vec3f& x, const Fn& fn, float reach = 1) const;
@@ -106,7 +106,7 @@ class SurfelTree {
                  float maxDistance = std::numeric_limits<float>::infinity()) const;
     /// Walks the clusters whose surface bounds meet the ray, by ascending entry: fn(block, cluster, tEnter, tExit)
     /// returns false to stop. Front to back: when it is called with tEnter, nothing unseen begins before tEnter
-    /// (alg. 5.2).
+    /// (tree/README 4.2).
     template <class Fn>
     void alongRay(const base::Rayf& ray, const Fn& fn) const;
 

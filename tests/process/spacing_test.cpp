@@ -149,7 +149,7 @@ void SpacingTest::gaussianSupportsHaveTheSameSecondMoment() {
     for (std::size_t i = 0; i < wendland.size(); ++i) {
         const double h = static_cast<double>(wendland.items[i].support);
         const double scale = static_cast<double>(surface::unitOf(Weight::Gaussian, gaussian.items[i].support));
-        QVERIFY(std::abs(scale * scale / (5 * h * h / 36) - 1) < 1e-5); // mean squared distances in a plane, alg. 0
+        QVERIFY(std::abs(scale * scale / (5 * h * h / 36) - 1) < 1e-5); // mean squared distances in a plane
     }
 }
 

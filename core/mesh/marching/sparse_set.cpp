@@ -1,40 +1,12 @@
 #include "core/mesh/marching/sparse_set.h"
 
+#include "core/base/morton.h"
+
 #include <algorithm>
 
 namespace mesh {
 
 namespace {
-
-constexpr int bitsPerAxis = 20;
-
-/// 20 bits with two free ones after each.
-std::uint64_t spread(std::uint64_t v) {
-    v = (v | v << 32) & 0x1f00000000ffffull;
-    v = (v | v << 16) & 0x1f0000ff0000ffull;
-    v = (v | v << 8) & 0x100f00f00f00f00full;
-    v = (v | v << 4) & 0x10c30c30c30c30c3ull;
-    v = (v | v << 2) & 0x1249249249249249ull;
-    return v;
-}
-
-std::uint32_t gathered(std::uint64_t v) {
-    v &= 0x1249249249249249ull;
-    v = (v | v >> 2) & 0x10c30c30c30c30c3ull;
-    v = (v | v >> 4) & 0x100f00f00f00f00full;
-    v = (v | v >> 8) & 0x1f0000ff0000ffull;
-    v = (v | v >> 16) & 0x1f00000000ffffull;
-    v = (v | v >> 32) & 0x1fffff;
-    return static_cast<std::uint32_t>(v);
-}
-
-std::uint64_t keyOf(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
-    return spread(x) | spread(y) << 1 | spread(z) << 2;
-}
-
-std::size_t slotOf(std::uint64_t key, std::size_t mask) {
-    return static_cast<std::size_t>((key * 0x9e3779b97f4a7c15ull) >> 20) & mask;
-}
 
 /// Bits of one brick moved up along an axis: what stays, and what the next brick gets.
 struct Moved {
@@ -49,14 +21,14 @@ Moved movedUp(std::uint64_t mask, int axis) {
 } // namespace
 
 std::uint64_t brickKey(const GridIndex& p) {
-    static_assert(Lattice::extent / brickSide <= 1 << bitsPerAxis);
-    return keyOf(static_cast<std::uint32_t>(p.x) >> 2, static_cast<std::uint32_t>(p.y) >> 2,
-                 static_cast<std::uint32_t>(p.z) >> 2);
+    static_assert(Lattice::extent / brickSide <= 1 << base::mortonBits);
+    return base::mortonCode(static_cast<std::uint32_t>(p.x) >> 2, static_cast<std::uint32_t>(p.y) >> 2,
+                            static_cast<std::uint32_t>(p.z) >> 2);
 }
 
 GridIndex lowestOf(std::uint64_t key) {
-    return {static_cast<std::int32_t>(gathered(key) << 2), static_cast<std::int32_t>(gathered(key >> 1) << 2),
-            static_cast<std::int32_t>(gathered(key >> 2) << 2)};
+    const auto at = [key](int axis) { return static_cast<std::int32_t>(base::mortonCoordinate(key, axis) << 2); };
+    return {at(0), at(1), at(2)};
 }
 
 void joinBits(std::vector<BrickBits>& bits) {
@@ -77,23 +49,11 @@ SparseSet::SparseSet(std::vector<BrickBits> bits) {
         m_bricks.push_back({each.key, each.mask, static_cast<std::uint32_t>(m_size)});
         m_size += static_cast<std::size_t>(std::popcount(each.mask));
     }
-    m_table.assign(std::bit_ceil(2 * m_bricks.size() + 1), noRank);
-    const std::size_t mask = m_table.size() - 1;
-    for (std::size_t b = 0; b < m_bricks.size(); ++b) {
-        std::size_t slot = slotOf(m_bricks[b].key, mask);
-        while (m_table[slot] != noRank)
-            slot = (slot + 1) & mask;
-        m_table[slot] = static_cast<std::uint32_t>(b);
-    }
+    m_index.assign(static_cast<std::uint32_t>(m_bricks.size()), [this](std::uint32_t b) { return m_bricks[b].key; });
 }
 
 std::uint32_t SparseSet::find(std::uint64_t key) const {
-    if (m_table.empty())
-        return noRank;
-    const std::size_t mask = m_table.size() - 1;
-    for (std::size_t slot = slotOf(key, mask);; slot = (slot + 1) & mask)
-        if (m_table[slot] == noRank || m_bricks[m_table[slot]].key == key)
-            return m_table[slot];
+    return m_index.find(key, [this](std::uint32_t b) { return m_bricks[b].key; });
 }
 
 std::uint32_t SparseSet::rank(const GridIndex& p) const {

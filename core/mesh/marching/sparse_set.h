@@ -8,6 +8,7 @@
 // Bricks follow a Morton curve, so that neighbours in the order are neighbours in space.
 #pragma once
 
+#include "core/base/key_index.h"
 #include "core/mesh/marching/lattice.h"
 
 #include <array>
@@ -17,7 +18,7 @@
 namespace mesh {
 
 constexpr int brickSide = 4;
-constexpr std::uint32_t noRank = 0xffffffffu;
+constexpr std::uint32_t noRank = base::KeyIndex::none;
 
 /// Some members of one brick. Keys are Morton codes of brick coordinates.
 struct BrickBits {
@@ -65,7 +66,7 @@ class SparseSet {
 
   private:
     std::vector<Brick> m_bricks;
-    std::vector<std::uint32_t> m_table; ///< open addressing, a power of two
+    base::KeyIndex m_index; ///< of the bricks
     std::size_t m_size = 0;
 };
 

@@ -15,17 +15,17 @@ constexpr std::size_t mostSamples = 20000; ///< a quantile of 1 % needs no more
 constexpr float pi = std::numbers::pi_v<float>;
 constexpr float closedGap = pi / 2; ///< a neighbourhood with no larger gap is closed
 /// Who may lie at a rim: a sample of one looks into nearly half a plane of nothing, and o is 0.13 h on the last row of
-/// a straight one (alg. 6), 0.1 h on that of a narrow strip.
+/// a straight one (process/README 3), 0.1 h on a narrow strip.
 constexpr float rimGap = 2 * pi / 3, rimOffCentre = 0.08f;
 /// Who does: beyond a rim o grows to any limit within 0.3 h, while noise, tips and sharp edges have their maximum.
 constexpr float loosest = 0.45f, tightest = 0.15f, rimReach = 0.8f;
 /// Rims shorter than this part of sqrt(n) spacings, some 1/18 of a half-sphere's, count as chance; measured on closed
 /// scans (0 to 0.19) and on open ones (from 0.28: small holes in an elephant, and under the Stanford bunny 0.53).
 constexpr double shortestRim = 0.22;
-constexpr float bandLimit = 0.3f; ///< for bands so narrow that all their samples see a rim (alg. 6.2)
-/// By chance alone P(o > L) = exp(-(L / rms)^2) (alg. 6). The 99 % quantile of closed neighbourhoods tells rms; this
-/// times that is what one sample in 1e5 exceeds. (1.3, which alg. 6.2 names, is what one in 2400 exceeds: a handful of
-/// pinholes in every scan.)
+constexpr float bandLimit = 0.3f; ///< for bands so narrow that all their samples see a rim
+/// By chance alone P(o > L) = exp(-(L / rms)^2). The 99 % quantile of closed neighbourhoods tells rms; this
+/// times that is what one sample in 1e5 exceeds: (6) of process/README 3. (1.3 is what one in 2400 exceeds: a handful
+/// of pinholes in every scan.)
 constexpr float rareOverQuantile = 1.58f; // sqrt(ln 1e5 / ln 100)
 
 /// Surfels at equal distances in tree order.

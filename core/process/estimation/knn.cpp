@@ -1,9 +1,10 @@
 #include "core/process/estimation/knn.h"
 
 #include "core/base/box.h"
+#include "core/base/morton.h"
+#include "core/base/radix_sort.h"
 
 #include <nanoflann.hpp>
-#include <numeric>
 
 namespace process {
 
@@ -14,44 +15,22 @@ struct Key {
     std::uint32_t point;
 };
 
-/// Puts two zero bits in front of each of the lowest 21 bits.
-std::uint64_t spread(std::uint64_t v) {
-    v = (v | v << 32) & 0x001f00000000ffffULL;
-    v = (v | v << 16) & 0x001f0000ff0000ffULL;
-    v = (v | v << 8) & 0x100f00f00f00f00fULL;
-    v = (v | v << 4) & 0x10c30c30c30c30c3ULL;
-    return (v | v << 2) & 0x1249249249249249ULL;
-}
+/// The last cell along an axis.
+constexpr double most = (1 << base::mortonBits) - 1;
 
 std::vector<Key> mortonKeys(std::span<const surfel::Surfel> points) {
     base::Box3f box;
     for (const auto& p : points)
         box.extend(p.position);
     const base::Vec3f size = box.size();
-    const double edge = std::max({size.x, size.y, size.z}), scale = edge > 0 ? 2097151.0 / edge : 0;
+    const double edge = std::max({size.x, size.y, size.z}), scale = edge > 0 ? most / edge : 0;
     std::vector<Key> keys(points.size());
     base::parallelFor(points.size(), 8192, [&](std::size_t i) {
         const base::Vec3d q = base::cast<double>(points[i].position - box.lo) * scale;
-        const auto bits = [](double v) { return spread(static_cast<std::uint64_t>(std::clamp(v, 0.0, 2097151.0))); };
-        keys[i] = {bits(q.x) | bits(q.y) << 1 | bits(q.z) << 2, static_cast<std::uint32_t>(i)};
+        const auto whole = [](double v) { return static_cast<std::uint32_t>(std::clamp(v, 0.0, most)); };
+        keys[i] = {base::mortonCode(whole(q.x), whole(q.y), whole(q.z)), static_cast<std::uint32_t>(i)};
     });
     return keys;
-}
-
-/// Stable radix sort by code, 11 bits at a time.
-void sortByCode(std::vector<Key>& keys) {
-    std::vector<Key> other(keys.size());
-    for (int shift = 0; shift < 63; shift += 11) {
-        std::size_t start[2049] = {};
-        for (const Key& key : keys)
-            ++start[(key.code >> shift & 2047) + 1];
-        if (std::any_of(start + 1, start + 2049, [&](std::size_t n) { return n == keys.size(); }))
-            continue; // all in one bucket
-        std::partial_sum(start, start + 2049, start);
-        for (const Key& key : keys)
-            other[start[key.code >> shift & 2047]++] = key;
-        keys.swap(other);
-    }
 }
 
 /// Within one cell of the curve: by position, so that coincident points stand together.
@@ -94,7 +73,7 @@ struct Cloud::Index {
 Cloud::Cloud(std::span<const surfel::Surfel> points, const base::Progress& progress) {
     progress.step(0, "Sorting points");
     std::vector<Key> keys = mortonKeys(points);
-    sortByCode(keys);
+    base::radixSort(keys, 3 * base::mortonBits, [](const Key& key) { return key.code; });
     sortCells(keys, points);
     m_places.resize(points.size());
     m_positions.reserve(points.size());

@@ -29,7 +29,7 @@ base::Vec3d leastDirection(const base::Mat3d& c) {
     return base::normalized(base::Vec3d{a[k][0], a[k][1], a[k][2]}, {0, 0, 1});
 }
 
-/// Least direction of the Wendland-weighted covariance about the weighted mean (alg. 2.4, cov_m), relative to the
+/// Least direction of the Wendland-weighted covariance about the weighted mean (process/README 2.1), relative to the
 /// position itself.
 base::Vec3f planeNormal(std::span<const base::Vec3f> positions, std::size_t i, const Neighbours& near) {
     const double reachSq = reachOverFarthest * reachOverFarthest * static_cast<double>(near.distanceSq.back());

@@ -1,5 +1,5 @@
-// Consistent orientation: the minimum spanning tree of unlikeness over the neighbour graph (H. Hoppe et al., Surface
-// reconstruction from unorganized points, 1992), with a flip rule that knows the edge between the two points.
+// Consistent orientation: the minimum spanning tree of unlikeness over the neighbour graph [Hoppe92],
+// with a flip rule (process/README 2.2) that knows the edge between the two points.
 #include "core/base/disjoint_sets.h"
 #include "core/process/estimation/normals_of.h"
 #include "core/process/estimation/part_progress.h"

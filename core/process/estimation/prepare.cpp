@@ -1,5 +1,6 @@
 #include "core/process/estimation/prepare.h"
 
+#include "core/base/unit_normal.h"
 #include "core/process/estimation/boundary_limit.h"
 #include "core/process/estimation/knn.h"
 #include "core/process/estimation/normals.h"
@@ -19,7 +20,7 @@ using surface::Boundary;
 using surface::SurfaceDefinition;
 
 constexpr int orientNeighbours = 12;
-/// Of h: a curve ends at 3/14 h (alg. 0); uneven spacing alone stays below this.
+/// Of h: a curve ends at 3/14 h (process/README 3); uneven spacing alone stays below this.
 constexpr float curveLimit = 0.3f;
 
 void dropNonFinite(surfel::SurfelList& points) {
@@ -37,13 +38,10 @@ void dropNonFinite(surfel::SurfelList& points) {
     points.extra.resize(kept * words);
 }
 
-/// Unit length where it clearly is not; rounding is left alone, so that what was saved comes back bit for bit.
+/// Unit length where it is not; what was saved comes back bit for bit.
 void makeUnit(surfel::SurfelList& points) {
-    for (surfel::Surfel& s : points.items) {
-        const float lengthSq = base::lengthSq(s.normal);
-        if (!(std::abs(lengthSq - 1) < 1e-3f))
-            s.normal = base::normalized(s.normal);
-    }
+    for (surfel::Surfel& s : points.items)
+        s.normal = base::unitNormal(s.normal);
 }
 
 void setOriented(surfel::SurfelList& points, bool oriented) {

@@ -1,5 +1,5 @@
-// Sample spacing: s_i = 0.93 x mean distance to the 6 nearest other positions (alg. 2.6), exact for hexagonal layouts.
-// Coincident points count once, so that duplicates do not make it zero.
+// Sample spacing: s_i = 0.93 x mean distance to the 6 nearest other positions (process/README 1.1), exact for hexagonal
+// layouts. Coincident points count once, so that duplicates do not make it zero.
 #pragma once
 
 #include "core/base/progress.h"

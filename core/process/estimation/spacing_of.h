@@ -5,7 +5,7 @@
 
 namespace process {
 
-/// Spacing over mean distance to the 6 nearest: sqrt(sqrt(3) / 2) = 0.9306 in a hexagonal layout, as INTERFACES has it.
+/// Spacing over mean distance to the 6 nearest: sqrt(sqrt(3) / 2) = 0.9306 in a hexagonal layout (process/README 1.1).
 constexpr double spacingOverDistance = 0.93;
 
 /// One per position; 0 where a position is the only one.

@@ -6,11 +6,11 @@
 
 namespace process {
 
-/// Alg. 2.6's spacing where the nearest other positions are at these squared distances, ascending: 0.93 x the mean of
-/// the first six above zero; 0 where there are none.
+/// The spacing (process/README 1.1) where the nearest other positions are at these squared distances, ascending: 0.93 x
+/// the mean of the first six above zero; 0 where there are none.
 float spacingFromRing(std::span<const float> distancesSq);
 
-/// Alg. 2.6's spacing at a position of a surfel; 0 where it is alone. Cost: one search.
+/// The spacing at a position of a surfel; 0 where it is alone. Cost: one search.
 float spacingAround(const tree::SurfelTree& tree, const base::Vec3f& x);
 
 /// One surfel that was looked at.

@@ -13,7 +13,7 @@ namespace {
 /// Neighbours among which radii are compared: two rings of a hexagonal layout have 18, the inner one and half the outer
 /// carry a slope in every direction.
 constexpr std::size_t gradedNeighbours = 12;
-/// Of radii over distance (alg. 8.2.1).
+/// Of radii over distance (process/README 1.3).
 constexpr float steepest = 0.5f;
 /// A position that stands this many times sparser than the median of its neighbours is an outlier and gets no more.
 constexpr float sparsest = 3.0f;

@@ -44,7 +44,7 @@ tree::Edit resample(const surface::Surface& version, const tree::Selection& touc
                     const surface::Surface& frozen) {
     if (touched.empty() || !(options.spacing > 0))
         return {};
-    // mu = 0 erodes whatever is put back on it; the samples themselves carry the form with 1/2 (RESAMPLING 2).
+    // mu = 0 erodes whatever is put back on it; the samples themselves carry the form with 1/2 (process/README 4.3).
     surface::SurfaceDefinition definition = frozen.definition();
     definition.shrinkFree = true;
     const surface::Surface ground(frozen.tree(), definition);

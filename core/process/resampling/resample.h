@@ -1,5 +1,5 @@
-// Resampling: lets the sampling follow a deformation, by the scheme of RESAMPLING (merge, fill, relax, settle). In one
-// call, on the surfels that an edit touched:
+// Resampling: lets the sampling follow a deformation, by the scheme of process/README 4.1 (merge, fill, relax, settle).
+// In one call, on the surfels that an edit touched:
 //
 //     look    which surfels have something too near or room beside them                      resample_look.cpp
 //     merge   crumbs of folds go, that few of their own sheet bear; of two surfels closer than 0.60 s one goes

@@ -6,7 +6,7 @@
 //     real attributes: theta-weighted; integer attributes: of the surfel with the largest weight
 //
 // Only surfels that face as asked count. Heights and tilts are measured where they are needed and nowhere else
-// (RESAMPLING 1, step 0, lazily): all places are named at the beginning.
+// (process/README 4.1, step 6): all places are named at the beginning.
 #pragma once
 
 #include "core/process/resampling/resample_set.h"

@@ -4,7 +4,7 @@
 
 namespace process {
 
-/// Below this slope f says nothing about distance (RESAMPLING 7 counts it as outside).
+/// Below this slope f says nothing about distance (counts as outside).
 constexpr float flattest = 0.05f;
 
 float centredValue(const surface::Surface& surface, const base::Vec3f& x, const surface::Evaluationf& e) {

@@ -6,8 +6,8 @@
 
 namespace process {
 
-/// Off-centre values at which a place belongs to an open border and at which nothing grows, in units of h (RESAMPLING
-/// 4). A straight border has 0.212 h with Wendland weights and 0.564 with the Gaussian's (alg. 0).
+/// Off-centre values at which a place belongs to an open border and at which nothing grows, in units of h
+/// (process/README 4.5). A straight border has 0.212 h with Wendland weights and 0.564 with the Gaussian's.
 constexpr float pinnedLimit = 0.12f, grownLimit = 0.15f;
 constexpr float gaussianOver = 0.564190f / 0.212207f;
 

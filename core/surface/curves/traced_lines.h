@@ -3,13 +3,10 @@
 // A Point has position, unit (h) and tangent(). Lengths are told in units of h.
 #pragma once
 
-#include "core/base/vec.h"
+#include "core/base/cells.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdint>
 #include <map>
-#include <unordered_map>
 #include <vector>
 
 namespace surface {
@@ -23,7 +20,8 @@ class TracedLines {
     void add(const std::vector<Point>& points, bool closed, std::size_t number) {
         const std::size_t count = points.size();
         const auto put = [&](const Point& a, const Point& b) {
-            m_cells[keyOf((a.position + b.position) * 0.5)].push_back({a.position, b.position, a.tangent(), number});
+            m_cells.at(cellOf((a.position + b.position) * 0.5))
+                .push_back({a.position, b.position, a.tangent(), number});
         };
         for (std::size_t i = closed ? 0 : 1; i < count; ++i)
             put(points[i == 0 ? count - 1 : i - 1], points[i]);
@@ -34,12 +32,12 @@ class TracedLines {
     /// The curve that comes within `reach` of p in its direction, or -1.
     template <class Point>
     std::ptrdiff_t lineAt(const Point& p, double reach) const {
-        const Key centre = keyOf(p.position);
+        const base::Cell centre = cellOf(p.position);
         for (std::int64_t i = 0; i < 27; ++i) {
-            const auto cell = m_cells.find({centre[0] + i % 3 - 1, centre[1] + i / 3 % 3 - 1, centre[2] + i / 9 - 1});
-            if (cell == m_cells.end())
+            const auto* segments = m_cells.find({centre.x + i % 3 - 1, centre.y + i / 3 % 3 - 1, centre.z + i / 9 - 1});
+            if (!segments)
                 continue;
-            for (const Segment& s : cell->second)
+            for (const Segment& s : *segments)
                 if (distanceTo(s, p.position) < reach * p.unit && std::abs(dot(s.tangent, p.tangent())) > 0.5)
                     return static_cast<std::ptrdiff_t>(s.line);
         }
@@ -57,22 +55,12 @@ class TracedLines {
     }
 
   private:
-    using Key = std::array<std::int64_t, 3>;
-    struct KeyHash {
-        std::size_t operator()(const Key& k) const {
-            return static_cast<std::size_t>(k[0] * 73856093 ^ k[1] * 19349663 ^ k[2] * 83492791);
-        }
-    };
     struct Segment {
         base::Vec3d a, b, tangent;
         std::size_t line;
     };
 
-    Key keyOf(const base::Vec3d& p) const {
-        return {static_cast<std::int64_t>(std::floor(p.x / m_cell)),
-                static_cast<std::int64_t>(std::floor(p.y / m_cell)),
-                static_cast<std::int64_t>(std::floor(p.z / m_cell))};
-    }
+    base::Cell cellOf(const base::Vec3d& p) const { return base::cellOf(p, {}, 1 / m_cell); }
     static double distanceTo(const Segment& s, const base::Vec3d& p) {
         const base::Vec3d way = s.b - s.a;
         const double square = lengthSq(way);
@@ -81,7 +69,7 @@ class TracedLines {
     }
 
     double m_cell;
-    std::unordered_map<Key, std::vector<Segment>, KeyHash> m_cells;
+    base::CellMap<std::vector<Segment>> m_cells;
 };
 
 } // namespace surface

@@ -1,0 +1,12 @@
+// Brings a folder's list of files to the disk, so that a file that was made, renamed or removed in it stays so through
+// a power cut.
+#pragma once
+
+#include <filesystem>
+
+namespace base {
+
+/// The empty path is the working folder. Best effort: not every file system can sync a folder.
+void syncFolder(const std::filesystem::path& folder);
+
+} // namespace base
