@@ -259,7 +259,7 @@ void FramesTest::interpolatingCurvatureAtASampleIsTheSumOfTheOthers() {
     }
 }
 
-/// surface/README 1.2.
+/// Order, mirror images and copies of samples change only rounding (surface/README 1.2).
 void FramesTest::orderAndMirrorsAndCopiesChangeNothing() {
     const SurfaceDefinition definition = fetched(true);
     const double h = definition.weight == Weight::Gaussian ? 0.45 : 0.3;
