@@ -34,27 +34,59 @@ unsigned long long seed() {
     return new QCoreApplication(argc, argv);
 }
 
+namespace {
+
+/// What the words of the command line ask of a class: all of it, some functions, or nothing.
+struct Wish {
+    bool whole = false;
+    QStringList functions;
+};
+
+/// Words are classes or Class.function; a bare word after a single class is a function of it.
+Wish wishFor(const QString& name, const QStringList& words) {
+    if (words.isEmpty())
+        return {true, {}};
+    Wish out;
+    for (const QString& word : words) {
+        const QStringList parts = word.split('.');
+        if (parts[0] == name && parts.size() == 1)
+            out.whole = true;
+        else if (parts[0] == name)
+            out.functions << parts[1];
+    }
+    if (words[0] == name && words.size() > 1 && words[1][0].isLower())
+        return {false, words.mid(1)};
+    return out;
+}
+
+} // namespace
+
 int main(int argc, char** argv) {
     std::unique_ptr<QCoreApplication> application(makeApplication(argc, argv));
-    const QString only = argc > 1 && argv[1][0] != '-' ? argv[1] : "";
-    QStringList arguments{argv[0]};
-    for (int i = only.isEmpty() ? 1 : 2; i < argc; ++i)
-        arguments << argv[i];
-    int failed = 0;
-    int run = 0;
+    QStringList words, options;
+    for (int i = 1; i < argc; ++i)
+        (options.isEmpty() && argv[i][0] != '-' ? words : options) << argv[i];
+    const bool listing = options.value(0) == "-list";
+    int failed = 0, run = 0, functions = 0, wanted = 0;
+    for (const QString& word : words)
+        wanted += word.contains('.') ? 1 : 0;
     for (const auto& make : test::factories()) {
-        std::unique_ptr<QObject> object(make());
-        if (!only.isEmpty() && only != object->metaObject()->className())
-            continue;
-        if (arguments.size() > 1 && arguments[1] == "-list") {
-            std::puts(object->metaObject()->className());
+        const std::unique_ptr<QObject> object(make());
+        const QMetaObject& meta = *object->metaObject();
+        if (listing) {
+            std::puts(meta.className());
             continue;
         }
+        Wish wish = wishFor(meta.className(), words);
+        if (!wish.whole && wish.functions.isEmpty())
+            continue;
         ++run;
-        failed += QTest::qExec(object.get(), arguments);
+        functions += static_cast<int>(wish.functions.size());
+        failed +=
+            QTest::qExec(object.get(), QStringList{argv[0]} + (wish.whole ? QStringList() : wish.functions) + options);
     }
-    if (run == 0 && !(arguments.size() > 1 && arguments[1] == "-list")) {
-        std::fprintf(stderr, "no test class ran\n");
+    if (!listing && (run == 0 || functions < wanted)) {
+        std::fprintf(stderr, "a test that was asked for is not there\n");
         return 1;
     }
     return failed;

@@ -4,7 +4,8 @@
 //     static const test::Registered<BoxTest> registered;
 //     #include "box_test.moc"
 // The executable's main (registry.cpp) runs every registered class and returns the number of failed functions.
-// `room_tests -list` names the classes; `room_tests ClassName [function]` runs one of them.
+// `room_tests -list` names the classes; `room_tests ClassName [function]...` runs one of them, and
+// `room_tests Class.function Class...` what is named.
 #pragma once
 
 #include <functional>

@@ -1,0 +1,103 @@
+// The threads beside the interface's, without a window: the model's owner publishes versions while the drawing thread
+// draws those before. TSan looks here.
+#include "support/registry.h"
+#include "ui/work/editor.h"
+#include "ui/work/render_thread.h"
+
+#include <QTest>
+
+using namespace ui;
+
+class WorkThreadsTest : public QObject {
+    Q_OBJECT
+  private Q_SLOTS:
+    void versionsAreDrawnWhileAStrokeGoesOn();
+    void theTrueSurfaceIsInterrupted();
+    void cancelledWorkLeavesTheModel();
+};
+
+static Frame frameOf(const Editor& editor) {
+    Frame out;
+    out.model = editor.snapshot().surface.tree();
+    out.camera = render::Camera::looking(out.model.bounds(), 120, 80);
+    out.options.splatScale = editor.snapshot().splatScale;
+    return out;
+}
+
+static bool settled(const Editor& editor) {
+    return QTest::qWaitFor([&] { return !editor.busy(); }, 120000);
+}
+
+/// An editor without a journal, of a sphere.
+static std::unique_ptr<Editor> sphere() {
+    EditorOptions options;
+    options.keepJournal = false;
+    auto out = std::make_unique<Editor>(options);
+    out->run({{"op", "new"}, {"sample", "sphere"}, {"count", 3000}});
+    return settled(*out) && out->snapshot().surfels > 0 ? std::move(out) : nullptr;
+}
+
+static void stroke(Editor& editor, int samples) {
+    sculpt::StrokeSettings settings;
+    settings.radius = 0.3f;
+    editor.beginStroke(settings);
+    for (int k = 0; k < samples; ++k) {
+        const float x = 0.8f * static_cast<float>(k) / static_cast<float>(samples) - 0.4f;
+        editor.addSample({{{x, 0, 3}, {0, 0, -1}}, 1, 0.01f * static_cast<float>(k)});
+    }
+    editor.endStroke();
+}
+
+void WorkThreadsTest::versionsAreDrawnWhileAStrokeGoesOn() {
+    const auto editor = sphere();
+    QVERIFY(editor);
+    std::atomic<int> pictures = 0, versions = 0;
+    RenderThread drawing(std::make_unique<render::CpuSplatter>(),
+                         [&](const RenderThread::Result& result) { pictures += result.picture.isNull() ? 0 : 1; });
+    QObject::connect(editor.get(), &Editor::changed, editor.get(), [&] {
+        ++versions;
+        drawing.request(frameOf(*editor));
+    });
+    const base::Hash128 before = editor->hashWhenDone();
+    stroke(*editor, 40);
+    QVERIFY(settled(*editor));
+    QVERIFY(QTest::qWaitFor([&] { return pictures > 0; }, 120000));
+    QVERIFY(versions > 0 && !(editor->hashWhenDone() == before));
+    editor->run({{"op", "undo"}});
+    QVERIFY(settled(*editor));
+    QVERIFY(editor->hashWhenDone() == before);
+    QObject::disconnect(editor.get(), nullptr, nullptr, nullptr);
+}
+
+void WorkThreadsTest::theTrueSurfaceIsInterrupted() {
+    const auto editor = sphere();
+    QVERIFY(editor);
+    std::atomic<int> levels = 0;
+    RenderThread drawing(std::make_unique<render::CpuSplatter>(),
+                         [&](const RenderThread::Result& result) { levels += result.refinement ? 1 : 0; });
+    Frame frame = frameOf(*editor);
+    frame.truth = TrueSurface{editor->snapshot().surface, 1, {}, {}};
+    for (int k = 0; k < 5; ++k) {
+        frame.camera.fovDeg += 1;
+        drawing.request(frame);
+        QTest::qWait(200);
+    }
+    QVERIFY(QTest::qWaitFor([&] { return levels > 0; }, 120000));
+}
+
+void WorkThreadsTest::cancelledWorkLeavesTheModel() {
+    const auto editor = sphere();
+    QVERIFY(editor);
+    const base::Hash128 before = editor->hashWhenDone();
+    stroke(*editor, 40);
+    editor->cancelStroke();
+    editor->run({{"op", "resample"}, {"spacing", 0.01}});
+    editor->cancelWork();
+    QVERIFY(settled(*editor));
+    QVERIFY(editor->snapshot().surfels > 0);
+    if (!editor->snapshot().canUndo) // the strokes' end or the command may have been faster
+        QVERIFY(editor->hashWhenDone() == before);
+}
+
+static const test::Registered<WorkThreadsTest> registered;
+#include "work_threads_test.moc"
