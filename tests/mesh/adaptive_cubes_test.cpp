@@ -69,7 +69,7 @@ void AdaptiveCubesTest::trianglesStayWithinTheTolerance() {
     }
 }
 
-/// But beside the rim.
+/// But beside the boundary.
 void AdaptiveCubesTest::flatPartsHaveLargeCubes() {
     const surface::Surface plate = shapes::surfaceOf(shapes::plane(30, spacing, 3.5 * spacing), shapes::bounded(0.3f));
     MarchingReport coarse, fine;
@@ -100,7 +100,7 @@ void AdaptiveCubesTest::rimsStayAsTheyAre() {
     QVERIFY(2 * some.faces < all.faces);
 }
 
-/// Noise, two sheets, rims and folds.
+/// Noise, two sheets, boundaries and folds.
 void AdaptiveCubesTest::anyGridIsManifold() {
     const unsigned long long seed = test::seed();
     base::Random random(seed);

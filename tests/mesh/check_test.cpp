@@ -16,7 +16,7 @@ class CheckTest : public QObject {
     void trianglesWithoutAreaAreFound();
     void areaAndEdgesOfAGridAreExact();
     void distancesToASphereAreThoseOfItsRadius();
-    void distancesBeyondARimAreToTheRim();
+    void distancesBeyondTheBoundaryAreToIt();
     void farPlacesAreLost();
 };
 
@@ -93,7 +93,7 @@ void CheckTest::distancesToASphereAreThoseOfItsRadius() {
     QVERIFY(on.faces.max > 1e-4 && on.faces.max < 5e-3);
 }
 
-void CheckTest::distancesBeyondARimAreToTheRim() {
+void CheckTest::distancesBeyondTheBoundaryAreToIt() {
     surface::SurfaceDefinition definition;
     definition.boundaryLimit = 0.3f;
     const surface::Surface surface{tree::SurfelTree::build(shapes::plane(12, 0.1, 0.35)), definition};

@@ -81,7 +81,7 @@ void CoarsenTest::rimsKeepTheirCourse() {
     const Mesh fine = cubesOf(surface);
     const double s = spacingOf(surface), farthest = 0.05 * s;
     const Mesh made = coarse(surface, fine, 4 * s, farthest);
-    const auto rimOf = [](const Mesh& m) {
+    const auto boundaryOf = [](const Mesh& m) {
         std::vector<std::pair<Vec3d, Vec3d>> out;
         const mesh::Triangulation faces(m.triangles, m.positions.size());
         for (std::uint32_t f = 0; f < faces.faceCount(); ++f)
@@ -90,7 +90,7 @@ void CoarsenTest::rimsKeepTheirCourse() {
                     out.emplace_back(m.positions[faces.from(side)], m.positions[faces.to(side)]);
         return out;
     };
-    const auto before = rimOf(fine), after = rimOf(made);
+    const auto before = boundaryOf(fine), after = boundaryOf(made);
     QVERIFY(!after.empty() && after.size() < before.size());
     double worst = 0;
     for (const auto& [p, q] : before) {
@@ -105,7 +105,7 @@ void CoarsenTest::rimsKeepTheirCourse() {
     QVERIFY2(worst <= 2 * farthest, QByteArray::number(worst / farthest));
 }
 
-/// A spike of one triangle on a rim.
+/// A spike of one triangle on the boundary.
 void CoarsenTest::sharpCornersAreCutOff() {
     const surface::Surface surface = models::sampled("sphere", 1000);
     Mesh m;

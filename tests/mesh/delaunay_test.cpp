@@ -180,7 +180,7 @@ void DelaunayTest::sizesFollowCurvature() {
     QVERIFY(mesh.triangles.size() < meshOf(surface, even).triangles.size());
 }
 
-/// Every edge of the boundary has both ends on the rim, to rounding, and is short.
+/// Every edge of the boundary has both ends on the boundary curve, to rounding, and is short.
 void DelaunayTest::rimsAreKept() {
     const surface::Surface surface = models::halfSphere(3000);
     const double s = spacingOf(surface);
@@ -196,9 +196,9 @@ void DelaunayTest::rimsAreKept() {
         const surface::Evaluationd e = surface.evaluateReference(mesh.positions[v]);
         QVERIFY(std::abs(e.offCentre - double(surface.definition().boundaryLimit) * e.unit) < 1e-9);
     }
-    const auto rims = findBoundaryCurves(surface);
-    QCOMPARE(rims.size(), std::size_t(1));
-    QVERIFY(double(limits) > rims[0].length() / (2 * options.size));
+    const auto curves = findBoundaryCurves(surface);
+    QCOMPARE(curves.size(), std::size_t(1));
+    QVERIFY(double(limits) > curves[0].length() / (2 * options.size));
 }
 
 void DelaunayTest::everyPieceIsFound() {

@@ -21,7 +21,7 @@ class FoldsTest : public QObject {
     void trianglesWhereSpheresTouchHaveArea();
     void meshesOfScansAreSound_data();
     void meshesOfScansAreSound();
-    void whatCutsBesideARimIsLeftOut();
+    void whatCutsBesideTheBoundaryIsLeftOut();
     void whatCutsElsewhereStays();
     void fansThatCutAreOpenedAgain();
 };
@@ -36,8 +36,8 @@ Mesh plate(std::uint32_t side) {
         for (std::uint32_t j = 0; j < row; ++j) {
             out.positions.push_back({double(j), double(i), 0});
             out.normals.push_back({0, 0, 1});
-            const bool rim = i == 0 || j == 0 || i == side || j == side;
-            out.kinds.push_back(rim ? mesh::VertexKind::Limit : mesh::VertexKind::Inner);
+            const bool boundary = i == 0 || j == 0 || i == side || j == side;
+            out.kinds.push_back(boundary ? mesh::VertexKind::Limit : mesh::VertexKind::Inner);
         }
     for (std::uint32_t i = 0; i < side; ++i)
         for (std::uint32_t j = 0; j < side; ++j) {
@@ -134,8 +134,8 @@ void FoldsTest::meshesOfScansAreSound() {
     QVERIFY2(vertices.max < 1e-2 * report.cell && vertices.lost == 0, QByteArray::number(vertices.max / report.cell));
 }
 
-/// A corner on the rim of a plate lies over the plate.
-void FoldsTest::whatCutsBesideARimIsLeftOut() {
+/// A corner on the boundary of a plate lies over the plate.
+void FoldsTest::whatCutsBesideTheBoundaryIsLeftOut() {
     Mesh m = plate(8);
     m.positions[1] = {2.4, 1.3, 0}; // of the first row
     QVERIFY(!mesh::selfIntersections(m).empty());

@@ -161,16 +161,16 @@ void MarchingTest::rimsLieAtTheLimit() {
             MarchingOptions options;
             options.cell = cell * double(surface.tree().maxSupport()) / 3.5;
             const Mesh m = mesh::marchingCubes(surface, options, report);
-            std::size_t rim = 0, off = 0;
+            std::size_t boundary = 0, off = 0;
             for (std::size_t v = 0; v < m.positions.size(); ++v) {
                 if (m.kinds[v] == mesh::VertexKind::Inner)
                     continue;
                 const surface::Evaluationd at = surface.evaluateReference(m.positions[v]);
-                ++rim;
+                ++boundary;
                 off += std::abs(at.offCentre / at.unit - 0.3) < 1e-3 ? 0 : 1;
             }
-            QCOMPARE(rim, report.limitEnds);
-            QVERIFY2(200 * off <= rim, QByteArray::number(off) + " of " + QByteArray::number(rim));
+            QCOMPARE(boundary, report.limitEnds);
+            QVERIFY2(200 * off <= boundary, QByteArray::number(off) + " of " + QByteArray::number(boundary));
         }
     }
 }

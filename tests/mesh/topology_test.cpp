@@ -14,7 +14,7 @@ class TopologyTest : public QObject {
     void aTetrahedronIsAClosedBall();
     void aTorusHasOneHandle();
     void aDoubleTorusHasTwo();
-    void aMoebiusBandHasOneSideAndOneRim();
+    void aMoebiusBandHasOneSideAndOneBoundaryLoop();
     void flippedTrianglesAreOpposedNotOneSided();
     void tetrahedraSharingAnEdgeAreNotManifold();
     void tetrahedraSharingAVertexAreNotManifold();
@@ -31,7 +31,7 @@ Topology of(const Mesh& m) {
     return topologyOf(m.triangles, m.positions.size(), m.kinds);
 }
 
-/// Two tori with a triangle of each taken out and the rims glued.
+/// Two tori with a triangle of each taken out and the edges of the holes glued.
 Mesh doubleTorus() {
     const Mesh one = meshes::torus(8, 12);
     Mesh out = meshes::together(one, one);
@@ -78,7 +78,7 @@ void TopologyTest::aDoubleTorusHasTwo() {
     QVERIFY(t.manifold() && t.orientable && t.opposedEdges == 0 && t.boundaryEdges == 0);
 }
 
-void TopologyTest::aMoebiusBandHasOneSideAndOneRim() {
+void TopologyTest::aMoebiusBandHasOneSideAndOneBoundaryLoop() {
     const Topology t = of(meshes::moebius(20));
     QVERIFY(t.manifold());
     QVERIFY(!t.orientable);

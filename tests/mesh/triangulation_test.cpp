@@ -168,7 +168,7 @@ void TriangulationTest::collapsesThatPinchAreRefused() {
     QVERIFY(t.joined(0, 7) && t.joined(7, 14) && t.joined(14, 0));
     QVERIFY(!t.collapse(0, 7));
     QCOMPARE(facesOf(t), m.triangles);
-    const mesh::Mesh band = meshes::moebius(9); // one square across: edges across it have both ends on the rim
+    const mesh::Mesh band = meshes::moebius(9); // one square across: edges across it have both ends on the boundary
     Triangulation narrow(band.triangles, band.positions.size());
     int refused = 0;
     for (std::uint32_t f = 0; f < narrow.faceCount(); ++f)
