@@ -1,7 +1,7 @@
 #include "core/process/estimation/normals.h"
 
 #include "core/base/mat3.h"
-#include "core/process/estimation/normals_of.h"
+#include "core/process/estimation/cloud_normals.h"
 #include "core/process/estimation/part_progress.h"
 
 namespace process {

@@ -2,12 +2,12 @@
 
 #include "core/base/unit_normal.h"
 #include "core/process/estimation/boundary_limit.h"
+#include "core/process/estimation/cloud_normals.h"
+#include "core/process/estimation/cloud_supports.h"
 #include "core/process/estimation/knn.h"
 #include "core/process/estimation/normals.h"
-#include "core/process/estimation/normals_of.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/process/estimation/supports.h"
-#include "core/process/estimation/supports_of.h"
 
 #include <algorithm>
 #include <optional>

@@ -1,7 +1,7 @@
 #include "core/process/estimation/spacing.h"
 
+#include "core/process/estimation/cloud_spacing.h"
 #include "core/process/estimation/part_progress.h"
-#include "core/process/estimation/spacing_of.h"
 #include "core/process/estimation/spacing_sample.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 #include "core/process/estimation/supports.h"
 
+#include "core/process/estimation/cloud_spacing.h"
+#include "core/process/estimation/cloud_supports.h"
 #include "core/process/estimation/part_progress.h"
-#include "core/process/estimation/spacing_of.h"
-#include "core/process/estimation/supports_of.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #include "core/process/samples/block_of_clay.h"
 
-#include "core/process/samples/rows.h"
+#include "core/process/samples/even_rows.h"
 
 #include <algorithm>
 #include <numbers>

@@ -1,7 +1,7 @@
 #include "core/process/samples/tube.h"
 
 #include "core/base/parallel.h"
-#include "core/process/samples/rows.h"
+#include "core/process/samples/even_rows.h"
 
 #include <algorithm>
 #include <memory>

@@ -1,4 +1,4 @@
-#include "core/process/samples/rows.h"
+#include "core/process/samples/even_rows.h"
 
 #include "core/base/parallel.h"
 
