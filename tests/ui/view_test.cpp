@@ -35,8 +35,8 @@ class ViewTest : public QObject {
     void brokenSavedViewsAreRefused();
     void flightDoesNotDependOnTheFrames();
     void flightGoesWhereTheKeysSay();
-    void smoothWaysLeadWhereTheyShould();
-    void whateverMovesTheViewEndsTheWay();
+    void transitionsLeadWhereTheyShould();
+    void whateverMovesTheViewEndsTheTransition();
 };
 
 static Rotation randomTurn(base::Random& random) {
@@ -104,7 +104,7 @@ void ViewTest::everyStyleKeepsThePivotInItsPlace() {
                                                  view.distance);
         const double distance = view.distance;
         const Vec3d before = view.camera(800, 600).project(view.turningPoint());
-        const ImagePlace from{random.uniform(0, 800), random.uniform(0, 600)},
+        const ImagePoint from{random.uniform(0, 800), random.uniform(0, 600)},
             to{random.uniform(0, 800), random.uniform(0, 600)};
         navigation(style.toStdString()).drag(view, from, to, 800, 600);
         const Vec3d after = view.camera(800, 600).project(view.turningPoint());
@@ -129,7 +129,7 @@ void ViewTest::trackballsComeBack() {
     for (int k = 0; k < 200; ++k) {
         const View before = randomView(random);
         View view = before;
-        std::vector<ImagePlace> way;
+        std::vector<ImagePoint> way;
         for (int j = 0; j < 6; ++j)
             way.push_back({random.uniform(0, 800), random.uniform(0, 600)});
         const NavigationRow& ball = navigation("trackball");
@@ -302,36 +302,36 @@ void ViewTest::flightGoesWhereTheKeysSay() {
     QVERIFY(fly.moving());
     fly.step(5);
     QVERIFY(fly.view().target.x > 4.8);
-    fly.releaseAll();
+    fly.release(Fly::Right);
     fly.step(2);
     QVERIFY(!fly.moving());
 }
 
-void ViewTest::smoothWaysLeadWhereTheyShould() {
+void ViewTest::transitionsLeadWhereTheyShould() {
     base::Random random(test::seed());
     Navigator navigator;
     const View from = randomView(random), to = randomView(random);
     navigator.set(from);
     QSignalSpy moved(&navigator, &Navigator::moved);
     navigator.goTo(to);
-    QVERIFY(navigator.view() == to && navigator.underWay()); // at once, for whoever asks
+    QVERIFY(navigator.view() == to && navigator.inTransition()); // at once, for whoever asks
     QVERIFY(!(navigator.shown() == to));
-    QTRY_VERIFY(!navigator.underWay());
+    QTRY_VERIFY(!navigator.inTransition());
     QVERIFY(navigator.shown() == to);
     QVERIFY(moved.size() > 2 && moved.back().at(0).toBool() == false); // the last is at rest
     QVERIFY(between(from, to, 1) == to);
 }
 
-void ViewTest::whateverMovesTheViewEndsTheWay() {
+void ViewTest::whateverMovesTheViewEndsTheTransition() {
     Navigator navigator;
     View to;
     to.distance = 7;
     navigator.goTo(to);
     navigator.zoom(1, to.target);
-    QVERIFY(!navigator.underWay() && navigator.shown() == navigator.view() && navigator.view().distance < 7);
+    QVERIFY(!navigator.inTransition() && navigator.shown() == navigator.view() && navigator.view().distance < 7);
     navigator.goTo(to);
     navigator.finish();
-    QVERIFY(!navigator.underWay() && navigator.shown() == to);
+    QVERIFY(!navigator.inTransition() && navigator.shown() == to);
 }
 
 static const test::Registered<ViewTest> registered;

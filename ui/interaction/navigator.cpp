@@ -11,16 +11,16 @@ Navigator::Navigator(QObject* parent) : QObject(parent), m_style(&navigationTabl
 }
 
 double Navigator::part() const {
-    return m_way ? static_cast<double>(m_way->since.nsecsElapsed()) * 1e-9 / transitionSeconds : 1;
+    return m_transition ? static_cast<double>(m_transition->since.nsecsElapsed()) * 1e-9 / transitionSeconds : 1;
 }
 
 View Navigator::shown() const {
     const double t = part();
-    return t >= 1 ? m_view : between(m_way->from, m_view, t * t * (3 - 2 * t));
+    return t >= 1 ? m_view : between(m_transition->from, m_view, t * t * (3 - 2 * t));
 }
 
 void Navigator::set(const View& view) {
-    m_way.reset();
+    m_transition.reset();
     m_view = view;
     Q_EMIT moved(false);
 }
@@ -28,15 +28,15 @@ void Navigator::set(const View& view) {
 void Navigator::goTo(const View& view) {
     if (!m_smooth || view == m_view)
         return set(view);
-    m_way = Way{shown(), {}};
-    m_way->since.start();
+    m_transition = Transition{shown(), {}};
+    m_transition->since.start();
     m_view = view;
     m_timer.start();
     Q_EMIT moved(true);
 }
 
 void Navigator::finish() {
-    if (std::exchange(m_way, std::nullopt))
+    if (std::exchange(m_transition, std::nullopt))
         Q_EMIT moved(true);
 }
 
@@ -46,18 +46,18 @@ void Navigator::chooseStyle(const NavigationRow& style) {
         goTo(m_view.upright());
 }
 
-void Navigator::drag(const ImagePlace& from, const ImagePlace& to, int width, int height) {
-    m_way.reset();
+void Navigator::drag(const ImagePoint& from, const ImagePoint& to, int width, int height) {
+    m_transition.reset();
     m_style->drag(m_view, from, to, width, height);
 }
 
 void Navigator::pan(double dx, double dy, int height) {
-    m_way.reset();
+    m_transition.reset();
     m_view.pan(dx, dy, height);
 }
 
 void Navigator::zoom(double steps, const base::Vec3d& about) {
-    m_way.reset();
+    m_transition.reset();
     m_view.zoom(steps, about);
 }
 
@@ -74,7 +74,7 @@ void Navigator::setPivot(const std::optional<base::Vec3d>& pivot) {
 // --- flying ---
 
 void Navigator::takeOff(double speed) {
-    m_way.reset();
+    m_transition.reset();
     m_fly.emplace(m_view, speed);
     m_view = m_fly->view();
     Q_EMIT flightChanged(true);
@@ -134,10 +134,10 @@ void Navigator::tick() {
         m_fly->step(std::min(static_cast<double>(m_lastStep.nsecsElapsed()) * 1e-9, longest));
         m_lastStep.start();
         m_view = m_fly->view();
-    } else if (m_way && part() >= 1) {
-        m_way.reset();
+    } else if (m_transition && part() >= 1) {
+        m_transition.reset();
     }
-    const bool more = m_way || (m_fly && m_fly->moving());
+    const bool more = m_transition || (m_fly && m_fly->moving());
     if (!more)
         m_timer.stop();
     Q_EMIT moved(more);

@@ -1,8 +1,8 @@
-// Moves the window's view: drags by the chosen style, smooth ways to other views, flying. Knows no viewport and no
-// model; whoever owns it shows `shown()` whenever it says that it has moved.
+// Moves the window's view: drags in the chosen style, smooth transitions to other views, flight. It knows neither
+// viewport nor model; its owner shows `shown()` whenever it signals that it has moved.
 //
-// A way to another view takes `transitionSeconds` and holds nothing up: `view()` is where it leads from the first
-// moment on, and whatever moves the view next (or `finish`) ends it there.
+// A transition takes `transitionSeconds` and holds nothing up: `view()` is its destination from the first moment on,
+// and whatever moves the view next (or `finish`) ends it there.
 //
 // Interface's thread only.
 #pragma once
@@ -24,20 +24,19 @@ class Navigator : public QObject {
 
     explicit Navigator(QObject* parent = nullptr);
 
-    /// Where the view is or is going to be.
+    /// Where the view is or will be.
     const View& view() const { return m_view; }
-    /// Where it is on its way there.
+    /// Where it is now, on its way there.
     View shown() const;
-    bool underWay() const { return m_way.has_value(); }
+    bool inTransition() const { return m_transition.has_value(); }
 
     void set(const View& view);  ///< at once
     void goTo(const View& view); ///< smoothly
-    void finish();               ///< the way ends where it leads
+    void finish();               ///< a transition ends at its destination
     void setSmooth(bool smooth) { m_smooth = smooth; }
     void chooseStyle(const NavigationRow& style);
-    const NavigationRow& style() const { return *m_style; }
 
-    void drag(const ImagePlace& from, const ImagePlace& to, int width, int height);
+    void drag(const ImagePoint& from, const ImagePoint& to, int width, int height);
     void pan(double dx, double dy, int height);
     void zoom(double steps, const base::Vec3d& about);
     void setParallel(bool parallel);
@@ -51,15 +50,15 @@ class Navigator : public QObject {
     /// REQUIRES: flying, and a key that flies.
     void flyKey(int key, bool pressed);
     void look(double dx, double dy, int height);
-    /// Steps of a wheel; the speed then.
+    /// By steps of a wheel; returns the new speed.
     double accelerate(double steps);
 
   Q_SIGNALS:
-    void moved(bool more); ///< `more` will follow at once
+    void moved(bool more); ///< `more`: it keeps moving
     void flightChanged(bool flying);
 
   private:
-    struct Way {
+    struct Transition {
         View from;
         QElapsedTimer since;
     };
@@ -68,7 +67,7 @@ class Navigator : public QObject {
 
     View m_view;
     const NavigationRow* m_style;
-    std::optional<Way> m_way;
+    std::optional<Transition> m_transition;
     std::optional<Fly> m_fly;
     QElapsedTimer m_lastStep;
     QTimer m_timer;

@@ -29,7 +29,7 @@ std::optional<BrushContact> PointerRouter::contactUnderPointer() const {
 }
 
 void PointerRouter::followCursor() {
-    const bool still = !m_parts.motion.navigator().underWay() && !m_parts.flight.on();
+    const bool still = !m_parts.motion.navigator().inTransition() && !m_parts.flight.on();
     const bool brush = m_gesture == Gesture::None || m_gesture == Gesture::Sculpt;
     m_parts.cursor.follow(m_pointer, m_inside && still && brush);
 }

@@ -10,8 +10,8 @@ static QColor colourOf(const base::Vec3f& c) {
     return QColor::fromRgbF(c.x, c.y, c.z);
 }
 
-/// What lies around letters and lines so that they read on anything.
-static QColor rimOf(const base::Vec3f& c) {
+/// The outline of letters and lines, which makes them legible on anything.
+static QColor outlineOf(const base::Vec3f& c) {
     return c.x + c.y + c.z > 1.2f ? QColor(13, 13, 15, 120) : QColor(255, 255, 255, 150);
 }
 
@@ -24,7 +24,7 @@ static void paintText(QPainter& painter, const render::DrawnText& text) {
     QPainterPath path;
     path.addText(QPointF(x, text.at.y), font, words);
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(rimOf(text.colour), 2.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.setPen(QPen(outlineOf(text.colour), 2.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter.drawPath(path);
     painter.fillPath(path, colourOf(text.colour));
 }
@@ -45,9 +45,9 @@ void paint(QPainter& painter, const render::Drawing& drawing) {
     for (const render::DrawnRamp& ramp : drawing.ramps)
         paintRamp(painter, ramp);
     for (const render::DrawnLine& line : drawing.lines)
-        for (const bool rim : {true, false}) {
-            painter.setPen(QPen(rim ? rimOf(line.colour) : colourOf(line.colour), line.width + (rim ? 2 : 0),
-                                Qt::SolidLine, Qt::RoundCap));
+        for (const bool outline : {true, false}) {
+            painter.setPen(QPen(outline ? outlineOf(line.colour) : colourOf(line.colour),
+                                line.width + (outline ? 2 : 0), Qt::SolidLine, Qt::RoundCap));
             painter.drawLine(QPointF(line.from.x, line.from.y), QPointF(line.to.x, line.to.y));
         }
     for (const render::DrawnText& text : drawing.texts)

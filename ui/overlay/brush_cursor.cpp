@@ -8,7 +8,7 @@ namespace ui {
 
 using base::Vec3d;
 
-static QPointF place(const render::Camera& camera, const Vec3d& p) {
+static QPointF pixelOf(const render::Camera& camera, const Vec3d& p) {
     const Vec3d at = camera.project(p);
     return {at.x, at.y};
 }
@@ -22,7 +22,7 @@ static QPolygonF tiltedCircle(const BrushCursor& cursor, const render::Camera& c
         const double angle = 2 * std::numbers::pi * k / corners;
         const Vec3d p = cursor.contact->position + (u * std::cos(angle) + v * std::sin(angle)) * cursor.radius;
         if (camera.project(p).z > 0)
-            out << place(camera, p);
+            out << pixelOf(camera, p);
     }
     return out;
 }
@@ -44,13 +44,13 @@ void paint(QPainter& painter, const BrushCursor& cursor, const render::Camera& c
         path.addPolygon(tiltedCircle(cursor, camera));
         strokeOnDark(painter, path, colour, 1.6);
         const Vec3d tip = cursor.contact->position + cursor.contact->normal * (0.4 * cursor.radius);
-        QPainterPath stick(place(camera, cursor.contact->position));
+        QPainterPath stick(pixelOf(camera, cursor.contact->position));
         if (camera.project(tip).z > 0)
-            stick.lineTo(place(camera, tip));
+            stick.lineTo(pixelOf(camera, tip));
         strokeOnDark(painter, stick, colour, 1.6);
         painter.setPen(Qt::NoPen);
         painter.setBrush(colour);
-        painter.drawEllipse(place(camera, cursor.contact->position), 2.5, 2.5);
+        painter.drawEllipse(pixelOf(camera, cursor.contact->position), 2.5, 2.5);
     } else if (cursor.radiusPx > 0) {
         painter.setPen(QPen(QColor(255, 255, 255, 70), 1.2, Qt::DashLine));
         painter.drawEllipse(cursor.pointer, cursor.radiusPx, cursor.radiusPx);

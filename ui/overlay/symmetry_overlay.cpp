@@ -20,7 +20,7 @@ static QColor colourOf(int axis) {
 static bool seen(const render::Camera& camera, const Vec3d& p) {
     return camera.project(p).z > 0;
 }
-static QPointF place(const render::Camera& camera, const Vec3d& p) {
+static QPointF pixelOf(const render::Camera& camera, const Vec3d& p) {
     const Vec3d at = camera.project(p);
     return {at.x, at.y};
 }
@@ -32,8 +32,8 @@ static void addLine(QPainterPath& path, const render::Camera& camera, const Vec3
         const Vec3d p = a + (b - a) * (double(k) / parts), q = a + (b - a) * (double(k + 1) / parts);
         if (!seen(camera, p) || !seen(camera, q))
             continue;
-        path.moveTo(place(camera, p));
-        path.lineTo(place(camera, q));
+        path.moveTo(pixelOf(camera, p));
+        path.lineTo(pixelOf(camera, q));
     }
 }
 
@@ -60,7 +60,7 @@ static void paintPlane(QPainter& painter, const SymmetryOverlay& overlay, const 
     for (std::size_t k = 0; k < 4; ++k) {
         addLine(frame, camera, corners[k], corners[(k + 1) % 4]);
         whole = whole && seen(camera, corners[k]);
-        area << place(camera, corners[k]);
+        area << pixelOf(camera, corners[k]);
     }
     QColor veil = colourOf(axis);
     veil.setAlpha(14);
@@ -92,7 +92,7 @@ static void paintImages(QPainter& painter, const SymmetryOverlay& overlay, const
             continue;
         painter.setPen(QPen(QColor(0, 0, 0, 110), 1.5));
         painter.setBrush(QColor(255, 205, 130));
-        painter.drawEllipse(place(camera, at), 3, 3);
+        painter.drawEllipse(pixelOf(camera, at), 3, 3);
     }
 }
 
@@ -117,7 +117,7 @@ void paintSource(QPainter& painter, const Vec3d& source, const render::Camera& c
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setBrush(Qt::NoBrush);
-    const QPointF at = place(camera, source);
+    const QPointF at = pixelOf(camera, source);
     QPainterPath path;
     path.addEllipse(at, 8, 8);
     for (const QPointF way : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)}) {

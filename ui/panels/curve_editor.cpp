@@ -133,13 +133,11 @@ void CurveEditor::leaveEvent(QEvent*) {
     update();
 }
 
-void CurveEditor::paintEvent(QPaintEvent*) {
-    QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
+/// A rounded ground with quarters marked.
+static void paintGround(QPainter& painter, const QWidget& editor, const QRectF& in) {
     painter.setPen(Qt::NoPen);
-    painter.setBrush(palette().base());
-    painter.drawRoundedRect(rect(), 4, 4);
-    const QRectF in = field();
+    painter.setBrush(editor.palette().base());
+    painter.drawRoundedRect(editor.rect(), 4, 4);
     painter.setPen(QPen(QColor(255, 255, 255, 18), 1));
     for (int k = 0; k <= 4; ++k) {
         const double x = std::round(in.left() + in.width() * k / 4) + 0.5,
@@ -147,35 +145,55 @@ void CurveEditor::paintEvent(QPaintEvent*) {
         painter.drawLine(QPointF(x, in.top()), QPointF(x, in.bottom()));
         painter.drawLine(QPointF(in.left(), y), QPointF(in.right(), y));
     }
-    sculpt::CurvePoints shown = m_points;
-    if (m_out && m_held >= 0)
-        shown.erase(shown.begin() + m_held);
-    const BrushCurve own(shown);
-    QPainterPath line;
-    for (int x = 0; x <= qRound(in.width()); ++x) {
-        const auto u = static_cast<float>(x / in.width());
-        const QPointF at = placeOf({u, m_shape ? std::clamp(m_shape(u), 0.0f, 1.0f) : own.value(u)});
-        x == 0 ? line.moveTo(at) : line.lineTo(at);
-    }
+}
+
+/// The line, and the area under it faintly; both fainter where it is not the person's own.
+static void paintLine(QPainter& painter, const QPainterPath& line, const QRectF& in, QColor accent, bool own) {
     QPainterPath under = line;
     under.lineTo(in.bottomRight());
     under.lineTo(in.bottomLeft());
     under.closeSubpath();
-    QColor accent = palette().highlight().color();
-    accent.setAlphaF(m_shape ? 0.12f : 0.2f);
+    accent.setAlphaF(own ? 0.2f : 0.12f);
     painter.fillPath(under, accent);
-    accent.setAlphaF(m_shape ? 0.6f : 1);
+    accent.setAlphaF(own ? 1 : 0.6f);
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(accent, 1.6));
     painter.drawPath(line);
-    if (m_shape)
-        return;
-    for (std::size_t i = 0; i < shown.size(); ++i) {
+}
+
+QPainterPath CurveEditor::lineOf(const Shape& value) const {
+    const double width = field().width();
+    QPainterPath out;
+    for (int x = 0; x <= qRound(width); ++x) {
+        const auto u = static_cast<float>(x / width);
+        const QPointF at = placeOf({u, value(u)});
+        x == 0 ? out.moveTo(at) : out.lineTo(at);
+    }
+    return out;
+}
+
+void CurveEditor::paintPoints(QPainter& painter, const sculpt::CurvePoints& points) const {
+    for (std::size_t i = 0; i < points.size(); ++i) {
         const bool lit = static_cast<int>(i) == (m_held >= 0 ? m_held : m_under) && !m_out;
         painter.setPen(QPen(palette().base().color(), 1.2));
         painter.setBrush(lit ? QColor(Qt::white) : palette().text().color());
-        painter.drawEllipse(placeOf(shown[i]), lit ? 4.5 : 3.5, lit ? 4.5 : 3.5);
+        painter.drawEllipse(placeOf(points[i]), lit ? 4.5 : 3.5, lit ? 4.5 : 3.5);
     }
+}
+
+void CurveEditor::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    paintGround(painter, *this, field());
+    sculpt::CurvePoints shown = m_points;
+    if (m_out && m_held >= 0)
+        shown.erase(shown.begin() + m_held);
+    const BrushCurve own(shown);
+    const QPainterPath line =
+        lineOf([&](float u) { return m_shape ? std::clamp(m_shape(u), 0.0f, 1.0f) : own.value(u); });
+    paintLine(painter, line, field(), palette().highlight().color(), !m_shape);
+    if (!m_shape)
+        paintPoints(painter, shown);
 }
 
 } // namespace ui

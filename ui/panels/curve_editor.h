@@ -9,6 +9,8 @@
 #include <functional>
 #include <QWidget>
 
+class QPainterPath;
+
 namespace ui {
 
 class CurveEditor : public QWidget {
@@ -46,6 +48,8 @@ class CurveEditor : public QWidget {
     int insert(sculpt::CurvePoint point);    ///< its index; -1: no room
     void adopt();
     void changed();
+    QPainterPath lineOf(const Shape& value) const;
+    void paintPoints(QPainter& painter, const sculpt::CurvePoints& points) const;
 
     sculpt::CurvePoints m_points{{0, 1}, {1, 0}};
     Shape m_shape;

@@ -22,7 +22,7 @@ CutBar::CutBar(QWidget* parent) : QToolBar(tr("Clipping"), parent) {
     build(0, tr("X"), tr("Cut the model across x"));
     build(1, tr("Y"), tr("Cut the model across y"));
     build(2, tr("Z"), tr("Cut the model across z"));
-    build(3, tr("Free"), tr("Cut the model across the direction of view, as it is when this is switched on"));
+    build(3, tr("Free"), tr("Cut the model across the current direction of view"));
     addSeparator();
     m_section = checkable(tr("Section"), tr("Draw the curves where the planes meet the surface"), "section");
     addWidget(m_section);
@@ -39,7 +39,7 @@ void CutBar::build(std::size_t number, const QString& label, const QString& tip)
     row.place->setRange(0, sliderSteps);
     row.place->setFocusPolicy(Qt::NoFocus);
     row.place->setMinimumWidth(60);
-    row.place->setToolTip(tr("Where the plane is"));
+    row.place->setToolTip(tr("Position of the plane"));
     row.flip = checkable(tr("⇄"), tr("Show the other side"), name + "-flip");
     for (QWidget* widget :
          {static_cast<QWidget*>(row.on), static_cast<QWidget*>(row.place), static_cast<QWidget*>(row.flip)})

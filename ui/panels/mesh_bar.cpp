@@ -12,32 +12,11 @@ namespace ui {
 MeshBar::MeshBar(QWidget* parent) : QToolBar(tr("Mesh"), parent) {
     setObjectName("mesh");
     setMovable(false);
-    auto* method = new QComboBox;
-    method->setObjectName("mesh-method");
-    method->addItem(tr("Marching cubes"));
-    method->addItem(tr("Delaunay"));
-    method->setItemData(0, tr("Fast; triangles follow a grid"), Qt::ToolTipRole);
-    method->setItemData(1, tr("Slower; every angle at least 25°"), Qt::ToolTipRole);
-    method->setFocusPolicy(Qt::NoFocus);
-    addWidget(method);
-    connect(method, &QComboBox::currentIndexChanged, this,
-            [this](int index) { change([index](MeshChoice& choice) { choice.delaunay = index == 1; }); });
-
-    NumberRange range;
-    range.min = MeshChoice::minCell, range.max = MeshChoice::maxCell;
-    range.logarithmic = true;
-    range.unit = tr("spacings");
-    auto* cell = new NumberSlider(tr("Cell"), tr("Size of the triangles, in typical distances of the surfels"), range);
-    cell->setObjectName("mesh-cell");
-    cell->setFixedWidth(200);
-    cell->setValue(m_choice.cell);
-    addWidget(cell);
-    connect(cell, &NumberSlider::edited, this,
-            [this](double value) { change([value](MeshChoice& choice) { choice.cell = value; }); });
-
+    addMethod();
+    addCell();
     addWidget(box("mesh-folds", tr("Close folds"), tr("Fill small holes where thin parts leave the surface undefined"),
                   &MeshChoice::closeFolds));
-    addWidget(box("mesh-small", tr("Drop crumbs"), tr("Leave out pieces of fewer than 200 triangles"),
+    addWidget(box("mesh-small", tr("Drop small parts"), tr("Leave out parts of fewer than 200 triangles"),
                   &MeshChoice::dropSmall));
     addWidget(box("mesh-preview", tr("Preview"), tr("Draw the mesh over the picture"), &MeshChoice::preview));
     m_text = new QLabel;
@@ -50,6 +29,33 @@ MeshBar::MeshBar(QWidget* parent) : QToolBar(tr("Mesh"), parent) {
     save->setFocusPolicy(Qt::NoFocus);
     addWidget(save);
     connect(save, &QPushButton::clicked, this, &MeshBar::exportWanted);
+}
+
+void MeshBar::addMethod() {
+    auto* method = new QComboBox;
+    method->setObjectName("mesh-method");
+    method->addItem(tr("Marching cubes"));
+    method->addItem(tr("Delaunay"));
+    method->setItemData(0, tr("Fast; triangles follow a grid"), Qt::ToolTipRole);
+    method->setItemData(1, tr("Slower; every angle at least 25°"), Qt::ToolTipRole);
+    method->setFocusPolicy(Qt::NoFocus);
+    addWidget(method);
+    connect(method, &QComboBox::currentIndexChanged, this,
+            [this](int index) { change([index](MeshChoice& choice) { choice.delaunay = index == 1; }); });
+}
+
+void MeshBar::addCell() {
+    NumberRange range;
+    range.min = MeshChoice::minCell, range.max = MeshChoice::maxCell;
+    range.logarithmic = true;
+    range.unit = tr("spacings");
+    auto* cell = new NumberSlider(tr("Cell"), tr("Size of the triangles, in typical distances between surfels"), range);
+    cell->setObjectName("mesh-cell");
+    cell->setFixedWidth(200);
+    cell->setValue(m_choice.cell);
+    addWidget(cell);
+    connect(cell, &NumberSlider::edited, this,
+            [this](double value) { change([value](MeshChoice& choice) { choice.cell = value; }); });
 }
 
 QCheckBox* MeshBar::box(const char* name, const QString& label, const QString& tip, bool MeshChoice::*member) {

@@ -1,5 +1,5 @@
-// The bar of mesh export: how the mesh is to be made, what it will be or has become, and the way to a file. It edits a
-// MeshChoice and says so; it makes no mesh itself.
+// The bar of mesh export: how to make the mesh, what it will be or has become, and a button to export it. It edits a
+// MeshChoice and emits it; it makes no mesh itself.
 #pragma once
 
 #include "ui/work/mesh_choice.h"
@@ -31,6 +31,8 @@ class MeshBar : public QToolBar {
     void exportWanted();
 
   private:
+    void addMethod();
+    void addCell();
     void change(const std::function<void(MeshChoice&)>& edit);
     QCheckBox* box(const char* name, const QString& label, const QString& tip, bool MeshChoice::*member);
 

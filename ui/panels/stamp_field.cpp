@@ -35,10 +35,10 @@ StampField::StampField(QWidget* parent)
     auto* chooser = new QToolButton;
     chooser->setObjectName("plain");
     chooser->setText(tr("Choose…"));
-    chooser->setToolTip(tr("A PNG or JPEG image to press in: white works fully, black not at all."));
+    chooser->setToolTip(tr("Choose a PNG or JPEG image to press in: white has full effect, black none."));
     m_clear->setObjectName("plain");
     m_clear->setText(tr("Clear"));
-    m_clear->setToolTip(tr("Works without a stamp."));
+    m_clear->setToolTip(tr("Remove the stamp."));
     for (QToolButton* button : {chooser, m_clear})
         button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     auto* buttons = new QHBoxLayout;

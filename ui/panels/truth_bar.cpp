@@ -16,11 +16,10 @@ TruthBar::TruthBar(const TruthSettings& settings, QWidget* parent)
     range.min = TruthSettings::minQuality, range.max = TruthSettings::maxQuality;
     range.logarithmic = true;
     range.unit = "px";
-    auto* quality = new NumberSlider(
-        tr("Accuracy"),
-        tr("At 1 px normals within 2° and depths within a fifth of the spacing, at 0.5 px half of that; coarser is "
-           "ready sooner"),
-        range);
+    auto* quality = new NumberSlider(tr("Accuracy"),
+                                     tr("1 px: normals within 2° and depths within a fifth of the spacing; 0.5 px: "
+                                        "half of that. Coarser is faster."),
+                                     range);
     quality->setObjectName("truth-quality");
     quality->setFixedWidth(220);
     quality->setValue(m_settings.quality);
@@ -30,14 +29,14 @@ TruthBar::TruthBar(const TruthSettings& settings, QWidget* parent)
         Q_EMIT edited(m_settings);
     });
     raycast::Lighting& lighting = m_settings.lighting;
-    choice("truth-material", tr("What the surface is made of"), raycast::materialTable(),
-           &raycast::MaterialRow::material, lighting.material);
-    choice("truth-lights", tr("Lamps around the model"), raycast::lightRigTable(), &raycast::LightRigRow::rig,
+    choice("truth-material", tr("Material of the surface"), raycast::materialTable(), &raycast::MaterialRow::material,
+           lighting.material);
+    choice("truth-lights", tr("Lights around the model"), raycast::lightRigTable(), &raycast::LightRigRow::rig,
            lighting.rig);
-    check("truth-shadows", tr("Shadows"), tr("Rays to the lamps"), lighting.shadows);
-    check("truth-occlusion", tr("Occlusion"), tr("Light of the room that nearby surface holds off"),
+    check("truth-shadows", tr("Shadows"), tr("Shadows cast by the lights"), lighting.shadows);
+    check("truth-occlusion", tr("Occlusion"), tr("Darkens where nearby surface blocks the ambient light"),
           lighting.occlusion);
-    check("truth-ground", tr("Ground"), tr("A ground below the model catches both"), lighting.ground);
+    check("truth-ground", tr("Ground"), tr("A ground below the model receives both"), lighting.ground);
     setVisible(m_settings.on);
 }
 

@@ -1,10 +1,10 @@
-// Flying: the eye moves with keys and looks with the pointer. Plain value; the controller feeds it time and keys.
+// Flying: the eye moves with keys and looks with the pointer. Plain value; Navigator feeds it time and keys.
 //
 // The velocity u approaches what the keys ask for, w, as du/dt = (w - u) / tau, solved in closed form over each step,
 //
 //     u(t) = w + (u0 - w) e^(-t/tau),   x(t) = x0 + w t + (u0 - w) tau (1 - e^(-t/tau))
 //
-// so that it does not matter how time is cut into frames.
+// so the result does not depend on how time is cut into frames (ui/README 5).
 #pragma once
 
 #include "ui/view/view.h"
@@ -21,12 +21,11 @@ class Fly {
 
     const View& view() const { return m_view; }
     double speed() const { return m_speed; }
-    /// Steps of a wheel: a quarter more each.
+    /// By steps of a wheel: each makes it a quarter faster.
     void accelerate(double steps);
     void press(Key key) { m_keys |= key; }
     void release(Key key) { m_keys &= ~unsigned(key); }
-    void releaseAll() { m_keys = 0; }
-    /// Pointer moved: the view turns with it.
+    /// The pointer has moved: the view turns with it.
     void look(double dx, double dy, int height);
     void step(double seconds);
     /// Still going somewhere?

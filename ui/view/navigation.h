@@ -5,7 +5,7 @@
 //     trackball   a ball around the image's middle follows the pointer; beyond its outline it rolls
 //     fly         the eye stays and looks around; with F4 the keys move it (fly.h)
 //
-// Drags are functions of the two places alone: no state, and for the trackball the way back undoes the way there.
+// A drag is a function of its two points alone: there is no state, and a trackball drag back undoes the drag there.
 #pragma once
 
 #include "ui/view/view.h"
@@ -14,8 +14,8 @@
 
 namespace ui {
 
-/// A place of the image in pixels, (0, 0) upper left.
-struct ImagePlace {
+/// In pixels, (0, 0) at the upper left.
+struct ImagePoint {
     double x = 0, y = 0;
 };
 
@@ -24,11 +24,11 @@ struct NavigationRow {
     const char* label;
     const char* tip;
     bool upright; ///< the view is put upright when the style is chosen
-    void (*drag)(View& view, const ImagePlace& from, const ImagePlace& to, int width, int height);
+    void (*drag)(View& view, const ImagePoint& from, const ImagePoint& to, int width, int height);
 };
 
 std::span<const NavigationRow> navigationTable();
-/// The first row where there is none of that name.
+/// The row of that id; without one, the first.
 const NavigationRow& navigation(std::string_view id);
 
 } // namespace ui

@@ -30,7 +30,7 @@ static QString rangeOf(const session::CommandParameter& p) {
 
 static QString fallbackOf(const session::CommandParameter& p) {
     const QString text = QString(p.fallback).remove('"');
-    return text == "null" ? QObject::tr("as it is") : text;
+    return text == "null" ? QObject::tr("unchanged") : text;
 }
 
 CommandDialog::CommandDialog(const session::CommandRow& row, QWidget* parent) : QDialog(parent), m_row(row) {

@@ -36,7 +36,7 @@ void FileActions::make(const std::string& sample) {
 }
 
 void FileActions::open() {
-    const QString file = QFileDialog::getOpenFileName(&m_window, tr("Open a model"), folder(), openFilter());
+    const QString file = QFileDialog::getOpenFileName(&m_window, tr("Open Model"), folder(), openFilter());
     if (!file.isEmpty())
         open(pathOf(file));
 }
@@ -86,7 +86,7 @@ void FileActions::saveAs(std::function<void()> then) {
     const fs::path suggested = path.empty() ? fs::path("untitled.ply") : path.filename().replace_extension(".ply");
     QString filter;
     const QString start = folder().isEmpty() ? textOf(suggested) : folder() + "/" + textOf(suggested);
-    const QString file = QFileDialog::getSaveFileName(&m_window, tr("Save the model"), start, saveFilter(), &filter);
+    const QString file = QFileDialog::getSaveFileName(&m_window, tr("Save Model"), start, saveFilter(), &filter);
     if (!file.isEmpty())
         write(completed(file, filter), std::move(then));
 }
@@ -99,7 +99,7 @@ void FileActions::write(const fs::path& path, std::function<void()> then) {
             return m_failure.show(tr("Could not save %1").arg(textOf(whole.filename())));
         remember(whole);
         Q_EMIT m_editor.told(isNative(whole) ? tr("Saved %1").arg(textOf(whole))
-                                             : tr("Wrote %1; a .ply would keep everything").arg(textOf(whole)));
+                                             : tr("Wrote %1; only a .ply keeps everything").arg(textOf(whole)));
         if (then)
             then();
     });
@@ -110,7 +110,7 @@ void FileActions::write(const fs::path& path, std::function<void()> then) {
 void FileActions::unlessUnsaved(std::function<void()> next) {
     if (m_editor.busy()) { // what is under way decides whether there is something to lose
         if (m_editor.working())
-            Q_EMIT m_editor.told(tr("Waiting for what is under way; Esc stops it."));
+            Q_EMIT m_editor.told(tr("Waiting for the work in progress; Esc stops it."));
         const auto again = [this, next = std::move(next)] { unlessUnsaved(next); };
         connect(&m_editor, &Editor::idled, this, again, Qt::SingleShotConnection);
         return;
@@ -136,7 +136,7 @@ static QString describe(const session::LeftJournal& journal) {
     const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(when.time_since_epoch()).count();
     const QString name = journal.model.empty() ? QObject::tr("a new model") : textOf(journal.model.filename());
     const QString steps = journal.commands == 1 ? QObject::tr("1 step") : QObject::tr("%1 steps").arg(journal.commands);
-    return QObject::tr("%1 (%2, the last at %3)")
+    return QObject::tr("%1 (%2, last changed %3)")
         .arg(name, steps, QDateTime::fromSecsSinceEpoch(seconds).toString("yyyy-MM-dd hh:mm"));
 }
 
@@ -151,7 +151,7 @@ bool FileActions::offerRecovery() {
                         &m_window);
         box.setIconPixmap(icon("recover").pixmap(32, 32));
         const auto* recovered = box.addButton(tr("Recover"), QMessageBox::AcceptRole);
-        const auto* discarded = box.addButton(tr("Discard it"), QMessageBox::DestructiveRole);
+        const auto* discarded = box.addButton(tr("Discard"), QMessageBox::DestructiveRole);
         box.addButton(tr("Later"), QMessageBox::RejectRole);
         box.exec();
         if (box.clickedButton() == recovered) {
@@ -168,7 +168,7 @@ void FileActions::recover(const fs::path& journal) {
     m_failure.clear();
     m_editor.recover(journal, [this, journal](bool done) {
         if (!done)
-            return m_failure.show(tr("Could not recover"));
+            return m_failure.show(tr("Could not recover the lost work"));
         session::removeJournal(journal); // this window's own journal holds it all now
         Q_EMIT m_editor.told(tr("Recovered. Save it to keep it."));
     });

@@ -30,15 +30,15 @@ static QCheckBox* box(const QString& text, const char* name, bool on, const QStr
 }
 
 ImageDialog::ImageDialog(const ImageChoice& choice, QSize view, QWidget* parent) : QDialog(parent), m_view(view) {
-    setWindowTitle(tr("Export image"));
+    setWindowTitle(tr("Export Image"));
     m_width = pixels("width", choice.size.width());
     m_height = pixels("height", choice.size.height());
     const bool shaped =
         std::abs(double(choice.size.width()) * view.height() / (double(choice.size.height()) * view.width()) - 1) <
         0.01;
-    m_keepShape = box(tr("As wide for its height as the view"), "keep-shape", shaped);
+    m_keepShape = box(tr("Same shape as the view"), "keep-shape", shaped);
     m_transparent = box(tr("Transparent background"), "transparent", choice.transparent);
-    m_smooth = box(tr("Smooth outlines"), "smooth", choice.smooth, tr("Four pixels are drawn for each"));
+    m_smooth = box(tr("Smooth outlines"), "smooth", choice.smooth, tr("Antialiasing: draws four pixels for each"));
     m_how = new QComboBox;
     m_how->setObjectName("how");
     m_how->addItem(tr("Splats, as in the window"));

@@ -10,7 +10,7 @@
 
 namespace ui {
 
-/// A pause after which a person has chosen, and a stroke is over.
+/// After a pause this long the person has chosen, or the stroke is over.
 constexpr int patienceMs = 300;
 
 MeshExport::MeshExport(QMainWindow& window, Editor& editor, QWidget& canvas)
@@ -94,13 +94,12 @@ void MeshExport::tellMade() {
     if (!(made.model == m_editor.snapshot().surface.tree() && made.choice.sameMesh(m_bar->choice())))
         return;
     QString text = tr("%1 triangles").arg(count(made.mesh->triangles.size()));
-    if (made.limitRims > 0)
-        text +=
-            tr(", %n rim(s)", nullptr, static_cast<int>(made.limitRims)).replace("(s)", made.limitRims > 1 ? "s" : "");
-    if (made.foldRims > 0)
-        text += tr(", %1 at folds").arg(count(made.foldRims));
-    m_bar->tell(text, tr("%1 vertices, made in %2 s. Rims: where the surface ends by its limit, orange; at folds its "
-                         "definition ends, red")
+    if (made.limitLoops > 0)
+        text += made.limitLoops > 1 ? tr(", %1 boundary loops").arg(count(made.limitLoops)) : tr(", 1 boundary loop");
+    if (made.foldLoops > 0)
+        text += tr(", %1 at folds").arg(count(made.foldLoops));
+    m_bar->tell(text, tr("%1 vertices, made in %2 s. Boundary loops: orange where the surface ends at its limit, "
+                         "red at folds, where it is undefined")
                           .arg(count(made.mesh->positions.size()))
                           .arg(made.seconds, 0, 'f', 1));
 }
@@ -108,7 +107,7 @@ void MeshExport::tellMade() {
 void MeshExport::askPath() {
     const std::filesystem::path& path = m_editor.snapshot().path;
     const QString name = path.empty() ? QString("mesh") : QString::fromStdString(path.stem().string() + "-mesh");
-    auto* dialog = new QFileDialog(&m_window, tr("Export the mesh"), name, meshFilter());
+    auto* dialog = new QFileDialog(&m_window, tr("Export Mesh"), name, meshFilter());
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setDefaultSuffix("ply");

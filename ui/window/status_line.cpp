@@ -42,13 +42,13 @@ StatusLine::StatusLine(QWidget* parent) : QStatusBar(parent), m_message(new QLab
     connect(m_stop, &QToolButton::clicked, this, &StatusLine::cancelled);
     addPermanentWidget(m_progress);
     addPermanentWidget(m_stop);
-    m_surfels = cell(tr("Surfels of the model"));
-    m_memory = cell(tr("Memory of the model + of the history beside it"));
-    m_spacing = cell(tr("Typical distance of neighbouring surfels, in model units"));
-    m_truth = cell(tr("The true surface: the accuracy reached, and for how long the view has been at rest"));
+    m_surfels = cell(tr("Number of surfels in the model"));
+    m_memory = cell(tr("Memory used by the model + by its history"));
+    m_spacing = cell(tr("Typical distance between neighbouring surfels, in model units"));
+    m_truth = cell(tr("The true surface: accuracy reached, and time since the view came to rest"));
     m_truth->hide();
     m_frame = cell({});
-    m_dab = cell(tr("The last dab, resampling included"));
+    m_dab = cell(tr("Time taken by the last dab, resampling included"));
     hideProgress();
 }
 

@@ -1,20 +1,19 @@
-// The document's place: one thread owns it, runs commands and strokes on it in the order asked, and publishes
-// snapshots. The interface's thread never waits for it.
+// The interface's side of the model: a thread of its own owns the document, runs commands and strokes on it in the
+// order asked (model_worker.h), and publishes snapshots. The interface's thread never waits for it (ui/README 3).
 //
 //     interface                              model thread
 //     run(command, then)  ---- TaskQueue -->  session::run            --> changed(), then(done)
-//     beginStroke, addSample... (merged)     session::LiveStroke::add --> changed() after every slice of dabs
+//     beginStroke, addSample... (merged)     session::LiveStroke::add --> changed() after each slice of dabs
 //     endStroke                              finish, commit, journal  --> changed()
 //     cancelStroke                           drops the LiveStroke     --> changed(), as if nothing had been
 //
 // Snapshots that arrive faster than they are shown replace each other.
 #pragma once
 
-#include "ui/work/snapshot.h"
-#include "ui/work/task_queue.h"
+#include "ui/work/model_worker.h"
 
-#include <atomic>
 #include <memory>
+#include <mutex>
 #include <nlohmann/json.hpp>
 #include <QElapsedTimer>
 #include <QObject>
@@ -49,7 +48,7 @@ class Editor : public QObject {
     /// As if it had not been: what still waits of it is not done any more.
     void cancelStroke();
     /// Asks the command that is running to stop; it then leaves the model as it was.
-    void cancelWork() { m_cancel = true; }
+    void cancelWork() { m_signals.cancel = true; }
 
     /// The journal goes with the editor: the person has saved, or does not want to.
     void discardJournalAtEnd() { m_discardJournal = true; }
@@ -65,8 +64,8 @@ class Editor : public QObject {
     const Snapshot& snapshot() const { return m_snapshot; }
     /// Of a stroke's input: the last that the engine has taken, and the last of these that changed the model. The
     /// latter comes with a snapshot.
-    std::uint64_t takenInput() const { return m_takenInput; }
-    std::uint64_t changingInput() const { return m_changingInput; }
+    std::uint64_t takenInput() const { return m_signals.takenInput; }
+    std::uint64_t changingInput() const { return m_signals.changingInput; }
     /// Of the document's content once all that was asked is done. Blocks: for tests and reports.
     base::Hash128 hashWhenDone();
 
@@ -78,19 +77,17 @@ class Editor : public QObject {
     void idled();                                 ///< nothing runs or waits any more
 
   private:
-    struct Model;
-    void push(Task task);
+    WorkerReports reports();
     void work(); ///< the model thread
-    void finished(std::function<void(bool)> then, bool done, int commands);
-    void replace(CommandTask task);
+    void publish(Snapshot snapshot);
     void deliver();
+    void finish(const std::function<void(bool)>& then, bool done, int commands);
+    void push(Task task);
+    void replace(CommandTask task);
 
-    std::unique_ptr<Model> m_model; ///< touched by the model thread alone
+    WorkerSignals m_signals;
+    std::unique_ptr<ModelWorker> m_worker; ///< touched by the model thread alone
     TaskQueue m_queue;
-    std::atomic<bool> m_cancel = false;
-    std::atomic<bool> m_closing = false;
-    std::atomic<int> m_strokeCancels = 0; ///< asked, not yet done
-    std::atomic<std::uint64_t> m_takenInput = 0, m_changingInput = 0;
     bool m_discardJournal = false;
     Snapshot m_snapshot;
     int m_waiting = 0;

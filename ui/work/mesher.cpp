@@ -67,7 +67,7 @@ void Mesher::want(const MeshChoice& choice, const Snapshot& snapshot) {
 
 void Mesher::save(const MeshChoice& choice, const Snapshot& snapshot, const std::filesystem::path& path) {
     if (m_saving) {
-        Q_EMIT failed(tr("Another mesh is being written; wait until it is, or stop it with Esc."));
+        Q_EMIT failed(tr("Another mesh is being written; wait for it, or stop it with Esc."));
         return;
     }
     m_saving = true;
@@ -121,8 +121,8 @@ void Mesher::work(const Wish& wish, const base::Progress& cancel) {
         fresh->mesh = std::make_shared<const mesh::Mesh>(meshOf(wish.surface, wish.spacing, wish.choice, progress));
         const mesh::Topology topology =
             mesh::topologyOf(fresh->mesh->triangles, fresh->mesh->positions.size(), fresh->mesh->kinds);
-        fresh->foldRims = topology.foldLoops;
-        fresh->limitRims = topology.boundaryLoops - topology.foldLoops;
+        fresh->foldLoops = topology.foldLoops;
+        fresh->limitLoops = topology.boundaryLoops - topology.foldLoops;
         fresh->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         made = fresh;
         post(this, [this, made] {

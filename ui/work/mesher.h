@@ -1,10 +1,11 @@
-// Meshes for preview and export, made away from the interface's thread and from the model's: strokes go on.
+// Meshes for preview and export, made off the interface's thread and off the model's: strokes go on.
 //
 //     interface                              meshing thread
 //     want(choice, snapshot)        -->      marching cubes or Delaunay       --> made()
 //     save(path)                    -->      the same where it is not made yet, then the file --> saved(path)
 //
-// A newer wish stops the one that runs, but for a file: that is finished first. Interface's thread only.
+// A newer wish stops the one that runs, except while a file is being written: that is finished first. Interface's
+// thread only.
 #pragma once
 
 #include "core/mesh/mesh.h"
@@ -21,11 +22,11 @@ struct MadeMesh {
     MeshChoice choice;
     tree::SurfelTree model;
     std::shared_ptr<const mesh::Mesh> mesh;
-    std::size_t limitRims = 0, foldRims = 0; ///< loops of the boundary
+    std::size_t limitLoops = 0, foldLoops = 0; ///< of the boundary: at its limit, at folds
     double seconds = 0;
 };
 
-/// What the surfels stand for, roughly: supports grow with the distances between them. `spacing` is the typical one.
+/// Of the surface, roughly: supports grow with the distances between surfels, of which `spacing` is the typical one.
 double estimatedArea(const tree::SurfelTree& model, double spacing);
 /// Triangles that a choice leads to, roughly.
 std::size_t estimatedTriangles(double area, double spacing, const MeshChoice& choice);

@@ -1,0 +1,81 @@
+// The document and what belongs to it, on the model thread: performs the editor's tasks one by one and publishes what
+// has become of the model. Made and ended on any thread; `perform` is the model thread's alone.
+#pragma once
+
+#include "core/session/journal.h"
+#include "core/session/live_stroke.h"
+#include "ui/work/snapshot.h"
+#include "ui/work/stroke_pacer.h"
+#include "ui/work/task_queue.h"
+
+#include <atomic>
+#include <memory>
+#include <QString>
+
+namespace ui {
+
+/// What the interface's thread asks of work that is running, and how far a stroke's input has come.
+struct WorkerSignals {
+    std::atomic<bool> cancel = false;                             ///< the running command is to stop
+    std::atomic<bool> closing = false;                            ///< everything is
+    std::atomic<int> strokeCancels = 0;                           ///< asked, not yet done
+    std::atomic<std::uint64_t> takenInput = 0, changingInput = 0; ///< see Editor
+};
+
+/// What the worker tells; called on the model thread.
+struct WorkerReports {
+    std::function<void(Snapshot)> published;
+    std::function<void(double share, QString doing)> progressed;
+    std::function<void(QString)> told, failed;
+    /// A task is done; `commands`: 1 unless it is part of a stroke.
+    std::function<void(std::function<void(bool)> then, bool done, int commands)> finished;
+};
+
+class ModelWorker {
+  public:
+    /// `signals` outlives it. Without a journal nothing is recorded.
+    ModelWorker(WorkerSignals& signals, WorkerReports reports, std::unique_ptr<session::Journal> journal);
+
+    void perform(Task& task);
+    /// After the thread has ended.
+    void discardJournal();
+    /// On the model thread.
+    const session::Document& document() const { return m_document; }
+
+  private:
+    void perform(CommandTask& task);
+    void perform(SideTask& task);
+    void perform(BeginStroke& task);
+    void perform(AddSamples& task);
+    void perform(EndStroke&);
+    void perform(CancelStroke&);
+
+    session::Context context();
+    base::Progress progress();
+    /// False where `work` has thrown, which is told.
+    template <class Work>
+    bool guarded(const Work& work);
+    void publish(Snapshot snapshot);
+    void publishDocument();
+    void publishStroke();
+    bool strokeWanted() const;
+    /// `last`: the pointer event that brought the sample, if it is the last of it; else 0.
+    void addSlice(const sculpt::StrokeSample& sample, std::uint64_t last);
+    bool finishStroke(); ///< false where there is none
+    void dropStroke();
+    void tell(const std::vector<std::string>& messages);
+
+    WorkerSignals& m_signals;
+    WorkerReports m_reports;
+    session::Document m_document;
+    std::unique_ptr<session::Journal> m_journal;
+    std::optional<session::Context> m_strokeContext; ///< what `m_stroke` refers to
+    std::optional<session::LiveStroke> m_stroke;
+    StrokePacer m_pacer;
+    std::uint64_t m_models = 0; ///< as Snapshot::models
+    double m_dabSeconds = 0;
+    std::uint64_t m_input = 0; ///< the last in a stroke
+    Snapshot m_shown;          ///< the last published
+};
+
+} // namespace ui
