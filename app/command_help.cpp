@@ -3,7 +3,6 @@
 #include "core/sculpt/tool.h"
 #include "core/session/command.h"
 
-#include <cfloat>
 #include <sstream>
 
 namespace app {
@@ -13,9 +12,9 @@ using session::CommandParameter;
 /// "above 0", "0 to 1", "" where any number will do.
 static std::string rangeOf(const CommandParameter& p) {
     std::ostringstream out;
-    if (p.min == FLT_MIN)
+    if (p.min == CommandParameter::positive)
         out << "above 0";
-    else if (p.max > p.min && p.max < FLT_MAX)
+    else if (p.max > p.min && p.max < CommandParameter::largest)
         out << p.min << " to " << p.max;
     return out.str();
 }

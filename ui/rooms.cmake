@@ -26,7 +26,7 @@ endfunction()
 
 pointclay_qt_room(theme ui/theme)
 pointclay_qt_room(work ui/work session render)
-pointclay_qt_room(settings ui/settings sculpt view)
+pointclay_qt_room(settings ui/settings session view)
 pointclay_qt_room(overlay ui/overlay sculpt render)
 pointclay_qt_room(panels ui/panels theme settings work)
 pointclay_qt_room(viewport ui/viewport gl work)

@@ -1,6 +1,6 @@
 // A curve through control points, as a person draws it for a falloff or for the pressure of a pen.
 //
-// Monotone piecewise cubic (Fritsch and Carlson 1980, with the harmonic slopes of Fritsch and Butland 1984): through
+// Monotone piecewise cubic ([Fritsch80], with the harmonic slopes of [Fritsch84]): through
 // all points, with a continuous slope, and between two points never above or below both of them. Two points make a
 // straight line. Beyond the first and the last point the curve is constant.
 #pragma once

@@ -65,11 +65,11 @@ std::span<const FalloffRow> falloffTable() {
 }
 
 const FalloffRow& row(Falloff falloff) {
-    return *std::find_if(std::begin(rows), std::end(rows), [&](const FalloffRow& r) { return r.falloff == falloff; });
+    return *std::find_if(std::begin(rows), std::end(rows), [&](const FalloffRow& r) { return r.value == falloff; });
 }
 
 Falloff falloff(std::string_view id) {
-    return base::rowOf(rows, id, {"there is no falloff '%'", "falloff", "choose one of %"}).falloff;
+    return base::rowOf(rows, id, {"there is no falloff '%'", "falloff", "choose one of %"}).value;
 }
 
 float weight(Falloff falloff, float r) {

@@ -12,7 +12,7 @@ enum class Falloff { Smooth, Sphere, Root, Sharp, Linear, Constant, Custom };
 
 /// Of Custom, the curves are those without control points: linear.
 struct FalloffRow {
-    Falloff falloff;
+    Falloff value;
     const char* id; ///< as sessions name it: "smooth"
     const char* label;
     float (*weight)(float r); ///< for r in [0, 1]

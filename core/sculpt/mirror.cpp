@@ -44,9 +44,9 @@ std::vector<Mirror> mirrors(const Symmetry& symmetry, const base::Vec3d& origin)
     for (int step = 0; step < symmetry.copies; ++step)
         for (int k = 0; k < 8; ++k) {
             const bool x = k & 1, y = k & 2, z = k & 4;
-            if ((x && !symmetry.x) || (y && !symmetry.y) || (z && !symmetry.z))
+            if ((x && !symmetry.planes.x) || (y && !symmetry.planes.y) || (z && !symmetry.planes.z))
                 continue;
-            Mirror image{x, y, z, base::cast<float>(-origin), symmetry.axis, step};
+            Mirror image{x, y, z, base::cast<float>(-origin), static_cast<int>(symmetry.axis), step};
             image.cosine = cosineOf(step, symmetry.copies);
             // sin(a) = cos(a - 90 degrees), in whole parts of a turn four times as fine
             image.sine = cosineOf(4 * step + 3 * symmetry.copies, 4 * symmetry.copies);

@@ -1,11 +1,9 @@
 // Keeps the sampling of a stroke: notes what each dab moved, says when that is enough to resample, and does it.
 //
 // What counts is how far the dabs have stretched or squeezed the sampling since it was last seen to (stretches.h):
-// where it is beyond 1.8 or 0.5 resampling is due, and done wherever it has come a part of the way there. RESAMPLING 3
-// found up to ten dabs of half a spacing between two calls equal to every one, and only once at the end to destroy the
-// model; with its brush of ten spacings that is about this stretch. Measured on a hook pulled out ten radii: due at 1.5
-// leaves it 0.061 s off its ideal shape, at 1.8 0.051 s. At the end of the stroke all that it touched is looked at. The
-// target spacing s is taken where the stroke first touches.
+// where it is beyond 1.8 or 0.5 resampling is due, and done wherever it has come a part of the way there (how these
+// were found: sculpt/README 7). At the end of the stroke all that it touched is looked at. The target spacing s is
+// taken where the stroke first touches.
 #pragma once
 
 #include "core/sculpt/stretches.h"

@@ -1,15 +1,34 @@
-// What a stroke does, apart from where it goes: a plain value that sessions record. Defaults are the plain brush.
+// What a stroke does, apart from where it goes: a plain value that sessions record. Defaults are the plain brush;
+// names, ranges and all that is written of the fields stand in stroke_options.h, one row each.
 #pragma once
 
 #include "core/sculpt/tool.h"
 
 namespace sculpt {
 
-/// Images of a stroke: mirrored at the coordinate planes of the file's coordinates, and turned about one of their axes.
+enum class Axis { X, Y, Z };
+
+struct AxisRow {
+    Axis value;
+    const char* id; ///< as sessions name it: "x"
+    const char* label;
+};
+std::span<const AxisRow> axisTable();
+const AxisRow& row(Axis axis);
+/// Throws base::Error naming the axes.
+Axis axis(std::string_view id);
+
+/// Planes x = 0, y = 0, z = 0 of the file's coordinates.
+struct MirrorPlanes {
+    bool x = false, y = false, z = false;
+    bool operator==(const MirrorPlanes&) const = default;
+};
+
+/// Images of a stroke: mirrored at coordinate planes, then turned about an axis through the origin.
 struct Symmetry {
-    bool x = false, y = false, z = false; ///< mirrored at x = 0, y = 0, z = 0
-    int copies = 1;                       ///< radial: this many, evenly about the axis; 1 to 64
-    int axis = 2;                         ///< 0, 1, 2: x, y, z, through the origin
+    MirrorPlanes planes;
+    int copies = 1; ///< this many in all, evenly about the axis; 1 to 64
+    Axis axis = Axis::Z;
     bool operator==(const Symmetry&) const = default;
 };
 
@@ -24,7 +43,7 @@ enum class StrokeMethod {
 };
 
 struct MethodRow {
-    StrokeMethod method;
+    StrokeMethod value;
     const char* id; ///< as sessions name it: "space"
     const char* label;
     const char* tip;
@@ -80,7 +99,7 @@ bool lastOnly(const StrokeSettings& settings);
 /// Dabs closer than this (in radii) share the strength that they would have at this distance.
 constexpr float usualSpacing = 0.1f;
 
-/// A throw of base::Error for settings out of range, before anything is touched.
+/// Throws base::Error for settings out of range, before anything is touched.
 void check(const StrokeSettings& settings);
 
 } // namespace sculpt

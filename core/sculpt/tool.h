@@ -56,6 +56,15 @@ struct Dab {
     float parameter(const char* id) const { return static_cast<float>(parameters.at(id)); }
 };
 
+/// What a parameter's number stands for, and so how it is chosen.
+enum class ParameterKind {
+    Number,
+    Colour, ///< 65536 red + 256 green + blue
+    SourceX,
+    SourceY,
+    SourceZ ///< of the place to copy from, chosen on the model: setSource
+};
+
 /// A parameter of a tool as panels, command line and manual show it.
 struct ToolParameter {
     const char* id;
@@ -63,6 +72,8 @@ struct ToolParameter {
     const char* unit; ///< "" for a plain number
     const char* tip;
     double fallback, min, max;
+    ParameterKind kind = ParameterKind::Number;
+    bool chosenOnModel() const { return kind >= ParameterKind::SourceX; }
 };
 
 /// How dabs follow the pointer.
@@ -82,6 +93,12 @@ enum class Writes {
     Count ///< surfels go or come, and what they leave is evened out
 };
 
+/// What a tool asks of a stroke beside contacts.
+struct ToolNeeds {
+    bool source = false; ///< a place to copy from
+    bool plane = false;  ///< Dab::areaCentre
+};
+
 struct ToolRow {
     const char* id;    ///< as sessions name it: "draw"
     const char* label; ///< "Draw"
@@ -95,6 +112,7 @@ struct ToolRow {
     /// Blocks in which nothing moves do not appear; what does not move keeps its bits. In parallel, deterministic.
     tree::Edit (*apply)(const surface::Surface& version, const Dab& dab);
     Writes writes = Writes::Shape;
+    ToolNeeds needs = {};
 };
 
 std::span<const ToolRow> toolTable();

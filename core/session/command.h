@@ -1,7 +1,7 @@
 // Commands: everything a person can do to a model, as data. One table; menus, command line, manual and tests loop over
 // it.
 //
-// A command line of a session file is {"op": NAME, ...parameters} (INTERFACES, Sessions). `run` checks it against the
+// A command line of a session file is {"op": NAME, ...parameters} (session/README 3). `run` checks it against the
 // row (unknown op or parameter, wrong type, out of range: base::Error), executes it and leaves the document unchanged
 // on failure. What completed and changed the model goes to the context's journal.
 //
@@ -13,6 +13,7 @@
 #include "core/base/progress.h"
 #include "core/session/document.h"
 
+#include <limits>
 #include <nlohmann/json_fwd.hpp>
 #include <span>
 
@@ -30,6 +31,9 @@ struct CommandParameter {
     const char* fallback; ///< as JSON text; "" where the parameter is required, "null" where it may be left out
     const char* choices;  ///< for choices: separated by blanks
     double min, max;      ///< for numbers
+    /// Ends that stand for "any number above zero" and "any number that float32 holds".
+    static constexpr double positive = std::numeric_limits<float>::min();
+    static constexpr double largest = std::numeric_limits<float>::max();
 };
 
 /// What a command may use beside its parameters.

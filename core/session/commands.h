@@ -3,7 +3,7 @@
 
 #include "core/session/command.h"
 
-#include <limits>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 namespace session {
@@ -19,12 +19,15 @@ CommandRow redoCommand();
 CommandRow expectCommand();
 
 /// Ranges that parameters name: any number that float32 holds; those above zero; those of no use as numbers.
-constexpr double largest = std::numeric_limits<float>::max();
-constexpr double positive = std::numeric_limits<float>::min();
+constexpr double largest = CommandParameter::largest;
+constexpr double positive = CommandParameter::positive;
 constexpr double largestCount = 1e9;
 
 /// Throws base::Error where no model is open yet.
 void requireModel(const Context& context);
+
+/// The value of one parameter in the form that commands read. Throws base::Error where it does not fit.
+nlohmann::json checked(const CommandRow& row, const std::string& id, const nlohmann::json& value);
 
 /// The ids of a table's rows, separated by blanks, as CommandParameter::choices wants them.
 template <class Table>

@@ -105,6 +105,11 @@ json checked(const CommandRow& row, const CommandParameter& p, const json& value
 
 } // namespace
 
+json checked(const CommandRow& row, const std::string& id, const json& value) {
+    const CommandParameter* p = find(row, id);
+    return p ? checked(row, *p, value, {}) : throw base::Error("unknown parameter " + named(row, id));
+}
+
 json complete(const json& given, const std::filesystem::path& folder) {
     if (!given.is_object() || !given.contains("op") || !given["op"].is_string())
         throw base::Error("not a command", {}, R"(a command is an object with a name: {"op":"undo"})");

@@ -1,4 +1,4 @@
-// A session file: one command as a JSON object per line (INTERFACES, Sessions). Macro, journal, script and test are the
+// A session file: one command as a JSON object per line (session/README 3). Macro, journal, script and test are the
 // same format, read here and nowhere else.
 //
 // Empty lines and lines that begin with # are skipped. Lines are executed one by one; the first that fails ends the

@@ -1,8 +1,9 @@
 // Strokes as session lines and back: {"op":"stroke","tool":...,"samples":[[ox,oy,oz,dx,dy,dz,pressure,seconds],...]}.
 // A sample whose stride is not 1 has it as a ninth number.
 //
-// Samples stand in file coordinates (origin included) as shortest decimals of doubles, so that settings and samples
-// come back bit for bit; where the origin is large, positions are first put on places that do (`recordable`).
+// Options are encoded as option_json.h says, in rows of one table. Samples stand in file coordinates (origin included)
+// as shortest decimals of doubles, so that settings and samples come back bit for bit; where the origin is large,
+// positions are first put on places that do (`recordable`).
 #pragma once
 
 #include "core/sculpt/stroke.h"

@@ -22,13 +22,13 @@ class FalloffTest : public QObject {
 void FalloffTest::curvesRunFromOneToTheirRimWithoutRising() {
     for (const FalloffRow& row : falloffTable()) {
         QCOMPARE(row.weight(0), 1.0f);
-        if (row.falloff != Falloff::Constant)
+        if (row.value != Falloff::Constant)
             QCOMPARE(row.weight(1), 0.0f);
         for (int k = 1; k <= 1000; ++k)
             QVERIFY(row.weight(k / 1000.0f) <= row.weight((k - 1) / 1000.0f));
-        QCOMPARE(weight(row.falloff, 1.0f), 0.0f);
-        QCOMPARE(weight(row.falloff, 7.0f), 0.0f);
-        QCOMPARE(falloff(row.id), row.falloff);
+        QCOMPARE(weight(row.value, 1.0f), 0.0f);
+        QCOMPARE(weight(row.value, 7.0f), 0.0f);
+        QCOMPARE(falloff(row.id), row.value);
     }
 }
 
@@ -52,9 +52,9 @@ void FalloffTest::batchGivesTheRowsCurves() {
     for (int k = 0; k < 120; ++k)
         r.push_back(k / 100.0f);
     for (const FalloffRow& row : falloffTable()) {
-        weights(row.falloff, 0, r, w, s);
+        weights(row.value, 0, r, w, s);
         for (std::size_t k = 0; k < r.size(); ++k) {
-            QCOMPARE(w[k], weight(row.falloff, r[k]));
+            QCOMPARE(w[k], weight(row.value, r[k]));
             QCOMPARE(s[k], r[k] > 0 && r[k] < 1 ? row.slope(r[k]) : 0.0f);
         }
     }
@@ -65,7 +65,7 @@ void FalloffTest::plateauIsFlatAndTheRestIsTheCurve() {
     const std::vector<float> r{0.0f, 0.2f, 0.25f, 0.5f, 0.75f, 0.9f, 1.0f, 2.0f};
     std::vector<float> w(r.size()), s(r.size());
     for (const FalloffRow& row : falloffTable()) {
-        weights(row.falloff, p, r, w, s);
+        weights(row.value, p, r, w, s);
         for (std::size_t k = 0; k < r.size(); ++k) {
             const float t = (r[k] - p) / (1 - p);
             QVERIFY(std::abs(w[k] - (r[k] >= 1 ? 0 : t <= 0 ? 1 : row.weight(t))) < 1e-5f);

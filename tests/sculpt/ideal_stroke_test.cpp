@@ -1,4 +1,4 @@
-// Strokes against the deformation that they mean (RESAMPLING, section 3): how far off the result lies, how even its
+// Strokes against the deformation that they mean (sculpt/README 7): how far off the result lies, how even its
 // sampling is, how much one resampling changes, and that nothing else changes.
 #include "sculpt/ideal_dabs.h"
 #include "support/registry.h"

@@ -59,13 +59,13 @@ static Vec3f raisedCentre(const surface::Surface& surface) {
 
 void StrokeImagesTest::imagesMakeAGroupWithoutRepeats() {
     QCOMPARE(mirrors({}, {}).size(), std::size_t(1));
-    QCOMPARE(mirrors({true, true, true}, {}).size(), std::size_t(8));
-    QCOMPARE(mirrors({false, false, false, 5, 1}, {}).size(), std::size_t(5));
-    QCOMPARE(mirrors({true, false, false, 3, 2}, {}).size(), std::size_t(6));
-    QCOMPARE(mirrors({true, true, false, 2, 2}, {}).size(), std::size_t(4)); // half a turn is both flips
-    QCOMPARE(mirrors({true, true, false, 4, 2}, {}).size(), std::size_t(8));
+    QCOMPARE(mirrors({{true, true, true}}, {}).size(), std::size_t(8));
+    QCOMPARE(mirrors({{}, 5, Axis::Y}, {}).size(), std::size_t(5));
+    QCOMPARE(mirrors({{true}, 3, Axis::Z}, {}).size(), std::size_t(6));
+    QCOMPARE(mirrors({{true, true}, 2, Axis::Z}, {}).size(), std::size_t(4)); // half a turn is both flips
+    QCOMPARE(mirrors({{true, true}, 4, Axis::Z}, {}).size(), std::size_t(8));
     const base::Vec3d origin{1, -2, 0.5};
-    for (const Symmetry& symmetry : {Symmetry{true, false, false, 6, 2}, Symmetry{false, true, true, 5, 0}}) {
+    for (const Symmetry& symmetry : {Symmetry{{true}, 6, Axis::Z}, Symmetry{{false, true, true}, 5, Axis::X}}) {
         const std::vector<Mirror> images = mirrors(symmetry, origin);
         base::Random random(test::seed());
         const Vec3f p = base::cast<float>(random.unitVector());
@@ -109,7 +109,7 @@ void StrokeImagesTest::fourCopiesMakeAFourFoldShape() {
 
 void StrokeImagesTest::mirroredStampsMirror() {
     StrokeSettings settings = settingsOf("draw", 0.15f, StrokeMethod::Dots);
-    settings.symmetry.x = true;
+    settings.symmetry.planes.x = true;
     settings.stampAngleRad = 1.1f;
     const surface::Surface after = stamped(m_plane, settings, {down(0.3f, 0.1f)});
     for (const float dx : {-0.05f, 0.0f, 0.06f})

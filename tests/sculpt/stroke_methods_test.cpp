@@ -311,7 +311,7 @@ void StrokeMethodsTest::autoSmoothEvensWhatTheDabsLeave() {
 void StrokeMethodsTest::everyMethodReplaysBitForBitOnAnyThreads() {
     base::Random random(test::seed());
     for (const MethodRow& row : methodTable()) {
-        StrokeSettings settings = settingsOf("draw", 0.15f, row.method);
+        StrokeSettings settings = settingsOf("draw", 0.15f, row.value);
         settings.stabiliser = 0.3f;
         settings.accumulate = random.uniform() < 0.5;
         settings.autoSmooth = 0.2f;
@@ -335,7 +335,7 @@ void StrokeMethodsTest::everyMethodReplaysBitForBitOnAnyThreads() {
 void StrokeMethodsTest::droppedStrokesChangeNothing() {
     const auto before = test::hashOf(m_sphere);
     for (const MethodRow& row : methodTable()) {
-        StrokeSettings settings = settingsOf("draw", 0.3f, row.method);
+        StrokeSettings settings = settingsOf("draw", 0.3f, row.value);
         settings.accumulate = false;
         Stroke stroke(m_sphere, settings);
         stroke.add(down(0, 0));

@@ -148,7 +148,7 @@ void StrokeTest::mirroredStrokesMirrorAtTheFilesPlanes() {
     const base::Vec3d origin{0.25, 0, 0};
     const surface::Surface plane = test::surfaceOf(test::planePoints(90, s));
     StrokeSettings settings = settingsOf("draw", 0.1f);
-    settings.symmetry.x = true;
+    settings.symmetry.planes.x = true;
     const surface::Surface after = test::stroked(plane, settings, {down(0.1f, 0.05f)}, origin);
     std::vector<float> peaks;
     for (const surfel::Surfel& each : after.tree().surfels().items)
@@ -166,7 +166,7 @@ void StrokeTest::onTheMirrorPlaneTheStrengthIsShared() {
     const surface::Surface plane = test::surfaceOf(test::planePoints(80, s));
     StrokeSettings settings = settingsOf("draw", 0.2f);
     const float single = test::stroked(plane, settings, {down(0, 0.1f)}).tree().bounds().hi.z;
-    settings.symmetry.x = true;
+    settings.symmetry.planes.x = true;
     const float mirrored = test::stroked(plane, settings, {down(0, 0.1f)}).tree().bounds().hi.z;
     QVERIFY(std::abs(mirrored - single) < 1e-3f * single);
 }

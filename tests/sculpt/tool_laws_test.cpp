@@ -67,7 +67,7 @@ static StrokeSettings settingsOf(const ToolRow& row, base::Random& random, doubl
     s.radius = float(spacing * random.uniform(6, 14));
     s.strength = float(random.uniform(0.3, 1));
     s.invert = random.uniform() < 0.5;
-    s.falloff = falloffTable()[random.below(3)].falloff;
+    s.falloff = falloffTable()[random.below(3)].value;
     if (s.tool == "clone")
         s.parameters = {{"x", random.uniform(-0.3, 0.3)}, {"y", random.uniform(-0.3, 0.3)}};
     return s;
@@ -160,7 +160,7 @@ void ToolLawsTest::withoutResamplingNothingOutsideTheBrushChanges() {
             for (const float strength : {1.0f, -0.6f}) {
                 Dab dab = completeDab(row);
                 dab.strength = strength;
-                dab.falloff = falloff.falloff;
+                dab.falloff = falloff.value;
                 const tree::Edit edit = row.apply(m_lively, dab);
                 const surface::Surface after(m_lively.tree().apply(edit), m_lively.definition());
                 QVERIFY2(!edit.empty(), about(row) + falloff.id);
@@ -321,7 +321,7 @@ void ToolLawsTest::symmetricStrokesKeepASymmetricShape() {
         settings.tool = row.id;
         settings.radius = 0.25f;
         settings.strength = 0.7f;
-        settings.symmetry.x = true;
+        settings.symmetry.planes.x = true;
         settings.resample = false;
         if (settings.tool == "clone")
             settings.parameters = {{"x", 0.1}, {"y", 0.2}};

@@ -28,13 +28,13 @@ void ToolsTest::drawRaisesThePlaneByTheFalloffExactly() {
     for (const FalloffRow& falloff : falloffTable())
         for (const float strength : {1.0f, 0.3f, -0.6f}) {
             Dab dab = dabOf(tool("draw"), {0.013f, -0.02f, 0}, 0.4f, strength);
-            dab.falloff = falloff.falloff;
+            dab.falloff = falloff.value;
             const surface::Surface after = applied(tool("draw"), plane, dab);
             for (const surfel::Surfel& s : after.tree().surfels().items) {
                 const double x = double(s.position.x) - double(dab.centre.x),
                              y = double(s.position.y) - double(dab.centre.y);
                 const double expected = double(strength) * 0.05 * double(dab.radius) *
-                                        double(weight(falloff.falloff, float(std::hypot(x, y) / double(dab.radius))));
+                                        double(weight(falloff.value, float(std::hypot(x, y) / double(dab.radius))));
                 QVERIFY2(std::abs(double(s.position.z) - expected) < 2e-6 * double(dab.radius), falloff.id);
             }
         }

@@ -43,7 +43,7 @@ void LiveStrokeTest::linesComeBackBitForBit() {
         settings.strength = static_cast<float>(random.uniform());
         settings.invert = true;
         settings.falloff = sculpt::Falloff::Sharp;
-        settings.symmetry = {true, false, true};
+        settings.symmetry.planes = {true, false, true};
         settings.resample = false;
         settings.spacing = static_cast<float>(random.uniform(0.05, 1));
         for (const sculpt::ToolParameter& p : tool.parameters)
@@ -80,7 +80,7 @@ void LiveStrokeTest::aLiveStrokeIsWhatItsLineReplays() {
         StrokeSettings settings;
         settings.tool = tool.id;
         settings.radius = 0.3f;
-        settings.symmetry.x = true;
+        settings.symmetry.planes.x = true;
         if (settings.tool == "clone") // from itself it would copy what is there
             settings.parameters["x"] = 0.3;
         session::LiveStroke stroke(live.context, settings);

@@ -1,7 +1,8 @@
 // The options of a stroke as parameters of its command: recorded, refused, replayed.
-#include "core/base/random.h"
 #include "core/session/live_stroke.h"
+#include "core/session/option_json.h"
 #include "core/session/stroke_json.h"
+#include "sculpt/random_options.h"
 #include "support/registry.h"
 #include "workbench.h"
 
@@ -16,6 +17,9 @@ class StrokeOptionsTest : public QObject {
     Q_OBJECT
   private Q_SLOTS:
     void everyOptionComesBackBitForBit();
+    void everyRowSurvivesLineAndText();
+    void everyRowRefusesWhatIsBeyondItsEnds();
+    void everyRowIsAParameterWithTheFieldsDefault();
     void defaultsAreThePlainBrush();
     void everyMethodReplaysFromItsJournal();
     void whatLiesBetweenIsNotRecordedWhereItHasNoSay();
@@ -25,41 +29,80 @@ class StrokeOptionsTest : public QObject {
     void wrongOptionsAreRefusedByName();
 };
 
-static StrokeSettings unusual(base::Random& random) {
-    StrokeSettings out;
-    out.tool = "draw";
-    out.radius = float(random.uniform(0.01, 1));
-    out.method = sculpt::methodTable()[random.below(5)].method;
-    out.rate = float(random.uniform(1, 500));
-    out.stabiliser = float(random.uniform(0, 100));
-    out.falloff = sculpt::Falloff::Custom;
-    for (auto* curve : {&out.falloffCurve, &out.pressureStrength, &out.pressureRadius}) {
-        curve->clear();
-        for (int k = 0; k < 5; ++k)
-            curve->push_back({float(0.2 * k + random.uniform(0, 0.1)), float(random.uniform())});
-    }
-    out.symmetry = {true, false, true, int(1 + random.below(64)), int(random.below(3))};
-    out.accumulate = false;
-    out.autoSmooth = float(random.uniform());
-    out.frontFacing = out.connected = out.stampFollows = out.graded = true;
-    out.normalRadius = float(random.uniform(0, 2)), out.planeRadius = float(random.uniform(0, 2));
-    out.stamp = "/somewhere/ümage.png";
-    out.stampAngleRad = float(random.uniform(-6.2, 6.2));
-    return out;
+constexpr auto everyScope = {sculpt::Scope::Tool, sculpt::Scope::AllTools, sculpt::Scope::Stroke};
+
+static QByteArray seeded(const char* what) {
+    return QByteArray(what) + ", seed " + QByteArray::number(qulonglong(test::seed()));
+}
+
+/// The line as it is read again from a file and checked.
+static json readAgain(const StrokeSettings& settings, std::span<const sculpt::StrokeSample> samples) {
+    return session::complete(json::parse(session::strokeLine(settings, samples, {}).dump()));
 }
 
 void StrokeOptionsTest::everyOptionComesBackBitForBit() {
     base::Random random(test::seed());
     for (int round = 0; round < 300; ++round) {
-        const StrokeSettings settings = unusual(random);
+        StrokeSettings settings;
+        test::drawAll(everyScope, random, test::Part::Within, settings);
         std::vector<sculpt::StrokeSample> samples{{{{0, 0, 5}, {0, 0, -1}}, 0.5f, 0}};
         samples.push_back(samples[0]);
         samples[1].stride = float(random.uniform(1, 10));
-        const json line = session::complete(json::parse(session::strokeLine(settings, samples, {}).dump()));
-        QVERIFY2(session::strokeSettings(line) == settings, qPrintable(QString("seed %1").arg(test::seed())));
+        const json line = readAgain(settings, samples);
+        QVERIFY2(session::strokeSettings(line) == settings, seeded("all"));
         QVERIFY(session::strokeSamples(line, {}) == samples);
         QCOMPARE(line["samples"][0].size(), std::size_t(8)); // the ninth number only where it says something
         QCOMPARE(line["samples"][1].size(), std::size_t(9));
+    }
+}
+
+/// Each alone, so that one that is forgotten is named.
+void StrokeOptionsTest::everyRowSurvivesLineAndText() {
+    base::Random random(test::seed());
+    for (const sculpt::StrokeOption& option : sculpt::strokeOptionTable())
+        for (const test::Part part : {test::Part::Low, test::Part::High, test::Part::Within}) {
+            StrokeSettings settings;
+            settings.radius = 0.5f;
+            test::draw(option, random, part, settings);
+            sculpt::check(settings);
+            const json line = readAgain(settings, {});
+            QVERIFY2(session::strokeSettings(line) == settings, seeded(option.id));
+            QVERIFY2(session::strokeLine(settings, {}, {}).contains(option.id) || settings.stamp.empty(), option.id);
+            StrokeSettings read;
+            read.radius = 0.5f;
+            const std::string text = session::textOf(option, settings);
+            if (!text.empty())
+                session::setText(option, text, read);
+            QVERIFY2(read == settings, seeded(option.id));
+        }
+}
+
+void StrokeOptionsTest::everyRowRefusesWhatIsBeyondItsEnds() {
+    for (const sculpt::StrokeOption& option : sculpt::strokeOptionTable())
+        for (const double value : test::outside(option)) {
+            json line{{"op", "stroke"}, {"tool", "draw"}, {"radius", 1}, {"samples", json::array()}};
+            const bool whole = std::holds_alternative<int sculpt::Symmetry::*>(option.field);
+            line[option.id] = whole ? json(int(value)) : json(value);
+            QVERIFY_EXCEPTION_THROWN(session::complete(line), base::Error);
+            StrokeSettings settings;
+            settings.radius = 1;
+            session::setValue(option, line[option.id], settings);
+            QVERIFY_EXCEPTION_THROWN(sculpt::check(settings), base::Error);
+            QVERIFY_EXCEPTION_THROWN(session::setText(option, line[option.id].dump(), settings), base::Error);
+        }
+}
+
+void StrokeOptionsTest::everyRowIsAParameterWithTheFieldsDefault() {
+    for (const sculpt::StrokeOption& option : sculpt::strokeOptionTable()) {
+        const auto parameters = session::command("stroke").parameters;
+        const auto found = std::find_if(parameters.begin(), parameters.end(),
+                                        [&](const auto& p) { return p.id == std::string_view(option.id); });
+        QVERIFY2(found != parameters.end() && *found->tip, option.id);
+        if (std::string_view(found->fallback).size() && found->fallback != std::string_view("null")) {
+            StrokeSettings settings, plain;
+            session::setValue(option, json::parse(found->fallback), settings);
+            QVERIFY2(settings == plain, option.id);
+        }
     }
 }
 
@@ -79,7 +122,7 @@ void StrokeOptionsTest::everyMethodReplaysFromItsJournal() {
         live.run(test::newSphere());
         StrokeSettings settings;
         settings.radius = 0.3f;
-        settings.method = row.method;
+        settings.method = row.value;
         settings.stabiliser = 0.2f;
         settings.autoSmooth = 0.3f;
         settings.symmetry.copies = 2;
@@ -110,7 +153,7 @@ void StrokeOptionsTest::whatLiesBetweenIsNotRecordedWhereItHasNoSay() {
         live.run(test::newSphere());
         StrokeSettings settings;
         settings.radius = 0.2f;
-        settings.method = row.method;
+        settings.method = row.value;
         session::LiveStroke stroke(live.context, settings);
         for (const auto& sample : session::strokeSamples({{"samples", test::samplesAt(0)}}, {}))
             stroke.add(sample);

@@ -92,10 +92,14 @@ void PanelTest::panelShowsWhatHasASay() {
         const auto& row = f.window->settings().toolRow();
         for (const auto& option : sculpt::strokeOptionTable()) {
             const auto shown = panel.findChildren<QWidget*>(option.id);
+            if (option.scope == sculpt::Scope::Stroke) {
+                QVERIFY(shown.isEmpty());
+                continue;
+            }
             QCOMPARE(shown.size(), 1);
             const bool applies = option.applies(row, f.window->settings().choice(row));
             QVERIFY2(shown.front()->isVisible() == applies, qPrintable(tool->text() + ": " + option.id));
-            QCOMPARE(shown.front()->toolTip(), QString(option.tip));
+            QVERIFY(shown.front()->toolTip().startsWith(option.tip));
         }
     }
 }

@@ -94,14 +94,14 @@ void PointerTest::symmetryIsShownOverThePictureOnly() {
     QVERIFY(plain == seen());
     std::vector<QImage> shown{plain};
     for (const sculpt::Symmetry& symmetry :
-         {sculpt::Symmetry{true}, sculpt::Symmetry{false, true}, sculpt::Symmetry{false, false, false, 5, 1}}) {
-        f.window->settings().symmetry = symmetry;
+         {sculpt::Symmetry{{true}}, sculpt::Symmetry{{false, true}}, sculpt::Symmetry{{}, 5, sculpt::Axis::Y}}) {
+        f.window->settings().shared.symmetry = symmetry;
         shown.push_back(seen());
         for (std::size_t i = 0; i + 1 < shown.size(); ++i)
             QVERIFY(shown[i] != shown.back());
     }
     QVERIFY(f.window->viewport().picture() == picture);
-    f.window->settings().symmetry = {};
+    f.window->settings().shared.symmetry = {};
     QVERIFY(seen() == plain);
 }
 

@@ -69,7 +69,7 @@ void SculptingTest::everyToolMovesPointsAndUndoBringsTheHashBack() {
 void SculptingTest::recordedSessionReplaysToTheSameHashWithoutAWindow() {
     WindowFixture f;
     QVERIFY(f.make("sphere", 6000));
-    f.window->settings().symmetry = {true, false, false};
+    f.window->settings().shared.symmetry.planes = {true, false, false};
     int k = 0;
     for (QAction* tool : f.window->toolBar().toolActions()) {
         tool->trigger();
@@ -138,7 +138,7 @@ void SculptingTest::symmetricStrokeWorksOnBothSides() {
     WindowFixture f;
     QVERIFY(f.make("sphere", 8000));
     f.window->sculptView().motion().turnTo(render::namedViews()[0]);
-    f.window->settings().symmetry = {true, false, false};
+    f.window->settings().shared.symmetry.planes = {true, false, false};
     const float radius = reachOf(f).highest;
     f.drag(f.centre() + QPointF(90, -10), f.centre() + QPointF(90, 30));
     float left = 0, right = 0;

@@ -14,8 +14,7 @@ void CloneSource::choose(const std::optional<Vec3d>& place) {
 }
 
 void CloneSource::addTo(sculpt::StrokeSettings& settings, const Vec3d& contact) const {
-    const Vec3d away = *m_place - contact;
-    settings.parameters["x"] = away.x, settings.parameters["y"] = away.y, settings.parameters["z"] = away.z;
+    setSource(settings, *m_place - contact);
 }
 
 } // namespace ui

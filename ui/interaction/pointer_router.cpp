@@ -90,7 +90,7 @@ void PointerRouter::press(const Pointer& pointer) {
 
 void PointerRouter::touch(const Pointer& pointer, const BrushContact& contact) {
     const bool smoothing = pointer.modifiers.testFlag(Qt::ShiftModifier);
-    if (sculpt::hasSource(m_parts.settings.toolRow()) && !smoothing) {
+    if (m_parts.settings.toolRow().needs.source && !smoothing) {
         if (pointer.modifiers.testFlag(Qt::ControlModifier))
             return m_parts.source.choose(contact.position);
         if (!m_parts.source.place()) {

@@ -25,9 +25,9 @@ void ViewOverlay::paint(QPainter& painter, double pixelRatio) const {
     if (motion.view().pivot || turning)
         paintPivot(painter, motion.view().turningPoint(), seen, turning);
     const surface::Surface& surface = now.surface;
-    if (settings.symmetry != sculpt::Symmetry{} && !surface.tree().empty())
+    if (settings.shared.symmetry != sculpt::Symmetry{} && !surface.tree().empty())
         ui::paint(painter,
-                  SymmetryOverlay{settings.symmetry, now.origin, surface.tree().bounds(), m_parts.cursor.contact},
+                  SymmetryOverlay{settings.shared.symmetry, now.origin, surface.tree().bounds(), m_parts.cursor.contact},
                   seen);
     paintSource(painter, seen);
     const render::RenderOptions look = m_parts.look.options();
@@ -41,7 +41,7 @@ void ViewOverlay::paint(QPainter& painter, double pixelRatio) const {
 /// During a stroke the source goes along with the brush.
 void ViewOverlay::paintSource(QPainter& painter, const render::Camera& seen) const {
     const std::optional<base::Vec3d>& place = m_parts.source.place();
-    if (!place || !sculpt::hasSource(m_parts.settings.toolRow()))
+    if (!place || !m_parts.settings.toolRow().needs.source)
         return;
     const std::optional<BrushContact>& contact = m_parts.cursor.contact;
     const bool going = m_parts.pointer.gesture() == Gesture::Sculpt && contact;

@@ -80,7 +80,7 @@ static void paintAxis(QPainter& painter, const SymmetryOverlay& overlay, const r
     to[n] = static_cast<double>(overlay.bounds.hi[n]) + more;
     QPainterPath line;
     addLine(line, camera, from, to);
-    stroke(painter, line, colourOf(overlay.symmetry.axis));
+    stroke(painter, line, colourOf(static_cast<int>(overlay.symmetry.axis)));
 }
 
 /// Where the brush's images touch, about: exact on a symmetric model.
@@ -99,7 +99,7 @@ static void paintImages(QPainter& painter, const SymmetryOverlay& overlay, const
 void paint(QPainter& painter, const SymmetryOverlay& overlay, const render::Camera& camera) {
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
-    const bool planes[] = {overlay.symmetry.x, overlay.symmetry.y, overlay.symmetry.z};
+    const bool planes[] = {overlay.symmetry.planes.x, overlay.symmetry.planes.y, overlay.symmetry.planes.z};
     for (int axis = 0; axis < 3; ++axis)
         if (planes[axis])
             paintPlane(painter, overlay, camera, axis);

@@ -11,6 +11,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 namespace ui {
@@ -36,17 +37,62 @@ static QWidget* labelled(const char* label, QWidget* field, QBoxLayout::Directio
     return out;
 }
 
-static OptionEditor number(const StrokeOption& option, float StrokeSettings::*field, const EditSettings& edit) {
+/// As a slider has room for.
+static const char* shortUnit(const char* unit) {
+    return std::string_view(unit) == "degrees" ? "°" : unit;
+}
+
+static NumberSlider* slider(const StrokeOption& option, int decimals) {
     const auto& range = option.range;
-    const int decimals = range.high - range.low > 50 ? 0 : 2;
-    auto* slider =
-        new NumberSlider(QObject::tr(option.label), QObject::tr(option.tip),
-                         {range.low, range.high, range.logarithmic, decimals, option.unit, range.min, range.max});
-    QObject::connect(slider, &NumberSlider::edited, slider, [=, scale = range.scale](double value) {
-        edit([=](StrokeSettings& s) { s.*field = static_cast<float>(value / scale); });
+    return new NumberSlider(
+        QObject::tr(option.label), QObject::tr(option.tip),
+        {range.low, range.high, range.logarithmic, decimals, shortUnit(option.unit), range.min, range.max});
+}
+
+static OptionEditor number(const StrokeOption& option, float StrokeSettings::*field, const EditSettings& edit) {
+    auto* out = slider(option, option.range.high - option.range.low > 50 ? 0 : 2);
+    QObject::connect(out, &NumberSlider::edited, out, [=, &option](double value) {
+        edit([=, &option](StrokeSettings& s) { s.*field = storedOf(option, value); });
     });
-    const auto show = [=, scale = range.scale](const StrokeSettings& s) { slider->setValue(double(s.*field) * scale); };
-    return {slider, false, show};
+    return {out, false, [=, &option](const StrokeSettings& s) { out->setValue(shownOf(option, s.*field)); }};
+}
+
+static OptionEditor wholeNumber(const StrokeOption& option, int sculpt::Symmetry::*field, const EditSettings& edit) {
+    auto* out = slider(option, 0);
+    QObject::connect(out, &NumberSlider::edited, out,
+                     [=](double value) { edit([=](StrokeSettings& s) { at(s, field) = static_cast<int>(value); }); });
+    return {out, true, [=](const StrokeSettings& s) { out->setValue(at(s, field)); }};
+}
+
+/// A button for each plane.
+static OptionEditor planes(const StrokeOption& option, sculpt::MirrorPlanes sculpt::Symmetry::*field,
+                           const EditSettings& edit) {
+    using sculpt::MirrorPlanes;
+    constexpr std::pair<const char*, bool MirrorPlanes::*> rows[] = {
+        {"X", &MirrorPlanes::x}, {"Y", &MirrorPlanes::y}, {"Z", &MirrorPlanes::z}};
+    auto* row = new QWidget;
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(4);
+    std::vector<std::function<void(const StrokeSettings&)>> shows;
+    for (const auto& [name, plane] : rows) {
+        auto* button = new QToolButton;
+        button->setObjectName("plain");
+        button->setText(name);
+        button->setCheckable(true);
+        button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+        button->setToolTip(
+            QObject::tr("Every dab is made on both sides of the plane %1 = 0.").arg(QString(name).toLower()));
+        QObject::connect(button, &QToolButton::clicked, button,
+                         [=, plane = plane](bool on) { edit([=](StrokeSettings& s) { at(s, field).*plane = on; }); });
+        layout->addWidget(button, 1);
+        shows.push_back([=, plane = plane](const StrokeSettings& s) { button->setChecked(at(s, field).*plane); });
+    }
+    const auto show = [=](const StrokeSettings& s) {
+        for (const auto& each : shows)
+            each(s);
+    };
+    return {labelled(option.label, row, QBoxLayout::LeftToRight), false, show};
 }
 
 static OptionEditor flag(const StrokeOption& option, bool StrokeSettings::*field, const EditSettings& edit) {
@@ -55,36 +101,33 @@ static OptionEditor flag(const StrokeOption& option, bool StrokeSettings::*field
     return {box, true, [=](const StrokeSettings& s) { box->setChecked(s.*field); }};
 }
 
-static sculpt::Falloff valueOf(const sculpt::FalloffRow& row) {
-    return row.falloff;
-}
-static sculpt::StrokeMethod valueOf(const sculpt::MethodRow& row) {
-    return row.method;
-}
-static const char* tipOf(const sculpt::FalloffRow&) {
-    return "";
-}
-static const char* tipOf(const sculpt::MethodRow& row) {
-    return row.tip;
+/// What a choice says of itself, where its table does.
+template <class Row>
+static QString tipOf(const Row& row) {
+    if constexpr (requires { row.tip; })
+        return QObject::tr(row.tip);
+    return {};
 }
 
-/// One of a table's rows.
-template <class Row, class Value>
-static OptionEditor choice(const StrokeOption& option, std::span<const Row> rows, Value StrokeSettings::*field,
-                           const EditSettings& edit) {
+/// One of a table's rows; those of an axis need no name beside them.
+template <class Choice, class Owner>
+static OptionEditor choice(const StrokeOption& option, Choice Owner::*field, const EditSettings& edit) {
+    const auto rows = sculpt::choicesOf<Choice>();
     auto* box = new QComboBox;
-    for (const Row& row : rows) {
+    for (const auto& row : rows) {
         box->addItem(QObject::tr(row.label));
-        box->setItemData(box->count() - 1, QObject::tr(tipOf(row)), Qt::ToolTipRole);
+        box->setItemData(box->count() - 1, tipOf(row), Qt::ToolTipRole);
     }
     QObject::connect(box, &QComboBox::activated, box, [=](int index) {
-        edit([=](StrokeSettings& s) { s.*field = valueOf(rows[static_cast<std::size_t>(index)]); });
+        edit([=](StrokeSettings& s) { at(s, field) = rows[static_cast<std::size_t>(index)].value; });
     });
     const auto show = [=](const StrokeSettings& s) {
         for (std::size_t i = 0; i < rows.size(); ++i)
-            if (valueOf(rows[i]) == s.*field)
+            if (rows[i].value == at(s, field))
                 box->setCurrentIndex(static_cast<int>(i));
     };
+    if (std::is_same_v<Choice, sculpt::Axis>)
+        return {box, true, show};
     return {labelled(option.label, box, QBoxLayout::LeftToRight), false, show};
 }
 
@@ -121,24 +164,31 @@ static OptionEditor image(std::string StrokeSettings::*field, const EditSettings
     return {stamp, false, [=](const StrokeSettings& s) { stamp->setPath(s.*field); }};
 }
 
+QString hintOf(const StrokeOption& option) {
+    const QString tip = QObject::tr(option.tip);
+    return *option.gesture ? tip + ' ' + QObject::tr(option.gesture) : tip;
+}
+
 OptionEditor makeOptionEditor(const StrokeOption& option, const EditSettings& edit) {
     const auto make = [&](auto field) -> OptionEditor {
-        using Value = std::decay_t<decltype(std::declval<StrokeSettings&>().*field)>;
+        using Value = std::decay_t<decltype(at(std::declval<StrokeSettings&>(), field))>;
         if constexpr (std::is_same_v<Value, float>)
             return number(option, field, edit);
+        else if constexpr (std::is_same_v<Value, int>)
+            return wholeNumber(option, field, edit);
         else if constexpr (std::is_same_v<Value, bool>)
             return flag(option, field, edit);
         else if constexpr (std::is_same_v<Value, std::string>)
             return image(field, edit);
         else if constexpr (std::is_same_v<Value, sculpt::CurvePoints>)
             return field == &StrokeSettings::falloffCurve ? falloffCurve(edit) : curve(option, field, edit);
-        else if constexpr (std::is_same_v<Value, sculpt::Falloff>)
-            return choice(option, sculpt::falloffTable(), field, edit);
+        else if constexpr (std::is_same_v<Value, sculpt::MirrorPlanes>)
+            return planes(option, field, edit);
         else
-            return choice(option, sculpt::methodTable(), field, edit);
+            return choice(option, field, edit);
     };
     OptionEditor out = std::visit(make, option.field);
-    out.widget->setToolTip(QObject::tr(option.tip));
+    out.widget->setToolTip(hintOf(option));
     out.widget->setObjectName(option.id);
     return out;
 }
@@ -148,7 +198,7 @@ OptionEditor makeParameterEditor(const sculpt::ToolParameter& parameter, const E
     const auto set = [=](double value) { edit([=](StrokeSettings& s) { s.parameters[id] = value; }); };
     const auto wanted = [=](const StrokeSettings& s) { return s.parameters.at(id); };
     OptionEditor out;
-    if (QString(parameter.unit) == "rgb") {
+    if (parameter.kind == sculpt::ParameterKind::Colour) {
         auto* field = new ColourField(QObject::tr(parameter.label));
         QObject::connect(field, &ColourField::edited, field,
                          [=] { set(static_cast<double>(field->colour().rgb() & 0xffffffu)); });

@@ -4,6 +4,7 @@
 #include "core/sculpt/stroke_options.h"
 
 #include <functional>
+#include <QString>
 
 class QWidget;
 
@@ -19,8 +20,11 @@ struct OptionEditor {
 /// Changes settings by calling `edit` with what is to be done to them.
 using EditSettings = std::function<void(const std::function<void(sculpt::StrokeSettings&)>& change)>;
 
+/// The row's tip and, where there is one, how the editor is used.
+QString hintOf(const sculpt::StrokeOption& option);
+
 OptionEditor makeOptionEditor(const sculpt::StrokeOption& option, const EditSettings& edit);
-/// Of a tool's own parameter: a number, or a colour where its unit is "rgb".
+/// Of a tool's own parameter: a number or a colour.
 OptionEditor makeParameterEditor(const sculpt::ToolParameter& parameter, const EditSettings& edit);
 
 } // namespace ui

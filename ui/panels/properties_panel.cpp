@@ -5,8 +5,6 @@
 #include "ui/theme/icon.h"
 
 #include <algorithm>
-#include <QCheckBox>
-#include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QToolButton>
@@ -26,6 +24,11 @@ PropertiesPanel::PropertiesPanel(Settings& settings, QWidget* parent) : QScrollA
         refresh();
         Q_EMIT edited();
     };
+    m_editShared = [this](const std::function<void(sculpt::StrokeSettings&)>& change) {
+        change(m_settings.shared);
+        refresh();
+        Q_EMIT edited();
+    };
     auto* content = new QWidget;
     auto* layout = new QVBoxLayout(content);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -38,8 +41,6 @@ PropertiesPanel::PropertiesPanel(Settings& settings, QWidget* parent) : QScrollA
             buildBrush(*group);
         else
             fill(*group, row.group);
-        if (row.group == sculpt::OptionGroup::Stroke) // after what is wanted for every stroke, before the rest
-            buildSymmetry(*addGroup(*layout, "symmetry", "Symmetry", true));
     }
     layout->addStretch();
     setWidget(content);
@@ -83,9 +84,10 @@ PanelGroup* PropertiesPanel::addGroup(QVBoxLayout& layout, const char* id, const
 
 void PropertiesPanel::fill(PanelGroup& group, sculpt::OptionGroup which) {
     for (const auto& option : sculpt::strokeOptionTable()) {
-        if (option.group != which)
+        if (option.group != which || option.scope == sculpt::Scope::Stroke)
             continue;
-        const OptionEditor editor = makeOptionEditor(option, m_edit);
+        const bool shared = option.scope == sculpt::Scope::AllTools;
+        const OptionEditor editor = makeOptionEditor(option, shared ? m_editShared : m_edit);
         if (editor.half)
             group.addHalf(editor.widget);
         else
@@ -99,13 +101,6 @@ void PropertiesPanel::buildBrush(PanelGroup& group) {
     m_toolParameters = new QWidget;
     (new QGridLayout(m_toolParameters))->setContentsMargins(0, 0, 0, 0);
     fill(group, sculpt::OptionGroup::Brush);
-    m_resample = new QCheckBox(tr("Resample"));
-    m_resample->setToolTip(tr("The sampling follows the deformation, with every tool: gaps fill, crowds merge."));
-    connect(m_resample, &QCheckBox::clicked, this, [this](bool on) {
-        m_settings.resample = on;
-        Q_EMIT edited();
-    });
-    group.addHalf(m_resample);
     group.add(m_toolParameters);
     m_source = new QLabel;
     m_source->setObjectName("hint");
@@ -137,58 +132,6 @@ QWidget* PropertiesPanel::radiusRow() {
     return out;
 }
 
-void PropertiesPanel::buildSymmetry(PanelGroup& group) {
-    group.add(planesRow());
-    group.add(radialRow());
-}
-
-QWidget* PropertiesPanel::planesRow() {
-    auto* out = new QWidget;
-    auto* row = rowOf(out, 4);
-    auto* name = new QLabel(tr("Mirror"));
-    name->setObjectName("faint");
-    name->setFixedWidth(54);
-    row->addWidget(name);
-    bool* const flags[] = {&m_settings.symmetry.x, &m_settings.symmetry.y, &m_settings.symmetry.z};
-    const char* const names[] = {"X", "Y", "Z"};
-    for (int k = 0; k < 3; ++k) {
-        auto* button = m_planes[k] = new QToolButton;
-        button->setObjectName("plain");
-        button->setText(names[k]);
-        button->setCheckable(true);
-        button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-        button->setToolTip(tr("Every dab is made on both sides of the plane %1 = 0.").arg(QString(names[k]).toLower()));
-        connect(button, &QToolButton::clicked, this, [this, flag = flags[k]](bool on) {
-            *flag = on;
-            Q_EMIT edited();
-        });
-        row->addWidget(button, 1);
-    }
-    return out;
-}
-
-QWidget* PropertiesPanel::radialRow() {
-    auto* out = new QWidget;
-    auto* row = rowOf(out, 4);
-    m_copies = new NumberSlider(tr("Radial"), tr("Copies of every dab, turned evenly about an axis; 1: none."),
-                                {1, 32, true, 0, {}, 1, 64});
-    connect(m_copies, &NumberSlider::edited, this, [this](double value) {
-        m_settings.symmetry.copies = static_cast<int>(value);
-        showSymmetry();
-        Q_EMIT edited();
-    });
-    m_axis = new QComboBox;
-    m_axis->addItems({tr("X axis"), tr("Y axis"), tr("Z axis")});
-    m_axis->setToolTip(tr("The axis through the origin that the copies are turned about."));
-    connect(m_axis, &QComboBox::activated, this, [this](int axis) {
-        m_settings.symmetry.axis = axis;
-        Q_EMIT edited();
-    });
-    row->addWidget(m_copies, 1);
-    row->addWidget(m_axis);
-    return out;
-}
-
 void PropertiesPanel::buildToolParameters() {
     const auto& row = m_settings.toolRow();
     qDeleteAll(m_toolParameters->findChildren<QWidget*>(Qt::FindDirectChildrenOnly));
@@ -197,8 +140,8 @@ void PropertiesPanel::buildToolParameters() {
     grid.setSpacing(4);
     int place = 0; // in halves of a row
     for (const auto& p : row.parameters) {
-        if (sculpt::hasSource(row)) // chosen on the model
-            break;
+        if (p.chosenOnModel())
+            continue;
         const OptionEditor editor = makeParameterEditor(p, m_edit);
         const int span = editor.half ? 1 : 2;
         grid.addWidget(editor.widget, place / 2, place % 2, 1, span);
@@ -248,10 +191,11 @@ void PropertiesPanel::showTool() {
         m_toolIcon->setPixmap(icon(row.icon).pixmap(20, 20));
         m_toolName->setText(tr(row.label));
         m_toolName->setToolTip(tr(row.tip));
-        m_source->setVisible(sculpt::hasSource(row));
+        m_source->setVisible(row.needs.source);
     }
     const sculpt::StrokeSettings choice = m_settings.choice(row);
-    m_reset->setVisible(choice != sculpt::defaultsOf(row));
+    const auto own = m_settings.tools.find(row.id);
+    m_reset->setVisible(own != m_settings.tools.end() && own->second != sculpt::defaultsOf(row));
     for (const OptionEditor& editor : m_parameters)
         editor.show(choice);
     for (const Shown& shown : m_options) {
@@ -264,21 +208,9 @@ void PropertiesPanel::showTool() {
         }));
 }
 
-void PropertiesPanel::showSymmetry() {
-    const auto& s = m_settings.symmetry;
-    m_planes[0]->setChecked(s.x);
-    m_planes[1]->setChecked(s.y);
-    m_planes[2]->setChecked(s.z);
-    m_copies->setValue(s.copies);
-    m_axis->setCurrentIndex(s.axis);
-    m_axis->setEnabled(s.copies > 1);
-}
-
 void PropertiesPanel::refresh() {
     showRadius();
     showTool();
-    showSymmetry();
-    m_resample->setChecked(m_settings.resample);
 }
 
 } // namespace ui

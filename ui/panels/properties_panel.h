@@ -7,8 +7,6 @@
 
 #include <QScrollArea>
 
-class QCheckBox;
-class QComboBox;
 class QLabel;
 class QToolButton;
 class QVBoxLayout;
@@ -43,24 +41,19 @@ class PropertiesPanel : public QScrollArea {
     PanelGroup* addGroup(QVBoxLayout& layout, const char* id, const char* label, bool open);
     void fill(PanelGroup& group, sculpt::OptionGroup which);
     void buildBrush(PanelGroup& group);
-    void buildSymmetry(PanelGroup& group);
     QWidget* radiusRow();
-    QWidget* planesRow();
-    QWidget* radialRow();
     void showRadius();
     void showTool();
-    void showSymmetry();
     void buildToolParameters();
     void resetTool();
 
     Settings& m_settings;
-    EditSettings m_edit; ///< changes the chosen tool's options
+    EditSettings m_edit;       ///< changes the chosen tool's options
+    EditSettings m_editShared; ///< changes those of all tools
     double m_diagonal = 1;
     std::string m_shownTool; ///< whose parameters are built
-    NumberSlider *m_radius, *m_copies;
-    QToolButton *m_unit, *m_planes[3];
-    QComboBox* m_axis;
-    QCheckBox* m_resample;
+    NumberSlider* m_radius;
+    QToolButton* m_unit;
     QLabel *m_toolIcon, *m_toolName, *m_source;
     QToolButton* m_reset;
     QWidget* m_toolParameters;

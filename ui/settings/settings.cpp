@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/base/row_of_id.h"
+#include "core/session/option_json.h"
 
 #include <algorithm>
 #include <QSettings>
@@ -22,7 +23,9 @@ const sculpt::ToolRow& Settings::toolRow() const {
 
 sculpt::StrokeSettings Settings::choice(const sculpt::ToolRow& row) const {
     const auto found = tools.find(row.id);
-    return found != tools.end() ? found->second : sculpt::defaultsOf(row);
+    sculpt::StrokeSettings out = found != tools.end() ? found->second : sculpt::defaultsOf(row);
+    copyOptions(sculpt::Scope::AllTools, shared, out);
+    return out;
 }
 
 sculpt::StrokeSettings& Settings::edit(const sculpt::ToolRow& row) {
@@ -40,8 +43,6 @@ sculpt::StrokeSettings strokeSettings(const Settings& settings, const sculpt::To
     sculpt::StrokeSettings out = settings.choice(row);
     out.radius = radius;
     out.invert = out.invert != flip;
-    out.symmetry = settings.symmetry;
-    out.resample = settings.resample;
     return out;
 }
 
@@ -53,9 +54,6 @@ render::RenderOptions lookOf(const Settings& settings) {
     return out;
 }
 
-static sculpt::Falloff rowValue(const sculpt::FalloffRow& row) {
-    return row.falloff;
-}
 static render::Shading rowValue(const render::ShadingRow& row) {
     return row.shading;
 }
@@ -68,9 +66,6 @@ static raycast::Material rowValue(const raycast::MaterialRow& row) {
 static raycast::LightRig rowValue(const raycast::LightRigRow& row) {
     return row.rig;
 }
-static sculpt::StrokeMethod rowValue(const sculpt::MethodRow& row) {
-    return row.method;
-}
 
 // --- reading: each value is taken only where it is a finite number in its range ---
 
@@ -79,23 +74,6 @@ static void readNumber(const QSettings& store, const QString& key, double min, d
     const double number = store.value(key).toDouble(&ok);
     if (ok && number >= min && number <= max)
         value = number;
-}
-
-/// "0,1;0.5,0.75;1,0"; what is no curve keeps the value.
-static void readCurve(const QSettings& store, const QString& key, sculpt::CurvePoints& value) {
-    sculpt::CurvePoints points;
-    for (const QString& pair : store.value(key).toString().split(';', Qt::SkipEmptyParts)) {
-        const QStringList numbers = pair.split(',');
-        bool okX = false, okY = false;
-        points.push_back({numbers.front().toFloat(&okX), numbers.back().toFloat(&okY)});
-        if (numbers.size() != 2 || !okX || !okY)
-            return;
-    }
-    try {
-        sculpt::BrushCurve checked(points);
-        value = points;
-    } catch (const base::Error&) {
-    }
 }
 
 template <class Rows, class Value>
@@ -125,30 +103,31 @@ static QString storedSet(const Rows& rows, Bit bit, std::uint32_t value) {
     return names.join(',');
 }
 
-static void readOption(const QSettings& store, const QString& key, const sculpt::StrokeOption& option,
-                       sculpt::StrokeSettings& out) {
-    if (!store.contains(key))
-        return;
-    const auto read = [&](auto field) {
-        auto& value = out.*field;
-        using Value = std::decay_t<decltype(value)>;
-        if constexpr (std::is_same_v<Value, float>) {
-            const double scale = option.range.scale;
-            double number = double(value) * scale;
-            readNumber(store, key, option.range.min, option.range.max, number);
-            value = static_cast<float>(number / scale);
-        } else if constexpr (std::is_same_v<Value, bool>)
-            value = store.value(key).toBool();
-        else if constexpr (std::is_same_v<Value, std::string>)
-            value = store.value(key).toString().toStdString();
-        else if constexpr (std::is_same_v<Value, sculpt::CurvePoints>)
-            readCurve(store, key, value);
-        else if constexpr (std::is_same_v<Value, sculpt::Falloff>)
-            readRow(store, key, sculpt::falloffTable(), value);
+/// The options of one scope, under their ids, in the encoding of session lines.
+static void readOptions(const QSettings& store, sculpt::Scope scope, const QString& group,
+                        sculpt::StrokeSettings& out) {
+    for (const auto& option : sculpt::strokeOptionTable()) {
+        if (option.scope != scope || !store.contains(group + option.id))
+            continue;
+        try {
+            session::setText(option, store.value(group + option.id).toString().toStdString(), out);
+        } catch (const base::Error&) { // it keeps its default
+        }
+    }
+}
+
+/// What differs from `fallback`.
+static void writeOptions(const sculpt::StrokeSettings& settings, const sculpt::StrokeSettings& fallback,
+                         sculpt::Scope scope, const QString& group, QSettings& store) {
+    for (const auto& option : sculpt::strokeOptionTable()) {
+        if (option.scope != scope)
+            continue;
+        const std::string text = session::textOf(option, settings);
+        if (text == session::textOf(option, fallback))
+            store.remove(group + option.id);
         else
-            readRow(store, key, sculpt::methodTable(), value);
-    };
-    std::visit(read, option.field);
+            store.setValue(group + option.id, QString::fromStdString(text));
+    }
 }
 
 static void readTools(const QSettings& store, Settings& out) {
@@ -156,8 +135,7 @@ static void readTools(const QSettings& store, Settings& out) {
         const QString group = QString("tools/%1/").arg(row.id);
         const sculpt::StrokeSettings fallback = sculpt::defaultsOf(row);
         sculpt::StrokeSettings choice = fallback;
-        for (const auto& option : sculpt::strokeOptionTable())
-            readOption(store, group + option.id, option, choice);
+        readOptions(store, sculpt::Scope::Tool, group, choice);
         for (const auto& p : row.parameters)
             readNumber(store, group + "parameters/" + p.id, p.min, p.max, choice.parameters[p.id]);
         if (choice != fallback)
@@ -187,15 +165,6 @@ static void readTableRows(const QSettings& store, Settings& out) {
         out.shiftTool = shiftTool;
 }
 
-static void readSymmetry(const QSettings& store, sculpt::Symmetry& out) {
-    const QString planes = store.value("brush/symmetry").toString();
-    out.x = planes.contains('x'), out.y = planes.contains('y'), out.z = planes.contains('z');
-    double copies = out.copies, axis = out.axis;
-    readNumber(store, "brush/radial", 1, 64, copies);
-    readNumber(store, "brush/radialAxis", 0, 2, axis);
-    out.copies = static_cast<int>(copies), out.axis = static_cast<int>(axis);
-}
-
 Settings readSettings(const QSettings& store) {
     Settings out;
     readTableRows(store, out);
@@ -204,8 +173,7 @@ Settings readSettings(const QSettings& store) {
         out.radiusUnit = RadiusUnit::Model;
     readNumber(store, "brush/radiusPx", Settings::minRadiusPx, Settings::maxRadiusPx, out.radiusPx);
     readNumber(store, "brush/radiusModel", 1e-30, 1e30, out.radiusModel);
-    readSymmetry(store, out.symmetry);
-    out.resample = store.value("brush/resample", out.resample).toBool();
+    readOptions(store, sculpt::Scope::AllTools, "brush/", out.shared);
     for (const QString& key : store.allKeys())
         if (key.startsWith("panel/"))
             out.groups[key.mid(6).toStdString()] = store.value(key).toBool();
@@ -221,35 +189,12 @@ Settings readSettings(const QSettings& store) {
     return out;
 }
 
-static QVariant stored(const sculpt::StrokeOption& option, const sculpt::StrokeSettings& settings) {
-    const auto text = [&](auto field) -> QVariant {
-        const auto& value = settings.*field;
-        using Value = std::decay_t<decltype(value)>;
-        if constexpr (std::is_same_v<Value, float>)
-            return double(value) * option.range.scale;
-        else if constexpr (std::is_same_v<Value, bool>)
-            return value;
-        else if constexpr (std::is_same_v<Value, std::string>)
-            return QString::fromStdString(value);
-        else if constexpr (std::is_same_v<Value, sculpt::CurvePoints>) {
-            QStringList pairs;
-            for (const auto& p : value)
-                pairs << QString("%1,%2").arg(double(p.x), 0, 'g', 9).arg(double(p.y), 0, 'g', 9);
-            return pairs.join(';');
-        } else
-            return QString(sculpt::row(value).id);
-    };
-    return std::visit(text, option.field);
-}
-
 static void writeTools(const Settings& settings, QSettings& store) {
     store.remove("tools");
     for (const auto& [id, choice] : settings.tools) {
         const QString group = QString("tools/%1/").arg(QString::fromStdString(id));
         const sculpt::StrokeSettings fallback = sculpt::defaultsOf(sculpt::tool(id));
-        for (const auto& option : sculpt::strokeOptionTable())
-            if (const QVariant value = stored(option, choice); value != stored(option, fallback))
-                store.setValue(group + option.id, value);
+        writeOptions(choice, fallback, sculpt::Scope::Tool, group, store);
         for (const auto& [name, value] : choice.parameters)
             if (value != fallback.parameters.at(name))
                 store.setValue(group + "parameters/" + QString::fromStdString(name), value);
@@ -262,11 +207,7 @@ void writeSettings(const Settings& settings, QSettings& store) {
     store.setValue("brush/radiusUnit", settings.radiusUnit == RadiusUnit::Model ? "model" : "pixels");
     store.setValue("brush/radiusPx", settings.radiusPx);
     store.setValue("brush/radiusModel", settings.radiusModel);
-    const auto& s = settings.symmetry;
-    store.setValue("brush/symmetry", QString(s.x ? "x" : "") + (s.y ? "y" : "") + (s.z ? "z" : ""));
-    store.setValue("brush/radial", s.copies);
-    store.setValue("brush/radialAxis", s.axis);
-    store.setValue("brush/resample", settings.resample);
+    writeOptions(settings.shared, sculpt::StrokeSettings(), sculpt::Scope::AllTools, "brush/", store);
     store.remove("panel");
     for (const auto& [id, open] : settings.groups)
         store.setValue(QString("panel/") + QString::fromStdString(id), open);

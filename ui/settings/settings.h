@@ -1,5 +1,5 @@
 // What the window remembers between two runs: a plain value with defaults, compared with ==, read from and written to
-// QSettings. Each tool has its own options; radius, symmetry and resampling are everybody's. Nothing here changes a
+// QSettings. Options of a stroke are those of one tool or of all (sculpt/stroke_options.h). Nothing here changes a
 // model; a stroke takes what it needs with strokeSettings().
 //
 // Reading is forgiving: what is missing, unknown or out of range keeps its default, so that a settings file of another
@@ -40,8 +40,7 @@ struct Settings {
     RadiusUnit radiusUnit = RadiusUnit::Pixels;
     double radiusPx = 50;
     double radiusModel = 0.1;
-    sculpt::Symmetry symmetry;
-    bool resample = true;
+    sculpt::StrokeSettings shared;                       ///< of which the options of sculpt::Scope::AllTools count
     std::map<std::string, sculpt::StrokeSettings> tools; ///< by id, what a person has set; else sculpt::defaultsOf
     std::map<std::string, bool> groups;                  ///< of the panel, by id: open or shut by a person
     render::Shading shading = render::Shading::Matcap;
@@ -60,9 +59,9 @@ struct Settings {
     bool operator==(const Settings&) const = default;
 
     const sculpt::ToolRow& toolRow() const;
-    /// The options of a tool; radius, symmetry and resampling have no meaning in it.
+    /// The options of a tool and of all tools; those said stroke by stroke have no meaning in it.
     sculpt::StrokeSettings choice(const sculpt::ToolRow& row) const;
-    /// The same to change: from now on the person's own.
+    /// A tool's own to change: from now on the person's.
     sculpt::StrokeSettings& edit(const sculpt::ToolRow& row);
     void remember(const std::string& file);
 };

@@ -49,6 +49,8 @@ const ToolRow clayTool{"clay",
                        Motion::Along,
                        0.5,
                        parameters,
-                       clay};
+                       clay,
+                       Writes::Shape,
+                       {.plane = true}};
 
 } // namespace sculpt

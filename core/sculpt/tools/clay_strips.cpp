@@ -92,6 +92,8 @@ const ToolRow clayStripsTool{"clay-strips",
                              Motion::Along,
                              0.5,
                              parameters,
-                             clayStrips};
+                             clayStrips,
+                             Writes::Shape,
+                             {.plane = true}};
 
 } // namespace sculpt

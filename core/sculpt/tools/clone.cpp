@@ -20,9 +20,12 @@ constexpr float steepest = 5;
 constexpr float highest = 0.7f;
 
 constexpr ToolParameter parameters[] = {
-    {"x", "Source x", "model units", "Where to copy from, seen from the stroke's first contact.", 0, -1e6, 1e6},
-    {"y", "Source y", "model units", "Where to copy from, seen from the stroke's first contact.", 0, -1e6, 1e6},
-    {"z", "Source z", "model units", "Where to copy from, seen from the stroke's first contact.", 0, -1e6, 1e6},
+    {"x", "Source x", "model units", "Where to copy from, seen from the stroke's first contact.", 0, -1e6, 1e6,
+     ParameterKind::SourceX},
+    {"y", "Source y", "model units", "Where to copy from, seen from the stroke's first contact.", 0, -1e6, 1e6,
+     ParameterKind::SourceY},
+    {"z", "Source z", "model units", "Where to copy from, seen from the stroke's first contact.", 0, -1e6, 1e6,
+     ParameterKind::SourceZ},
 };
 
 namespace {
@@ -172,6 +175,7 @@ const ToolRow cloneTool{"clone",
                         1.0,
                         parameters,
                         clone,
-                        Writes::Surface};
+                        Writes::Surface,
+                        {.source = true}};
 
 } // namespace sculpt

@@ -11,7 +11,7 @@ namespace sculpt {
 
 /// A dab of full strength changes the spacing by at most this: filling looks for room one spacing away, not ten.
 constexpr float largestChange = 1.5f;
-/// How fast supports may change over distance (alg. 8.2.1).
+/// How fast supports may change over distance (sculpt/README 6.4).
 constexpr float grading = 0.5f;
 /// What stays inside the rim, in spacings.
 constexpr float margin = 1.5f;

@@ -5,8 +5,8 @@
 //     supports        h(p) = H(s) -> H(s'), changing by at most half the depth below the brush's rim
 //
 // A stroke that passes twice goes no further than s'; the next stroke starts from there. Supports are graded, because
-// neighbours with very different ones ripple (alg. 8.2.1): the full change needs room, and where a coarse target leaves
-// none the brush does as much as fits half its radius. Masked surfels stay; new ones are interpolated.
+// neighbours with very different ones ripple (sculpt/README 6.4): the full change needs room, and where a coarse target
+// leaves none the brush does as much as fits half its radius. Masked surfels stay; new ones are interpolated.
 #pragma once
 
 #include "core/sculpt/tool.h"

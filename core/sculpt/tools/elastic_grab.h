@@ -1,5 +1,4 @@
-// Elastic grab: pulls the surface as if it were part of an elastic solid, after F. de Goes and D. L. James, Regularized
-// Kelvinlets: Sculpting Brushes based on Fundamental Solutions of Elasticity (2017).
+// Elastic grab: pulls the surface as if it were part of an elastic solid: regularized Kelvinlets [Goes17].
 //
 //     p' = p + c(r) sum_k W_k K_{E_k}(p - centre) m / sum_k W_k K_{E_k}(0)       m = grip * strength * dab.move
 //     K_E(d) = (a - b)/l I + b/l^3 d d^T + a/2 E^2/l^3 I,    l = sqrt(|d|^2 + E^2)          (eq. 6)

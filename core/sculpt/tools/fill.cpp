@@ -18,6 +18,8 @@ const ToolRow fillTool{"fill",
                        Motion::Along,
                        0.5,
                        planeParameters,
-                       fill};
+                       fill,
+                       Writes::Shape,
+                       {.plane = true}};
 
 } // namespace sculpt

@@ -18,6 +18,8 @@ const ToolRow flattenTool{"flatten",
                           Motion::Along,
                           0.5,
                           planeParameters,
-                          flatten};
+                          flatten,
+                          Writes::Shape,
+                          {.plane = true}};
 
 } // namespace sculpt

@@ -18,6 +18,8 @@ const ToolRow scrapeTool{"scrape",
                          Motion::Along,
                          0.5,
                          planeParameters,
-                         scrape};
+                         scrape,
+                         Writes::Shape,
+                         {.plane = true}};
 
 } // namespace sculpt

@@ -1,0 +1,203 @@
+// The rows of the options of a stroke, and with which tools each has a say.
+#include "core/sculpt/stroke_options.h"
+
+namespace sculpt {
+
+static bool always(const ToolRow&, const StrokeSettings&) {
+    return true;
+}
+/// Those that make dabs along the stroke, and hold nothing.
+static bool dabs(const ToolRow& tool, const StrokeSettings&) {
+    return !holds(tool);
+}
+static bool pilesUp(const ToolRow& tool, const StrokeSettings&) {
+    return tool.motion == Motion::Along;
+}
+static bool shapes(const ToolRow& tool, const StrokeSettings&) {
+    return tool.writes == Writes::Shape || tool.writes == Writes::Surface;
+}
+static bool spaced(const ToolRow& tool, const StrokeSettings& settings) {
+    return dabs(tool, settings) && (settings.method == StrokeMethod::Space || settings.method == StrokeMethod::Line);
+}
+static bool timed(const ToolRow& tool, const StrokeSettings& settings) {
+    return dabs(tool, settings) && settings.method == StrokeMethod::Airbrush;
+}
+static bool follows(const ToolRow&, const StrokeSettings& settings) {
+    return !lastOnly(settings);
+}
+static bool turned(const ToolRow&, const StrokeSettings& settings) {
+    return settings.symmetry.copies > 1;
+}
+static bool stamped(const ToolRow&, const StrokeSettings& settings) {
+    return !settings.stamp.empty();
+}
+static bool onPlane(const ToolRow& tool, const StrokeSettings&) {
+    return tool.needs.plane;
+}
+
+std::span<const StrokeOption> strokeOptionTable() {
+    using enum OptionGroup;
+    using S = StrokeSettings;
+    using R = OptionRange;
+    static const StrokeOption rows[] = {
+        {"radius",
+         "Radius",
+         "model units",
+         "Of the brush.",
+         "",
+         Brush,
+         &S::radius,
+         always,
+         {R::aboveZero, R::largest},
+         Scope::Stroke,
+         Fallback::None},
+        {"strength",
+         "Strength",
+         "",
+         "How much each dab does; each tool has its own default.",
+         "The pressure of a pen multiplies it. Hold Shift+F and move.",
+         Brush,
+         &S::strength,
+         always,
+         {},
+         Scope::Tool,
+         Fallback::Tool},
+        {"auto-smooth", "Auto-smooth", "", "Strength of the tool smooth after every dab.", "", Brush, &S::autoSmooth,
+         shapes},
+        {"invert", "Invert", "", "Does the opposite: pushes in, carves.", "Ctrl does it while held.", Brush, &S::invert,
+         always},
+        {"accumulate", "Accumulate", "",
+         "Dabs build on each other; off: they work on the surface that the stroke began on, and do not pile up.", "",
+         Brush, &S::accumulate, pilesUp},
+        {"resample",
+         "Resample",
+         "",
+         "Lets the sampling follow the deformation: gaps fill, crowds merge.",
+         "With every tool.",
+         Brush,
+         &S::resample,
+         always,
+         {},
+         Scope::AllTools},
+        {"graded",
+         "Graded",
+         "",
+         "Resamples to the spacing that the points have at each place, as \"resample\" by curvature left it; off: to "
+         "that of the stroke's first contact.",
+         "",
+         Brush,
+         &S::graded,
+         always,
+         {},
+         Scope::Stroke},
+        {"falloff", "Falloff", "", "How a dab fades from its centre to its rim.", "", Falloff, &S::falloff, always},
+        {"falloff-curve", "Falloff curve", "", "Of the falloff custom: weight over distance in radii.",
+         "Click for a point, drag it, right-click removes it.", Falloff, &S::falloffCurve, always},
+        {"method", "Method", "",
+         "How samples become dabs: evenly along the surface, one each, evenly in time, one that is drawn large, evenly "
+         "on a straight line; tools that hold what they touched first take no notice.",
+         "", Stroke, &S::method, dabs},
+        {"spacing",
+         "Spacing",
+         "radii",
+         "Distance of dabs along the stroke.",
+         "",
+         Stroke,
+         &S::spacing,
+         spaced,
+         {0.005, 10, 0.01, 1, true}},
+        {"rate",
+         "Rate",
+         "per s",
+         "Dabs a second of the method airbrush, also while the pointer rests.",
+         "",
+         Stroke,
+         &S::rate,
+         timed,
+         {1, 500, 1, 100, true}},
+        {"stabiliser",
+         "Stabiliser",
+         "radii",
+         "Length of the rope on which the brush follows the pointer, so that a trembling hand draws a smooth line; 0: "
+         "none.",
+         "",
+         Stroke,
+         &S::stabiliser,
+         follows,
+         {0, 100, 0, 3}},
+        {"symmetry",
+         "Mirror",
+         "",
+         "Axes across which every dab is mirrored: \"x\" for the plane x = 0, \"y\", \"z\".",
+         "",
+         Symmetry,
+         &sculpt::Symmetry::planes,
+         always,
+         {},
+         Scope::AllTools},
+        {"radial",
+         "Radial",
+         "",
+         "Copies of every dab, turned evenly about an axis, beside its mirror images; 1: none.",
+         "",
+         Symmetry,
+         &sculpt::Symmetry::copies,
+         always,
+         {1, 64, 1, 32, true},
+         Scope::AllTools},
+        {"radial-axis",
+         "Axis",
+         "",
+         "That the copies are turned about, through the origin.",
+         "",
+         Symmetry,
+         &sculpt::Symmetry::axis,
+         turned,
+         {},
+         Scope::AllTools},
+        {"front-facing", "Front faces", "", "Leaves alone what faces away from the viewer.", "", Area, &S::frontFacing,
+         always},
+        {"connected", "Connected", "",
+         "Works only on what can be reached along the surface within the brush, not on the other side of a thin sheet.",
+         "", Area, &S::connected, always},
+        {"normal-radius",
+         "Normal from",
+         "radii",
+         "Area whose mean normal is the direction of tools that have one.",
+         "",
+         Area,
+         &S::normalRadius,
+         shapes,
+         {0, 2, 0, 2}},
+        {"plane-radius",
+         "Plane from",
+         "radii",
+         "Area whose mean position is the place of tools' planes.",
+         "",
+         Area,
+         &S::planeRadius,
+         onPlane,
+         {0, 2, 0, 2}},
+        {"pressure-strength", "Strength", "", "Strength over the pressure of the pen.", "None left, full right.",
+         Pressure, &S::pressureStrength, dabs},
+        {"pressure-radius", "Radius", "", "Radius over the pressure of the pen, as a part of it.", "", Pressure,
+         &S::pressureRadius, dabs},
+        {"stamp", "Stamp", "", "Grey image (PNG, JPEG) that the brush presses in: white works fully, black not at all.",
+         "", Stamp, &S::stamp, always},
+        {"stamp-angle",
+         "Angle",
+         "degrees",
+         "Turns the stamp to the left.",
+         "",
+         Stamp,
+         &S::stampAngleRad,
+         stamped,
+         {-360, 360, -180, 180, false, Shown::Degrees}},
+        {"stamp-follows", "Follow the stroke", "",
+         "The stamp's upper edge leads along the stroke; off: it stands upright as seen.", "", Stamp, &S::stampFollows,
+         stamped},
+    };
+    return rows;
+}
+
+} // namespace sculpt
