@@ -8,7 +8,7 @@
 namespace sculpt {
 
 struct Contact {
-    base::Vec3f position; ///< the ray's first intersection with the surface, exact (surface/README)
+    base::Vec3f position; ///< the ray's first intersection with the surface, exact (surface/README 4)
     base::Vec3f normal;   ///< unit gradient, facing against the ray
     float distance = 0;   ///< along the ray's unit direction
 };

@@ -19,7 +19,9 @@ struct Mirror {
         const base::Vec3f flipped{x ? -d.x : d.x, y ? -d.y : d.y, z ? -d.z : d.z};
         return step == 0 ? flipped : turned(flipped);
     }
-    base::Vec3f position(const base::Vec3f& p) const { return planes + direction(p - planes); }
+    bool identity() const { return !x && !y && !z && step == 0; }
+    /// Exact for the identity: far from the planes the way there and back would round.
+    base::Vec3f position(const base::Vec3f& p) const { return identity() ? p : planes + direction(p - planes); }
     base::Rayf ray(const base::Rayf& r) const { return {position(r.origin), direction(r.direction)}; }
     base::Mat3f matrix() const; ///< of `direction`
     /// Left and right change places.

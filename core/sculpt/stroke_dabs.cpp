@@ -75,10 +75,10 @@ Dabs::Form Dabs::form(const StrokeSample& sample) const {
             {}};
 }
 
-Dabs::Contacts Dabs::contactsOf(const base::Rayf& ray) const {
-    Contacts out;
-    for (const Mirror& image : m_images)
-        out.push_back(contact(image.ray(ray)));
+Dabs::Contacts Dabs::contactsOf(const base::Rayf& ray, const Contact& own) const {
+    Contacts out{own}; // the first image is the identity
+    for (std::size_t i = 1; i < m_images.size(); ++i)
+        out.push_back(contact(m_images[i].ray(ray)));
     return out;
 }
 
@@ -143,9 +143,9 @@ void Dabs::begin(const Contact& first) {
 
 /// Contacts and areas of all images are found before any of them is applied, so that a symmetric model keeps symmetric
 /// contacts.
-void Dabs::dabAt(const StrokeSample& sample, const Contact& first, const Form& form) {
-    begin(first);
-    const Contacts contacts = contactsOf(sample.ray);
+void Dabs::dabAt(const StrokeSample& sample, const Contact& own, const Form& form) {
+    begin(own);
+    const Contacts contacts = contactsOf(sample.ray, own);
     const std::vector<float> share = shares(contacts, form.radius);
     std::vector<Dab> all;
     for (std::size_t i = 0; i < m_images.size(); ++i)

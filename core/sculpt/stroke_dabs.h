@@ -42,11 +42,13 @@ class Dabs {
 
     /// Radius and strength at a sample, by its pressure and, where dabs add up, its stride.
     Form form(const StrokeSample& sample) const;
-    /// One dab with its images at the contacts of `sample`, whose own is `first`.
-    void dabAt(const StrokeSample& sample, const Contact& first, const Form& form);
+    /// One dab with its images. `own`: the contact of the sample's ray on the present version, found before; only the
+    /// other images' rays are cast here.
+    void dabAt(const StrokeSample& sample, const Contact& own, const Form& form);
 
     // --- for those that hold what they touched first ---
-    Contacts contactsOf(const base::Rayf& ray) const;
+    /// Of all images of a ray whose own contact is known.
+    Contacts contactsOf(const base::Rayf& ray, const Contact& own) const;
     /// Shares of the strength where images overlap.
     static std::vector<float> shares(const Contacts& contacts, float radius);
     /// Of image `index` of a ray along `view`.

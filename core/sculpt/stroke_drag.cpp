@@ -44,10 +44,11 @@ class Holding : public Method {
 };
 
 void Holding::hold(const StrokeSample& sample) {
-    const Dabs::Contacts contacts = m_dabs.contactsOf(sample.ray);
-    if (!contacts.front())
+    const std::optional<Contact> own = m_dabs.contact(sample.ray);
+    if (!own)
         return;
-    m_dabs.begin(*contacts.front());
+    m_dabs.begin(*own);
+    const Dabs::Contacts contacts = m_dabs.contactsOf(sample.ray, *own);
     const std::vector<float> share = Dabs::shares(contacts, m_dabs.settings().radius);
     for (std::size_t i = 0; i < contacts.size(); ++i) {
         if (!contacts[i]) {

@@ -27,19 +27,18 @@ class Airbrush : public Method {
     void add(const StrokeSample& sample, bool moved) override;
 
   private:
-    bool dab(StrokeSample sample);
+    bool dab(const StrokeSample& sample);
 
     Dabs& m_dabs;
     std::optional<StrokeSample> m_previous; ///< from the first contact on
     double m_begin = 0, m_made = 0;         ///< seconds; dabs that are due since then, also those that missed
 };
 
-bool Airbrush::dab(StrokeSample sample) {
+bool Airbrush::dab(const StrokeSample& sample) {
     const auto touched = m_dabs.contact(sample.ray);
     if (!touched)
         return false;
-    Dabs::Form form = m_dabs.form(sample);
-    m_dabs.dabAt(sample, *touched, form);
+    m_dabs.dabAt(sample, *touched, m_dabs.form(sample));
     return true;
 }
 
@@ -93,6 +92,12 @@ void Anchored::add(const StrokeSample& sample, bool) {
         m_dabs.dabAt(*m_first, m_anchor, form);
 }
 
+/// Where a line meets the model.
+struct Entrance {
+    StrokeSample sample;
+    Contact contact;
+};
+
 class Line : public Method {
   public:
     explicit Line(Dabs& dabs) : m_dabs(dabs), m_space(makeSpace(dabs)) {}
@@ -100,40 +105,50 @@ class Line : public Method {
     void finish() override { m_space->finish(); }
 
   private:
-    StrokeSample entrance(const StrokeSample& to) const;
+    std::optional<Entrance> at(const StrokeSample& sample) const;
+    std::optional<Entrance> entrance(const StrokeSample& to) const;
 
     Dabs& m_dabs;
     std::unique_ptr<Method> m_space;
     std::optional<StrokeSample> m_first;
+    std::optional<Entrance> m_start; ///< the first sample, where it meets the version that the stroke began on
 };
 
-/// The first sample where it meets the model, else the first place on the way to `to` that does.
-StrokeSample Line::entrance(const StrokeSample& to) const {
+std::optional<Entrance> Line::at(const StrokeSample& sample) const {
+    if (const auto touched = m_dabs.contact(sample.ray))
+        return Entrance{sample, *touched};
+    return {};
+}
+
+/// The first place on the way to `to` that meets the model.
+std::optional<Entrance> Line::entrance(const StrokeSample& to) const {
     constexpr int steps = 256;
-    const auto meets = [&](float u) { return m_dabs.contact(between(*m_first, to, u).ray).has_value(); };
-    if (m_dabs.contact(m_first->ray))
-        return *m_first;
     for (int k = 1; k <= steps; ++k)
-        if (meets(float(k) / steps)) {
+        if (auto found = at(between(*m_first, to, float(k) / steps))) {
             float out = float(k - 1) / steps, in = float(k) / steps;
             for (int halving = 0; halving < 10; ++halving) {
                 const float middle = 0.5f * (out + in);
-                (meets(middle) ? in : out) = middle;
+                const auto there = at(between(*m_first, to, middle));
+                (there ? in : out) = middle;
+                if (there)
+                    found = there;
             }
-            return between(*m_first, to, in);
+            return found;
         }
-    return *m_first;
+    return {};
 }
 
 void Line::add(const StrokeSample& sample, bool) {
     if (!m_first) {
         m_first = sample;
-        m_space->add(sample, true);
+        m_start = at(sample);
+        if (m_start)
+            m_space = makeSpace(m_dabs, m_start->sample, m_start->contact);
         return;
     }
     m_dabs.restart();
-    m_space = makeSpace(m_dabs);
-    m_space->add(entrance(sample), true);
+    const std::optional<Entrance> in = m_start ? m_start : entrance(sample);
+    m_space = in ? makeSpace(m_dabs, in->sample, in->contact) : makeSpace(m_dabs);
     m_space->add(sample, true);
 }
 

@@ -35,6 +35,8 @@ class Method {
 std::unique_ptr<Method> makeMethod(Dabs& dabs, Motion motion);
 
 std::unique_ptr<Method> makeSpace(Dabs& dabs);
+/// The same, begun with a dab at a sample whose contact is known.
+std::unique_ptr<Method> makeSpace(Dabs& dabs, const StrokeSample& first, const Contact& at);
 std::unique_ptr<Method> makeDots(Dabs& dabs);
 std::unique_ptr<Method> makeAirbrush(Dabs& dabs);
 std::unique_ptr<Method> makeAnchored(Dabs& dabs);

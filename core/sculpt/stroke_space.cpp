@@ -7,14 +7,22 @@ namespace sculpt {
 
 namespace {
 
+/// A place between two samples where a dab is due, with the contact that the search for it has found.
+struct Due {
+    float u = 0; ///< part of the way
+    StrokeSample sample;
+    Contact contact;
+};
+
 class Space : public Method {
   public:
     explicit Space(Dabs& dabs) : m_dabs(dabs) {}
     void add(const StrokeSample& sample, bool moved) override;
     void finish() override;
+    void begin(const StrokeSample& sample, const Contact& at);
 
   private:
-    std::optional<float> advance(const StrokeSample& to, float from, int& probes) const;
+    std::optional<Due> advance(const StrokeSample& to, float from, int& probes) const;
     void touch(const StrokeSample& sample, const Contact& at);
     void dab(const StrokeSample& sample, const Contact& at, const base::Vec3f& upwards);
 
@@ -28,12 +36,17 @@ class Space : public Method {
 
 /// How far between the last two samples, at least `from`, the surface is next a dab's distance from the last contact.
 /// Where the contact jumps (the pointer crosses an outline) the place behind the jump counts.
-std::optional<float> Space::advance(const StrokeSample& to, float from, int& probes) const {
+std::optional<Due> Space::advance(const StrokeSample& to, float from, int& probes) const {
     const float step = m_dabs.settings().spacing * m_radius * to.stride;
     const float sweep = distance(to.ray.at(m_last->distance), m_previous->ray.at(m_last->distance));
-    const auto gapAt = [&](float u) {
-        const auto c = m_dabs.contact(between(*m_previous, to, u).ray);
-        return c ? distance(c->position, m_last->position) : -1.0f; // a miss is never far enough
+    Due due;
+    const auto gapAt = [&](float u) { // where it is far enough, that place is due
+        const StrokeSample sample = between(*m_previous, to, u);
+        const auto c = m_dabs.contact(sample.ray);
+        const float gap = c ? distance(c->position, m_last->position) : -1.0f; // a miss is never far enough
+        if (gap >= step)
+            due = {u, sample, *c};
+        return gap;
     };
     for (float lo = from, ahead = step; lo < 1 && probes < mostProbes; ++probes) {
         float hi = sweep > 0 ? std::min(1.0f, lo + std::max(ahead / sweep, 1e-4f)) : 1.0f;
@@ -50,9 +63,14 @@ std::optional<float> Space::advance(const StrokeSample& to, float from, int& pro
             else
                 lo = middle;
         }
-        return hi;
+        return due;
     }
     return {};
+}
+
+void Space::begin(const StrokeSample& sample, const Contact& at) {
+    touch(sample, at);
+    m_previous = sample;
 }
 
 void Space::add(const StrokeSample& sample, bool) {
@@ -61,12 +79,12 @@ void Space::add(const StrokeSample& sample, bool) {
             touch(sample, *first);
     } else {
         int probes = 0;
-        for (std::optional<float> u = 0.0f; (u = advance(sample, *u, probes));) {
-            const StrokeSample at = between(*m_previous, sample, *u);
-            if (const auto touched = m_dabs.contact(at.ray))
-                touch(at, *touched);
-            if (*u >= 1)
+        for (float u = 0; u < 1;) {
+            const std::optional<Due> due = advance(sample, u, probes);
+            if (!due)
                 break;
+            touch(due->sample, due->contact);
+            u = due->u;
         }
     }
     m_previous = sample;
@@ -79,10 +97,12 @@ void Space::touch(const StrokeSample& sample, const Contact& at) {
         m_radius = m_dabs.form(sample).radius;
         m_waiting = sample;
     } else {
-        if (m_waiting)
+        const bool waited = m_waiting.has_value();
+        if (waited)
             dab(*m_waiting, *m_last, at.position - m_last->position);
         m_waiting.reset();
-        dab(sample, at, {});
+        if (const auto now = waited ? m_dabs.contact(sample.ray) : at) // on what the first dab has left
+            dab(sample, *now, {});
     }
     m_last = at;
 }
@@ -104,6 +124,12 @@ void Space::finish() {
 
 std::unique_ptr<Method> makeSpace(Dabs& dabs) {
     return std::make_unique<Space>(dabs);
+}
+
+std::unique_ptr<Method> makeSpace(Dabs& dabs, const StrokeSample& first, const Contact& at) {
+    auto out = std::make_unique<Space>(dabs);
+    out->begin(first, at);
+    return out;
 }
 
 } // namespace sculpt

@@ -182,7 +182,7 @@ static std::string choicesOf(const StrokeOption& option) {
 
 CommandParameter parameterOf(const StrokeOption& option) {
     const StrokeSettings any;
-    const bool number = std::visit([&](auto field) { return valueOf(option, any).is_number(); }, option.field);
+    const bool number = valueOf(option, any).is_number();
     const bool curve = std::holds_alternative<CurvePoints StrokeSettings::*>(option.field);
     return {option.id,
             std::visit([&](auto field) { return typeOf(at(any, field)); }, option.field),

@@ -26,6 +26,7 @@ class StrokeTest : public QObject {
     void pressureScalesTheStrength();
     void mirroredStrokesMirrorAtTheFilesPlanes();
     void onTheMirrorPlaneTheStrengthIsShared();
+    void aFarOriginMovesNoDab();
     void aDragPutsItsPlateauUnderThePointer();
     void aDragOutAndBackLeavesTheSphere();
     void contactsLieOnTheSphere();
@@ -169,6 +170,21 @@ void StrokeTest::onTheMirrorPlaneTheStrengthIsShared() {
     settings.symmetry.planes.x = true;
     const float mirrored = test::stroked(plane, settings, {down(0, 0.1f)}).tree().bounds().hi.z;
     QVERIFY(std::abs(mirrored - single) < 1e-3f * single);
+}
+
+/// The dab's own ray is not taken to the mirror planes and back, which would round it.
+void StrokeTest::aFarOriginMovesNoDab() {
+    const surface::Surface plane = test::surfaceOf(test::planePoints(60, s));
+    for (const char* tool : {"draw", "grab"})
+        for (const StrokeMethod method : {StrokeMethod::Space, StrokeMethod::Dots, StrokeMethod::Line}) {
+            const StrokeSettings settings = settingsOf(tool, 0.15f, method);
+            Stroke here(plane, settings), there(plane, settings, {4.1e6, -5.3e6, 371.7});
+            for (const StrokeSample& sample : {down(-0.2f, 0), down(0.1f, 0.05f), down(0.2f, 0.2f)})
+                here.add(sample), there.add(sample);
+            here.finish(), there.finish();
+            QVERIFY2(here.dabs() > 1 || method == StrokeMethod::Line, tool);
+            QVERIFY2(here.surface().tree().contentHash().text() == there.surface().tree().contentHash().text(), tool);
+        }
 }
 
 void StrokeTest::aDragPutsItsPlateauUnderThePointer() {

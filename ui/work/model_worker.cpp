@@ -126,7 +126,7 @@ bool ModelWorker::finishStroke() {
 void ModelWorker::perform(BeginStroke& task) {
     dropStroke();
     m_strokeContext.emplace(context());
-    m_pacer = StrokePacer(task.settings);
+    m_pacer = sculpt::StrokePacer(task.settings);
     guarded([&] { m_stroke.emplace(*m_strokeContext, task.settings); });
     m_reports.finished({}, true, 0);
 }

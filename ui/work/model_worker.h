@@ -2,10 +2,10 @@
 // has become of the model. Made and ended on any thread; `perform` is the model thread's alone.
 #pragma once
 
+#include "core/sculpt/stroke_pacer.h"
 #include "core/session/journal.h"
 #include "core/session/live_stroke.h"
 #include "ui/work/snapshot.h"
-#include "ui/work/stroke_pacer.h"
 #include "ui/work/task_queue.h"
 
 #include <atomic>
@@ -71,7 +71,7 @@ class ModelWorker {
     std::unique_ptr<session::Journal> m_journal;
     std::optional<session::Context> m_strokeContext; ///< what `m_stroke` refers to
     std::optional<session::LiveStroke> m_stroke;
-    StrokePacer m_pacer;
+    sculpt::StrokePacer m_pacer;
     std::uint64_t m_models = 0; ///< as Snapshot::models
     double m_dabSeconds = 0;
     std::uint64_t m_input = 0; ///< the last in a stroke

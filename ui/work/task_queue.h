@@ -1,5 +1,6 @@
 // What the interface asks of the model thread, in order. Pointer input that arrives faster than dabs can be done is
-// merged here into one piece of path, before it is recorded, so that it never queues up; see also stroke_pacer.h.
+// merged here into one piece of path, before it is recorded, so that it never queues up; see also
+// sculpt/stroke_pacer.h.
 //
 // Threads: `push` and `close` from any, `pop` from the one that works.
 #pragma once

@@ -1,28 +1,26 @@
-#include "ui/work/stroke_pacer.h"
+#include "core/sculpt/stroke_pacer.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace ui {
-
-using sculpt::StrokeSample;
+namespace sculpt {
 
 /// Part that the newest dabs have in what one takes.
 constexpr double newest = 0.4;
 /// Parts of a long way at most.
 constexpr double mostParts = 64;
 
-StrokePacer::StrokePacer(const sculpt::StrokeSettings& settings) : m_settings(settings) {}
+StrokePacer::StrokePacer(const StrokeSettings& settings) : m_settings(settings) {}
 
 /// How many dabs the engine will make, about: what the settings say of distance and time.
 double StrokePacer::dabsBetween(const StrokeSample& a, const StrokeSample& b, float depth) const {
-    using enum sculpt::StrokeMethod;
-    const bool holds = sculpt::holds(sculpt::tool(m_settings.tool));
-    if (!holds && m_settings.method == Airbrush)
+    using enum StrokeMethod;
+    const bool held = holds(tool(m_settings.tool));
+    if (!held && m_settings.method == Airbrush)
         return std::max(0.0, double(b.seconds) - double(a.seconds)) * double(m_settings.rate);
-    if (!holds && m_settings.method != Space)
+    if (!held && m_settings.method != Space)
         return 1;
-    const double step = double(holds ? std::min(m_settings.spacing, 0.1f) : m_settings.spacing);
+    const double step = double(held ? std::min(m_settings.spacing, 0.1f) : m_settings.spacing);
     return double(distance(a.ray.at(depth), b.ray.at(depth))) / (step * double(m_settings.radius));
 }
 
@@ -39,22 +37,22 @@ double StrokePacer::expectedSeconds(std::span<const StrokeSample> waiting, std::
 std::vector<StrokeSample> StrokePacer::paced(std::span<const StrokeSample> waiting, std::optional<float> depth) {
     if (waiting.empty())
         return {};
-    if (sculpt::lastOnly(m_settings) && m_last) { // what lies between has no say
+    if (lastOnly(m_settings) && m_last) { // what lies between has no say
         m_last = waiting.back();
         return {waiting.back()};
     }
-    const sculpt::ToolRow& tool = sculpt::tool(m_settings.tool);
+    const ToolRow& row = tool(m_settings.tool);
     const auto stride = static_cast<float>(
         std::clamp(expectedSeconds(waiting, depth) / pieceSeconds, 1.0, double(StrokeSample::maxStride)));
-    const bool dots = !sculpt::holds(tool) && m_settings.method == sculpt::StrokeMethod::Dots;
-    const bool skips = dots || tool.motion == sculpt::Motion::Drag; // what is held may cut corners
+    const bool dots = !holds(row) && m_settings.method == StrokeMethod::Dots;
+    const bool skips = dots || row.motion == Motion::Drag; // what is held may cut corners
     const std::size_t every = skips ? static_cast<std::size_t>(std::ceil(stride)) : 1;
     std::vector<StrokeSample> out;
     for (std::size_t i = 0; i < waiting.size(); ++i) {
         if (m_last && (waiting.size() - 1 - i) % every != 0)
             continue;
         StrokeSample sample = waiting[i];
-        sample.stride = sculpt::holds(tool) || !m_last ? 1 : stride;
+        sample.stride = holds(row) || !m_last ? 1 : stride;
         int parts = 1;
         if (m_last && depth && !dots) {
             const double seconds = dabsBetween(*m_last, sample, *depth) * m_dabSeconds / double(sample.stride);
@@ -75,4 +73,4 @@ void StrokePacer::took(double seconds, int dabs) {
     m_dabSeconds = m_dabSeconds == 0 ? one : m_dabSeconds + newest * (one - m_dabSeconds);
 }
 
-} // namespace ui
+} // namespace sculpt

@@ -1,11 +1,10 @@
-#include "ui/work/stroke_pacer.h"
+#include "core/sculpt/stroke_pacer.h"
 
 #include "support/registry.h"
 
 #include <QTest>
 
-using namespace ui;
-using sculpt::StrokeSample;
+using namespace sculpt;
 
 class StrokePacerTest : public QObject {
     Q_OBJECT
@@ -17,8 +16,8 @@ class StrokePacerTest : public QObject {
     void dotsAreThinned();
 };
 
-static sculpt::StrokeSettings settingsOf(const char* tool, float radius) {
-    sculpt::StrokeSettings out = sculpt::StrokeSettings{};
+static StrokeSettings settingsOf(const char* tool, float radius) {
+    StrokeSettings out;
     out.tool = tool;
     out.radius = radius;
     return out;
@@ -77,7 +76,7 @@ void StrokePacerTest::longWaysComeInSlices() {
 
 void StrokePacerTest::whatLiesBetweenHasNoSayWhereOnlyTheLastCounts() {
     auto settings = settingsOf("draw", 1);
-    settings.method = sculpt::StrokeMethod::Anchored;
+    settings.method = StrokeMethod::Anchored;
     StrokePacer pacer(settings);
     const auto samples = way(50, 0.1f);
     pacer.paced({samples.data(), 1}, {});
@@ -90,7 +89,7 @@ void StrokePacerTest::whatLiesBetweenHasNoSayWhereOnlyTheLastCounts() {
 
 void StrokePacerTest::dotsAreThinned() {
     auto settings = settingsOf("draw", 1);
-    settings.method = sculpt::StrokeMethod::Dots;
+    settings.method = StrokeMethod::Dots;
     StrokePacer pacer(settings);
     const auto samples = way(41, 0.1f);
     pacer.paced({samples.data(), 1}, {});

@@ -1,5 +1,5 @@
 // Keeps strokes as fast as the hand: what has come in while the engine was busy is handed on as one piece of path, and
-// where even that would take too long, with dabs farther apart and as much stronger (sculpt::StrokeSample::stride);
+// where even that would take too long, with dabs farther apart and as much stronger (StrokeSample::stride);
 // what is held and dragged cuts corners instead.
 //
 // It changes samples before they are recorded, never afterwards, so that a stroke replays bit for bit however slow the
@@ -13,7 +13,7 @@
 #include <optional>
 #include <vector>
 
-namespace ui {
+namespace sculpt {
 
 class StrokePacer {
   public:
@@ -21,23 +21,23 @@ class StrokePacer {
     static constexpr double sliceSeconds = 0.03;
 
     StrokePacer() = default;
-    explicit StrokePacer(const sculpt::StrokeSettings& settings);
+    explicit StrokePacer(const StrokeSettings& settings);
 
     /// What to hand to the engine for the samples that wait; their last is its last. `depth`: of the stroke's first
     /// contact along its ray, once there is one.
-    std::vector<sculpt::StrokeSample> paced(std::span<const sculpt::StrokeSample> waiting, std::optional<float> depth);
+    std::vector<StrokeSample> paced(std::span<const StrokeSample> waiting, std::optional<float> depth);
     /// After the engine has taken some of them.
     void took(double seconds, int dabs);
     /// Of one dab, resampling included, as the last ones went; 0 before the first.
     double dabSeconds() const { return m_dabSeconds; }
 
   private:
-    double expectedSeconds(std::span<const sculpt::StrokeSample> waiting, std::optional<float> depth) const;
-    double dabsBetween(const sculpt::StrokeSample& a, const sculpt::StrokeSample& b, float depth) const;
+    double expectedSeconds(std::span<const StrokeSample> waiting, std::optional<float> depth) const;
+    double dabsBetween(const StrokeSample& a, const StrokeSample& b, float depth) const;
 
-    sculpt::StrokeSettings m_settings;
+    StrokeSettings m_settings;
     double m_dabSeconds = 0;
-    std::optional<sculpt::StrokeSample> m_last; ///< given
+    std::optional<StrokeSample> m_last; ///< given
 };
 
-} // namespace ui
+} // namespace sculpt
