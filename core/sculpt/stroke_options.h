@@ -4,7 +4,7 @@
 //
 //     StrokeSettings::field <- row -> editor            ui/panels/option_editor.h
 //                               |---> session line     core/session/stroke_json.h: the encoding of every kind of field
-//                               |---> settings file    ui/window/settings.cpp, in the same encoding
+//                               |---> settings file    ui/settings/settings.cpp, in the same encoding
 //                               '---> check, defaults
 #pragma once
 
