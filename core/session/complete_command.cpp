@@ -106,7 +106,7 @@ json checked(const CommandRow& row, const CommandParameter& p, const json& value
 } // namespace
 
 json checked(const CommandRow& row, const std::string& id, const json& value) {
-    const CommandParameter* p = find(row, id);
+    const CommandParameter* p = base::findRow(row.parameters, id);
     return p ? checked(row, *p, value, {}) : throw base::Error("unknown parameter " + named(row, id));
 }
 

@@ -1,5 +1,7 @@
 #include "ui/interaction/clone_source.h"
 
+#include "core/sculpt/stroke_options.h"
+
 namespace ui {
 
 using base::Vec3d;
