@@ -1,8 +1,7 @@
 #include "app/light_options.h"
 
+#include "app/number_list.h"
 #include "core/base/error.h"
-
-#include <cstdio>
 
 namespace app {
 
@@ -13,11 +12,11 @@ std::vector<base::Vec3f> directionsOf(const std::string& text) {
     std::vector<base::Vec3f> out;
     for (std::size_t begin = 0; begin <= text.size();) {
         const std::size_t end = std::min(text.find(';', begin), text.size());
-        base::Vec3f d;
-        char rest = 0;
-        const std::string one = text.substr(begin, end - begin);
-        if (std::sscanf(one.c_str(), "%f,%f,%f%c", &d.x, &d.y, &d.z, &rest) != 3 || !isFinite(d) ||
-            !(lengthSq(d) > 0) || !std::isfinite(lengthSq(d)))
+        double n[3];
+        if (!parseNumbers(std::string_view(text).substr(begin, end - begin), ',', n))
+            return {};
+        const base::Vec3f d = base::cast<float>(base::Vec3d{n[0], n[1], n[2]});
+        if (!isFinite(d) || !(lengthSq(d) > 0) || !std::isfinite(lengthSq(d)))
             return {};
         out.push_back(normalized(d));
         begin = end + 1;

@@ -1,9 +1,9 @@
 #include "app/look_options.h"
 
+#include "app/number_list.h"
 #include "app/open_model.h"
 #include "core/base/error.h"
 
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
 namespace app {
@@ -11,9 +11,11 @@ namespace app {
 namespace {
 
 bool parseRange(const std::string& text, std::pair<float, float>& out) {
-    char rest = 0;
-    return std::sscanf(text.c_str(), "%f,%f%c", &out.first, &out.second, &rest) == 2 && out.first < out.second &&
-           std::isfinite(out.first) && std::isfinite(out.second);
+    double numbers[2];
+    if (!parseNumbers(text, ',', numbers))
+        return false;
+    out = {static_cast<float>(numbers[0]), static_cast<float>(numbers[1])};
+    return out.first < out.second && std::isfinite(out.first) && std::isfinite(out.second);
 }
 
 std::string rangeFault(const std::string& text) {

@@ -3,6 +3,7 @@
 // table.
 #pragma once
 
+#include "app/command_line.h"
 #include "app/console.h"
 
 #include <CLI/CLI.hpp>
@@ -22,11 +23,6 @@ struct SubcommandRow {
 };
 
 std::span<const SubcommandRow> subcommandTable();
-
-/// Options that do not go together: wrong usage, exit code 2.
-struct UsageError : std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
 
 Action addInfo(CLI::App& command);
 Action addConvert(CLI::App& command);

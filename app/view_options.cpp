@@ -1,35 +1,43 @@
 #include "app/view_options.h"
 
 #include "app/framing.h"
+#include "app/number_list.h"
 #include "app/option_checks.h"
+#include "app/saved_views_file.h"
 #include "app/subcommand.h"
 #include "core/base/error.h"
 #include "core/base/row_of_id.h"
 #include "core/render/named_views.h"
-#include "ui/settings/settings.h"
 
 #include <cstdio>
 #include <filesystem>
 #include <numbers>
 #include <optional>
-#include <QSettings>
 
 namespace app {
 
 using base::Vec3d;
 
+static bool parseSize(const std::string& text, int& width, int& height) {
+    int size[2];
+    if (!parseNumbers(text, 'x', size))
+        return false;
+    width = size[0], height = size[1];
+    return width >= 1 && height >= 1 && width <= 32767 && height <= 32767;
+}
+
 static std::string sizeFault(const std::string& text) {
     int width = 0, height = 0;
-    char rest = 0;
-    const bool whole = std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &rest) == 2;
-    return whole && width >= 1 && height >= 1 && width <= 32767 && height <= 32767
-               ? ""
-               : "'" + text + "' is no size; write WIDTHxHEIGHT with 1 to 32767 pixels each";
+    return parseSize(text, width, height) ? ""
+                                          : "'" + text + "' is no size; write WIDTHxHEIGHT with 1 to 32767 pixels each";
 }
 
 static bool parseVector(const std::string& text, Vec3d& out) {
-    char rest = 0;
-    return std::sscanf(text.c_str(), "%lf,%lf,%lf%c", &out.x, &out.y, &out.z, &rest) == 3 && base::isFinite(out);
+    double numbers[3];
+    if (!parseNumbers(text, ',', numbers))
+        return false;
+    out = {numbers[0], numbers[1], numbers[2]};
+    return base::isFinite(out);
 }
 
 static std::string vectorFault(const std::string& text) {
@@ -38,13 +46,13 @@ static std::string vectorFault(const std::string& text) {
 }
 
 static bool parsePlane(const std::string& text, base::Plane& out) {
-    char rest = 0;
-    Vec3d& n = out.normal;
-    if (std::sscanf(text.c_str(), "%lf,%lf,%lf,%lf%c", &n.x, &n.y, &n.z, &out.offset, &rest) != 4)
+    double numbers[4];
+    if (!parseNumbers(text, ',', numbers))
         return false;
+    const Vec3d n{numbers[0], numbers[1], numbers[2]};
     const double size = length(n);
     out.normal = n * (1 / size);
-    out.offset /= size;
+    out.offset = numbers[3] / size;
     return size > 0 && base::isFinite(out.normal) && std::isfinite(out.offset);
 }
 
@@ -59,11 +67,13 @@ base::Plane planeOf(const std::string& text, const Vec3d& origin) {
     return out.relativeTo(origin);
 }
 
+static bool parseHeight(const std::string& text, double& out) {
+    return parseNumbers(text, ',', {&out, 1}) && out > 0 && std::isfinite(out);
+}
+
 static std::string heightFault(const std::string& text) {
-    char rest = 0;
     double height = 0;
-    const bool number = std::sscanf(text.c_str(), "%lf%c", &height, &rest) == 1 && height > 0 && std::isfinite(height);
-    return number || text == "fit" ? "" : "'" + text + "' is no height above zero, nor 'fit'";
+    return parseHeight(text, height) || text == "fit" ? "" : "'" + text + "' is no height above zero, nor 'fit'";
 }
 
 static CLI::Option* addVector(CLI::App& command, const char* name, std::string& value, const char* tip) {
@@ -153,18 +163,18 @@ static std::optional<render::Camera> savedCamera(const std::string& name, const 
                                                  const base::Box3f& box, const Vec3d& origin) {
     if (name.empty() || render::namedView(name))
         return {};
-    const ui::Settings settings = ui::readSettings(QSettings("pointclay", "pointclay"));
-    if (const ui::SavedView* found = ui::findView(settings.savedViews, name))
+    const std::vector<ui::SavedView> saved = savedViews();
+    if (const ui::SavedView* found = ui::findView(saved, name))
         return found->forOrigin(origin).camera(size.width, size.height).before(box);
     std::string known = viewNames();
-    for (const ui::SavedView& each : settings.savedViews)
+    for (const ui::SavedView& each : saved)
         known += ", " + each.name;
     throw base::Error("there is no view '" + name + "'", "", "use one of: " + known);
 }
 
 static render::Camera sized(const ViewOptions& options) {
     render::Camera out;
-    std::sscanf(options.size.c_str(), "%dx%d", &out.width, &out.height);
+    parseSize(options.size, out.width, out.height);
     return out;
 }
 
@@ -206,7 +216,10 @@ std::vector<render::Camera> camerasOf(const ViewOptions& options, const tree::Su
     if (!options.ortho.empty()) {
         render::Camera parallel = camera;
         parallel.orthoHeight = 1;
-        camera.orthoHeight = fits ? closeUp(parallel, model).orthoHeight : std::stod(options.ortho);
+        if (fits)
+            camera.orthoHeight = closeUp(parallel, model).orthoHeight;
+        else
+            parseHeight(options.ortho, camera.orthoHeight);
     }
     if (options.clips.size() > render::ClipPlanes::most)
         throw UsageError("--clip goes together with at most " + std::to_string(render::ClipPlanes::most - 1) +

@@ -29,7 +29,7 @@ pointclay_room(io core/io process mesh)
 pointclay_link(io PNG::PNG JPEG::JPEG)
 
 pointclay_room(render core/render raycast io)
-pointclay_link(render PkgConfig::HWY PkgConfig::EXR Qt6::Gui)
+pointclay_link(render PkgConfig::HWY PkgConfig::EXR)
 
 pointclay_room(session core/session sculpt io)
 pointclay_link(session nlohmann_json::nlohmann_json)

@@ -1,27 +1,14 @@
 #include "core/render/image_io.h"
 
-#include "core/base/error.h"
+#include "core/io/colour_png.h"
 #include "core/io/safe_file.h"
 
-#include <bit>
 #include <cstring>
-#include <QBuffer>
-#include <QImage>
 
 namespace render {
 
 void savePng(const Image& image, const std::filesystem::path& path) {
-    static_assert(std::endian::native == std::endian::little, "Colour's bytes are red, green, blue, alpha in memory");
-    const bool opaque = std::all_of(image.colour.begin(), image.colour.end(), [](auto c) { return c >> 24 == 255; });
-    const QImage picture(reinterpret_cast<const uchar*>(image.colour.data()), image.width, image.height,
-                         static_cast<qsizetype>(image.width) * 4,
-                         opaque ? QImage::Format_RGBX8888 : QImage::Format_RGBA8888);
-    QByteArray bytes;
-    QBuffer buffer(&bytes);
-    buffer.open(QIODevice::WriteOnly);
-    if (!picture.save(&buffer, "PNG"))
-        throw base::Error("the image could not be encoded as PNG", path.string(), "choose a smaller size");
-    io::writeFile(path, {bytes.constData(), static_cast<std::size_t>(bytes.size())});
+    io::writeFile(path, io::encodePng(image.colour, image.width, image.height, path.string()));
 }
 
 void savePfm(const Image& image, const std::filesystem::path& path) {

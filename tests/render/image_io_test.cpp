@@ -18,6 +18,7 @@ class ImageIoTest : public QObject {
     void pngKeepsEveryPixel();
     void pfmKeepsEveryDepthFromBottomToTop();
     void aMissingFolderIsAnErrorWithItsName();
+    void aSizeThatPngCannotHoldIsAnErrorWithTheName();
 };
 
 static Image noise(bool opaque) {
@@ -74,6 +75,22 @@ void ImageIoTest::aMissingFolderIsAnErrorWithItsName() {
         QFAIL("wrote into a folder that is not there");
     } catch (const base::Error& e) {
         QVERIFY(e.message().find("/no/such/folder") != std::string::npos);
+    }
+}
+
+void ImageIoTest::aSizeThatPngCannotHoldIsAnErrorWithTheName() {
+    const QTemporaryDir folder;
+    for (const auto& [width, height] : {std::pair(0, 0), std::pair(0, 5), std::pair(2000000, 1)}) {
+        Image image;
+        image.resize(width, height);
+        const std::string path = folder.filePath("a.png").toStdString();
+        try {
+            savePng(image, path);
+            QFAIL("wrote what nobody could read");
+        } catch (const base::Error& e) {
+            QVERIFY2(e.message().find(path) != std::string::npos, e.what());
+        }
+        QVERIFY(!QFile::exists(path.c_str()));
     }
 }
 

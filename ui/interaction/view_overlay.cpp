@@ -2,6 +2,7 @@
 
 #include "ui/overlay/annotation_overlay.h"
 #include "ui/overlay/pivot_overlay.h"
+#include "ui/overlay/section_overlay.h"
 #include "ui/overlay/symmetry_overlay.h"
 
 #include <QPainter>
@@ -20,7 +21,7 @@ void ViewOverlay::paint(QPainter& painter, double pixelRatio) const {
     if (beneath)
         beneath(painter, seen);
     if (m_parts.cuts.sections().size() == seen.clips.all().size())
-        render::paintSections(painter, m_parts.cuts.sections(), seen, 1.6 * pixelRatio);
+        paintSections(painter, m_parts.cuts.sections(), seen, 1.6 * pixelRatio);
     const bool turning = m_parts.pointer.gesture() == Gesture::Orbit;
     if (motion.view().pivot || turning)
         paintPivot(painter, motion.view().turningPoint(), seen, turning);

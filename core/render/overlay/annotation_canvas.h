@@ -6,7 +6,7 @@
 
 namespace render {
 
-/// Antialiased, letters and lines with a soft rim of the opposite lightness, so that they read on anything.
+/// Antialiased, letters and lines with a soft edge of the opposite lightness, so that they read on anything.
 void paint(const Drawing& drawing, Image& out);
 
 } // namespace render

@@ -28,8 +28,8 @@ struct Layout {
 
     float margin() const { return 18 * unit; }
     float letters() const { return 9 * unit; }
-    void line(Place a, Place b, float thick) const { out.lines.push_back({a, b, thick * unit, ink}); }
-    void text(Place at, float anchor, const std::string& words) const {
+    void line(ImagePoint a, ImagePoint b, float thick) const { out.lines.push_back({a, b, thick * unit, ink}); }
+    void text(ImagePoint at, float anchor, const std::string& words) const {
         out.texts.push_back({at, anchor, letters(), words, ink});
     }
 };
@@ -85,7 +85,7 @@ constexpr float axisLength = 30;
 
 void addAxes(const Layout& layout, const Camera& camera) {
     const float around = layout.margin() + (axisLength + 8) * layout.unit;
-    const Place middle{around, layout.height - around};
+    const ImagePoint middle{around, layout.height - around};
     struct Axis {
         Vec3d direction;
         const char* name;
@@ -99,11 +99,11 @@ void addAxes(const Layout& layout, const Camera& camera) {
               [&](const Axis& a, const Axis& b) { return dot(a.direction, forward) > dot(b.direction, forward); });
     for (const Axis& axis : axes) {
         const auto at = [&](double length) {
-            return Place{middle.x + static_cast<float>(length * dot(axis.direction, right)) * layout.unit,
-                         middle.y - static_cast<float>(length * dot(axis.direction, up)) * layout.unit};
+            return ImagePoint{middle.x + static_cast<float>(length * dot(axis.direction, right)) * layout.unit,
+                              middle.y - static_cast<float>(length * dot(axis.direction, up)) * layout.unit};
         };
         layout.out.lines.push_back({middle, at(axisLength), 2.2f * layout.unit, axis.colour});
-        const Place name = at(axisLength + 9);
+        const ImagePoint name = at(axisLength + 9);
         layout.out.texts.push_back(
             {{name.x, name.y + 0.5f * layout.letters()}, 0.5f, layout.letters(), axis.name, axis.colour});
     }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/render/camera.h"
+#include "core/render/overlay/pen.h"
 #include "core/render/shading/backdrop.h"
 #include "core/render/shading/colour_map.h"
 
@@ -23,17 +24,13 @@ struct AnnotationRow {
 };
 std::span<const AnnotationRow> annotationTable();
 
-/// Pixels from the upper left corner of the image.
-struct Place {
-    float x = 0, y = 0;
-};
 struct DrawnLine {
-    Place from, to;
+    ImagePoint from, to;
     float width = 1;
     base::Vec3f colour; ///< sRGB, 0 to 1
 };
 struct DrawnText {
-    Place at;             ///< on the base line
+    ImagePoint at;        ///< on the base line
     float anchor = 0;     ///< 0: begins at `at`, 1: ends there
     float capHeight = 10; ///< pixels
     std::string text;
@@ -41,7 +38,7 @@ struct DrawnText {
 };
 /// The colours of a map, the highest number on top.
 struct DrawnRamp {
-    Place corner; ///< upper left
+    ImagePoint corner; ///< upper left
     float width = 0, height = 0;
     ColourMap map = ColourMap::Diverging;
 };

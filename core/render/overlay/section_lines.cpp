@@ -1,9 +1,5 @@
 #include "core/render/overlay/section_lines.h"
 
-#include <QImage>
-#include <QPainter>
-#include <QPainterPath>
-
 namespace render {
 
 using base::Vec3d;
@@ -49,50 +45,52 @@ class Sight {
     const Image* m_depth;
 };
 
-void addCurve(QPainterPath& path, const surface::SectionCurve& curve, const Sight& sight, const Camera& camera) {
+using Runs = std::vector<std::vector<ImagePoint>>;
+
+void addCurve(Runs& runs, const surface::SectionCurve& curve, const Sight& sight, const Camera& camera) {
     bool drawing = false;
     const std::size_t count = curve.points.size() + (curve.closed ? 1 : 0);
     for (std::size_t i = 0; i < count; ++i) {
         const surface::SectionPoint& p = curve.points[i % curve.points.size()];
-        if (!sight.sees(p.position, p.unit)) {
-            drawing = false;
-            continue;
+        const bool seen = sight.sees(p.position, p.unit);
+        if (seen && !drawing)
+            runs.emplace_back();
+        if (seen) {
+            const Vec3d at = camera.project(p.position);
+            runs.back().push_back({static_cast<float>(at.x), static_cast<float>(at.y)});
         }
-        const Vec3d at = camera.project(p.position);
-        if (drawing)
-            path.lineTo(at.x, at.y);
-        else
-            path.moveTo(at.x, at.y);
-        drawing = true;
+        drawing = seen;
     }
+}
+
+base::Vec3f opaque(surfel::Colour c) {
+    return base::Vec3f{float(c & 255u), float(c >> 8 & 255u), float(c >> 16 & 255u)} * (1.0f / 255);
 }
 
 } // namespace
 
-void paintSections(QPainter& painter, const SectionCurves& curves, const Camera& camera, double widthPx,
-                   const Image* depth) {
-    QPainterPath path;
+Runs sectionLines(const SectionCurves& curves, const Camera& camera, const Image* depth) {
+    Runs out;
     for (std::size_t k = 0; k < curves.size(); ++k)
         for (const surface::SectionCurve& curve : curves[k])
-            addCurve(path, curve, Sight(camera, k, depth), camera);
-    painter.save();
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setBrush(Qt::NoBrush);
-    const auto pen = [&](QColor colour, double width) {
-        return QPen(colour, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
-    };
-    painter.setPen(pen(QColor(20, 20, 24, 150), 2.2 * widthPx));
-    painter.drawPath(path);
-    painter.setPen(pen(QColor(255, 176, 64), widthPx));
-    painter.drawPath(path);
-    painter.restore();
+            addCurve(out, curve, Sight(camera, k, depth), camera);
+    return out;
 }
 
 void drawSections(const SectionCurves& curves, const Camera& camera, Image& image) {
-    QImage view(reinterpret_cast<uchar*>(image.colour.data()), image.width, image.height,
-                static_cast<qsizetype>(image.width) * 4, QImage::Format_RGBA8888);
-    QPainter painter(&view);
-    paintSections(painter, curves, camera, std::max(1.2, image.height / 500.0), &image);
+    std::vector<PenLine> lines;
+    for (const std::vector<ImagePoint>& run : sectionLines(curves, camera, &image))
+        for (std::size_t i = 1; i < run.size(); ++i)
+            lines.push_back({run[i - 1], run[i]});
+    const SectionPen pen;
+    const auto width = static_cast<float>(std::max(1.2, image.height / 500.0));
+    const float wide = width * static_cast<float>(pen.shadeWidth);
+    const base::Vec3f line = opaque(pen.line), shade = opaque(pen.shade);
+    const float strength = static_cast<float>(pen.shade >> 24) / 255;
+    const auto ink = [&](surfel::Colour under, float away) {
+        return over(over(under, shade, strength * covered(wide, away)), line, covered(width, away));
+    };
+    draw(lines, 0.5f * wide + 1, ink, image);
 }
 
 } // namespace render

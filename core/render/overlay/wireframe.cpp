@@ -26,7 +26,7 @@ namespace {
 constexpr int bandRows = 32;
 
 /// A vertex in the image: pixels, and nearness, which is linear across it (view_frame.h).
-struct Place {
+struct ProjectedVertex {
     float x = 0, y = 0, w = 0;
     bool seen = false; ///< before the eye and kept by all clip planes
 };
@@ -34,7 +34,7 @@ struct Place {
 struct Drawing {
     const Wires& wires;
     const WireColours& colours;
-    std::vector<Place> places;
+    std::vector<ProjectedVertex> vertices;
     std::vector<float> nearest; ///< of the triangles, per pixel
     float background, alpha;
     Image& out;
@@ -45,8 +45,8 @@ struct Drawing {
     }
 };
 
-std::vector<Place> placesOf(const mesh::Mesh& mesh, const Camera& camera) {
-    std::vector<Place> out(mesh.positions.size());
+std::vector<ProjectedVertex> projected(const mesh::Mesh& mesh, const Camera& camera) {
+    std::vector<ProjectedVertex> out(mesh.positions.size());
     base::parallelFor(out.size(), 4096, [&](std::size_t i) {
         const Vec3d& p = mesh.positions[i];
         const Vec3d at = camera.project(p);
@@ -58,7 +58,8 @@ std::vector<Place> placesOf(const mesh::Mesh& mesh, const Camera& camera) {
 }
 
 /// The rows [top, bottom) of one triangle into the depth buffer.
-void fillTriangle(Drawing& d, const Place& a, const Place& b, const Place& c, int top, int bottom) {
+void fillTriangle(Drawing& d, const ProjectedVertex& a, const ProjectedVertex& b, const ProjectedVertex& c, int top,
+                  int bottom) {
     const float area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
     if (area == 0)
         return;
@@ -69,7 +70,7 @@ void fillTriangle(Drawing& d, const Place& a, const Place& b, const Place& c, in
     const float gx = ((b.w - a.w) * (c.y - a.y) - (c.w - a.w) * (b.y - a.y)) / area;
     const float gy = ((c.w - a.w) * (b.x - a.x) - (b.w - a.w) * (c.x - a.x)) / area;
     const float sign = area > 0 ? 1.0f : -1.0f;
-    const auto inside = [&](const Place& p, const Place& q, float x, float y) {
+    const auto inside = [&](const ProjectedVertex& p, const ProjectedVertex& q, float x, float y) {
         return sign * ((q.x - p.x) * (y - p.y) - (q.y - p.y) * (x - p.x)) >= 0;
     };
     for (int row = y0; row < y1; ++row)
@@ -99,7 +100,8 @@ void blend(surfel::Colour& pixel, surfel::Colour colour, float part) {
 }
 
 /// The rows [top, bottom) of one edge, a pixel wide, smooth across.
-void drawEdge(Drawing& d, const Place& a, const Place& b, surfel::Colour colour, float strength, int top, int bottom) {
+void drawEdge(Drawing& d, const ProjectedVertex& a, const ProjectedVertex& b, surfel::Colour colour, float strength,
+              int top, int bottom) {
     const float dx = b.x - a.x, dy = b.y - a.y, longest = std::max(std::abs(dx), std::abs(dy));
     if (!(longest > 0) || longest > 1e5f)
         return;
@@ -147,7 +149,7 @@ float typicalLength(const Drawing& d) {
     std::vector<float> lengths;
     const std::size_t stride = std::max<std::size_t>(1, d.wires.edges.size() / 1000);
     for (std::size_t i = 0; i < d.wires.edges.size(); i += stride) {
-        const Place &a = d.places[d.wires.edges[i].a], &b = d.places[d.wires.edges[i].b];
+        const ProjectedVertex &a = d.vertices[d.wires.edges[i].a], &b = d.vertices[d.wires.edges[i].b];
         if (a.seen && b.seen)
             lengths.push_back(std::hypot(b.x - a.x, b.y - a.y));
     }
@@ -163,7 +165,7 @@ void drawWires(const Wires& wires, const Camera& camera, const WireColours& colo
                const base::Progress& progress) {
     out.resize(camera.width, camera.height);
     const float background = camera.parallel() ? nowhereParallel : nowhere;
-    Drawing d{wires, colours, placesOf(*wires.mesh, camera), {}, background, 1, out};
+    Drawing d{wires, colours, projected(*wires.mesh, camera), {}, background, 1, out};
     d.nearest.assign(out.colour.size(), background);
     d.alpha = std::clamp(typicalLength(d) / 8, 0.12f, 1.0f);
     const auto reaches = [](float low, float high, int top, int bottom) {
@@ -171,7 +173,7 @@ void drawWires(const Wires& wires, const Camera& camera, const WireColours& colo
     };
     forBands(out.height, progress, 0.5, [&](int top, int bottom) {
         for (const mesh::Triangle& t : wires.mesh->triangles) {
-            const Place &a = d.places[t[0]], &b = d.places[t[1]], &c = d.places[t[2]];
+            const ProjectedVertex &a = d.vertices[t[0]], &b = d.vertices[t[1]], &c = d.vertices[t[2]];
             if (a.seen && b.seen && c.seen &&
                 reaches(std::min({a.y, b.y, c.y}), std::max({a.y, b.y, c.y}), top, bottom))
                 fillTriangle(d, a, b, c, top, bottom);
@@ -179,7 +181,7 @@ void drawWires(const Wires& wires, const Camera& camera, const WireColours& colo
     });
     forBands(out.height, progress, 1, [&](int top, int bottom) {
         for (const Wires::Edge& edge : wires.edges) {
-            const Place &a = d.places[edge.a], &b = d.places[edge.b];
+            const ProjectedVertex &a = d.vertices[edge.a], &b = d.vertices[edge.b];
             if (a.seen && b.seen && reaches(std::min(a.y, b.y), std::max(a.y, b.y), top, bottom))
                 drawEdge(d, a, b, colourOf(d, edge), edge.rim ? 1 : d.alpha, top, bottom);
         }

@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <numbers>
 
 namespace render {
@@ -87,9 +86,11 @@ std::vector<double> ticks(const ColourScale& scale) {
 
 std::string numberLabel(double value) {
     char text[32];
-    std::snprintf(text, sizeof text, "%.4g", value);
-    std::snprintf(text, sizeof text, "%.7g", std::strtod(text, nullptr)); // 13000, not 1.3e+04
-    return text;
+    const auto shorten = [&](int digits) {
+        return std::to_chars(text, text + sizeof text, value, std::chars_format::general, digits).ptr;
+    };
+    std::from_chars(text, shorten(4), value);
+    return {text, shorten(7)}; // 13000, not 1.3e+04
 }
 
 } // namespace render

@@ -1,0 +1,50 @@
+#include "app/command_line.h"
+
+#include <cstdio>
+#include <new>
+
+namespace app {
+
+void addCommon(CLI::App& command, CommonOptions& options) {
+    command.add_option("--threads", options.threads, "threads to work with; 0: all cores. Results never depend on it")
+        ->check(CLI::Range(0, 1024))
+        ->capture_default_str();
+    command.add_flag("--quiet", options.quiet, "no progress and no messages, only errors");
+}
+
+void describe(CLI::App& program, CommonOptions& options) {
+    program.description("Pointclay sculpts point-set surfaces. Without a subcommand it opens its window.\n"
+                        "Lengths are in model units, angles in degrees where nothing else is said.");
+    program.footer("Example: pointclay bunny.ply\nEach subcommand tells more: pointclay query --help");
+    program.set_version_flag("--version", "pointclay " POINTCLAY_VERSION);
+    addCommon(program, options);
+    program.add_option("MODEL", options.models, "models to open in windows");
+}
+
+int fail(const std::string& message, int code) {
+    std::fprintf(stderr, "pointclay: %s\n", message.c_str());
+    return code;
+}
+
+int guarded(const std::function<int()>& work) {
+    try {
+        return work();
+    } catch (const UsageError& error) {
+        return fail(error.what(), 2);
+    } catch (const std::bad_alloc&) {
+        return fail("not enough memory; try a smaller model", 1);
+    } catch (const std::exception& error) { // base::Error, base::Cancelled and what libraries throw
+        return fail(error.what(), 1);
+    }
+}
+
+std::optional<int> parse(CLI::App& program, int argc, char** argv) {
+    try {
+        program.parse(argc, argv);
+        return {};
+    } catch (const CLI::ParseError& error) {
+        return program.exit(error) == 0 ? 0 : 2;
+    }
+}
+
+} // namespace app
