@@ -3,6 +3,7 @@
 #include "app/number_list.h"
 #include "app/open_model.h"
 #include "core/base/error.h"
+#include "core/render/effects/effect_rows.h"
 
 #include <nlohmann/json.hpp>
 

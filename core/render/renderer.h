@@ -2,7 +2,7 @@
 // tiles on the CPU (cpu_splatter.h) and OpenGL 3.3 (gl_splatter.h) in a context of Qt, OSMesa or EGL. It knows no
 // widget.
 //
-// Splats are blended (Botsch et al. 2005, alg. 4.1): nearest layer kept within one splat radius, attributes averaged
+// Splats are blended ([Botsch05], render/README 2.2): nearest layer kept within one splat radius, attributes averaged
 // with exp(-2 r^2), shaded once per pixel. Splats of unoriented models face the viewer.
 #pragma once
 

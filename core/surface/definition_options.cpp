@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/base/row_of_id.h"
+#include "core/base/short_number.h"
 #include "core/surface/definition_text.h"
 
 #include <charconv>
@@ -133,9 +134,8 @@ std::string textOf(const DefinitionOption& option, const SurfaceDefinition& defi
 static std::string wishOf(const DefinitionOption& option, const char* what) {
     if (option.wish)
         return option.wish;
-    char out[80];
-    std::snprintf(out, sizeof out, "give a %s from %g to %g", what, option.range.min, option.range.max);
-    return out;
+    const double min = static_cast<double>(option.range.min), max = static_cast<double>(option.range.max);
+    return std::string("give a ") + what + " from " + base::shortNumber(min) + " to " + base::shortNumber(max);
 }
 
 template <class Number>

@@ -1,10 +1,11 @@
 // render's light: depth and normals of cast rays are those of `intersect`; materials, lamps, shadows; what is no use
 // together.
 #include "core/base/vec.h"
+#include "core/raycast/light_rigs.h"
+#include "core/raycast/material_table.h"
 #include "program.h"
 #include "support/registry.h"
 
-#include <cstring>
 #include <QImage>
 #include <QTest>
 
@@ -85,21 +86,26 @@ void LightTest::everyMaterialAndLightIsListedAndDrawn() {
     const Program program;
     const std::string help = program.run({"render", "--help"}).out;
     std::vector<QImage> pictures;
-    for (const char* id : {"matcap", "clay", "glass", "metal"}) {
-        QVERIFY2(help.find(std::string(id) + ":") != std::string::npos, id);
-        pictures.push_back(picture(program, {"--material", id}));
+    for (const raycast::MaterialRow& row : raycast::materialTable()) {
+        QVERIFY2(help.find(std::string(row.id) + ":") != std::string::npos, row.id);
+        pictures.push_back(picture(program, {"--material", row.id}));
     }
-    for (const char* id : {"studio", "three-point", "sun", "overcast", "1,2,3;-1,0.5,0"}) {
-        if (std::strchr(id, ',') == nullptr)
-            QVERIFY2(help.find(std::string(id) + ":") != std::string::npos, id);
-        pictures.push_back(picture(program, {"--material", "clay", "--shadows", "--lights", id}));
+    const auto lit = [&](const char* lights) {
+        return picture(program, {"--material", "clay", "--shadows", "--lights", lights});
+    };
+    for (const raycast::LightRigRow& row : raycast::lightRigTable()) {
+        QVERIFY2(help.find(std::string(row.id) + ":") != std::string::npos, row.id);
+        pictures.push_back(lit(row.id));
     }
+    pictures.push_back(lit("1,2,3;-1,0.5,0"));
     for (std::size_t i = 0; i < pictures.size(); ++i)
         for (std::size_t k = 0; k < i; ++k)
             QVERIFY(!pictures[i].isNull() && pictures[i] != pictures[k]);
     // Neither a strip with one side nor raw points without normals stop any of them.
-    for (const char* id : {"clay", "glass", "metal"})
-        QVERIFY(!picture(program, {"--material", id, "--shadows", "--ao", "--ground"}, "sample:moebius:3000").isNull());
+    for (const raycast::MaterialRow& row : raycast::materialTable())
+        if (row.material != raycast::Material::Matcap)
+            QVERIFY(!picture(program, {"--material", row.id, "--shadows", "--ao", "--ground"}, "sample:moebius:3000")
+                         .isNull());
 }
 
 void LightTest::shadowsDarkenAndAreCounted() {

@@ -1,4 +1,5 @@
 // render's options of looks: every row of the tables, and what is no use together.
+#include "core/render/shading/shading_table.h"
 #include "program.h"
 #include "support/registry.h"
 
@@ -18,9 +19,8 @@ class LookTest : public QObject {
 void LookTest::everyShadingIsListedAndDrawn() {
     const Program program;
     const std::string help = program.run({"render", "--help"}).out;
-    for (const char* id :
-         {"matcap", "wax", "porcelain", "bronze", "jade", "zebra", "studio", "normal", "colour", "mask", "curvature",
-          "curvature-gauss", "curvature-k1", "curvature-k2", "off-centre", "spacing", "deviation"}) {
+    for (const render::ShadingRow& row : render::shadingTable()) {
+        const char* id = row.id;
         QVERIFY2(help.find(std::string(id) + ":") != std::string::npos, id);
         QStringList arguments{"render", "sample:torus:2000", "-o", "a.png", "--size", "64x48", "--shading", id};
         if (std::string(id) == "deviation")

@@ -14,7 +14,7 @@ inline base::Vec3d corner(const base::Box3f& box, int k) {
     return {k & 1 ? box.hi.x : box.lo.x, k & 2 ? box.hi.y : box.lo.y, k & 4 ? box.hi.z : box.lo.z};
 }
 
-/// How much of half the image the corners reach, 1 where one lies on the image's rim; NaN where one lies behind the
+/// How much of half the image the corners reach, 1 where one lies on the image's edge; NaN where one lies behind the
 /// eye.
 inline double filledBy(const render::Camera& camera, const base::Box3f& box) {
     double fill = 0;

@@ -26,7 +26,7 @@ static Image canvas(int width, int height, surfel::Colour colour = surfel::rgba(
 
 static void line(const std::vector<PenLine>& lines, float width, float alpha, Image& out) {
     const auto ink = [&](surfel::Colour under, float away) {
-        return over(under, {1, 1, 1}, alpha * covered(width, away));
+        return inked(under, {1, 1, 1}, alpha * covered(width, away));
     };
     draw(lines, 0.5f * width + 1, ink, out);
 }
@@ -75,9 +75,9 @@ void PenTest::whatLiesOutsideIsCutOff() {
 }
 
 void PenTest::nothingIsAsOpaqueAsItsInk() {
-    QCOMPARE(over(0, {1, 0, 0}, 0), surfel::Colour(0));
-    QCOMPARE(over(0, {1, 0, 0}, 0.5f), surfel::rgba(255, 0, 0, 128));
-    QCOMPARE(over(surfel::rgba(0, 0, 255), {1, 0, 0}, 1), surfel::rgba(255, 0, 0));
+    QCOMPARE(inked(0, {1, 0, 0}, 0), surfel::Colour(0));
+    QCOMPARE(inked(0, {1, 0, 0}, 0.5f), surfel::rgba(255, 0, 0, 128));
+    QCOMPARE(inked(surfel::rgba(0, 0, 255), {1, 0, 0}, 1), surfel::rgba(255, 0, 0));
 }
 
 static const test::Registered<PenTest> registered;

@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/render/cast/raycast_image.h"
+#include "core/render/effects/effect_rows.h"
 #include "core/render/splats/cpu_splatter.h"
 #include "render/render_models.h"
 #include "support/registry.h"
@@ -135,7 +136,7 @@ void ScreenEffectsTest::samePictureByOpenGl_data() {
         for (const EffectRow& row : effectTable())
             QTest::addRow("%s %s", row.id, rays) << static_cast<int>(row.effect) << false << parallel;
         QTest::addRow("grid %s", rays) << 0 << true << parallel;
-        QTest::addRow("all %s", rays) << 31 << true << parallel;
+        QTest::addRow("all %s", rays) << (1 << effectCount) - 1 << true << parallel;
     }
 }
 
@@ -171,7 +172,7 @@ void ScreenEffectsTest::samePictureByOpenGl() {
 void ScreenEffectsTest::anEditIsFinishedAsFarAsEffectsReach() {
     const tree::SurfelTree before = test::built(test::torus(1, 0.4, 30000, test::seed()));
     RenderOptions options;
-    options.effects = EyeDome | Occlusion | Outline | Creases | Contours;
+    options.effects = (1u << effectCount) - 1;
     options.grid = gridBelow(before.bounds(), {0, 1, 0}, {});
     CpuSplatter cpu;
     Image image = test::drawn(cpu, before, camera320(), options);

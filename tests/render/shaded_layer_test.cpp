@@ -1,6 +1,7 @@
 #include "core/render/shaded_layer.h"
 
 #include "core/render/cast/raycast_image.h"
+#include "core/render/effects/effect_rows.h"
 #include "core/render/splats/cpu_splatter.h"
 #include "render/render_models.h"
 #include "support/registry.h"

@@ -1,4 +1,5 @@
 // The View menus' switches: each is in the picture, in the settings and in the next window.
+#include "core/render/effects/effect_rows.h"
 #include "support/registry.h"
 #include "ui/window_fixture.h"
 

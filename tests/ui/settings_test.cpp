@@ -1,8 +1,11 @@
 #include "ui/settings/settings.h"
 
 #include "sculpt/random_options.h"
+#include "core/render/effects/effect_rows.h"
+#include "support/comma_locale.h"
 #include "support/registry.h"
 
+#include <QFile>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QTest>
@@ -13,6 +16,7 @@ class SettingsTest : public QObject {
     Q_OBJECT
   private Q_SLOTS:
     void whatIsWrittenIsReadBack();
+    void aDecimalCommaChangesNothing();
     void nonsenseKeepsTheDefaults();
     void recentFilesAreFewAndNewestFirst();
     void strokesTakeWhatThePersonChose();
@@ -62,6 +66,30 @@ void SettingsTest::whatIsWrittenIsReadBack() {
         const QSettings store(file, QSettings::IniFormat);
         QVERIFY2(readSettings(store) == settings, qPrintable(QString("seed %1").arg(test::seed())));
     }
+}
+
+static QByteArray written(const Settings& settings) {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("s.ini");
+    {
+        QSettings store(path, QSettings::IniFormat);
+        writeSettings(settings, store);
+    }
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+void SettingsTest::aDecimalCommaChangesNothing() {
+    const QByteArray usual = written(unusual());
+    QVERIFY(usual.contains("77.25"));
+    const test::CommaLocale comma;
+    QVERIFY(comma.works());
+    QCOMPARE(written(unusual()), usual);
+    const QTemporaryDir folder;
+    QFile file(folder.filePath("s.ini"));
+    QVERIFY(file.open(QIODevice::WriteOnly) && file.write(usual) == usual.size());
+    file.close();
+    QVERIFY(readSettings(QSettings(file.fileName(), QSettings::IniFormat)) == unusual());
 }
 
 void SettingsTest::nonsenseKeepsTheDefaults() {

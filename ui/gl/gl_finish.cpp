@@ -4,23 +4,16 @@
 
 namespace render {
 
-void GlFinish::setTaps(const char* name, const std::vector<EffectTap>& taps) const {
+void GlFinish::setTaps(const EffectRow& row, const EffectTaps& taps) const {
+    const std::string word = row.word;
     std::vector<GLint> places;
-    for (const EffectTap& tap : taps)
+    for (const EffectTap& tap : taps.all)
         places.insert(places.end(), {tap.x, tap.y});
-    if (!taps.empty())
-        m_gl.uniform2iv(m_program->at(name), static_cast<GLsizei>(taps.size()), places.data());
-    m_gl.uniform1i(m_program->at((std::string(name) + "Count").c_str()), static_cast<GLint>(taps.size()));
-}
-
-void GlFinish::setEffects(const EffectPlan& plan) const {
-    setTaps("dome", plan.dome);
-    setTaps("sky", plan.sky);
-    setTaps("creases", plan.creases);
-    setTaps("contours", plan.contours);
-    setTaps("lines", plan.lines);
-    m_gl.uniform1f(m_program->at("skyRadiusSq"), plan.skyRadiusSq);
-    m_gl.uniform1i(m_program->at("outline"), plan.effects & Outline ? 1 : 0);
+    if (!places.empty())
+        m_gl.uniform2iv(m_program->at((word + "Taps").c_str()), static_cast<GLsizei>(taps.all.size()), places.data());
+    m_gl.uniform1i(m_program->at((word + "TapCount").c_str()), static_cast<GLint>(taps.all.size()));
+    if (row.disc > 0)
+        m_gl.uniform1f(m_program->at((word + "DiscSq").c_str()), taps.discSq);
 }
 
 void GlFinish::setGrid(const GridPlan& plan) const {
@@ -49,7 +42,9 @@ void GlFinish::draw(GlTargets& targets, const ViewFrame& view, const Camera& cam
     m_gl.uniform4f(m_program->at("image"), view.x0, view.y0, view.step, 0);
     m_gl.uniform2f(m_program->at("size"), static_cast<float>(view.width), static_cast<float>(view.height));
     m_gl.uniform1i(m_program->at("parallel"), view.parallel ? 1 : 0);
-    setEffects(EffectPlan(options.effects, view, options.pixelScale));
+    const EffectPlan effects(options.effects, view, options.pixelScale);
+    for (const EffectRow& row : effectTable())
+        setTaps(row, effects.of(row.effect));
     m_gl.uniform1i(m_program->at("grid"), options.grid ? 1 : 0);
     if (options.grid)
         setGrid(GridPlan(*options.grid, camera, backdropRow(options.backdrop).ink, options.pixelScale));

@@ -13,6 +13,8 @@
 namespace render {
 
 std::string finishFragmentShader();
+/// Its part that is the effects: a function vec3 withEffects(rgb, geometry, ray, 1 / unit).
+std::string effectShader();
 
 class GlFinish {
   public:
@@ -22,8 +24,7 @@ class GlFinish {
     void draw(GlTargets& targets, const ViewFrame& view, const Camera& camera, const RenderOptions& options);
 
   private:
-    void setTaps(const char* name, const std::vector<EffectTap>& taps) const;
-    void setEffects(const EffectPlan& plan) const;
+    void setTaps(const EffectRow& row, const EffectTaps& taps) const;
     void setGrid(const GridPlan& plan) const;
 
     const GlFunctions& m_gl;

@@ -2,21 +2,21 @@
 
 #include "core/render/shading/shading.h"
 #include "core/render/splats/splat_kernels.h"
+#include "ui/gl/glsl_text.h"
 
 namespace render {
 
-static std::string constant(const char* name, float value) {
-    return std::string("const float ") + name + " = " + std::to_string(value) + ";\n";
-}
-
 static std::string head() {
-    return "#version 330 core\n" + constant("filterPx", filterPx) + constant("layerDepth", layerDepth) +
-           constant("filterDepth", filterDepth) + constant("backBias", backBias) + constant("backClip", backClip) +
-           constant("minCosine", minCosine) + constant("backFrom", backFrom) + constant("backTo", backTo) +
+    const SharedConstant constants[] = {{"filterPx", filterPx},         {"layerDepth", layerDepth},
+                                        {"filterDepth", filterDepth},   {"backBias", backBias},
+                                        {"backClip", backClip},         {"minCosine", minCosine},
+                                        {"backFrom", backFrom},         {"backTo", backTo},
+                                        {"acrossRadius", acrossRadius}, {"cutRadius", cutRadius}};
+    return "#version 330 core\n" + glslConstants(constants) +
            "const int mostClips = " + std::to_string(ClipPlanes::most) + ";\n" +
-           "const uint rimMask = " + std::to_string((1u << rimBits) - 1) +
-           "u, acrossDisc = " + std::to_string(acrossDisc) + "u;\n" + constant("acrossRadius", acrossRadius) +
-           constant("rimRadius", rimRadius) + "const int lightSize = " + std::to_string(lightSize) + ";\n";
+           "const uint cutMask = " + std::to_string((1u << cutBits) - 1) +
+           "u, acrossDisc = " + std::to_string(acrossDisc) + "u;\n" +
+           "const int lightSize = " + std::to_string(lightSize) + ";\n";
 }
 
 /// The view, as in ViewFrame: image place of the first pixel, pixels per unit of it, radius as a part of the support.
@@ -41,11 +41,11 @@ layout(location = 3) in vec4 colourAndMask;
 flat out vec4 centre; // image place, depth, radius
 flat out vec4 plane;  // gradient of w across the image, bias, w from where it is cut
 flat out vec3 normal;
-flat out vec3 rim;    // the disc ends where (x - centre) . rim = 1
+flat out vec3 edge;    // the disc ends where (x - centre) . edge = 1
 flat out vec4 attributes;
 
-// As rimCut in rim_cuts.h, for a unit normal.
-vec3 rimDirection(vec3 n, uint code) {
+// As discCut in disc_cuts.h, for a unit normal.
+vec3 cutDirection(vec3 n, uint code) {
     vec3 u = normalize((code >> 13 & 1u) != 0u ? vec3(n.z, 0.0, -n.x) : vec3(0.0, -n.z, n.y));
     float angle = float(code >> 5 & 255u) * (6.28318531 / 256.0);
     return u * cos(angle) + cross(n, u) * sin(angle);
@@ -59,14 +59,14 @@ void main() {
     vec3 ray = parallel ? vec3(0.0, 0.0, 1.0) : p;
     float distance = length(ray);
     n = dot(n, n) < 0.25 ? ray / -distance : turn(normalize(n));
-    uint code = floatBitsToUint(support) & rimMask;
-    float facing = dot(n, ray), radius = uintBitsToFloat(floatBitsToUint(support) & ~rimMask) * image.w;
+    uint code = floatBitsToUint(support) & cutMask;
+    float facing = dot(n, ray), radius = uintBitsToFloat(floatBitsToUint(support) & ~cutMask) * image.w;
     if (code == acrossDisc)
         radius *= acrossRadius;
     float part = float(code & 31u) / 32.0;
-    rim = part > 0.0 ? turn(rimDirection(normalize(packedNormal.xyz), code)) / (part * radius) : vec3(0.0);
+    edge = part > 0.0 ? turn(cutDirection(normalize(packedNormal.xyz), code)) / (part * radius) : vec3(0.0);
     if (part > 0.0)
-        radius *= rimRadius;
+        radius *= cutRadius;
     bool away = facing > 0.0;
     if (away && !oriented) {
         n = -n;
@@ -110,7 +110,7 @@ static constexpr const char* splatFragment = R"(
 flat in vec4 centre;
 flat in vec4 plane;
 flat in vec3 normal;
-flat in vec3 rim;
+flat in vec3 edge;
 flat in vec4 attributes;
 layout(location = 0) out vec4 normalSum;
 layout(location = 1) out vec4 colourSum;
@@ -128,7 +128,7 @@ void main() {
             discard;
     float z = parallel ? -w : 1.0 / w, dz = z - centre.z;
     vec3 a = vec3(parallel ? d : dz * centre.xy + z * d, dz);
-    float r2 = min(exact > plane.w || dot(a, rim) > 1.0 ? 2.0 : dot(a, a) / (radius * radius),
+    float r2 = min(exact > plane.w || dot(a, edge) > 1.0 ? 2.0 : dot(a, a) / (radius * radius),
                    dot(d, d) * image.z * image.z / (filterPx * filterPx));
     if (r2 > 1.0)
         discard;

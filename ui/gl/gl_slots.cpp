@@ -14,18 +14,18 @@ static std::uint32_t packed(const base::Vec3f& n) {
     return component(n.x) | component(n.y) << 10 | component(n.z) << 20;
 }
 
-static std::uint32_t packed(float support, RimCode code) {
-    constexpr std::uint32_t mask = (1u << rimBits) - 1;
+static std::uint32_t packed(float support, CutCode code) {
+    constexpr std::uint32_t mask = (1u << cutBits) - 1;
     return ((std::bit_cast<std::uint32_t>(support) + mask / 2) & ~mask) | code;
 }
 
-static void pack(const surfel::SurfelBlock& block, const BlockColours* colours, const RimCodes* codes, GlSurfel* out) {
+static void pack(const surfel::SurfelBlock& block, const BlockColours* colours, const CutCodes* codes, GlSurfel* out) {
     const surfel::Colour* shown = colours ? colours->of(&block) : nullptr;
     for (int slot = 0; slot < block.size(); ++slot) {
         const surfel::Surfel s = block.surfel(slot);
         const auto mask = static_cast<std::uint32_t>(std::clamp(s.mask, 0.0f, 1.0f) * 255 + 0.5f);
         const surfel::Colour colour = shown ? shown[slot] : s.colour;
-        const RimCode code = codes ? (*codes)[static_cast<std::size_t>(slot)] : wholeDisc;
+        const CutCode code = codes ? (*codes)[static_cast<std::size_t>(slot)] : wholeDisc;
         out[slot] = {s.position, packed(s.normal), packed(s.support, code), (colour & 0x00ffffffu) | mask << 24};
     }
 }
@@ -106,7 +106,7 @@ void GlSlots::release(const surfel::SurfelBlock* block) {
     m_cut.erase(block);
 }
 
-void GlSlots::cut(std::span<const std::pair<const surfel::SurfelBlock*, const RimCodes*>> blocks) {
+void GlSlots::cut(std::span<const std::pair<const surfel::SurfelBlock*, const CutCodes*>> blocks) {
     std::vector<const surfel::SurfelBlock*> changed;
     std::vector<std::size_t> slots;
     for (const auto& [block, codes] : blocks) {

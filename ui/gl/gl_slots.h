@@ -7,7 +7,7 @@
 #pragma once
 
 #include "core/render/shading/block_colours.h"
-#include "core/render/splats/rim_cuts.h"
+#include "core/render/splats/disc_cuts.h"
 #include "core/tree/surfel_tree.h"
 #include "ui/gl/gl_functions.h"
 
@@ -19,7 +19,7 @@ namespace render {
 struct GlSurfel {
     base::Vec3f position;
     std::uint32_t normal;        ///< GL_INT_2_10_10_10_REV; zero where unknown
-    std::uint32_t support;       ///< a float whose lowest rimBits bits are a RimCode
+    std::uint32_t support;       ///< a float whose lowest cutBits bits are a CutCode
     std::uint32_t colourAndMask; ///< the mask stands in the place of alpha
 };
 constexpr std::size_t slotBytes = sizeof(GlSurfel) * surfel::blockCapacity;
@@ -37,7 +37,7 @@ class GlSlots {
     /// called it is current.
     void show(const tree::SurfelTree& model, std::shared_ptr<const BlockColours> colours = nullptr);
     /// Uploads blocks of the version shown again whose discs are cut otherwise than they were. Null: whole discs.
-    void cut(std::span<const std::pair<const surfel::SurfelBlock*, const RimCodes*>> blocks);
+    void cut(std::span<const std::pair<const surfel::SurfelBlock*, const CutCodes*>> blocks);
     /// Uploads those proxies that have no slot yet. They must live until dropped.
     void hold(std::span<const surfel::SurfelBlock* const> proxies);
     /// Frees the slots of those that have one.
@@ -73,7 +73,7 @@ class GlSlots {
     std::shared_ptr<const BlockColours> m_colours;
     tree::SurfelTree m_shown; ///< keeps its blocks alive, so that their addresses name them
     std::unordered_map<const surfel::SurfelBlock*, std::size_t> m_slotOf;
-    std::unordered_map<const surfel::SurfelBlock*, RimCodes> m_cut; ///< of those that have any
+    std::unordered_map<const surfel::SurfelBlock*, CutCodes> m_cut; ///< of those that have any
     std::vector<std::size_t> m_free;                                ///< ascending, but for what `release` appended
     std::vector<GlSurfel> m_staging;
     std::size_t m_uploads = 0, m_uploadedBytes = 0;

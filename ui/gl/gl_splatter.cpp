@@ -222,16 +222,16 @@ void GlSplatter::look(const tree::SurfelTree& model, const Frame& frame) {
         if (!m_slots.holds(visible.block))
             proxies.push_back(visible.block);
     m_slots.hold(proxies);
-    const bool rims = RimCuts::any(frame.options.definition);
-    if (rims) {
-        m_rims.use(frame.options.definition, frame.style.radiusOfSupport);
-        m_rims.follow(model);
-        findRims(sight, m_rims, m_visible);
+    const bool bounded = DiscCuts::any(frame.options.definition);
+    if (bounded) {
+        m_discCuts.use(frame.options.definition, frame.style.radiusOfSupport);
+        m_discCuts.follow(model);
+        findCuts(sight, m_discCuts, m_visible);
     }
-    std::vector<std::pair<const surfel::SurfelBlock*, const RimCodes*>> cuts;
+    std::vector<std::pair<const surfel::SurfelBlock*, const CutCodes*>> cuts;
     for (const VisibleBlock& visible : m_visible)
-        if (visible.large || (!rims && m_slots.cutBlocks() > 0 && !visible.proxy))
-            cuts.emplace_back(visible.block, visible.rims);
+        if (visible.large || (!bounded && m_slots.cutBlocks() > 0 && !visible.proxy))
+            cuts.emplace_back(visible.block, visible.cuts);
     m_slots.cut(cuts);
 }
 

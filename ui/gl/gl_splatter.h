@@ -1,4 +1,4 @@
-// Blended splats by OpenGL 3.3, in three passes (Botsch et al. 2005, alg. 4.1), into any framebuffer of the current
+// Blended splats by OpenGL 3.3, in three passes ([Botsch05], render/README 2.2), into any framebuffer of the current
 // context. The same picture as the CPU splatter's within a mean difference of 1/255.
 //
 //     pass 1  depth alone: how far behind the nearest splat others still belong to its layer
@@ -67,7 +67,7 @@ class GlSplatter {
     GLuint m_vertexArray = 0;
     float m_maxPointSize = 1;
     DetailCache m_details;
-    RimCuts m_rims;
+    DiscCuts m_discCuts;
     tree::SurfelTree m_shown; ///< that m_details belong to
     std::vector<VisibleBlock> m_visible;
     struct Points {

@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 #include "core/base/row_of_id.h"
 #include "core/session/option_json.h"
+#include "core/render/effects/effect_rows.h"
 
 #include <algorithm>
 #include <QSettings>

@@ -1,3 +1,4 @@
+#include "core/render/effects/effect_rows.h"
 #include "ui/window/main_window.h"
 #include "ui/window/menu_tools.h"
 #include "ui/window/menus.h"

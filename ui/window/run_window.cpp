@@ -5,8 +5,10 @@
 #include "ui/theme/theme.h"
 #include "ui/window/main_window.h"
 
+#include <clocale>
 #include <cstdio>
 #include <QApplication>
+#include <QLocale>
 #include <QTimer>
 #include <string_view>
 
@@ -48,6 +50,9 @@ int runWindow(int argc, char** argv, const std::vector<std::filesystem::path>& m
         return 1;
     }
     QApplication application(argc, argv);
+    // Qt has taken over the person's locale. Numbers are written and read with a point everywhere, as in files.
+    std::setlocale(LC_NUMERIC, "C");
+    QLocale::setDefault(QLocale::c());
     prepare(application);
     std::vector<std::unique_ptr<MainWindow>> windows;
     const auto addWindow = [&]() -> MainWindow& {

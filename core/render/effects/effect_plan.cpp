@@ -18,7 +18,7 @@ static void addPairs(int radius, float step, std::vector<EffectTap>& out) {
 
 /// Evenly over the disc, denser towards its middle: a spiral by the golden angle.
 static void addDisc(double radius, float step, std::vector<EffectTap>& out) {
-    constexpr int count = 28;
+    constexpr int count = EffectPlan::discTaps;
     for (int k = 0; k < count; ++k) {
         const double part = (k + 0.5) / count, r = radius * std::pow(part, 0.8), angle = 2.399963229728653 * k;
         const int x = static_cast<int>(std::lround(r * std::cos(angle)));
@@ -32,25 +32,23 @@ static void addDisc(double radius, float step, std::vector<EffectTap>& out) {
 
 EffectPlan::EffectPlan(Effects wanted, const ViewFrame& view, float pixelScale)
     : effects(wanted), parallel(view.parallel) {
-    const auto pixels = [&](float count) { return std::max(1, static_cast<int>(std::lround(count * pixelScale))); };
-    if (effects & EyeDome)
-        for (const float radius : {1.0f, 2.0f, 4.0f})
-            addPairs(pixels(radius), view.step, dome);
-    if (effects & Occlusion) {
-        const double radius = std::clamp(0.06 * view.height, 4.0, 96.0);
-        addDisc(radius, view.step, sky);
-        const float far = static_cast<float>(radius) * view.step;
-        skyRadiusSq = far * far;
-    }
-    if (effects & (Outline | Creases | Contours))
-        addPairs(pixels(1), view.step, lines);
-    if (effects & Creases)
-        addPairs(pixels(2), view.step, creases);
-    if (effects & Contours)
-        addPairs(pixels(3), view.step, contours);
-    for (const auto* taps : {&dome, &sky, &lines, &creases, &contours})
-        for (const EffectTap& tap : *taps)
+    for (std::size_t i = 0; i < effectCount; ++i) {
+        const EffectRow& row = effectRows[i];
+        if (!(effects & row.effect))
+            continue;
+        for (const int radius : row.rings)
+            if (radius > 0)
+                addPairs(std::max(1, static_cast<int>(std::lround(static_cast<float>(radius) * pixelScale))), view.step,
+                         taps[i].all);
+        if (row.disc > 0) {
+            const double radius = std::clamp(static_cast<double>(row.disc) * view.height, 4.0, 96.0);
+            addDisc(radius, view.step, taps[i].all);
+            const float far = static_cast<float>(radius) * view.step;
+            taps[i].discSq = far * far;
+        }
+        for (const EffectTap& tap : taps[i].all)
             reach = std::max({reach, std::abs(tap.x), std::abs(tap.y)});
+    }
 }
 
 } // namespace render

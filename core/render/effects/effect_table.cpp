@@ -1,20 +1,21 @@
 #include "core/render/effects/effect_table.h"
 
 #include "core/base/row_of_id.h"
+#include "core/render/effects/effect_rows.h"
 
 #include <algorithm>
 
 namespace render {
 
+static_assert([] {
+    for (std::size_t i = 0; i < effectCount; ++i)
+        if (effectRows[i].effect != 1u << i)
+            return false;
+    return true;
+}());
+
 std::span<const EffectRow> effectTable() {
-    static constexpr EffectRow rows[] = {
-        {EyeDome, "eye-dome", "Eye-Dome Lighting", "Darkens grooves and what lies behind an edge"},
-        {Occlusion, "ambient-occlusion", "Ambient Occlusion", "Shadows where little of the sky can be seen"},
-        {Outline, "outline", "Outlines", "Lines where the surface ends before something farther away"},
-        {Creases, "creases", "Creases", "Lines along sharp edges"},
-        {Contours, "contours", "Suggestive Contours", "Lines that would become outlines if the eye moved a little"},
-    };
-    return rows;
+    return effectRows;
 }
 
 Effects effects(std::string_view list) {

@@ -8,6 +8,7 @@
 
 #include "core/base/box.h"
 #include "core/render/effects/pixel_geometry.h"
+#include "core/render/shared_constant.h"
 
 namespace render {
 
@@ -37,8 +38,9 @@ struct GridPlan {
 };
 
 /// Of lines: what they hide of what is behind.
-constexpr float gridMinor = 0.3f, gridMajor = 0.55f, gridAxis = 0.85f;
-constexpr float gridFadeFrom = 2, gridFadeTo = 10; ///< pixels between lines
+constexpr SharedConstant gridMinor{"gridMinor", 0.3f}, gridMajor{"gridMajor", 0.55f}, gridAxis{"gridAxis", 0.85f};
+constexpr SharedConstant gridFadeFrom{"gridFadeFrom", 2}, gridFadeTo{"gridFadeTo", 10}; ///< pixels between lines
+inline constexpr SharedConstant gridConstants[] = {gridMinor, gridMajor, gridAxis, gridFadeFrom, gridFadeTo};
 constexpr float gridRed[3] = {0.83f, 0.3f, 0.28f}, gridBlue[3] = {0.3f, 0.48f, 0.85f};
 
 /// Draws over pixels [left, right) of a row, in place; `colours` begins at `left`. The alpha of what is transparent

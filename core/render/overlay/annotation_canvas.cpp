@@ -20,8 +20,8 @@ void write(std::span<const PenLine> lines, float width, const Vec3f& colour, Ima
     const auto ink = [&](surfel::Colour pixel, float away) {
         const float halo = std::clamp(1 - (away - 0.5f * width) / soft, 0.0f, 1.0f), cover = covered(width, away);
         if (halo > 0)
-            pixel = over(pixel, edge, 0.4f * halo);
-        return cover > 0 ? over(pixel, colour, cover) : pixel;
+            pixel = inked(pixel, edge, 0.4f * halo);
+        return cover > 0 ? inked(pixel, colour, cover) : pixel;
     };
     draw(lines, 0.5f * width + soft + 1, ink, out);
 }

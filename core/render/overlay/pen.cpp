@@ -115,7 +115,7 @@ float covered(float width, float distance) {
     return std::clamp(0.5f + 0.5f * width - distance, 0.0f, 1.0f);
 }
 
-surfel::Colour over(surfel::Colour pixel, const base::Vec3f& colour, float cover) {
+surfel::Colour inked(surfel::Colour pixel, const base::Vec3f& colour, float cover) {
     const float under = static_cast<float>(pixel >> 24) / 255 * (1 - cover), alpha = cover + under;
     if (!(alpha > 0))
         return pixel;

@@ -29,6 +29,6 @@ void draw(std::span<const PenLine> lines, float reach, const Ink& ink, Image& ou
 /// How much of a pixel a line of that width covers.
 float covered(float width, float distance);
 /// A colour (sRGB, 0 to 1) over another, not premultiplied.
-surfel::Colour over(surfel::Colour under, const base::Vec3f& colour, float cover);
+surfel::Colour inked(surfel::Colour under, const base::Vec3f& colour, float cover);
 
 } // namespace render

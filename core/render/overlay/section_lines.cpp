@@ -88,7 +88,7 @@ void drawSections(const SectionCurves& curves, const Camera& camera, Image& imag
     const base::Vec3f line = opaque(pen.line), shade = opaque(pen.shade);
     const float strength = static_cast<float>(pen.shade >> 24) / 255;
     const auto ink = [&](surfel::Colour under, float away) {
-        return over(over(under, shade, strength * covered(wide, away)), line, covered(width, away));
+        return inked(inked(under, shade, strength * covered(wide, away)), line, covered(width, away));
     };
     draw(lines, 0.5f * wide + 1, ink, image);
 }

@@ -124,7 +124,7 @@ void drawEdge(Drawing& d, const ProjectedVertex& a, const ProjectedVertex& b, su
 
 surfel::Colour colourOf(const Drawing& d, const Wires::Edge& edge) {
     const std::vector<mesh::VertexKind>& kinds = d.wires.mesh->kinds;
-    if (!edge.rim)
+    if (!edge.boundary)
         return d.colours.edge;
     const bool fold =
         !kinds.empty() && (kinds[edge.a] == mesh::VertexKind::Fold || kinds[edge.b] == mesh::VertexKind::Fold);
@@ -183,7 +183,7 @@ void drawWires(const Wires& wires, const Camera& camera, const WireColours& colo
         for (const Wires::Edge& edge : wires.edges) {
             const ProjectedVertex &a = d.vertices[edge.a], &b = d.vertices[edge.b];
             if (a.seen && b.seen && reaches(std::min(a.y, b.y), std::max(a.y, b.y), top, bottom))
-                drawEdge(d, a, b, colourOf(d, edge), edge.rim ? 1 : d.alpha, top, bottom);
+                drawEdge(d, a, b, colourOf(d, edge), edge.boundary ? 1 : d.alpha, top, bottom);
         }
     });
 }

@@ -1,5 +1,5 @@
-// A mesh as lines over a picture of the surface it came from: edges that its triangles do not hide, rims in colours of
-// their own. Drawn on the CPU by bands of rows in parallel; the same bits at any thread count.
+// A mesh as lines over a picture of the surface it came from: edges that its triangles do not hide, boundaries in
+// colours of their own. Drawn on the CPU by bands of rows in parallel; the same bits at any thread count.
 #pragma once
 
 #include "core/base/progress.h"
@@ -11,15 +11,15 @@ namespace render {
 
 struct WireColours {
     surfel::Colour edge = surfel::rgba(20, 24, 30, 150);
-    surfel::Colour limit = surfel::rgba(255, 176, 64, 255); ///< rims where the surface ends by its limit
-    surfel::Colour fold = surfel::rgba(255, 84, 64, 255);   ///< rims where its definition ends
+    surfel::Colour limit = surfel::rgba(255, 176, 64, 255); ///< boundaries where the surface ends by its limit
+    surfel::Colour fold = surfel::rgba(255, 84, 64, 255);   ///< boundaries where its definition ends
 };
 
 /// What it draws of a mesh, found once for all views.
 struct Wires {
     struct Edge {
         std::uint32_t a, b;
-        bool rim = false;
+        bool boundary = false;
     };
     std::shared_ptr<const mesh::Mesh> mesh;
     std::vector<Edge> edges; ///< each once

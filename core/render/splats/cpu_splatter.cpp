@@ -226,10 +226,10 @@ void CpuSplatter::update(const tree::SurfelTree& model, const Camera& camera, co
     TileMask mask(view);
     const bool same = m_setting && m_setting->sameButColours(setting) && sameSize;
     const std::shared_ptr<const BlockColours> before = m_setting ? m_setting->options.colours : nullptr;
-    const bool rims = RimCuts::any(options.definition);
-    if (rims)
-        m_rims.use(options.definition, setting.style.radiusOfSupport);
-    const auto recut = rims ? m_rims.follow(model) : std::vector<const surfel::SurfelBlock*>{};
+    const bool bounded = DiscCuts::any(options.definition);
+    if (bounded)
+        m_discCuts.use(options.definition, setting.style.radiusOfSupport);
+    const auto recut = bounded ? m_discCuts.follow(model) : std::vector<const surfel::SurfelBlock*>{};
     const bool fits = m_layer && m_layer->width == camera.width && m_layer->height == camera.height;
     const std::shared_ptr<const ShadedLayer> layer = fits ? m_layer : nullptr;
     m_setting.reset(); // for as long as the picture is neither the one nor the other
@@ -250,8 +250,8 @@ void CpuSplatter::update(const tree::SurfelTree& model, const Camera& camera, co
         visibleBlocks(model, seen, m_visible);
     }
     m_drawnLayer = layer;
-    if (rims)
-        findRims(seen, m_rims, m_visible);
+    if (bounded)
+        findCuts(seen, m_discCuts, m_visible);
     if (!same)
         m_finish.begin(options, camera);
     drawTiles(setting, mask.tiles(), out);

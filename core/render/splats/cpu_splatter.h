@@ -50,7 +50,7 @@ class CpuSplatter : public Renderer {
     std::optional<Setting> m_setting;
     tree::SurfelTree m_model; ///< of the last picture
     DetailCache m_details;
-    RimCuts m_rims;
+    DiscCuts m_discCuts;
     std::vector<VisibleBlock> m_visible; ///< that the tiles to be drawn are binned from
     TileBins m_bins;
     Finish m_finish;                                          ///< of the picture; its options are the setting's

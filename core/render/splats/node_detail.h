@@ -1,4 +1,4 @@
-// What stands for a node of the tree where it is small in the image (QSplat: Rusinkiewicz & Levoy 2000): at most a
+// What stands for a node of the tree where it is small in the image ([Rusinkiewicz00], render/README 4): at most a
 // block of representatives, well spread over the node's surfels, and the cone of its normals.
 //
 // A representative is the mean of the surfels nearest to it (position, normal, colour and mask, weighted by area); its

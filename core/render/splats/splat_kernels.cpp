@@ -112,11 +112,11 @@ int gather(const BinEntry& entry, const ViewFrame& view, const SplatStyle& style
         for (int i = 0; i < lanes; ++i) {
             if (!(s.left[i] <= s.right[i] && s.top[i] <= s.bottom[i]))
                 continue;
-            const RimCode code =
-                entry.rims ? (*entry.rims)[static_cast<std::size_t>(cluster * clusterSize + i)] : wholeDisc;
-            const RimCut rim =
-                code == wholeDisc ? RimCut{} : rimCut(entry.block->normal(cluster * clusterSize + i), code);
-            const float part = rim.part > 0 ? rimRadius : code == acrossDisc ? acrossRadius : 1;
+            const CutCode code =
+                entry.cuts ? (*entry.cuts)[static_cast<std::size_t>(cluster * clusterSize + i)] : wholeDisc;
+            const DiscCut cut =
+                code == wholeDisc ? DiscCut{} : discCut(entry.block->normal(cluster * clusterSize + i), code);
+            const float part = cut.part > 0 ? cutRadius : code == acrossDisc ? acrossRadius : 1;
             const float radius = part * s.radius[i], z = s.z[i];
             const bool behind = style.oriented && s.back[i] > 0;
             const float filter = filterPx * view.pixelSize(z), range = radius + filterDepth * filter;
@@ -140,7 +140,7 @@ int gather(const BinEntry& entry, const ViewFrame& view, const SplatStyle& style
                             static_cast<std::uint8_t>(s.right[i]),
                             static_cast<std::uint8_t>(s.top[i]),
                             static_cast<std::uint8_t>(s.bottom[i]),
-                            rim.part > 0 ? view.turn(rim.direction) * (1 / (rim.part * s.radius[i])) : base::Vec3f{}};
+                            cut.part > 0 ? view.turn(cut.direction) * (1 / (cut.part * s.radius[i])) : base::Vec3f{}};
         }
     }
     return count;
@@ -165,7 +165,7 @@ HWY_INLINE V uncut(D d, const Splat& s, const ViewFrame& view, V dx, float dy, V
 }
 
 /// `dx`: way from the splat's centre in the image; `row`: w at dx = 0; `dy2`: squared distance down, in filter units.
-template <bool parallel, bool atRim, class D, class V>
+template <bool parallel, bool isCut, class D, class V>
 HWY_INLINE Fragments<D> meet(D d, const Splat& s, const ViewFrame& view, V dx, float dy, float row, float dy2,
                              float filter) {
     const V exact = hn::MulAdd(hn::Set(d, s.gradX), dx, hn::Set(d, row));
@@ -176,9 +176,9 @@ HWY_INLINE Fragments<D> meet(D d, const Splat& s, const ViewFrame& view, V dx, f
     const V ay = parallel ? hn::Set(d, dy) : hn::MulAdd(dz, hn::Set(d, s.y), hn::Mul(z, hn::Set(d, dy)));
     V onDisc = hn::Mul(hn::MulAdd(ax, ax, hn::MulAdd(ay, ay, hn::Mul(dz, dz))), hn::Set(d, s.inverseRadiusSq));
     onDisc = hn::IfThenElse(hn::Gt(exact, hn::Set(d, s.cut)), hn::Set(d, 2.0f), onDisc);
-    if constexpr (atRim) {
+    if constexpr (isCut) {
         const V along =
-            hn::MulAdd(ax, hn::Set(d, s.rim.x), hn::MulAdd(ay, hn::Set(d, s.rim.y), hn::Mul(dz, hn::Set(d, s.rim.z))));
+            hn::MulAdd(ax, hn::Set(d, s.edge.x), hn::MulAdd(ay, hn::Set(d, s.edge.y), hn::Mul(dz, hn::Set(d, s.edge.z))));
         onDisc = hn::IfThenElse(hn::Gt(along, hn::Set(d, 1.0f)), hn::Set(d, 2.0f), onDisc);
     }
     const V onScreen = hn::MulAdd(hn::Mul(dx, hn::Set(d, filter)), dx, hn::Set(d, dy2));
@@ -196,7 +196,7 @@ HWY_INLINE V weightOf(D d, V t) {
 }
 
 /// Calls fn(place, fragments) for the vectors of pixels that may lie in the splat.
-template <bool parallel, bool atRim, class D, class Fn>
+template <bool parallel, bool isCut, class D, class Fn>
 HWY_INLINE void forFragmentsOf(D d, const Splat& s, const ViewFrame& view, const TileArea& area, const Fn& fn) {
     constexpr float filterSq = filterPx * filterPx;
     const float filter = view.focalPx * view.focalPx / filterSq;
@@ -208,13 +208,13 @@ HWY_INLINE void forFragmentsOf(D d, const Splat& s, const ViewFrame& view, const
         const float row = (parallel ? -s.z : 1 / s.z) + s.gradY * dy, dy2 = dy * dy * filter;
         auto dx = first;
         for (int x = s.left; x <= s.right; x += static_cast<int>(hn::Lanes(d)), dx = hn::Add(dx, jump))
-            fn(y * tileStride + x, meet<parallel, atRim>(d, s, view, dx, dy, row, dy2, filter));
+            fn(y * tileStride + x, meet<parallel, isCut>(d, s, view, dx, dy, row, dy2, filter));
     }
 }
 
 template <bool parallel, class D, class Fn>
 HWY_INLINE void forFragments(D d, const Splat& s, const ViewFrame& view, const TileArea& area, const Fn& fn) {
-    if (s.rim == base::Vec3f{})
+    if (s.edge == base::Vec3f{})
         forFragmentsOf<parallel, false>(d, s, view, area, fn);
     else
         forFragmentsOf<parallel, true>(d, s, view, area, fn);

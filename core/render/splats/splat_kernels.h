@@ -4,7 +4,7 @@
 //     splatVisibility  pass 1: per pixel, how far behind its nearest splat others still belong to the same layer
 //     splatAttributes  pass 2: sums of normals, depths, colours and masks of that layer, weighted by exp(-2 r^2)
 //
-// after Botsch, Hornung, Zwicker & Kobbelt, High-Quality Surface Splatting on Today's GPUs (2005); alg. 4.1.
+// after [Botsch05]; render/README 2.
 //
 // A splat is a disc. Along the ray of slope d = (x, y, 1), 1/z = (n.d)/(n.p) is linear in x and y, so the exact meeting
 // of ray and plane costs one division. r^2 = |z d - p|^2 / R^2, or the squared distance from the projected centre in
@@ -59,8 +59,8 @@ struct Splat {
     float mask;
     surfel::Colour colour;
     std::uint8_t left, right, top, bottom; ///< pixels of the tile, inclusive
-    /// The disc ends where (x - centre) . rim = 1, in view coordinates; zero where it is whole (rim_cuts.h).
-    base::Vec3f rim;
+    /// The disc ends where (x - centre) . edge = 1, in view coordinates; zero where it is whole (disc_cuts.h).
+    base::Vec3f edge;
 };
 
 /// Pixels of a tile; rows are longer than the tile so that a vector may run past its end.

@@ -46,14 +46,14 @@ void TileBins::fill(std::span<const VisibleBlock> blocks, const ViewFrame& view,
         for (std::size_t i = begin; i < end; ++i) {
             const surfel::SurfelBlock* block = blocks[i].block;
             if (inOneTile(blocks[i].bounds)) {
-                place(chunk, blocks[i].bounds, {block, blocks[i].bounds.nearest, block->clusterMask(), blocks[i].rims});
+                place(chunk, blocks[i].bounds, {block, blocks[i].bounds.nearest, block->clusterMask(), blocks[i].cuts});
                 continue;
             }
             for (int c = 0; c < block->clusterCount(); ++c) {
                 const surfel::ClusterBounds& cluster = block->bounds(c);
                 const ScreenBounds bounds = screenBounds(view, cluster.box, reachOfSupport * cluster.maxSupport);
                 if (bounds.visible)
-                    place(chunk, bounds, {block, bounds.nearest, 1u << c, blocks[i].rims});
+                    place(chunk, bounds, {block, bounds.nearest, 1u << c, blocks[i].cuts});
             }
         }
     });

@@ -13,7 +13,7 @@ struct BinEntry {
     const surfel::SurfelBlock* block = nullptr;
     float nearest = 0;          ///< lower bound of the depth of its splats
     std::uint32_t clusters = 0; ///< bit per cluster
-    const RimCodes* rims = nullptr;
+    const CutCodes* cuts = nullptr;
 };
 
 class TileBins {

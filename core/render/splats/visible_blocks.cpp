@@ -19,16 +19,16 @@ constexpr float leastGrowth = 0.5f;
 constexpr float awayBy = 0.2f;
 
 /// A child as its parent knows it, or the root.
-struct Place {
+struct NodeExtent {
     base::Box3f box;
     float support;
 };
 
-Place placeOf(const Node& node, std::size_t i) {
+NodeExtent extentOf(const Node& node, std::size_t i) {
     return {{{node.loX[i], node.loY[i], node.loZ[i]}, {node.hiX[i], node.hiY[i], node.hiZ[i]}}, node.maxSupport[i]};
 }
 
-Place placeOf(const tree::SurfelTree& model) {
+NodeExtent extentOf(const tree::SurfelTree& model) {
     return {model.bounds(), model.maxSupport()};
 }
 
@@ -36,25 +36,25 @@ class Looker {
   public:
     explicit Looker(const Sight& sight) : m_sight(sight) {}
 
-    ScreenBounds bounds(const Place& place) const {
-        return screenBounds(m_sight.view, place.box, m_sight.reachOfSupport * place.support);
+    ScreenBounds bounds(const NodeExtent& extent) const {
+        return screenBounds(m_sight.view, extent.box, m_sight.reachOfSupport * extent.support);
     }
     ScreenBounds bounds(const surfel::SurfelBlock& block) const {
         return screenBounds(m_sight.view, block.box(), m_sight.reachOfSupport * block.maxSupport());
     }
     /// Whether it pays to know the node's detail.
-    bool wants(const Node& node, const Place& place, const ScreenBounds& bounds) const {
+    bool wants(const Node& node, const NodeExtent& extent, const ScreenBounds& bounds) const {
         if (!m_sight.details)
             return false;
         const float growth = std::sqrt(static_cast<float>(node.surfelCount) / surfel::blockCapacity);
         const bool small =
             node.surfelCount >= leastSurfels &&
-            pixels(leastGrowth * growth * m_sight.reachOfSupport * place.support, bounds) <= m_sight.detailPx;
+            pixels(leastGrowth * growth * m_sight.reachOfSupport * extent.support, bounds) <= m_sight.detailPx;
         return small || m_sight.closed;
     }
     /// What is drawn instead of what is below; null: nothing, descend.
-    const NodeDetail* instead(const Node& node, const Place& place, const ScreenBounds& bounds) const {
-        if (!wants(node, place, bounds) || node.surfelCount < leastSurfels)
+    const NodeDetail* instead(const Node& node, const NodeExtent& extent, const ScreenBounds& bounds) const {
+        if (!wants(node, extent, bounds) || node.surfelCount < leastSurfels)
             return nullptr;
         const NodeDetail& detail = m_sight.details->of(node);
         const float widest = m_sight.reachOfSupport * detail.proxy->maxSupport();
@@ -63,8 +63,8 @@ class Looker {
                    ? &detail
                    : nullptr;
     }
-    /// All of it faces away. `reach`: what its splats may stand out of the place.
-    bool away(const Node& node, const Place& place) const {
+    /// All of it faces away. `reach`: what its splats may stand out of the extent.
+    bool away(const Node& node, const NodeExtent& extent) const {
         if (!m_sight.closed || !m_sight.details || m_sight.view.clipCount > 0) // cut open, the inside shows
             return false;
         const NormalCone& cone = m_sight.details->of(node).cone;
@@ -73,9 +73,9 @@ class Looker {
         if (m_sight.view.parallel)
             return std::acos(std::clamp(dot(m_sight.view.forward, cone.axis), -1.0f, 1.0f)) + cone.angleRad + awayBy <
                    std::numbers::pi_v<float> / 2;
-        const base::Vec3f to = place.box.centre() - m_sight.view.eye;
+        const base::Vec3f to = extent.box.centre() - m_sight.view.eye;
         const float distance = length(to);
-        const float radius = 0.5f * place.box.diagonal() + m_sight.reachOfSupport * place.support;
+        const float radius = 0.5f * extent.box.diagonal() + m_sight.reachOfSupport * extent.support;
         if (!(distance > radius))
             return false;
         const float facing = std::acos(std::clamp(dot(to, cone.axis) / distance, -1.0f, 1.0f));
@@ -112,11 +112,11 @@ struct Walk {
     Block block;
     Proxy proxy;
 
-    void node(const Node& node, const Place& place) {
-        const ScreenBounds bounds = look.bounds(place);
-        if (!bounds.visible || !look.touches(only, bounds) || look.away(node, place))
+    void node(const Node& node, const NodeExtent& extent) {
+        const ScreenBounds bounds = look.bounds(extent);
+        if (!bounds.visible || !look.touches(only, bounds) || look.away(node, extent))
             return;
-        if (const NodeDetail* detail = look.instead(node, place, bounds))
+        if (const NodeDetail* detail = look.instead(node, extent, bounds))
             proxy(*detail);
         else
             below(node);
@@ -124,9 +124,9 @@ struct Walk {
     void below(const Node& node) {
         for (std::size_t i = 0; i < node.childCount; ++i)
             if (node.level > 1)
-                this->node(*node.nodes[i], placeOf(node, i));
+                this->node(*node.nodes[i], extentOf(node, i));
             else
-                block(*node.blocks[i], look.bounds(placeOf(node, i)));
+                block(*node.blocks[i], look.bounds(extentOf(node, i)));
     }
 };
 
@@ -136,15 +136,15 @@ Walk<Block, Proxy> walkOf(const Looker& look, const TileMask* only, Block block,
 }
 
 /// Nodes whose detail a walk will ask for.
-void gatherWanted(const Looker& look, const Node& node, const Place& place, std::vector<const Node*>& out) {
-    const ScreenBounds bounds = look.bounds(place);
+void gatherWanted(const Looker& look, const Node& node, const NodeExtent& extent, std::vector<const Node*>& out) {
+    const ScreenBounds bounds = look.bounds(extent);
     if (!bounds.visible)
         return;
-    if (look.wants(node, place, bounds))
+    if (look.wants(node, extent, bounds))
         out.push_back(&node);
     else if (node.level > 1)
         for (std::size_t i = 0; i < node.childCount; ++i)
-            gatherWanted(look, *node.nodes[i], placeOf(node, i), out);
+            gatherWanted(look, *node.nodes[i], extentOf(node, i), out);
 }
 
 /// Both versions side by side, down to where they share.
@@ -152,26 +152,26 @@ struct Comparison {
     const Looker& look;
     TileMask& out;
 
-    void all(const Node& node, const Place& place) const {
+    void all(const Node& node, const NodeExtent& extent) const {
         walkOf(
             look, nullptr, [&](const surfel::SurfelBlock&, const ScreenBounds& bounds) { add(bounds); },
             [&](const NodeDetail& detail) { add(look.bounds(*detail.proxy)); })
-            .node(node, place);
+            .node(node, extent);
     }
     void add(const ScreenBounds& bounds) const {
         if (bounds.visible)
             out.add(bounds);
     }
-    bool whole(const Node& node, const Place& place) const {
-        const ScreenBounds bounds = look.bounds(place);
-        return !bounds.visible || look.away(node, place) || look.instead(node, place, bounds);
+    bool whole(const Node& node, const NodeExtent& extent) const {
+        const ScreenBounds bounds = look.bounds(extent);
+        return !bounds.visible || look.away(node, extent) || look.instead(node, extent, bounds);
     }
-    void nodes(const Node& a, const Place& placeA, const Node& b, const Place& placeB) const {
+    void nodes(const Node& a, const NodeExtent& extentA, const Node& b, const NodeExtent& extentB) const {
         if (&a == &b)
             return;
-        if (a.level != b.level || whole(a, placeA) || whole(b, placeB)) {
-            all(a, placeA);
-            all(b, placeB);
+        if (a.level != b.level || whole(a, extentA) || whole(b, extentB)) {
+            all(a, extentA);
+            all(b, extentB);
             return;
         }
         for (std::size_t i = 0; i < std::max<std::size_t>(a.childCount, b.childCount); ++i)
@@ -179,14 +179,14 @@ struct Comparison {
     }
     void child(const Node& node, std::size_t i) const {
         if (node.level > 1)
-            all(*node.nodes[i], placeOf(node, i));
+            all(*node.nodes[i], extentOf(node, i));
         else
-            add(look.bounds(placeOf(node, i)));
+            add(look.bounds(extentOf(node, i)));
     }
     void children(const Node& a, const Node& b, std::size_t i) const {
         const bool inA = i < a.childCount, inB = i < b.childCount;
         if (inA && inB && a.level > 1)
-            return nodes(*a.nodes[i], placeOf(a, i), *b.nodes[i], placeOf(b, i));
+            return nodes(*a.nodes[i], extentOf(a, i), *b.nodes[i], extentOf(b, i));
         if (inA && inB && a.blocks[i] == b.blocks[i])
             return;
         if (inA)
@@ -206,7 +206,7 @@ void visibleBlocks(const tree::SurfelTree& model, const Sight& sight, std::vecto
         return;
     if (sight.details && !only) {
         std::vector<const Node*> wanted;
-        gatherWanted(look, *model.root(), placeOf(model), wanted);
+        gatherWanted(look, *model.root(), extentOf(model), wanted);
         sight.details->prepare(wanted);
     }
     const auto add = [&](const surfel::SurfelBlock& block, const ScreenBounds& bounds, bool proxy) {
@@ -216,22 +216,22 @@ void visibleBlocks(const tree::SurfelTree& model, const Sight& sight, std::vecto
     walkOf(
         look, only, [&](const surfel::SurfelBlock& block, const ScreenBounds& bounds) { add(block, bounds, false); },
         [&](const NodeDetail& d) { add(*d.proxy, look.bounds(*d.proxy), true); })
-        .node(*model.root(), placeOf(model));
+        .node(*model.root(), extentOf(model));
 }
 
-void findRims(const Sight& sight, RimCuts& rims, std::span<VisibleBlock> blocks) {
+void findCuts(const Sight& sight, DiscCuts& cuts, std::span<VisibleBlock> blocks) {
     const Looker look(sight);
     std::vector<const surfel::SurfelBlock*> wanted;
     for (VisibleBlock& each : blocks) {
         each.large =
-            !each.proxy && !(look.pixels(sight.reachOfSupport * each.block->maxSupport(), each.bounds) < rimPx);
+            !each.proxy && !(look.pixels(sight.reachOfSupport * each.block->maxSupport(), each.bounds) < cutPx);
         if (each.large)
             wanted.push_back(each.block);
     }
-    rims.prepare(wanted);
+    cuts.prepare(wanted);
     for (VisibleBlock& each : blocks)
         if (each.large)
-            each.rims = rims.of(each.block);
+            each.cuts = cuts.of(each.block);
 }
 
 void addTiles(std::span<const surfel::SurfelBlock* const> blocks, const Sight& sight, TileMask& out) {
@@ -245,11 +245,11 @@ void addChangedTiles(const tree::SurfelTree& from, const tree::SurfelTree& to, c
     const Looker look(sight);
     const Comparison compare{look, out};
     if (from.root() && to.root())
-        compare.nodes(*from.root(), placeOf(from), *to.root(), placeOf(to));
+        compare.nodes(*from.root(), extentOf(from), *to.root(), extentOf(to));
     else if (from.root())
-        compare.all(*from.root(), placeOf(from));
+        compare.all(*from.root(), extentOf(from));
     else if (to.root())
-        compare.all(*to.root(), placeOf(to));
+        compare.all(*to.root(), extentOf(to));
 }
 
 } // namespace render

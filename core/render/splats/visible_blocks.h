@@ -5,7 +5,7 @@
 #pragma once
 
 #include "core/render/splats/detail_cache.h"
-#include "core/render/splats/rim_cuts.h"
+#include "core/render/splats/disc_cuts.h"
 #include "core/render/tile_mask.h"
 
 namespace render {
@@ -14,8 +14,8 @@ struct VisibleBlock {
     const surfel::SurfelBlock* block = nullptr; ///< of the tree, or a node's proxy
     ScreenBounds bounds;
     bool proxy = false;
-    bool large = false;             ///< findRims looked at it
-    const RimCodes* rims = nullptr; ///< where discs are cut; null: they are whole
+    bool large = false;             ///< findCuts looked at it
+    const CutCodes* cuts = nullptr; ///< where discs are cut; null: they are whole
 };
 
 /// How a version is looked at.
@@ -32,8 +32,8 @@ struct Sight {
 void visibleBlocks(const tree::SurfelTree& model, const Sight& sight, std::vector<VisibleBlock>& out,
                    const TileMask* only = nullptr);
 
-/// Finds where the discs of those that are large enough in the image are cut. REQUIRES: `rims` follows the version.
-void findRims(const Sight& sight, RimCuts& rims, std::span<VisibleBlock> blocks);
+/// Finds where the discs of those that are large enough in the image are cut. REQUIRES: `cuts` follows the version.
+void findCuts(const Sight& sight, DiscCuts& cuts, std::span<VisibleBlock> blocks);
 
 /// Adds the tiles that can look different in two versions: those touched by blocks and proxies that they do not share
 /// at the same place of the tree. Cost: what differs.

@@ -1,8 +1,10 @@
-// Where the discs of splats end before their radius does: at the rims of open surfaces, where the surface itself ends
-// (off-centre value beyond its limit, alg. 6), and where a surfel's own normal stands across the surface about it.
+// Where the discs of splats end before their radius does: at the boundaries of open surfaces, where the surface itself
+// ends (off-centre value beyond its limit, surface/README 5.1), and where a surfel's own normal stands across the
+// surface about it.
 //
-// A disc at a rim is cut by a line: across the direction from the centroid of its surroundings, where the off-centre
-// value reaches the limit. Codes of 14 bits say so, alike for the CPU and for the low bits of the GPU's supports:
+// A disc at the boundary is cut by a line: across the direction from the centroid of its surroundings, where the
+// off-centre value reaches the limit. Codes of 14 bits say so, alike for the CPU and for the low bits of the GPU's
+// supports:
 //
 //     axis (1 bit) << 13 | angle about the normal (8 bits) << 5 | distance in 32nds of the disc's radius, 1 to 31
 //     0: the whole disc     32: its radius times acrossRadius
@@ -20,29 +22,29 @@
 
 namespace render {
 
-using RimCode = std::uint16_t;
-constexpr int rimBits = 14;
-constexpr RimCode wholeDisc = 0, acrossDisc = 32;
+using CutCode = std::uint16_t;
+constexpr int cutBits = 14;
+constexpr CutCode wholeDisc = 0, acrossDisc = 32;
 /// What is left of the radius of a disc that stands across the surface.
 constexpr float acrossRadius = 0.35f;
-/// What is left of the radius of a disc that is cut: sideways it leaves a bent rim.
-constexpr float rimRadius = 0.8f;
+/// What is left of the radius of a disc that is cut: sideways the boundary may be bent.
+constexpr float cutRadius = 0.8f;
 /// Discs smaller than this many pixels stay whole: less than a pixel would go.
-constexpr float rimPx = 1.5f;
+constexpr float cutPx = 1.5f;
 
 /// The code of a disc cut at `part` of its radius in a tangential direction; part >= 1 is whole.
-RimCode rimCode(const base::Vec3f& normal, const base::Vec3f& direction, float part);
+CutCode cutCode(const base::Vec3f& normal, const base::Vec3f& direction, float part);
 
-struct RimCut {
+struct DiscCut {
     base::Vec3f direction; ///< unit, tangential
     float part = 0;        ///< of the radius, 0 where nothing is cut
 };
-RimCut rimCut(const base::Vec3f& normal, RimCode code);
+DiscCut discCut(const base::Vec3f& normal, CutCode code);
 
 /// One per slot of a block.
-using RimCodes = std::array<RimCode, surfel::blockCapacity>;
+using CutCodes = std::array<CutCode, surfel::blockCapacity>;
 
-class RimCuts {
+class DiscCuts {
   public:
     /// Whether splats are cut at all under this definition.
     static bool any(const surface::SurfaceDefinition& definition) { return std::isfinite(definition.boundaryLimit); }
@@ -51,7 +53,7 @@ class RimCuts {
     /// Looks at those blocks of the version followed to that were not looked at, on all cores.
     void prepare(std::span<const surfel::SurfelBlock* const> blocks);
     /// Null where all discs of the block are whole, or nobody looked.
-    const RimCodes* of(const surfel::SurfelBlock* block) const {
+    const CutCodes* of(const surfel::SurfelBlock* block) const {
         const auto found = m_codes.find(block);
         return found == m_codes.end() ? nullptr : found->second.codes.get();
     }
@@ -61,9 +63,9 @@ class RimCuts {
   private:
     struct Kept {
         surfel::BlockPtr block;          ///< keeps its address its own
-        std::unique_ptr<RimCodes> codes; ///< null: all whole
+        std::unique_ptr<CutCodes> codes; ///< null: all whole
     };
-    using Found = std::vector<std::unique_ptr<RimCodes>>;
+    using Found = std::vector<std::unique_ptr<CutCodes>>;
     Found look(std::span<const surfel::SurfelBlock* const> blocks) const;
 
     surface::SurfaceDefinition m_definition;

@@ -1,4 +1,4 @@
-#include "core/render/splats/rim_cuts.h"
+#include "core/render/splats/disc_cuts.h"
 
 #include "core/base/error.h"
 #include "core/render/cast/raycast_image.h"
@@ -13,7 +13,7 @@ using namespace render;
 using base::Vec3d;
 using base::Vec3f;
 
-class RimCutsTest : public QObject {
+class DiscCutsTest : public QObject {
     Q_OBJECT
   private Q_SLOTS:
     void codesTellDirectionAndDistance();
@@ -32,22 +32,22 @@ static surface::SurfaceDefinition bounded(float limit = 0.3f) {
     return out;
 }
 
-void RimCutsTest::codesTellDirectionAndDistance() {
+void DiscCutsTest::codesTellDirectionAndDistance() {
     base::Random random(test::seed());
     for (int k = 0; k < 2000; ++k) {
         const auto n = base::cast<float>(k == 0 ? Vec3d{1, 0, 0} : random.unitVector());
         const auto any = base::cast<float>(random.unitVector());
         const Vec3f direction = normalized(any - n * dot(n, any), Vec3f{1, 0, 0});
         const auto part = static_cast<float>(random.uniform(0.05, 0.95));
-        const RimCut cut = rimCut(n, rimCode(n, direction, part));
+        const DiscCut cut = discCut(n, cutCode(n, direction, part));
         QVERIFY(std::abs(cut.part - part) <= 1 / 64.0f + 1e-6f);
         QVERIFY(dot(cut.direction, direction) > std::cos(0.013f));
         QVERIFY(std::abs(dot(cut.direction, n)) < 1e-5f);
-        QVERIFY(rimCode(n, direction, part) < 1 << rimBits);
+        QVERIFY(cutCode(n, direction, part) < 1 << cutBits);
     }
-    QCOMPARE(rimCode({0, 0, 1}, {1, 0, 0}, 1), wholeDisc);
-    QCOMPARE(rimCut({0, 0, 1}, wholeDisc).part, 0.0f);
-    QCOMPARE(rimCut({0, 0, 1}, acrossDisc).part, 0.0f);
+    QCOMPARE(cutCode({0, 0, 1}, {1, 0, 0}, 1), wholeDisc);
+    QCOMPARE(discCut({0, 0, 1}, wholeDisc).part, 0.0f);
+    QCOMPARE(discCut({0, 0, 1}, acrossDisc).part, 0.0f);
 }
 
 static std::vector<const surfel::SurfelBlock*> blocksOf(const tree::SurfelTree& model) {
@@ -57,23 +57,23 @@ static std::vector<const surfel::SurfelBlock*> blocksOf(const tree::SurfelTree& 
 }
 
 /// A half-plane x <= 0: every cut lies where the off-centre value reaches the limit, across x.
-void RimCutsTest::discsEndWhereTheSurfaceDoes() {
+void DiscCutsTest::discsEndWhereTheSurfaceDoes() {
     surfel::SurfelList list = test::disc({0, 0, 0}, {0, 0, 1}, 1, 0.02);
     std::erase_if(list.items, [](const surfel::Surfel& s) { return s.position.x > 0; });
     const auto model = test::built(list);
     const surface::Surface surface(model, bounded());
-    RimCuts rims;
-    rims.use(bounded(), splatRadiusOfSupport);
-    rims.follow(model);
-    rims.prepare(blocksOf(model));
+    DiscCuts cuts;
+    cuts.use(bounded(), splatRadiusOfSupport);
+    cuts.follow(model);
+    cuts.prepare(blocksOf(model));
     int cut = 0;
     for (const surfel::SurfelBlock* block : blocksOf(model))
-        if (const RimCodes* codes = rims.of(block))
+        if (const CutCodes* codes = cuts.of(block))
             for (int slot = 0; slot < block->size(); ++slot) {
                 const Vec3f p = block->position(slot);
                 if (std::abs(p.y) > 0.6f || p.x < -0.3f)
                     continue;
-                const RimCut found = rimCut(block->normal(slot), (*codes)[static_cast<std::size_t>(slot)]);
+                const DiscCut found = discCut(block->normal(slot), (*codes)[static_cast<std::size_t>(slot)]);
                 if (found.part == 0)
                     continue;
                 ++cut;
@@ -85,24 +85,24 @@ void RimCutsTest::discsEndWhereTheSurfaceDoes() {
     QVERIFY(cut >= 50);
 }
 
-void RimCutsTest::insideNothingIsCut() {
+void DiscCutsTest::insideNothingIsCut() {
     const auto model = test::built(test::torus(1, 0.4, 20000, test::seed()));
-    RimCuts rims;
-    rims.use(bounded(), splatRadiusOfSupport);
-    rims.follow(model);
-    rims.prepare(blocksOf(model));
+    DiscCuts cuts;
+    cuts.use(bounded(), splatRadiusOfSupport);
+    cuts.follow(model);
+    cuts.prepare(blocksOf(model));
     for (const surfel::SurfelBlock* block : blocksOf(model))
-        QVERIFY(!rims.of(block));
+        QVERIFY(!cuts.of(block));
 }
 
-void RimCutsTest::splatsEndLikeRays_data() {
+void DiscCutsTest::splatsEndLikeRays_data() {
     QTest::addColumn<bool>("oriented");
     QTest::newRow("oriented") << true;
     QTest::newRow("unoriented") << false;
 }
 
 /// The outline of a ragged sheet: cut discs leave several times fewer pixels in which rays and splats disagree.
-void RimCutsTest::splatsEndLikeRays() {
+void DiscCutsTest::splatsEndLikeRays() {
     QFETCH(bool, oriented);
     surfel::SurfelList list = test::disc({0, 0, 0}, {0.3, 0.2, 0.93}, 0.6, 0.025);
     base::Random random(test::seed());
@@ -131,19 +131,19 @@ void RimCutsTest::splatsEndLikeRays() {
     QVERIFY2(after * 3 < before, qPrintable(QString("%1 pixels of %2").arg(after).arg(before)));
 }
 
-void RimCutsTest::normalsThatStandAcrossLoseTheirDiscs() {
+void DiscCutsTest::normalsThatStandAcrossLoseTheirDiscs() {
     surfel::SurfelList list = test::disc({0, 0, 0}, {0, 0, 1}, 1, 0.02);
     for (std::size_t k = 0; k < list.items.size(); k += 997)
         list.items[k].normal = {1, 0, 0};
     const auto model = test::built(list);
-    RimCuts rims;
-    rims.use(bounded(), splatRadiusOfSupport);
-    rims.follow(model);
-    rims.prepare(blocksOf(model));
+    DiscCuts cuts;
+    cuts.use(bounded(), splatRadiusOfSupport);
+    cuts.follow(model);
+    cuts.prepare(blocksOf(model));
     for (const surfel::SurfelBlock* block : blocksOf(model))
         for (int slot = 0; slot < block->size(); ++slot)
             if (length(block->position(slot)) < 0.9f)
-                QCOMPARE(rims.of(block) && (*rims.of(block))[static_cast<std::size_t>(slot)] == acrossDisc,
+                QCOMPARE(cuts.of(block) && (*cuts.of(block))[static_cast<std::size_t>(slot)] == acrossDisc,
                          block->normal(slot).x == 1);
 }
 
@@ -161,8 +161,8 @@ static tree::SurfelTree holed(const tree::SurfelTree& model, const Vec3f& centre
     return model.apply(edit);
 }
 
-/// Holes change the rims of surfels that the edit leaves alone.
-void RimCutsTest::updatesAreTheWholePicture() {
+/// Holes change the cuts of surfels that the edit leaves alone.
+void DiscCutsTest::updatesAreTheWholePicture() {
     base::Random random(test::seed());
     tree::SurfelTree model = test::built(test::disc({0, 0, 0}, {0, 0, 1}, 1, 0.02));
     const tree::SurfelTree first = model;
@@ -183,7 +183,7 @@ void RimCutsTest::updatesAreTheWholePicture() {
     }
 }
 
-void RimCutsTest::theGpuCutsTheSame() {
+void DiscCutsTest::theGpuCutsTheSame() {
     std::unique_ptr<OffscreenRenderer> gl;
     try {
         gl = std::make_unique<OffscreenRenderer>(makeOsMesaContext());
@@ -206,5 +206,5 @@ void RimCutsTest::theGpuCutsTheSame() {
     }
 }
 
-static const test::Registered<RimCutsTest> registered;
-#include "rim_cuts_test.moc"
+static const test::Registered<DiscCutsTest> registered;
+#include "disc_cuts_test.moc"

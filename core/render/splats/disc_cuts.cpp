@@ -1,4 +1,4 @@
-#include "core/render/splats/rim_cuts.h"
+#include "core/render/splats/disc_cuts.h"
 
 #include "core/base/parallel.h"
 #include "core/surface/evaluation/self.h"
@@ -14,11 +14,11 @@ using surfel::SurfelBlock;
 
 namespace {
 
-/// Off-centre values up to this part of the limit are no sign of a rim within a disc's reach.
+/// Off-centre values up to this part of the limit are no sign of a boundary within a disc's reach.
 constexpr float quiet = 0.12f;
 /// A surfel's normal this far (cosine) from that of the surface about it stands across.
 constexpr float acrossCosine = 0.5f;
-/// A surfel beyond the limit itself keeps this much of its disc towards the rim.
+/// A surfel beyond the limit itself keeps this much of its disc towards the boundary.
 constexpr float leastPart = 1 / 32.0f;
 
 /// Neighbours and weights decide about off-centre values, not the frame or the limit.
@@ -52,11 +52,11 @@ Vec3f tangential(const Vec3f& v, const Vec3f& n) {
 }
 
 /// The cut of a disc whose centre is off centre by `here` along the tangential direction `out`: the place along it
-/// where the value reaches the limit, by regula falsi, and the rim's own direction there.
-RimCode cutOf(const surface::Surface& surface, const surfel::Surfel& s, const Vec3f& out, float radius, float here,
+/// where the value reaches the limit, by regula falsi, and the direction of the boundary there.
+CutCode cutOf(const surface::Surface& surface, const surfel::Surfel& s, const Vec3f& out, float radius, float here,
               float limit) {
     if (here >= limit)
-        return rimCode(s.normal, out, leastPart);
+        return cutCode(s.normal, out, leastPart);
     float low = 0, lowValue = here, high = 1;
     Around end = around(surface, s.position + out * radius);
     if (end.value <= limit)
@@ -74,8 +74,8 @@ RimCode cutOf(const surface::Surface& surface, const surfel::Surfel& s, const Ve
             direction = tangential(found.away, s.normal);
     }
     const float along = dot(direction, out);
-    return along > 0.2f ? rimCode(s.normal, direction, 0.5f * (low + high) * along)
-                        : rimCode(s.normal, out, 0.5f * (low + high));
+    return along > 0.2f ? cutCode(s.normal, direction, 0.5f * (low + high) * along)
+                        : cutCode(s.normal, out, 0.5f * (low + high));
 }
 
 /// A tangential direction that the angle of a code counts from.
@@ -85,7 +85,7 @@ Vec3f zeroAngle(const Vec3f& n, bool yAxis) {
 
 } // namespace
 
-RimCode rimCode(const Vec3f& n, const Vec3f& direction, float part) {
+CutCode cutCode(const Vec3f& n, const Vec3f& direction, float part) {
     const long steps = std::max(1l, std::lround(part * 32));
     if (steps > 31)
         return wholeDisc;
@@ -93,10 +93,10 @@ RimCode rimCode(const Vec3f& n, const Vec3f& direction, float part) {
     const Vec3f u = zeroAngle(n, yAxis), v = cross(n, u);
     const float turns = std::atan2(dot(direction, v), dot(direction, u)) / (2 * std::numbers::pi_v<float>);
     const auto angle = static_cast<unsigned>(std::lround(turns * 256)) & 255u;
-    return static_cast<RimCode>((yAxis ? 1u << 13 : 0u) | angle << 5 | static_cast<unsigned>(steps));
+    return static_cast<CutCode>((yAxis ? 1u << 13 : 0u) | angle << 5 | static_cast<unsigned>(steps));
 }
 
-RimCut rimCut(const Vec3f& n, RimCode code) {
+DiscCut discCut(const Vec3f& n, CutCode code) {
     if ((code & 31u) == 0)
         return {};
     const Vec3f u = zeroAngle(n, (code >> 13 & 1u) != 0), v = cross(n, u);
@@ -104,7 +104,7 @@ RimCut rimCut(const Vec3f& n, RimCode code) {
     return {u * std::cos(angle) + v * std::sin(angle), static_cast<float>(code & 31u) / 32};
 }
 
-void RimCuts::use(const surface::SurfaceDefinition& definition, float radiusOfSupport) {
+void DiscCuts::use(const surface::SurfaceDefinition& definition, float radiusOfSupport) {
     if (definition == m_definition && radiusOfSupport == m_radiusOfSupport)
         return;
     m_codes.clear();
@@ -112,7 +112,7 @@ void RimCuts::use(const surface::SurfaceDefinition& definition, float radiusOfSu
     m_radiusOfSupport = radiusOfSupport;
 }
 
-RimCuts::Found RimCuts::look(std::span<const SurfelBlock* const> blocks) const {
+DiscCuts::Found DiscCuts::look(std::span<const SurfelBlock* const> blocks) const {
     const bool oriented = m_model.layout()->oriented;
     const surface::Surface surface = plain(m_model, m_definition);
     const surface::Surface quick = oriented ? surface : fastest(surface);
@@ -124,7 +124,7 @@ RimCuts::Found RimCuts::look(std::span<const SurfelBlock* const> blocks) const {
         for (std::size_t b = begin; b < end; ++b) {
             const SurfelBlock& block = *blocks[b];
             self.evaluate(block, block.clusterMask(), surface::Need::Value, at);
-            RimCodes codes{};
+            CutCodes codes{};
             bool any = false;
             for (int slot = 0; slot < block.size(); ++slot) {
                 surface::SelfLanes& lanes = at[slot / surfel::clusterSize];
@@ -140,7 +140,7 @@ RimCuts::Found RimCuts::look(std::span<const SurfelBlock* const> blocks) const {
                 if (lengthSq(n) < 0.25f)
                     continue; // it has no plane
                 const float facing = dot(n, lanes.normalAt(lane)), off = lanes.offCentre[lane] / lanes.unit[lane];
-                RimCode& code = codes[static_cast<std::size_t>(slot)];
+                CutCode& code = codes[static_cast<std::size_t>(slot)];
                 if ((oriented ? facing : std::abs(facing)) < acrossCosine) {
                     code = acrossDisc;
                 } else if (off > quiet * limit) {
@@ -152,13 +152,13 @@ RimCuts::Found RimCuts::look(std::span<const SurfelBlock* const> blocks) const {
                 any = any || code != wholeDisc;
             }
             if (any)
-                out[b] = std::make_unique<RimCodes>(codes);
+                out[b] = std::make_unique<CutCodes>(codes);
         }
     });
     return out;
 }
 
-void RimCuts::prepare(std::span<const SurfelBlock* const> blocks) {
+void DiscCuts::prepare(std::span<const SurfelBlock* const> blocks) {
     std::vector<const SurfelBlock*> fresh;
     for (const SurfelBlock* block : blocks)
         if (!m_codes.contains(block))
@@ -170,7 +170,7 @@ void RimCuts::prepare(std::span<const SurfelBlock* const> blocks) {
         m_codes.try_emplace(fresh[i], Kept{surfel::BlockPtr(fresh[i]), std::move(found[i])});
 }
 
-std::vector<const SurfelBlock*> RimCuts::follow(const tree::SurfelTree& to) {
+std::vector<const SurfelBlock*> DiscCuts::follow(const tree::SurfelTree& to) {
     std::vector<const SurfelBlock*> changed;
     const tree::SurfelTree from = std::exchange(m_model, to);
     if (m_codes.empty() || from == to)
@@ -194,7 +194,7 @@ std::vector<const SurfelBlock*> RimCuts::follow(const tree::SurfelTree& to) {
     std::vector<const SurfelBlock*> all(near.begin(), near.end());
     Found found = look(all);
     for (std::size_t i = 0; i < all.size(); ++i) {
-        std::unique_ptr<RimCodes>& codes = m_codes.at(all[i]).codes;
+        std::unique_ptr<CutCodes>& codes = m_codes.at(all[i]).codes;
         const bool same = codes && found[i] ? *codes == *found[i] : !codes && !found[i];
         if (!same)
             changed.push_back(all[i]);

@@ -1,0 +1,14 @@
+// Numbers in sentences: six significant digits, as printf's %g writes them, but with a decimal point in every locale.
+#pragma once
+
+#include <charconv>
+#include <string>
+
+namespace base {
+
+inline std::string shortNumber(double value) {
+    char out[32];
+    return {out, std::to_chars(out, out + sizeof out, value, std::chars_format::general, 6).ptr};
+}
+
+} // namespace base
