@@ -12,6 +12,7 @@
 #include "ui/gl/glsl_text.h"
 #include "ui/gl/offscreen_renderer.h"
 
+#include <charconv>
 #include <QTest>
 
 using namespace render;

@@ -14,8 +14,7 @@ namespace test {
 class CommaLocale {
   public:
     CommaLocale() : m_before(std::setlocale(LC_ALL, nullptr)), m_default(QLocale()) {
-        QProcess::execute("localedef", {"-i", "de_DE", "-f", "UTF-8", m_folder.filePath("de_DE.UTF-8")});
-        qputenv("LOCPATH", m_folder.path().toUtf8());
+        qputenv("LOCPATH", folder().toUtf8());
         m_set = std::setlocale(LC_ALL, "de_DE.UTF-8") != nullptr;
         QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
     }
@@ -30,10 +29,14 @@ class CommaLocale {
     /// To be asserted: the locale was made and is in force.
     bool works() const { return m_set && std::string(std::localeconv()->decimal_point) == ","; }
     /// Where it lies, for a program's LOCPATH.
-    QString folder() const { return m_folder.path(); }
+    static QString folder() {
+        static const QTemporaryDir made; // once in a process: it takes a second
+        static const int failed =
+            QProcess::execute("localedef", {"-i", "de_DE", "-f", "UTF-8", made.filePath("de_DE.UTF-8")});
+        return failed ? QString() : made.path();
+    }
 
   private:
-    QTemporaryDir m_folder;
     std::string m_before;
     QLocale m_default;
     bool m_set = false;

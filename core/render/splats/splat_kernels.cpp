@@ -177,8 +177,8 @@ HWY_INLINE Fragments<D> meet(D d, const Splat& s, const ViewFrame& view, V dx, f
     V onDisc = hn::Mul(hn::MulAdd(ax, ax, hn::MulAdd(ay, ay, hn::Mul(dz, dz))), hn::Set(d, s.inverseRadiusSq));
     onDisc = hn::IfThenElse(hn::Gt(exact, hn::Set(d, s.cut)), hn::Set(d, 2.0f), onDisc);
     if constexpr (isCut) {
-        const V along =
-            hn::MulAdd(ax, hn::Set(d, s.edge.x), hn::MulAdd(ay, hn::Set(d, s.edge.y), hn::Mul(dz, hn::Set(d, s.edge.z))));
+        const V along = hn::MulAdd(ax, hn::Set(d, s.edge.x),
+                                   hn::MulAdd(ay, hn::Set(d, s.edge.y), hn::Mul(dz, hn::Set(d, s.edge.z))));
         onDisc = hn::IfThenElse(hn::Gt(along, hn::Set(d, 1.0f)), hn::Set(d, 2.0f), onDisc);
     }
     const V onScreen = hn::MulAdd(hn::Mul(dx, hn::Set(d, filter)), dx, hn::Set(d, dy2));
