@@ -1,20 +1,16 @@
 // What a stroke's settings may be: the one place that refuses them.
 #include "core/base/error.h"
 #include "core/base/row_of_id.h"
+#include "core/base/short_number.h"
 #include "core/sculpt/stroke_options.h"
 
 namespace sculpt {
 
-static std::string text(double value) {
-    char out[32];
-    std::snprintf(out, sizeof out, "%g", value);
-    return out;
-}
-
 [[noreturn]] static void refuse(const char* id, double value, double min, double max) {
-    throw base::Error(std::string(id) + " is " + text(value), "stroke",
-                      min == OptionRange::aboveZero ? "give a length greater than 0"
-                                                    : "give a number from " + text(min) + " to " + text(max));
+    throw base::Error(std::string(id) + " is " + base::shortNumber(value), "stroke",
+                      min == OptionRange::aboveZero
+                          ? "give a length greater than 0"
+                          : "give a number from " + base::shortNumber(min) + " to " + base::shortNumber(max));
 }
 
 static void checkParameter(const ToolRow& row, const std::string& id, double value) {

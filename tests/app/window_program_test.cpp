@@ -88,7 +88,7 @@ static QProcessEnvironment without(const QStringList& names) {
 
 void WindowProgramTest::withoutADisplayItSaysSo() {
     const auto environment = without({"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"});
-    for (const QString& end : {"", "-window"}) {
+    for (const char* end : {"", "-window"}) {
         const Outcome outcome = run(thisProgram() + end, {}, environment);
         QCOMPARE(outcome.code, 1);
         QVERIFY2(outcome.err.find("pointclay: there is no display") != std::string::npos, outcome.err.c_str());
