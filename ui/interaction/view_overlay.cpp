@@ -27,9 +27,10 @@ void ViewOverlay::paint(QPainter& painter, double pixelRatio) const {
         paintPivot(painter, motion.view().turningPoint(), seen, turning);
     const surface::Surface& surface = now.surface;
     if (settings.shared.symmetry != sculpt::Symmetry{} && !surface.tree().empty())
-        ui::paint(painter,
-                  SymmetryOverlay{settings.shared.symmetry, now.origin, surface.tree().bounds(), m_parts.cursor.contact},
-                  seen);
+        ui::paint(
+            painter,
+            SymmetryOverlay{settings.shared.symmetry, now.origin, surface.tree().bounds(), m_parts.cursor.contact},
+            seen);
     paintSource(painter, seen);
     const render::RenderOptions look = m_parts.look.options();
     ui::paint(painter,

@@ -4,8 +4,8 @@
 
 #include "core/base/error.h"
 #include "core/base/row_of_id.h"
-#include "core/session/option_json.h"
 #include "core/render/effects/effect_rows.h"
+#include "core/session/option_json.h"
 
 #include <algorithm>
 #include <QSettings>
