@@ -209,7 +209,7 @@ std::vector<base::Vec3d> ObjReader::vertexNormals() {
         return normalsByCorners();
     if (m_normals.size() == all().vertices)
         return std::move(m_normals);
-    m_model.messages.push_back("The normals were left out because no face tells to which points they belong.");
+    m_model.messages.emplace_back("The normals were left out because no face tells to which points they belong.");
     return {};
 }
 
