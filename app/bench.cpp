@@ -1,7 +1,7 @@
 // pointclay bench: items per second of every workload, with the naive way measured beside it in the same run.
 #include "app/bench/measure.h"
 #include "app/open_model.h"
-#include "app/option_checks.h"
+#include "app/options/option_checks.h"
 #include "app/subcommand.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"

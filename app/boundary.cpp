@@ -1,7 +1,7 @@
 // pointclay boundary: the boundary loops of an open surface (surface/README 5.3) as polylines, in a CSV or OBJ file.
 #include "app/open_model.h"
+#include "app/options/polyline_options.h"
 #include "app/polyline_file.h"
-#include "app/polyline_options.h"
 #include "app/subcommand.h"
 #include "core/surface/curves/boundary_curves.h"
 

@@ -1,9 +1,9 @@
 // pointclay mesh: the surface as triangles, by marching cubes or by restricted Delaunay triangulation, in a file.
 #include "app/mesh_report.h"
 #include "app/open_model.h"
-#include "app/option_checks.h"
+#include "app/options/option_checks.h"
+#include "app/options/surface_options.h"
 #include "app/subcommand.h"
-#include "app/surface_options.h"
 #include "core/io/mesh_formats.h"
 #include "core/io/safe_file.h"
 #include "core/mesh/delaunay/delaunay.h"

@@ -2,9 +2,9 @@
 #include "app/curve_answers.h"
 #include "app/number_table.h"
 #include "app/open_model.h"
+#include "app/options/surface_options.h"
 #include "app/query_columns.h"
 #include "app/subcommand.h"
-#include "app/surface_options.h"
 #include "core/base/parallel.h"
 #include "core/io/safe_file.h"
 

@@ -2,7 +2,7 @@
 #include "app/command_help.h"
 #include "app/framing.h"
 #include "app/open_model.h"
-#include "app/option_checks.h"
+#include "app/options/option_checks.h"
 #include "app/subcommand.h"
 #include "core/base/error.h"
 #include "core/io/safe_file.h"

@@ -2,10 +2,10 @@
 #include "core/surface/curves/section.h"
 
 #include "app/open_model.h"
+#include "app/options/polyline_options.h"
+#include "app/options/view_options.h"
 #include "app/polyline_file.h"
-#include "app/polyline_options.h"
 #include "app/subcommand.h"
-#include "app/view_options.h"
 
 #include <iostream>
 

@@ -16,7 +16,7 @@ constexpr float steepest = 0.866f;
 
 namespace {
 
-struct Place {
+struct CellPoint {
     Vec3f position, normal;
     std::uint32_t block;
     int slot;
@@ -28,7 +28,7 @@ class Grid {
   public:
     Grid(const tree::SurfelTree& version, const Contact& from, float radius, float reach);
 
-    std::vector<Place> places; ///< sorted by cell
+    std::vector<CellPoint> places; ///< sorted by cell
 
     /// Calls fn(index) for every surfel left in the cells around `p`; it leaves where fn returns true.
     template <class Fn>
@@ -75,7 +75,8 @@ Grid::Grid(const tree::SurfelTree& version, const Contact& from, float radius, f
                 places.push_back({p, block.normal(slot), number, slot, base::cellOf(p, m_low, m_scale).key()});
         }
     });
-    std::stable_sort(places.begin(), places.end(), [](const Place& a, const Place& b) { return a.cell < b.cell; });
+    std::stable_sort(places.begin(), places.end(),
+                     [](const CellPoint& a, const CellPoint& b) { return a.cell < b.cell; });
     index();
 }
 
@@ -94,7 +95,7 @@ void Grid::index() {
 Connected::Connected(const tree::SurfelTree& version, const Contact& from, float radius, float reach) {
     Grid grid(version, from, radius, reach);
     const bool oriented = version.layout()->oriented;
-    const auto neighbours = [&](const Vec3f& p, const Vec3f& n, const Place& to) {
+    const auto neighbours = [&](const Vec3f& p, const Vec3f& n, const CellPoint& to) {
         const Vec3f way = to.position - p;
         const float distSq = lengthSq(way), facing = dot(n, to.normal);
         if (distSq > reach * reach || (oriented ? facing : std::abs(facing)) < agreement)
@@ -105,7 +106,7 @@ Connected::Connected(const tree::SurfelTree& version, const Contact& from, float
     std::vector<std::size_t> waiting;
     const auto walk = [&](const Vec3f& p, const Vec3f& n) {
         grid.takeAround(p, [&](std::size_t i) {
-            const Place& to = grid.places[i];
+            const CellPoint& to = grid.places[i];
             if (!neighbours(p, n, to))
                 return false;
             m_blocks[to.block].set(static_cast<std::size_t>(to.slot));
@@ -116,7 +117,7 @@ Connected::Connected(const tree::SurfelTree& version, const Contact& from, float
     };
     walk(from.position, from.normal);
     while (!waiting.empty()) {
-        const Place at = grid.places[waiting.back()];
+        const CellPoint at = grid.places[waiting.back()];
         waiting.pop_back();
         walk(at.position, at.normal);
     }

@@ -1,7 +1,7 @@
 // The program where a comma separates decimals: options, results and files are the same.
 #include "support/comma_locale.h"
 
-#include "app/number_list.h"
+#include "app/options/number_list.h"
 #include "program.h"
 #include "support/registry.h"
 

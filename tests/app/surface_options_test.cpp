@@ -1,5 +1,5 @@
 // Every option of a surface definition on the command line: what is given there is what the definition has.
-#include "app/surface_options.h"
+#include "app/options/surface_options.h"
 
 #include "core/base/random.h"
 #include "core/session/surface_options.h"

@@ -1,9 +1,9 @@
-#include "app/view_options.h"
+#include "app/options/view_options.h"
 
 #include "app/framing.h"
-#include "app/number_list.h"
-#include "app/option_checks.h"
-#include "app/saved_views_file.h"
+#include "app/options/number_list.h"
+#include "app/options/option_checks.h"
+#include "app/options/saved_views_file.h"
 #include "app/subcommand.h"
 #include "core/base/error.h"
 #include "core/base/row_of_id.h"

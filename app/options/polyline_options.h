@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/console.h"
-#include "app/surface_options.h"
+#include "app/options/surface_options.h"
 #include "core/session/document.h"
 #include "core/surface/curves/boundary.h"
 

@@ -1,6 +1,6 @@
-#include "app/light_options.h"
+#include "app/options/light_options.h"
 
-#include "app/number_list.h"
+#include "app/options/number_list.h"
 #include "core/base/error.h"
 
 namespace app {

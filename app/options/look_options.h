@@ -2,7 +2,7 @@
 // background. Loops over the tables of core/render.
 #pragma once
 
-#include "app/light_options.h"
+#include "app/options/light_options.h"
 #include "core/render/picture.h"
 #include "core/session/document.h"
 

@@ -1,7 +1,7 @@
-#include "app/polyline_options.h"
+#include "app/options/polyline_options.h"
 
 #include "app/open_model.h"
-#include "app/option_checks.h"
+#include "app/options/option_checks.h"
 #include "app/subcommand.h"
 
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-#include "app/surface_options.h"
+#include "app/options/surface_options.h"
 
 #include "core/base/error.h"
 #include "core/io/number_text.h"

@@ -1,4 +1,4 @@
-#include "app/saved_views_file.h"
+#include "app/options/saved_views_file.h"
 
 #include "core/io/ini_values.h"
 

@@ -1,4 +1,4 @@
-#include "app/number_list.h"
+#include "app/options/number_list.h"
 
 #include "core/io/number_text.h"
 

@@ -1,7 +1,7 @@
-#include "app/look_options.h"
+#include "app/options/look_options.h"
 
-#include "app/number_list.h"
 #include "app/open_model.h"
+#include "app/options/number_list.h"
 #include "core/base/error.h"
 #include "core/render/effects/effect_rows.h"
 
