@@ -5,6 +5,7 @@
 #include "program.h"
 #include "support/registry.h"
 
+#include <algorithm>
 #include <QTest>
 
 using test::Outcome;
@@ -56,7 +57,7 @@ void CommaLocaleTest::subcommandsDoTheSame() {
     for (const char* locale : {"C", "de_DE.UTF-8"}) {
         const QString out = QString("out-%1.%2").arg(results.size()).arg(extension);
         QStringList words = arguments.split(' ', Qt::SkipEmptyParts);
-        words.replaceInStrings("out", out);
+        std::replace(words.begin(), words.end(), QString("out"), out);
         QProcess process;
         program.prepare(process, words);
         QProcessEnvironment environment = process.processEnvironment();
