@@ -2,12 +2,12 @@
 // same points. Building and a single edit are workloads of the table (workloads_bench.cpp).
 //
 // Edit benchmarks report the median and the worst of all edits in milliseconds as counters.
+#include "app/bench/naive_cloud.h"
 #include "core/base/random.h"
 #include "core/tree/surfel_tree.h"
 
 #include <benchmark/benchmark.h>
 #include <chrono>
-#include <nanoflann.hpp>
 
 namespace {
 
@@ -40,22 +40,8 @@ const tree::SurfelTree& builtTree() {
     return built;
 }
 
-/// What nanoflann reads.
-struct Points {
-    std::vector<base::Vec3f> at;
-    std::size_t kdtree_get_point_count() const { return at.size(); }
-    float kdtree_get_pt(std::size_t i, std::size_t axis) const { return at[i][axis]; }
-    template <class Box>
-    bool kdtree_get_bbox(Box&) const {
-        return false;
-    }
-};
-using Metric = nanoflann::L2_Simple_Adaptor<float, Points>;
-using StaticIndex = nanoflann::KDTreeSingleIndexAdaptor<Metric, Points, 3>;
-using DynamicIndex = nanoflann::KDTreeSingleIndexDynamicAdaptor<Metric, Points, 3>;
-
-Points plainPoints() {
-    Points points;
+bench::NaivePoints plainPoints() {
+    bench::NaivePoints points;
     for (const surfel::Surfel& s : cloud().items)
         points.at.push_back(s.position);
     return points;
@@ -134,9 +120,10 @@ void treeApplyAtBrush(benchmark::State& state) {
 void treeApplyNanoflannDynamic(benchmark::State& state) {
     base::Random random(7);
     Times times;
-    Points points = plainPoints();
+    bench::NaivePoints points = plainPoints();
     points.at.reserve(2 * million + 1000);
-    DynamicIndex index(3, points, nanoflann::KDTreeSingleIndexAdaptorParams(16), 2 * million + 1000);
+    bench::NaiveDynamicIndex index(3, points, nanoflann::KDTreeSingleIndexAdaptorParams(bench::naiveLeaf),
+                                   2 * million + 1000);
     for (auto _ : state) {
         const tree::Edit edit = brushEdit(builtTree(), random);
         const std::size_t first = points.at.size();
@@ -224,8 +211,8 @@ void treeSupportEdited(benchmark::State& state) {
 }
 
 void treeSupportNanoflann(benchmark::State& state) {
-    const Points points = plainPoints();
-    const StaticIndex index(3, points, nanoflann::KDTreeSingleIndexAdaptorParams(16));
+    const bench::NaivePoints points = plainPoints();
+    const bench::NaiveStaticIndex index(3, points, nanoflann::KDTreeSingleIndexAdaptorParams(bench::naiveLeaf));
     const std::vector<base::Vec3f> positions = queryPositions();
     const float support = cloud().items[0].support;
     std::vector<std::pair<std::uint32_t, float>> found;
@@ -245,8 +232,8 @@ void treeNearest(benchmark::State& state) {
 }
 
 void treeNearestNanoflann(benchmark::State& state) {
-    const Points points = plainPoints();
-    const StaticIndex index(3, points, nanoflann::KDTreeSingleIndexAdaptorParams(16));
+    const bench::NaivePoints points = plainPoints();
+    const bench::NaiveStaticIndex index(3, points, nanoflann::KDTreeSingleIndexAdaptorParams(bench::naiveLeaf));
     const std::vector<base::Vec3f> positions = queryPositions();
     std::uint32_t indices[18];
     float distances[18];
