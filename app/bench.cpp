@@ -31,7 +31,7 @@ std::vector<const Workload*> chosen(const std::vector<std::string>& names) {
     for (const std::string& name : names) {
         out.push_back(bench::findWorkload(name));
         if (!out.back())
-            throw UsageError("there is no workload '" + name + "'; choose among " +
+            throw UsageError("there is no workload '" + name + "'; choose one of " +
                              base::joinedIds(bench::workloadTable(), &Workload::name));
     }
     if (names.empty())
@@ -138,7 +138,7 @@ void run(const Options& options, Console& console) {
         } catch (const base::Error& error) { // what the machine lacks; asked for by name it is a failure
             if (!options.names.empty())
                 throw;
-            console.tell(workload->name + " left out: " + error.message());
+            console.tell(workload->name + " skipped: " + error.message());
             continue;
         }
         console.clear();
@@ -155,17 +155,17 @@ const char* article(const std::string& noun) {
 }
 
 std::string baselineHelp(const Workload& workload) {
-    return workload.baseline.empty() ? "none" : (workload.sameWork ? "" : "other work, ") + workload.baseline;
+    return workload.baseline.empty() ? "none" : (workload.sameWork ? "" : "different work: ") + workload.baseline;
 }
 
 std::string namesHelp() {
-    std::string out = "what to measure; all without names. An item is";
+    std::string out = "what to measure; everything by default. An item is";
     for (const Workload& workload : bench::workloadTable())
         out += "\n  " + workload.name + ": " + article(workload.item) + workload.item + ", " + workload.tip +
                "; baseline: " + baselineHelp(workload);
-    return out + "\n  Baselines run in one thread; those that do other work have no ratio. What somebody waits for has "
-                 "the milliseconds of single runs beside "
-                 "the rate.";
+    return out +
+           "\n  Baselines run on one thread; those that do different work have no ratio. Work that somebody waits "
+           "for also lists the milliseconds of single runs.";
 }
 
 } // namespace
@@ -174,23 +174,27 @@ Action addBench(CLI::App& command) {
     auto options = std::make_shared<Options>();
     command.add_option("WORKLOAD", options->names, namesHelp());
     CLI::Option* model =
-        command.add_option("--model", options->model, std::string(modelHelp) + "; queries are made around its surfels")
+        command
+            .add_option("--model", options->model, std::string(modelHelp) + "; queries are placed around its surfels")
             ->type_name("MODEL");
     command
-        .add_option("--points", options->scene.points, "surfels of a bumpy closed surface, 20 neighbours in support")
+        .add_option("--points", options->scene.points,
+                    "number of surfels on a bumpy closed surface, 20 neighbours in each support")
         ->type_name("N")
         ->check(CLI::Range(std::size_t(100), std::size_t(200'000'000)))
         ->capture_default_str()
         ->excludes(model);
-    command.add_option("--noise", options->scene.noisePercent, "of its positions, in percent of its radius")
+    command
+        .add_option("--noise", options->scene.noisePercent,
+                    "noise of the positions, in percent of the surface's radius")
         ->type_name("PERCENT")
         ->check(between(0, 10))
         ->capture_default_str()
         ->excludes(model);
-    command.add_option("--seconds", options->seconds, "time for each workload, and again for its baseline")
+    command.add_option("--seconds", options->seconds, "time to spend on each workload, and as much on its baseline")
         ->check(between(0, 3600))
         ->capture_default_str();
-    command.add_option("--json", options->json, "the results as JSON, beside the table")->type_name("OUT.json");
+    command.add_option("--json", options->json, "also write the results as JSON")->type_name("OUT.json");
     return [options](Console& console) { run(*options, console); };
 }
 

@@ -39,14 +39,15 @@ static std::string toolHelp() {
 }
 
 std::string commandHelp() {
-    std::string out = "Commands, one JSON object per line, # begins a comment line; relative paths start at the "
-                      "session's folder:\n";
+    std::string out =
+        "Commands: one JSON object per line; lines that begin with # are comments; relative paths start in "
+        "the session's folder:\n";
     for (const session::CommandRow& row : session::commandTable()) {
         out += std::string("  ") + row.op + ": " + row.tip + "\n";
         for (const CommandParameter& p : row.parameters)
             out += std::string("    ") + p.id + " (" + detailsOf(p) + "): " + p.tip + "\n";
     }
-    return out + "Tools of strokes, and the parameters of their own:\n" + toolHelp();
+    return out + "Stroke tools and their own parameters:\n" + toolHelp();
 }
 
 } // namespace app

@@ -6,19 +6,19 @@
 namespace app {
 
 void addCommon(CLI::App& command, CommonOptions& options) {
-    command.add_option("--threads", options.threads, "threads to work with; 0: all cores. Results never depend on it")
+    command.add_option("--threads", options.threads, "number of threads; 0: all cores. Results never depend on it")
         ->check(CLI::Range(0, 1024))
         ->capture_default_str();
-    command.add_flag("--quiet", options.quiet, "no progress and no messages, only errors");
+    command.add_flag("--quiet", options.quiet, "print errors only, no progress or messages");
 }
 
 void describe(CLI::App& program, CommonOptions& options) {
     program.description("Pointclay sculpts point-set surfaces. Without a subcommand it opens its window.\n"
-                        "Lengths are in model units, angles in degrees where nothing else is said.");
-    program.footer("Example: pointclay bunny.ply\nEach subcommand tells more: pointclay query --help");
+                        "Lengths are in model units and angles in degrees unless stated otherwise.");
+    program.footer("Example: pointclay bunny.ply\nEach subcommand has its own help: pointclay query --help");
     program.set_version_flag("--version", "pointclay " POINTCLAY_VERSION);
     addCommon(program, options);
-    program.add_option("MODEL", options.models, "models to open in windows");
+    program.add_option("MODEL", options.models, "models to open, each in a window");
 }
 
 int fail(const std::string& message, int code) {

@@ -1,9 +1,13 @@
-// pointclay convert: from every format that can be read to every one that can be written, with nothing estimated.
+// pointclay convert: from every format that can be read to every one that can be written, with nothing estimated but
+// for faces, which are sampled where their corners alone would not tell of the surface.
 #include "app/open_model.h"
+#include "app/options/face_options.h"
 #include "app/subcommand.h"
 #include "core/io/formats.h"
 #include "core/process/estimation/part_progress.h"
+#include "core/session/face_options.h"
 
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 namespace app {
@@ -18,16 +22,35 @@ static std::string writableExtensions() {
     return out;
 }
 
+/// Vertices that are kept stay as the file has them.
+static void sampleFaces(io::FileModel& model, const nlohmann::json& parameters, const base::Progress& progress) {
+    const mesh::FaceOptions options = session::faceOptions(parameters);
+    if (model.polygons.size() == 0)
+        return;
+    io::FileModel opened = model;
+    auto definition = model.definition.value_or(surface::SurfaceDefinition());
+    if (session::openFaces(opened, definition, options, progress).sampled) {
+        model = std::move(opened);
+        model.definition = definition;
+        model.hasSupports = true; // those of an even sampling
+    }
+    if (model.polygons.size() > 0)
+        model.messages.push_back("The file's faces are not written, only its points.");
+}
+
 Action addConvert(CLI::App& command) {
     struct Options {
         std::string in, out;
+        GivenParameters faces;
     };
     auto options = std::make_shared<Options>();
     command.add_option("IN", options->in, modelHelp)->required();
     command.add_option("OUT", options->out, "file to write: " + writableExtensions())->required();
+    addFaceOptions(command, options->faces);
     return [options](Console& console) {
         const base::Progress progress = console.progress();
-        const io::FileModel model = readModel(options->in, process::part(progress, 0, 0.5));
+        io::FileModel model = readModel(options->in, process::part(progress, 0, 0.3));
+        sampleFaces(model, parametersOf(options->faces), process::part(progress, 0.3, 0.5));
         console.tell(model.messages);
         io::write(options->out, model, process::part(progress, 0.5, 1));
     };

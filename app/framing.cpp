@@ -1,5 +1,7 @@
 #include "app/framing.h"
 
+#include "core/render/framed_box.h"
+
 #include <limits>
 
 namespace app {
@@ -26,12 +28,15 @@ struct Reach {
 } // namespace
 
 /// With parallel rays, depth does not matter: the middle of the extents, and the height that holds them.
-static render::Camera closeUpParallel(const render::Camera& camera, const tree::SurfelTree& model) {
+static render::Camera closeUpParallel(const render::Camera& camera, const tree::SurfelTree& model,
+                                      const base::Box3f& shown) {
     constexpr double most = std::numeric_limits<double>::infinity();
     const Vec3d right = camera.right(), up = camera.upright();
     double left = most, lowest = most, rightmost = -most, highest = -most;
     model.forEachBlock([&](std::uint32_t, const surfel::SurfelBlock& block) {
         for (int slot = 0; slot < block.size(); ++slot) {
+            if (!shown.contains(block.position(slot)))
+                continue;
             const Vec3d p = base::cast<double>(block.position(slot));
             left = std::min(left, dot(p, right)), rightmost = std::max(rightmost, dot(p, right));
             lowest = std::min(lowest, dot(p, up)), highest = std::max(highest, dot(p, up));
@@ -53,7 +58,7 @@ render::Camera centred(const render::Camera& camera, const tree::SurfelTree& mod
     if (model.empty())
         return camera;
     render::Camera out = camera;
-    out.target = base::cast<double>(model.bounds().centre());
+    out.target = base::cast<double>(render::framedBox(model).centre());
     out.eye += out.target - camera.target;
     return out.before(model.bounds());
 }
@@ -72,18 +77,21 @@ render::Camera turnedAbout(const render::Camera& camera, const Vec3d& axis, doub
 }
 
 render::Camera closeUp(const render::Camera& camera, const tree::SurfelTree& model) {
+    const base::Box3f shown = render::framedBox(model);
     if (camera.parallel())
-        return closeUpParallel(camera, model);
+        return closeUpParallel(camera, model, shown);
     const Vec3d forward = camera.forward(), right = camera.right(), up = camera.upright();
     Reach x{filled * 0.5 * camera.width / camera.focalPx()}, y{filled * 0.5 * camera.height / camera.focalPx()};
     model.forEachBlock([&](std::uint32_t, const surfel::SurfelBlock& block) {
         for (int slot = 0; slot < block.size(); ++slot) {
+            if (!shown.contains(block.position(slot)))
+                continue;
             const Vec3d p = base::cast<double>(block.position(slot));
             x.extend(dot(p, right), dot(p, forward));
             y.extend(dot(p, up), dot(p, forward));
         }
     });
-    const double middle = dot(base::cast<double>(model.bounds().centre()), forward);
+    const double middle = dot(base::cast<double>(shown.centre()), forward);
     const double depth = std::min(x.depth(), y.depth());
     if (model.empty() || !(depth < middle)) // one point: any distance shows it
         return camera;

@@ -6,8 +6,9 @@
 
 namespace app {
 
-/// The same view direction and angle, moved so that the points fill the image up to a small margin; with parallel rays
-/// the height is chosen too. Exact for the points, where Camera::framing fits their box.
+/// The same view direction and angle, moved so that the points (but for outliers: framed_box.h) fill the image up to a
+/// small margin; with parallel rays the height is chosen too. Exact for the points, where Camera::framing fits their
+/// box.
 render::Camera closeUp(const render::Camera& camera, const tree::SurfelTree& model);
 /// The same direction and height, the middle of the model in the middle of the image and all of it before the eye.
 render::Camera centred(const render::Camera& camera, const tree::SurfelTree& model);

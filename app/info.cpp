@@ -1,11 +1,14 @@
 // pointclay info: what is in a model, as text or as JSON (app/README 2.2).
 #include "app/open_model.h"
+#include "app/options/surface_options.h"
 #include "app/subcommand.h"
 #include "core/base/error.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/process/estimation/prepare.h"
 #include "core/process/estimation/spacing.h"
 #include "core/session/document.h"
+#include "core/session/face_options.h"
+#include "core/session/surface_options.h"
 
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -19,6 +22,7 @@ namespace {
 struct Options {
     std::string model;
     bool json = false;
+    std::shared_ptr<SurfaceOptions> surface;
 };
 
 ordered_json vectorOf(const base::Vec3d& v) {
@@ -37,12 +41,31 @@ base::Box3f boundsOf(const surfel::SurfelList& points) {
     return out;
 }
 
+/// A model with its faces opened, as `open` does it.
+struct Opened {
+    io::FileModel model;
+    session::SurfaceChange surface;
+    session::FacesOpened faces;
+    bool ownNormals = false; ///< the file's
+};
+
+Opened opened(io::FileModel model, const nlohmann::json& parameters, const base::Progress& progress) {
+    Opened out{std::move(model), {}, {}, false};
+    out.ownNormals = out.model.points.layout->normals;
+    out.surface = session::changed(out.model.definition.value_or(surface::SurfaceDefinition()), parameters);
+    out.faces = session::openFaces(out.model, out.surface.definition, session::faceOptions(parameters), progress);
+    return out;
+}
+
 /// Support radii and hash are those of the surface that `open` makes; null where the points make none.
-void describeSurface(ordered_json& out, io::FileModel model, const base::Progress& progress, Console& console) {
+void describeSurface(ordered_json& out, Opened from, const base::Progress& progress, Console& console) {
+    io::FileModel& model = from.model;
     try {
-        const surface::Surface surface =
-            process::prepare(std::move(model.points),
-                             {model.definition.value_or(surface::SurfaceDefinition()), model.hasSupports}, progress);
+        const bool kept = from.faces.sampled || (model.hasSupports && !from.surface.newSupports);
+        const surface::Surface surface = process::prepare(
+            std::move(model.points),
+            {from.surface.definition, kept, model.limitDecided && from.surface.definition == model.definition},
+            progress);
         std::vector<float> supports;
         for (const surfel::Surfel& s : surface.tree().surfels().items)
             supports.push_back(s.support);
@@ -54,7 +77,8 @@ void describeSurface(ordered_json& out, io::FileModel model, const base::Progres
     }
 }
 
-ordered_json describe(io::FileModel model, const base::Progress& progress, Console& console) {
+ordered_json describe(Opened from, const base::Progress& progress, Console& console) {
+    const io::FileModel& model = from.model;
     const base::Box3f box = boundsOf(model.points);
     ordered_json out;
     out["surfels"] = model.points.size();
@@ -63,13 +87,15 @@ ordered_json describe(io::FileModel model, const base::Progress& progress, Conso
     out["origin"] = vectorOf(model.origin);
     out["spacing"] = summaryOf(process::spacings(model.points.items, process::part(progress, 0.3, 0.5)));
     out["support"] = nullptr;
-    out["normals"] = model.points.layout->normals;
+    out["normals"] = from.ownNormals;
     out["attributes"] = model.points.layout->names();
     out["faces"] = model.faces;
+    out["sampled"] = from.faces.sampled;
+    out["closed"] = from.faces.closed;
     out["dropped"] = model.dropped;
     out["format"] = model.format;
     out["hash"] = nullptr;
-    describeSurface(out, std::move(model), process::part(progress, 0.5, 1), console);
+    describeSurface(out, std::move(from), process::part(progress, 0.5, 1), console);
     return out;
 }
 
@@ -99,10 +125,12 @@ Action addInfo(CLI::App& command) {
     auto options = std::make_shared<Options>();
     command.add_option("MODEL", options->model, modelHelp)->required();
     command.add_flag("--json", options->json, "print a JSON object, lengths in model units");
+    options->surface = addSurfaceOptions(command, false);
     return [options](Console& console) {
         const base::Progress progress = console.progress();
-        io::FileModel model = readModel(options->model, process::part(progress, 0, 0.3));
-        console.tell(model.messages);
+        Opened model = opened(readModel(options->model, process::part(progress, 0, 0.2)),
+                              options->surface->parameters(), process::part(progress, 0.2, 0.3));
+        console.tell(model.model.messages);
         const ordered_json info = describe(std::move(model), progress, console);
         console.clear();
         if (options->json)

@@ -164,19 +164,20 @@ void run(const Options& options, Console& console) {
 Action addIntersect(CLI::App& command) {
     auto options = std::make_shared<Options>();
     command.add_option("MODEL", options->model, modelHelp)->required();
-    command.add_option("--rays", options->rays, "text with the header ox,oy,oz,dx,dy,dz, in model units")
+    command.add_option("--rays", options->rays, "text file with the header ox,oy,oz,dx,dy,dz, in model units")
         ->type_name("RAYS.csv")
         ->required();
     command
         .add_option("-o,--output", options->out,
-                    "CSV file to write: hit,t,x,y,z,nx,ny,nz with t in model units and the normal facing against the "
-                    "ray; a miss has hit 0 and nan")
+                    "CSV file to write: hit,t,x,y,z,nx,ny,nz with t in model units and the normal pointing against the "
+                    "ray; a miss has hit 0 and nan in the other columns")
         ->type_name("HITS.csv")
         ->required();
     command
-        .add_option("--hits", options->hits,
-                    "first: a row for every ray; any: only the column hit, for shadows (a start on the surface is no "
-                    "hit); all: a row for every hit along a ray, ray,t,x,y,z,nx,ny,nz with rays counted from 0")
+        .add_option(
+            "--hits", options->hits,
+            "first: one row per ray; any: only the column hit, for shadows (a start on the surface does not count "
+            "as a hit); all: one row per hit along each ray, ray,t,x,y,z,nx,ny,nz with rays counted from 0")
         ->check(CLI::IsMember({"first", "any", "all"}))
         ->capture_default_str();
     command

@@ -61,7 +61,7 @@ mesh::Mesh makeByDelaunay(const Options& options, const surface::Surface& surfac
     mesh::DelaunayReport report;
     mesh::Mesh out = restrictedDelaunay(surface, options.delaunay, report, progress);
     tellCount(console, report.unrefined,
-              " triangles were left out: refining did not bring them within what was asked for, as at folds.");
+              " triangles were left out: refinement could not bring them within the limits asked for, as at folds.");
     tellCount(console, report.removed, " triangles were left out where more than two met at an edge.");
     tellCount(console, report.trimmed, " triangles were left out because they cut others at folds.");
     tellCount(console, report.foldsClosed, " loops at folds were closed.");
@@ -101,8 +101,8 @@ void addDelaunayOptions(CLI::App& command, mesh::DelaunayOptions& options) {
         ->group("Delaunay");
     command
         .add_option("--size", options.size,
-                    "largest radius of the ball through a triangle's corners about a place of the surface, in model "
-                    "units [the median spacing; with --adaptive 8 of them]")
+                    "largest radius of the ball through a triangle's corners with its centre on the surface, in model "
+                    "units [the median spacing; with --adaptive 8 times that]")
         ->check(above(0))
         ->group("Delaunay");
     command
@@ -114,7 +114,7 @@ void addDelaunayOptions(CLI::App& command, mesh::DelaunayOptions& options) {
 }
 
 void addMarchingOptions(CLI::App& command, mesh::MarchingOptions& options) {
-    command.add_option("--cell", options.cell, "side of the cubes, in model units [the median spacing]")
+    command.add_option("--cell", options.cell, "edge length of the cubes, in model units [the median spacing]")
         ->check(above(0))
         ->group("Marching cubes");
 }
@@ -124,33 +124,34 @@ void addMarchingOptions(CLI::App& command, mesh::MarchingOptions& options) {
 Action addMesh(CLI::App& command) {
     auto options = std::make_shared<Options>();
     command.add_option("MODEL", options->model, modelHelp)->required();
-    std::string formats = "mesh file to write, in file coordinates:";
+    std::string formats = "mesh file to write, in file coordinates; beside positions and triangles it keeps";
     for (const io::MeshFormatRow& row : io::meshFormatTable())
-        formats += std::string(formats.ends_with(':') ? " ." : "; .") + row.id + " with " + row.holds;
+        formats += std::string("\n  .") + row.id + ": " + row.holds;
     command.add_option("-o,--output", options->out, formats)->type_name("OUT")->required();
     command
         .add_option("--method", options->method,
-                    "marching-cubes: fast, follows a grid; delaunay: triangles of good shape, as few as needed")
+                    "marching-cubes: fast, follows a grid; delaunay: well-shaped triangles, as few as needed")
         ->check(CLI::IsMember({"marching-cubes", "delaunay"}))
         ->capture_default_str();
     command
-        .add_option("--adaptive", options->adaptive,
-                    "large triangles where the surface is flat: as large as keeps them about this close to it, in "
-                    "model units; --cell is then the smallest cube [all of one size]")
+        .add_option(
+            "--adaptive", options->adaptive,
+            "large triangles where the surface is flat: as large as they can be and stay about this close to it, "
+            "in model units; --cell is then the smallest cube [all of one size]")
         ->type_name("TOLERANCE")
         ->check(above(0));
     addMarchingOptions(command, options->marching);
     addDelaunayOptions(command, options->delaunay);
     command.add_flag("--close-folds", options->finishing.closeFolds,
-                     "close all loops where the surface ends without a boundary of its own, as at folds, up to " +
-                         std::to_string(options->finishing.longestFold) +
-                         " edges [marching cubes: short ones, where the surface goes on]");
+                     "close all loops of up to " + std::to_string(options->finishing.longestFold) +
+                         " edges where the surface ends without a boundary of its own, as at folds [marching cubes: "
+                         "short ones, where the surface goes on]");
     command.add_flag("--drop-small", options->finishing.dropSmall,
                      "leave out pieces of fewer than " + std::to_string(options->finishing.smallPiece) + " triangles");
-    command.add_flag(
-        "--check", options->check,
-        "print what the mesh is: pieces, boundary loops, genus, angles, distances to the surface, self-intersections");
-    command.add_option("--report", options->report, "JSON file to write the same to, lengths in model units")
+    command.add_flag("--check", options->check,
+                     "print a report on the mesh: pieces, boundary loops, genus, angles, distances to the surface, "
+                     "self-intersections");
+    command.add_option("--report", options->report, "JSON file to write the same report to, lengths in model units")
         ->type_name("OUT.json");
     options->surface = addSurfaceOptions(command, false);
     return [options, &command](Console& console) {

@@ -56,7 +56,7 @@ class Row {
     double number(std::size_t column, const char* form) const {
         const auto value = column < m_fields.size() ? io::numberOf(m_fields[column]) : std::nullopt;
         if (!value)
-            fail(column < m_fields.size() ? "'" + std::string(m_fields[column]) + "' is no number"
+            fail(column < m_fields.size() ? "'" + std::string(m_fields[column]) + "' is not a number"
                                           : "the line has too few numbers",
                  form);
         return *value;

@@ -2,6 +2,7 @@
 
 #include "core/io/formats.h"
 #include "core/process/samples/samples.h"
+#include "core/session/face_options.h"
 #include "core/session/model_argument.h"
 
 #include <nlohmann/json.hpp>
@@ -22,6 +23,9 @@ io::FileModel readModel(const std::string& model, const base::Progress& progress
 void openModel(session::Context& context, const std::string& model, const nlohmann::json& surface, Console& console) {
     nlohmann::json command = session::modelCommand(model);
     command.update(surface);
+    if (command.at("op") != "open") // a sample has no faces
+        for (const session::CommandParameter& p : session::faceParameters())
+            command.erase(p.id);
     session::run(context, command);
     console.tell(context.messages);
     context.messages.clear();

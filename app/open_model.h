@@ -14,7 +14,8 @@ constexpr const char* modelHelp = "model file, or sample:NAME[:COUNT[:SEED]] for
 /// The points of the file or sample as they are, before anything is estimated.
 io::FileModel readModel(const std::string& model, const base::Progress& progress);
 
-/// Opens or makes the model. `surface`: parameters of the surface, may be empty. Messages go to the console.
+/// Opens or makes the model. `surface`: parameters of the surface and of faces, may be empty. Messages go to the
+/// console.
 void openModel(session::Context& context, const std::string& model, const nlohmann::json& surface, Console& console);
 
 } // namespace app

@@ -137,12 +137,11 @@ void query(const Options& options, Console& console) {
 }
 
 std::string whatHelp() {
-    std::string out = "comma list of what to compute; the CSV has x,y,z,status and then, in this order,";
+    std::string out = "comma-separated list of what to compute; the CSV has x,y,z,status and then, in this order,";
     for (const WhatRow& row : whatTable())
         out += std::string("\n  ") + row.id + ": " + row.tip + " (" + row.columns + ")";
     return out +
-           "\n  status: that of the position, or of the projection where the position's is ok; columns without an "
-           "answer hold nan";
+           "\n  status: of the position or, where that is ok, of the projection; columns without an answer hold nan";
 }
 
 } // namespace

@@ -129,9 +129,8 @@ void Question::check(surface::Manifold manifold) const {
     const Asks wrong = manifold == surface::Manifold::Curve ? Asks::Surface : Asks::Curve;
     for (const WhatRow* row : rows)
         if (row->of == wrong)
-            throw UsageError(
-                "--what: " + std::string(row->id) +
-                (wrong == Asks::Curve ? " is asked of curves (--manifold curve)" : " is asked of surfaces"));
+            throw UsageError("--what: " + std::string(row->id) +
+                             (wrong == Asks::Curve ? " is for curves (--manifold curve)" : " is for surfaces"));
 }
 
 Status Question::status(const Answer& answer) const {
@@ -171,7 +170,7 @@ Question parseQuestion(const std::string& list) {
             out.projector = row.projector;
     }
     if (out.rows.empty())
-        throw UsageError("--what: name at least one thing to ask for");
+        throw UsageError("--what: name at least one quantity");
     return out;
 }
 

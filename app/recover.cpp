@@ -12,7 +12,7 @@ Action addRecover(CLI::App& command) {
         std::string journal, out;
     };
     auto options = std::make_shared<Options>();
-    command.add_option("JOURNAL", options->journal, "journal that a crash has left; it stays")->required();
+    command.add_option("JOURNAL", options->journal, "journal that a crash left behind; it is kept")->required();
     command.add_option("-o,--output", options->out, "model to write")->type_name("OUT")->required();
     return [options](Console& console) {
         session::Document document;

@@ -88,18 +88,18 @@ Action addRender(CLI::App& command) {
         ->capture_default_str();
     options->view = addViewOptions(command);
     options->look = addLookOptions(command);
-    command.add_option("--backend", options->backend, "what draws splats; the machine may lack osmesa and egl")
+    command.add_option("--backend", options->backend, "renderer of splats; the machine may lack osmesa and egl")
         ->check(CLI::IsMember({"cpu", "osmesa", "egl"}))
         ->capture_default_str();
     command
         .add_option("--detail", options->picture.style.detailPx,
-                    "representatives stand for parts of the model where their splats' radius is at most this; 0 draws "
-                    "every surfel, more than 1 is how a moving view looks")
+                    "draw parts of the model by representatives whose splats have at most this radius; 0 draws every "
+                    "surfel, more than 1 is how a moving view looks")
         ->type_name("PX")
         ->check(between(0, 64))
         ->capture_default_str();
     command.add_flag("--closed", options->picture.style.closed,
-                     "the model has no opening: parts that face away are not drawn");
+                     "the model has no openings: do not draw parts that face away");
     command.add_flag("--section", options->picture.sections,
                      "draw the curves where the planes of --clip meet the surface");
     command
@@ -113,12 +113,13 @@ Action addRender(CLI::App& command) {
     command
         .add_option("--depth", options->depth,
                     "distance from the eye along each pixel's ray in model units, +inf where nothing is hit; rows from "
-                    "bottom to top; a name that ends with .exr gets OpenEXR, channel Z")
+                    "bottom to top; a name that ends in .exr writes OpenEXR, channel Z")
         ->type_name("OUT.pfm|OUT.exr");
     command
-        .add_option("--stats", options->stats,
-                    "rays (of pixels), pixels, seconds and evaluations as JSON; with --mode raycast also the other "
-                    "rays: antialias_rays, shadow_rays, occlusion_rays, path_rays (reflected and refracted)")
+        .add_option(
+            "--stats", options->stats,
+            "rays (of pixels), pixels, seconds and evaluations as JSON; with --mode raycast also counts of other "
+            "rays: antialias_rays, shadow_rays, occlusion_rays, path_rays (reflected and refracted)")
         ->type_name("OUT.json");
     options->surface = addSurfaceOptions(command, false);
     return [options](Console& console) { run(*options, console); };

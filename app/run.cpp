@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/io/safe_file.h"
 #include "core/process/curve_tube.h"
+#include "core/render/framed_box.h"
 #include "core/render/image_io.h"
 #include "core/render/picture.h"
 #include "core/session/journal.h"
@@ -34,7 +35,7 @@ class RunJournal {
         } catch (const base::Error& error) {
             if (m_named)
                 throw;
-            console.tell(error.message() + "; going on without a journal");
+            console.tell(error.message() + "; continuing without a journal");
         }
     }
     ~RunJournal() {
@@ -74,7 +75,8 @@ void savePicture(const session::Document& document, const std::string& path, con
     if (surface.tree().empty())
         throw base::Error("there is no model to draw", path, "open one in the session or with --model");
     render::PictureStats stats;
-    const render::Camera camera = closeUp(render::Camera::looking(surface.tree().bounds(), 1280, 720), surface.tree());
+    const render::Camera camera =
+        closeUp(render::Camera::looking(render::framedBox(surface.tree()), 1280, 720), surface.tree());
     render::savePng(render::drawPicture(surface, camera, {}, stats, progress), path);
 }
 
@@ -109,12 +111,14 @@ void run(const Options& options, Console& console) {
 
 Action addRun(CLI::App& command) {
     auto options = std::make_shared<Options>();
-    command.add_option("SESSION", options->session, "one command as a JSON object per line, such as {\"op\":\"undo\"}")
+    command
+        .add_option("SESSION", options->session,
+                    "session file with one JSON command per line, such as {\"op\":\"undo\"}")
         ->type_name("SESSION.jsonl")
         ->required();
-    command.add_option("--model", options->model, std::string("opened before the first line: ") + modelHelp)
+    command.add_option("--model", options->model, std::string("model to open before the first line: ") + modelHelp)
         ->type_name("MODEL");
-    command.add_option("-o,--output", options->out, "model to write afterwards")->type_name("OUT");
+    command.add_option("-o,--output", options->out, "model to write at the end")->type_name("OUT");
     command.add_option("--render", options->image, "picture of the result")
         ->type_name("IMAGE.png")
         ->check(pictureName());
@@ -122,7 +126,7 @@ Action addRun(CLI::App& command) {
         ->type_name("OUT.json");
     command
         .add_option("--journal", options->journal,
-                    "where to write what was done, for `recover`; default: the XDG state folder, removed at the end")
+                    "where to keep the journal for `recover`; default: in the XDG state folder, removed at the end")
         ->type_name("FILE");
     command.footer(command.get_footer() + "\n\n" + commandHelp());
     return [options](Console& console) { run(*options, console); };

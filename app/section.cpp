@@ -59,8 +59,8 @@ Action addSection(CLI::App& command) {
     addPolylineOptions(
         command, *options, "curve",
         "file to write: CSV rows curve,closed,x,y,z,nx,ny,nz (curves counted from 0, longest first; unit "
-        "normal of the surface), or polylines in OBJ. They run counter-clockwise about what is inside, "
-        "seen from where the plane's normal points. Without it the curves are only counted and measured",
+        "normal of the surface), or polylines in OBJ. They run counter-clockwise around the inside, seen from "
+        "the side that the plane's normal points to. Without it the curves are only counted and measured",
         "SECTION.csv|SECTION.obj");
     return [options](Console& console) { run(*options, console); };
 }

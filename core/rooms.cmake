@@ -1,7 +1,7 @@
 # The level list of core/README.md, as the build sees it: each room names the rooms above it that it may use.
 # Third-party libraries are linked privately where their one wrapper lives.
 pointclay_room(base core/base)
-pointclay_link(base TBB::tbb Threads::Threads)
+pointclay_link(base TBB::tbb Threads::Threads Eigen3::Eigen)
 
 pointclay_room(surfel core/surfel base)
 

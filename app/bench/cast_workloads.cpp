@@ -122,10 +122,9 @@ Run dabbing(Scene& scene, bool keeping) {
 } // namespace
 
 std::vector<Workload> castWorkloads() {
-    constexpr const char *full = "ours: a ray for every pixel", *fresh = "ours: the same without what was kept";
+    constexpr const char *full = "ours: a ray for every pixel", *fresh = "ours: the same with nothing kept from before";
     return {
-        {"raycast-adaptive", "pixel", "1024 x 1024 pixels of cast rays to an accuracy of one", full, afresh, fully,
-         true},
+        {"raycast-adaptive", "pixel", "1024 x 1024 pixels of cast rays at quality 1", full, afresh, fully, true},
         {"raycast-first", "pixel", "the same until the first level can be shown", full, firstLevel, fully, true, false},
         {"raycast-turned-1", "pixel", "the next picture of a view that turns by 1 degree", fresh,
          [](Scene& scene) { return turning(scene, 1, true); }, [](Scene& scene) { return turning(scene, 1, false); },

@@ -94,7 +94,7 @@ Workload dabWorkload(const sculpt::ToolRow& row, const BrushSize& size, bool res
               std::to_string(size.under / 1000) + "k surfels under the brush";
     out.ours = [&row, size, resampled](Scene& scene) { return dabbing(scene, row, size.under, resampled); };
     if (const NaiveDabbing naive = naiveWayOf(row.id); naive && !resampled) {
-        out.baseline = "nanoflann radius search, Eigen double, into arrays; index left as it was";
+        out.baseline = "nanoflann radius search, Eigen double, into arrays; the index is not updated";
         out.naive = [naive, size](Scene& scene) { return naiveDabbing(scene, naive, size.under); };
     }
     out.awaited = true;
@@ -133,7 +133,7 @@ std::vector<Workload> dabWorkloads() {
             for (const bool resampled : {false, true})
                 if (resampled || &size != brushSizes)
                     out.push_back(dabWorkload(sculpt::tool(id), size, resampled));
-    Workload undo{"undo", "undo or redo", "a stroke with 50k surfels under the brush, taken back or done again",
+    Workload undo{"undo", "undo or redo", "a stroke with 50k surfels under the brush, undone or redone",
                   "",     undoing,        nullptr};
     undo.awaited = true;
     out.push_back(undo);

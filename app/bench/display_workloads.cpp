@@ -95,12 +95,12 @@ Run uploading(Scene& scene, bool whole) {
 
 std::vector<Workload> displayWorkloads() {
     return {
-        {"splat-cpu-edit", "surfel", "redraws what an edit of 20k surfels can touch of a frame",
+        {"splat-cpu-edit", "surfel", "redraws the part of a frame that an edit of 20k surfels can touch",
          "ours: the whole frame", [](Scene& scene) { return redrawing(scene, false); },
          [](Scene& scene) { return redrawing(scene, true); }, true},
-        {"splat-osmesa-upload", "surfel", "hands an edit of 20k surfels over to OpenGL",
-         "ours: the whole model handed over", [](Scene& scene) { return uploading(scene, false); },
-         [](Scene& scene) { return uploading(scene, true); }, true},
+        {"splat-osmesa-upload", "surfel", "uploads an edit of 20k surfels to OpenGL", "ours: the whole model uploaded",
+         [](Scene& scene) { return uploading(scene, false); }, [](Scene& scene) { return uploading(scene, true); },
+         true},
     };
 }
 

@@ -49,7 +49,7 @@ std::vector<Workload> fileWorkloads() {
     return {
         {"load-ply", "point", "a binary PLY of 27 bytes a point, read and checked",
          "the bytes copied into arrays, nothing checked", loading, naiveLoading, false, false},
-        {"open-ply", "point", "the same on to a tree to sculpt: spacing, graded supports, boundary limit, tree",
+        {"open-ply", "point", "the same up to a tree to sculpt: spacing, graded supports, boundary limit, tree",
          "the bytes copied into arrays, sorted along a Morton curve, nanoflann for 6 nearest and as the index; "
          "supports "
          "not graded",

@@ -1,4 +1,4 @@
-// Rays that light asks for: any hit on the way to a lamp, or nearby.
+// Rays for lighting: any hit on the way to a lamp, or nearby.
 #include "app/bench/batches.h"
 #include "app/bench/workload.h"
 #include "core/raycast/blocking.h"
@@ -76,7 +76,7 @@ Workload asking(const char* name, const char* tip, Ask ask) {
 std::vector<Workload> lightWorkloads() {
     return {
         asking("rays-shadow", "any hit between what a view shows and a lamp", Ask::Lamp),
-        asking("rays-occlusion", "any hit near what a view shows, all ways above it", Ask::Sky),
+        asking("rays-occlusion", "any hit near what a view shows, in all directions above it", Ask::Sky),
     };
 }
 

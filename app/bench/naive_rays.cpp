@@ -40,13 +40,14 @@ NaiveHit settle(const NaiveSurface& surface, const base::Rayd& ray, double start
 } // namespace
 
 struct NaiveRays::Discs {
-    RTCDevice device = rtcNewDevice("threads=1");
+    // No "threads=1": Embree would hold all of oneTBB to one thread, ours too, as long as the device lives.
+    RTCDevice device = rtcNewDevice(nullptr);
     RTCScene scene = nullptr;
     std::vector<float> supports;
 
     explicit Discs(const NaiveCloud& cloud) {
         if (!device)
-            throw base::Error("Embree does not start", "bench", "use a machine that it supports");
+            throw base::Error("Embree cannot be started", "bench", "use a machine that it supports");
         const std::size_t count = cloud.size();
         RTCGeometry discs = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_ORIENTED_DISC_POINT);
         auto* at = static_cast<float*>(

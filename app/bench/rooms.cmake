@@ -1,5 +1,4 @@
 # Level 7, beside the window: what `pointclay bench` and tests/bench measure, and the naive ways beside it.
-find_package(Eigen3 REQUIRED NO_MODULE)
 find_package(embree 3 REQUIRED)
 pointclay_room(workloads app/bench gl session)
 

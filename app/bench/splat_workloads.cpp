@@ -89,10 +89,10 @@ std::vector<Workload> splatWorkloads() {
     };
     add("splat-cpu", "a frame of 1280 x 720 by the renderer for machines without a GPU",
         [](Scene& scene) { return drawing(scene, "cpu"); });
-    add("splat-cpu-moving", "the same of a view that circles the model, as coarse as 16 ms ask for",
+    add("splat-cpu-moving", "the same while the view circles the model, as coarse as 16 ms per frame demand",
         [](Scene& scene) { return moving(scene, "cpu"); });
     add("splat-osmesa", "the frame by OpenGL in software", [](Scene& scene) { return drawing(scene, "osmesa"); });
-    add("splat-osmesa-moving", "the same of a view that circles the model, as coarse as 16 ms ask for",
+    add("splat-osmesa-moving", "the same while the view circles the model, as coarse as 16 ms per frame demand",
         [](Scene& scene) { return moving(scene, "osmesa"); });
     return out;
 }

@@ -53,7 +53,7 @@ std::vector<Workload> startWorkloads() {
             return std::size_t(1);
         };
     };
-    return {{"start", "start", "the process of this program to the first frame of the first sample, in a file", "",
+    return {{"start", "start", "from the start of the process to the first frame of the first sample, in a file", "",
              starting, nullptr, true}};
 }
 

@@ -182,7 +182,7 @@ std::vector<Workload> surfaceWorkloads() {
     return {
         evaluating("evaluate", "value, centroid and normal, positions along a space-filling curve", Order::Coherent,
                    Need::Value),
-        evaluatingSingly("evaluate-single", "the same, one call for each position"),
+        evaluatingSingly("evaluate-single", "the same, one call per position"),
         evaluating("evaluate-scattered", "the same in random order", Order::Scattered, Need::Value),
         evaluatingSelf("evaluate-self", "the same at the surfels themselves, in the tree's order", Need::Value),
         evaluatingSelf("evaluate-self-gradient", "with the gradient, at the surfels themselves", Need::Gradient),

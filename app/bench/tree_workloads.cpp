@@ -86,11 +86,11 @@ Run evaluatingUnedited(Scene& scene) {
 
 std::vector<Workload> treeWorkloads() {
     return {
-        {"build", "surfel", "a tree from surfels in no order", "sorted along a Morton curve, nanoflann, static index",
-         building, naiveBuilding},
+        {"build", "surfel", "a tree from surfels in no particular order",
+         "sorted along a Morton curve, nanoflann, static index", building, naiveBuilding},
         {"edit", "edit", "1000 surfels removed and 1000 inserted at a brush",
          "nanoflann, dynamic index changed in place", editing, naiveEditing, true},
-        {"evaluate-edited", "position", "evaluation in a batch where 1000 edits were done at brushes",
+        {"evaluate-edited", "position", "evaluation in a batch after 1000 edits under brushes",
          "ours: the same before the edits", evaluatingEdited, evaluatingUnedited},
     };
 }

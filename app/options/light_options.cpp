@@ -54,9 +54,9 @@ void checkTogether(const LightOptions& options, bool occlusion, const render::Pi
     needsRays(options.ground, "--ground");
     needsRays(options.smooth, "--antialias");
     if (!plain && picture.style.shading != render::Shading::Matcap)
-        throw UsageError("--shading is what --material matcap shows; " + options.material + " has its own look");
+        throw UsageError("--shading goes with --material matcap; " + options.material + " has its own look");
     if (plain && !options.lights.empty() && !options.shadows)
-        throw UsageError("--lights: --material matcap has light of its own; add --shadows or another --material");
+        throw UsageError("--lights: --material matcap has its own light; add --shadows or another --material");
     if (options.ground && !options.shadows && !occlusion)
         throw UsageError("--ground shows shadows and ambient occlusion: add --shadows or --ao");
 }
@@ -70,21 +70,22 @@ std::shared_ptr<LightOptions> addLightOptions(CLI::App& command) {
         materials.push_back(row.id);
     command
         .add_option("--material", options->material,
-                    helpOf("what the surface is made of with --mode raycast", raycast::materialTable()))
+                    helpOf("material of the surface with --mode raycast", raycast::materialTable()))
         ->check(CLI::IsMember(materials))
         ->option_text("NAME [matcap]");
     command
-        .add_option("--lights", options->lights,
-                    helpOf("lamps of --mode raycast, which stand around whoever looks, by name, or directions towards "
-                           "lamps in model coordinates as in 0,1,0;1,0,0.5",
-                           raycast::lightRigTable()))
+        .add_option(
+            "--lights", options->lights,
+            helpOf("lamps for --mode raycast: a name, whose lamps stand around the viewer, or directions towards "
+                   "lamps in model coordinates, as in 0,1,0;1,0,0.5",
+                   raycast::lightRigTable()))
         ->check(CLI::Validator(lightsFault, ""))
         ->option_text("NAME|x,y,z;... [studio]");
-    command.add_flag("--shadows", options->shadows, "the model keeps light of the lamps off itself (--mode raycast)");
+    command.add_flag("--shadows", options->shadows, "the model casts shadows on itself (--mode raycast)");
     command.add_flag("--ground", options->ground,
-                     "shadows and occlusion fall on the ground below the model too (--mode raycast)");
+                     "shadows and occlusion also fall on the ground below the model (--mode raycast)");
     command.add_flag("--antialias", options->smooth,
-                     "nine rays for pixels at edges (--mode raycast; splats always have smooth edges)");
+                     "nine rays per pixel at edges (--mode raycast; splats always have smooth edges)");
     return options;
 }
 

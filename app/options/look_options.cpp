@@ -4,6 +4,7 @@
 #include "app/options/number_list.h"
 #include "core/base/error.h"
 #include "core/render/effects/effect_rows.h"
+#include "core/render/shading/own_colours.h"
 
 #include <nlohmann/json.hpp>
 
@@ -21,7 +22,7 @@ bool parseRange(const std::string& text, std::pair<float, float>& out) {
 
 std::string rangeFault(const std::string& text) {
     std::pair<float, float> range;
-    return parseRange(text, range) ? "" : "'" + text + "' is no range; write LOW,HIGH as in --range=-0.5,0.5";
+    return parseRange(text, range) ? "" : "'" + text + "' is not a range; write LOW,HIGH as in --range=-0.5,0.5";
 }
 
 std::string effectsFault(const std::string& text) {
@@ -70,31 +71,31 @@ std::shared_ptr<LookOptions> addLookOptions(CLI::App& command) {
     auto options = std::make_shared<LookOptions>();
     command.add_option("--shading", options->shading, helpOf("how the surface is coloured", render::shadingTable()))
         ->check(CLI::IsMember(idsOf(render::shadingTable())))
-        ->option_text("NAME [matcap]");
+        ->option_text("NAME [colour for a model with colours, else matcap]");
     command
         .add_option("--range", options->range,
-                    "numbers at the ends of the colour scale, for shadings that measure (write --range=-1,1 where the "
-                    "first is negative); default: what most of the model has")
+                    "values at the ends of the colour scale, for shadings that measure (write --range=-1,1 where the "
+                    "first is negative); default: those that cover most of the model")
         ->type_name("LOW,HIGH")
         ->check(CLI::Validator(rangeFault, ""));
     command
         .add_option("--reference", options->reference,
-                    "what --shading deviation measures from: distances to its surface, positive on the side of its "
-                    "normals")
+                    "model that --shading deviation measures distances from, positive on the side of its normals")
         ->type_name("MODEL");
-    command.add_option("--background", options->backdrop, helpOf("what stands behind", render::backdropTable()))
+    command.add_option("--background", options->backdrop, helpOf("background of the picture", render::backdropTable()))
         ->check(CLI::IsMember(idsOf(render::backdropTable())))
         ->option_text("NAME [studio]");
     command
         .add_option("--effects", options->effects,
-                    helpOf("comma list of what is drawn from depths and normals over the shaded picture",
+                    helpOf("comma-separated list of effects, drawn from depths and normals over the shaded picture",
                            render::effectTable()))
         ->type_name("LIST")
         ->check(CLI::Validator(effectsFault, ""));
     options->light = addLightOptions(command);
-    command.add_flag("--ao", options->occlusion,
-                     "ambient occlusion: with --mode raycast by rays, else the same as --effects ambient-occlusion");
-    command.add_flag("--grid", options->grid, "a grid on the ground below the model, lines at round coordinates");
+    command.add_flag(
+        "--ao", options->occlusion,
+        "ambient occlusion: by rays with --mode raycast, otherwise the same as --effects ambient-occlusion");
+    command.add_flag("--grid", options->grid, "a grid on the ground below the model, with lines at round coordinates");
     for (const render::AnnotationRow& row : render::annotationTable()) {
         const bool usual = options->annotated & row.annotation;
         const std::string name = usual ? "--" + std::string(row.id) + ",!--no-" + row.id : "--" + std::string(row.id);
@@ -106,13 +107,21 @@ std::shared_ptr<LookOptions> addLookOptions(CLI::App& command) {
             },
             std::string(row.tip) + (usual ? " (drawn unless --no-" + std::string(row.id) + ")" : ""));
     }
-    command.add_flag("--transparent", options->transparent, "leave the background out");
+    command.add_flag("--transparent", options->transparent, "leave out the background");
     return options;
+}
+
+/// As asked, else what suits the model: its colours, unless a material hides them.
+static render::Shading shadingOf(const LookOptions& options, const tree::SurfelTree& model) {
+    if (!options.shading.empty())
+        return render::shading(options.shading);
+    const bool colours = options.light->material == "matcap" && render::hasOwnColours(model);
+    return colours ? render::Shading::Colour : render::Shading::Matcap;
 }
 
 void applyLook(const LookOptions& options, const session::Document& document, const nlohmann::json& surface,
                const base::Vec3d& up, Console& console, render::PictureOptions& out) {
-    out.style.shading = render::shading(options.shading);
+    out.style.shading = shadingOf(options, document.surface().tree());
     out.style.backdrop = render::backdrop(options.backdrop);
     out.style.transparent = options.transparent;
     out.annotated = options.annotated;
@@ -125,7 +134,8 @@ void applyLook(const LookOptions& options, const session::Document& document, co
     const bool deviates = measure && measure->quantity == process::Quantity::Deviation;
     if (!options.range.empty()) {
         if (!measure)
-            throw UsageError("--range: --shading " + options.shading + " measures nothing");
+            throw UsageError(std::string("--range: --shading ") + render::shadingRow(out.style.shading).id +
+                             " measures nothing");
         parseRange(options.range, out.range.emplace());
     }
     if (deviates != !options.reference.empty())

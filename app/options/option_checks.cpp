@@ -17,7 +17,7 @@ static CLI::Validator number(const std::string& wanted, Fits fits) {
     const auto fault = [wanted, fits](const std::string& text) -> std::string {
         double value = 0;
         const bool good = CLI::detail::lexical_cast(text, value) && std::isfinite(value) && fits(value);
-        return good ? "" : "'" + text + "' is no number " + wanted;
+        return good ? "" : "'" + text + "' is not a number " + wanted;
     };
     return {fault, wanted};
 }
@@ -39,7 +39,7 @@ CLI::Validator pictureName() {
     const auto fault = [](const std::string& name) -> std::string {
         std::string end = name.substr(name.size() - std::min<std::size_t>(name.size(), 4));
         std::transform(end.begin(), end.end(), end.begin(), [](unsigned char c) { return std::tolower(c); });
-        return end == ".png" ? "" : "'" + name + "' is no name of a picture; end it in .png";
+        return end == ".png" ? "" : "'" + name + "' does not name a picture; end it in .png";
     };
     return {fault, ""};
 }

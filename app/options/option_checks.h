@@ -1,4 +1,4 @@
-// What values of options must be, beyond what the library checks: it lets numbers pass that are none ("nan"). A fault
+// What values of options must be, beyond what the library checks: it lets pass what is not a number ("nan"). A fault
 // says what is wanted.
 #pragma once
 

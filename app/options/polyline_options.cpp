@@ -33,7 +33,7 @@ void openForPolylines(const PolylineOptions& options, session::Document& documen
     session::Context context{document, {}, progress, {}, 0, {}, nullptr};
     openModel(context, options.model, options.surface->parameters(), console);
     if (document.surface().definition().manifold == surface::Manifold::Curve)
-        throw base::Error(fault, options.model, "ask with --manifold surface");
+        throw base::Error(fault, options.model, "use --manifold surface");
 }
 
 } // namespace app

@@ -1,16 +1,15 @@
-// The option group "Surface", the same for every subcommand: a loop over the parameters of the `surface` command.
+// The option groups "Surface" and "Faces", the same for every subcommand: loops over the parameters of the commands
+// `surface` and `open`.
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "app/options/command_options.h"
+
 #include <memory>
-#include <nlohmann/json_fwd.hpp>
-#include <string>
-#include <vector>
 
 namespace app {
 
 struct SurfaceOptions {
-    std::vector<std::pair<std::string, std::string>> given; ///< name and value
+    GivenParameters given;
     std::string precision = "float";
 
     /// As parameters of `open` and `new`.

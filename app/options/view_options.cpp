@@ -7,6 +7,7 @@
 #include "app/subcommand.h"
 #include "core/base/error.h"
 #include "core/base/row_of_id.h"
+#include "core/render/framed_box.h"
 #include "core/render/named_views.h"
 
 #include <cstdio>
@@ -28,8 +29,9 @@ static bool parseSize(const std::string& text, int& width, int& height) {
 
 static std::string sizeFault(const std::string& text) {
     int width = 0, height = 0;
-    return parseSize(text, width, height) ? ""
-                                          : "'" + text + "' is no size; write WIDTHxHEIGHT with 1 to 32767 pixels each";
+    return parseSize(text, width, height)
+               ? ""
+               : "'" + text + "' is not a size; write WIDTHxHEIGHT with 1 to 32767 pixels each";
 }
 
 static bool parseVector(const std::string& text, Vec3d& out) {
@@ -42,7 +44,7 @@ static bool parseVector(const std::string& text, Vec3d& out) {
 
 static std::string vectorFault(const std::string& text) {
     Vec3d v;
-    return parseVector(text, v) ? "" : "'" + text + "' is no x,y,z";
+    return parseVector(text, v) ? "" : "'" + text + "' is not x,y,z";
 }
 
 static bool parsePlane(const std::string& text, base::Plane& out) {
@@ -58,7 +60,7 @@ static bool parsePlane(const std::string& text, base::Plane& out) {
 
 std::string planeFault(const std::string& text) {
     base::Plane plane;
-    return parsePlane(text, plane) ? "" : "'" + text + "' is no plane nx,ny,nz,d with a normal longer than zero";
+    return parsePlane(text, plane) ? "" : "'" + text + "' is not a plane nx,ny,nz,d with a normal longer than zero";
 }
 
 base::Plane planeOf(const std::string& text, const Vec3d& origin) {
@@ -73,7 +75,7 @@ static bool parseHeight(const std::string& text, double& out) {
 
 static std::string heightFault(const std::string& text) {
     double height = 0;
-    return parseHeight(text, height) || text == "fit" ? "" : "'" + text + "' is no height above zero, nor 'fit'";
+    return parseHeight(text, height) || text == "fit" ? "" : "'" + text + "' is neither a height above zero nor 'fit'";
 }
 
 static CLI::Option* addVector(CLI::App& command, const char* name, std::string& value, const char* tip) {
@@ -86,24 +88,25 @@ static std::string viewNames() {
 
 std::shared_ptr<ViewOptions> addViewOptions(CLI::App& command) {
     auto options = std::make_shared<ViewOptions>();
-    command.add_option("--size", options->size, "pixels")
+    command.add_option("--size", options->size, "size of the picture in pixels")
         ->type_name("WxH")
         ->check(CLI::Validator(sizeFault, ""))
         ->capture_default_str();
     command
         .add_option("--view", options->view,
-                    "look from there, with all of the model in the picture: " + viewNames() +
-                        "; or as a view saved in the window by that name")
+                    "look from this side, with the whole model in the picture: " + viewNames() +
+                        "; or the name of a view saved in the window")
         ->type_name("NAME");
-    addVector(command, "--eye", options->eye, "where the eye is, in model units; default: a view of the whole model");
-    addVector(command, "--target", options->target, "what it looks at; default: the middle of the model");
-    addVector(command, "--up", options->up, "what is up in the picture; default: 0,1,0");
+    addVector(command, "--eye", options->eye,
+              "position of the eye, in model units; default: where the whole model is in view");
+    addVector(command, "--target", options->target, "point that the eye looks at; default: the centre of the model");
+    addVector(command, "--up", options->up, "direction that is up in the picture; default: 0,1,0");
     auto* fov = command.add_option("--fov", options->fovDeg, "vertical angle of view in degrees; default: 35")
                     ->type_name("DEG")
                     ->check(between(1, 170));
     command
         .add_option("--ortho", options->ortho,
-                    "parallel rays: the height of the picture in model units, or fit for the whole model")
+                    "parallel projection: height of the picture in model units, or fit for the whole model")
         ->type_name("HEIGHT|fit")
         ->check(CLI::Validator(heightFault, ""))
         ->excludes(fov);
@@ -115,8 +118,8 @@ std::shared_ptr<ViewOptions> addViewOptions(CLI::App& command) {
         ->allow_extra_args(false);
     command
         .add_option("--turntable", options->turntable,
-                    "as many pictures from all around the model, about what is up in the picture: IMAGE-000.png, "
-                    "IMAGE-001.png and so on, alike with --depth; the eye walks to the right")
+                    "this many pictures from all around the model, turning about the up direction: IMAGE-000.png, "
+                    "IMAGE-001.png and so on, likewise for --depth; the eye moves to the right")
         ->type_name("N")
         ->check(CLI::Range(1, 100000));
     return options;
@@ -125,7 +128,7 @@ std::shared_ptr<ViewOptions> addViewOptions(CLI::App& command) {
 /// Of all points of the model, in every direction of a turntable alike: the camera looks at the middle of the model.
 static render::Camera framedForTurns(render::Camera camera, const tree::SurfelTree& model, int turns) {
     const Vec3d up = camera.upright();
-    const base::Box3f box = model.bounds();
+    const base::Box3f box = render::framedBox(model);
     camera.target = base::cast<double>(box.centre());
     camera.eye = camera.target - camera.forward();
     if (model.empty())
@@ -140,7 +143,9 @@ static render::Camera framedForTurns(render::Camera camera, const tree::SurfelTr
         const Vec3d r = turned.right(), u = turned.upright(), f = turned.forward();
         model.forEachBlock([&](std::uint32_t, const surfel::SurfelBlock& block) {
             for (int corner = 0; corner < 8; ++corner) {
-                const base::Box3f& b = block.box();
+                const base::Box3f b = block.box().cut(box);
+                if (b.empty())
+                    continue;
                 const Vec3d v =
                     base::cast<double>(base::Vec3f{corner & 1 ? b.hi.x : b.lo.x, corner & 2 ? b.hi.y : b.lo.y,
                                                    corner & 4 ? b.hi.z : b.lo.z}) -
@@ -194,12 +199,12 @@ static render::Camera directed(const ViewOptions& options, const base::Box3f& bo
 }
 
 std::vector<render::Camera> camerasOf(const ViewOptions& options, const tree::SurfelTree& model, const Vec3d& origin) {
-    const base::Box3f box = model.bounds();
+    const base::Box3f box = render::framedBox(model);
     if (!options.view.empty() && !options.eye.empty())
         throw UsageError("--view and --eye both say where the eye is");
     const auto saved = savedCamera(options.view, sized(options), box, origin);
     if (saved && (!options.target.empty() || !options.up.empty() || !options.ortho.empty() || options.fovDeg > 0))
-        throw UsageError("--view '" + options.view + "' was saved whole: leave --target, --up, --fov and --ortho out");
+        throw UsageError("--view '" + options.view + "' was saved whole: leave out --target, --up, --fov and --ortho");
     render::Camera camera = saved ? *saved : directed(options, box);
     const bool told = !options.eye.empty() || !options.target.empty(), free = !saved && !told;
     if (told) {
@@ -222,8 +227,7 @@ std::vector<render::Camera> camerasOf(const ViewOptions& options, const tree::Su
             parseHeight(options.ortho, camera.orthoHeight);
     }
     if (options.clips.size() > render::ClipPlanes::most)
-        throw UsageError("--clip goes together with at most " + std::to_string(render::ClipPlanes::most - 1) +
-                         " others");
+        throw UsageError("--clip can be given at most " + std::to_string(render::ClipPlanes::most) + " times");
     for (const std::string& clip : options.clips)
         camera.clips.add(planeOf(clip, origin));
     if (options.turntable == 0) {

@@ -32,6 +32,11 @@ struct Box3 {
     constexpr Box3 inflated(T by) const {
         return empty() ? *this : Box3{lo - Vec3<T>{by, by, by}, hi + Vec3<T>{by, by, by}};
     }
+    /// What both have; empty where they do not meet.
+    constexpr Box3 cut(const Box3& b) const {
+        return {{std::max(lo.x, b.lo.x), std::max(lo.y, b.lo.y), std::max(lo.z, b.lo.z)},
+                {std::min(hi.x, b.hi.x), std::min(hi.y, b.hi.y), std::min(hi.z, b.hi.z)}};
+    }
     constexpr bool contains(const Vec3<T>& p) const {
         return p.x >= lo.x && p.x <= hi.x && p.y >= lo.y && p.y <= hi.y && p.z >= lo.z && p.z <= hi.z;
     }

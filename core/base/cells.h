@@ -1,7 +1,7 @@
 // Cubic cells of space by whole-number coordinates, and a map from the occupied ones to what lies in them.
 //
-// Keys pack 21 bits an axis; ordered by key, cells are ordered by x, then y, then z. Cells 2^21 apart share a key: who
-// looks around a place checks distances anyway.
+// Keys pack 21 bits an axis; ordered by key, cells are ordered by x, then y, then z. Cells 2^21 apart share a key: a
+// search around a place checks distances anyway.
 #pragma once
 
 #include "core/base/key_index.h"

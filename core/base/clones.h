@@ -2,8 +2,8 @@
 // the machine has. For loops over lanes that the compiler turns into vector instructions by itself; kernels that need
 // more are written with Highway.
 //
-// Products are never contracted with sums (-ffp-contract=off), so that all of them give the same bits. What such a
-// function calls must be inlined into it to gain. Thread sanitizers cannot run code before main: one version for them.
+// Products are never contracted with sums (-ffp-contract=off), so that all versions give the same bits. What such a
+// function calls must be inlined into it to gain. Thread sanitizers cannot run code before main: they get one version.
 #pragma once
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_THREAD__)

@@ -4,8 +4,8 @@
 //     DisjointSets pieces(vertices);     for each edge: pieces.join(a, b);     pieces.find(v): its piece
 //     ParitySets signs(points);          for each edge: signs.relate(a, b, opposite)
 //
-// The smallest member represents a set. That needs no array of ranks, and where things that lie side by side have
-// numbers that are close, paths stay short. `find` shortens paths: not for several threads at once.
+// The smallest member represents a set. That needs no array of ranks, and paths stay short where things side by side
+// have close numbers. `find` shortens paths, so it is not for several threads at once.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// 3x3 matrices and the symmetric eigenproblem. Row-major: m[row][column].
+// 3x3 matrices for kernels, row-major: m[row][column]. Decompositions are Eigen's, which stays behind this header.
 #pragma once
 
 #include "core/base/vec.h"
@@ -92,12 +92,22 @@ struct SymmetricEigen {
     Vec3<T> vector[3]{};
 };
 
-/// Cyclic Jacobi on the matrix scaled by its trace: as exact for close eigenvalues as for distant ones, where
-/// a closed form would lose half the digits (base/README 3.1). REQUIRES: `a` symmetric; only its upper half is read.
+/// By Eigen's iterative solver: as exact for close eigenvalues as for distant ones, where a closed form would lose half
+/// the digits (base/README 3.1). REQUIRES: `a` symmetric; only its upper half is read. A matrix that is not finite has
+/// the axes for vectors and its diagonal for values.
 template <class T>
 SymmetricEigen<T> symmetricEigen(const Mat3<T>& a);
 
+/// A^-1. REQUIRES: not singular; the caller tests the determinant against its own scale.
+template <class T>
+Mat3<T> inverse(const Mat3<T>& a);
+
+/// x with A x = b, for a positive definite A; only its upper half is read. Least squares with a ridge are such systems.
+Vec3d solvePositive(const Mat3d& a, const Vec3d& b);
+
 extern template SymmetricEigen<float> symmetricEigen(const Mat3<float>&);
 extern template SymmetricEigen<double> symmetricEigen(const Mat3<double>&);
+extern template Mat3<float> inverse(const Mat3<float>&);
+extern template Mat3<double> inverse(const Mat3<double>&);
 
 } // namespace base

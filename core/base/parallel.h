@@ -1,7 +1,7 @@
 // Parallel loops. oneTBB stays behind this header.
 //
-// Work is cut into chunks that depend on `n` and `grain` alone, never on the number of threads: whoever combines the
-// results of chunks in their order gets the same bits at any thread count. Below two chunks it runs on the caller.
+// Work is cut into chunks that depend on `n` and `grain` alone, never on the number of threads: combining the results
+// of chunks in their order gives the same bits at any thread count. Below two chunks it runs on the caller.
 #pragma once
 
 #include <cstddef>

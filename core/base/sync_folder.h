@@ -1,5 +1,5 @@
-// Brings a folder's list of files to the disk, so that a file that was made, renamed or removed in it stays so through
-// a power cut.
+// Writes a folder's list of files to disk, so that a file created, renamed or removed in it stays so through a power
+// cut.
 #pragma once
 
 #include <filesystem>

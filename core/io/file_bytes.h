@@ -1,8 +1,8 @@
 // A whole file as read-only bytes: mapped into memory, so that nothing is copied and pages can be dropped again.
 //
 // Opening throws base::Error where the file is missing, a folder, unreadable or empty. Files that cannot be mapped
-// (pipes) are read into memory. The bytes are there as long as the object lives; whoever cuts the file off meanwhile
-// ends the program, as with any mapped file. Any number of threads may read.
+// (pipes) are read into memory. The bytes are there as long as the object lives; truncating the file meanwhile ends the
+// program, as with any mapped file. Any number of threads may read.
 #pragma once
 
 #include <filesystem>

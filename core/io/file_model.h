@@ -1,6 +1,7 @@
 // What a file holds, before anything is estimated: points relative to an origin, and all that came along with them.
 #pragma once
 
+#include "core/mesh/faces/polygons.h"
 #include "core/surface/definition.h"
 #include "core/surfel/surfel.h"
 
@@ -19,9 +20,11 @@ struct FileModel {
     surfel::SurfelList points;
     base::Vec3d origin; ///< add to a position to have the file's coordinates; zero unless they are large
     std::optional<surface::SurfaceDefinition> definition; ///< from `comment pointclay ...` lines
-    bool hasSupports = false;                             ///< every point brought a support radius > 0
-    std::size_t faces = 0;                                ///< in the file, ignored
-    std::size_t dropped = 0;                              ///< points that were not finite
+    bool limitDecided = false;         ///< the definition has what Boundary::Auto was resolved to for these points
+    bool hasSupports = false;          ///< every point brought a support radius > 0
+    std::size_t faces = 0;             ///< in the file
+    mesh::Polygons polygons;           ///< of them, those whose corners are points that are there
+    std::size_t dropped = 0;           ///< points that were not finite
     std::string format;                ///< as `info` prints it: "ply binary_little_endian", "xyz", "obj", ...
     std::vector<std::string> comments; ///< of the file, without ours
     std::vector<OpaqueElement> elements;

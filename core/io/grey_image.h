@@ -1,4 +1,4 @@
-// Grey images from files, for what presses a picture into the surface. PNG (libpng) and JPEG (libjpeg).
+// Grey images from files, for brushes that press them into the surface. PNG (libpng) and JPEG (libjpeg).
 //
 // Colours become their luma, transparent parts black. Values are the file's as they stand, divided by the largest: a
 // height map of 16 bits keeps them all.

@@ -7,7 +7,7 @@ namespace io {
 static constexpr MeshFormatRow table[] = {
     {"ply", "Polygon file", "ply", "normals, colours, masks and further attributes, in doubles", writeMeshPly},
     {"obj", "Wavefront OBJ", "obj", "normals and colours", writeMeshObj},
-    {"stl", "Stereolithography", "stl", "nothing; binary, or as text where the model lies far from the origin",
+    {"stl", "Stereolithography", "stl", "nothing; binary, or text where the model lies far from the origin",
      writeMeshStl},
     {"off", "Object file", "off coff noff cnoff", "normals and colours", writeMeshOff},
 };

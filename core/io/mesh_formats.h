@@ -2,7 +2,7 @@
 //
 // Positions are written in file coordinates, origin + position: doubles in PLY, the shortest decimals that bring back
 // the double in text, floats in binary STL. Normals, colours and masks are written where the mesh has them and the
-// format knows them. Writing goes beside the target and is renamed when complete.
+// format can hold them. Writing goes beside the target and is renamed when complete.
 #pragma once
 
 #include "core/base/progress.h"

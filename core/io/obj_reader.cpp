@@ -65,13 +65,13 @@ class ObjReader {
   public:
     ObjReader(const path& name, const base::Progress& progress)
         : m_file(name), m_lines(m_file, 0), m_progress(progress), m_before(m_lines.chunks() + 1),
-          m_corners(m_lines.chunks()) {}
+          m_corners(m_lines.chunks()), m_faces(m_lines.chunks()) {}
     FileModel read();
 
   private:
     void count();
     std::size_t parse(std::size_t chunk);
-    void takeCorners(std::string_view line, const Counts& at, std::vector<Corner>& out) const;
+    void takeFace(std::string_view line, const Counts& at, std::size_t chunk);
     bool takeCorner(std::string_view word, const Counts& at, Corner& out) const;
     std::vector<base::Vec3d> vertexNormals();
     std::vector<base::Vec3d> normalsByCorners();
@@ -87,6 +87,7 @@ class ObjReader {
     std::vector<double> m_vertices;
     std::vector<base::Vec3d> m_normals;
     std::vector<std::vector<Corner>> m_corners; ///< per chunk
+    std::vector<mesh::Polygons> m_faces;        ///< per chunk
     RecordTable m_table;
 };
 
@@ -110,39 +111,45 @@ void ObjReader::count() {
     if (all().vertices == 0)
         m_file.fail("holds no points", "choose an OBJ file with 'v' lines");
     if (all().vertices >= noNormal || all().normals >= noNormal)
-        m_file.fail("holds more than 4 thousand million vertices", "split the file");
+        m_file.fail("holds more than 4 billion vertices", "split the file");
     std::string_view line = m_lines.lineAt(*std::min_element(first.begin(), first.end()));
     takeStatement(line);
     double numbers[8];
     m_width = takeNumbers(line, numbers, 8) >= 6 ? 6 : 3;
 }
 
-/// The corner "v", "v/t", "v//n" or "v/t/n", numbered from 1 or, below 0, back from the last one so far.
-bool ObjReader::takeCorner(std::string_view word, const Counts& at, Corner& out) const {
-    const std::size_t slash = word.rfind('/');
-    if (slash == std::string_view::npos || word.find('/') == slash)
-        return false;
-    const auto index = [](std::string_view text, std::size_t sofar, std::size_t total, std::uint32_t& to) {
-        std::int64_t value = 0;
-        const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
-        value += value < 0 ? static_cast<std::int64_t>(sofar) : -1;
-        to = static_cast<std::uint32_t>(value);
-        return code == std::errc() && value >= 0 && value < static_cast<std::int64_t>(total);
-    };
-    return index(word.substr(0, word.find('/')), at.vertices, all().vertices, out.vertex) &&
-           index(word.substr(slash + 1), at.normals, all().normals, out.normal);
+/// What a corner's number says of `total`: from 1, or back from the last one so far; false where it is none of them.
+static bool takeIndex(std::string_view text, std::size_t sofar, std::size_t total, std::uint32_t& to) {
+    std::int64_t value = 0;
+    const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
+    value += value < 0 ? static_cast<std::int64_t>(sofar) : -1;
+    to = static_cast<std::uint32_t>(value);
+    return code == std::errc() && value >= 0 && value < static_cast<std::int64_t>(total);
 }
 
-void ObjReader::takeCorners(std::string_view line, const Counts& at, std::vector<Corner>& out) const {
+/// The corner "v", "v/t", "v//n" or "v/t/n": false where it does not bring a vertex and a normal together.
+bool ObjReader::takeCorner(std::string_view word, const Counts& at, Corner& out) const {
+    const std::size_t slash = word.rfind('/');
+    if (!takeIndex(word.substr(0, word.find('/')), at.vertices, all().vertices, out.vertex)) {
+        out.vertex = noNormal;
+        return false;
+    }
+    return slash != std::string_view::npos && word.find('/') != slash &&
+           takeIndex(word.substr(slash + 1), at.normals, all().normals, out.normal);
+}
+
+void ObjReader::takeFace(std::string_view line, const Counts& at, std::size_t chunk) {
     for (skipBlanks(line); !line.empty() && line.front() != '#'; skipBlanks(line)) {
         std::size_t size = 0;
         while (size < line.size() && !isBlank(line[size]))
             ++size;
         Corner corner{};
         if (takeCorner(line.substr(0, size), at, corner))
-            out.push_back(corner);
+            m_corners[chunk].push_back(corner);
+        m_faces[chunk].corners.push_back(corner.vertex);
         line.remove_prefix(size);
     }
+    m_faces[chunk].close();
 }
 
 std::size_t ObjReader::parse(std::size_t chunk) {
@@ -167,8 +174,7 @@ std::size_t ObjReader::parse(std::size_t chunk) {
             m_normals[at.normals++] = {numbers[0], numbers[1], numbers[2]};
             break;
         case Statement::Face:
-            if (!m_normals.empty())
-                takeCorners(line, at, m_corners[chunk]);
+            takeFace(line, at, chunk);
             break;
         case Statement::Other:
             break;
@@ -209,7 +215,7 @@ std::vector<base::Vec3d> ObjReader::vertexNormals() {
         return normalsByCorners();
     if (m_normals.size() == all().vertices)
         return std::move(m_normals);
-    m_model.messages.emplace_back("The normals were left out because no face tells to which points they belong.");
+    m_model.messages.emplace_back("The normals were left out because no face tells which points they belong to.");
     return {};
 }
 
@@ -232,7 +238,7 @@ void ObjReader::fillTable(const std::vector<base::Vec3d>& normals) {
 
 FileModel ObjReader::read() {
     if (m_file.bytes().substr(0, 4096).find('\0') != std::string_view::npos)
-        m_file.fail("is binary, not an OBJ text", "choose an OBJ file or convert it to PLY");
+        m_file.fail("is binary, not an OBJ text file", "choose an OBJ file or convert it to PLY");
     count();
     m_vertices.resize(all().vertices * m_width);
     m_normals.resize(all().normals);
@@ -242,8 +248,11 @@ FileModel ObjReader::read() {
     fillTable(vertexNormals());
     m_model.format = "obj";
     m_model.faces = all().faces;
+    for (mesh::Polygons& faces : m_faces) {
+        m_model.polygons.append(faces);
+        faces = {};
+    }
     makePoints(m_model, m_file, m_table, rolesOf(m_table.fields, false), {}, {m_progress, 0.7, 1});
-    addFacesMessage(m_model);
     return std::move(m_model);
 }
 

@@ -20,6 +20,7 @@ class OffReader {
   private:
     void readHead(const TextRows& rows);
     void nameColumns(std::size_t columns);
+    void readFaces(const TextRows& rows);
 
     FileBytes m_file;
     const base::Progress& m_progress;
@@ -40,7 +41,7 @@ void OffReader::readHead(const TextRows& rows) {
         if (!fields.empty() && fields[0] == "BINARY")
             m_file.fail("is a binary OFF file, which cannot be read", "save it as ascii OFF or as PLY");
         if (m_prefix.find_first_of("4n") != std::string::npos)
-            m_file.fail("has points of other than three dimensions", "save it as plain OFF");
+            m_file.fail("has points with other than three dimensions", "save it as plain OFF");
         ++m_firstRow;
     }
     if (fields.empty() && m_firstRow < rows.count())
@@ -50,7 +51,7 @@ void OffReader::readHead(const TextRows& rows) {
     const auto vertices = fields.empty() ? std::optional<std::uint64_t>() : countOf(fields[0]);
     const auto faces = fields.size() > 1 ? countOf(fields[1]) : std::optional<std::uint64_t>();
     if (!vertices || !faces)
-        m_file.fail("does not tell how many vertices and faces it has", "the file is damaged or no OFF file");
+        m_file.fail("does not say how many vertices and faces it has", "the file is damaged or not an OFF file");
     const std::size_t left = rows.count() - m_firstRow;
     if (*vertices > left || *faces > left - *vertices)
         m_file.fail("promises " + std::to_string(*vertices) + " vertices and " + std::to_string(*faces) +
@@ -81,9 +82,30 @@ void OffReader::nameColumns(std::size_t columns) {
                                   c * sizeof(double)});
 }
 
+/// A row of a face: how many corners, their numbers, then perhaps a colour.
+void OffReader::readFaces(const TextRows& rows) {
+    std::size_t left = m_faces, row = m_firstRow + m_vertices;
+    rows.forRows(row, [&](std::string_view line) {
+        if (left-- == 0)
+            return false;
+        const auto fields = rows.fields(line);
+        const auto corners = countOf(fields[0]);
+        if (!corners || *corners > fields.size() - 1)
+            m_file.failAt(rows.offset(row), "is a face that does not hold as many corners as it declares", cutOff);
+        for (std::size_t k = 1; k <= *corners; ++k) {
+            const auto corner = countOf(fields[k]);
+            m_model.polygons.corners.push_back(corner && *corner < m_vertices ? static_cast<std::uint32_t>(*corner)
+                                                                              : std::uint32_t(-1));
+        }
+        m_model.polygons.close();
+        ++row;
+        return true;
+    });
+}
+
 FileModel OffReader::read() {
     if (m_file.bytes().substr(0, 4096).find('\0') != std::string_view::npos)
-        m_file.fail("is binary, not an OFF text", "save it as ascii OFF or as PLY");
+        m_file.fail("is binary, not an OFF text file", "save it as ascii OFF or as PLY");
     const TextRows rows(m_file, 0, {.comments = true}, {m_progress, 0, 0.2});
     readHead(rows);
     const std::size_t columns = rows.fields(rows.row(m_firstRow)).size();
@@ -97,10 +119,10 @@ FileModel OffReader::read() {
     rows.checkRoom(m_vertices, columns);
     double* const out = m_table.allocateDoubles(m_vertices, columns);
     rows.parse(m_firstRow, m_vertices, targets, columns, out, {m_progress, 0.2, 0.7});
+    readFaces(rows);
     m_model.format = "off";
     m_model.faces = m_faces;
     makePoints(m_model, m_file, m_table, rolesOf(m_table.fields, false), {}, {m_progress, 0.7, 1});
-    addFacesMessage(m_model);
     return std::move(m_model);
 }
 

@@ -41,6 +41,7 @@ static bool takeLine(std::string_view line, NativeComments& out) {
         return false;
     try {
         out.definition = surface::definitionFromWords(rest);
+        out.limitDecided = rest.find("boundary-limit=") != std::string_view::npos;
     } catch (const base::Error&) {
         return false; // told in the caller's message: the points are still good
     }

@@ -19,6 +19,7 @@ struct NativeComments {
     std::optional<base::Vec3d> origin;
     std::optional<bool> oriented;
     std::optional<surface::SurfaceDefinition> definition;
+    bool limitDecided = false; ///< the definition's line says what Boundary::Auto was resolved to
 };
 
 /// Takes our lines out of `comments`. Lines of ours that cannot be understood are dropped with a message.

@@ -1,6 +1,7 @@
 #include "core/io/ply_elements.h"
 
 #include "core/io/number_text.h"
+#include "core/io/ply_records.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,12 +11,6 @@ namespace io {
 
 static const char* const cutOff = "the file is damaged or was cut off; fetch it again";
 
-static std::int64_t loadCount(ScalarType type, const char* bytes, bool bigEndian) {
-    return withType(type, [&]<class T>() {
-        return static_cast<std::int64_t>(bigEndian ? load<T, true>(bytes) : load<T, false>(bytes));
-    });
-}
-
 /// Smallest number of bytes that a binary record can take: every list empty.
 static std::size_t leastBytes(const PlyElement& element) {
     std::size_t bytes = element.scalarBytes();
@@ -24,57 +19,13 @@ static std::size_t leastBytes(const PlyElement& element) {
     return bytes;
 }
 
-namespace {
-
-/// Passes over binary records whose lists make them unequally long.
-class RecordWalker {
-  public:
-    RecordWalker(const FileBytes& file, std::string_view body, const PlyElement& element, bool bigEndian)
-        : m_file(file), m_body(body), m_element(element), m_bigEndian(bigEndian) {}
-
-    /// Calls `visit(property, at, items)` for every property of the record at `at` (`items` is 0 for scalars) and
-    /// returns where the next one starts.
-    template <class Visit>
-    std::size_t pass(std::size_t at, const Visit& visit) const {
-        for (const PlyProperty& property : m_element.properties) {
-            const std::size_t head = sizeOf(property.isList ? property.countType : property.type);
-            if (head > m_body.size() - at)
-                failCut(at);
-            std::size_t items = 0;
-            if (property.isList) {
-                const std::int64_t count = loadCount(property.countType, m_body.data() + at, m_bigEndian);
-                if (count < 0)
-                    m_file.failAtByte(at, "a list of element " + inQuotes(m_element.name) + " has a negative length",
-                                      cutOff);
-                items = static_cast<std::size_t>(count);
-                if (items > (m_body.size() - at - head) / sizeOf(property.type))
-                    failCut(at);
-            }
-            visit(property, at, items);
-            at += head + items * sizeOf(property.type);
-        }
-        return at;
-    }
-
-  private:
-    [[noreturn]] void failCut(std::size_t at) const {
-        m_file.failAtByte(at, "the body ends inside element " + inQuotes(m_element.name), cutOff);
-    }
-    const FileBytes& m_file;
-    std::string_view m_body;
-    const PlyElement& m_element;
-    bool m_bigEndian;
-};
-
-} // namespace
-
 std::size_t binaryExtent(const FileBytes& file, const PlyElement& element, std::size_t offset, bool bigEndian) {
     const std::size_t least = leastBytes(element), left = file.size() - offset;
     if (least == 0)
         return 0;
     if (element.count > left / least)
         file.fail("the header declares " + std::to_string(element.count) + " of element " + inQuotes(element.name) +
-                      ", but there are bytes for " + std::to_string(left / least) + " at most",
+                      ", but there are bytes for at most " + std::to_string(left / least),
                   cutOff);
     if (!element.hasLists())
         return element.count * least;

@@ -24,7 +24,7 @@ constexpr TypeName typeNames[] = {
 
 /// More than any program writes; a damaged file could else make us search long lists of names.
 constexpr std::size_t mostProperties = 1000, mostElements = 1000;
-const char* const damaged = "the header is damaged or this is no PLY file";
+const char* const damaged = "the header is damaged or this is not a PLY file";
 
 /// Reads the header line by line; every fault names its line.
 class HeaderParser {
@@ -104,7 +104,7 @@ ScalarType HeaderParser::typeOf(std::string_view name) const {
     for (const TypeName& row : typeNames)
         if (name == row.name)
             return row.type;
-    fail(inQuotes(name) + " is no type that PLY knows");
+    fail(inQuotes(name) + " is not a type that PLY knows");
 }
 
 /// The line after its first word, as a comment keeps it.
@@ -124,7 +124,7 @@ void HeaderParser::parseFormat() {
             m_hasFormat = true;
             return;
         }
-    fail(inQuotes(m_words[1]) + " is no format that PLY knows");
+    fail(inQuotes(m_words[1]) + " is not a format that PLY knows");
 }
 
 void HeaderParser::parseElement() {
@@ -132,7 +132,7 @@ void HeaderParser::parseElement() {
         fail("an element needs a name and a count");
     const auto count = countOf(m_words[2]);
     if (!count)
-        fail(inQuotes(m_words[2]) + " is no count of elements");
+        fail(inQuotes(m_words[2]) + " is not a count of elements");
     if (m_header.elements.size() == mostElements)
         fail("declares more than " + std::to_string(mostElements) + " elements");
     m_header.elements.push_back({std::string(m_words[1]), static_cast<std::size_t>(*count), {}});
@@ -151,7 +151,7 @@ void HeaderParser::parseProperty() {
     if (property.isList) {
         property.countType = typeOf(m_words[2]);
         if (surfel::isReal(property.countType))
-            fail("counts of a list cannot be " + std::string(m_words[2]));
+            fail("the count of a list cannot be of type " + std::string(m_words[2]));
     }
     property.type = typeOf(m_words[property.isList ? 3 : 1]);
     property.name = m_words[property.isList ? 4 : 2];
@@ -180,7 +180,7 @@ PlyHeader HeaderParser::parse() {
         else if (word == "obj_info")
             m_header.comments.emplace_back(m_line);
         else if (!word.empty())
-            fail(inQuotes(m_line) + " is no line of a PLY header");
+            fail(inQuotes(m_line) + " is not a line of a PLY header");
     }
     m_file.fail("the header has no end_header line", "the file is damaged or was cut off; fetch it again");
 }

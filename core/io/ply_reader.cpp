@@ -1,5 +1,6 @@
 #include "core/io/ply_comments.h"
 #include "core/io/ply_elements.h"
+#include "core/io/ply_faces.h"
 #include "core/io/readers.h"
 #include "core/io/record_points.h"
 
@@ -12,10 +13,6 @@ namespace {
 
 constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 const char* const cutOff = "the file is damaged or was cut off; fetch it again";
-
-bool isFace(const PlyElement& element) {
-    return element.name == "face" || element.name == "faces";
-}
 
 /// Whether records name vertices by their number, which means nothing once points were moved, added and removed.
 bool refersToVertices(const PlyElement& element) {
@@ -45,6 +42,7 @@ class PlyReader {
     void readBinary(bool bigEndian);
     void readAscii();
     void keepOther(const PlyElement& element, const std::function<std::string()>& body);
+    void takeFaces(const PlyElement& element, std::string_view body, std::size_t offset, bool bigEndian);
     void finish();
 
     FileBytes m_file;
@@ -56,13 +54,17 @@ class PlyReader {
 };
 
 void PlyReader::keepOther(const PlyElement& element, const std::function<std::string()>& body) {
-    if (isFace(element))
-        m_model.faces += element.count;
     if (!refersToVertices(element))
         m_model.elements.push_back({element.declaration(), body()});
-    else if (!isFace(element) && element.count > 0)
+    else if (!isFace(element) && !isStrips(element) && element.count > 0)
         m_model.messages.push_back("The element " + inQuotes(element.name) +
                                    " refers to points by number; it is not used and will not be written back.");
+}
+
+void PlyReader::takeFaces(const PlyElement& element, std::string_view body, std::size_t offset, bool bigEndian) {
+    const mesh::Polygons faces = polygonsOf(m_file, body, element, offset, bigEndian);
+    m_model.faces += isFace(element) ? element.count : faces.size();
+    m_model.polygons.append(faces);
 }
 
 void PlyReader::readBinary(bool bigEndian) {
@@ -74,6 +76,8 @@ void PlyReader::readBinary(bool bigEndian) {
             m_table = binaryTable(m_file, element, offset, bigEndian);
         else
             keepOther(element, [&] { return littleEndianBody(m_file, element, offset, extent, bigEndian); });
+        if (isFace(element) || isStrips(element))
+            takeFaces(element, m_file.bytes(), offset, bigEndian);
         offset += extent;
     }
 }
@@ -92,6 +96,8 @@ void PlyReader::readAscii() {
             m_table = asciiTable(m_file, rows, row, element, {m_progress, 0.2, 0.7});
         else
             keepOther(element, [&] { return littleEndianBody(m_file, rows, row, element); });
+        if (isFace(element) || isStrips(element))
+            takeFaces(element, littleEndianBody(m_file, rows, row, element), 0, false);
         row += taken;
     }
 }
@@ -100,6 +106,7 @@ void PlyReader::finish() {
     m_model.comments = m_header.comments;
     const NativeComments native = takeNativeComments(m_model.comments, m_model.messages);
     m_model.definition = native.definition;
+    m_model.limitDecided = native.limitDecided;
     const RecordRoles roles = rolesOf(m_table.fields, native.origin.has_value());
     if (roles.position[0] == RecordRoles::none || roles.position[1] == RecordRoles::none)
         m_file.fail("the points have no properties x and y", "choose a file with coordinates");
@@ -109,7 +116,6 @@ void PlyReader::finish() {
     for (const PlyProperty& property : m_header.elements[m_vertex].properties)
         if (property.isList)
             m_model.messages.push_back("The list property " + inQuotes(property.name) + " of the points was left out.");
-    addFacesMessage(m_model);
 }
 
 FileModel PlyReader::read() {

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 
 namespace io {
 
@@ -81,6 +83,7 @@ class PointMaker {
     void attributes(const Rows& rows);
     std::size_t countBad(const Rows& rows) const;
     void dropBad();
+    void keepFaces(std::span<const std::uint32_t> numbers);
     void judgeSupports();
 
     FileModel& m_model;
@@ -255,13 +258,20 @@ void PointMaker::convert(const Rows& rows, std::size_t chunk) {
 void PointMaker::dropBad() {
     for (const std::size_t bad : m_bad)
         m_model.dropped += bad;
-    if (m_model.dropped == 0)
+    std::vector<std::uint32_t> numbers(m_model.polygons.size() > 0 ? m_points.items.size() : 0,
+                                       std::numeric_limits<std::uint32_t>::max());
+    if (m_model.dropped == 0) {
+        std::iota(numbers.begin(), numbers.end(), 0u);
+        keepFaces(numbers);
         return;
+    }
     const std::size_t words = m_points.layout->words();
     std::size_t kept = 0;
     for (std::size_t i = 0; i < m_points.items.size(); ++i) {
         if (!base::isFinite(m_points.items[i].position))
             continue;
+        if (!numbers.empty())
+            numbers[i] = static_cast<std::uint32_t>(kept);
         m_points.items[kept] = m_points.items[i];
         std::copy_n(m_points.extra.begin() + static_cast<std::ptrdiff_t>(i * words), words,
                     m_points.extra.begin() + static_cast<std::ptrdiff_t>(kept * words));
@@ -274,6 +284,14 @@ void PointMaker::dropBad() {
     m_model.messages.push_back(std::to_string(m_model.dropped) +
                                (m_model.dropped == 1 ? " point was" : " points were") +
                                " left out because a coordinate is not finite.");
+    keepFaces(numbers);
+}
+
+/// Faces follow their points to new numbers; `numbers` has the largest one for points that were dropped.
+void PointMaker::keepFaces(std::span<const std::uint32_t> numbers) {
+    if (const std::size_t lost = m_model.polygons.renumber(numbers); lost > 0)
+        m_model.messages.push_back(std::to_string(lost) + (lost == 1 ? " face was" : " faces were") +
+                                   " left out because a corner is not a point of the file.");
 }
 
 void PointMaker::judgeSupports() {
@@ -313,13 +331,6 @@ void makePoints(FileModel& model, const FileBytes& file, const RecordTable& tabl
     if (table.count == 0)
         file.fail("holds no points", "choose a file with at least one");
     PointMaker(model, file, table, roles).run(options, progress);
-}
-
-void addFacesMessage(FileModel& model) {
-    if (model.faces > 0)
-        model.messages.push_back(model.faces == 1 ? "The file's face is not used and will not be written back."
-                                                  : "The file's " + std::to_string(model.faces) +
-                                                        " faces are not used and will not be written back.");
 }
 
 } // namespace io

@@ -23,6 +23,7 @@ struct PointOptions {
 };
 
 /// Fills `model.points`, `origin`, `hasSupports` and `dropped` from the table; messages tell what was left out.
+/// `model.polygons` come with the numbers of the table's records and get those of the points.
 ///
 ///     position   missing z: 0; not finite, or not finite as float: the point is dropped and counted
 ///     normal     unit ones keep their bits, others are normalised; not finite or zero: zero
@@ -35,8 +36,5 @@ struct PointOptions {
 /// where no point is left.
 void makePoints(FileModel& model, const FileBytes& file, const RecordTable& table, const RecordRoles& roles,
                 const PointOptions& options, const ProgressSpan& progress);
-
-/// Tells that the faces, if there are any, are not used.
-void addFacesMessage(FileModel& model);
 
 } // namespace io

@@ -39,7 +39,7 @@ void SafeFile::openBeside() {
     std::error_code ignored;
     if (!fs::is_directory(folder, ignored))
         throw base::Error("cannot be written, because the folder " + folder.string() + " does not exist",
-                          m_target.string(), "make the folder or choose another");
+                          m_target.string(), "create the folder or choose another");
     struct stat info {};
     const bool replaces = ::stat(m_final.c_str(), &info) == 0;
     static std::atomic<unsigned> counter = 0;
@@ -91,7 +91,7 @@ void SafeFile::write(std::string_view bytes) {
 
 void SafeFile::commit() {
     if (!m_beside.empty() && ::fsync(m_descriptor) != 0)
-        fail("be brought to the disk");
+        fail("be written to disk");
     const int descriptor = m_descriptor;
     m_descriptor = -1;
     if (::close(descriptor) != 0)
@@ -99,7 +99,7 @@ void SafeFile::commit() {
     if (m_beside.empty())
         return;
     if (::rename(m_beside.c_str(), m_final.c_str()) != 0)
-        fail("take its name");
+        fail("be renamed into place");
     m_beside.clear();
     base::syncFolder(m_final.parent_path());
 }

@@ -7,8 +7,8 @@
 //     file.commit();              // synced, renamed
 //
 // Without commit() the destructor removes what was begun and the target stays as it was. A symbolic link is followed
-// and stays a link; an existing file keeps its permissions; a target that is no regular file (a pipe, /dev/stdout) is
-// written directly. Errors are base::Error with the target's name. One thread at a time.
+// and stays a link; an existing file keeps its permissions; a target that is not a regular file (a pipe, /dev/stdout)
+// is written directly. Errors are base::Error with the target's name. One thread at a time.
 #pragma once
 
 #include <filesystem>

@@ -122,14 +122,17 @@ FileModel readStl(const path& name, const base::Progress& progress) {
     if (corners.empty())
         file.fail("holds no points", "choose a file with at least one triangle");
     if (corners.size() >= std::numeric_limits<std::uint32_t>::max())
-        file.fail("holds more than a thousand million triangles", "split the file");
+        file.fail("holds more than a billion triangles", "split the file");
     progress.step(0.3, "Reading");
     FileModel model;
     model.format = ascii ? "stl ascii" : "stl binary";
     model.faces = corners.size() / 3;
-    const RecordTable table = tableOf(weldTriangles(corners));
+    Welded welded = weldTriangles(corners);
+    model.polygons.corners = std::move(welded.corners);
+    for (std::size_t end = 3; end <= model.polygons.corners.size(); end += 3)
+        model.polygons.ends.push_back(end);
+    const RecordTable table = tableOf(welded);
     makePoints(model, file, table, rolesOf(table.fields, false), {}, {progress, 0.7, 1});
-    addFacesMessage(model);
     return model;
 }
 

@@ -1,5 +1,5 @@
-// Points as text: XYZ, TXT, ASC, CSV, PTS, PWN. One row per point, fields parted by blanks, tabs, commas or semicolons;
-// a line of names before, a line with the number of points before, comments of '#', '%' and '//' anywhere.
+// Points as text: XYZ, TXT, ASC, CSV, PTS, PWN. One row per point, fields separated by blanks, tabs, commas or
+// semicolons; a line of names before, a line with the number of points before, comments of '#', '%' and '//' anywhere.
 #include "core/io/file_name.h"
 #include "core/io/number_text.h"
 #include "core/io/readers.h"
@@ -197,7 +197,7 @@ void TextReader::nameColumns() {
         return;
     for (std::size_t k = 0; k < 3; ++k) // names that say nothing to us: x y z come first
         m_table.fields[k].name = std::string(1, "xyz"[k]);
-    m_model.messages.push_back("The names of columns do not tell x, y and z; the first three were taken.");
+    m_model.messages.push_back("The column names do not tell which are x, y and z; the first three were taken.");
 }
 
 FileModel TextReader::read() {

@@ -1,7 +1,7 @@
 // Lines of numbers, parsed in parallel: the bodies of ascii PLY, XYZ and its relatives, and OFF.
 //
-// A row is a line that holds something: blank lines and comment lines are none. What comes out does not depend on the
-// chunks into which text_lines.h cuts the text. Errors name the first wrong line, whatever thread found it.
+// A row is a line that holds something: blank lines and comment lines are not rows. What comes out does not depend on
+// the chunks into which text_lines.h cuts the text. Errors name the first wrong line, whatever thread found it.
 #pragma once
 
 #include "core/io/text_lines.h"
@@ -13,7 +13,7 @@ namespace io {
 struct RowRules {
     bool separators = false;  ///< ',' and ';' part fields too, and a field between two of them may be empty: nan
     bool comments = false;    ///< '#', '%' and '//' begin a comment that runs to the end of the line
-    bool skipSingles = false; ///< lines of one field are no rows (counts before each scan of a PTS file)
+    bool skipSingles = false; ///< lines of one field are not rows (counts before each scan of a PTS file)
 };
 
 class TextRows {

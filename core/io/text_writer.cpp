@@ -4,7 +4,7 @@
 //     pwn        x y z [nx ny nz]
 //     pts        the number of points, then x y z [intensity] [red green blue]; colours bring an intensity, if only 0
 //     txt asc    all that the model has, after a line "# x y z ..."
-//     csv        the same, after a line "x,y,z,...", parted by commas
+//     csv        the same, after a line "x,y,z,...", separated by commas
 #include "core/io/file_coordinates.h"
 #include "core/io/file_name.h"
 #include "core/io/number_text.h"

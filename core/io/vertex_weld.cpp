@@ -52,6 +52,7 @@ Welded weldTriangles(std::span<const base::Vec3d> corners) {
         std::uint32_t index[3];
         for (std::size_t k = 0; k < 3; ++k)
             index[k] = table.indexOf(corners[i + k] + base::Vec3d{}, out.points); // -0 + 0 = 0
+        out.corners.insert(out.corners.end(), index, index + 3);
         out.normals.resize(out.points.size());
         const base::Vec3d normal = base::cross(corners[i + 1] - corners[i], corners[i + 2] - corners[i]);
         if (base::isFinite(normal))

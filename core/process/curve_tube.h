@@ -1,9 +1,9 @@
 // The tube in which a curve is shown, hit by rays and exported: rings of surfels around the feet of its points.
 //
-// The radius stands per surfel in the attribute `radius` (model units) where the model has one, else an eighth of its
-// support, which is a little less than the points' spacing. Between neighbours radii run linearly, and normals lean
-// with them. Colours and masks are those of the curve's surfels. Points whose feet fail or lie beyond the curve's ends
-// have no ring.
+// A surfel's radius is its attribute `radius` (model units) where the model has one, else an eighth of its support,
+// which is a little less than the points' spacing. Between neighbours radii vary linearly, and normals tilt with them.
+// Colours and masks are those of the curve's surfels. Points whose feet fail or lie beyond the curve's ends have no
+// ring.
 #pragma once
 
 #include "core/base/progress.h"

@@ -1,11 +1,11 @@
-// Numbers that a surface has at its surfels, kept block by block, for pictures that show them as colours.
+// Numbers measured at a surface's surfels, kept block by block, for pictures that show them as colours.
 //
 //     ScalarField now = evaluateField({Quantity::MeanCurvature, surface, {}});
 //     ... an edit ...
 //     ScalarField next = evaluateField({Quantity::MeanCurvature, edited, {}}, &now);   blocks near the edit alone
 //
-// A field is a value of shared blocks: a later version's shares the numbers of all blocks that the edit could not
-// touch, to the bits that an evaluation from scratch gives. NaN where the surface has no answer.
+// A field is a value of shared blocks: a later version's field shares the numbers of all blocks that the edit could not
+// touch, bit for bit as an evaluation from scratch gives them. NaN where the surface has no answer.
 //
 // Threads: evaluated in parallel, the same bits at any thread count; const afterwards.
 #pragma once

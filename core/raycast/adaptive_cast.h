@@ -1,5 +1,5 @@
 // Adaptive ray casting (raycast/README 2 and 3): rays where the surface varies, interpolation between them where it
-// does not, and what one view found used again in the next.
+// does not, and what one view found is used again in the next.
 //
 //     AdaptiveCast cast(surface);
 //     cast.cast(view, {.quality = 1}, counts, shown)   again and again; `shown` sees every level as it is finished
@@ -22,7 +22,7 @@
 //     edited_region.h where an edit moved the surface
 //
 // The same bits at any thread count. Used by one thread at a time, which may be any: the caster keeps its version of
-// the model alive. A picture of the same view goes on where the last one ended, cancelled or not.
+// the model alive. A picture of the same view continues where the last one ended, cancelled or not.
 #pragma once
 
 #include "core/raycast/full_cast.h"

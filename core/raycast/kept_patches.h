@@ -11,12 +11,12 @@ struct KeptPatch {
     enum : std::size_t { X, Y, Z, NormalX, NormalY, NormalZ, Unit, Agreement, Red, Green, Blue, Mask, Count };
     using Values = std::array<float, Count>;
 
-    std::array<Values, 9> knots;
-    float error = 0;             ///< predictionError
-    std::uint8_t half = 1;       ///< pixels between samples when it was cast
-    std::uint8_t shown = 0;      ///< quarters, as in Split
-    std::uint8_t generation = 0; ///< 0: all samples are rays
-    std::uint8_t unseen = 0;     ///< views in a row
+    std::array<Values, 9> knots{}; ///< Unit is 0 at those that are misses
+    float error = 0;               ///< predictionError
+    std::uint8_t half = 1;         ///< pixels between samples when it was cast
+    std::uint8_t shown = 0;        ///< quarters, as in Split
+    std::uint8_t generation = 0;   ///< 0: all samples are rays
+    std::uint8_t unseen = 0;       ///< views in a row
     bool behind = false;
 
     base::Vec3f position(std::size_t knot) const { return {knots[knot][X], knots[knot][Y], knots[knot][Z]}; }

@@ -1,4 +1,4 @@
-// Where light is asked about (raycast/README 4.1): points of the surface, and of the ground below it, that the pixels
+// Where light is evaluated (raycast/README 4.1): points of the surface, and of the ground below it, that the pixels
 // of a picture show.
 #pragma once
 

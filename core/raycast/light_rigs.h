@@ -1,6 +1,6 @@
 // Lamps around the model: one table of rigs that help, menus and tests loop over.
 //
-// A rig stands around whoever looks: x to the right, y up in the model's world, z level towards the eye. Lamps are
+// A rig stands around the viewer: x to the right, y up in the model's world, z level towards the eye. Lamps are
 // round and infinitely far; `power` is what a white matte surface that faces one reflects (linear light).
 #pragma once
 
@@ -29,7 +29,7 @@ struct LightRigRow {
     const char* id; ///< "studio"
     const char* label;
     const char* tip;
-    std::span<const Lamp> lamps; ///< directions relative to whoever looks; not normalised
+    std::span<const Lamp> lamps; ///< directions relative to the viewer; not normalised
     base::Vec3f above, below;    ///< light of the room without lamps, from straight above and below
 };
 

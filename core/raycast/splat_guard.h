@@ -1,4 +1,4 @@
-// What small discs about the surfels tell of a view before any ray is cast: where a ray cannot hit the surface, and
+// What small discs about the surfels tell about a view before any ray is cast: where a ray cannot hit the surface, and
 // where something stands that the rays on either side of it may have missed (raycast/README 2.4).
 //
 // For every pixel the nearest depth of discs of radius 0.6 s (s the spacing), with a pyramid of least depths above; and

@@ -109,7 +109,7 @@ Image PictureMaker::draw(const Camera& camera, PictureStats& stats, const base::
         stats.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         return out;
     } catch (const std::bad_alloc&) {
-        throw base::Error("the memory does not hold a picture of " + std::to_string(camera.width) + " x " +
+        throw base::Error("not enough memory for a picture of " + std::to_string(camera.width) + " x " +
                               std::to_string(camera.height) + " pixels",
                           "", "choose a smaller size");
     }

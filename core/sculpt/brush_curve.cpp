@@ -15,7 +15,7 @@ static void check(std::span<const CurvePoint> points, const char* name) {
         good = within(points[i].x) && within(points[i].y) &&
                (i == 0 || points[i].x - points[i - 1].x >= BrushCurve::minGap);
     if (!good)
-        throw base::Error(std::string(name) + " is no curve", "stroke",
+        throw base::Error(std::string(name) + " is not a curve", "stroke",
                           "give 2 to 16 points [x,y] between 0 and 1, their x rising by at least 0.001");
 }
 

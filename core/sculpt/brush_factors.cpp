@@ -51,7 +51,7 @@ static Vec3f planeGradient(const SurfelBlock& block, int first, const float* val
     if (!(ridge > 0))
         return {};
     spread += base::Mat3d::identity() * ridge;
-    return base::cast<float>(transposed(cofactor(spread)) * slope / determinant(spread));
+    return base::cast<float>(solvePositive(spread, slope));
 }
 
 void BrushFactors::face(const SurfelBlock& block, int cluster, FactorLanes& out) const {

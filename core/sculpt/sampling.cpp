@@ -1,15 +1,28 @@
 #include "core/sculpt/sampling.h"
 
 #include "core/process/resampling/resample.h"
+#include "core/sculpt/crumbs.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <set>
 
 namespace sculpt {
 
-/// Where resampling is due somewhere, blocks beyond these are done with it.
+/// Where resampling is due somewhere, surfels beyond these are done with it.
 constexpr StretchRange doneBeyond{0.75f, 1.2f};
+/// At the end a surfel that a stroke has stretched by more than this counts with what strokes before have done.
+constexpr float stretched = 1.02f;
+/// Around a surfel that is asked for, what moved is done with it so far, in spacings: a tear along the rim of a brush.
+constexpr float tearReach = 2.5f;
+/// Targets that differ by more than this are seen to one after the other: searches reach as far as the largest asks.
+constexpr float classWidth = 2.5f;
+/// Around what is resampled others are in the way, in spacings.
+constexpr float inTheWay = 4;
+/// Around what a tool took away, in spacings.
+constexpr float crumbsReach = 8;
 /// Two even the sampling nearly as well as three.
 constexpr int sweeps = 2;
 /// Balls are united while that makes none larger than this.
@@ -18,6 +31,7 @@ constexpr float unitedGrowth = 1.25f;
 void Sampling::start(const surface::Surface& surface, const base::Vec3f& contact, bool graded) {
     m_graded = graded && surface.definition().support <= 0;
     m_spacing = process::localSpacing(surface, contact);
+    m_kept = {surface, m_spacing};
 }
 
 bool restructures(const tree::Edit& edit) {
@@ -28,11 +42,18 @@ bool restructures(const tree::Edit& edit) {
 void Sampling::note(const tree::SurfelTree& before, const tree::Edit& edit, const Dab& dab) {
     if (edit.empty() || !started())
         return;
-    const float move = m_stretches.note(before, edit, m_spacing);
+    const float move = m_stretches.note(before, edit);
     if (move == 0 && !restructures(edit))
         return; // colours and masks ask for no other sampling
     m_range = m_stretches.range();
     add({dab.centre + dab.move * 0.5f, dab.radius + move});
+}
+
+void Sampling::noteCount(const tree::Edit& edit, const Dab& dab) {
+    if (edit.empty() || !started())
+        return;
+    m_counts = true;
+    add({dab.centre, dab.radius});
 }
 
 void Sampling::add(Ball ball) {
@@ -54,9 +75,10 @@ void Sampling::add(Ball ball) {
     m_balls.push_back(ball);
 }
 
-tree::Selection Sampling::touched(const tree::SurfelTree& tree) const {
+tree::Selection Sampling::touched(const tree::SurfelTree& tree, float margin) const {
     std::map<std::uint32_t, std::bitset<surfel::blockCapacity>> all;
-    for (const Ball& ball : m_balls)
+    for (const Ball& each : m_balls) {
+        const Ball ball{each.centre, each.radius + margin};
         tree.forBlocksInBall(ball.centre, ball.radius, [&](std::uint32_t number, const surfel::SurfelBlock& block) {
             auto& slots = all[number];
             if (slots.count() == static_cast<std::size_t>(block.size()))
@@ -65,6 +87,7 @@ tree::Selection Sampling::touched(const tree::SurfelTree& tree) const {
                 if (distanceSq(block.position(slot), ball.centre) < ball.radius * ball.radius)
                     slots.set(static_cast<std::size_t>(slot));
         });
+    }
     tree::Selection out;
     for (const auto& [number, slots] : all)
         if (slots.any())
@@ -72,26 +95,196 @@ tree::Selection Sampling::touched(const tree::SurfelTree& tree) const {
     return out;
 }
 
-surface::Surface Sampling::resampled(const surface::Surface& surface, const tree::Selection& touched) const {
+/// All that was touched, with the targets of its supports.
+surface::Surface Sampling::evened(const surface::Surface& surface) const {
     process::ResampleOptions options;
-    options.spacing = m_spacing;
     options.sweeps = sweeps;
-    if (m_graded) {
-        options.field =
-            std::make_shared<process::SpacingField>(surface.tree(), process::spacingOf(surface.definition(), 1.0f));
-        options.spacing = options.field->coarsest();
+    options.field =
+        std::make_shared<process::SpacingField>(surface.tree(), process::spacingOf(surface.definition(), 1.0f));
+    options.spacing = options.field->coarsest();
+    return {surface.tree().apply(process::resample(surface, touched(surface.tree()), options)), surface.definition()};
+}
+
+LocalSpacing Sampling::measuredOf(const Stretches::Tracked& each, int slot) const {
+    const auto s = static_cast<std::size_t>(slot);
+    return each.spacing.empty() || !each.spacing[s].known ? m_kept.measured(*each.origin, slot) : each.spacing[s];
+}
+
+float Sampling::targetOf(const Stretches::Tracked& each, int slot) const {
+    return m_kept.target(measuredOf(each, slot), each.now->support(slot));
+}
+
+float Sampling::targetOf(const surfel::SurfelBlock& block, int slot) const {
+    const Stretches::Tracked* known = m_stretches.find(block);
+    return known ? targetOf(*known, slot) : m_kept.target(m_kept.measured(block, slot), block.support(slot));
+}
+
+void Sampling::measureTracked(const Which& which) {
+    m_stretches.measureWhere(
+        which, [&](const surfel::SurfelBlock& origin, int slot) { return m_kept.measured(origin, slot); });
+}
+
+/// Measures what resampling of the surfels asked for will look at.
+void Sampling::measureAround(const tree::SurfelTree& tree) {
+    measureTracked([](const Stretches::Tracked& each, int slot) { return each.asked[static_cast<std::size_t>(slot)]; });
+    std::set<std::uint32_t> numbers;
+    m_stretches.forEach([&](const Stretches::Tracked& each) {
+        base::Box3f box;
+        float most = 0;
+        for (int slot = 0; slot < each.now->size(); ++slot)
+            if (each.asked[static_cast<std::size_t>(slot)])
+                box.extend(each.now->position(slot)), most = std::max(most, targetOf(each, slot));
+        if (most > 0)
+            tree.forBlocksInBall(box.centre(), 0.5f * box.diagonal() + inTheWay * most,
+                                 [&](std::uint32_t number, const surfel::SurfelBlock&) { numbers.insert(number); });
+    });
+    std::vector<surfel::BlockPtr> resting;
+    std::set<const surfel::SurfelBlock*> moving;
+    for (const std::uint32_t number : numbers) {
+        const surfel::BlockPtr block = tree.block(number);
+        if (m_stretches.find(*block))
+            moving.insert(block.get());
+        else
+            resting.push_back(block);
     }
-    return {surface.tree().apply(process::resample(surface, touched, options)), surface.definition()};
+    measureTracked([&](const Stretches::Tracked& each, int) { return moving.contains(each.now.get()); });
+    m_kept.measure(resting);
+}
+
+/// The surfels asked for, those of similar targets together, finest first.
+surface::Surface Sampling::resampleAsked(surface::Surface surface) {
+    measureAround(surface.tree());
+    float least = std::numeric_limits<float>::infinity(), most = 0;
+    m_stretches.forEach([&](const Stretches::Tracked& each) {
+        for (int slot = 0; slot < each.now->size(); ++slot)
+            if (each.asked[static_cast<std::size_t>(slot)]) {
+                const float target = targetOf(each, slot);
+                least = std::min(least, target), most = std::max(most, target);
+            }
+    });
+    for (float upTo = least * classWidth; least <= most; least = upTo, upTo *= classWidth) {
+        const tree::Selection taken = m_stretches.take(
+            surface.tree(), [&](const Stretches::Tracked& each, int slot) { return targetOf(each, slot) <= upTo; });
+        if (taken.empty())
+            continue;
+        const surface::Surface next = resampleClass(surface, taken);
+        m_stretches.follow(surface.tree(), next.tree());
+        surface = next;
+    }
+    return surface;
+}
+
+surface::Surface Sampling::resampleClass(const surface::Surface& surface, const tree::Selection& taken) {
+    process::ResampleOptions options;
+    options.sweeps = sweeps;
+    float least = std::numeric_limits<float>::infinity();
+    for (const tree::SelectedBlock& each : taken) {
+        const surfel::BlockPtr block = surface.tree().block(each.block);
+        for (int slot = 0; slot < block->size(); ++slot)
+            if (each.slots[static_cast<std::size_t>(slot)]) {
+                const float target = targetOf(*block, slot);
+                least = std::min(least, target), options.spacing = std::max(options.spacing, target);
+            }
+    }
+    if (options.spacing != least || options.spacing != m_spacing)
+        options.targetOf = [this](const surfel::SurfelBlock& block, int slot) { return targetOf(block, slot); };
+    options.drawnApart = [this](const surfel::SurfelBlock& block, int slot) {
+        const Stretches::Tracked* known = m_stretches.find(block);
+        return known && known->drawn[static_cast<std::size_t>(slot)];
+    };
+    return {surface.tree().apply(process::resample(surface, taken, options)), surface.definition()};
 }
 
 surface::Surface Sampling::resampleDue(const surface::Surface& surface) {
-    const tree::Selection where = m_stretches.take(surface.tree(), doneBeyond);
+    m_stretches.ask(doneBeyond);
+    surface::Surface out = surface;
+    if (m_graded)
+        m_stretches.take(surface.tree(), [](const Stretches::Tracked&, int) { return true; }), out = evened(surface);
+    else
+        out = resampleAsked(surface);
     m_range = m_stretches.range();
-    return resampled(surface, where);
+    return out;
+}
+
+/// Those that strokes before have drawn apart and this one more, so that there is room now.
+void Sampling::askForDrift(const surface::Surface& surface) {
+    tree::Selection more;
+    surface.tree().forEachBlock([&](std::uint32_t number, const surfel::SurfelBlock& block) {
+        const Stretches::Tracked* known = m_stretches.find(block);
+        if (!known || known->range.most <= stretched)
+            return;
+        tree::SelectedBlock some{number, {}};
+        const std::vector<StretchRange> ranges = known->ranges();
+        for (std::size_t slot = 0; slot < ranges.size(); ++slot)
+            some.slots.set(slot, ranges[slot].most > stretched && !known->asked[slot]);
+        if (some.slots.any())
+            more.push_back(some);
+    });
+    more = process::withRoom(surface, more, [&](const surfel::SurfelBlock& block) {
+        float least = block.maxSupport();
+        for (int slot = 0; slot < block.size(); ++slot)
+            least = std::min(least, block.support(slot));
+        return m_kept.madeFor(least);
+    });
+    std::unordered_map<const surfel::SurfelBlock*, Stretches::Slots> room;
+    for (const tree::SelectedBlock& each : more)
+        room[surface.tree().block(each.block).get()] = each.slots;
+    const auto hasRoom = [&](const Stretches::Tracked& each, int slot) {
+        const auto found = room.find(each.now.get());
+        return found != room.end() && found->second[static_cast<std::size_t>(slot)];
+    };
+    measureTracked(hasRoom);
+    m_stretches.askWhere(
+        [&](const Stretches::Tracked& each, int slot, const StretchRange& range) {
+            return hasRoom(each, slot) &&
+                   range.most * measuredOf(each, slot).value > doneBeyond.most * targetOf(each, slot);
+        },
+        stretched);
+}
+
+void Sampling::askAtTheEnd(const surface::Surface& surface) {
+    m_stretches.askWhere(
+        [&](const Stretches::Tracked& each, int slot, const StretchRange& range) {
+            return each.seen[static_cast<std::size_t>(slot)] || !range.within(doneBeyond);
+        },
+        doneBeyond.most);
+    askForDrift(surface);
+    m_stretches.askAround(surface.tree(),
+                          [&](const Stretches::Tracked& each, int slot) { return tearReach * targetOf(each, slot); });
+}
+
+tree::Selection Sampling::mayBeCrumbs(const tree::SurfelTree& tree) const {
+    if (m_counts)
+        return touched(tree, crumbsReach * m_spacing);
+    tree::Selection out;
+    tree.forEachBlock([&](std::uint32_t number, const surfel::SurfelBlock& block) {
+        const Stretches::Tracked* known = m_stretches.find(block);
+        if (known && known->seen.any())
+            out.push_back(
+                {number, (Stretches::Slots().set() >> static_cast<std::size_t>(surfel::blockCapacity - block.size()))});
+    });
+    return out;
+}
+
+surface::Surface Sampling::withoutCrumbs(const surface::Surface& surface) const {
+    const tree::Edit edit =
+        dropCrumbs(surface.tree(), m_kept.first().tree(), mayBeCrumbs(surface.tree()),
+                   [&](const surfel::SurfelBlock& block, int slot) {
+                       const Stretches::Tracked* known = m_stretches.find(block);
+                       return CrumbSource{(known ? *known->origin : block).position(slot), targetOf(block, slot)};
+                   });
+    return {surface.tree().apply(edit), surface.definition()};
 }
 
 surface::Surface Sampling::resample(const surface::Surface& surface) {
-    const surface::Surface out = resampled(surface, touched(surface.tree()));
+    surface::Surface out = surface;
+    if (m_graded && !m_counts)
+        out = evened(surface);
+    else if (!m_counts) {
+        askAtTheEnd(surface);
+        out = resampleAsked(surface);
+    }
+    out = withoutCrumbs(out);
     m_stretches.clear();
     m_range = {};
     m_balls.clear();

@@ -1,13 +1,16 @@
 // Keeps the sampling of a stroke: notes what each dab moved, says when that is enough to resample, and does it.
 //
 // What counts is how far the dabs have stretched or squeezed the sampling since it was last seen to (stretches.h):
-// where it is beyond 1.8 or 0.5 resampling is due, and done wherever it has come a part of the way there (how these
-// were found: sculpt/README 7). At the end of the stroke all that it touched is looked at. The target spacing s is
-// taken where the stroke first touches.
+// where it is beyond 1.8 or 0.5 resampling is due, and done for all surfels beyond 1.2 or 0.75 (how these were found:
+// sculpt/README 7). At the end of the stroke those, and what was resampled before, are looked at once more. Others keep
+// every bit. The target is the spacing that was there before the stroke (kept_spacing.h).
 #pragma once
 
+#include "core/sculpt/kept_spacing.h"
 #include "core/sculpt/stretches.h"
 #include "core/sculpt/tool.h"
+
+#include <functional>
 
 namespace sculpt {
 
@@ -17,18 +20,22 @@ bool restructures(const tree::Edit& edit);
 class Sampling {
   public:
     /// Call with the first contact. Until then, and on models too small to have a spacing, nothing is ever due.
-    /// `graded`: the target is what the supports at each place are made for, where the definition lets them vary.
+    /// `graded`: everything touched is made even, with the spacing that the supports at each place are made for, where
+    /// the definition lets them vary.
     void start(const surface::Surface& surface, const base::Vec3f& contact, bool graded = false);
     bool started() const { return m_spacing > 0; }
+    /// At the first contact.
     float spacing() const { return m_spacing; }
 
     /// After a dab: `before` is the version it was applied to.
     void note(const tree::SurfelTree& before, const tree::Edit& edit, const Dab& dab);
+    /// The same for tools that make the sampling that they want: of these only crumbs are taken away.
+    void noteCount(const tree::Edit& edit, const Dab& dab);
     bool due() const { return !m_range.within(dueBeyond); }
     /// Resamples where it is due. REQUIRES: the surface after the last dab noted.
     surface::Surface resampleDue(const surface::Surface& surface);
     bool pending() const { return !m_balls.empty(); }
-    /// Resamples all that the noted dabs touched and forgets them. REQUIRES: pending().
+    /// Resamples what the noted dabs have stretched, takes crumbs away, and forgets the dabs. REQUIRES: pending().
     surface::Surface resample(const surface::Surface& surface);
 
   private:
@@ -38,11 +45,24 @@ class Sampling {
     };
     static constexpr StretchRange dueBeyond{0.5f, 1.8f};
     void add(Ball ball);
-    tree::Selection touched(const tree::SurfelTree& tree) const;
-    surface::Surface resampled(const surface::Surface& surface, const tree::Selection& touched) const;
+    tree::Selection touched(const tree::SurfelTree& tree, float margin = 0) const;
+    surface::Surface evened(const surface::Surface& surface) const;
+    surface::Surface resampleAsked(surface::Surface surface);
+    surface::Surface resampleClass(const surface::Surface& surface, const tree::Selection& taken);
+    void askAtTheEnd(const surface::Surface& surface);
+    using Which = std::function<bool(const Stretches::Tracked&, int slot)>;
+    void measureTracked(const Which& which);
+    void askForDrift(const surface::Surface& surface);
+    void measureAround(const tree::SurfelTree& tree);
+    surface::Surface withoutCrumbs(const surface::Surface& surface) const;
+    tree::Selection mayBeCrumbs(const tree::SurfelTree& tree) const;
+    LocalSpacing measuredOf(const Stretches::Tracked& each, int slot) const;
+    float targetOf(const Stretches::Tracked& each, int slot) const;
+    float targetOf(const surfel::SurfelBlock& block, int slot) const;
 
     float m_spacing = 0;
-    bool m_graded = false;
+    bool m_graded = false, m_counts = false;
+    KeptSpacing m_kept;
     Stretches m_stretches;
     StretchRange m_range;      ///< of the blocks
     std::vector<Ball> m_balls; ///< that hold all that was touched

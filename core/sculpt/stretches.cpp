@@ -11,8 +11,8 @@ namespace sculpt {
 using surfel::clusterSize;
 using surfel::SurfelBlock;
 
-/// Pairs much closer than this part of the spacing say little about the stretch.
-constexpr float damping = 0.25f;
+/// Pairs much closer than the others of their cluster say little about the stretch: part of the mean square distance.
+constexpr float damping = 1.0f / 32;
 
 [[gnu::always_inline]] static inline float largest(float* value, int count) {
     for (; count > 1; count /= 2)
@@ -21,38 +21,74 @@ constexpr float damping = 0.25f;
     return value[0];
 }
 
-/// Squared distances of slots i and i + step, damped; the last `step` are those of a slot and itself.
-[[gnu::always_inline]] static inline void distances(const float* p, int step, float damp, float* out) {
-    const float *x = p, *y = p + clusterSize, *z = p + 2 * clusterSize;
-    for (int i = 0; i < clusterSize - step; ++i) {
-        const float dx = x[i + step] - x[i], dy = y[i + step] - y[i], dz = z[i + step] - z[i];
-        out[i] = dx * dx + dy * dy + dz * dz + damp;
+constexpr int steps = 2, pairs = steps * clusterSize;
+
+/// Of pairs (i, i + 1), then (i, i + 2), squared: distance, and the part along the surface; slots past the end are
+/// pairs with themselves.
+struct Pairs {
+    float whole[pairs] = {}, along[pairs] = {};
+};
+
+[[gnu::always_inline]] static inline void pairUp(const float* p, Pairs& out) {
+    constexpr int c = clusterSize;
+    const float *x = p, *y = p + c, *z = p + 2 * c, *nx = p + surfel::NormalX * c, *ny = nx + c, *nz = ny + c;
+    for (int step = 1; step <= steps; ++step) {
+        float *whole = out.whole + (step - 1) * c, *along = out.along + (step - 1) * c;
+        for (int i = 0; i < c - step; ++i) {
+            const float dx = x[i + step] - x[i], dy = y[i + step] - y[i], dz = z[i + step] - z[i];
+            const float up = dx * nx[i] + dy * ny[i] + dz * nz[i];
+            whole[i] = dx * dx + dy * dy + dz * dz;
+            along[i] = surfel::larger(whole[i] - up * up, 0.0f);
+        }
     }
-    for (int i = clusterSize - step; i < clusterSize; ++i)
-        out[i] = damp;
 }
 
-/// Squared ratios of a cluster; slots past the end lie still.
+/// Squared ratios of the pairs, and the inverses of those along the surface. Where a pair stands steeper than 45
+/// degrees those are 1.
+[[gnu::always_inline]] static inline void pairRatios(const float* then, const float* now, float* out, float* in) {
+    Pairs was, is;
+    pairUp(then, was);
+    pairUp(now, is);
+    float sum = 0;
+    for (int i = 0; i < pairs; ++i)
+        sum += was.whole[i];
+    const float damp = surfel::larger(sum * (damping / pairs), 1e-30f);
+    for (int i = 0; i < pairs; ++i) {
+        const bool flat = 2 * was.along[i] >= was.whole[i] && 2 * is.along[i] >= is.whole[i];
+        const float nearer = (was.along[i] + damp) / (is.along[i] + damp);
+        out[i] = (is.whole[i] + damp) / (was.whole[i] + damp), in[i] = flat ? nearer : 1.0f;
+    }
+}
+
 POINTCLAY_CLONES
-static void ratios(const float* then, const float* now, float damp, float& least, float& most) {
-    float out[2 * clusterSize], in[2 * clusterSize];
-    for (int step = 1; step <= 2; ++step) {
-        float was[clusterSize], is[clusterSize];
-        distances(then, step, damp, was);
-        distances(now, step, damp, is);
-        for (int i = 0; i < clusterSize; ++i)
-            out[(step - 1) * clusterSize + i] = is[i] / was[i], in[(step - 1) * clusterSize + i] = was[i] / is[i];
-    }
-    most = surfel::larger(most, largest(out, 2 * clusterSize));
-    least = surfel::larger(least, largest(in, 2 * clusterSize));
+static void clusterRange(const float* then, const float* now, float& least, float& most) {
+    float out[pairs], in[pairs];
+    pairRatios(then, now, out, in);
+    most = surfel::larger(most, largest(out, pairs));
+    least = surfel::larger(least, largest(in, pairs));
 }
 
-static StretchRange rangeOf(const SurfelBlock& then, const SurfelBlock& now, float spacing) {
-    const float damp = damping * damping * spacing * spacing;
+static StretchRange rangeOf(const SurfelBlock& then, const SurfelBlock& now) {
     float least = 1, most = 1;
     for (int cluster = 0; cluster < now.clusterCount(); ++cluster)
-        ratios(then.channel(cluster, surfel::X), now.channel(cluster, surfel::X), damp, least, most);
+        clusterRange(then.channel(cluster, surfel::X), now.channel(cluster, surfel::X), least, most);
     return {1 / std::sqrt(least), std::sqrt(most)};
+}
+
+std::vector<StretchRange> Stretches::Tracked::ranges() const {
+    std::vector<StretchRange> all(static_cast<std::size_t>(now->size()));
+    for (int cluster = 0; cluster < now->clusterCount(); ++cluster) {
+        float least = 1, most = 1;
+        clusterRange(then->channel(cluster, surfel::X), now->channel(cluster, surfel::X), least, most);
+        const StretchRange ofAll{1 / std::sqrt(least), std::sqrt(most)};
+        const int end = std::min(now->size(), (cluster + 1) * clusterSize);
+        for (int slot = cluster * clusterSize; slot < end; ++slot)
+            if (now->position(slot) != origin->position(slot))
+                all[static_cast<std::size_t>(slot)] = ofAll;
+    }
+    for (std::size_t i = 0; i < before.size(); ++i)
+        all[i].least *= before[i].least, all[i].most *= before[i].most;
+    return all;
 }
 
 /// Squared longest way of a slot.
@@ -70,7 +106,17 @@ static float longestWay(const SurfelBlock& from, const SurfelBlock& to) {
     return largest(most, clusterSize);
 }
 
-float Stretches::note(const tree::SurfelTree& before, const tree::Edit& edit, float spacing) {
+/// Of the block: that of its pairs, or where there was more before, of its slots.
+static StretchRange measured(const Stretches::Tracked& each) {
+    StretchRange out;
+    if (each.before.empty())
+        return rangeOf(*each.then, *each.now);
+    for (const StretchRange& slot : each.ranges())
+        out.unite(slot);
+    return out;
+}
+
+float Stretches::note(const tree::SurfelTree& before, const tree::Edit& edit) {
     std::vector<Tracked> tracked(edit.blocks.size());
     std::vector<const SurfelBlock*> was(edit.blocks.size());
     std::vector<float> ways(edit.blocks.size(), 0.0f);
@@ -78,16 +124,19 @@ float Stretches::note(const tree::SurfelTree& before, const tree::Edit& edit, fl
         const surfel::BlockPtr now = edit.blocks[i].changed, old = before.block(edit.blocks[i].block);
         if (!now)
             return;
-        const auto known = m_tracked.find(old.get());
-        const surfel::BlockPtr then = known == m_tracked.end() ? old : known->second.then;
+        if (const auto known = m_tracked.find(old.get()); known != m_tracked.end())
+            tracked[i] = known->second;
+        else
+            tracked[i].then = tracked[i].origin = old;
         was[i] = old.get();
         ways[i] = longestWay(*old, *now);
-        tracked[i] = {then, now, rangeOf(*then, *now, spacing)};
+        tracked[i].now = now;
+        tracked[i].range = measured(tracked[i]);
     });
     for (std::size_t i = 0; i < tracked.size(); ++i)
         if (tracked[i].now) {
             m_tracked.erase(was[i]);
-            m_tracked.emplace(tracked[i].now.get(), std::move(tracked[i]));
+            track(std::move(tracked[i]));
         }
     return ways.empty() ? 0.0f : std::sqrt(*std::max_element(ways.begin(), ways.end()));
 }
@@ -99,33 +148,76 @@ StretchRange Stretches::range() const {
     return out;
 }
 
-/// The slots that lie elsewhere than they did.
-static std::bitset<surfel::blockCapacity> moved(const SurfelBlock& then, const SurfelBlock& now) {
-    std::bitset<surfel::blockCapacity> out;
-    for (int slot = 0; slot < now.size(); ++slot)
-        out.set(static_cast<std::size_t>(slot), then.position(slot) != now.position(slot));
+const Stretches::Tracked* Stretches::find(const SurfelBlock& block) const {
+    const auto found = m_tracked.find(&block);
+    return found == m_tracked.end() ? nullptr : &found->second;
+}
+
+/// The surfels that have moved since the stroke began.
+static Stretches::Slots moved(const Stretches::Tracked& each) {
+    Stretches::Slots out;
+    for (int slot = 0; slot < each.now->size(); ++slot)
+        out.set(static_cast<std::size_t>(slot), each.now->position(slot) != each.origin->position(slot));
     return out;
 }
 
-tree::Selection Stretches::take(const tree::SurfelTree& now, const StretchRange& limits) {
-    tree::Selection out;
-    for (auto at = m_tracked.begin(); at != m_tracked.end();) {
-        const Tracked& each = at->second;
-        bool there = false;
-        std::uint32_t number = 0;
-        now.forBlocksInBall(each.now->position(0), 0.001f * each.now->maxSupport(),
-                            [&](std::uint32_t n, const SurfelBlock& block) {
-                                if (&block == each.now.get())
-                                    there = true, number = n;
-                            });
-        const bool beyond = !each.range.within(limits);
-        if (there && beyond)
-            if (const auto slots = moved(*each.then, *each.now); slots.any())
-                out.push_back({number, slots});
-        at = there && !beyond ? std::next(at) : m_tracked.erase(at);
+void Stretches::ask(const StretchRange& limits) {
+    for (auto& [block, each] : m_tracked) {
+        if (each.range.within(limits))
+            continue;
+        const Slots all = moved(each);
+        each.asked |= all, each.seen |= all;
+        if (each.range.most > limits.most)
+            each.drawn |= all;
+        each.then = each.now;
+        each.before.clear();
+        each.range = {};
     }
-    std::sort(out.begin(), out.end(), [](const auto& a, const auto& b) { return a.block < b.block; });
+}
+
+Stretches::Tracked Stretches::followed(const tree::SurfelTree& before, const surfel::BlockPtr& block) const {
+    const surfel::MutableBlockPtr origin = block->clone();
+    Tracked out;
+    out.then = out.now = block;
+    out.before.resize(static_cast<std::size_t>(block->size()));
+    out.spacing.resize(static_cast<std::size_t>(block->size()));
+    std::vector<tree::Neighbour> near;
+    std::unordered_map<const Tracked*, std::vector<StretchRange>> ranges;
+    for (int slot = 0; slot < block->size(); ++slot) {
+        const auto s = static_cast<std::size_t>(slot);
+        before.nearest(block->position(slot), 1, near);
+        if (near.empty())
+            continue;
+        const auto from = static_cast<std::size_t>(near[0].slot);
+        const bool same = near[0].distanceSq == 0;
+        const Tracked* const known = find(*near[0].block);
+        out.seen.set(s, !same || (known && known->seen[from]));
+        out.drawn.set(s, known && known->drawn[from]);
+        origin->setPosition(slot, (known ? *known->origin : *near[0].block).position(near[0].slot));
+        if (known && !known->spacing.empty())
+            out.spacing[s] = known->spacing[from];
+        if (!known || !same)
+            continue;
+        out.asked.set(s, known->asked[from]);
+        auto& of = ranges[known];
+        if (of.empty())
+            of = known->ranges();
+        out.before[s] = of[from];
+    }
+    origin->seal();
+    out.origin = origin;
+    out.range = measured(out);
     return out;
+}
+
+void Stretches::follow(const tree::SurfelTree& before, const tree::SurfelTree& after) {
+    const tree::Diff changes = diff(before, after);
+    std::vector<Tracked> came(changes.added.size());
+    base::parallelFor(came.size(), 1, [&](std::size_t i) { came[i] = followed(before, changes.added[i]); });
+    for (const surfel::BlockPtr& gone : changes.removed)
+        m_tracked.erase(gone.get());
+    for (Tracked& each : came)
+        track(std::move(each));
 }
 
 } // namespace sculpt

@@ -1,17 +1,31 @@
-// How far the dabs of a stroke have stretched and squeezed each block since its sampling was last seen to: what says
-// where resampling is due.
+// How far the dabs of a stroke have stretched and squeezed the surfels since their sampling was last seen to, and where
+// each surfel comes from: what says where resampling is due, and which sampling is to be kept there.
 //
-// Two surfels that lay d apart then and lie d' apart now have the ratio d' / d (damped where d is far below the
-// spacing). Of a block the largest and the smallest ratio count, over pairs of neighbours in each cluster, which point
-// in all directions. A block that is carried along as one piece has 1.
+// Two surfels that lay d apart then and lie d' apart now have the ratio d' / d, damped where d is far below that of
+// other pairs. Each surfel that has moved has the largest and the smallest ratio over pairs of neighbours in its
+// cluster, which point in all directions; a block has those of its surfels. What is carried along as one piece has 1.
+// The smallest are taken along the surface, since noise and relief that is smoothed away brings nothing together.
+//
+// The origin of a surfel is its place on the version that the stroke began on; one that was born or moved by resampling
+// has that of the surfel nearest to it.
+//
+// A value, used by one thread; works in parallel inside, the same bits at any thread count.
 #pragma once
 
+#include "core/base/parallel.h"
 #include "core/tree/selection.h"
 #include "core/tree/surfel_tree.h"
 
 #include <unordered_map>
 
 namespace sculpt {
+
+/// The spacing around a place of a version.
+struct LocalSpacing {
+    bool known = false;
+    bool steady = true; ///< the supports around are alike
+    float value = 0;
+};
 
 struct StretchRange {
     float least = 1, most = 1;
@@ -24,20 +38,132 @@ struct StretchRange {
 
 class Stretches {
   public:
+    using Slots = std::bitset<surfel::blockCapacity>;
+
+    /// What is known of a block that the stroke has changed.
+    struct Tracked {
+        surfel::BlockPtr then, now;        ///< the same slots
+        surfel::BlockPtr origin;           ///< the same slots, where they come from
+        std::vector<StretchRange> before;  ///< of each slot until `then`; empty: none
+        std::vector<LocalSpacing> spacing; ///< of each slot, around its origin; empty: none yet
+        Slots seen;                        ///< were resampled in this stroke
+        Slots asked;                       ///< are to be resampled now
+        Slots drawn;                       ///< because they were drawn apart, now or before
+        StretchRange range;
+        /// Of each slot, in all.
+        std::vector<StretchRange> ranges() const;
+    };
+
     /// After an edit of `before` that changes blocks. Returns the longest way that a surfel went.
-    float note(const tree::SurfelTree& before, const tree::Edit& edit, float spacing);
+    float note(const tree::SurfelTree& before, const tree::Edit& edit);
     /// Over all blocks.
     StretchRange range() const;
-    /// The surfels that moved, of the blocks beyond the limits; from now on these blocks count as they are.
-    tree::Selection take(const tree::SurfelTree& now, const StretchRange& limits);
+    /// fn(tracked), in no particular order.
+    template <class Fn>
+    void forEach(const Fn& fn) const {
+        for (const auto& [block, each] : m_tracked)
+            fn(each);
+    }
+    /// Sets spacings of slots where they are missing and asks(tracked, slot); spacing(origin, slot) is called from many
+    /// threads, and so is asks.
+    template <class Asks, class Spacing>
+    void measureWhere(const Asks& asks, const Spacing& spacing);
+    /// Null for blocks that the stroke has not changed.
+    const Tracked* find(const surfel::SurfelBlock& block) const;
+
+    /// Asks for all that moved in blocks beyond the limits, and notes it as drawn apart where the upper one is passed;
+    /// from now on they count as they are. (In one cluster of a thread that is drawn out all pairs may lie across it.)
+    void ask(const StretchRange& limits);
+    /// Asks for those for which asks(tracked, slot, range) is true; beyond `drawn` they count as drawn apart.
+    template <class Asks>
+    void askWhere(const Asks& asks, float drawn);
+    /// Asks for what moved within `reach(tracked, slot)` of a surfel that is asked for: a tear shows in pairs across it
+    /// alone.
+    template <class Reach>
+    void askAround(const tree::SurfelTree& now, const Reach& reach);
+    /// Those asked for that pass(tracked, slot), which are no longer asked for.
+    template <class Pass>
+    tree::Selection take(const tree::SurfelTree& now, const Pass& pass);
+
+    /// After a resampling of what was taken: what is known goes over to the blocks that came.
+    void follow(const tree::SurfelTree& before, const tree::SurfelTree& after);
     void clear() { m_tracked.clear(); }
 
   private:
-    struct Tracked {
-        surfel::BlockPtr then, now;
-        StretchRange range;
-    };
+    void track(Tracked each) { m_tracked.insert_or_assign(each.now.get(), std::move(each)); }
+    Tracked followed(const tree::SurfelTree& before, const surfel::BlockPtr& block) const;
+
     std::unordered_map<const surfel::SurfelBlock*, Tracked> m_tracked; ///< by `now`
 };
+
+template <class Asks, class Spacing>
+void Stretches::measureWhere(const Asks& asks, const Spacing& spacing) {
+    std::vector<Tracked*> all;
+    for (auto& [block, each] : m_tracked)
+        all.push_back(&each);
+    base::parallelFor(all.size(), 1, [&](std::size_t i) {
+        Tracked& each = *all[i];
+        for (int slot = 0; slot < each.now->size(); ++slot) {
+            if (!asks(each, slot))
+                continue;
+            each.spacing.resize(static_cast<std::size_t>(each.now->size()));
+            if (LocalSpacing& at = each.spacing[static_cast<std::size_t>(slot)]; !at.known)
+                at = spacing(*each.origin, slot);
+        }
+    });
+}
+
+template <class Asks>
+void Stretches::askWhere(const Asks& asks, float drawn) {
+    for (auto& [block, each] : m_tracked) {
+        const std::vector<StretchRange> ranges = each.ranges();
+        for (std::size_t slot = 0; slot < ranges.size(); ++slot)
+            if (asks(each, static_cast<int>(slot), ranges[slot])) {
+                each.asked.set(slot);
+                each.drawn.set(slot, each.drawn[slot] || ranges[slot].most > drawn);
+            }
+    }
+}
+
+template <class Reach>
+void Stretches::askAround(const tree::SurfelTree& now, const Reach& reach) {
+    std::unordered_map<const surfel::SurfelBlock*, Slots> more;
+    for (const auto& [block, each] : m_tracked)
+        for (int slot = 0; slot < block->size(); ++slot) {
+            if (!each.asked[static_cast<std::size_t>(slot)])
+                continue;
+            const base::Vec3f p = block->position(slot);
+            const float radius = reach(each, slot);
+            now.forBlocksInBall(p, radius, [&](std::uint32_t, const surfel::SurfelBlock& near) {
+                const auto found = m_tracked.find(&near);
+                if (found == m_tracked.end())
+                    return;
+                for (int k = 0; k < near.size(); ++k)
+                    if (distanceSq(near.position(k), p) < radius * radius &&
+                        near.position(k) != found->second.origin->position(k))
+                        more[&near].set(static_cast<std::size_t>(k)); // and drawn: a tear is one side's as the other's
+            });
+        }
+    for (const auto& [block, slots] : more)
+        m_tracked.at(block).asked |= slots;
+}
+
+template <class Pass>
+tree::Selection Stretches::take(const tree::SurfelTree& now, const Pass& pass) {
+    tree::Selection out;
+    now.forEachBlock([&](std::uint32_t number, const surfel::SurfelBlock& block) {
+        const auto found = m_tracked.find(&block);
+        if (found == m_tracked.end() || found->second.asked.none())
+            return;
+        tree::SelectedBlock taken{number, {}};
+        for (int slot = 0; slot < block.size(); ++slot)
+            taken.slots.set(static_cast<std::size_t>(slot),
+                            found->second.asked[static_cast<std::size_t>(slot)] && pass(found->second, slot));
+        found->second.asked &= ~taken.slots;
+        if (taken.slots.any())
+            out.push_back(taken);
+    });
+    return out;
+}
 
 } // namespace sculpt

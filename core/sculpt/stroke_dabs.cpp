@@ -229,7 +229,9 @@ void Dabs::holdBack(const Dab& dab) {
 void Dabs::commit(const tree::Edit& edit, const Dab& dab) {
     if (edit.empty())
         return;
-    if (m_settings.resample && m_row.writes != Writes::Count) // those make the sampling that they want
+    if (m_row.writes == Writes::Count) // those make the sampling that they want
+        m_sampling.noteCount(edit, dab);
+    else if (m_settings.resample)
         m_sampling.note(m_surface.tree(), edit, dab);
     m_surface = {m_surface.tree().apply(edit), m_surface.definition()};
 }
@@ -245,7 +247,7 @@ void Dabs::restart() {
 }
 
 void Dabs::finish() {
-    if (m_settings.resample && m_sampling.pending())
+    if (m_sampling.pending())
         m_surface = m_base = m_sampling.resample(m_surface);
 }
 

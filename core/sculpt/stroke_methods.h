@@ -6,14 +6,12 @@
 //     Dots       a dab at the contact of every sample.
 //     Airbrush   the first dab at the first contact; dab k is k / rate seconds later, where the pointer was then.
 //     Anchored   every sample begins anew: one dab at the first contact, whose radius reaches to the pointer in the
-//     plane
-//                through the contact that faces the viewer.
+//                plane through the contact that faces the viewer.
 //     Line       every sample begins anew: Space from the first sample straight to this one.
 //     Drag       the first contact is held and carried along in the plane through it that faces the viewer, in steps of
 //                at most a tenth of the radius; pressure has no say (tools that hold, whatever the method).
 //     Turn       the first contact is held; the angle by which the pointer goes around it, as the viewer sees it, comes
-//     in
-//                steps of at most a tenth of a radian.
+//                in steps of at most a tenth of a radian.
 //
 // All depend on the samples alone, so that a recorded stroke replays bit for bit.
 #pragma once

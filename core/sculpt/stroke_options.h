@@ -113,7 +113,7 @@ void copyOptions(Scope scope, const StrokeSettings& from, StrokeSettings& to);
 /// What a stroke of this tool is where nobody has set anything: complete with the tool's own parameters.
 StrokeSettings defaultsOf(const ToolRow& tool);
 
-/// Where a tool that copies copies from, seen from the stroke's first contact. No effect on other tools.
+/// Where a tool that copies copies from, relative to the stroke's first contact. No effect on other tools.
 void setSource(StrokeSettings& settings, const base::Vec3d& fromContact);
 
 } // namespace sculpt

@@ -8,8 +8,8 @@ namespace sculpt {
 
 constexpr MethodRow methods[] = {
     {StrokeMethod::Space, "space", "Space", "Dabs evenly along the surface.", false},
-    {StrokeMethod::Dots, "dots", "Dots", "A dab wherever the pointer is seen: the faster it goes, the farther apart.",
-     false},
+    {StrokeMethod::Dots, "dots", "Dots",
+     "A dab at every sample of the pointer: the faster it moves, the farther apart.", false},
     {StrokeMethod::Airbrush, "airbrush", "Airbrush", "Dabs evenly in time, also while the pointer rests.", false},
     {StrokeMethod::Anchored, "anchored", "Anchored", "One dab where you press; drag for its size and turn.", true},
     {StrokeMethod::Line, "line", "Line", "Dabs along the straight line from press to release.", true},

@@ -1,5 +1,5 @@
 // What a stroke does, apart from where it goes: a plain value that sessions record. Defaults are the plain brush;
-// names, ranges and all that is written of the fields stand in stroke_options.h, one row each.
+// names, ranges and texts of the fields are in stroke_options.h, one row each.
 #pragma once
 
 #include "core/sculpt/tool.h"
@@ -63,7 +63,7 @@ struct StrokeSettings {
     CurvePoints falloffCurve{{0, 1}, {1, 0}}; ///< of Falloff::Custom: weight over distance in radii
     Symmetry symmetry;
     bool resample = true;                     ///< let the sampling follow the deformation
-    bool graded = false;                      ///< its target spacing is that of the supports at each place
+    bool graded = false;                      ///< makes all that is touched even, by the supports at each place
     float spacing = 0.1f;                     ///< distance of dabs as a part of the radius
     std::map<std::string, double> parameters; ///< the tool's own; missing ones take their defaults
 

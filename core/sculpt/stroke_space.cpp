@@ -7,6 +7,10 @@ namespace sculpt {
 
 namespace {
 
+/// A dab lies this part of its distance too far at most: what is delivered in other pieces makes the same dabs.
+constexpr float precision = 5e-4f;
+constexpr int mostHalvings = 16;
+
 /// A place between two samples where a dab is due, with the contact that the search for it has found.
 struct Due {
     float u = 0; ///< part of the way
@@ -48,20 +52,24 @@ std::optional<Due> Space::advance(const StrokeSample& to, float from, int& probe
             due = {u, sample, *c};
         return gap;
     };
+    float below = 0; // the gap at lo; where the search starts it is nearly none
     for (float lo = from, ahead = step; lo < 1 && probes < mostProbes; ++probes) {
         float hi = sweep > 0 ? std::min(1.0f, lo + std::max(ahead / sweep, 1e-4f)) : 1.0f;
         float gap = gapAt(hi);
         if (gap < step) {
             ahead = std::max(step - std::max(gap, 0.0f), 0.1f * step);
-            lo = hi;
+            lo = hi, below = gap;
             continue;
         }
-        for (int k = 0; k < 10 && gap > 1.02f * step; ++k) {
-            const float middle = 0.5f * (lo + hi), there = gapAt(middle);
+        for (int k = 0; k < mostHalvings && gap > (1 + precision) * step; ++k) {
+            // Where a line through both ends would have it; half way where that has not helped, and at outlines.
+            const float line = (step - below) / (gap - below);
+            const float part = k % 3 == 2 || below < 0 ? 0.5f : std::clamp(line + 0.5f * precision, 0.05f, 0.95f);
+            const float middle = lo + part * (hi - lo), there = gapAt(middle);
             if (there >= step)
                 hi = middle, gap = there;
             else
-                lo = middle;
+                lo = middle, below = there;
         }
         return due;
     }

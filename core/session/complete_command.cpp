@@ -88,10 +88,10 @@ json checked(const CommandRow& row, const CommandParameter& p, const json& value
             refuse(row, p, value, "a list");
     } else if (type == "range") {
         if (!isRange(value))
-            refuse(row, p, value, "a whole number or a list of the least and the most");
+            refuse(row, p, value, "a whole number or a list of the least and the greatest");
     } else { // path, text
         if (!value.is_string() || value.get_ref<const std::string&>().empty())
-            refuse(row, p, value, "a text in quotation marks");
+            refuse(row, p, value, "text in quotation marks");
         if (type == "path")
             return std::filesystem::absolute(folder / value.get<std::string>()).lexically_normal().string();
     }

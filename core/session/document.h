@@ -23,6 +23,8 @@ struct Provenance {
     base::Vec3d origin;
     std::size_t faces = 0;
     std::size_t dropped = 0;
+    bool sampled = false; ///< the surfels are samples of the file's faces
+    bool closed = false;  ///< the file's faces have no boundary
     std::string format;
     std::vector<std::string> comments;
     std::vector<io::OpaqueElement> elements;

@@ -27,11 +27,11 @@ static void expect(Context& context, const json& complete) {
 
 CommandRow expectCommand() {
     static const CommandParameter parameters[] = {
-        {"surfels", "range", "surfels", "their number, or a list of the least and the most", "null", "", 0,
+        {"surfels", "range", "surfels", "their number, or a list of the least and the greatest", "null", "", 0,
          largestCount},
         {"hash", "text", "", "content hash as `info --json` prints it", "null", "", 0, 0},
     };
-    return {"expect", "Expect", "Ends the session with an error where the model is another.", parameters, false, false,
+    return {"expect", "Expect", "Ends the session with an error if the model differs.", parameters, false, false,
             expect,   nullptr};
 }
 

@@ -7,7 +7,7 @@
 // begins with, that file is kept beside the journal (`keptSource`) and the journal reads the copy.
 //
 // While a process lives it holds a lock on its journal, which dies with it, even by kill -9: a journal without a lock
-// is a left one (recover.h).
+// was left behind (recover.h).
 //
 // Ownership: the file stays when a Journal is destroyed; `discard` removes it, which is what a normal exit does.
 // Threads: one at a time.
@@ -27,7 +27,8 @@ class Journal {
     Journal& operator=(const Journal&) = delete;
 
     const std::filesystem::path& path() const { return m_path; }
-    /// Writes a completed command. A disk that refuses is told once in the context's messages and stops the journal.
+    /// Writes a completed command. A disk that refuses is reported once in the context's messages and stops the
+    /// journal.
     void record(const nlohmann::json& complete, Context& context);
     /// To be called before `target` is written over.
     void keepSource(const std::filesystem::path& target, Context& context);

@@ -13,7 +13,7 @@ static std::uint64_t numberOf(std::string_view text, const std::string& argument
     std::uint64_t out = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), out);
     if (error != std::errc() || end != text.data() + text.size())
-        throw base::Error("'" + std::string(text) + "' is no number", argument, "write sample:NAME[:COUNT[:SEED]]");
+        throw base::Error("'" + std::string(text) + "' is not a number", argument, "write sample:NAME[:COUNT[:SEED]]");
     return out;
 }
 

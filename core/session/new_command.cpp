@@ -27,7 +27,7 @@ CommandRow newCommand() {
     static const CommandParameter own[] = {
         {"sample", "choice", "", "what to make", "", samples.c_str(), 0, 0},
         {"count", "integer", "surfels", "about how many; each sample has its own default", "null", "", 100, 1e8},
-        {"seed", "integer", "", "chooses among the random ones", "1", "", 0, 9007199254740992.0},
+        {"seed", "integer", "", "selects among random variants", "1", "", 0, 9007199254740992.0},
     };
     static const auto parameters = withSurfaceParameters(own);
     return {"new", "New", "Makes a sample model by code.", parameters, true, true, make, nullptr};

@@ -3,6 +3,7 @@
 #include "core/process/estimation/part_progress.h"
 #include "core/process/estimation/prepare.h"
 #include "core/session/commands.h"
+#include "core/session/face_options.h"
 #include "core/session/surface_options.h"
 
 #include <nlohmann/json.hpp>
@@ -27,19 +28,33 @@ static void checkHash(const json& complete, const tree::SurfelTree& tree, const 
     const auto wanted = complete.find("hash");
     if (wanted != complete.end() && *wanted != contentHash(tree, origin).text())
         throw base::Error("the file is not the one that was opened when this was recorded",
-                          complete.at("path").get<std::string>(), "bring that file back");
+                          complete.at("path").get<std::string>(), "restore that file");
+}
+
+/// What samples resolve needs no second pass, which harms sharp edges; whoever asks for it gets it.
+static void leaveSheetsTogether(surface::SurfaceDefinition& definition, const FacesOpened& faces,
+                                const json& complete) {
+    if (faces.apart && !complete.contains("one-sheet"))
+        definition.oneSheet = false;
 }
 
 static void open(Context& context, const json& complete) {
     const std::filesystem::path path = complete.at("path").get<std::string>();
     const std::filesystem::path source = complete.value("source", path.string());
     io::FileModel model = io::read(source, process::part(context.progress, 0, 0.4));
-    const auto surface = changed(model.definition.value_or(surface::SurfaceDefinition()), complete);
+    SurfaceChange surface = changed(model.definition.value_or(surface::SurfaceDefinition()), complete);
     Provenance provenance = provenanceOf(model, path);
-    const process::PrepareOptions options{surface.definition, model.hasSupports && !surface.newSupports};
     surface::Surface made;
     try {
-        made = process::prepare(std::move(model.points), options, process::part(context.progress, 0.4, 1));
+        const FacesOpened faces =
+            openFaces(model, surface.definition, faceOptions(complete), process::part(context.progress, 0.4, 0.7));
+        provenance.sampled = faces.sampled;
+        provenance.closed = faces.closed;
+        leaveSheetsTogether(surface.definition, faces, complete);
+        const bool kept = faces.sampled || (model.hasSupports && !surface.newSupports);
+        const process::PrepareOptions options{surface.definition, kept,
+                                              model.limitDecided && surface.definition == model.definition};
+        made = process::prepare(std::move(model.points), options, process::part(context.progress, 0.7, 1));
     } catch (const base::Error& error) {
         throw base::Error(error.message(), path.string());
     }
@@ -50,12 +65,16 @@ static void open(Context& context, const json& complete) {
 
 CommandRow openCommand() {
     static const CommandParameter own[] = {
-        {"path", "path", "", "file to open, in any format that can be read", "", "", 0, 0},
+        {"path", "path", "", "file to open, in any readable format", "", "", 0, 0},
         {"hash", "text", "", "content hash that the opened model must have", "null", "", 0, 0},
-        {"source", "path", "", "file to read in the place of path, which a journal has kept", "null", "", 0, 0},
+        {"source", "path", "", "file to read in place of path, kept by a journal", "null", "", 0, 0},
     };
-    static const auto parameters = withSurfaceParameters(own);
-    return {"open", "Open", "Opens a model and estimates what it lacks.", parameters, true, true, open, nullptr};
+    static const auto parameters = [] {
+        std::vector<CommandParameter> out(std::begin(own), std::end(own));
+        out.insert(out.end(), faceParameters().begin(), faceParameters().end());
+        return withSurfaceParameters(out);
+    }();
+    return {"open", "Open", "Opens a model and estimates what the file lacks.", parameters, true, true, open, nullptr};
 }
 
 } // namespace session

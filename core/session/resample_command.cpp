@@ -21,15 +21,16 @@ static void resample(Context& context, const nlohmann::json& complete) {
 
 CommandRow resampleCommand() {
     static const CommandParameter parameters[] = {
-        {"spacing", "number", "model units", "distance of neighbouring points to reach", "", "", positive, largest},
+        {"spacing", "number", "model units", "distance between neighbouring points to reach", "", "", positive,
+         largest},
         {"tolerance", "number", "model units",
-         "above 0 the distance follows the curvature: the root of this over it, between the two limits; neighbouring "
-         "distances differ by a tenth at most",
+         "above 0 the distance follows the curvature: the square root of tolerance over curvature, within the two "
+         "limits; neighbouring distances differ by at most a tenth",
          "0", "", 0, largest},
         {"finest", "number", "spacings", "shortest distance, where it follows the curvature", "0.5", "", 0.01, 1},
         {"coarsest", "number", "spacings", "longest distance, where it follows the curvature", "2", "", 1, 100},
     };
-    return {"resample", "Resample", "Makes the points even, on the surface that they define now.",
+    return {"resample", "Resample", "Spaces the points evenly on the surface that they define now.",
             parameters, true,       false,
             resample,   nullptr};
 }

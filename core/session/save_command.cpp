@@ -28,7 +28,7 @@ static void save(Context& context, const json& complete) {
 
 CommandRow saveCommand() {
     static const CommandParameter parameters[] = {
-        {"path", "path", "", "file to write; its extension chooses the format, .ply keeps everything", "", "", 0, 0},
+        {"path", "path", "", "file to write; its extension selects the format, .ply keeps everything", "", "", 0, 0},
     };
     return {"save", "Save", "Writes the model to a file.", parameters, false, false, save, nullptr};
 }

@@ -22,7 +22,7 @@ static void stroke(Context& context, const json& complete) {
         live.add(samples[i]);
     }
     if (!live.finish())
-        context.messages.push_back("a stroke of " + std::to_string(samples.size()) + " samples did not meet the model");
+        context.messages.push_back("a stroke of " + std::to_string(samples.size()) + " samples missed the model");
     context.dabs += quiet.dabs;
     context.dabSeconds.insert(context.dabSeconds.end(), quiet.dabSeconds.begin(), quiet.dabSeconds.end());
 }
@@ -42,20 +42,21 @@ static void checkToolParameter(const json& command, const std::string& key, cons
 static std::vector<CommandParameter> strokeParameters() {
     static const std::string tools = idsOf(sculpt::toolTable());
     std::vector<CommandParameter> out{{"tool", "choice", "",
-                                       "what each dab does; the tool's own parameters may stand beside it", "",
+                                       "what each dab does; the tool's own parameters may be given beside it", "",
                                        tools.c_str(), 0, 0}};
     for (const sculpt::StrokeOption& option : sculpt::strokeOptionTable())
         out.push_back(parameterOf(option));
-    out.push_back({"samples", "list", "",
-                   "rays with pressure and time: [ox,oy,oz,dx,dy,dz,pressure,seconds]; a ninth number multiplies the "
-                   "dabs' distance and strength on the way to it, where input was merged",
-                   "", "", 0, 0});
+    out.push_back(
+        {"samples", "list", "",
+         "rays with pressure and time: [ox,oy,oz,dx,dy,dz,pressure,seconds]; an optional ninth number, for merged "
+         "input, multiplies the spacing and strength of the dabs on the way to the sample",
+         "", "", 0, 0});
     return out;
 }
 
 CommandRow strokeCommand() {
     static const auto parameters = strokeParameters();
-    return {"stroke", "Stroke", "Sculpts along a line of rays.", parameters, true, false, stroke, checkToolParameter};
+    return {"stroke", "Stroke", "Sculpts along a path of rays.", parameters, true, false, stroke, checkToolParameter};
 }
 
 } // namespace session

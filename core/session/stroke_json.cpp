@@ -86,7 +86,7 @@ std::vector<StrokeSample> strokeSamples(const json& complete, const Vec3d& origi
         if (!isSample(row))
             throw base::Error("sample " + std::to_string(out.size() + 1) + " of the stroke is " + row.dump(), {},
                               "a sample is [ox,oy,oz,dx,dy,dz,pressure,seconds] with a direction that is not zero, "
-                              "pressure 0 to 1, seconds of at least 0, and perhaps a stride of 1 to 10");
+                              "pressure 0 to 1, seconds of at least 0, and optionally a stride of 1 to 10");
         const auto at = [&row](std::size_t k) { return row[k].get<float>(); };
         const Vec3d file{row[0].get<double>(), row[1].get<double>(), row[2].get<double>()};
         out.push_back({{inside(file, origin), {at(3), at(4), at(5)}}, at(6), at(7), row.size() == 9 ? at(8) : 1});

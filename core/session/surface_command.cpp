@@ -16,7 +16,7 @@ static void redefine(Context& context, const nlohmann::json& complete) {
 CommandRow surfaceCommand() {
     return {"surface",
             "Surface",
-            "Changes how the points define their surface; what is left out stays.",
+            "Changes how the points define their surface; options left out stay as they are.",
             surfaceParameters(),
             true,
             false,

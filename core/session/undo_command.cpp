@@ -22,7 +22,7 @@ CommandRow undoCommand() {
 }
 
 CommandRow redoCommand() {
-    return {"redo", "Redo", "Goes forward one step that was undone.", {}, true, false, redo, nullptr};
+    return {"redo", "Redo", "Redoes the step undone last.", {}, true, false, redo, nullptr};
 }
 
 } // namespace session

@@ -15,7 +15,7 @@ std::span<const DefinitionOption> definitionOptionTable() {
     static const DefinitionOption rows[] = {
         {"manifold", "", "what the points sample", &D::manifold},
         {"frame", "", "where the normal of the local plane comes from", &D::frame},
-        {"weight", "", "how a point's weight falls with the distance", &D::weight},
+        {"weight", "", "how a point's weight falls off with distance", &D::weight},
         {"support",
          "model units",
          "one support radius for all points; for the gaussian the scale H in exp(-s^2/H^2)",
@@ -24,7 +24,7 @@ std::span<const DefinitionOption> definitionOptionTable() {
          "give a finite length above 0, or 0 for supports from neighbours"},
         {"neighbours",
          "",
-         "a support radius per point that holds about so many neighbours",
+         "a support radius per point that holds about this many neighbours",
          &D::neighbours,
          {3, 10000},
          nullptr,
@@ -38,17 +38,17 @@ std::span<const DefinitionOption> definitionOptionTable() {
          "give auto, none or a limit above 0 in units of h"},
         {"boundary-limit",
          "h",
-         "what the boundary auto was resolved to for this model",
+         "limit that the boundary auto was resolved to for this model",
          &D::boundaryLimit,
          {R::aboveZero, std::numeric_limits<float>::infinity()},
          "give auto, none or a limit above 0 in units of h",
          ChosenBy::Estimate},
         {"shrink-free", "", "symmetric form that does not erode the model", &D::shrinkFree},
-        {"one-sheet", "", "second pass that keeps near sheets apart", &D::oneSheet},
+        {"one-sheet", "", "second pass that keeps nearby sheets apart", &D::oneSheet},
         {"interpolating", "", "weights that make the surface pass through the points", &D::interpolating},
         {"curvature-spacings",
          "spacings",
-         "least support radius that curvature is taken on, for supports from neighbours",
+         "smallest support radius on which curvature is measured, for supports from neighbours",
          &D::curvatureSpacings,
          {0, 1000}},
         {"apss-beta",
@@ -56,7 +56,7 @@ std::span<const DefinitionOption> definitionOptionTable() {
          "what the frame apss fits: 1 spheres, 0 planes",
          &D::apssBeta,
          {0, 1},
-         "give a number from 0, planes, to 1, spheres"},
+         "give a number from 0 (planes) to 1 (spheres)"},
         {"rimls-sigma",
          "",
          "how far normals may differ on one side of an edge, for the frame rimls",
@@ -147,7 +147,7 @@ static Number numberIn(const DefinitionOption& option, std::string_view word, co
     const bool within = low && double(value) <= double(static_cast<Number>(range.max));
     const bool known = error == std::errc() && end == word.data() + word.size();
     if (!known || !(within || (range.orZero && value == 0)))
-        throw base::Error("'" + std::string(word) + "' is no value for it", option.id, wishOf(option, what));
+        throw base::Error("'" + std::string(word) + "' is not a valid value", option.id, wishOf(option, what));
     return value;
 }
 

@@ -98,7 +98,7 @@ SurfaceDefinition definitionFromWords(std::string_view words) {
         words.remove_prefix(word.size());
         const std::size_t equals = word.find('=');
         if (equals == std::string_view::npos)
-            throw base::Error("'" + std::string(word) + "' is no surface option", {}, "write name=value");
+            throw base::Error("'" + std::string(word) + "' is not a surface option", {}, "write name=value");
         setText(definitionOption(word.substr(0, equals)), out, word.substr(equals + 1));
     }
 }

@@ -13,6 +13,7 @@ class LookTest : public QObject {
   private Q_SLOTS:
     void everyShadingIsListedAndDrawn();
     void aRangeChangesThePicture();
+    void modelsWithColoursAreShownInThem();
     void whatDoesNotGoTogetherIsWrongUsage();
 };
 
@@ -42,6 +43,31 @@ void LookTest::aRangeChangesThePicture() {
     };
     QVERIFY(picture("-2,2") != picture("-200,200"));
     QVERIFY(picture("-2,2") == picture("-2,2"));
+}
+
+void LookTest::modelsWithColoursAreShownInThem() {
+    const Program program;
+    const auto write = [&](const char* name, bool same) {
+        std::string text = "# x y z red green blue\n";
+        for (int i = 0; i < 30; ++i)
+            for (int k = 0; k < 30; ++k)
+                text += std::to_string(i) + " " + std::to_string(k) + " 0 " +
+                        (same     ? "0 0 0"
+                         : i < 15 ? "250 0 0"
+                                  : "0 0 250") +
+                        "\n";
+        program.write(name, text);
+    };
+    write("coloured.txt", false);
+    write("black.txt", true);
+    const auto picture = [&](const char* model, const QStringList& options) {
+        const QStringList arguments{"render", model, "-o", "a.png", "--size", "64x48"};
+        return program.run(arguments + options).code == 0 ? program.read("a.png") : std::string();
+    };
+    QVERIFY(!picture("coloured.txt", {}).empty());
+    QVERIFY(picture("coloured.txt", {}) == picture("coloured.txt", {"--shading", "colour"}));
+    QVERIFY(picture("black.txt", {}) == picture("black.txt", {"--shading", "matcap"}));
+    QVERIFY(!picture("coloured.txt", {"--mode", "raycast", "--material", "clay"}).empty());
 }
 
 void LookTest::whatDoesNotGoTogetherIsWrongUsage() {

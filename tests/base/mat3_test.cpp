@@ -12,6 +12,8 @@ class Mat3Test : public QObject {
   private Q_SLOTS:
     void eigenvectorsRebuildTheMatrix();
     void closeEigenvaluesKeepTheirDigits();
+    void matricesThatAreNotFiniteHaveTheAxes();
+    void inversesAndSolvesUndoProducts();
     void cofactorMapsNormalsLikeTheInverseTranspose();
 };
 
@@ -49,6 +51,32 @@ void Mat3Test::closeEigenvaluesKeepTheirDigits() {
     a += -1e-9 * outer(n, n);
     const auto e = symmetricEigen(a);
     QVERIFY(length(cross(e.vector[0], n)) < 1e-6);
+}
+
+void Mat3Test::matricesThatAreNotFiniteHaveTheAxes() {
+    for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+        Mat3d a = Mat3d::identity();
+        a[0][1] = a[1][0] = bad;
+        const auto e = symmetricEigen(a);
+        QVERIFY(e.vector[0] == (Vec3d{1, 0, 0}) && e.vector[1] == (Vec3d{0, 1, 0}) && e.vector[2] == (Vec3d{0, 0, 1}));
+    }
+}
+
+void Mat3Test::inversesAndSolvesUndoProducts() {
+    Random random(test::seed());
+    for (int k = 0; k < 500; ++k) {
+        Mat3d a;
+        for (auto& row : a.m)
+            for (double& value : row)
+                value = random.uniform(-1, 1);
+        if (std::abs(determinant(a)) < 0.01)
+            continue;
+        const Vec3d x{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
+        QVERIFY2(length(inverse(a) * (a * x) - x) < 1e-11, qPrintable(QString("seed %1").arg(test::seed())));
+        const Mat3d square = transposed(a) * a;
+        QVERIFY2(length(solvePositive(square, square * x) - x) < 1e-8,
+                 qPrintable(QString("seed %1").arg(test::seed())));
+    }
 }
 
 void Mat3Test::cofactorMapsNormalsLikeTheInverseTranspose() {

@@ -33,6 +33,7 @@ class PrepareTest : public QObject {
     void openModelsHaveALimitWithinItsRange_data();
     void openModelsHaveALimitWithinItsRange();
     void limitOfDefinitionIsKept();
+    void decidedLimitIsNotDecidedAgain();
     void redefineIsPrepareUnderTheOtherDefinition();
     void redefineSharesWhatDoesNotChange();
     void sameHashAtAnyThreadCount();
@@ -194,6 +195,16 @@ void PrepareTest::openModelsHaveALimitWithinItsRange() {
     QVERIFY2(inside > 1990, qPrintable(QString::number(inside)));
     const float h = s.tree().maxSupport();
     QCOMPARE(static_cast<int>(s.evaluate({1, -0.5f * h, 0}).status), static_cast<int>(surface::Status::BeyondBoundary));
+}
+
+void PrepareTest::decidedLimitIsNotDecidedAgain() {
+    PrepareOptions options;
+    options.keepLimit = true;
+    for (const float limit : {0.2f, 0.4f, std::numeric_limits<float>::infinity()}) {
+        options.definition.boundaryLimit = limit;
+        QCOMPARE(prepare(halfSphere(0), options).definition().boundaryLimit, limit);
+        QCOMPARE(prepare(halfSphere(0), options).definition().boundary, Boundary::Auto);
+    }
 }
 
 void PrepareTest::limitOfDefinitionIsKept() {

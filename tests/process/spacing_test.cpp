@@ -27,6 +27,7 @@ class SpacingTest : public QObject {
     void oneRadiusForAll();
     void neighboursDifferByAtMostHalfTheirDistance();
     void gradingKeepsAtLeastHalf();
+    void supportsDoNotLookThroughThinWalls();
     void sameBitsAtAnyThreadCount();
     void cancelStops();
     void sampledSpacingIsThatOfTheWhole();
@@ -194,6 +195,31 @@ void SpacingTest::gradingKeepsAtLeastHalf() {
     const auto s = spacings(list.items);
     for (std::size_t i = 0; i < coarse; ++i)
         QVERIFY(list.items[i].support >= 0.49f * std::min(s[i], 0.093f) * std::sqrt(38 / std::numbers::pi_v<float>));
+}
+
+void SpacingTest::supportsDoNotLookThroughThinWalls() {
+    // Both sides of a plate of a tenth of the spacing, jittered, with oriented normals: each side has its own supports.
+    auto layout = std::make_shared<surfel::AttributeLayout>();
+    layout->normals = layout->oriented = true;
+    base::Random random(test::seed());
+    surfel::SurfelList side = hexagonal(20, 0.1f), both;
+    side.layout = both.layout = layout;
+    for (auto& s : side.items) {
+        s.position += base::cast<float>(random.unitVector() * 0.02);
+        s.position.z = 0;
+        s.normal = {0, 0, 1};
+    }
+    both.items = side.items;
+    for (auto back : side.items) {
+        back.position.z = -0.01f;
+        back.normal = {0, 0, -1};
+        both.items.push_back(back);
+    }
+    assignSupports(side, {});
+    assignSupports(both, {});
+    for (std::size_t i = 0; i < side.size(); ++i)
+        QVERIFY2(std::abs(both.items[i].support / side.items[i].support - 1) < 0.01f,
+                 qPrintable(QString("%1, seed %2").arg(i).arg(test::seed())));
 }
 
 void SpacingTest::sameBitsAtAnyThreadCount() {

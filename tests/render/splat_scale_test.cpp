@@ -10,6 +10,8 @@ class SplatScaleTest : public QObject {
   private Q_SLOTS:
     void usualSupportsAreLeftAlone();
     void otherSupportsGetTheUsualSplats();
+    void scaleGrowsWithoutAJump();
+    void densePlacesLeaveSparseOnesTheirCover();
     void fewSurfelsHaveNoSpacing();
 };
 
@@ -26,6 +28,32 @@ void SplatScaleTest::otherSupportsGetTheUsualSplats() {
         const float scale = render::splatScaleOf(test::built(list));
         QVERIFY2(std::abs(scale * factor - 1) < 0.08f, qPrintable(QString::number(scale)));
     }
+}
+
+void SplatScaleTest::scaleGrowsWithoutAJump() {
+    const surfel::SurfelList list = test::sphere({0, 0, 0}, 1, 20000);
+    float last = 0;
+    for (float factor = 2.5f; factor > 0.4f; factor *= 0.98f) {
+        surfel::SurfelList scaled = list;
+        for (auto& s : scaled.items)
+            s.support *= factor;
+        const float scale = render::splatScaleOf(test::built(scaled));
+        QVERIFY2(last == 0 || (scale >= last && scale < 1.07f * last),
+                 qPrintable(QString("%1 after %2 at supports times %3").arg(scale).arg(last).arg(factor)));
+        last = scale;
+    }
+}
+
+/// A stroke may leave most surfels closer than their supports say: the others still need their discs.
+void SplatScaleTest::densePlacesLeaveSparseOnesTheirCover() {
+    surfel::SurfelList list = test::sphere({0, 0, 0}, 1, 4000);
+    const surfel::SurfelList dense = test::sphere({0, 0, 0}, 1, 60000);
+    for (surfel::Surfel s : dense.items)
+        if (s.position.z > 0.6f) {
+            s.support = list.items[0].support; // as wide as where they are sparse
+            list.items.push_back(s);
+        }
+    QCOMPARE(render::splatScaleOf(test::built(list)), 1.0f);
 }
 
 void SplatScaleTest::fewSurfelsHaveNoSpacing() {

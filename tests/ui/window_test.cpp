@@ -28,6 +28,7 @@ class WindowTest : public QObject {
     void everySampleOpensAndIsSeen();
     void numberedViewsTurnAndFrameShowsAll();
     void everyShadingDrawsAnotherPicture();
+    void coloursAreShownOfModelsThatHaveThem();
     void titleTellsTheFileAndWhetherItIsSaved();
     void closingAsksAboutUnsavedWork();
     void modelArgumentsMayNameSamples();
@@ -197,6 +198,25 @@ void WindowTest::everyShadingDrawsAnotherPicture() {
     }
     QCOMPARE(row, render::shadingTable().size());
     QVERIFY(pictures[0] != pictures[1]);
+}
+
+void WindowTest::coloursAreShownOfModelsThatHaveThem() {
+    WindowFixture f;
+    QVERIFY(f.make("sphere", 2000));
+    QVERIFY(f.window->settings().shading == render::Shading::Matcap);
+    {
+        QFile file(f.file("coloured.txt"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("# x y z red green blue\n");
+        for (int i = 0; i < 400; ++i)
+            file.write(QString("%1 %2 0 %3 9 9\n").arg(i % 20).arg(i / 20).arg(i % 200).toUtf8());
+    }
+    f.window->files().open(std::filesystem::path(f.file("coloured.txt").toStdString()));
+    QVERIFY(f.settle());
+    QCOMPARE(f.surfels(), std::size_t(400));
+    QVERIFY(f.window->settings().shading == render::Shading::Colour);
+    QVERIFY(f.make("torus", 1000));
+    QVERIFY(f.window->settings().shading == render::Shading::Matcap);
 }
 
 void WindowTest::titleTellsTheFileAndWhetherItIsSaved() {

@@ -20,7 +20,7 @@ struct GlSurfel {
     base::Vec3f position;
     std::uint32_t normal;        ///< GL_INT_2_10_10_10_REV; zero where unknown
     std::uint32_t support;       ///< a float whose lowest cutBits bits are a CutCode
-    std::uint32_t colourAndMask; ///< the mask stands in the place of alpha
+    std::uint32_t colourAndMask; ///< the mask takes the place of alpha
 };
 constexpr std::size_t slotBytes = sizeof(GlSurfel) * surfel::blockCapacity;
 constexpr std::size_t slotsPerPage = std::size_t(1) << 16;

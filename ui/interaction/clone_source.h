@@ -1,4 +1,4 @@
-// The place that tools which copy copy from: chosen on the model, forgotten with it. Interface's thread only.
+// The place that copying tools copy from: chosen on the model, forgotten with it. Interface's thread only.
 #pragma once
 
 #include "ui/work/editor.h"

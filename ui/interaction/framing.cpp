@@ -1,10 +1,16 @@
 #include "ui/interaction/framing.h"
 
+#include "core/render/framed_box.h"
+
 namespace ui {
 
 std::vector<base::Box3f> boxesOf(const tree::SurfelTree& tree) {
+    const base::Box3f shown = render::framedBox(tree);
     std::vector<base::Box3f> out;
-    tree.forEachBlock([&](std::uint32_t, const surfel::SurfelBlock& block) { out.push_back(block.box()); });
+    tree.forEachBlock([&](std::uint32_t, const surfel::SurfelBlock& block) {
+        if (const base::Box3f box = block.box().cut(shown); !box.empty())
+            out.push_back(box);
+    });
     return out;
 }
 

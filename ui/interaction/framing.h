@@ -7,7 +7,7 @@
 
 namespace ui {
 
-/// All of the model, a box per block.
+/// All of the model but outliers far away (framed_box.h), a box per block.
 std::vector<base::Box3f> boxesOf(const tree::SurfelTree& tree);
 /// What is less than half masked, a box per block; empty where nothing is masked more than that.
 std::vector<base::Box3f> unmaskedBoxes(const tree::SurfelTree& tree);

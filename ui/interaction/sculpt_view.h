@@ -1,6 +1,6 @@
 // The viewport with all that works in it: the parts that move the view, cut the model, size the brush, make strokes
 // and paint over the picture. It makes them in the order of their dependencies, connects them, and keeps the picture
-// up to date. What each part does is told in its own header; nothing is done here.
+// up to date. What each part does is described in its own header; nothing is done here.
 //
 // Interface's thread only.
 #pragma once

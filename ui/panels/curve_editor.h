@@ -1,4 +1,4 @@
-// A curve through points, drawn and changed by hand: drag a point, click beside the curve's points for another one,
+// A curve through points, drawn and changed by hand: drag a point, click beside the curve's points to add one,
 // right-click (or drag out of the field) to remove one. What a BrushCurve refuses cannot be drawn.
 //
 // It may show some other curve in place of its own, faintly; the first touch then copies that one to start from.

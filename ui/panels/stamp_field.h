@@ -25,7 +25,7 @@ class StampField : public QWidget {
 
   private:
     void ask();
-    bool show(const std::string& path); ///< false where it is no image
+    bool show(const std::string& path); ///< false where it is not an image
     std::string m_path;
     QLabel *m_picture, *m_name;
     QToolButton* m_clear;

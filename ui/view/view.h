@@ -5,7 +5,7 @@
 // In parallel projection the image is as high as perspective shows at the target, so that changing between the two
 // leaves the target's surroundings as large as they were.
 //
-// It turns about its pivot: a place of the model that a person has picked, or the target. A pivot is no part of the
+// It turns about its pivot: a place of the model that a person has picked, or the target. A pivot is not part of the
 // picture: picking one moves no pixel.
 #pragma once
 

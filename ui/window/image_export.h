@@ -1,4 +1,4 @@
-// Pictures of the view as files: asks what they are to be and where to, draws them in the background. Interface's
+// Pictures of the view as files: asks what they should be and where they go, draws them in the background. Interface's
 // thread only.
 #pragma once
 

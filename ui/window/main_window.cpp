@@ -1,5 +1,6 @@
 #include "ui/window/main_window.h"
 
+#include "core/render/shading/own_colours.h"
 #include "ui/panels/properties_panel.h"
 #include "ui/panels/tool_bar.h"
 #include "ui/window/menus.h"
@@ -146,8 +147,20 @@ void MainWindow::showSnapshot() {
     measure();
     if (now.models != m_models) {
         m_models = now.models;
+        suitShading();
         m_panel->setModelSize(static_cast<double>(now.surface.tree().bounds().diagonal()));
     }
+}
+
+/// A model with colours is shown in them, and the next one without is not left in plain light.
+void MainWindow::suitShading() {
+    const bool colours = render::hasOwnColours(m_editor->snapshot().surface.tree());
+    if (colours == (m_settings.shading == render::Shading::Colour))
+        return;
+    const char* wanted = render::shadingRow(colours ? render::Shading::Colour : render::Shading::Matcap).id;
+    for (QAction* action : menu("shading")->actions())
+        if (action->data().toString() == wanted)
+            action->trigger();
 }
 
 void MainWindow::measure() {

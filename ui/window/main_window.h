@@ -68,6 +68,7 @@ class MainWindow : public QMainWindow {
     void buildMenus();
     void connectWork();
     void showSnapshot();
+    void suitShading();
 
     std::unique_ptr<QSettings> m_store;
     Settings m_settings;

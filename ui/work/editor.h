@@ -91,7 +91,7 @@ class Editor : public QObject {
     bool m_discardJournal = false;
     Snapshot m_snapshot;
     int m_waiting = 0;
-    int m_commands = 0;  ///< of them, those that are no part of a stroke
+    int m_commands = 0;  ///< of them, those that are not part of a stroke
     int m_replacing = 0; ///< of these, those that start another model
     QElapsedTimer m_workingSince;
     std::mutex m_freshMutex;

@@ -52,7 +52,7 @@ class ModelWorker {
 
     session::Context context();
     base::Progress progress();
-    /// False where `work` has thrown, which is told.
+    /// False where `work` has thrown, which is reported.
     template <class Work>
     bool guarded(const Work& work);
     void publish(Snapshot snapshot);

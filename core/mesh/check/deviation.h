@@ -1,7 +1,7 @@
 // How far a mesh is from the surface it was made from: at its vertices and at the centres of its faces.
 //
-// Measured in float64 to the nearest point that an orthogonal projection finds, beyond the boundary to that
-// (mesh/README 6.3). Same bits at any thread count.
+// Measured in float64 to the nearest point that an orthogonal projection finds, or, beyond the boundary, to the
+// boundary (mesh/README 6.3). Same bits at any thread count.
 #pragma once
 
 #include "core/base/progress.h"

@@ -2,8 +2,8 @@
 // numbers only; positions play no role.
 //
 // An edge is manifold if one or two triangles share it, a vertex if its triangles form one umbrella, closed or open.
-// Boundary loops stay within umbrellas, as if the mesh were cut apart where it is pinched. A piece is what shares
-// vertices.
+// Boundary loops stay within umbrellas, as if the mesh were cut apart where it is pinched. Triangles connected by
+// shared vertices form a piece.
 #pragma once
 
 #include "core/mesh/mesh.h"

@@ -1,4 +1,4 @@
-// Who is beside whom among triangles, and where they end: the one structure that all code of the room asks
+// Which triangles are adjacent, and where they end: the one structure that all code of the room asks
 // (mesh/README 2). It takes any triangles, non-manifold ones too, and surfaces with one side or two; where they are
 // manifold it can be edited: sides flipped, faces and sides split, sides collapsed.
 //
@@ -9,9 +9,9 @@
 //     umbrellasOf(t)                                                   umbrellas.h
 //
 // A corner table: side k of a face lies opposite to its corner k and knows the next side at the same edge. Sides at one
-// edge form a cycle: of one on the boundary, of two inside, of more where the triangles are not manifold. Faces keep
-// their numbers; those of faces gone are not used again. A triangle that names a vertex twice has no sides and counts
-// as gone.
+// edge form a cycle: of one side on the boundary, of two inside, of more where the triangles are not manifold. Faces
+// keep their numbers; those of removed faces are not used again. A triangle that names a vertex twice has no sides and
+// counts as removed.
 //
 // Connectivity only; positions are the caller's. Edits belong to one thread at a time, reading is for any number.
 #pragma once

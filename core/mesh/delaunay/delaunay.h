@@ -1,12 +1,12 @@
 // Restricted Delaunay triangulation of the surface (mesh/README 4): few triangles of good shape, within a distance.
 //
-// After [Boissonnat05], what it is:
+// What it is, after [Boissonnat05]:
 //
 //     a triangle of points on the surface belongs to the mesh where the ball through its corners about a point of the
 //     surface is empty; triangles that are too thin, too large or too far away are refined by inserting that point
 //
-// and after [Chew93], how it is found: along the surface, by flips, from a mesh that has the right topology. What is
-// near in space only, such as sheets that touch and thin parts, needs no finer triangles therefore, and open and
+// and how it is found, after [Chew93]: along the surface, by flips, from a mesh that has the right topology. What is
+// near in space only, such as touching sheets and thin parts, therefore needs no finer triangles, and open and
 // one-sided surfaces are meshed like others. Where the definition itself ends, as at folds, so does the mesh.
 //
 //     marching_cubes.h        the mesh to begin with       surface_triangulation.h    what flips and splits work on

@@ -8,7 +8,7 @@
 //     surface_grid.h    cubes near the surface, crossings      edge_walk.h         one edge
 //     grid_face.h       pairs of crossings in a face           boundary_trace.h    where the surface ends in a face
 //     cube_loops.h      loops around a cube                    fill_loop.h         their triangles
-//     cube_tree.h       cubes of several sizes                 relax_mesh.h        well shaped triangles
+//     cube_tree.h       cubes of several sizes                 relax_mesh.h        well-shaped triangles
 //
 // and from core/mesh/finish
 //
@@ -16,7 +16,7 @@
 //     trim_folds.h      what cuts itself beside the boundary   own_sheet.h         one of two near sheets
 //
 // Where the surface ends, the mesh ends in a polyline: at its off-centre limit on the surface's boundary curve
-// (surface/README 5.3), or where the definition ends: folds, thin parts. The report counts both apart.
+// (surface/README 5.3), or where the definition ends: folds, thin parts. The report counts the two separately.
 //
 // The same bits at any thread count. Memory follows the number of cubes that the surface passes through.
 #pragma once

@@ -1,4 +1,4 @@
-// Parallel loops over millions of things with a look, now and then, at whether somebody wants them to stop.
+// Parallel loops over millions of things that check, now and then, whether somebody wants them to stop.
 #pragma once
 
 #include "core/base/parallel.h"

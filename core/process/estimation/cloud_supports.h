@@ -6,8 +6,9 @@
 
 namespace process {
 
-/// One reach per position, > 0 and finite. REQUIRES: a cloud of at least one position.
-std::vector<float> supportsOf(const Cloud& cloud, const surface::SurfaceDefinition& definition,
-                              const base::Progress& progress = {});
+/// One reach per position, > 0 and finite. `points` are the list that the cloud was made of: where its normals are
+/// oriented, neighbours on the other side of a wall do not count. REQUIRES: a cloud of at least one position.
+std::vector<float> supportsOf(const Cloud& cloud, const surfel::SurfelList& points,
+                              const surface::SurfaceDefinition& definition, const base::Progress& progress = {});
 
 } // namespace process

@@ -11,24 +11,6 @@ namespace {
 /// Reach of the weight over the distance of the farthest neighbour: beyond 1, so that the farthest counts too.
 constexpr double reachOverFarthest = 1.4;
 
-/// Eigenvector of the least eigenvalue of a positive semidefinite matrix. It is the greatest one's of the cofactor
-/// matrix, which squaring leaves alone and everything else dies from: three times as fast as the full decomposition.
-base::Vec3d leastDirection(const base::Mat3d& c) {
-    base::Mat3d a = base::cofactor(c);
-    const double t = base::trace(c);
-    double scale = base::trace(a);
-    if (!(scale > 1e-9 * t * t)) // collinear: the cofactors are rounding
-        return base::symmetricEigen(c).vector[0];
-    a *= 1 / scale;
-    for (int squarings = 0; squarings < 30 && !(scale > 1 - 1e-10 && squarings > 0); ++squarings) {
-        a = a * a;
-        scale = base::trace(a); // 1 once all but one direction are gone
-        a *= 1 / scale;
-    }
-    const int k = a[0][0] >= a[1][1] && a[0][0] >= a[2][2] ? 0 : a[1][1] >= a[2][2] ? 1 : 2;
-    return base::normalized(base::Vec3d{a[k][0], a[k][1], a[k][2]}, {0, 0, 1});
-}
-
 /// Least direction of the Wendland-weighted covariance about the weighted mean (process/README 2.1), relative to the
 /// position itself.
 base::Vec3f planeNormal(std::span<const base::Vec3f> positions, std::size_t i, const Neighbours& near) {
@@ -47,7 +29,7 @@ base::Vec3f planeNormal(std::span<const base::Vec3f> positions, std::size_t i, c
     base::Mat3d c;
     c[0][0] = xx - w * m.x * m.x, c[0][1] = c[1][0] = xy - w * m.x * m.y, c[0][2] = c[2][0] = xz - w * m.x * m.z;
     c[1][1] = yy - w * m.y * m.y, c[1][2] = c[2][1] = yz - w * m.y * m.z, c[2][2] = zz - w * m.z * m.z;
-    return base::normalized(base::cast<float>(leastDirection(c)), {0, 0, 1});
+    return base::normalized(base::cast<float>(base::symmetricEigen(c).vector[0]), {0, 0, 1});
 }
 
 void setFlags(surfel::SurfelList& points, bool oriented) {

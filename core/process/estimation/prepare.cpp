@@ -131,7 +131,7 @@ void prepareSupports(surfel::SurfelList& points, LazyCloud& cloud, const Prepare
     };
     if (std::all_of(points.items.begin(), points.items.end(), keeps))
         return;
-    const std::vector<float> h = supportsOf(*cloud, options.definition, progress);
+    const std::vector<float> h = supportsOf(*cloud, points, options.definition, progress);
     for (std::size_t i = 0; i < points.size(); ++i)
         if (!keeps(points.items[i]))
             points.items[i].support = h[(*cloud).places()[i]];
@@ -179,14 +179,16 @@ tree::SurfelTree withSupports(const tree::SurfelTree& tree, const SurfaceDefinit
 surface::Surface prepare(surfel::SurfelList points, const PrepareOptions& options, const base::Progress& progress) {
     dropNonFinite(points);
     if (const std::size_t distinct = fewDistinct(points); distinct < 4)
-        throw base::Error("a surface needs at least 4 distinct points, here are " + std::to_string(distinct), "",
-                          "open a model with more points");
+        throw base::Error("a surface needs at least 4 distinct points, but there are only " + std::to_string(distinct),
+                          "", "open a model with more points");
     const base::Progress indexing = part(progress, 0, 0.1);
     LazyCloud cloud(points, indexing);
     prepareNormals(points, cloud, options.definition, part(progress, 0.1, 0.6));
     prepareSupports(points, cloud, options, part(progress, 0.6, 0.8));
-    return withLimit(tree::SurfelTree::build(points, part(progress, 0.8, 0.9)), options.definition,
-                     part(progress, 0.9, 1));
+    tree::SurfelTree tree = tree::SurfelTree::build(points, part(progress, 0.8, 0.9));
+    if (options.keepLimit)
+        return {std::move(tree), options.definition};
+    return withLimit(std::move(tree), options.definition, part(progress, 0.9, 1));
 }
 
 surface::Surface redefine(const surface::Surface& surface, const SurfaceDefinition& definition,

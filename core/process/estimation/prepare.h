@@ -3,7 +3,7 @@
 //     normals absent            estimated from 18 neighbours, then oriented consistently   normals.h
 //                               (surfaces without two sides stay unoriented)
 //     supports absent or asked  from neighbours or one radius, by the definition           supports.h
-//     Boundary::Auto            limit from the model's own off-centre values               boundary_limit.h
+//     Boundary::Auto            limit from the model's own off-centre values, once         boundary_limit.h
 //     tree                      built                                                      tree/surfel_tree.h
 #pragma once
 
@@ -14,6 +14,7 @@ namespace process {
 struct PrepareOptions {
     surface::SurfaceDefinition definition;
     bool keepSupports = true; ///< supports > 0 that came with the points stay as they are
+    bool keepLimit = false;   ///< Boundary::Auto was resolved for this very model: definition.boundaryLimit stands
 };
 
 /// Throws base::Error where fewer than 4 distinct points are left to make a surface of, base::Cancelled.

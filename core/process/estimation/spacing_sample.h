@@ -1,5 +1,5 @@
-// The spacing of a tree, sampled: for what needs to know it roughly and at once, such as the size of splats. All
-// measures of spacing are made of the same ring of neighbours (spacing.h).
+// The spacing of a tree, sampled: for code that needs it roughly and at once, such as the size of splats. All measures
+// of spacing come from the same ring of neighbours (spacing.h).
 #pragma once
 
 #include "core/tree/surfel_tree.h"

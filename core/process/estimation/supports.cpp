@@ -13,6 +13,8 @@ namespace {
 /// Neighbours among which radii are compared: two rings of a hexagonal layout have 18, the inner one and half the outer
 /// carry a slope in every direction.
 constexpr std::size_t gradedNeighbours = 12;
+constexpr std::size_t ringSize = 6;     ///< that spacing is made of
+constexpr float oppositeCosine = -0.5f; ///< normals that differ by more than 120 degrees are of two sides
 /// Of radii over distance (process/README 1.3).
 constexpr float steepest = 0.5f;
 /// A position that stands this many times sparser than the median of its neighbours is an outlier and gets no more.
@@ -25,14 +27,53 @@ struct Graph {
     std::vector<float> distance;
 };
 
-Graph neighbourGraph(const Cloud& cloud, const base::Progress& progress) {
+/// The sum of normals at each position; none where they have no common side.
+std::vector<base::Vec3f> sidesOf(const Cloud& cloud, const surfel::SurfelList& points) {
+    std::vector<base::Vec3f> out;
+    if (!points.layout->normals || !points.layout->oriented)
+        return out;
+    out.resize(cloud.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+        out[cloud.places()[i]] += points.items[i].normal;
+    return out;
+}
+
+/// Keeps the neighbours that look to the same side as `side`, in their order.
+void keepSameSide(const base::Vec3f& side, const std::vector<base::Vec3f>& sides, Neighbours& near) {
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < near.size(); ++k) {
+        const base::Vec3f& other = sides[near.index[k]];
+        if (dot(side, other) < oppositeCosine * length(side) * length(other))
+            continue;
+        near.index[kept] = near.index[k];
+        near.distanceSq[kept++] = near.distanceSq[k];
+    }
+    near.index.resize(kept);
+    near.distanceSq.resize(kept);
+}
+
+/// Where a wall is thin, the nearest may stand behind it: their spacing would be the wall's thickness. Too few on the
+/// own side: all count. Rows are filled up with the last one.
+Graph neighbourGraph(const Cloud& cloud, const std::vector<base::Vec3f>& sides, const base::Progress& progress) {
     Graph g{std::min(gradedNeighbours, cloud.size() - 1), {}, {}};
     g.index.resize(cloud.size() * g.count);
     g.distance.resize(cloud.size() * g.count);
-    cloud.forEach(g.count, progress, "Measuring spacing", [&](std::size_t i, const Neighbours& near) {
-        for (std::size_t k = 0; k < near.size(); ++k) {
-            g.index[i * g.count + k] = near.index[k];
-            g.distance[i * g.count + k] = std::sqrt(near.distanceSq[k]);
+    cloud.forEach(g.count, progress, "Measuring spacing", [&](std::size_t i, const Neighbours& nearest) {
+        Neighbours own;
+        const Neighbours* near = &nearest;
+        if (!sides.empty()) {
+            own = nearest;
+            keepSameSide(sides[i], sides, own);
+            if (own.size() < nearest.size()) {
+                cloud.nearest(i, 2 * g.count, own);
+                keepSameSide(sides[i], sides, own);
+                near = own.size() >= ringSize ? &own : &nearest;
+            }
+        }
+        for (std::size_t k = 0; k < g.count; ++k) {
+            const std::size_t from = std::min(k, near->size() - 1);
+            g.index[i * g.count + k] = near->index[from];
+            g.distance[i * g.count + k] = std::sqrt(near->distanceSq[from]);
         }
     });
     return g;
@@ -40,7 +81,7 @@ Graph neighbourGraph(const Cloud& cloud, const base::Progress& progress) {
 
 std::vector<float> spacingsOf(const Graph& g, std::size_t n) {
     std::vector<float> out(n);
-    const std::size_t k = std::min<std::size_t>(6, g.count);
+    const std::size_t k = std::min<std::size_t>(ringSize, g.count);
     base::parallelFor(n, 8192, [&](std::size_t i) {
         double sum = 0;
         for (std::size_t j = 0; j < k; ++j)
@@ -105,15 +146,15 @@ void grade(std::vector<float>& h, const Graph& g, const base::Progress& progress
 
 } // namespace
 
-std::vector<float> supportsOf(const Cloud& cloud, const surface::SurfaceDefinition& definition,
-                              const base::Progress& progress) {
+std::vector<float> supportsOf(const Cloud& cloud, const surfel::SurfelList& points,
+                              const surface::SurfaceDefinition& definition, const base::Progress& progress) {
     const bool gaussian = definition.weight == surface::Weight::Gaussian;
     const float reach = gaussian ? surface::gaussianReach : 1.0f;
     if (definition.support > 0)
         return std::vector<float>(cloud.size(), definition.support * reach);
     if (cloud.size() < 2)
         return std::vector<float>(cloud.size(), 1.0f); // a lone point has no scale; any will do
-    const Graph graph = neighbourGraph(cloud, part(progress, 0, 0.7));
+    const Graph graph = neighbourGraph(cloud, sidesOf(cloud, points), part(progress, 0, 0.7));
     std::vector<float> h = withoutOutliers(spacingsOf(graph, cloud.size()), graph);
     const float perSpacing = definition.unitInSpacings();
     for (float& value : h)
@@ -130,7 +171,7 @@ void assignSupports(surfel::SurfelList& points, const surface::SurfaceDefinition
     if (points.items.empty())
         return;
     const Cloud cloud(points.items, part(progress, 0, 0.3));
-    const std::vector<float> h = supportsOf(cloud, definition, part(progress, 0.3, 1));
+    const std::vector<float> h = supportsOf(cloud, points, definition, part(progress, 0.3, 1));
     for (std::size_t i = 0; i < points.size(); ++i)
         points.items[i].support = h[cloud.places()[i]];
 }

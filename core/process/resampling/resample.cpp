@@ -24,6 +24,21 @@ float spacingOf(const surface::SurfaceDefinition& definition, float support) {
     return support / supportsPerSpacing(definition);
 }
 
+/// Was the place of a gap taken by one that has gone since the grid was built?
+static bool opened(const SampleSet& set, const Gap& gap) {
+    const float clear = fillClear * set.target[gap.from];
+    bool found = false;
+    set.grid.forNear(gap.place, clear, [&](const PointGrid::Entry& e) {
+        found |= set.is(e.index, Gone) && distanceSq(e.position, gap.place) < clear * clear;
+    });
+    return found;
+}
+
+/// Leaves out gaps that were there before what is resampled was.
+static void dropOld(const SampleSet& set, std::vector<Gap>& gaps) {
+    std::erase_if(gaps, [&](const Gap& gap) { return set.is(gap.from, Full) && !opened(set, gap); });
+}
+
 /// The steps after which no gap and no close pair is left among what was touched.
 static void mergeAndFill(SampleSet& set, ScanResult& found, float distance, std::size_t& firstNew) {
     dropStrays(set, found.strays);
@@ -33,6 +48,7 @@ static void mergeAndFill(SampleSet& set, ScanResult& found, float distance, std:
     std::vector<Gap> gaps;
     std::merge(found.gaps.begin(), found.gaps.end(), more.begin(), more.end(), std::back_inserter(gaps),
                [](const Gap& a, const Gap& b) { return std::tie(a.from, a.k) < std::tie(b.from, b.k); });
+    dropOld(set, gaps);
     firstNew = fill(set, std::move(gaps));
 }
 

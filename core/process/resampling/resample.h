@@ -2,7 +2,7 @@
 // In one call, on the surfels that an edit touched:
 //
 //     look    which surfels have something too near or room beside them                      resample_look.cpp
-//     merge   crumbs of folds go, that few of their own sheet bear; of two surfels closer than 0.60 s one goes
+//     merge   crumbs of folds, which few of their own sheet bear, go; of two surfels closer than 0.60 s one goes
 //                                                                                             resample_merge.cpp
 //     fill    where a surfel has room beside it at 1.05 s, the surface gets a new one         resample_fill.cpp
 //     relax   surfels near new ones and near close pairs repel each other along the surface   resample_relax.cpp
@@ -19,6 +19,8 @@
 #include "core/process/resampling/spacing_field.h"
 #include "core/tree/selection.h"
 
+#include <functional>
+
 namespace process {
 
 struct ResampleOptions {
@@ -31,6 +33,11 @@ struct ResampleOptions {
     float merge = 0.60f;
     /// Targets that vary. `spacing` is then the largest of them; supports of new and moved surfels follow the target.
     std::shared_ptr<const SpacingField> field;
+    /// Each surfel's own target instead, and `spacing` again the largest: a new surfel has the mean target
+    /// and support of those around it; supports of others stay. Called from many threads.
+    std::function<float(const surfel::SurfelBlock&, int slot)> targetOf;
+    /// Where set: new ones come only beside those of which it is true, and where one went. From many threads.
+    std::function<bool(const surfel::SurfelBlock&, int slot)> drawnApart;
 };
 
 /// What has to change so that the touched part of `version` has the target spacing. `frozen`: the surface to stay on,
@@ -38,6 +45,11 @@ struct ResampleOptions {
 tree::Edit resample(const surface::Surface& version, const tree::Selection& touched, const ResampleOptions& options,
                     const surface::Surface& frozen);
 tree::Edit resample(const surface::Surface& version, const tree::Selection& touched, const ResampleOptions& options);
+
+/// Of these surfels those that have room for another beside them, where each block's spacing is spacingOf(block); more
+/// than that pass where spacings differ. In parallel.
+tree::Selection withRoom(const surface::Surface& version, tree::Selection among,
+                         const std::function<float(const surfel::SurfelBlock&)>& spacingOf);
 
 struct ResampleResult {
     surface::Surface surface;

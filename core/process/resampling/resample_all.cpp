@@ -31,7 +31,7 @@ static void check(const surface::Surface& surface, float spacing, float present)
     if (count > mostSurfels)
         throw base::Error("that spacing would make about " + std::to_string(std::llround(count / 1e6)) +
                               " million surfels",
-                          "resample", "choose a wider one");
+                          "resample", "choose a larger one");
 }
 
 /// The same surfels with supports by their places.
@@ -112,7 +112,7 @@ ResampleResult resampleByCurvature(const surface::Surface& surface, const Curvat
     if (surface.tree().empty())
         return out;
     if (!(by.tolerance > 0) || !(by.finest > 0) || !(by.coarsest >= by.finest) || !std::isfinite(by.coarsest))
-        throw base::Error("spacing by curvature asks for a tolerance and limits greater than 0", "resample",
+        throw base::Error("spacing by curvature needs a tolerance and limits greater than 0", "resample",
                           "the finest must not be wider than the coarsest");
     const surfel::SurfelList list = surface.tree().surfels();
     const float present = summarise(spacings(list.items, progress)).median;

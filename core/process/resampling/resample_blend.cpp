@@ -112,7 +112,7 @@ void Blender::measure() {
 
 void Blender::at(const base::Vec3f& x, const base::Vec3f& gradient, Near& near, Blend& out) const {
     surface::AttributeSum facing(m_layout), others(m_layout);
-    double weight = 0, height = 0;
+    double weight = 0, height = 0, support = 0;
     base::Vec3d tilt;
     forWeights(x, near, [&](const surfel::SurfelBlock& block, int slot, std::size_t index, float w) {
         const base::Vec3f n = block.normal(slot);
@@ -120,6 +120,7 @@ void Blender::at(const base::Vec3f& x, const base::Vec3f& gradient, Near& near, 
             return others.add(block, slot, w);
         facing.add(block, slot, w);
         weight += double(w);
+        support += double(w) * double(block.support(slot));
         const Measured& m = m_measured[index];
         const double side = dot(m.gradient, gradient) < 0 ? -double(w) : double(w);
         height += side * double(m.height);
@@ -130,6 +131,7 @@ void Blender::at(const base::Vec3f& x, const base::Vec3f& gradient, Near& near, 
     if (facing.any()) {
         out.height = static_cast<float>(height / weight);
         out.tilt = base::cast<float>(tilt / weight);
+        out.support = static_cast<float>(support / weight);
     }
     const surface::AttributeSum& sum = facing.any() ? facing : others;
     if (!sum.any())

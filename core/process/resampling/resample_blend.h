@@ -1,9 +1,10 @@
 // Weighted averages over the surfels of the frozen surface: what a surfel that moved or was born takes over from those
 // around it. Internal to resample.
 //
-//     height   sum theta off / w     off_j = f_c(p_j) / |g|, clamped: how far the frozen samples stand off their
-//     surface tilt     sum theta dn / w      dn_j = n_j - g_j: how their normals differ from its gradient colour, mask,
-//     real attributes: theta-weighted; integer attributes: of the surfel with the largest weight
+//     height    sum theta off / w    off_j = f_c(p_j) / |g|, clamped: how far frozen samples stand off their surface
+//     tilt      sum theta dn / w     dn_j = n_j - g_j: how their normals differ from its gradient
+//     colour, mask, real attributes  theta-weighted
+//     integer attributes             of the surfel with the largest weight
 //
 // Only surfels that face as asked count. Heights and tilts are measured where they are needed and nowhere else
 // (process/README 4.1, step 6): all places are named at the beginning.
@@ -21,6 +22,7 @@ struct Blend {
     base::Vec3f tilt;
     surfel::Colour colour = surfel::white;
     float mask = 0;
+    float support = 0;                ///< 0 where nothing faces alike
     std::vector<std::uint32_t> words; ///< further attributes
 };
 

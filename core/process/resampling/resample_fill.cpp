@@ -101,7 +101,8 @@ std::size_t fill(SampleSet& set, std::vector<Gap> gaps) {
                 continue;
             const base::Vec3f n = set.normal[asked[i].from];
             if (!occupied(set, set.grid, found[i].place, n, fillApart * set.target[asked[i].from]))
-                set.bear(found[i].place, dot(found[i].gradient, n) < 0 ? -found[i].gradient : found[i].gradient);
+                set.bear(found[i].place, dot(found[i].gradient, n) < 0 ? -found[i].gradient : found[i].gradient,
+                         asked[i].from);
         }
     }
     return first;

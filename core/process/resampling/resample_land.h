@@ -3,8 +3,8 @@
 //
 //     y <- x0 - g (f_c + g.(x0 - y)) / |g|^2,    f_c = f + (1 - mu) e^T (grad n) e,   e = y - c(y)
 //
-// f_c is what f would be were the samples centred around y: it removes the drift that projection of uneven samples has
-// left in the symmetric form (process/README 4.3).
+// f_c is what f would be if the samples were centred around y: it removes the drift that the symmetric form leaves when
+// it projects uneven samples (process/README 4.3).
 #pragma once
 
 #include "core/surface/evaluation/source.h"

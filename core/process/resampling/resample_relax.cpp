@@ -66,7 +66,7 @@ struct Neighbours {
 
     Neighbours(const SampleSet& set, const std::vector<std::uint32_t>& awake) {
         // Neighbours' targets are little larger.
-        const float spread = set.options.field ? 1 + grading : 1.0f;
+        const float spread = set.options.targetOf ? unlike : set.options.field ? 1 + grading : 1.0f;
         const float spacings = (relaxDistance + 2 * relaxStep * static_cast<float>(set.options.sweeps - 1)) * spread;
         std::vector<std::vector<std::uint32_t>> found(base::chunkCount(awake.size(), grain));
         std::vector<std::size_t> counts(awake.size());
@@ -106,7 +106,7 @@ base::Vec3f repulsion(const SampleSet& set, std::uint32_t i, std::span<const std
     base::Vec3f sum;
     for (const std::uint32_t j : neighbours) {
         const base::Vec3f d = p - set.position[j];
-        const float l = length(d), reach = relaxDistance * 0.5f * (set.target[i] + set.target[j]);
+        const float l = length(d), reach = relaxDistance * set.between(i, j);
         if (l < reach)
             sum += normalized(d - n * dot(n, d)) * (relaxRate * (reach - l));
     }

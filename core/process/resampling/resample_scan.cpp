@@ -78,8 +78,7 @@ struct Scanner {
     void look(std::uint32_t i, Around& around, ScanResult& out) const {
         const base::Vec3f p = set.position[i], n = set.normal[i];
         const float target = set.target[i], clearSq = fillClear * fillClear * target * target;
-        const float reachSq = std::max(fillReach, lookedAt(set.options) * (1 + grading)) *
-                              std::max(fillReach, lookedAt(set.options) * (1 + grading)) * target * target;
+        const float reach = std::max(fillReach, lookedAt(set.options) * unlike) * target, reachSq = reach * reach;
         Ring ring(normalized(n, base::Vec3f{0, 0, 1}), fillDistance * target);
         int alike = 0, others = 0;
         around.measureFrom(p);
@@ -92,7 +91,7 @@ struct Scanner {
                 continue;
             }
             ++alike;
-            const float mean = 0.5f * (target + set.target[j]), distanceSq = around.sq[k] / (mean * mean);
+            const float mean = set.between(i, j), distanceSq = around.sq[k] / (mean * mean);
             if (distanceSq < closeSq)
                 close(i, j, distanceSq, out);
             ring.take(base::Vec3f{around.x[k], around.y[k], around.z[k]} - p, clearSq);

@@ -78,7 +78,10 @@ SampleSet::SampleSet(const surface::Surface& v, const tree::Selection& touched, 
     collect(options.relaxAll ? touched : nearTo(v.tree(), restless, touched, farReach * spacing), restless);
     oldGradient.resize(size());
     target.resize(size());
-    base::parallelFor(size(), 256, [&](std::size_t i) { target[i] = targetAt(position[i]); });
+    base::parallelFor(size(), 256, [&](std::size_t i) {
+        target[i] = options.targetOf ? std::min(spacing, options.targetOf(*block[source[i].block], source[i].slot))
+                                     : targetAt(position[i]);
+    });
     rebuildGrid();
 }
 
@@ -109,7 +112,9 @@ void SampleSet::collect(const tree::Selection& touched, const tree::Selection& r
                 continue;
             const int slot = static_cast<int>(s);
             const bool masked = block[k]->mask(slot) >= 1;
-            const int is = (isTouched[k][s] ? Touched : 0) | (isRestless[k][s] ? Scan : 0) | (masked ? Masked : 0);
+            const bool full = options.drawnApart && !options.drawnApart(*block[k], slot);
+            const int is = (isTouched[k][s] ? Touched : 0) | (isRestless[k][s] ? Scan : 0) | (masked ? Masked : 0) |
+                           (full ? Full : 0);
             position[i] = block[k]->position(slot), normal[i] = block[k]->normal(slot);
             flags[i] = static_cast<std::uint8_t>(is);
             source[i++] = {static_cast<std::uint32_t>(k), static_cast<std::uint8_t>(slot)};
@@ -117,12 +122,25 @@ void SampleSet::collect(const tree::Selection& touched, const tree::Selection& r
     });
 }
 
-std::uint32_t SampleSet::bear(const base::Vec3f& place, const base::Vec3f& direction) {
+/// The mean over those beside which it comes, of its own sheet: the finest would spread otherwise.
+float SampleSet::targetBeside(const base::Vec3f& place, std::uint32_t from) const {
+    const float radius = fillReach * target[from];
+    double sum = double(target[from]);
+    int count = 1;
+    grid.forNear(place, radius, [&](const PointGrid::Entry& e) {
+        if (e.index != from && distanceSq(e.position, place) < radius * radius &&
+            facing.same(normal[from], normal[e.index]))
+            sum += double(target[e.index]), ++count;
+    });
+    return static_cast<float>(sum / count);
+}
+
+std::uint32_t SampleSet::bear(const base::Vec3f& place, const base::Vec3f& direction, std::uint32_t from) {
     const auto index = static_cast<std::uint32_t>(size());
     position.push_back(place);
     normal.push_back(direction);
     flags.push_back(Touched | New | Moved);
-    target.push_back(targetAt(place));
+    target.push_back(options.targetOf ? targetBeside(place, from) : targetAt(place));
     grid.insert({place, index});
     return index;
 }
@@ -144,7 +162,9 @@ void SampleSet::scanAround(std::size_t i, float radius) {
 }
 
 void SampleSet::scanNearMoved(float reach) {
-    const float spread = options.field ? 1 + grading * reach : 1.0f; // targets may be larger there
+    const float spread = options.targetOf ? unlike
+                         : options.field  ? 1 + grading * reach
+                                          : 1.0f; // targets may be larger there
     std::vector<std::uint8_t> near(size());
     base::parallelFor(size(), 128, [&](std::size_t i) {
         if (!is(i, Touched) || is(i, Gone))

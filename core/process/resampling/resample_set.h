@@ -8,6 +8,8 @@
 #include "core/process/resampling/point_grid.h"
 #include "core/process/resampling/resample.h"
 
+#include <algorithm>
+
 namespace process {
 
 /// Do two normals belong to one sheet? By the layout: signed, unsigned, or no normals and every pair passes.
@@ -36,7 +38,12 @@ enum SampleFlag : std::uint8_t {
     Awake = 16,  ///< takes part in relaxation
     Moved = 32,  ///< does not lie where it lay
     Scan = 64,   ///< is looked at in the next scan
+    Full = 128,  ///< what room is beside it was there before: none grows there
 };
+
+/// The mean of two targets counts as at most so many of the smaller: fine detail does not give way beside a coarse
+/// sampling.
+constexpr float unlike = 1.25f;
 
 struct SampleSet {
     const surface::Surface& version;
@@ -76,7 +83,12 @@ struct SampleSet {
     bool free(std::size_t i) const { return is(i, Touched) && !is(i, Masked); }
 
     float targetAt(const base::Vec3f& x) const { return options.field ? options.field->at(x) : spacing; }
-    std::uint32_t bear(const base::Vec3f& place, const base::Vec3f& direction);
+    /// Of two samples what their distance is measured in: the mean, unless one is far coarser.
+    float between(std::size_t i, std::size_t j) const {
+        const float a = target[i], b = target[j];
+        return std::min(0.5f * (a + b), unlike * std::min(a, b));
+    }
+    std::uint32_t bear(const base::Vec3f& place, const base::Vec3f& direction, std::uint32_t from);
     void rebuildGrid();
     /// Marks Scan on the touched within `radius` of a sample.
     void scanAround(std::size_t i, float radius);
@@ -84,6 +96,7 @@ struct SampleSet {
     void scanNearMoved(float reach);
 
   private:
+    float targetBeside(const base::Vec3f& place, std::uint32_t from) const;
     void collect(const tree::Selection& touched, const tree::Selection& restless);
 };
 
@@ -121,7 +134,7 @@ inline float lookedAt(const ResampleOptions& options) {
 }
 
 struct ClosePair {
-    float distanceSq;   ///< in units of the mean of their targets
+    float distanceSq;   ///< in units of SampleSet::between
     std::uint32_t a, b; ///< a < b
 };
 /// A place that may have room: direction `k` of eight around sample `from`.

@@ -64,6 +64,14 @@ std::vector<std::uint32_t> landAll(SampleSet& set, std::vector<Landing>& landing
     return out;
 }
 
+float supportAt(const SampleSet& set, std::uint32_t i, const base::Vec3f& place, const Blend& blend) {
+    if (set.options.targetOf && !set.is(i, New))
+        return set.block[set.source[i].block]->support(set.source[i].slot);
+    if (set.options.targetOf && blend.support > 0)
+        return blend.support;
+    return set.options.field ? supportOf(set.version.definition(), set.targetAt(place)) : set.options.support;
+}
+
 Settled settled(const SampleSet& set, std::uint32_t i, const Landing& y, const Blender& blender, Blender::Near& near) {
     Blend blend;
     base::Vec3f g = y.gradient;
@@ -72,8 +80,7 @@ Settled settled(const SampleSet& set, std::uint32_t i, const Landing& y, const B
     blender.at(y.place, g, near, blend);
     Settled out;
     out.surfel.position = y.place + g * blend.height;
-    out.surfel.support =
-        set.options.field ? supportOf(set.version.definition(), set.targetAt(y.place)) : set.options.support;
+    out.surfel.support = supportAt(set, i, y.place, blend);
     out.surfel.colour = blend.colour;
     if (set.is(i, New)) {
         out.surfel.mask = blend.mask;

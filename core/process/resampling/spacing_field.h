@@ -1,4 +1,4 @@
-// Target spacings that vary over a model: by curvature, or as its supports are.
+// Target spacings that vary over a model: by curvature, or as its supports do.
 //
 // The target at a place is that of the surfels nearest to it, weighted by the inverse of their squared distance. Fields
 // are graded: along the surface the target changes by at most `grading` per length, a tenth of itself from one surfel

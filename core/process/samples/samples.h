@@ -15,7 +15,7 @@ struct SampleRow {
     const char* label; ///< as a menu shows it
     const char* tip;
     surfel::SurfelList (*make)(std::size_t count, std::uint64_t seed);
-    std::size_t count;                                       ///< surfels where nobody asks for another number
+    std::size_t count;                                       ///< surfels unless another number is asked for
     surface::Manifold manifold = surface::Manifold::Surface; ///< what they sample
 };
 

@@ -1,4 +1,4 @@
-// The true surface as an image: every pixel's ray meets it exactly, and the meeting is shaded like a splat.
+// The true surface as an image: every pixel's ray meets it exactly, and the point hit is shaded like a splat.
 #pragma once
 
 #include "core/raycast/adaptive_cast.h"

@@ -76,7 +76,7 @@ inline constexpr EffectRow effectRows[] = {
     {Outline,
      "outline",
      "Outlines",
-     "Lines where the surface ends before something farther away",
+     "Lines where the surface ends in front of something farther away",
      EffectKind::Line,
      "outline",
      {1},

@@ -2,7 +2,7 @@
 //
 //     coverage of lines of a width (pixels):  clamp(width/2 + 1/2 - |u - nearest line| / footprint, 0, 1)
 //
-// with the footprint of a pixel from the exact derivatives of the meeting place: no edge is ever jagged, and lines that
+// with the footprint of a pixel from the exact derivatives of the point hit: no edge is ever jagged, and lines that
 // come closer than a few pixels fade. Nearer surfaces hide it, it hides farther ones.
 #pragma once
 

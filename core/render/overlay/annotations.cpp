@@ -11,9 +11,9 @@ using base::Vec3d;
 
 std::span<const AnnotationRow> annotationTable() {
     static constexpr AnnotationRow rows[] = {
-        {Legend, "legend", "Colour Legend", "Which colour means which number, where the shading measures"},
+        {Legend, "legend", "Colour Legend", "Which colour means which value, for shadings that measure"},
         {ScaleBar, "scale-bar", "Scale Bar", "A length in model units, true at the depth that the view turns about"},
-        {Axes, "axes", "Axes", "Where the axes of the coordinates point: x red, y green, z blue"},
+        {Axes, "axes", "Axes", "Where the coordinate axes point: x red, y green, z blue"},
     };
     return rows;
 }

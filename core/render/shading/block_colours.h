@@ -4,7 +4,7 @@
 // Blocks that a table lacks show their own: those that an edit has just made, until they are measured, and what stands
 // for a node of the tree (node_detail.h), whose colours come from the table already.
 //
-// A table shares the colours of the blocks that versions share, by address: whoever draws tells by it what is new.
+// A table shares the colours of the blocks that versions share, by address: renderers tell by it what is new.
 #pragma once
 
 #include "core/surfel/surfel_block.h"

@@ -37,7 +37,7 @@ constexpr float backClip = 0.35f;
 /// The smallest cosine between a splat and its ray: an edge-on disc is drawn as thin as that, not infinitely.
 constexpr float minCosine = 0.02f;
 
-/// What of a model the splats show.
+/// What a model's splats show.
 struct SplatStyle {
     float radiusOfSupport = splatRadiusOfSupport;
     bool oriented = false;               ///< otherwise splats turn to the eye

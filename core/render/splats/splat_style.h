@@ -1,4 +1,4 @@
-// What of a model its splats show, the same for every renderer.
+// What a model's splats show, the same for every renderer.
 #pragma once
 
 #include "core/render/renderer.h"

@@ -1,5 +1,5 @@
-// What of a version a camera can see: a walk of the tree that skips what lies outside the view, and lets a node that is
-// small in the image answer with its representatives (node_detail.h) instead of its blocks.
+// The part of a version that a camera can see: a walk of the tree that skips what lies outside the view, and lets a
+// node that is small in the image answer with its representatives (node_detail.h) instead of its blocks.
 //
 // The choice follows from the node and the view alone, so that what two versions share looks the same in both.
 #pragma once

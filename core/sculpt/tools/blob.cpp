@@ -10,7 +10,7 @@ namespace sculpt {
 constexpr float height = 0.05f, pace = 0.1f;
 
 constexpr ToolParameter parameters[] = {
-    {"magnify", "Magnify", "", "How much the surface is spread while it rises.", 0.5, 0.0, 1.0},
+    {"magnify", "Magnify", "", "How much the surface spreads as it rises.", 0.5, 0.0, 1.0},
 };
 
 static tree::Edit blob(const surface::Surface& version, const Dab& dab) {

@@ -52,7 +52,7 @@ struct Brush {
 /// In tree order.
 std::vector<BrushBlock> blocksUnder(const tree::SurfelTree& tree, const base::Vec3f& centre, float radius);
 
-/// The edit that puts the changed blocks (null: unchanged) in the place of those under the brush.
+/// The edit that puts the changed blocks (null: unchanged) in place of those under the brush.
 tree::Edit editOf(const std::vector<BrushBlock>& blocks, std::vector<surfel::BlockPtr> changed);
 
 /// Calls make(block, index) for every block under the brush, in parallel, and gathers the changed ones (null:

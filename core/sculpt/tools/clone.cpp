@@ -20,11 +20,11 @@ constexpr float steepest = 5;
 constexpr float highest = 0.7f;
 
 constexpr ToolParameter parameters[] = {
-    {"x", "Source x", "model units", "Where to copy from, seen from the stroke's first contact.", 0, -1e6, 1e6,
+    {"x", "Source x", "model units", "Where to copy from, relative to the stroke's first contact.", 0, -1e6, 1e6,
      ParameterKind::SourceX},
-    {"y", "Source y", "model units", "Where to copy from, seen from the stroke's first contact.", 0, -1e6, 1e6,
+    {"y", "Source y", "model units", "Where to copy from, relative to the stroke's first contact.", 0, -1e6, 1e6,
      ParameterKind::SourceY},
-    {"z", "Source z", "model units", "Where to copy from, seen from the stroke's first contact.", 0, -1e6, 1e6,
+    {"z", "Source z", "model units", "Where to copy from, relative to the stroke's first contact.", 0, -1e6, 1e6,
      ParameterKind::SourceZ},
 };
 

@@ -4,7 +4,7 @@
 //
 // D is the tool's displacement times the factors and 1 - mask, its gradient that of the product (mask_slope.h). Where a
 // dab would turn a normal by more than 90 degrees (matter folded over along itself, which only a vertical rim or too
-// long a step asks for) the normal stays. Normals are carried, never estimated anew.
+// long a step causes) the normal stays. Normals are carried, never estimated anew.
 //
 // A tool gives a Field: a callable (const LanePlace&, const BrushLanes&, ShiftLanes&) that fills displacements and
 // gradients from the lanes' places; `LanePlace` is for those that keep something for every surfel (gather.h). Lanes

@@ -17,7 +17,7 @@ constexpr float grading = 0.5f;
 constexpr float margin = 1.5f;
 
 constexpr ToolParameter parameters[] = {
-    {"factor", "Factor", "", "Spacing that the stroke leaves, as a part of what it found.", 0.6, 0.25, 1.0},
+    {"factor", "Factor", "", "Spacing that the stroke leaves, as a fraction of what it found.", 0.6, 0.25, 1.0},
 };
 
 namespace {

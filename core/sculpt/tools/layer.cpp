@@ -11,7 +11,7 @@
 namespace sculpt {
 
 constexpr ToolParameter parameters[] = {
-    {"height", "Height", "radii", "Thickness of the layer that one stroke lays at most.", 0.1, 0.005, 0.5},
+    {"height", "Height", "radii", "Greatest thickness of the layer that one stroke lays.", 0.1, 0.005, 0.5},
 };
 
 namespace {
@@ -25,10 +25,6 @@ std::vector<Foot> feetOf(const surface::Surface& first, const std::vector<base::
     std::vector<Foot> out(places.size());
     surface::project(first, places, options, out);
     return out;
-}
-
-base::Mat3f inverse(const base::Mat3f& a) {
-    return transposed(cofactor(a)) * (1 / determinant(a));
 }
 
 /// 1 - P and its gradient after the dabs named.

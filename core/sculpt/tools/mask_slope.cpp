@@ -34,7 +34,7 @@ static base::Vec3f slopeAt(const tree::SurfelTree& tree, const surfel::SurfelBlo
                 out[r][c] += double(spread[r][c]);
         return out;
     }();
-    return base::cast<float>(transposed(cofactor(a)) * base::cast<double>(rise) / determinant(a));
+    return base::cast<float>(solvePositive(a, base::cast<double>(rise)));
 }
 
 /// Slots past the end have none.

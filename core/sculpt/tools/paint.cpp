@@ -6,9 +6,9 @@
 namespace sculpt {
 
 constexpr ToolParameter parameters[] = {
-    {"colour", "Colour", "rgb", "What is painted, as 65536 red + 256 green + blue.", 0xc8553d, 0, 0xffffff,
+    {"colour", "Colour", "rgb", "Colour to paint, as 65536 red + 256 green + blue.", 0xc8553d, 0, 0xffffff,
      ParameterKind::Colour},
-    {"colour2", "Second colour", "rgb", "What is painted when inverted.", 0xf4efe6, 0, 0xffffff, ParameterKind::Colour},
+    {"colour2", "Second colour", "rgb", "Colour to paint when inverted.", 0xf4efe6, 0, 0xffffff, ParameterKind::Colour},
 };
 
 static tree::Edit paint(const surface::Surface& version, const Dab& dab) {

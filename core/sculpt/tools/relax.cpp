@@ -1,10 +1,12 @@
 #include "core/sculpt/tools/relax.h"
 
 #include "core/process/resampling/resample.h"
+#include "core/sculpt/kept_spacing.h"
 #include "core/sculpt/tools/inside.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace sculpt {
 
@@ -12,6 +14,20 @@ namespace sculpt {
 constexpr float sweeps = 5;
 /// What stays inside the rim, in spacings.
 constexpr float margin = 1.5f;
+
+/// Supports under the brush that differ by no more are made for one spacing.
+constexpr float alike = 1.25f;
+
+static bool oneSpacing(const tree::SurfelTree& tree, const tree::Selection& under) {
+    float least = std::numeric_limits<float>::infinity(), most = 0;
+    for (const tree::SelectedBlock& each : under) {
+        const surfel::BlockPtr block = tree.block(each.block);
+        for (int slot = 0; slot < block->size(); ++slot)
+            if (each.slots[static_cast<std::size_t>(slot)])
+                least = std::min(least, block->support(slot)), most = std::max(most, block->support(slot));
+    }
+    return most <= alike * least;
+}
 
 static tree::Edit relax(const surface::Surface& version, const Dab& dab) {
     const Brush brush(dab);
@@ -21,7 +37,21 @@ static tree::Edit relax(const surface::Surface& version, const Dab& dab) {
     options.relaxAll = true;
     if (dab.strength == 0 || !(options.spacing > 0))
         return {};
-    return process::resample(version, inside(version.tree(), brush, dab.radius - margin * options.spacing), options);
+    const tree::Selection under = inside(version.tree(), brush, dab.radius - margin * options.spacing);
+    if (version.definition().support > 0 || oneSpacing(version.tree(), under))
+        return process::resample(version, under, options);
+    // Nothing has left its surface: what is measured on the first version holds here.
+    const KeptSpacing kept(dab.first ? *dab.first : version, options.spacing);
+    options.targetOf = [&](const surfel::SurfelBlock& block, int slot) {
+        return kept.target(kept.measured(block, slot), block.support(slot));
+    };
+    for (const tree::SelectedBlock& each : under) {
+        const surfel::BlockPtr block = version.tree().block(each.block);
+        for (int slot = 0; slot < block->size(); ++slot)
+            if (each.slots[static_cast<std::size_t>(slot)])
+                options.spacing = std::max(options.spacing, options.targetOf(*block, slot));
+    }
+    return process::resample(version, under, options);
 }
 
 const ToolRow relaxTool{"relax",

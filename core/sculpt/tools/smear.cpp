@@ -30,7 +30,7 @@ static tree::Edit smear(const surface::Surface& version, const Dab& dab) {
 }
 
 const ToolRow smearTool{
-    "smear", "Smear", "icons/tool-smear.svg", "", "Drags colours along the way the stroke goes.", Motion::Follow, 1.0,
+    "smear", "Smear", "icons/tool-smear.svg", "", "Drags colours in the direction of the stroke.", Motion::Follow, 1.0,
     {},      smear,   Writes::Colour};
 
 } // namespace sculpt

@@ -1,4 +1,4 @@
-// Smear: drags colours along the way the stroke goes.
+// Smear: drags colours in the direction of the stroke.
 //
 //     colour'(p) = colour(p) + |strength| w(|p - centre| / R) (1 - mask) (C(p - m) - colour(p))
 //

@@ -2,8 +2,8 @@
 //
 //     F(x) = (I - t t^T) (x - c(x))       t(x) the direction of the curve, F zero on it
 //
-// [Adamson07, 2.3, 3.1, 7]. |F| has no derivative on the curve, so all
-// iterations use the vector. Everything is float64: curves have few points and their iterations are short.
+// [Adamson07, 2.3, 3.1, 7]. |F| has no derivative on the curve, so all iterations use the vector F itself. Everything
+// is float64: curves have few points and their iterations are short.
 //
 // The direction is the dominant eigenvector of the frame's matrix: covariance, covariance-at-centroid (also what the
 // frames that sum normals of surfaces mean here), centroid-gradient, or hyperplanes, which reads the surfels' normal

@@ -4,8 +4,8 @@
 //
 // as polylines whose corners fulfil both to rounding. A point is found by Newton's iteration inside the plane, along
 // the part of g in it; the curve is followed along t = n x g and corrected by the same iteration (curve_tracing.h).
-// Loops close; at a boundary, and where f stops being surface (intersect.h: minSlope, maxOffCentre), the curve ends
-// there. All of it is float64. Surfaces without a common sign work the same.
+// Loops close; at a boundary, and where f stops being surface (intersect.h: minSlope, maxOffCentre), the curve ends.
+// All of it is float64. Surfaces without a common sign work the same.
 //
 // Where the surface touches the plane without crossing it there is no curve, and none is reported.
 #pragma once

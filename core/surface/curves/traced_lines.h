@@ -1,6 +1,6 @@
 // Segments of the curves traced so far, in cells: has somebody been along here? Internal to the room.
 //
-// A Point has position, unit (h) and tangent(). Lengths are told in units of h.
+// A Point has position, unit (h) and tangent(). Lengths are in units of h.
 #pragma once
 
 #include "core/base/cells.h"

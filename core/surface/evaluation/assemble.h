@@ -2,7 +2,7 @@
 // `O` is the order of derivatives wanted.
 //
 //     sums at x -> near sheets? sums once more without those that face away (near_sheets.h)
-//               -> c, d = x - c -> are there surfels enough? (sufficiency.h)
+//               -> c, d = x - c -> are there enough surfels? (sufficiency.h)
 //               -> weights interpolate and a surfel is here? then it is the answer (surfel_here.h)
 //               -> n and f by the frame (frames/)
 //               -> what is asked for, beyond the boundary or not
@@ -72,7 +72,7 @@ class Assembler {
         m_out.offCentre = length(valueOf(m_at.centroid));
     }
 
-    /// What would be used as an answer is no number.
+    /// What would be used as an answer is not a number.
     Evaluation<T> failed(Status status, Cause cause) {
         constexpr T nan = std::numeric_limits<T>::quiet_NaN();
         constexpr Vector none{nan, nan, nan};

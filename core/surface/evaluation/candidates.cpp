@@ -8,17 +8,31 @@ namespace surface {
 
 constexpr std::size_t lanes = 16, groupSize = 7 * lanes;
 
-void Candidates::findBlocks(const Surface& surface, const base::Box3f& box) {
-    m_box = box;
+bool Candidates::walk(const tree::Node& node, const base::Box3f& box, std::size_t most) {
+    for (unsigned left = node.supporting(box, m_reach) & node.childMask(); left != 0; left &= left - 1) {
+        const auto i = static_cast<std::size_t>(std::countr_zero(left));
+        if (node.level > 1) {
+            if (!walk(*node.nodes[i], box, most))
+                return false;
+            continue;
+        }
+        if (m_blocks.size() == most)
+            return false;
+        const surfel::SurfelBlock* block = node.blocks[i].get();
+        prefetch(block, sizeof(surfel::SurfelBlock));
+        m_blocks.push_back(block);
+        m_localSupport = std::min(m_localSupport, node.maxSupport[i]);
+    }
+    return true;
+}
+
+bool Candidates::findBlocks(const Surface& surface, const base::Box3f& box, std::size_t most) {
     m_reach = queryReach(surface.supportScale());
+    m_localSupport = std::numeric_limits<float>::infinity();
     m_blocks.clear();
-    surface.tree().forBlocksInSupport(
-        box,
-        [&](std::uint32_t, const surfel::SurfelBlock& block) {
-            prefetch(&block, sizeof(surfel::SurfelBlock));
-            m_blocks.push_back(&block);
-        },
-        m_reach);
+    const bool all = surface.tree().empty() || walk(*surface.tree().root(), box, most);
+    m_box = all ? box : base::Box3f{};
+    return all;
 }
 
 void Candidates::fetchClusters() {

@@ -24,11 +24,10 @@ void gather(const tree::SurfelTree& tree, const base::Vec3f& x, ClusterList& out
 void gather(const tree::SurfelTree& tree, const base::Vec3d& x, ClusterList& out, float scale) {
     const base::Vec3f nearest = base::cast<float>(x);
     const float size = std::max({std::abs(nearest.x), std::abs(nearest.y), std::abs(nearest.z)});
-    const float reach = queryReach(scale), support = reach * tree.maxSupport();
-    const base::Box3f box = base::Box3f{nearest, nearest}.inflated(1e-6f * (size + support));
+    const base::Box3f box = base::Box3f{nearest, nearest}.inflated(1e-6f * size);
     tree.forClustersInSupport(
         box, [&](const surfel::SurfelBlock& block, int cluster) { out.push_back(block.channel(cluster, surfel::X)); },
-        reach);
+        queryReach(queryReach(scale)));
 }
 
 base::Vec3d nearestNormal(ClusterSpan clusters, const base::Vec3d& x, double scale) {

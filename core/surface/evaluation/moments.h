@@ -1,7 +1,7 @@
 // First stage of an evaluation: weighted sums over the surfels in support of a position (surface/README 2.1, 2.2).
 //
 // With q_i = p_i - x and theta_i(x), each sum is a jet in x whose derivatives act on the weights alone, the monomials
-// staying as they are at x: sum theta y, sum theta_,k y, sum theta_,kl y. That q_i moves with x too is put back by
+// staying as they are at x: sum theta y, sum theta_,k y, sum theta_,kl y. That q_i moves with x too is accounted for by
 // `timesCoordinate` in the second stage (assemble.h).
 //
 // Two implementations: float32, vectorised (moments_float.cpp), and float64, plain loops (moments_double.cpp).

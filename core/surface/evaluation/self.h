@@ -1,5 +1,5 @@
-// Evaluation of a surface at its own surfels, for what looks at all of a model or of a brush: smoothing, resampling,
-// display normals. Several times as fast as evaluating a batch of their positions.
+// Evaluation of a surface at its own surfels, for work on all of a model or of a brush: smoothing, resampling, display
+// normals. Several times as fast as evaluating a batch of their positions.
 //
 //     SelfEvaluator self(surface);                  one per thread; a frozen version and its definition
 //     SelfLanes at[surfel::clustersPerBlock];

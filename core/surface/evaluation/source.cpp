@@ -5,6 +5,11 @@
 namespace surface {
 
 constexpr float slackOfUnit = 0.3f; ///< steps of projections and rays are mostly shorter
+/// A list pays for itself where it holds no more blocks than this. What a box costs is counted, not judged by its size:
+/// supports and density may differ a hundredfold from place to place.
+constexpr std::size_t fairBlocks(std::size_t positions) {
+    return 8 + positions / 4;
+}
 
 static base::Mat3f rounded(const base::Mat3d& m) {
     base::Mat3f out;
@@ -30,6 +35,16 @@ static Evaluationf rounded(const Evaluationd& e) {
     out.unit = static_cast<float>(e.unit);
     out.agreement = static_cast<float>(e.agreement);
     return out;
+}
+
+bool Source::announce(const base::Box3f& box, float slack, std::size_t positions) {
+    const std::size_t most = positions > 1 ? fairBlocks(positions) : Candidates::anyNumber;
+    if (!m_candidates.findBlocks(*m_surface, box, most))
+        return false;
+    const float around = slack * m_surface->supportScale() * m_candidates.localSupport();
+    if (around > 0 && !m_candidates.findBlocks(*m_surface, box.inflated(around), 2 * fairBlocks(positions)))
+        m_candidates.findBlocks(*m_surface, box);
+    return true;
 }
 
 void Source::gather(const base::Vec3f& x, ClusterList& out) const {

@@ -145,9 +145,8 @@ base::Vec3<T> newton(const Iterate<T>& at, const base::Mat3<T>& dv) {
     if (!(w.smallest() > T(brief ? leastExact : leastEstimated)))
         return {};
     const base::Mat3<T> a = base::Mat3<T>::identity() + dv * at.parts;
-    const T det = determinant(a);
-    const base::Mat3<T> inverse = transposed(cofactor(a)) * (T(1) / det);
-    const base::Vec3<T> ar = inverse * r, av = inverse * at.along;
+    const base::Mat3<T> back = inverse(a);
+    const base::Vec3<T> ar = back * r, av = back * at.along;
     const base::Vec3<T> out = ar - av * ((dot(at.slope, ar) + at.value) / dot(at.slope, av));
     return lengthSq(out) <= T(longestStep * longestStep) * at.unit * at.unit ? out : base::Vec3<T>{};
 }

@@ -1,6 +1,6 @@
-// A packet of neighbouring rays walks the tree together, front to back: nodes and blocks are opened that any of them
-// may meet, a cluster's box is then tested against 16 rays at a time. For kernels that are compiled once per
-// instruction set.
+// A packet of neighbouring rays walks the tree together, front to back: it opens the nodes and blocks that any of them
+// may meet, then tests a cluster's box against 16 rays at a time. For kernels that are compiled once per instruction
+// set.
 #if defined(POINTCLAY_DISC_BEAM_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef POINTCLAY_DISC_BEAM_H
 #undef POINTCLAY_DISC_BEAM_H
@@ -97,8 +97,8 @@ class DiscBeam {
         return true;
     }
 
-    /// What a walk of every ray would find.
-    void run(const tree::Node& root, std::span<const base::Rayf> rays, const DiscRange& range, DiscHit* out) {
+    /// What a walk of every ray would find; a bit for each that must be looked for again, widely.
+    unsigned run(const tree::Node& root, std::span<const base::Rayf> rays, const DiscRange& range, DiscHit* out) {
         start(rays, range);
         const BeamSlabs slabs(rays, m_slabs, farthest(root, rays, range));
         m_count = 0;
@@ -112,8 +112,12 @@ class DiscBeam {
             else
                 openNode(*static_cast<const tree::Node*>(next.what), slabs, range.tMin);
         }
-        for (std::size_t i = 0; i < rays.size(); ++i)
+        unsigned again = 0;
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            again |= m_searches[i].complete() ? 0 : 1u << i;
             out[i] = m_searches[i].finish();
+        }
+        return again;
     }
 
   private:

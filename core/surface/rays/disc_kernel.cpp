@@ -21,8 +21,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// next.
 class DiscWalk {
   public:
-    void start(const tree::Node& root, const base::Rayf& ray, const DiscRange& range) {
-        m_search.start(ray, range);
+    void start(const tree::Node& root, const base::Rayf& ray, const DiscRange& range, bool wide = false) {
+        m_search.start(ray, range, wide);
         m_slabs = Slabs(ray);
         m_stack[0] = {range.tMin, root.level, &root};
         m_count = 1;
@@ -46,6 +46,7 @@ class DiscWalk {
         }
         return false;
     }
+    bool complete() const { return m_search.complete(); }
     DiscHit finish() { return m_search.finish(); }
 
   private:
@@ -114,6 +115,10 @@ static void walkTogether(const tree::Node& root, std::span<const base::Rayf> ray
                 ++i;
                 continue;
             }
+            if (!walks[i].complete()) {
+                walks[i].start(root, rays[which[i]], range, true);
+                continue;
+            }
             out[which[i]] = walks[i].finish();
             if (next < rays.size()) {
                 start(i++);
@@ -124,6 +129,14 @@ static void walkTogether(const tree::Node& root, std::span<const base::Rayf> ray
         }
 }
 
+static void walkWidely(const tree::Node& root, const base::Rayf& ray, const DiscRange& range, DiscHit& out) {
+    DiscWalk walk;
+    walk.start(root, ray, range, true);
+    while (walk.step()) {
+    }
+    out = walk.finish();
+}
+
 void nearestDispatched(const tree::Node& root, std::span<const base::Rayf> rays, const DiscRange& range, DiscHit* out) {
     constexpr std::size_t fewest = 4; // rays that share a beam with profit
     DiscBeam beam;
@@ -132,7 +145,9 @@ void nearestDispatched(const tree::Node& root, std::span<const base::Rayf> rays,
         const auto run = rays.subspan(done, std::min(DiscBeam::most, rays.size() - done));
         if (!DiscBeam::alike(run))
             break;
-        beam.run(root, run, range, out + done);
+        for (unsigned again = beam.run(root, run, range, out + done); again != 0; again &= again - 1)
+            walkWidely(root, rays[done + static_cast<std::size_t>(std::countr_zero(again))], range,
+                       out[done + static_cast<std::size_t>(std::countr_zero(again))]);
         done += run.size();
     }
     walkTogether(root, rays.subspan(done), range, out + done);

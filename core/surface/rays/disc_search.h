@@ -22,11 +22,12 @@ constexpr float window = 0.7f;
 
 class DiscSearch {
   public:
-    void start(const base::Rayf& ray, const DiscRange& range) {
+    /// `wide`: as far behind a nearest disc as any of the model may ask for, not as its own support does.
+    void start(const base::Rayf& ray, const DiscRange& range, bool wide = false) {
         m_ray = ray;
         m_least = range.tMin;
         m_most = range.tMax;
-        m_window = window * range.maxSupport;
+        m_widest = wide ? range.maxSupport : 0;
         m_hit = {};
         m_cluster = nullptr;
     }
@@ -45,6 +46,13 @@ class DiscSearch {
         const Crossings found = cross(d, discs, m_ray);
         if (!hn::AllFalse(d, hn::Or(found.crossed, found.brushed)))
             note(c, discs, found);
+    }
+
+    /// Whether a search that was not wide has found all that one would: what was the nearest disc for a while may have
+    /// ended it sooner than the nearest of all asks for. Before `finish`.
+    bool complete() const {
+        return !m_cluster || m_hit.cosine < 0 || m_hit.facing <= m_most || m_widest > 0 ||
+               !(m_most < m_hit.nearest + window * m_hit.support);
     }
 
     DiscHit finish() {
@@ -106,7 +114,7 @@ class DiscSearch {
         m_hit.cosine = slope;
         m_hit.support = support;
         m_cluster = cluster;
-        m_most = std::min(m_most, t + (slope < 0 ? 0.0f : m_window));
+        m_most = std::min(m_most, t + (slope < 0 ? 0.0f : window * std::max(support, m_widest)));
     }
 
     static float lane(D d, V v, std::size_t i) {
@@ -137,7 +145,7 @@ class DiscSearch {
     }
 
     base::Rayf m_ray;
-    float m_least = 0, m_most = 0, m_window = 0;
+    float m_least = 0, m_most = 0, m_widest = 0;
     const float* m_cluster = nullptr; ///< of the nearest disc
     DiscHit m_hit;
 };

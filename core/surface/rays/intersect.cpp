@@ -11,8 +11,6 @@ namespace surface {
 namespace {
 
 constexpr std::size_t packetSize = 32, packetsPerTask = 8;
-/// In supports: packets whose first guesses spread further share too little (packets.cpp), and read too much anew.
-constexpr float coherentReach = 32;
 
 /// A packet of rays with its first guesses, which are found together and share one neighbourhood.
 class RayPacket {
@@ -69,11 +67,14 @@ class RayPacket {
     void expectStarts(std::span<const base::Rayf> rays) {
         constexpr float reach = 0.5f; // of the support: how far rays look about their starts
         base::Box3f box;
+        std::size_t count = 0;
         for (const base::Rayf& ray : rays)
-            if (m_setting.bounds.contains(ray.origin))
+            if (m_setting.bounds.contains(ray.origin)) {
                 box.extend(ray.origin);
-        if (!box.empty() && box.diagonal() <= coherentReach * m_setting.maxSupport)
-            m_sources.guesses.expect(box.inflated(reach * m_setting.maxSupport));
+                ++count;
+            }
+        if (count > 0)
+            m_sources.guesses.expect(box, reach, count);
     }
     /// Discs of the rays that start outside; returns their number.
     std::size_t guess(std::span<const base::Rayf> rays) {
@@ -98,14 +99,14 @@ class RayPacket {
     void share(std::size_t count) {
         constexpr float slack = 0.1f; // of the support: how far first guesses move
         base::Box3f box;
-        float support = 0;
+        std::size_t crossed = 0;
         for (std::size_t k = 0; k < count; ++k)
             if (m_hits[k].crossed()) {
                 box.extend(m_rays[k].at(m_hits[k].guess));
-                support = std::max(support, m_hits[k].support);
+                ++crossed;
             }
-        if (!box.empty() && box.diagonal() <= coherentReach * support)
-            m_sources.guesses.expect(box.inflated(slack * support));
+        if (crossed > 0)
+            m_sources.guesses.expect(box, slack, crossed);
     }
 
     const RaySetting& m_setting;

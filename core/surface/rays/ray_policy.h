@@ -112,9 +112,9 @@ class RayPolicy {
         if (m_known || !m_setting.bounds.contains(base::cast<float>(m_probe.position(from))))
             return false;
         const Evaluation<T>& at = m_probe.guess(from);
-        if (at.status == Status::Outside)
+        if (at.status == Status::Outside || !(at.unit > T(0)))
             return false;
-        const double unit = at.unit > T(0) ? double(at.unit) : double(m_setting.maxSupport);
+        const double unit = double(at.unit);
         const double end = std::min(from + reach * unit, double(m_setting.options.tMax));
         const bool found = take(m_march.first(from, end, unit, leaving), out);
         from = end;

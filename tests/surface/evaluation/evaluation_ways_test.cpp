@@ -16,6 +16,8 @@ class EvaluationWaysTest : public QObject {
     Q_OBJECT
   private Q_SLOTS:
     void singleBatchAndScatteredGiveTheSameBits();
+    void wideSupportsAndFarPositionsChangeNoBits();
+    void oneWideSupportLeavesListsShort();
     void supportScaleReachesAllSurfels();
     void hessiansFollowTheReference();
     void shortWayGivesTheNumbersOfTheAssembler();
@@ -62,6 +64,45 @@ void EvaluationWaysTest::singleBatchAndScatteredGiveTheSameBits() {
             }
         }
     }
+}
+
+/// A torus with one support of 30 times the others.
+static surfel::SurfelList withOneWideSupport() {
+    surfel::SurfelList out = shapes::jittered(shapes::torus(1, 0.4, 0.03, 0.1), 0.005, test::seed());
+    out.items[out.size() / 3].support *= 30;
+    return out;
+}
+
+void EvaluationWaysTest::wideSupportsAndFarPositionsChangeNoBits() {
+    base::Random random(test::seed());
+    const Surface surface = shapes::surfaceOf(withOneWideSupport());
+    std::vector<Vec3f> x;
+    for (int i = 0; i < 3000; ++i)
+        x.push_back(base::cast<float>(random.unitVector() * random.uniform(0.5, 1.5)));
+    for (std::size_t i = 0; i < x.size(); i += 500) // their grid has one cell for all the others
+        x[i] = base::cast<float>(random.unitVector() * 1e9);
+    x[1] = x[2] = {std::numeric_limits<float>::infinity(), 0, 0};
+    std::vector<Evaluationf> batch(x.size());
+    surface.evaluate(x, Need::Gradient, batch);
+    for (std::size_t i = 0; i < x.size(); ++i)
+        QVERIFY2(same(batch[i], surface.evaluate(x[i], Need::Gradient)),
+                 qPrintable(QString("%1, seed %2").arg(i).arg(test::seed())));
+}
+
+/// What a packet collects follows the supports where it lies: not the widest of the model, and not its whole.
+void EvaluationWaysTest::oneWideSupportLeavesListsShort() {
+    const Surface surface = shapes::surfaceOf(withOneWideSupport());
+    const surfel::BlockPtr block = surface.tree().block(0);
+    const Vec3f here = block->position(0);
+    const float usual = block->support(0);
+    Source source(surface);
+    QVERIFY(source.expect(base::Box3f{here, here}.inflated(0.1f * usual), 0.3f, 32));
+    QVERIFY(source.covers(here + Vec3f{0.3f * usual, 0, 0}));
+    QVERIFY(!source.covers(here + Vec3f{0.6f * usual, 0, 0}));
+    QVERIFY(!source.expect(surface.tree().bounds(), 0, 32));
+    QVERIFY(!source.covers(here));
+    QVERIFY(source.expect(surface.tree().bounds(), 0.3f, 1)); // one position is worth all that it needs
+    QVERIFY(source.covers(here));
 }
 
 void EvaluationWaysTest::supportScaleReachesAllSurfels() {

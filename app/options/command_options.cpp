@@ -1,0 +1,65 @@
+#include "app/options/command_options.h"
+
+#include "core/base/error.h"
+#include "core/io/number_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace app {
+
+using nlohmann::json;
+
+/// A number where the text is one, else the text: what the session's check wants to see.
+static json valueOf(const std::string& text) {
+    if (const auto count = io::countOf(text))
+        return *count;
+    const auto number = io::numberOf(text);
+    return number && std::isfinite(*number) ? json(*number) : json(text);
+}
+
+json parametersOf(const GivenParameters& given) {
+    json out = json::object();
+    for (const auto& [name, value] : given)
+        out[name] = valueOf(value);
+    return out;
+}
+
+/// The session's own check of one value: "" where it is all right.
+static std::string fault(const std::string& op, const std::string& id, const std::string& value) {
+    try {
+        json command{{"op", op}, {id, valueOf(value)}};
+        for (const session::CommandParameter& p : session::command(op).parameters)
+            if (!*p.fallback && id != p.id)
+                command[p.id] = "-"; // required, and not what is asked about
+        session::complete(command);
+        return {};
+    } catch (const base::Error& error) {
+        return error.message();
+    }
+}
+
+CLI::Option* addParameter(CLI::App& command, const std::string& op, const session::CommandParameter& parameter,
+                          const std::string& help, GivenParameters& given) {
+    const std::string id = parameter.id;
+    std::string name = "--" + id;
+    std::replace(name.begin(), name.end(), '_', '-');
+    CLI::Option* option = command.add_option_function<std::string>(
+        name, [&given, id](const std::string& value) { given.emplace_back(id, value); }, help);
+    return option->check([op, id](const std::string& value) { return fault(op, id, value); });
+}
+
+std::string helpOf(const session::CommandParameter& p) {
+    const std::string_view type = p.type;
+    std::string choices = type == "boolean" ? "on off" : p.choices;
+    std::replace(choices.begin(), choices.end(), ' ', '|');
+    std::string out = p.tip;
+    if (*p.unit)
+        out += std::string(", in ") + p.unit;
+    if (!choices.empty())
+        out += ": " + (type == "number or choice" ? "NUMBER|" + choices : choices);
+    return out;
+}
+
+} // namespace app

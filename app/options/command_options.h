@@ -1,0 +1,27 @@
+// Options of a subcommand that are parameters of a session's command: the same names, ranges and sentences.
+#pragma once
+
+#include "core/session/command.h"
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace app {
+
+/// What was given on the command line, by the command's own names.
+using GivenParameters = std::vector<std::pair<std::string, std::string>>;
+
+/// As a command's parameters: numbers where the texts are such.
+nlohmann::json parametersOf(const GivenParameters& given);
+
+/// `--sample-count` for `sample_count`. Values are checked as `op` would check them. REQUIRES: `given` outlives the
+/// command.
+CLI::Option* addParameter(CLI::App& command, const std::string& op, const session::CommandParameter& parameter,
+                          const std::string& help, GivenParameters& given);
+
+/// What a parameter takes, for help: its tip, its unit, its choices.
+std::string helpOf(const session::CommandParameter& parameter);
+
+} // namespace app

@@ -1,0 +1,11 @@
+// The option group "Faces": what becomes of a file's faces, the same for every subcommand that reads a model.
+#pragma once
+
+#include "app/options/command_options.h"
+
+namespace app {
+
+/// REQUIRES: `given` outlives the command.
+void addFaceOptions(CLI::App& command, GivenParameters& given);
+
+} // namespace app

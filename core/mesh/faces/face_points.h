@@ -1,0 +1,30 @@
+// Points spread over faces: as evenly as dart throwing makes them, exactly on the faces, and as many as were asked for.
+//
+// A pool of candidates, uniform by area, is drawn with a fixed seed. They are taken in the order of their random ranks
+// where none taken before is nearer than r, which shrinks from round to round until enough are taken [McCool92]. Cells
+// of side r are worked in 27 groups, within which no two are neighbours [Wei08]: the same points at any thread count
+// (mesh/README 8.3).
+//
+// Distances are those of a sheet: d^2 + 3 (n.d)^2, and faces that look away from each other (by more than 120 degrees)
+// do not see each other, so that both sides of a thin wall get all their points.
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/mesh/faces/face_topology.h"
+
+namespace mesh {
+
+struct FacePoint {
+    std::uint32_t triangle = 0; ///< of the topology
+    float b = 0, c = 0;         ///< barycentric coordinates of corners 1 and 2; corner 0 has 1 - b - c
+};
+
+/// `count` points, or a few percent fewer where the faces are too small for so many. In the order of cells. REQUIRES:
+/// an area above 0. Throws base::Cancelled.
+std::vector<FacePoint> spreadPoints(const FaceTopology& topology, std::span<const base::Vec3f> positions,
+                                    std::size_t count, const base::Progress& progress = {});
+
+/// Where a point is.
+base::Vec3d placeOf(const FacePoint& point, const FaceTopology& topology, std::span<const base::Vec3f> positions);
+
+} // namespace mesh

@@ -1,0 +1,114 @@
+#include "core/mesh/faces/face_spacing.h"
+
+#include "core/mesh/faces/face_points.h"
+#include "core/process/estimation/knn.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace mesh {
+
+using base::Vec3d;
+using base::Vec3f;
+
+constexpr std::size_t leastCount = 100'000, mostCount = 5'000'000;
+/// What vertices may be instead of samples (mesh/README 8.2).
+constexpr double coarsestEdges = 2.5; ///< over the spacing of `leastCount` samples, in the median: some 20,000 vertices
+constexpr double mostSharp = 0.025;   ///< of the edges' length
+constexpr float resolvedTurn = static_cast<float>(std::numbers::pi / 12); ///< of normals within a spacing: 15 degrees
+
+static Vec3d corner(std::span<const Vec3f> positions, const Triangle& t, std::size_t k) {
+    return base::cast<double>(positions[t[k % 3]]);
+}
+
+std::vector<float> vertexSpacings(const FaceTopology& topology, std::span<const Vec3f> positions) {
+    std::vector<double> share(positions.size()), turn(positions.size());
+    for (std::size_t t = 0; t < topology.triangles.size(); ++t)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Triangle& f = topology.triangles[t];
+            const Vec3d p = corner(positions, f, k), a = corner(positions, f, k + 1) - p,
+                        b = corner(positions, f, k + 2) - p;
+            share[f[k]] += topology.areas[t] / 3;
+            turn[f[k]] += std::atan2(length(cross(a, b)), dot(a, b));
+        }
+    for (std::size_t i = 0; i < share.size(); ++i)
+        if (turn[i] > 0)
+            share[i] *= std::max(1.0, 2 * std::numbers::pi / turn[i]);
+    std::vector<double> sum = share, weight(share.size(), 1);
+    for (const Triangle& f : topology.triangles)
+        for (std::size_t k = 0; k < 3; ++k)
+            sum[f[k]] += (share[f[(k + 1) % 3]] + share[f[(k + 2) % 3]]) / 2, ++weight[f[k]];
+    std::vector<float> out(share.size());
+    for (std::size_t i = 0; i < out.size(); ++i)
+        out[i] = turn[i] > 0 ? static_cast<float>(std::sqrt(sum[i] / weight[i])) : 0;
+    return out;
+}
+
+static float quantile(std::vector<float>& values, double share) {
+    const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+    std::nth_element(values.begin(), values.begin() + at, values.end());
+    return values[static_cast<std::size_t>(at)];
+}
+
+bool sampleWell(const FaceTopology& topology, std::span<const Vec3f> positions) {
+    std::vector<float> edges, spacings, turns = topology.turns;
+    for (const Triangle& f : topology.triangles)
+        for (std::size_t k = 0; k < 3; ++k)
+            edges.push_back(distance(positions[f[k]], positions[f[(k + 1) % 3]]));
+    for (const float s : vertexSpacings(topology, positions))
+        if (s > 0)
+            spacings.push_back(s);
+    if (spacings.empty() || turns.empty())
+        return false;
+    const double samples = std::sqrt(topology.area / static_cast<double>(leastCount));
+    return static_cast<double>(quantile(edges, 0.5)) < coarsestEdges * samples && topology.sharpShare < mostSharp &&
+           quantile(turns, 0.95) < 2 * resolvedTurn && quantile(spacings, 0.95) < 2.5f * quantile(spacings, 0.05);
+}
+
+/// Distance to the wall behind, for points spread over the faces, as far as a few of their own spacings; infinity
+/// beyond.
+static std::vector<float> wallsBehind(const FaceTopology& topology, std::span<const Vec3f> positions,
+                                      std::size_t probes, const base::Progress& progress) {
+    const std::vector<FacePoint> points = spreadPoints(topology, positions, probes, progress);
+    std::vector<surfel::Surfel> places(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+        places[i].position = base::cast<float>(placeOf(points[i], topology, positions));
+    const process::Cloud cloud(places, progress);
+    std::vector<float> out(points.size(), std::numeric_limits<float>::infinity());
+    std::vector<std::uint32_t> some(cloud.size()); // of points at one place, one speaks
+    for (std::uint32_t i = 0; i < points.size(); ++i)
+        some[cloud.places()[i]] = i;
+    const float reach = static_cast<float>(std::sqrt(topology.area / static_cast<double>(probes)));
+    constexpr std::size_t neighbours = 32;
+    constexpr double opposite = -0.9; // walls that meet at less than 26 degrees
+    cloud.forEach(neighbours, progress, "Measuring walls", [&](std::size_t i, const process::Neighbours& near) {
+        const std::uint32_t self = some[i];
+        const Vec3d n = topology.normals[points[self].triangle];
+        for (std::size_t k = 0; k < near.size(); ++k) {
+            const std::uint32_t other = some[near.index[k]];
+            const Vec3d to = base::cast<double>(places[other].position) - base::cast<double>(places[self].position);
+            const double depth = -dot(to, n);
+            if (dot(n, topology.normals[points[other].triangle]) < opposite && depth > 0 &&
+                lengthSq(to) - depth * depth < static_cast<double>(reach * reach))
+                out[self] = std::min(out[self], static_cast<float>(depth));
+        }
+    });
+    return out;
+}
+
+double thinnestWall(const FaceTopology& topology, std::span<const Vec3f> positions, const base::Progress& progress) {
+    constexpr std::size_t probes = leastCount / 5; // what is thinner than three spacings of leastCount is found
+    std::vector<float> walls = wallsBehind(topology, positions, probes, progress);
+    return walls.empty() ? std::numeric_limits<double>::infinity() : static_cast<double>(quantile(walls, 0.01));
+}
+
+std::size_t fittingCount(const FaceTopology& topology, double thinnestWall) {
+    const double spacing = thinnestWall / 3;
+    const double wanted = std::max(topology.area / (spacing * spacing), static_cast<double>(topology.triangles.size()));
+    return static_cast<std::size_t>(
+        std::clamp(wanted, static_cast<double>(leastCount), static_cast<double>(mostCount)));
+}
+
+} // namespace mesh

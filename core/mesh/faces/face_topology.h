@@ -1,0 +1,49 @@
+// How the faces of a file are connected: which of them meet in an edge, which way each is turned, where the edges
+// are sharp, whether the whole is closed.
+//
+// Any faces will do. Corners at the same place count as one vertex, whatever their numbers (STL repeats every corner,
+// OBJ and PLY those along seams); along the boundary also those that differ by round-off alone. Faces listed twice
+// count once. Edges of one, three or more faces hold nothing together; faces without area belong to the patch beside
+// them, and have no direction of their own.
+//
+//     patch      faces connected over edges of exactly two faces whose dihedral angle is at most `sharp`
+//     fan        the corners of one patch around a vertex: they share a normal
+//     reversed   the face runs the other way round than most (by area) of the piece it belongs to
+//     closed     every edge has an even number of faces, as given or without repetitions: there is no boundary
+#pragma once
+
+#include "core/base/vec.h"
+#include "core/mesh/mesh.h"
+
+#include <span>
+#include <vector>
+
+namespace mesh {
+
+struct FaceTopology {
+    std::vector<Triangle> triangles;    ///< those of the file without repetitions, turned alike; corners as in the file
+    std::vector<base::Vec3d> normals;   ///< unit normal of each triangle; zero where it has no area
+    std::vector<double> areas;          ///< of each triangle
+    std::vector<std::uint32_t> patches; ///< of each triangle, numbered from 0 in the order of their first triangles
+    std::vector<std::uint32_t> fans;    ///< of each corner (3 t + k), numbered from 0
+    std::size_t patchCount = 0, fanCount = 0;
+    std::size_t repeated = 0;     ///< triangles left out because another one has the same corners
+    std::size_t reversed = 0;     ///< triangles that were turned round
+    std::size_t borders = 0;      ///< edges with an odd number of faces
+    std::size_t bordersGiven = 0; ///< the same with repeated triangles counted as often as they come
+    std::size_t nonManifold = 0;  ///< edges with more than two faces
+    bool oneSided = false;        ///< some piece cannot be turned alike: a Moebius strip
+    std::vector<float> turns;     ///< dihedral angle of each edge of exactly two faces, radians
+    double sharpShare = 0;        ///< of their length, of those that are sharp
+    double area = 0;              ///< of all triangles
+
+    /// A few repeated triangles do not open what is closed with them.
+    bool closed() const {
+        return !triangles.empty() && (borders == 0 || (bordersGiven == 0 && 50 * repeated < triangles.size()));
+    }
+};
+
+/// `sharp`: in radians; infinity: no edge is sharp. REQUIRES: corners are below positions.size(). Time: that of a sort.
+FaceTopology faceTopology(std::span<const base::Vec3f> positions, std::span<const Triangle> triangles, double sharp);
+
+} // namespace mesh

@@ -1,0 +1,234 @@
+#include "core/mesh/faces/open_faces.h"
+
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/mesh/faces/face_normals.h"
+#include "core/mesh/faces/face_points.h"
+#include "core/mesh/faces/face_spacing.h"
+#include "core/process/estimation/part_progress.h"
+
+#include <charconv>
+#include <cmath>
+
+namespace mesh {
+
+namespace {
+
+using base::Vec3f;
+using surfel::SurfelList;
+
+constexpr std::size_t mostSamples = 200'000'000;
+constexpr double fewestSamples = 64; ///< of a spacing: fewer are a slip of the unit
+constexpr double resolvedWall = 2.5; ///< spacings
+constexpr double smoothOver = 3;     ///< spacings: triangles of this size and smaller lend their corners' normals whole
+
+/// "12", "1,234,567".
+std::string grouped(std::size_t n) {
+    std::string out = std::to_string(n);
+    for (std::ptrdiff_t at = static_cast<std::ptrdiff_t>(out.size()) - 3; at > 0; at -= 3)
+        out.insert(static_cast<std::size_t>(at), ",");
+    return out;
+}
+
+std::string rounded(double value) {
+    char text[40];
+    return {text, std::to_chars(text, text + sizeof text, value, std::chars_format::general, 3).ptr};
+}
+
+std::string counted(std::size_t n, const char* one, const char* many) {
+    return grouped(n) + " " + (n == 1 ? one : many);
+}
+
+/// Reach of a surfel in an even sampling.
+float supportFor(double spacing, const surface::SurfaceDefinition& definition) {
+    const bool gaussian = definition.weight == surface::Weight::Gaussian;
+    if (definition.support > 0)
+        return definition.support * (gaussian ? surface::gaussianReach : 1.0f);
+    return static_cast<float>(spacing) * definition.unitInSpacings() *
+           (gaussian ? surface::gaussianScale * surface::gaussianReach : 1.0f);
+}
+
+/// The layout of surfels with oriented normals and, where there are several patches, their numbers.
+surfel::AttributeLayoutPtr layoutFor(const surfel::AttributeLayoutPtr& vertices, const FaceTopology& topology) {
+    auto out = std::make_shared<surfel::AttributeLayout>(*vertices);
+    out->normals = true;
+    out->oriented = !topology.oneSided;
+    if (topology.patchCount > 1 && !out->find("patch"))
+        out->add("patch", surfel::ScalarType::UInt32);
+    return out;
+}
+
+surfel::Colour blended(const surfel::Colour (&c)[3], const float (&w)[3]) {
+    surfel::Colour out = 0;
+    for (unsigned shift = 0; shift < 32; shift += 8) {
+        float sum = 0;
+        for (std::size_t k = 0; k < 3; ++k)
+            sum += w[k] * static_cast<float>(c[k] >> shift & 255u);
+        out |= static_cast<surfel::Colour>(std::lround(std::min(sum, 255.0f))) << shift;
+    }
+    return out;
+}
+
+/// Makes surfels of points on the faces of `vertices`.
+class FaceSampler {
+  public:
+    FaceSampler(const SurfelList& vertices, const FaceTopology& topology, std::span<const Vec3f> positions)
+        : m_vertices(vertices), m_topology(topology), m_positions(positions),
+          m_normals(fanNormals(topology, positions)), m_layout(layoutFor(vertices.layout, topology)) {}
+
+    SurfelList run(std::span<const FacePoint> points, float support, double spacing) const {
+        SurfelList out;
+        out.layout = m_layout;
+        out.items.resize(points.size());
+        out.extra.resize(points.size() * m_layout->words());
+        base::parallelFor(points.size(), 2048, [&](std::size_t i) {
+            out.items[i] = surfelAt(points[i], support, spacing);
+            writeExtra(points[i], std::span(out.extra).subspan(i * m_layout->words(), m_layout->words()));
+        });
+        return out;
+    }
+
+  private:
+    struct Weights {
+        float w[3];
+    };
+    static Weights weightsOf(const FacePoint& point) { return {{1 - point.b - point.c, point.b, point.c}}; }
+
+    surfel::Surfel surfelAt(const FacePoint& point, float support, double spacing) const {
+        const auto [w] = weightsOf(point);
+        surfel::Surfel out;
+        out.position = base::cast<float>(placeOf(point, m_topology, m_positions));
+        out.support = support;
+        surfel::Colour colours[3];
+        for (std::size_t k = 0; k < 3; ++k) {
+            const surfel::Surfel& corner = m_vertices.items[m_topology.triangles[point.triangle][k]];
+            out.normal += m_normals[m_topology.fans[3 * point.triangle + k]] * w[k];
+            out.mask += corner.mask * w[k];
+            colours[k] = corner.colour;
+        }
+        const Vec3f face = base::cast<float>(m_topology.normals[point.triangle]);
+        const double size = std::sqrt(2 * m_topology.areas[point.triangle]);
+        const auto t = static_cast<float>(size > smoothOver * spacing ? smoothOver * spacing / size : 1);
+        out.normal = normalized(normalized(out.normal, face) * t + face * (1 - t), face);
+        out.colour = blended(colours, w);
+        return out;
+    }
+
+    /// Reals are blended, whole numbers are those of the nearest corner.
+    void writeExtra(const FacePoint& point, std::span<std::uint32_t> out) const {
+        const auto [w] = weightsOf(point);
+        const auto nearest = static_cast<std::size_t>(std::max_element(w, w + 3) - w);
+        const Triangle& t = m_topology.triangles[point.triangle];
+        for (const surfel::Attribute& attribute : m_layout->attributes()) {
+            if (attribute.firstWord >= m_vertices.layout->words()) {
+                surfel::write(attribute, out, m_topology.patches[point.triangle]);
+                continue;
+            }
+            double value = surfel::read(attribute, m_vertices.extraOf(t[nearest]));
+            if (surfel::isReal(attribute.type)) {
+                value = 0;
+                for (std::size_t k = 0; k < 3; ++k)
+                    value += static_cast<double>(w[k]) * surfel::read(attribute, m_vertices.extraOf(t[k]));
+            }
+            surfel::write(attribute, out, value);
+        }
+    }
+
+    const SurfelList& m_vertices;
+    const FaceTopology& m_topology;
+    std::span<const Vec3f> m_positions;
+    std::vector<Vec3f> m_normals; ///< of fans
+    surfel::AttributeLayoutPtr m_layout;
+};
+
+/// The vertices as they are, with what the faces tell of them.
+void completeVertices(SurfelList& vertices, const FaceTopology& topology, std::span<const Vec3f> positions) {
+    const std::vector<Vec3f> normals = vertexNormals(topology, positions);
+    const bool own = vertices.layout->normals;
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        surfel::Surfel& s = vertices.items[i];
+        if (!own || lengthSq(s.normal) == 0)
+            s.normal = normals[i];
+    }
+    auto layout = std::make_shared<surfel::AttributeLayout>(*vertices.layout);
+    layout->normals = true;
+    layout->oriented = own ? vertices.layout->oriented : !topology.oneSided;
+    vertices.layout = std::move(layout);
+}
+
+/// Whether faces are so broken (repeated, or three and more at an edge, at more than one of 500 edges) that their sides
+/// mean less than what the points tell: merged scans whose small pieces face any way.
+bool broken(const FaceTopology& topology) {
+    return 500 * (topology.repeated + topology.nonManifold) > topology.turns.size();
+}
+
+/// What had to be mended before the faces could be used; empty where nothing.
+std::string mended(const FaceTopology& topology) {
+    std::string out;
+    const auto add = [&out](const std::string& what) { out += (out.empty() ? "" : ", ") + what; };
+    if (topology.repeated > 0)
+        add("left out " + counted(topology.repeated, "repeated triangle", "repeated triangles"));
+    if (topology.reversed > 0)
+        add("reversed " + counted(topology.reversed, "triangle", "triangles") + " that faced the other way");
+    if (topology.nonManifold > 0)
+        add("found " + counted(topology.nonManifold, "edge", "edges") + " with more than two faces");
+    if (!out.empty())
+        out[0] = static_cast<char>(out[0] - 'a' + 'A');
+    return out.empty() ? out : out + ".";
+}
+
+std::size_t samplesFor(const FaceTopology& topology, double wall, const FaceOptions& options) {
+    if (options.count == 0 && options.spacing <= 0)
+        return fittingCount(topology, wall);
+    const double wanted = options.count > 0 ? static_cast<double>(options.count)
+                                            : std::ceil(topology.area / (options.spacing * options.spacing));
+    if (!(wanted <= static_cast<double>(mostSamples)))
+        throw base::Error("sampling the faces so finely takes more than " + grouped(mostSamples) + " surfels", "",
+                          "choose a larger spacing or a smaller count");
+    if (options.count == 0 && wanted < fewestSamples)
+        throw base::Error("a spacing of " + rounded(options.spacing) + " leaves only " +
+                              grouped(static_cast<std::size_t>(wanted)) + " surfels of the faces",
+                          "", "choose a smaller spacing");
+    return std::max<std::size_t>(4, static_cast<std::size_t>(wanted));
+}
+
+} // namespace
+
+OpenedFaces openFaces(SurfelList vertices, std::span<const Triangle> triangles,
+                      const surface::SurfaceDefinition& definition, const FaceOptions& options,
+                      const base::Progress& progress) {
+    std::vector<Vec3f> positions(vertices.size());
+    for (std::size_t i = 0; i < positions.size(); ++i)
+        positions[i] = vertices.items[i].position;
+    const FaceTopology topology = faceTopology(positions, triangles, options.sharpRad);
+    OpenedFaces out;
+    if (!(topology.area > 0)) {
+        out.points = std::move(vertices);
+        return out;
+    }
+    out.closed = topology.closed();
+    if (const std::string what = mended(topology); !what.empty())
+        out.messages.push_back(what);
+    if (options.use == FaceUse::Vertices || (options.use == FaceUse::Auto && options.count == 0 &&
+                                             options.spacing <= 0 && sampleWell(topology, positions))) {
+        if (broken(topology))
+            out.messages.push_back("The faces are too broken to take normals from.");
+        else
+            completeVertices(vertices, topology, positions);
+        out.points = std::move(vertices);
+        return out;
+    }
+    const double wall = thinnestWall(topology, positions, process::part(progress, 0, 0.3));
+    const std::size_t count = samplesFor(topology, wall, options);
+    const auto points = spreadPoints(topology, positions, count, process::part(progress, 0.3, 0.9));
+    const double spacing = std::sqrt(topology.area / static_cast<double>(points.size()));
+    out.points = FaceSampler(vertices, topology, positions).run(points, supportFor(spacing, definition), spacing);
+    out.sampled = true;
+    out.apart = wall >= resolvedWall * spacing;
+    out.messages.push_back(counted(topology.triangles.size(), "triangle", "triangles") + " sampled to " +
+                           counted(points.size(), "surfel", "surfels") + ", spacing " + rounded(spacing) +
+                           "; --faces vertices keeps the " + counted(vertices.size(), "vertex", "vertices") + ".");
+    return out;
+}
+
+} // namespace mesh

@@ -1,0 +1,93 @@
+#include "core/sculpt/kept_spacing.h"
+
+#include "core/base/parallel.h"
+#include "core/process/estimation/spacing.h"
+#include "core/process/estimation/spacing_sample.h"
+#include "core/process/resampling/resample.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace sculpt {
+
+/// Farthest that what the supports are made for may be from what is there.
+constexpr float band = 1.25f;
+/// Supports count as made for the spacing where the two agree so far on the whole.
+constexpr float agreement = 1.15f;
+/// Supports that differ by no more are alike.
+constexpr float steady = 1.2f;
+/// Nearest surfels asked for the ring, so that the other side of something thin may be among them.
+constexpr std::size_t asked = 14;
+
+static float typicalRatio(const surface::Surface& surface) {
+    std::vector<float> ratios;
+    for (const process::SpacingSample& each : process::sampleSpacing(surface.tree()))
+        if (each.spacing > 0 && each.support > 0)
+            ratios.push_back(each.spacing / process::spacingOf(surface.definition(), each.support));
+    const float ratio = ratios.empty() ? 1.0f : process::summarise(std::move(ratios)).median;
+    return ratio < agreement && ratio * agreement > 1 ? 1.0f : ratio;
+}
+
+KeptSpacing::KeptSpacing(surface::Surface first, float atContact)
+    : m_first(std::move(first)), m_atContact(atContact), m_same(m_first->definition().support > 0) {
+    if (!m_same)
+        m_ratio = typicalRatio(*m_first);
+}
+
+/// s^2 is the area of a surfel: that of the disc out to the farthest, over those that it holds, which lies on its rim.
+static float spacingFromDisc(const std::vector<float>& distancesSq) {
+    const float held = static_cast<float>(distancesSq.size()) - 0.5f;
+    return std::sqrt(std::numbers::pi_v<float> * distancesSq.back() / held);
+}
+
+LocalSpacing KeptSpacing::measuredAt(const surfel::SurfelBlock& origin, int slot) const {
+    std::vector<tree::Neighbour> near;
+    const base::Vec3f x = origin.position(slot), n = origin.normal(slot);
+    m_first->tree().nearest(x, asked, near);
+    std::vector<float> alike, all;
+    float least = std::numeric_limits<float>::infinity(), most = 0;
+    for (const tree::Neighbour& each : near) {
+        all.push_back(each.distanceSq);
+        const float support = each.block->support(each.slot);
+        least = std::min(least, support), most = std::max(most, support);
+        if (dot(each.block->normal(each.slot), n) >= 0)
+            alike.push_back(each.distanceSq);
+    }
+    constexpr std::size_t ring = 7; // with itself
+    const std::vector<float>& of = alike.size() < ring ? all : alike;
+    const bool same = most < steady * least;
+    return {true, same, same || of.size() < ring ? process::spacingFromRing(of) : spacingFromDisc(of)};
+}
+
+void KeptSpacing::measure(std::span<const surfel::BlockPtr> blocks) {
+    std::vector<Known> fresh;
+    for (const surfel::BlockPtr& block : blocks)
+        if (!m_known.contains(block.get()))
+            fresh.push_back({block, std::vector<LocalSpacing>(static_cast<std::size_t>(block->size()))});
+    base::parallelFor(fresh.size(), 1, [&](std::size_t i) {
+        for (int slot = 0; slot < fresh[i].block->size(); ++slot)
+            fresh[i].spacing[static_cast<std::size_t>(slot)] = measuredAt(*fresh[i].block, slot);
+    });
+    for (Known& each : fresh)
+        m_known.emplace(each.block.get(), std::move(each));
+}
+
+LocalSpacing KeptSpacing::measured(const surfel::SurfelBlock& origin, int slot) const {
+    const auto known = m_known.find(&origin);
+    return known == m_known.end() ? measuredAt(origin, slot) : known->second.spacing[static_cast<std::size_t>(slot)];
+}
+
+float KeptSpacing::madeFor(float support) const {
+    return m_same ? m_atContact : m_ratio * process::spacingOf(m_first->definition(), support);
+}
+
+float KeptSpacing::target(const LocalSpacing& measured, float support) const {
+    const float m = measured.value;
+    if (!(m > 0))
+        return madeFor(support);
+    return measured.steady ? std::clamp(madeFor(support), m / band, m * band) : m;
+}
+
+} // namespace sculpt

@@ -1,0 +1,55 @@
+// The sampling that a stroke is to keep: for every surfel the spacing that was around it before the stroke.
+//
+//     m   measured: from the 6 nearest that face alike (all of the 14 nearest where supports vary), around the surfel's
+//         origin (stretches.h), on the version that the stroke began on
+//     h   what the surfel's support was made for; where a model's supports are made otherwise on the whole, that times
+//         their median ratio
+//     s = h within [m / 1.25, 1.25 m] where the supports around are alike, else m
+//
+// So what earlier strokes have drawn apart, each by too little to resample, adds up to no more than a quarter, and
+// noise of m does not show on even models; in fine detail and its surroundings, whose supports are graded from one to
+// the other, the sampling that is there decides.
+//
+// A value; const functions may run on any thread.
+#pragma once
+
+#include "core/sculpt/stretches.h"
+#include "core/surface/surface.h"
+
+#include <optional>
+#include <unordered_map>
+
+namespace sculpt {
+
+class KeptSpacing {
+  public:
+    KeptSpacing() = default;
+    /// `atContact`: the spacing where the stroke begins, for models with one support for all.
+    KeptSpacing(surface::Surface first, float atContact);
+
+    /// Measures around all surfels of these blocks of the first version, unless that has been done, and keeps what was
+    /// found. In parallel.
+    void measure(std::span<const surfel::BlockPtr> blocks);
+    /// m at a surfel of `origin`, whose positions are those of the first version. Known or measured now.
+    LocalSpacing measured(const surfel::SurfelBlock& origin, int slot) const;
+    /// s where m is `measured`, of a surfel with this support.
+    float target(const LocalSpacing& measured, float support) const;
+    /// What a support of this size is made for.
+    float madeFor(float support) const;
+    const surface::Surface& first() const { return *m_first; }
+
+  private:
+    struct Known {
+        surfel::BlockPtr block; ///< held, so that no other has its address
+        std::vector<LocalSpacing> spacing;
+    };
+    LocalSpacing measuredAt(const surfel::SurfelBlock& origin, int slot) const;
+
+    std::optional<surface::Surface> m_first;
+    float m_atContact = 0;
+    float m_ratio = 1;   ///< of the measured spacing to what supports are made for
+    bool m_same = false; ///< one support for all
+    std::unordered_map<const surfel::SurfelBlock*, Known> m_known;
+};
+
+} // namespace sculpt

@@ -1,0 +1,68 @@
+#include "core/session/face_options.h"
+
+#include "core/base/error.h"
+#include "core/session/commands.h"
+
+#include <limits>
+#include <nlohmann/json.hpp>
+
+namespace session {
+
+using nlohmann::json;
+
+std::span<const CommandParameter> faceParameters() {
+    static const CommandParameter rows[] = {
+        {"faces", "choice", "",
+         "what to do with a file's faces: sample their surface, or keep the vertices; "
+         "auto (the default) keeps the vertices of dense, even meshes and samples all others",
+         "null", "auto sample vertices", 0, 0},
+        {"sample_spacing", "number", "model units",
+         "spacing of samples on the faces; by default it follows from sample_count", "null", "", positive, largest},
+        {"sample_count", "integer", "",
+         "number of samples on the faces, within a percent; by default what the shape needs, at least 100,000", "null",
+         "", 4, 200'000'000},
+        {"sharp", "number or choice", "degrees",
+         "edges of the faces stay sharp where the normals on both sides differ by more than this; 40 by default",
+         "null", "off", 0, 180},
+    };
+    return rows;
+}
+
+mesh::FaceOptions faceOptions(const json& complete) {
+    mesh::FaceOptions out;
+    const bool spacing = complete.contains("sample_spacing"), count = complete.contains("sample_count");
+    if (spacing && count)
+        throw base::Error("\"sample_spacing\" and \"sample_count\" exclude each other", {}, "give one of them");
+    const std::string use = complete.value("faces", "auto");
+    out.use = use == "sample"     ? mesh::FaceUse::Sample
+              : use == "vertices" ? mesh::FaceUse::Vertices
+                                  : mesh::FaceUse::Auto;
+    if ((spacing || count) && out.use == mesh::FaceUse::Vertices)
+        throw base::Error("\"faces\" keeps the vertices, so nothing is sampled", {},
+                          "leave out sample_spacing and sample_count, or choose sample");
+    out.spacing = complete.value("sample_spacing", 0.0);
+    out.count = complete.value("sample_count", std::size_t(0));
+    if (complete.contains("sharp"))
+        out.sharpRad = complete["sharp"].is_string() ? std::numeric_limits<double>::infinity()
+                                                     : complete["sharp"].get<double>() * std::numbers::pi / 180;
+    return out;
+}
+
+FacesOpened openFaces(io::FileModel& model, surface::SurfaceDefinition& definition, const mesh::FaceOptions& options,
+                      const base::Progress& progress) {
+    if (model.polygons.size() == 0 || definition.manifold == surface::Manifold::Curve)
+        return {};
+    std::vector<base::Vec3f> positions(model.points.size());
+    for (std::size_t i = 0; i < positions.size(); ++i)
+        positions[i] = model.points.items[i].position;
+    const std::vector<mesh::Triangle> triangles = triangulated(model.polygons, positions);
+    mesh::OpenedFaces opened = mesh::openFaces(std::move(model.points), triangles, definition, options, progress);
+    model.points = std::move(opened.points);
+    model.polygons = {};
+    model.messages.insert(model.messages.end(), opened.messages.begin(), opened.messages.end());
+    if (opened.closed && definition.boundary == surface::Boundary::Auto)
+        definition.boundary = surface::Boundary::None;
+    return {opened.sampled, opened.closed, opened.apart};
+}
+
+} // namespace session

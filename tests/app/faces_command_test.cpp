@@ -1,0 +1,105 @@
+// Meshes on the command line: they open as the surface of their faces, whatever reads them.
+#include "program.h"
+#include "support/registry.h"
+
+#include <nlohmann/json.hpp>
+#include <QTest>
+
+using nlohmann::json;
+using test::Outcome, test::Program;
+
+class FacesCommandTest : public QObject {
+    Q_OBJECT
+  private Q_SLOTS:
+    void aCubeOpensAsItsSurface();
+    void samplesAreAsManyAsAskedFor();
+    void theMeshOfAClosedMeshIsClosed();
+    void convertWritesTheSurface();
+    void optionsThatExcludeEachOtherAreRefused();
+    void sessionsOpenFacesAlike();
+};
+
+namespace {
+
+/// A cube of 12 triangles, as files of several formats hold it.
+void writeCubes(const Program& program) {
+    program.write("cube.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0 0 1\nv 1 0 1\nv 0 1 1\nv 1 1 1\n"
+                              "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n");
+    program.write("cube.off", "OFF\n8 6 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 0 1\n1 0 1\n0 1 1\n1 1 1\n"
+                              "4 0 2 3 1\n4 4 5 7 6\n4 0 1 5 4\n4 2 6 7 3\n4 0 4 6 2\n4 1 3 7 5\n");
+}
+
+json infoOf(const Program& program, const QStringList& arguments) {
+    const Outcome outcome = program.run(QStringList{"info", "--json"} + arguments);
+    return outcome.code == 0 ? json::parse(outcome.out) : json::object();
+}
+
+} // namespace
+
+void FacesCommandTest::aCubeOpensAsItsSurface() {
+    const Program program;
+    writeCubes(program);
+    for (const char* name : {"cube.obj", "cube.off"}) {
+        const json info = infoOf(program, {name});
+        QVERIFY(info.at("sampled").get<bool>() && info.at("closed").get<bool>());
+        QVERIFY(info.at("surfels").get<int>() >= 100'000 && info.at("surfels").get<int>() < 105'000);
+        QCOMPARE(info.at("faces").get<int>(), 6);
+        const json kept = infoOf(program, {name, "--faces", "vertices"});
+        QVERIFY(!kept.at("sampled").get<bool>());
+        QCOMPARE(kept.at("surfels").get<int>(), 8);
+    }
+    const Outcome told = program.run({"info", "cube.obj"});
+    QVERIFY2(told.err.find("12 triangles sampled to 100,") != std::string::npos, told.err.c_str());
+    QVERIFY2(told.err.find("--faces vertices keeps the 8 vertices") != std::string::npos, told.err.c_str());
+}
+
+void FacesCommandTest::samplesAreAsManyAsAskedFor() {
+    const Program program;
+    writeCubes(program);
+    const int counted = infoOf(program, {"cube.obj", "--sample-count", "3000"}).at("surfels").get<int>();
+    QVERIFY2(counted > 2950 && counted < 3150, qPrintable(QString::number(counted)));
+    const int spaced = infoOf(program, {"cube.obj", "--sample-spacing", "0.05"}).at("surfels").get<int>(); // 6 / 0.0025
+    QVERIFY2(spaced > 2350 && spaced < 2500, qPrintable(QString::number(spaced)));
+}
+
+void FacesCommandTest::theMeshOfAClosedMeshIsClosed() {
+    const Program program;
+    writeCubes(program);
+    QCOMPARE(program.run({"mesh", "cube.obj", "--sample-count", "5000", "-o", "out.ply", "--report", "r.json"}).code,
+             0);
+    const json report = json::parse(program.read("r.json"));
+    QCOMPARE(report.at("boundary_loops").get<int>(), 0);
+    QCOMPARE(report.at("genus").get<int>(), 0);
+    QCOMPARE(report.at("components").get<int>(), 1);
+}
+
+void FacesCommandTest::convertWritesTheSurface() {
+    const Program program;
+    writeCubes(program);
+    QCOMPARE(program.run({"convert", "cube.obj", "out.ply", "--sample-count", "2000"}).code, 0);
+    QVERIFY(infoOf(program, {"out.ply"}).at("surfels").get<int>() > 1900);
+    QCOMPARE(program.run({"convert", "cube.obj", "kept.ply", "--faces", "vertices"}).code, 0);
+    QCOMPARE(infoOf(program, {"kept.ply"}).at("surfels").get<int>(), 8);
+}
+
+void FacesCommandTest::optionsThatExcludeEachOtherAreRefused() {
+    const Program program;
+    writeCubes(program);
+    QVERIFY(program.run({"info", "cube.obj", "--sample-count", "9000", "--sample-spacing", "0.1"}).code != 0);
+    QVERIFY(program.run({"info", "cube.obj", "--sample-count", "9000", "--faces", "vertices"}).code != 0);
+    QCOMPARE(program.run({"info", "cube.obj", "--faces", "some"}).code, 2);
+    QCOMPARE(program.run({"info", "cube.obj", "--sample-spacing", "1e-9"}).code, 1);
+}
+
+void FacesCommandTest::sessionsOpenFacesAlike() {
+    const Program program;
+    writeCubes(program);
+    program.write("s.jsonl", "{\"op\":\"open\",\"path\":\"cube.obj\",\"faces\":\"sample\",\"sample_count\":3000,"
+                             "\"sharp\":30}\n{\"op\":\"save\",\"path\":\"out.ply\"}\n");
+    QCOMPARE(program.run({"run", "s.jsonl"}).code, 0);
+    QCOMPARE(program.hash("out.ply"),
+             infoOf(program, {"cube.obj", "--sample-count", "3000", "--sharp", "30"}).at("hash").get<std::string>());
+}
+
+static const test::Registered<FacesCommandTest> registered;
+#include "faces_command_test.moc"

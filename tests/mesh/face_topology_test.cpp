@@ -1,0 +1,143 @@
+// What hangs together in faces that come in.
+#include "core/mesh/faces/face_topology.h"
+
+#include "core/mesh/faces/polygons.h"
+#include "face_models.h"
+#include "support/registry.h"
+
+#include <QTest>
+
+using namespace faces;
+
+class FaceTopologyTest : public QObject {
+    Q_OBJECT
+  private Q_SLOTS:
+    void aCubeHasSixPatchesAndIsClosed();
+    void flatEdgesAreSmooth();
+    void reversedFacesAreTurned();
+    void repeatedFacesCountOnce();
+    void coincidentCornersAreOneVertex();
+    void roundOffDoesNotOpenSeams();
+    void aMoebiusStripIsOneSided();
+    void cutPolygonsKeepTheirArea();
+};
+
+void FaceTopologyTest::aCubeHasSixPatchesAndIsClosed() {
+    const FaceTopology cube = box({1, 1, 1}).topology();
+    QVERIFY(cube.closed() && !cube.oneSided);
+    QCOMPARE(cube.patchCount, std::size_t(6));
+    QCOMPARE(cube.fanCount, std::size_t(24));
+    QCOMPARE(cube.area, 6.0);
+    Faces open = box({1, 1, 1});
+    open.triangles.pop_back();
+    QCOMPARE(open.topology().borders, std::size_t(3));
+}
+
+void FaceTopologyTest::flatEdgesAreSmooth() {
+    const Faces torus = band(64, 32, false);
+    QCOMPARE(torus.topology().patchCount, std::size_t(1));
+    QCOMPARE(torus.topology().fanCount, torus.positions.size());
+    QVERIFY(torus.topology(0).patchCount > torus.triangles.size() * 9 / 10); // some quads are flat within rounding
+    QCOMPARE(box({1, 1, 1}).topology(std::numeric_limits<double>::infinity()).fanCount, std::size_t(8));
+}
+
+void FaceTopologyTest::reversedFacesAreTurned() {
+    const Faces whole = band(30, 12, false);
+    Faces turned = whole;
+    base::Random random(test::seed());
+    std::size_t count = 0;
+    for (Triangle& t : turned.triangles)
+        if (random.below(5) == 0)
+            std::swap(t[0], t[1]), ++count;
+    const FaceTopology expected = whole.topology(), found = turned.topology();
+    QCOMPARE(expected.reversed, std::size_t(0));
+    QCOMPARE(found.reversed, count);
+    for (std::size_t t = 0; t < expected.normals.size(); ++t)
+        QVERIFY(distance(found.normals[t], expected.normals[t]) < 1e-12);
+}
+
+void FaceTopologyTest::repeatedFacesCountOnce() {
+    Faces cube = box({1, 1, 1});
+    cube.triangles.push_back(cube.triangles[3]);
+    cube.triangles.push_back({cube.triangles[5][1], cube.triangles[5][0], cube.triangles[5][2]});
+    const FaceTopology found = cube.topology();
+    QCOMPARE(found.repeated, std::size_t(2));
+    Faces fine = band(60, 30, false);
+    fine.triangles.push_back(fine.triangles[7]); // a fin of two sides on a triangle: as given, every edge is even
+    fine.triangles.push_back({fine.triangles[7][1], fine.triangles[7][0], fine.triangles[7][2]});
+    QVERIFY(fine.topology().closed());
+    QVERIFY(found.closed());
+    QCOMPARE(found.area, 6.0);
+}
+
+void FaceTopologyTest::coincidentCornersAreOneVertex() {
+    const Faces cube = box({2, 1, 0.5f});
+    Faces stl;
+    for (const Triangle& t : cube.triangles) {
+        const auto first = static_cast<std::uint32_t>(stl.positions.size());
+        for (const std::uint32_t corner : t)
+            stl.positions.push_back(cube.positions[corner]);
+        stl.triangles.push_back({first, first + 1, first + 2});
+    }
+    const FaceTopology found = stl.topology();
+    QVERIFY(found.closed());
+    QCOMPARE(found.patchCount, std::size_t(6));
+    QCOMPARE(found.fanCount, std::size_t(24));
+}
+
+void FaceTopologyTest::roundOffDoesNotOpenSeams() {
+    const Faces cube = box({2, 1, 0.5f});
+    base::Random random(test::seed());
+    Faces stl;
+    for (const Triangle& t : cube.triangles) {
+        const auto first = static_cast<std::uint32_t>(stl.positions.size());
+        for (const std::uint32_t corner : t)
+            stl.positions.push_back(cube.positions[corner] + base::cast<float>(random.unitVector() * 3e-7));
+        stl.triangles.push_back({first, first + 1, first + 2});
+    }
+    QVERIFY2(stl.topology().closed(), qPrintable(QString("seed %1").arg(test::seed())));
+    QCOMPARE(stl.topology().patchCount, std::size_t(6));
+    stl.positions[0].x += 0.01f; // a gap is a gap
+    QVERIFY(!stl.topology().closed());
+}
+
+void FaceTopologyTest::aMoebiusStripIsOneSided() {
+    QVERIFY(band(40, 6, true).topology().oneSided);
+    QVERIFY(!band(40, 6, true).topology().closed());
+    QVERIFY(!band(40, 6, false).topology().oneSided);
+}
+
+/// Stars have dents at every other corner; in a random plane, and with repeated corners.
+void FaceTopologyTest::cutPolygonsKeepTheirArea() {
+    for (int round = 0; round < test::effort(100); ++round) {
+        base::Random random(test::seed() + static_cast<std::uint64_t>(round));
+        const Vec3d n = random.unitVector(), u = base::perpendicular(n), v = cross(n, u);
+        const std::size_t corners = 3 + random.below(20);
+        std::vector<Vec3f> positions;
+        mesh::Polygons star;
+        double area = 0;
+        std::vector<std::pair<double, double>> flat;
+        for (std::size_t k = 0; k < corners; ++k) {
+            const double angle = 2 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(corners);
+            const double r = random.uniform(0.2, 1);
+            flat.emplace_back(r * std::cos(angle), r * std::sin(angle));
+            positions.push_back(base::cast<float>(u * flat.back().first + v * flat.back().second));
+            star.corners.push_back(static_cast<std::uint32_t>(k));
+            if (random.below(4) == 0)
+                star.corners.push_back(static_cast<std::uint32_t>(k));
+        }
+        star.close();
+        for (std::size_t k = 0; k < corners; ++k) {
+            const auto& [ax, ay] = flat[k];
+            const auto& [bx, by] = flat[(k + 1) % corners];
+            area += (ax * by - bx * ay) / 2;
+        }
+        const std::vector<Triangle> cut = triangulated(star, positions);
+        QCOMPARE(cut.size(), corners - 2);
+        QVERIFY2(std::abs(areaOf(positions, cut) - area) < 1e-5,
+                 qPrintable(QString("seed %1").arg(test::seed() + static_cast<std::uint64_t>(round))));
+    }
+}
+
+static const test::Registered<FaceTopologyTest> registered;
+#include "face_topology_test.moc"

@@ -1,0 +1,189 @@
+// Faces that come in become surfels: the points spread over them, and what they carry.
+#include "core/mesh/faces/open_faces.h"
+
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/mesh/faces/face_spacing.h"
+#include "face_models.h"
+#include "support/registry.h"
+
+#include <QTest>
+
+using namespace faces;
+
+class FacesTest : public QObject {
+    Q_OBJECT
+  private Q_SLOTS:
+    void largeFacesAreFlat();
+    void pointsLieOnTheirFaces();
+    void pointsAreAsManyAsAskedForAndEven();
+    void bothSidesOfAThinWallGetTheirPoints();
+    void theSamePointsAtAnyThreadCount();
+    void normalsKeepToTheirSideOfAnEdge();
+    void coloursAndAttributesFollowTheCorners();
+    void evenVerticesStayAndCoarseOnesDoNot();
+    void brokenFacesLendNoNormals();
+    void roughVerticesAreSampled();
+    void thinWallsAskForMore();
+    void tooManyAndTooFewSamplesAreRefused();
+};
+
+void FacesTest::largeFacesAreFlat() {
+    // A roof of 150 degrees, smooth by its angle: flat sides all the same, rounded at the ridge alone.
+    const Faces roof{{{-1, 0, 0}, {0, 0, 0.27f}, {1, 0, 0}, {-1, 2, 0}, {0, 2, 0.27f}, {1, 2, 0}},
+                     {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}}};
+    const mesh::OpenedFaces found =
+        mesh::openFaces(roof.list(), roof.triangles, {}, {.use = mesh::FaceUse::Sample, .count = 20000});
+    const Vec3f left = base::normalized(Vec3f{-0.27f, 0, 1});
+    for (const surfel::Surfel& s : found.points.items)
+        if (s.position.x < 0)
+            QVERIFY(dot(s.normal, left) > 0.9995f);
+}
+
+void FacesTest::pointsLieOnTheirFaces() {
+    for (int round = 0; round < test::effort(10); ++round) {
+        const Faces faces = soup(test::seed() + static_cast<std::uint64_t>(round), 300);
+        const FaceTopology topology = faces.topology();
+        for (const FacePoint& point : spreadPoints(topology, faces.positions, 2000)) {
+            QVERIFY(point.b >= 0 && point.c >= 0 && point.b + point.c <= 1.000001f);
+            QVERIFY(topology.areas[point.triangle] > 0);
+            const Vec3d at = placeOf(point, topology, faces.positions);
+            const Vec3d corner = base::cast<double>(faces.positions[topology.triangles[point.triangle][0]]);
+            QVERIFY(std::abs(dot(at - corner, topology.normals[point.triangle])) < 1e-6);
+        }
+    }
+}
+
+void FacesTest::pointsAreAsManyAsAskedForAndEven() {
+    const Faces torus = band(60, 30, false);
+    const FaceTopology topology = torus.topology();
+    constexpr std::size_t wanted = 4000;
+    const std::vector<Vec3f> points = placesOf(torus, topology, wanted);
+    QVERIFY2(points.size() > wanted * 95 / 100 && points.size() < wanted * 102 / 100,
+             qPrintable(QString::number(points.size())));
+    const double spacing = std::sqrt(topology.area / wanted);
+    double farthest = 0;
+    for (const Vec3f& p : points) {
+        double nearest = 1e9;
+        for (const Vec3f& q : points)
+            if (&p != &q)
+                nearest = std::min(nearest, static_cast<double>(distance(p, q)));
+        QVERIFY2(nearest > 0.65 * spacing, qPrintable(QString::number(nearest / spacing)));
+        farthest = std::max(farthest, nearest);
+    }
+    QVERIFY2(farthest < 1.5 * spacing, qPrintable(QString::number(farthest / spacing)));
+}
+
+void FacesTest::bothSidesOfAThinWallGetTheirPoints() {
+    const Faces plate = box({1, 1, 0.002f});
+    std::size_t above = 0, below = 0;
+    for (const Vec3f& p : placesOf(plate, plate.topology(), 3000)) {
+        above += p.z > 0.0019f ? 1 : 0;
+        below += p.z < 0.0001f ? 1 : 0;
+    }
+    QVERIFY(above > 1350 && below > 1350);
+}
+
+void FacesTest::theSamePointsAtAnyThreadCount() {
+    const Faces faces = soup(test::seed(), 200);
+    const FaceTopology topology = faces.topology();
+    base::setThreadCount(1);
+    const std::vector<Vec3f> one = placesOf(faces, topology, 20000);
+    base::setThreadCount(4);
+    const std::vector<Vec3f> four = placesOf(faces, topology, 20000);
+    base::setThreadCount(0);
+    QVERIFY(one == four);
+}
+
+void FacesTest::normalsKeepToTheirSideOfAnEdge() {
+    const mesh::OpenedFaces cube = mesh::openFaces(box({1, 2, 3}).list(), box({1, 2, 3}).triangles, {},
+                                                   {.use = mesh::FaceUse::Sample, .count = 3000});
+    QVERIFY(cube.sampled && cube.closed && cube.points.layout->oriented);
+    for (const surfel::Surfel& s : cube.points.items) {
+        QVERIFY(std::abs(s.normal.x) + std::abs(s.normal.y) + std::abs(s.normal.z) < 1.00001f); // along an axis
+        const Vec3f outwards = s.position - Vec3f{0.5f, 1, 1.5f};
+        QVERIFY(dot(s.normal, outwards) > 0.49f);
+    }
+}
+
+void FacesTest::coloursAndAttributesFollowTheCorners() {
+    const Faces square{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
+    auto layout = std::make_shared<surfel::AttributeLayout>();
+    layout->colours = true;
+    layout->add("height", surfel::ScalarType::Float32);
+    surfel::SurfelList vertices;
+    vertices.layout = layout;
+    for (const Vec3f& p : square.positions) {
+        std::uint32_t word = 0;
+        surfel::write(layout->attributes()[0], {&word, 1}, static_cast<double>(p.x));
+        surfel::Surfel vertex = at(p);
+        vertex.colour = surfel::rgba(p.x > 0 ? 200 : 0, 0, 0);
+        vertices.append(vertex, {&word, 1});
+    }
+    const mesh::OpenedFaces found =
+        mesh::openFaces(std::move(vertices), square.triangles, {}, {.use = mesh::FaceUse::Sample, .count = 1000});
+    QVERIFY(!found.closed && found.points.size() > 900);
+    for (std::size_t i = 0; i < found.points.size(); ++i) {
+        const surfel::Surfel& s = found.points.items[i];
+        const double height = surfel::read(found.points.layout->attributes()[0], found.points.extraOf(i));
+        QVERIFY(std::abs(height - static_cast<double>(s.position.x)) < 1e-6);
+        QVERIFY(std::abs(static_cast<float>(s.colour & 255u) - 200 * s.position.x) <= 0.51f);
+    }
+}
+
+void FacesTest::evenVerticesStayAndCoarseOnesDoNot() {
+    const Faces fine = band(400, 160, false), coarse = band(100, 40, false), cube = box({1, 1, 1});
+    QVERIFY(sampleWell(fine.topology(), fine.positions));
+    QVERIFY(!sampleWell(coarse.topology(), coarse.positions));
+    QVERIFY(!sampleWell(cube.topology(), cube.positions));
+    const mesh::OpenedFaces kept = mesh::openFaces(fine.list(), fine.triangles, {}, {});
+    QVERIFY(!kept.sampled && kept.closed);
+    QCOMPARE(kept.points.size(), fine.positions.size());
+    for (const surfel::Surfel& s : kept.points.items) {
+        const Vec3d p = base::cast<double>(s.position), ring = base::normalized(Vec3d{p.x, p.y, 0});
+        QVERIFY(dot(base::cast<double>(s.normal), base::normalized(p - ring)) > 0.999);
+    }
+    const mesh::OpenedFaces sampled = mesh::openFaces(cube.list(), cube.triangles, {}, {});
+    QVERIFY(sampled.sampled && sampled.points.size() > 95'000 && sampled.points.size() < 105'000);
+    QCOMPARE(sampled.messages.size(), std::size_t(1));
+}
+
+void FacesTest::brokenFacesLendNoNormals() {
+    Faces torus = band(400, 160, false);
+    const std::size_t sound = torus.triangles.size();
+    for (std::size_t t = 0; t < sound; t += 100)
+        torus.triangles.push_back(torus.triangles[t]);
+    const mesh::OpenedFaces found = mesh::openFaces(torus.list(), torus.triangles, {}, {});
+    QVERIFY(!found.sampled && !found.points.layout->normals);
+    QVERIFY(mesh::openFaces(torus.list(), std::span(torus.triangles).first(sound), {}, {}).points.layout->normals);
+}
+
+/// Heights that change from vertex to vertex are more than the vertices can hold.
+void FacesTest::roughVerticesAreSampled() {
+    base::Random random(test::seed());
+    Faces rough = band(400, 160, false);
+    for (Vec3f& p : rough.positions)
+        p += base::cast<float>(random.unitVector() * random.uniform(0, 0.012));
+    QVERIFY(!sampleWell(rough.topology(), rough.positions));
+}
+
+void FacesTest::thinWallsAskForMore() {
+    const Faces cube = box({1, 1, 1}), plate = box({1, 1, 0.004f});
+    QVERIFY(std::isinf(thinnestWall(cube.topology(), cube.positions)));
+    QCOMPARE(fittingCount(cube.topology(), thinnestWall(cube.topology(), cube.positions)), std::size_t(100'000));
+    const double spacing =
+        std::sqrt(plate.topology().area /
+                  static_cast<double>(fittingCount(plate.topology(), thinnestWall(plate.topology(), plate.positions))));
+    QVERIFY2(std::abs(spacing - 0.004 / 3) < 1e-5, qPrintable(QString::number(spacing)));
+}
+
+void FacesTest::tooManyAndTooFewSamplesAreRefused() {
+    const Faces cube = box({1, 1, 1});
+    QVERIFY_EXCEPTION_THROWN(
+        mesh::openFaces(cube.list(), cube.triangles, {}, {.use = mesh::FaceUse::Sample, .spacing = 1e-9}), base::Error);
+    QVERIFY_EXCEPTION_THROWN(
+        mesh::openFaces(cube.list(), cube.triangles, {}, {.use = mesh::FaceUse::Sample, .spacing = 100}), base::Error);
+}
+
+static const test::Registered<FacesTest> registered;
+#include "faces_test.moc"

@@ -1,0 +1,61 @@
+// What a view frames: the model, not what stands far away from it.
+#include "core/render/framed_box.h"
+
+#include "core/base/random.h"
+#include "support/registry.h"
+
+#include <QTest>
+
+class FramedBoxTest : public QObject {
+    Q_OBJECT
+  private Q_SLOTS:
+    void evenModelsAreFramedWhole();
+    void farOutliersAreLeftOut();
+    void whatStandsNearBelongsToTheModel();
+    void nothingIsFramedOfNothing();
+};
+
+/// Points of a unit ball, some surfels elsewhere.
+static tree::SurfelTree ballAnd(std::size_t count, std::initializer_list<base::Vec3f> others) {
+    base::Random random(test::seed());
+    surfel::SurfelList list;
+    surfel::Surfel s;
+    s.support = 0.1f;
+    for (std::size_t i = 0; i < count; ++i) {
+        s.position = base::cast<float>(random.unitVector() * std::cbrt(random.uniform(0, 1)));
+        list.items.push_back(s);
+    }
+    for (const base::Vec3f& p : others) {
+        s.position = p;
+        list.items.push_back(s);
+    }
+    return tree::SurfelTree::build(list);
+}
+
+void FramedBoxTest::evenModelsAreFramedWhole() {
+    for (const std::size_t count : {1ul, 5ul, 300ul, 20000ul, 100000ul}) {
+        const tree::SurfelTree tree = ballAnd(count, {});
+        QVERIFY2(render::framedBox(tree) == tree.bounds(),
+                 qPrintable(QString("%1, seed %2").arg(count).arg(test::seed())));
+    }
+}
+
+void FramedBoxTest::farOutliersAreLeftOut() {
+    for (const std::size_t count : {1000ul, 100000ul}) {
+        const base::Box3f model = ballAnd(count, {}).bounds();
+        QVERIFY(render::framedBox(ballAnd(count, {{100, 0, 0}})) == model);
+        QVERIFY(render::framedBox(ballAnd(count, {{100, 0, 0}, {-3000, 20, 1}})) == model);
+    }
+}
+
+void FramedBoxTest::whatStandsNearBelongsToTheModel() {
+    const tree::SurfelTree tree = ballAnd(10000, {{1.5f, 0, 0}, {500, 0, 0}});
+    QCOMPARE(render::framedBox(tree).hi.x, 1.5f);
+}
+
+void FramedBoxTest::nothingIsFramedOfNothing() {
+    QVERIFY(render::framedBox({}).empty());
+}
+
+static const test::Registered<FramedBoxTest> registered;
+#include "framed_box_test.moc"

@@ -1,0 +1,110 @@
+// Splats show what the surface is: their masks are those of rays, however unevenly it was sampled.
+#include "core/process/estimation/prepare.h"
+#include "render/masks.h"
+#include "render/render_models.h"
+#include "support/registry.h"
+
+#include <QTest>
+
+using base::Vec3d;
+
+class MasksTest : public QObject {
+    Q_OBJECT
+  private Q_SLOTS:
+    void splatsCoverWhatRaysHit_data();
+    void splatsCoverWhatRaysHit();
+    void gapsAndStraysAreCounted();
+};
+
+namespace {
+
+/// Random samples of a lumpy ball as a scan brings them, positions alone: no distance is kept, and the spacing grows
+/// `ratio` times from its lower end to its upper.
+surfel::SurfelList scanOf(std::size_t count, double ratio, std::uint64_t seed) {
+    base::Random random(seed);
+    surfel::SurfelList out;
+    while (out.size() < count) {
+        const Vec3d d = random.unitVector();
+        if (random.uniform() > std::pow(ratio, -1 - d.z))
+            continue;
+        surfel::Surfel s;
+        s.position = base::cast<float>(d * (1 + 0.15 * std::sin(3 * d.x) * std::sin(4 * d.y)));
+        out.items.push_back(s);
+    }
+    return out;
+}
+
+/// Adds eight samples about each where z > `from`, and leaves the supports as they were: as a stroke that fills in.
+surface::Surface withDensePlace(const surface::Surface& surface, double from, std::uint64_t seed) {
+    surfel::SurfelList list = surface.tree().surfels();
+    base::Random random(seed);
+    const std::size_t size = list.size();
+    for (std::size_t i = 0; i < size; ++i)
+        for (int k = 0; list.items[i].position.z > float(from) && k < 8; ++k) {
+            surfel::Surfel s = list.items[i];
+            const base::Vec3f way = base::cast<float>(random.unitVector()) * (0.2f * s.support);
+            s.position += way - s.normal * dot(way, s.normal);
+            list.items.push_back(s);
+        }
+    return {tree::SurfelTree::build(list), surface.definition()};
+}
+
+} // namespace
+
+void MasksTest::splatsCoverWhatRaysHit_data() {
+    QTest::addColumn<double>("ratio");
+    QTest::addColumn<double>("denseFrom");
+    QTest::addColumn<double>("mostStrays");
+    QTest::newRow("even") << 1.0 << 2.0 << 0.1;
+    QTest::newRow("spacing 1 to 5") << 5.0 << 2.0 << 0.1;
+    // At its sparse end the radius of a disc is a tenth of the ball's: flat discs stand out of it by more than a pixel.
+    QTest::newRow("spacing 1 to 20") << 20.0 << 2.0 << 0.4;
+    QTest::newRow("a dense place") << 1.0 << 0.4 << 0.1;
+}
+
+void MasksTest::splatsCoverWhatRaysHit() {
+    QFETCH(double, ratio);
+    QFETCH(double, denseFrom);
+    QFETCH(double, mostStrays);
+    surface::Surface surface = process::prepare(scanOf(test::effort(40000), ratio, test::seed()), {});
+    if (denseFrom < 1)
+        surface = withDensePlace(surface, denseFrom, test::seed());
+    const render::RenderOptions options = test::atRest(surface);
+    render::CpuSplatter splatter;
+    test::MaskGap all;
+    for (const render::Camera& camera : test::allAround(surface.tree().bounds(), 240, 180)) {
+        render::Image rays;
+        rays.resize(camera.width, camera.height);
+        render::RayCounts counts;
+        render::rayCast(surface, camera, options, rays, counts);
+        all += test::maskGap(rays, test::drawn(splatter, surface.tree(), camera, options));
+    }
+    QVERIFY(all.hit > 50000);
+    const QString found = QString("%1 % holes, %2 % strays, scale %3, seed %4")
+                              .arg(all.holesPercent())
+                              .arg(all.straysPercent())
+                              .arg(options.splatScale)
+                              .arg(test::seed());
+    QVERIFY2(all.holesPercent() < 0.1, qPrintable(found));
+    QVERIFY2(all.straysPercent() < mostStrays, qPrintable(found));
+}
+
+void MasksTest::gapsAndStraysAreCounted() {
+    render::Image rays, splats;
+    rays.resize(9, 9), splats.resize(9, 9);
+    for (int y = 0; y < 9; ++y)
+        for (int x = 0; x < 5; ++x)
+            rays.depth[std::size_t(9 * y + x)] = splats.depth[std::size_t(9 * y + x)] = 1;
+    QCOMPARE(test::maskGap(rays, splats).holes + test::maskGap(rays, splats).strays, std::size_t(0));
+    splats.depth[9 * 4 + 2] = std::numeric_limits<float>::infinity(); // inside
+    splats.depth[9 * 4 + 4] = std::numeric_limits<float>::infinity(); // at the outline
+    splats.depth[9 * 6 + 5] = 1;                                      // at the outline
+    splats.depth[9 * 6 + 7] = 1;                                      // outside
+    const test::MaskGap found = test::maskGap(rays, splats);
+    QCOMPARE(found.hit, std::size_t(45));
+    QCOMPARE(found.holes, std::size_t(1));
+    QCOMPARE(found.strays, std::size_t(1));
+}
+
+static const test::Registered<MasksTest> registered;
+#include "masks_test.moc"

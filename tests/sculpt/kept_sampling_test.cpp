@@ -1,0 +1,193 @@
+// What a stroke owes the sampling that it meets: where it stretches nothing every surfel stays, however uneven or
+// noisy; fine detail stays fine; nothing is left that no sheet bears; the result does not depend on how a path is
+// delivered.
+#include "core/base/random.h"
+#include "core/process/estimation/prepare.h"
+#include "core/sculpt/crumbs.h"
+#include "sculpt/shapes.h"
+#include "support/registry.h"
+
+#include <QTest>
+
+using namespace sculpt;
+using base::Vec3d;
+using base::Vec3f;
+
+class KeptSamplingTest : public QObject {
+    Q_OBJECT
+  private Q_SLOTS:
+    void whatStretchesNothingKeepsEverySurfel_data();
+    void whatStretchesNothingKeepsEverySurfel();
+    void fineDetailStaysFine();
+    void aSheetOfFiveThatWasLargerGoes();
+    void eraseLeavesNoCrumbsAndKeepsStrays();
+    void aPathInOtherPiecesMakesTheSameShape_data();
+    void aPathInOtherPiecesMakesTheSameShape();
+};
+
+/// A ball of random points, 400 times as dense (20 times as fine) around one end of x; its normals are exact.
+static surfel::SurfelList unevenBall(base::Random& random, double noise) {
+    surfel::SurfelList out;
+    out.layout = test::orientedLayout();
+    const auto add = [&](const Vec3d& u) {
+        surfel::Surfel s;
+        s.position = base::cast<float>(u + random.unitVector() * noise * random.uniform());
+        s.normal = base::cast<float>(u);
+        out.append(s, {});
+    };
+    for (int k = 0; k < 4000; ++k)
+        add(random.unitVector());
+    for (int k = 0; k < 4000; ++k)
+        add(normalized(Vec3d{1, 0, 0} + random.unitVector() * (0.1 * std::sqrt(random.uniform()))));
+    return out;
+}
+
+/// Looking at +x from outside, along y.
+static std::vector<StrokeSample> acrossTheFine(int pieces, float half = 0.5f) {
+    std::vector<StrokeSample> out;
+    for (int k = 0; k <= pieces; ++k) {
+        const float t = float(k) / float(pieces);
+        out.push_back({{{4, half * (2 * t - 1), 0.2f * std::sin(4 * t)}, {-1, 0, 0}}, 1, t});
+    }
+    return out;
+}
+
+void KeptSamplingTest::whatStretchesNothingKeepsEverySurfel_data() {
+    QTest::addColumn<QString>("tool");
+    QTest::addColumn<double>("strength");
+    QTest::addColumn<double>("noise");
+    for (const double noise : {0.0, 0.003}) {
+        const QByteArray word = noise > 0 ? " on noise" : "";
+        QTest::newRow("weak draw" + word) << "draw" << 0.1 << noise;
+        QTest::newRow("smooth" + word) << "smooth" << 0.5 << noise;
+        QTest::newRow("paint" + word) << "paint" << 1.0 << noise;
+        QTest::newRow("mask" + word) << "mask" << 1.0 << noise;
+    }
+}
+
+void KeptSamplingTest::whatStretchesNothingKeepsEverySurfel() {
+    QFETCH(QString, tool);
+    QFETCH(double, strength);
+    QFETCH(double, noise);
+    base::Random random(test::seed());
+    const surface::Surface start = process::prepare(unevenBall(random, noise), {});
+    StrokeSettings settings;
+    settings.tool = tool.toStdString();
+    settings.radius = 0.3f;
+    settings.strength = float(strength);
+    const surface::Surface after = test::stroked(start, settings, acrossTheFine(30));
+    const double change = double(after.tree().size()) / double(start.tree().size()) - 1;
+    QVERIFY(after.tree().contentHash() != start.tree().contentHash());
+    QVERIFY2(std::abs(change) < 0.002, qPrintable(QString("%1, seed %2").arg(change).arg(test::seed())));
+}
+
+void KeptSamplingTest::fineDetailStaysFine() {
+    base::Random random(test::seed());
+    const surface::Surface start = process::prepare(unevenBall(random, 0), {});
+    const auto fine = [](const surface::Surface& surface) {
+        const auto items = surface.tree().surfels().items;
+        return std::count_if(items.begin(), items.end(), [](const surfel::Surfel& s) {
+            return std::hypot(s.position.y, s.position.z) < 0.1f && s.position.x > 0.5f;
+        });
+    };
+    StrokeSettings settings;
+    settings.tool = "draw";
+    settings.radius = 0.3f;
+    settings.strength = 0.5f;
+    std::vector<StrokeSample> samples; // to and fro, beginning where the ball is coarse
+    for (int pass = 0; pass < 2; ++pass)
+        for (int k = 0; k <= 10; ++k)
+            samples.push_back({{{4, (pass % 2 ? 0.6f : -0.6f) * (1 - 0.2f * float(k)), 0}, {-1, 0, 0}}, 1, 0});
+    const surface::Surface after = test::stroked(start, settings, samples);
+    const double share = double(fine(after)) / double(fine(start));
+    QVERIFY(after.tree().bounds().hi.x > 1.08f);
+    QVERIFY2(share > 0.9 && share < 1.3, qPrintable(QString("%1, seed %2").arg(share).arg(test::seed())));
+}
+
+void KeptSamplingTest::aSheetOfFiveThatWasLargerGoes() {
+    constexpr double s = 0.02;
+    const surface::Surface start = test::surfaceOf(test::planePoints(40, s));
+    for (const std::size_t left : {1u, 5u, 6u}) {
+        // What is within a ring, and `left` of its middle.
+        std::vector<tree::Neighbour> middle;
+        start.tree().nearest({0, 0, 0}, left, middle);
+        tree::Edit hole;
+        hole.inserted.layout = start.tree().layout();
+        start.tree().forEachBlock([&](std::uint32_t number, const surfel::SurfelBlock& block) {
+            tree::BlockEdit edit{number, {}, {}};
+            for (int slot = 0; slot < block.size(); ++slot)
+                edit.removed.set(std::size_t(slot), length(block.position(slot)) < 6 * float(s));
+            for (const tree::Neighbour& each : middle)
+                if (each.blockNumber == number)
+                    edit.removed.reset(std::size_t(each.slot));
+            if (edit.removed.any())
+                hole.blocks.push_back(edit);
+        });
+        const tree::SurfelTree now = start.tree().apply(hole);
+        const tree::Edit edit =
+            dropCrumbs(now, start.tree(), process::selectAll(now), [](const surfel::SurfelBlock& block, int slot) {
+                return CrumbSource{block.position(slot), float(s)};
+            });
+        QCOMPARE(now.size() - now.apply(edit).size(), left < 6 ? left : 0);
+        QVERIFY(dropCrumbs(now, now, process::selectAll(now), [](const surfel::SurfelBlock& block, int slot) {
+                    return CrumbSource{block.position(slot), float(s)};
+                }).empty()); // what was as small before stays
+    }
+}
+
+void KeptSamplingTest::eraseLeavesNoCrumbsAndKeepsStrays() {
+    constexpr double s = 0.02;
+    surfel::SurfelList points = test::planePoints(60, s);
+    points.append(test::surfelAt({0.3, 0.05, 0.2}, {0, 0, 1}, s), {}); // a stray above the plane, beside the stroke
+    const surface::Surface start = test::surfaceOf(points);
+    StrokeSettings settings;
+    settings.tool = "erase";
+    settings.radius = 0.1f;
+    settings.strength = 1;
+    std::vector<StrokeSample> samples; // two lines whose holes leave a strip of less than a spacing between them
+    for (const float y : {0.0f, 2 * settings.radius + 0.6f * float(s)})
+        for (int k = 0; k <= 20; ++k)
+            samples.push_back({{{-0.4f + 0.04f * float(k), y, 5}, {0, 0, -1}}, 1, 0});
+    const surface::Surface after = test::stroked(start, settings, samples);
+    int strays = 0;
+    std::vector<tree::Neighbour> near;
+    for (const surfel::Surfel& each : after.tree().surfels().items) {
+        after.tree().nearest(each.position, 2, near);
+        strays += near[1].distanceSq > float(2.2 * s * 2.2 * s) ? 1 : 0;
+    }
+    QCOMPARE(strays, 1);
+    QVERIFY(after.tree().size() < start.tree().size() - 300);
+}
+
+void KeptSamplingTest::aPathInOtherPiecesMakesTheSameShape_data() {
+    QTest::addColumn<QString>("tool");
+    for (const char* tool : {"draw", "pinch", "nudge", "crease", "inflate", "flatten"})
+        QTest::newRow(tool) << tool;
+}
+
+void KeptSamplingTest::aPathInOtherPiecesMakesTheSameShape() {
+    QFETCH(QString, tool);
+    constexpr std::size_t count = 12000;
+    const surface::Surface start = test::surfaceOf(test::spherePoints(count));
+    StrokeSettings settings;
+    settings.tool = tool.toStdString();
+    settings.radius = 0.25f;
+    settings.strength = 0.5f;
+    const surface::Surface few = test::stroked(start, settings, acrossTheFine(32)),
+                           many = test::stroked(start, settings, acrossTheFine(512));
+    double apart = 0, moved = 0;
+    base::Random random(test::seed());
+    for (int k = 0; k < 1000; ++k) {
+        const Vec3f p = base::cast<float>(normalized(Vec3d{1, random.uniform(-0.6, 0.6), random.uniform(-0.5, 0.5)}));
+        const auto a = surface::project(few, p, {}), b = surface::project(many, p, {});
+        if (a.ok() && b.ok())
+            apart += double(distanceSq(a.foot, b.foot)), moved += double(distanceSq(a.foot, p));
+    }
+    const double part = std::sqrt(apart / moved);
+    QVERIFY2(part < 0.01, qPrintable(QString("%1, seed %2").arg(part).arg(test::seed())));
+    const double counts = double(few.tree().size()) / double(many.tree().size());
+    QVERIFY2(std::abs(counts - 1) < 1e-3, qPrintable(QString::number(counts)));
+}
+
+static const test::Registered<KeptSamplingTest> registered;
+#include "kept_sampling_test.moc"
