@@ -89,7 +89,7 @@ Action addRender(CLI::App& command) {
     options->view = addViewOptions(command);
     options->look = addLookOptions(command);
     command.add_option("--backend", options->backend, "renderer of splats; the machine may lack osmesa and egl")
-        ->check(CLI::IsMember({"cpu", "osmesa", "egl"}))
+        ->check(idOf(render::backendTable()))
         ->capture_default_str();
     command
         .add_option("--detail", options->picture.style.detailPx,

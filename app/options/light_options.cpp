@@ -1,6 +1,7 @@
 #include "app/options/light_options.h"
 
 #include "app/options/number_list.h"
+#include "app/options/option_checks.h"
 #include "core/base/error.h"
 
 namespace app {
@@ -65,13 +66,10 @@ void checkTogether(const LightOptions& options, bool occlusion, const render::Pi
 
 std::shared_ptr<LightOptions> addLightOptions(CLI::App& command) {
     auto options = std::make_shared<LightOptions>();
-    std::vector<std::string> materials;
-    for (const raycast::MaterialRow& row : raycast::materialTable())
-        materials.push_back(row.id);
     command
         .add_option("--material", options->material,
                     helpOf("material of the surface with --mode raycast", raycast::materialTable()))
-        ->check(CLI::IsMember(materials))
+        ->check(idOf(raycast::materialTable()))
         ->option_text("NAME [matcap]");
     command
         .add_option(

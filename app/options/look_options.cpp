@@ -2,6 +2,7 @@
 
 #include "app/open_model.h"
 #include "app/options/number_list.h"
+#include "app/options/option_checks.h"
 #include "core/base/error.h"
 #include "core/render/effects/effect_rows.h"
 #include "core/render/shading/own_colours.h"
@@ -35,14 +36,6 @@ std::string effectsFault(const std::string& text) {
 }
 
 template <class Rows>
-std::vector<std::string> idsOf(const Rows& rows) {
-    std::vector<std::string> out;
-    for (const auto& row : rows)
-        out.push_back(row.id);
-    return out;
-}
-
-template <class Rows>
 std::string helpOf(std::string out, const Rows& rows) {
     for (const auto& row : rows)
         out += std::string("\n  ") + row.id + ": " + row.tip;
@@ -70,7 +63,7 @@ surface::Surface referenceOf(const std::string& path, const session::Document& d
 std::shared_ptr<LookOptions> addLookOptions(CLI::App& command) {
     auto options = std::make_shared<LookOptions>();
     command.add_option("--shading", options->shading, helpOf("how the surface is coloured", render::shadingTable()))
-        ->check(CLI::IsMember(idsOf(render::shadingTable())))
+        ->check(idOf(render::shadingTable()))
         ->option_text("NAME [colour for a model with colours, else matcap]");
     command
         .add_option("--range", options->range,
@@ -83,7 +76,7 @@ std::shared_ptr<LookOptions> addLookOptions(CLI::App& command) {
                     "model that --shading deviation measures distances from, positive on the side of its normals")
         ->type_name("MODEL");
     command.add_option("--background", options->backdrop, helpOf("background of the picture", render::backdropTable()))
-        ->check(CLI::IsMember(idsOf(render::backdropTable())))
+        ->check(idOf(render::backdropTable()))
         ->option_text("NAME [studio]");
     command
         .add_option("--effects", options->effects,

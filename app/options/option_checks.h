@@ -14,4 +14,13 @@ CLI::Validator atLeast(double least);
 /// A file's name for a picture: we write PNG alone.
 CLI::Validator pictureName();
 
+/// One of a table's rows, by its id.
+template <class Rows>
+CLI::Validator idOf(const Rows& rows) {
+    std::vector<std::string> ids;
+    for (const auto& row : rows)
+        ids.push_back(row.id);
+    return CLI::IsMember(ids);
+}
+
 } // namespace app

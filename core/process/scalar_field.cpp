@@ -40,7 +40,7 @@ float pick(Quantity quantity, surface::Curvature c, bool sided) {
     switch (quantity) {
     case Quantity::MeanCurvature:
         return static_cast<float>(c.mean());
-    case Quantity::GaussCurvature:
+    case Quantity::GaussianCurvature:
         return static_cast<float>(c.gauss());
     case Quantity::LargestCurvature:
         return static_cast<float>(c.k1);

@@ -18,13 +18,13 @@
 
 namespace process {
 
-/// Curvatures (surface/README) in 1/length, Gauss in 1/length squared; where the surfels have no common side, the side
-/// is the one with mean >= 0. OffCentre is o/h (process/README 3), without unit. Spacing and Deviation are lengths: the
-/// latter from the reference surface to this one, positive on the side where the reference's normals point, without
-/// sign where it has no sides.
+/// Curvatures (surface/README) in 1/length, Gaussian in 1/length squared; where the surfels have no common side, the
+/// side is the one with mean >= 0. OffCentre is o/h (process/README 3), without unit. Spacing and Deviation are
+/// lengths: the latter from the reference surface to this one, positive on the side where the reference's normals
+/// point, without sign where it has no sides.
 enum class Quantity {
     MeanCurvature,
-    GaussCurvature,
+    GaussianCurvature,
     LargestCurvature,
     SmallestCurvature,
     OffCentre,

@@ -66,20 +66,22 @@ void MasksTest::splatsCoverWhatRaysHit() {
     QFETCH(double, ratio);
     QFETCH(double, denseFrom);
     QFETCH(double, mostStrays);
-    surface::Surface surface = process::prepare(scanOf(test::effort(40000), ratio, test::seed()), {});
+    surface::Surface surface = process::prepare(scanOf(40000, ratio, test::seed()), {});
     if (denseFrom < 1)
         surface = withDensePlace(surface, denseFrom, test::seed());
     const render::RenderOptions options = test::atRest(surface);
     render::CpuSplatter splatter;
     test::MaskGap all;
-    for (const render::Camera& camera : test::allAround(surface.tree().bounds(), 240, 180)) {
+    std::vector<render::Camera> views = test::allAround(surface.tree().bounds(), 240, 180);
+    views.resize(std::size_t(test::effort(int(views.size())))); // fewer points would stand out farther
+    for (const render::Camera& camera : views) {
         render::Image rays;
         rays.resize(camera.width, camera.height);
         render::RayCounts counts;
         render::rayCast(surface, camera, options, rays, counts);
         all += test::maskGap(rays, test::drawn(splatter, surface.tree(), camera, options));
     }
-    QVERIFY(all.hit > 50000);
+    QVERIFY(all.hit > 4000 * views.size());
     const QString found = QString("%1 % holes, %2 % strays, scale %3, seed %4")
                               .arg(all.holesPercent())
                               .arg(all.straysPercent())

@@ -145,7 +145,7 @@ void PullToolsTest::twistKeepsDistancesToAxisAndCentre() {
         Dab dab = dabOf(tool("twist"), n * 0.97f, 0.6f, float(random.uniform(-1, 1)));
         dab.areaNormal = normalized(n + base::cast<float>(random.unitVector() * 0.5));
         dab.angle = float(random.uniform(-1, 1));
-        dab.falloff = falloffTable()[std::size_t(k) % 5].value;
+        dab.falloff = falloffTable()[std::size_t(k) % (falloffTable().size() - 1)].value; // but the last, custom
         forMoved("twist", sphere, dab, [&](const surfel::Surfel& a, const surfel::Surfel& b) {
             const base::Vec3f p = a.position - dab.centre, q = b.position - dab.centre;
             QVERIFY(std::abs(dot(p - q, dab.areaNormal)) < 1e-6f);

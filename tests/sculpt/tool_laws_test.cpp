@@ -67,7 +67,7 @@ static StrokeSettings settingsOf(const ToolRow& row, base::Random& random, doubl
     s.radius = float(spacing * random.uniform(6, 14));
     s.strength = float(random.uniform(0.3, 1));
     s.invert = random.uniform() < 0.5;
-    s.falloff = falloffTable()[random.below(3)].value;
+    s.falloff = falloffTable()[random.below(falloffTable().size() - 1)].value; // but the last, custom
     if (s.tool == "clone")
         s.parameters = {{"x", random.uniform(-0.3, 0.3)}, {"y", random.uniform(-0.3, 0.3)}};
     return s;

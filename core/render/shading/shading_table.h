@@ -25,7 +25,7 @@ enum class Shading {
     Colour,
     Mask,
     Curvature,
-    CurvatureGauss,
+    CurvatureGaussian,
     CurvatureK1,
     CurvatureK2,
     OffCentre,
