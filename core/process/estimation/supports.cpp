@@ -2,6 +2,8 @@
 
 #include "core/process/estimation/cloud_spacing.h"
 #include "core/process/estimation/cloud_supports.h"
+#include "core/process/estimation/neighbour_graph.h"
+#include "core/process/estimation/outliers.h"
 #include "core/process/estimation/part_progress.h"
 
 #include <algorithm>
@@ -10,76 +12,13 @@ namespace process {
 
 namespace {
 
-/// Neighbours among which radii are compared: two rings of a hexagonal layout have 18, the inner one and half the outer
-/// carry a slope in every direction.
-constexpr std::size_t gradedNeighbours = 12;
-constexpr std::size_t ringSize = 6;     ///< that spacing is made of
-constexpr float oppositeCosine = -0.5f; ///< normals that differ by more than 120 degrees are of two sides
+constexpr std::size_t ringSize = 6; ///< that spacing is made of
 /// Of radii over distance (process/README 1.3).
 constexpr float steepest = 0.5f;
 /// A position that stands this many times sparser than the median of its neighbours is an outlier and gets no more.
 constexpr float sparsest = 3.0f;
 
-/// Each position's neighbours with their distances, `count` in a row.
-struct Graph {
-    std::size_t count;
-    std::vector<std::uint32_t> index;
-    std::vector<float> distance;
-};
-
-/// The sum of normals at each position; none where they have no common side.
-std::vector<base::Vec3f> sidesOf(const Cloud& cloud, const surfel::SurfelList& points) {
-    std::vector<base::Vec3f> out;
-    if (!points.layout->normals || !points.layout->oriented)
-        return out;
-    out.resize(cloud.size());
-    for (std::size_t i = 0; i < points.size(); ++i)
-        out[cloud.places()[i]] += points.items[i].normal;
-    return out;
-}
-
-/// Keeps the neighbours that look to the same side as `side`, in their order.
-void keepSameSide(const base::Vec3f& side, const std::vector<base::Vec3f>& sides, Neighbours& near) {
-    std::size_t kept = 0;
-    for (std::size_t k = 0; k < near.size(); ++k) {
-        const base::Vec3f& other = sides[near.index[k]];
-        if (dot(side, other) < oppositeCosine * length(side) * length(other))
-            continue;
-        near.index[kept] = near.index[k];
-        near.distanceSq[kept++] = near.distanceSq[k];
-    }
-    near.index.resize(kept);
-    near.distanceSq.resize(kept);
-}
-
-/// Where a wall is thin, the nearest may stand behind it: their spacing would be the wall's thickness. Too few on the
-/// own side: all count. Rows are filled up with the last one.
-Graph neighbourGraph(const Cloud& cloud, const std::vector<base::Vec3f>& sides, const base::Progress& progress) {
-    Graph g{std::min(gradedNeighbours, cloud.size() - 1), {}, {}};
-    g.index.resize(cloud.size() * g.count);
-    g.distance.resize(cloud.size() * g.count);
-    cloud.forEach(g.count, progress, "Measuring spacing", [&](std::size_t i, const Neighbours& nearest) {
-        Neighbours own;
-        const Neighbours* near = &nearest;
-        if (!sides.empty()) {
-            own = nearest;
-            keepSameSide(sides[i], sides, own);
-            if (own.size() < nearest.size()) {
-                cloud.nearest(i, 2 * g.count, own);
-                keepSameSide(sides[i], sides, own);
-                near = own.size() >= ringSize ? &own : &nearest;
-            }
-        }
-        for (std::size_t k = 0; k < g.count; ++k) {
-            const std::size_t from = std::min(k, near->size() - 1);
-            g.index[i * g.count + k] = near->index[from];
-            g.distance[i * g.count + k] = std::sqrt(near->distanceSq[from]);
-        }
-    });
-    return g;
-}
-
-std::vector<float> spacingsOf(const Graph& g, std::size_t n) {
+std::vector<float> spacingsOf(const NeighbourGraph& g, std::size_t n) {
     std::vector<float> out(n);
     const std::size_t k = std::min<std::size_t>(ringSize, g.count);
     base::parallelFor(n, 8192, [&](std::size_t i) {
@@ -92,7 +31,7 @@ std::vector<float> spacingsOf(const Graph& g, std::size_t n) {
 }
 
 /// An outlier's reach would otherwise follow its distance from everything, and grading would carry that into the model.
-std::vector<float> withoutOutliers(const std::vector<float>& spacing, const Graph& g) {
+std::vector<float> withoutOutliers(const std::vector<float>& spacing, const NeighbourGraph& g) {
     std::vector<float> out(spacing.size());
     base::parallelFor(spacing.size(), 4096, [&](std::size_t i) {
         float near[gradedNeighbours];
@@ -106,7 +45,7 @@ std::vector<float> withoutOutliers(const std::vector<float>& spacing, const Grap
 
 /// Raises what lies more than a slope below a neighbour until nothing does: the largest of all h_j - slope d_ij. That
 /// fixed point is unique, so that the order of the sweeps cannot show. Along a Morton curve two or three suffice.
-void raise(std::vector<float>& h, const Graph& g, const base::Progress& progress) {
+void raise(std::vector<float>& h, const NeighbourGraph& g, const base::Progress& progress) {
     const auto relax = [&](std::size_t i) {
         bool changed = false;
         for (std::size_t e = i * g.count; e < (i + 1) * g.count; ++e) {
@@ -135,7 +74,7 @@ void raise(std::vector<float>& h, const Graph& g, const base::Progress& progress
 /// The mean of the smallest graded field above `h` and the largest below it: of all graded fields the one that departs
 /// least from `h` (McShane and Whitney's extensions), unbiased where spacing is only noisy, and nowhere under half of
 /// `h`, so that no place loses its cover.
-void grade(std::vector<float>& h, const Graph& g, const base::Progress& progress) {
+void grade(std::vector<float>& h, const NeighbourGraph& g, const base::Progress& progress) {
     std::vector<float> above = h, below(h.size());
     std::transform(h.begin(), h.end(), below.begin(), std::negate<>());
     raise(above, g, part(progress, 0, 0.5));
@@ -154,12 +93,17 @@ std::vector<float> supportsOf(const Cloud& cloud, const surfel::SurfelList& poin
         return std::vector<float>(cloud.size(), definition.support * reach);
     if (cloud.size() < 2)
         return std::vector<float>(cloud.size(), 1.0f); // a lone point has no scale; any will do
-    const Graph graph = neighbourGraph(cloud, sidesOf(cloud, points), part(progress, 0, 0.7));
+    NeighbourGraph graph = neighbourGraph(cloud, points, part(progress, 0, 0.7));
     std::vector<float> h = withoutOutliers(spacingsOf(graph, cloud.size()), graph);
     const float perSpacing = definition.unitInSpacings();
     for (float& value : h)
         value = std::max(value * perSpacing, 1e-18f); // denormal distances
+    const Outliers outliers = cutOutliers(graph, cloud.positions(), h);
     grade(h, graph, part(progress, 0.7, 1));
+    if (!outliers.members.empty()) {
+        lowerOutliers(h, graph, outliers, steepest);
+        raise(h, graph, progress); // what they see was graded without them
+    }
     if (gaussian)
         for (float& value : h)
             value *= surface::gaussianScale * reach;

@@ -1,8 +1,7 @@
 // Support radii: one for all, or per surfel h = s sqrt(K / pi) from the local spacing, graded so that neighbours' radii
 // differ by at most half their distance (process/README 1.3), because ungraded supports ripple. Grading neither raises
 // nor lowers on the whole: it takes the graded field nearest to the wanted one, and never less than half of what was
-// wanted. An outlier counts as at most 3 times as sparse as the median of its neighbours, so that its reach stays near
-// it.
+// wanted. Outliers take the radii of what they stand beside (process/README 1.3).
 #pragma once
 
 #include "core/base/progress.h"

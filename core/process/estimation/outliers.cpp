@@ -1,0 +1,171 @@
+#include "core/process/estimation/outliers.h"
+
+#include "core/base/mat3.h"
+
+namespace process {
+
+namespace {
+
+using base::Vec3d;
+using base::Vec3f;
+
+/// Of a neighbour's radius: what wants more and is not seen by it may be an outlier.
+constexpr float farWider = 1.25f;
+/// Outliers hang together, by neighbours that see each other, in groups below a twentieth of all positions, and this
+/// many.
+constexpr std::size_t largestGroup = 10000;
+/// See each other: among the nearest of both. Few of them keep a swarm apart that comes near a sparse part of the
+/// model.
+constexpr std::size_t mutualNeighbours = 8;
+/// Mean squared sine of the angle between the ways to the model and the model's tangent planes. A third is what
+/// directions by chance would have; sparse samples of the model itself lie beside dense ones, not above them.
+constexpr double steepestSight = 0.25;
+
+/// Tells small groups of positions from the model, looking at no more of it than it must.
+class Groups {
+  public:
+    explicit Groups(const NeighbourGraph& graph)
+        : m_graph(graph), m_limit(std::min(graph.size() / 20, largestGroup)), m_kind(graph.size(), Kind::Unknown) {}
+
+    bool isModel(std::uint32_t i) {
+        take(i);
+        return m_kind[i] == Kind::Model;
+    }
+
+    /// The group of i, sorted; empty where that is the model or was given out before.
+    std::vector<std::uint32_t> take(std::uint32_t i) {
+        std::vector<std::uint32_t> group;
+        if (m_kind[i] != Kind::Unknown)
+            return group;
+        group.push_back(i);
+        m_kind[i] = Kind::Queued;
+        bool large = m_limit < 2;
+        for (std::size_t k = 0; k < group.size() && !large; ++k)
+            large = !enqueueMutual(group[k], group) || group.size() >= m_limit;
+        for (const std::uint32_t j : group)
+            m_kind[j] = large ? Kind::Model : Kind::Small;
+        if (large)
+            group.clear();
+        std::sort(group.begin(), group.end());
+        return group;
+    }
+
+  private:
+    enum class Kind : std::uint8_t { Unknown, Queued, Small, Model };
+
+    /// False where the group belongs to the model.
+    bool enqueueMutual(std::uint32_t i, std::vector<std::uint32_t>& group) {
+        for (std::size_t k = 0; k < std::min(m_graph.count, mutualNeighbours); ++k) {
+            const std::uint32_t j = m_graph.index[i * m_graph.count + k];
+            if (m_kind[j] == Kind::Queued || !m_graph.sees(j, i, mutualNeighbours))
+                continue;
+            if (m_kind[j] == Kind::Model)
+                return false;
+            m_kind[j] = Kind::Queued;
+            group.push_back(j);
+        }
+        return true;
+    }
+
+    const NeighbourGraph& m_graph;
+    std::size_t m_limit;
+    std::vector<Kind> m_kind;
+};
+
+bool isUnseen(const NeighbourGraph& g, std::span<const float> wanted, std::size_t i, std::size_t edge) {
+    const std::uint32_t j = g.index[edge];
+    return wanted[i] > farWider * wanted[j] && !g.sees(j, static_cast<std::uint32_t>(i));
+}
+
+/// The normal of the plane through i and its neighbours.
+Vec3d planeAt(const NeighbourGraph& g, std::span<const Vec3f> positions, std::size_t i) {
+    const Vec3d origin = base::cast<double>(positions[i]);
+    Vec3d mean{};
+    base::Mat3d square{};
+    for (std::size_t e = i * g.count; e < (i + 1) * g.count; ++e) {
+        const Vec3d d = base::cast<double>(positions[g.index[e]]) - origin;
+        mean += d;
+        square += base::outer(d, d);
+    }
+    mean *= 1.0 / double(g.count + 1);
+    return base::symmetricEigen(square - base::outer(mean, mean) * double(g.count + 1)).vector[0];
+}
+
+/// What the group sees beside itself. REQUIRES: a sorted group.
+std::vector<Outliers::Sight> sightsOf(const NeighbourGraph& g, const std::vector<std::uint32_t>& group) {
+    std::vector<Outliers::Sight> out;
+    for (const std::uint32_t i : group)
+        for (std::size_t e = i * g.count; e < (i + 1) * g.count; ++e)
+            if (!std::binary_search(group.begin(), group.end(), g.index[e]))
+                out.push_back({i, g.index[e], g.distance[e], e});
+    return out;
+}
+
+bool standApart(const NeighbourGraph& g, std::span<const Vec3f> positions, std::span<const Outliers::Sight> sights,
+                Groups& groups) {
+    double sum = 0;
+    std::size_t count = 0;
+    for (const Outliers::Sight& sight : sights) {
+        if (!groups.isModel(sight.seen))
+            continue; // of other outliers' planes nothing follows
+        const Vec3d way = base::cast<double>(positions[sight.outlier] - positions[sight.seen]);
+        const double rise = dot(way, planeAt(g, positions, sight.seen));
+        sum += rise * rise / std::max(dot(way, way), 1e-300);
+        ++count;
+    }
+    return count == 0 || sum > steepestSight * double(count);
+}
+
+} // namespace
+
+Outliers cutOutliers(NeighbourGraph& graph, std::span<const Vec3f> positions, std::span<const float> wanted) {
+    std::vector<std::uint8_t> suspect(graph.size());
+    base::parallelFor(graph.size(), 4096, [&](std::size_t i) {
+        for (std::size_t e = i * graph.count; e < (i + 1) * graph.count; ++e)
+            suspect[i] |= std::uint8_t(isUnseen(graph, wanted, i, e));
+    });
+    Groups groups(graph);
+    std::vector<std::vector<std::uint32_t>> small;
+    for (std::uint32_t i = 0; i < suspect.size(); ++i)
+        if (suspect[i])
+            small.push_back(groups.take(i));
+    Outliers out;
+    for (const std::vector<std::uint32_t>& group : small) {
+        const std::vector<Outliers::Sight> sights = sightsOf(graph, group);
+        if (sights.empty() || !standApart(graph, positions, sights, groups))
+            continue;
+        out.members.insert(out.members.end(), group.begin(), group.end());
+        out.sights.insert(out.sights.end(), sights.begin(), sights.end());
+    }
+    for (const Outliers::Sight& sight : out.sights)
+        graph.index[sight.edge] = sight.outlier, graph.distance[sight.edge] = 0;
+    return out;
+}
+
+void lowerOutliers(std::vector<float>& h, NeighbourGraph& g, const Outliers& outliers, float slope) {
+    for (const auto& [i, seen, distance, edge] : outliers.sights)
+        g.index[edge] = seen, g.distance[edge] = distance;
+    std::vector<std::uint8_t> isOutlier(h.size(), 0);
+    for (const std::uint32_t i : outliers.members)
+        isOutlier[i] = 1;
+    std::vector<float> least = h, floors(h.size(), 0);
+    for (const auto& [i, seen, distance, edge] : outliers.sights)
+        if (!isOutlier[seen])
+            least[i] = std::min(least[i], h[seen]), floors[i] = std::max(floors[i], h[seen] - slope * distance);
+    for (const std::uint32_t i : outliers.members)
+        h[i] = std::max(least[i], floors[i]);
+    bool changed = true;
+    const auto lower = [&](std::uint32_t i, std::uint32_t j, float distance) {
+        const float most = h[j] + slope * distance;
+        if (isOutlier[i] && h[i] > most)
+            h[i] = most, changed = true;
+    };
+    while (changed) {
+        changed = false;
+        for (const std::uint32_t i : outliers.members)
+            for (std::size_t e = i * g.count; e < (i + 1) * g.count; ++e)
+                lower(i, g.index[e], g.distance[e]), lower(g.index[e], i, g.distance[e]);
+    }
+}
+
+} // namespace process

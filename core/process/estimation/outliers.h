@@ -1,0 +1,30 @@
+// Outliers: few sparse positions about a dense model, as scanners leave them. They see the model among their
+// neighbours, but nothing of the model sees them. Graded like all others (process/README 1.3) their wide radii would be
+// carried into the model and smooth its details away; instead they take the radii of what they stand beside.
+#pragma once
+
+#include "core/process/estimation/neighbour_graph.h"
+
+namespace process {
+
+struct Outliers {
+    /// An outlier and what it sees beside its own group.
+    struct Sight {
+        std::uint32_t outlier, seen;
+        float distance;
+        std::size_t edge; ///< of the graph
+    };
+    std::vector<std::uint32_t> members;
+    std::vector<Sight> sights;
+};
+
+/// Finds the outliers by the radii that positions want, and cuts their edges to it: there they become their own
+/// neighbours, at no distance. Sparse parts of the model stay in it: they lie beside the dense ones, in their tangent
+/// planes. The same at any thread count.
+Outliers cutOutliers(NeighbourGraph& graph, std::span<const base::Vec3f> positions, std::span<const float> wanted);
+
+/// No outlier wider than the least that it sees of the model and `slope` allows, nor than another one plus `slope`
+/// times their distance.
+void lowerOutliers(std::vector<float>& h, NeighbourGraph& graph, const Outliers& outliers, float slope);
+
+} // namespace process
