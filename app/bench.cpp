@@ -1,6 +1,7 @@
 // pointclay bench: items per second of every workload, with the naive way measured beside it in the same run.
 #include "app/bench/measure.h"
 #include "app/open_model.h"
+#include "app/options/face_options.h"
 #include "app/options/option_checks.h"
 #include "app/subcommand.h"
 #include "core/base/error.h"
@@ -22,6 +23,7 @@ namespace {
 struct Options {
     std::vector<std::string> names;
     std::string model, json;
+    GivenParameters faces;
     bench::SceneOptions scene;
     double seconds = 1;
 };
@@ -46,7 +48,7 @@ std::unique_ptr<bench::Scene> sceneOf(const Options& options, Console& console) 
         return std::make_unique<bench::Scene>(options.scene, progress);
     session::Document document;
     session::Context context{document, {}, progress, {}, 0, {}, nullptr};
-    openModel(context, options.model, nlohmann::json::object(), console);
+    openModel(context, options.model, parametersOf(options.faces), console);
     return std::make_unique<bench::Scene>(document.surface());
 }
 
@@ -194,6 +196,7 @@ Action addBench(CLI::App& command) {
     command.add_option("--seconds", options->seconds, "time to spend on each workload, and as much on its baseline")
         ->check(between(0, 3600))
         ->capture_default_str();
+    addFaceOptions(command, options->faces, model);
     command.add_option("--json", options->json, "also write the results as JSON")->type_name("OUT.json");
     return [options](Console& console) { run(*options, console); };
 }

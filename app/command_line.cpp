@@ -1,5 +1,8 @@
 #include "app/command_line.h"
 
+#include "core/base/row_of_id.h"
+#include "core/base/up_axis.h"
+
 #include <cstdio>
 #include <new>
 
@@ -38,9 +41,26 @@ int guarded(const std::function<int()>& work) {
     }
 }
 
+/// An axis such as "-z" looks like an option of its own; it becomes "--up=-z".
+static std::vector<std::string> withAxes(int argc, char** argv) {
+    std::vector<std::string> out;
+    for (int k = 0; k < argc; ++k) {
+        const std::string word = argv[k];
+        if (!out.empty() && out.back() == "--up" && word.starts_with('-') && base::findRow(base::upTable(), word))
+            out.back() += "=" + word;
+        else
+            out.push_back(word);
+    }
+    return out;
+}
+
 std::optional<int> parse(CLI::App& program, int argc, char** argv) {
+    const std::vector<std::string> words = withAxes(argc, argv);
+    std::vector<const char*> texts;
+    for (const std::string& word : words)
+        texts.push_back(word.c_str());
     try {
-        program.parse(argc, argv);
+        program.parse(static_cast<int>(texts.size()), texts.data());
         return {};
     } catch (const CLI::ParseError& error) {
         return program.exit(error) == 0 ? 0 : 2;

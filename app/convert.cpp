@@ -23,10 +23,11 @@ static std::string writableExtensions() {
 }
 
 /// Vertices that are kept stay as the file has them.
-static void sampleFaces(io::FileModel& model, const nlohmann::json& parameters, const base::Progress& progress) {
+static void sampleFaces(io::FileModel& model, const std::string& name, const nlohmann::json& parameters,
+                        const base::Progress& progress) {
     const mesh::FaceOptions options = session::faceOptions(parameters);
     if (model.polygons.size() == 0)
-        return;
+        return session::refuseSamples(options, name);
     io::FileModel opened = model;
     auto definition = model.definition.value_or(surface::SurfaceDefinition());
     if (session::openFaces(opened, definition, options, progress).sampled) {
@@ -50,7 +51,7 @@ Action addConvert(CLI::App& command) {
     return [options](Console& console) {
         const base::Progress progress = console.progress();
         io::FileModel model = readModel(options->in, process::part(progress, 0, 0.3));
-        sampleFaces(model, parametersOf(options->faces), process::part(progress, 0.3, 0.5));
+        sampleFaces(model, options->in, parametersOf(options->faces), process::part(progress, 0.3, 0.5));
         console.tell(model.messages);
         io::write(options->out, model, process::part(progress, 0.5, 1));
     };

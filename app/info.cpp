@@ -4,11 +4,9 @@
 #include "app/subcommand.h"
 #include "core/base/error.h"
 #include "core/process/estimation/part_progress.h"
-#include "core/process/estimation/prepare.h"
 #include "core/process/estimation/spacing.h"
 #include "core/session/document.h"
-#include "core/session/face_options.h"
-#include "core/session/surface_options.h"
+#include "core/session/opened_file.h"
 
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -41,43 +39,23 @@ base::Box3f boundsOf(const surfel::SurfelList& points) {
     return out;
 }
 
-/// A model with its faces opened, as `open` does it.
-struct Opened {
-    io::FileModel model;
-    session::SurfaceChange surface;
-    session::FacesOpened faces;
-    bool ownNormals = false; ///< the file's
-};
-
-Opened opened(io::FileModel model, const nlohmann::json& parameters, const base::Progress& progress) {
-    Opened out{std::move(model), {}, {}, false};
-    out.ownNormals = out.model.points.layout->normals;
-    out.surface = session::changed(out.model.definition.value_or(surface::SurfaceDefinition()), parameters);
-    out.faces = session::openFaces(out.model, out.surface.definition, session::faceOptions(parameters), progress);
-    return out;
-}
-
-/// Support radii and hash are those of the surface that `open` makes; null where the points make none.
-void describeSurface(ordered_json& out, Opened from, const base::Progress& progress, Console& console) {
-    io::FileModel& model = from.model;
+/// Support radii, hash and what is up are those of the model that `open` makes; null where the points make none.
+void describeSurface(ordered_json& out, session::OpenedFile file, const base::Progress& progress, Console& console) {
+    out["up"] = out["hash"] = nullptr;
     try {
-        const bool kept = from.faces.sampled || (model.hasSupports && !from.surface.newSupports);
-        const surface::Surface surface = process::prepare(
-            std::move(model.points),
-            {from.surface.definition, kept, model.limitDecided && from.surface.definition == model.definition},
-            progress);
+        const session::MadeModel made = session::made(file, progress);
         std::vector<float> supports;
-        for (const surfel::Surfel& s : surface.tree().surfels().items)
+        for (const surfel::Surfel& s : made.surface.tree().surfels().items)
             supports.push_back(s.support);
         out["support"] = summaryOf(supports);
-        out["hash"] = session::contentHash(surface.tree(), model.origin).text();
+        out["up"] = base::upRow(made.up).id;
+        out["hash"] = session::contentHash(made.surface.tree(), file.model.origin).text();
     } catch (const base::Error& error) {
         console.tell(error.message());
-        out["support"] = out["hash"] = nullptr;
     }
 }
 
-ordered_json describe(Opened from, const base::Progress& progress, Console& console) {
+ordered_json describe(session::OpenedFile from, const base::Progress& progress, Console& console) {
     const io::FileModel& model = from.model;
     const base::Box3f box = boundsOf(model.points);
     ordered_json out;
@@ -94,7 +72,6 @@ ordered_json describe(Opened from, const base::Progress& progress, Console& cons
     out["closed"] = from.faces.closed;
     out["dropped"] = model.dropped;
     out["format"] = model.format;
-    out["hash"] = nullptr;
     describeSurface(out, std::move(from), process::part(progress, 0.5, 1), console);
     return out;
 }
@@ -128,8 +105,9 @@ Action addInfo(CLI::App& command) {
     options->surface = addSurfaceOptions(command, false);
     return [options](Console& console) {
         const base::Progress progress = console.progress();
-        Opened model = opened(readModel(options->model, process::part(progress, 0, 0.2)),
-                              options->surface->parameters(), process::part(progress, 0.2, 0.3));
+        session::OpenedFile model =
+            session::opened(options->model, readModel(options->model, process::part(progress, 0, 0.2)),
+                            options->surface->parameters(), process::part(progress, 0.2, 0.3));
         console.tell(model.model.messages);
         const ordered_json info = describe(std::move(model), progress, console);
         console.clear();

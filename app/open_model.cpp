@@ -16,6 +16,7 @@ io::FileModel readModel(const std::string& model, const base::Progress& progress
     const process::SampleRow& sample = process::sample(command.at("sample").get<std::string>());
     io::FileModel out;
     out.points = sample.make(command.value("count", sample.count), command.at("seed").get<std::uint64_t>());
+    out.up = base::UpAxis::Y; // samples stand as they are made
     out.format = std::string("sample ") + sample.id;
     return out;
 }
@@ -23,9 +24,11 @@ io::FileModel readModel(const std::string& model, const base::Progress& progress
 void openModel(session::Context& context, const std::string& model, const nlohmann::json& surface, Console& console) {
     nlohmann::json command = session::modelCommand(model);
     command.update(surface);
-    if (command.at("op") != "open") // a sample has no faces
+    if (command.at("op") != "open") { // a sample has no faces
+        session::refuseSamples(session::faceOptions(command), model);
         for (const session::CommandParameter& p : session::faceParameters())
             command.erase(p.id);
+    }
     session::run(context, command);
     console.tell(context.messages);
     context.messages.clear();

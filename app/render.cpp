@@ -56,9 +56,10 @@ void run(Options options, Console& console) {
     options.picture.rayCast = options.mode == "raycast";
     openModel(context, options.model, options.surface->parameters(), console);
     const surface::Surface surface = process::shownAs(document.surface(), progress);
-    const auto cameras = camerasOf(*options.view, surface.tree(), document.provenance().origin);
+    const auto cameras = camerasOf(*options.view, surface.tree(), document.provenance().origin, document.up());
     const int count = static_cast<int>(cameras.size());
-    applyLook(*options.look, document, options.surface->parameters(), cameras.front().up, console, options.picture);
+    applyLook(*options.look, document, options.surface->parameters(), upwards(*options.view, document.up()), console,
+              options.picture);
     options.picture.renderer = [&options] { return render::makeRenderer(options.backend); };
     render::PictureMaker maker(surface, options.picture);
     render::PictureStats stats;

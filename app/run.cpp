@@ -2,6 +2,7 @@
 #include "app/command_help.h"
 #include "app/framing.h"
 #include "app/open_model.h"
+#include "app/options/face_options.h"
 #include "app/options/option_checks.h"
 #include "app/subcommand.h"
 #include "core/base/error.h"
@@ -24,6 +25,7 @@ namespace {
 
 struct Options {
     std::string session, model, out, image, timings, journal;
+    GivenParameters faces;
 };
 
 /// The journal of one run: a named one stays, the default one goes with the process's normal end.
@@ -76,7 +78,7 @@ void savePicture(const session::Document& document, const std::string& path, con
         throw base::Error("there is no model to draw", path, "open one in the session or with --model");
     render::PictureStats stats;
     const render::Camera camera =
-        closeUp(render::Camera::looking(render::framedBox(surface.tree()), 1280, 720), surface.tree());
+        closeUp(render::Camera::looking(render::framedBox(surface.tree()), 1280, 720, document.up()), surface.tree());
     render::savePng(render::drawPicture(surface, camera, {}, stats, progress), path);
 }
 
@@ -89,7 +91,7 @@ void run(const Options& options, Console& console) {
     RunJournal journal(options.journal, console);
     session::Context context{document, {}, progress, {}, 0, {}, journal.get()};
     if (!options.model.empty())
-        openModel(context, options.model, nlohmann::json::object(), console);
+        openModel(context, options.model, parametersOf(options.faces), console);
     ordered_json timings = ordered_json::array();
     session::ReplayOptions replay;
     replay.done = [&](const session::LineReport& report) {
@@ -116,8 +118,9 @@ Action addRun(CLI::App& command) {
                     "session file with one JSON command per line, such as {\"op\":\"undo\"}")
         ->type_name("SESSION.jsonl")
         ->required();
-    command.add_option("--model", options->model, std::string("model to open before the first line: ") + modelHelp)
-        ->type_name("MODEL");
+    CLI::Option* model =
+        command.add_option("--model", options->model, std::string("model to open before the first line: ") + modelHelp)
+            ->type_name("MODEL");
     command.add_option("-o,--output", options->out, "model to write at the end")->type_name("OUT");
     command.add_option("--render", options->image, "picture of the result")
         ->type_name("IMAGE.png")
@@ -128,6 +131,7 @@ Action addRun(CLI::App& command) {
         .add_option("--journal", options->journal,
                     "where to keep the journal for `recover`; default: in the XDG state folder, removed at the end")
         ->type_name("FILE");
+    addFaceOptions(command, options->faces, model);
     command.footer(command.get_footer() + "\n\n" + commandHelp());
     return [options](Console& console) { run(*options, console); };
 }

@@ -36,7 +36,8 @@ static std::string fault(const std::string& op, const std::string& id, const std
         session::complete(command);
         return {};
     } catch (const base::Error& error) {
-        return error.message();
+        const std::string named = "\"" + id + "\" of \"" + op + "\"", text = error.message();
+        return text.starts_with(named) ? "the value" + text.substr(named.size()) : text;
     }
 }
 

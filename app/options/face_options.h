@@ -5,7 +5,7 @@
 
 namespace app {
 
-/// REQUIRES: `given` outlives the command.
-void addFaceOptions(CLI::App& command, GivenParameters& given);
+/// REQUIRES: `given` outlives the command. `model`: the option that they belong to, where it is not required.
+void addFaceOptions(CLI::App& command, GivenParameters& given, CLI::Option* model = nullptr);
 
 } // namespace app

@@ -19,12 +19,20 @@ static std::string fallbackOf(const CommandParameter& p) {
     return option.range.orZero ? "" : surface::textOf(option, {});
 }
 
+/// Where models open otherwise (mesh/README 8.3).
+static std::string exceptionOf(const CommandParameter& p) {
+    return p.id == std::string_view("one-sheet") ? "; off for faces sampled so finely that no wall is thinner than 2.5 "
+                                                   "spacings"
+                                                 : "";
+}
+
 std::shared_ptr<SurfaceOptions> addSurfaceOptions(CLI::App& command, bool withPrecision) {
     auto options = std::make_shared<SurfaceOptions>();
     std::map<std::string, CLI::Option*> added;
     for (const CommandParameter& p : session::surfaceParameters()) {
         const std::string fallback = fallbackOf(p);
-        const std::string help = helpOf(p) + (fallback.empty() ? "" : " [" + fallback + ", or what the file says]");
+        const std::string help =
+            helpOf(p) + (fallback.empty() ? "" : " [" + fallback + ", or what the file says" + exceptionOf(p) + "]");
         CLI::Option* option = addParameter(command, "surface", p, help, options->given);
         option->group("Surface");
         added[p.id] = option;

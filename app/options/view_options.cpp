@@ -47,6 +47,18 @@ static std::string vectorFault(const std::string& text) {
     return parseVector(text, v) ? "" : "'" + text + "' is not x,y,z";
 }
 
+/// An axis of coordinates by its name.
+static const base::UpRow* axisOf(const std::string& text) {
+    return base::findRow(base::upTable(), text);
+}
+
+static std::string upFault(const std::string& text) {
+    Vec3d v;
+    if (axisOf(text) || (parseVector(text, v) && length(v) > 0))
+        return "";
+    return "'" + text + "' is neither an axis (" + base::joinedIds(base::upTable()) + ") nor a direction x,y,z";
+}
+
 static bool parsePlane(const std::string& text, base::Plane& out) {
     double numbers[4];
     if (!parseNumbers(text, ',', numbers))
@@ -100,7 +112,12 @@ std::shared_ptr<ViewOptions> addViewOptions(CLI::App& command) {
     addVector(command, "--eye", options->eye,
               "position of the eye, in model units; default: where the whole model is in view");
     addVector(command, "--target", options->target, "point that the eye looks at; default: the centre of the model");
-    addVector(command, "--up", options->up, "direction that is up in the picture; default: 0,1,0");
+    command
+        .add_option("--up", options->up,
+                    "the axis that is upwards in the model, for all views, or a direction x,y,z that is up in the "
+                    "picture; default: the model's own (see info)")
+        ->type_name("AXIS|x,y,z")
+        ->check(CLI::Validator(upFault, ""));
     auto* fov = command.add_option("--fov", options->fovDeg, "vertical angle of view in degrees; default: 35")
                     ->type_name("DEG")
                     ->check(between(1, 170));
@@ -184,28 +201,40 @@ static render::Camera sized(const ViewOptions& options) {
 }
 
 /// Direction and projection as asked; where it stands is still open.
-static render::Camera directed(const ViewOptions& options, const base::Box3f& box) {
+static render::Camera directed(const ViewOptions& options, const base::Box3f& box, base::UpAxis up) {
     const render::Camera size = sized(options);
-    render::Camera out = render::Camera::looking(box, size.width, size.height);
-    if (const render::NamedView* view = render::namedView(options.view)) {
-        out.eye = out.target + view->toEye * length(out.eye - out.target);
-        out.up = view->up;
+    render::Camera out = render::Camera::looking(box, size.width, size.height, up);
+    if (const render::NamedView* row = render::namedView(options.view)) {
+        const render::NamedView view = row->of(up);
+        out.eye = out.target + view.toEye * length(out.eye - out.target);
+        out.up = view.up;
     }
     if (options.fovDeg > 0)
         out.fovDeg = options.fovDeg;
-    if (!options.up.empty())
+    if (!options.up.empty() && !axisOf(options.up))
         parseVector(options.up, out.up);
     return out;
 }
 
-std::vector<render::Camera> camerasOf(const ViewOptions& options, const tree::SurfelTree& model, const Vec3d& origin) {
+Vec3d upwards(const ViewOptions& options, base::UpAxis up) {
+    Vec3d out = base::upRow(up).up;
+    if (const base::UpRow* row = axisOf(options.up))
+        out = row->up;
+    else if (!options.up.empty())
+        parseVector(options.up, out);
+    return out;
+}
+
+std::vector<render::Camera> camerasOf(const ViewOptions& options, const tree::SurfelTree& model, const Vec3d& origin,
+                                      base::UpAxis up) {
     const base::Box3f box = render::framedBox(model);
     if (!options.view.empty() && !options.eye.empty())
         throw UsageError("--view and --eye both say where the eye is");
     const auto saved = savedCamera(options.view, sized(options), box, origin);
     if (saved && (!options.target.empty() || !options.up.empty() || !options.ortho.empty() || options.fovDeg > 0))
         throw UsageError("--view '" + options.view + "' was saved whole: leave out --target, --up, --fov and --ortho");
-    render::Camera camera = saved ? *saved : directed(options, box);
+    const base::UpRow* asked = axisOf(options.up);
+    render::Camera camera = saved ? *saved : directed(options, box, asked ? asked->axis : up);
     const bool told = !options.eye.empty() || !options.target.empty(), free = !saved && !told;
     if (told) {
         Vec3d eye, target;

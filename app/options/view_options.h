@@ -28,10 +28,13 @@ base::Plane planeOf(const std::string& text, const base::Vec3d& origin);
 /// Empty, or what is wrong with the text.
 std::string planeFault(const std::string& text);
 
-/// The asked cameras in coordinates relative to the origin, one for each picture; what is left out is chosen to show
-/// the whole model. Throws UsageError, and base::Error where a view of that name was not saved.
+/// The asked cameras in coordinates relative to the origin, one for each picture, of a model that stands with `up`
+/// upwards where the options do not say otherwise; what is left out is chosen to show the whole model. Throws
+/// UsageError, and base::Error where a view of that name was not saved.
 std::vector<render::Camera> camerasOf(const ViewOptions& options, const tree::SurfelTree& model,
-                                      const base::Vec3d& origin);
+                                      const base::Vec3d& origin, base::UpAxis up);
+/// Which way is up for the ground: as the options say, else as the model stands.
+base::Vec3d upwards(const ViewOptions& options, base::UpAxis up);
 
 /// `path` for the k-th of n pictures: as it is for one, "NAME-007.png" for more, with as many digits as the last needs,
 /// three at least.

@@ -1,6 +1,7 @@
 // What a file holds, before anything is estimated: points relative to an origin, and all that came along with them.
 #pragma once
 
+#include "core/base/up_axis.h"
 #include "core/mesh/faces/polygons.h"
 #include "core/surface/definition.h"
 #include "core/surfel/surfel.h"
@@ -20,6 +21,8 @@ struct FileModel {
     surfel::SurfelList points;
     base::Vec3d origin; ///< add to a position to have the file's coordinates; zero unless they are large
     std::optional<surface::SurfaceDefinition> definition; ///< from `comment pointclay ...` lines
+    std::optional<base::UpAxis> up;                       ///< where the file tells; else people must see it
+    base::UpAxis usualUp = base::UpAxis::Y;               ///< of files of its format
     bool limitDecided = false;         ///< the definition has what Boundary::Auto was resolved to for these points
     bool hasSupports = false;          ///< every point brought a support radius > 0
     std::size_t faces = 0;             ///< in the file

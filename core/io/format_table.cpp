@@ -6,12 +6,14 @@
 
 namespace io {
 
+using base::UpAxis;
+
 static constexpr FormatRow table[] = {
-    {"ply", "Polygon file", "ply", readPly, writePly},
-    {"xyz", "Points as text", "xyz txt csv pts asc pwn", readText, writeText},
-    {"obj", "Wavefront OBJ", "obj", readObj, writeObj},
-    {"off", "Object file", "off coff noff cnoff", readOff, nullptr},
-    {"stl", "Stereolithography", "stl", readStl, nullptr},
+    {"ply", "Polygon file", "ply", UpAxis::Y, readPly, writePly},
+    {"xyz", "Points as text", "xyz txt csv pts asc pwn", UpAxis::Y, readText, writeText},
+    {"obj", "Wavefront OBJ", "obj", UpAxis::Y, readObj, writeObj},
+    {"off", "Object file", "off coff noff cnoff", UpAxis::Y, readOff, nullptr},
+    {"stl", "Stereolithography", "stl", UpAxis::Z, readStl, nullptr},
 };
 
 std::span<const FormatRow> formatTable() {
@@ -57,7 +59,10 @@ static const FormatRow& readerOf(const path& name) {
 }
 
 FileModel read(const path& path, const base::Progress& progress) {
-    return readerOf(path).read(path, progress);
+    const FormatRow& row = readerOf(path);
+    FileModel out = row.read(path, progress);
+    out.usualUp = row.up;
+    return out;
 }
 
 void write(const path& path, const FileModel& model, const base::Progress& progress) {

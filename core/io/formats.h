@@ -15,6 +15,7 @@ struct FormatRow {
     const char* id;         ///< "ply"
     const char* label;      ///< "Polygon File Format"
     const char* extensions; ///< "ply" or "xyz txt csv pts asc pwn", separated by blanks, lower case
+    base::UpAxis up;        ///< what is upwards in most files of it
     FileModel (*read)(const std::filesystem::path&, const base::Progress&);               ///< null: cannot be read
     void (*write)(const std::filesystem::path&, const FileModel&, const base::Progress&); ///< null: cannot be written
 };

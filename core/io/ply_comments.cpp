@@ -1,6 +1,7 @@
 #include "core/io/ply_comments.h"
 
 #include "core/base/error.h"
+#include "core/base/row_of_id.h"
 #include "core/io/file_bytes.h"
 #include "core/io/number_text.h"
 #include "core/surface/definition_text.h"
@@ -37,6 +38,12 @@ static bool takeLine(std::string_view line, NativeComments& out) {
         out.oriented = rest == "oriented";
         return true;
     }
+    if (word == "up") {
+        const base::UpRow* row = base::findRow(base::upTable(), rest);
+        if (row)
+            out.up = row->axis;
+        return row != nullptr;
+    }
     if (word != "surface")
         return false;
     try {
@@ -69,6 +76,8 @@ std::string nativeCommentLines(const NativeComments& native) {
     out += '\n';
     if (native.oriented)
         out += std::string("comment pointclay normals ") + (*native.oriented ? "oriented" : "unoriented") + "\n";
+    if (native.up)
+        out += std::string("comment pointclay up ") + base::upRow(*native.up).id + "\n";
     if (native.definition)
         out += "comment pointclay surface " + surface::toWords(*native.definition) + "\n";
     return out;

@@ -2,12 +2,12 @@
 //
 //     comment pointclay origin X Y Z             the model's origin; always there, and makes the file a native one
 //     comment pointclay normals oriented         or "unoriented": whether the signs of normals agree
+//     comment pointclay up z                     the axis that is upwards: x, y, z, -x, -y or -z
 //     comment pointclay surface frame=normals...  the surface definition, in the words of surface/definition_text.h
 #pragma once
 
+#include "core/base/up_axis.h"
 #include "core/surface/definition.h"
-
-#include "core/base/vec.h"
 
 #include <optional>
 #include <string>
@@ -18,6 +18,7 @@ namespace io {
 struct NativeComments {
     std::optional<base::Vec3d> origin;
     std::optional<bool> oriented;
+    std::optional<base::UpAxis> up;
     std::optional<surface::SurfaceDefinition> definition;
     bool limitDecided = false; ///< the definition's line says what Boundary::Auto was resolved to
 };

@@ -106,6 +106,7 @@ void PlyReader::finish() {
     m_model.comments = m_header.comments;
     const NativeComments native = takeNativeComments(m_model.comments, m_model.messages);
     m_model.definition = native.definition;
+    m_model.up = native.up;
     m_model.limitDecided = native.limitDecided;
     const RecordRoles roles = rolesOf(m_table.fields, native.origin.has_value());
     if (roles.position[0] == RecordRoles::none || roles.position[1] == RecordRoles::none)

@@ -122,6 +122,7 @@ std::string PlyWriter::header() const {
     NativeComments native;
     native.origin = m_model.origin;
     native.definition = m_model.definition;
+    native.up = m_model.up;
     if (m_model.points.layout->normals)
         native.oriented = m_model.points.layout->oriented;
     std::string out = "ply\nformat binary_little_endian 1.0\n" + nativeCommentLines(native);

@@ -99,12 +99,13 @@ Camera Camera::framing(const base::Box3f& box) const {
     return out;
 }
 
-Camera Camera::looking(const base::Box3f& box, int width, int height) {
+Camera Camera::looking(const base::Box3f& box, int width, int height, base::UpAxis up) {
     Camera camera;
     camera.width = width;
     camera.height = height;
     camera.target = {0, 0, 0};
-    camera.eye = {0.45, 0.3, 1};
+    camera.eye = fromStanding(up, {0.45, 0.3, 1});
+    camera.up = upRow(up).up;
     return camera.framing(box);
 }
 

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "core/base/ray.h"
+#include "core/base/up_axis.h"
 #include "core/render/clip_planes.h"
 
 namespace render {
@@ -41,8 +42,8 @@ struct Camera {
     Camera framing(const base::Box3f& box) const;
     /// The same picture of the box with parallel rays: the eye moved back or on, so that all of the box lies before it.
     Camera before(const base::Box3f& box) const;
-    /// A three-quarter view of the box.
-    static Camera looking(const base::Box3f& box, int width, int height);
+    /// A three-quarter view of the box, of a model that stands with `up` upwards.
+    static Camera looking(const base::Box3f& box, int width, int height, base::UpAxis up = base::UpAxis::Y);
 };
 
 } // namespace render

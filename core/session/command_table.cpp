@@ -7,8 +7,8 @@
 namespace session {
 
 std::span<const CommandRow> commandTable() {
-    static const std::array rows{openCommand(),     newCommand(),  saveCommand(), surfaceCommand(), strokeCommand(),
-                                 resampleCommand(), undoCommand(), redoCommand(), expectCommand()};
+    static const std::array rows{openCommand(),     newCommand(), saveCommand(), surfaceCommand(), strokeCommand(),
+                                 resampleCommand(), upCommand(),  undoCommand(), redoCommand(),    expectCommand()};
     return rows;
 }
 

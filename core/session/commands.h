@@ -14,6 +14,7 @@ CommandRow saveCommand();
 CommandRow surfaceCommand();
 CommandRow strokeCommand();
 CommandRow resampleCommand();
+CommandRow upCommand();
 CommandRow undoCommand();
 CommandRow redoCommand();
 CommandRow expectCommand();

@@ -45,17 +45,23 @@ base::Hash128 Document::hash() const {
 void Document::commit(surface::Surface next, const std::string& label) {
     m_future.clear();
     const std::size_t bytes = tree::unsharedBytes(m_surface.tree(), next.tree());
-    m_past.push_back({std::move(m_surface), label, bytes, m_revision});
+    m_past.push_back({std::move(m_surface), m_up, label, bytes, m_revision});
     m_surface = std::move(next);
     m_revision = ++m_lastRevision;
     enforceBudget();
 }
 
-void Document::reset(surface::Surface surface, Provenance provenance) {
+void Document::turnUp(base::UpAxis up, const std::string& label) {
+    commit(m_surface, label);
+    m_up = up;
+}
+
+void Document::reset(surface::Surface surface, Provenance provenance, base::UpAxis up) {
     m_past.clear();
     m_future.clear();
     m_surface = std::move(surface);
     m_provenance = std::move(provenance);
+    m_up = up;
     m_savedRevision = m_revision = ++m_lastRevision;
 }
 
@@ -70,8 +76,9 @@ void Document::shift(std::deque<Step>& from, std::deque<Step>& to) {
     Step step = std::move(from.back());
     from.pop_back();
     const std::size_t bytes = tree::unsharedBytes(m_surface.tree(), step.surface.tree());
-    to.push_back({std::move(m_surface), std::move(step.label), bytes, m_revision});
+    to.push_back({std::move(m_surface), m_up, std::move(step.label), bytes, m_revision});
     m_surface = std::move(step.surface);
+    m_up = step.up;
     m_revision = step.revision;
 }
 
@@ -109,6 +116,7 @@ io::FileModel Document::fileModel() const {
     io::FileModel out;
     out.points = m_surface.tree().surfels();
     out.origin = m_provenance.origin;
+    out.up = m_up;
     out.definition = m_surface.definition();
     out.hasSupports = true;
     out.faces = m_provenance.faces;

@@ -34,6 +34,8 @@ class Document {
   public:
     const surface::Surface& surface() const { return m_surface; }
     const Provenance& provenance() const { return m_provenance; }
+    /// The axis that is upwards: part of the model, and of its history, but not of its hash.
+    base::UpAxis up() const { return m_up; }
     /// Hash of the content: surfels in any order, names and types of what they carry, and origin (base/hash.h). Equal
     /// after save and open in a format that holds all of them. In parallel, O(size).
     base::Hash128 hash() const;
@@ -41,8 +43,10 @@ class Document {
 
     /// One step forward: `label` is what the undo menu shows. Drops redo steps.
     void commit(surface::Surface next, const std::string& label);
+    /// Likewise: the same surface with another axis upwards.
+    void turnUp(base::UpAxis up, const std::string& label);
     /// Replaces everything: a model was opened or made. Clears the history.
-    void reset(surface::Surface surface, Provenance provenance);
+    void reset(surface::Surface surface, Provenance provenance, base::UpAxis up = base::UpAxis::Y);
     void saved(const std::filesystem::path& path);
 
     bool canUndo() const { return !m_past.empty(); }
@@ -63,6 +67,7 @@ class Document {
     /// A version that is not shown now. `label` names the command between it and its neighbour towards the present.
     struct Step {
         surface::Surface surface;
+        base::UpAxis up;
         std::string label;
         std::size_t bytes = 0; ///< not shared with that neighbour
         std::uint64_t revision = 0;
@@ -71,6 +76,7 @@ class Document {
     void enforceBudget();
 
     surface::Surface m_surface;
+    base::UpAxis m_up = base::UpAxis::Y;
     Provenance m_provenance;
     std::deque<Step> m_past, m_future; ///< nearest step at the back
     std::size_t m_budget = std::size_t(1) << 30;

@@ -32,14 +32,14 @@ mesh::FaceOptions faceOptions(const json& complete) {
     mesh::FaceOptions out;
     const bool spacing = complete.contains("sample_spacing"), count = complete.contains("sample_count");
     if (spacing && count)
-        throw base::Error("\"sample_spacing\" and \"sample_count\" exclude each other", {}, "give one of them");
+        throw base::Error("a spacing and a count of samples exclude each other", {}, "give one of them");
     const std::string use = complete.value("faces", "auto");
     out.use = use == "sample"     ? mesh::FaceUse::Sample
               : use == "vertices" ? mesh::FaceUse::Vertices
                                   : mesh::FaceUse::Auto;
     if ((spacing || count) && out.use == mesh::FaceUse::Vertices)
-        throw base::Error("\"faces\" keeps the vertices, so nothing is sampled", {},
-                          "leave out sample_spacing and sample_count, or choose sample");
+        throw base::Error("the vertices are kept, so that nothing is sampled", {},
+                          "leave out the spacing or count of samples, or sample the faces");
     out.spacing = complete.value("sample_spacing", 0.0);
     out.count = complete.value("sample_count", std::size_t(0));
     if (complete.contains("sharp"))
@@ -48,10 +48,17 @@ mesh::FaceOptions faceOptions(const json& complete) {
     return out;
 }
 
+void refuseSamples(const mesh::FaceOptions& options, const std::string& where) {
+    if (options.asksForSamples())
+        throw base::Error("there are no faces to sample", where, "leave out what is said of samples");
+}
+
 FacesOpened openFaces(io::FileModel& model, surface::SurfaceDefinition& definition, const mesh::FaceOptions& options,
                       const base::Progress& progress) {
-    if (model.polygons.size() == 0 || definition.manifold == surface::Manifold::Curve)
+    if (model.polygons.size() == 0 || definition.manifold == surface::Manifold::Curve) {
+        refuseSamples(options, {});
         return {};
+    }
     std::vector<base::Vec3f> positions(model.points.size());
     for (std::size_t i = 0; i < positions.size(); ++i)
         positions[i] = model.points.items[i].position;

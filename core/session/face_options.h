@@ -13,6 +13,9 @@ std::span<const CommandParameter> faceParameters();
 /// Throws base::Error where two parameters exclude each other.
 mesh::FaceOptions faceOptions(const nlohmann::json& complete);
 
+/// Throws base::Error, in the name of `where`, for options that ask for samples: of a model that has no faces.
+void refuseSamples(const mesh::FaceOptions& options, const std::string& where);
+
 struct FacesOpened {
     bool sampled = false; ///< the points are samples of the faces
     bool closed = false;  ///< the faces have no boundary
@@ -20,7 +23,8 @@ struct FacesOpened {
 };
 
 /// The model's points become those of its faces, if it has any; `definition` learns that a closed surface has no
-/// boundary, unless a limit was asked for. Messages go to the model's.
+/// boundary, unless a limit was asked for. Messages go to the model's. Throws base::Error where samples are asked for
+/// and there are no faces.
 FacesOpened openFaces(io::FileModel& model, surface::SurfaceDefinition& definition, const mesh::FaceOptions& options,
                       const base::Progress& progress);
 

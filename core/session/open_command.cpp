@@ -1,10 +1,8 @@
 #include "core/base/error.h"
 #include "core/io/formats.h"
 #include "core/process/estimation/part_progress.h"
-#include "core/process/estimation/prepare.h"
 #include "core/session/commands.h"
-#include "core/session/face_options.h"
-#include "core/session/surface_options.h"
+#include "core/session/opened_file.h"
 
 #include <nlohmann/json.hpp>
 
@@ -31,36 +29,18 @@ static void checkHash(const json& complete, const tree::SurfelTree& tree, const 
                           complete.at("path").get<std::string>(), "restore that file");
 }
 
-/// What samples resolve needs no second pass, which harms sharp edges; whoever asks for it gets it.
-static void leaveSheetsTogether(surface::SurfaceDefinition& definition, const FacesOpened& faces,
-                                const json& complete) {
-    if (faces.apart && !complete.contains("one-sheet"))
-        definition.oneSheet = false;
-}
-
 static void open(Context& context, const json& complete) {
     const std::filesystem::path path = complete.at("path").get<std::string>();
     const std::filesystem::path source = complete.value("source", path.string());
     io::FileModel model = io::read(source, process::part(context.progress, 0, 0.4));
-    SurfaceChange surface = changed(model.definition.value_or(surface::SurfaceDefinition()), complete);
     Provenance provenance = provenanceOf(model, path);
-    surface::Surface made;
-    try {
-        const FacesOpened faces =
-            openFaces(model, surface.definition, faceOptions(complete), process::part(context.progress, 0.4, 0.7));
-        provenance.sampled = faces.sampled;
-        provenance.closed = faces.closed;
-        leaveSheetsTogether(surface.definition, faces, complete);
-        const bool kept = faces.sampled || (model.hasSupports && !surface.newSupports);
-        const process::PrepareOptions options{surface.definition, kept,
-                                              model.limitDecided && surface.definition == model.definition};
-        made = process::prepare(std::move(model.points), options, process::part(context.progress, 0.7, 1));
-    } catch (const base::Error& error) {
-        throw base::Error(error.message(), path.string());
-    }
-    checkHash(complete, made.tree(), provenance.origin);
-    context.messages.insert(context.messages.end(), model.messages.begin(), model.messages.end());
-    context.document.reset(std::move(made), std::move(provenance));
+    OpenedFile file = opened(path.string(), std::move(model), complete, process::part(context.progress, 0.4, 0.7));
+    provenance.sampled = file.faces.sampled;
+    provenance.closed = file.faces.closed;
+    MadeModel fresh = made(file, process::part(context.progress, 0.7, 1));
+    checkHash(complete, fresh.surface.tree(), provenance.origin);
+    context.messages.insert(context.messages.end(), file.model.messages.begin(), file.model.messages.end());
+    context.document.reset(std::move(fresh.surface), std::move(provenance), fresh.up);
 }
 
 CommandRow openCommand() {

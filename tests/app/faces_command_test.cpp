@@ -17,6 +17,9 @@ class FacesCommandTest : public QObject {
     void convertWritesTheSurface();
     void optionsThatExcludeEachOtherAreRefused();
     void sessionsOpenFacesAlike();
+    void runAndBenchTakeTheOptions();
+    void cloudsHaveNoFacesToSample();
+    void errorsSpeakOfOptions();
 };
 
 namespace {
@@ -99,6 +102,62 @@ void FacesCommandTest::sessionsOpenFacesAlike() {
     QCOMPARE(program.run({"run", "s.jsonl"}).code, 0);
     QCOMPARE(program.hash("out.ply"),
              infoOf(program, {"cube.obj", "--sample-count", "3000", "--sharp", "30"}).at("hash").get<std::string>());
+}
+
+void FacesCommandTest::runAndBenchTakeTheOptions() {
+    const Program program;
+    writeCubes(program);
+    program.write("s.jsonl", "{\"op\":\"save\",\"path\":\"out.ply\"}\n");
+    QCOMPARE(program.run({"run", "s.jsonl", "--model", "cube.obj", "--sample-count", "3000", "--sharp", "30"}).code, 0);
+    QCOMPARE(program.hash("out.ply"),
+             infoOf(program, {"cube.obj", "--sample-count", "3000", "--sharp", "30"}).at("hash").get<std::string>());
+    QCOMPARE(program.run({"run", "s.jsonl", "--sample-count", "3000"}).code, 2); // of which model?
+    QCOMPARE(program
+                 .run({"bench", "build", "--model", "cube.obj", "--sample-count", "3000", "--seconds", "0", "--json",
+                       "b.json"})
+                 .code,
+             0);
+    const int points = json::parse(program.read("b.json")).at(0).at("points").get<int>();
+    QVERIFY(points > 2900 && points < 3150);
+    QCOMPARE(program.run({"bench", "build", "--faces", "sample", "--seconds", "0"}).code, 2);
+}
+
+void FacesCommandTest::cloudsHaveNoFacesToSample() {
+    const Program program;
+    program.write("cloud.xyz", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 1 0\n1 0 1\n");
+    program.write("line.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\n");
+    program.write("s.jsonl", "{\"op\":\"open\",\"path\":\"cloud.xyz\",\"faces\":\"sample\"}\n");
+    for (const QStringList& asked :
+         {QStringList{"--faces", "sample"}, {"--sample-count", "900"}, {"--sample-spacing", "0.1"}})
+        for (const QStringList& command : {QStringList{"info", "cloud.xyz"},
+                                           {"info", "line.obj"},
+                                           {"convert", "cloud.xyz", "out.ply"},
+                                           {"mesh", "cloud.xyz", "-o", "out.ply"},
+                                           {"render", "sample:sphere:500", "-o", "out.png"}}) {
+            const Outcome outcome = program.run(command + asked);
+            QVERIFY2(outcome.code == 1 && outcome.err.find("to sample") != std::string::npos, outcome.err.c_str());
+            QVERIFY2(outcome.err.find(command[1].toStdString()) != std::string::npos, outcome.err.c_str());
+            QCOMPARE(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1);
+        }
+    QCOMPARE(program.run({"run", "s.jsonl"}).code, 1);
+    for (const QStringList& silent : {QStringList{"--faces", "auto"}, {"--faces", "vertices"}, {"--sharp", "20"}})
+        QCOMPARE(program.run(QStringList{"info", "cloud.xyz"} + silent).code, 0);
+}
+
+void FacesCommandTest::errorsSpeakOfOptions() {
+    const Program program;
+    writeCubes(program);
+    for (const QStringList& wrong : {QStringList{"--sample-count", "3"},
+                                     {"--sample-count", "many"},
+                                     {"--sample-spacing", "-1"},
+                                     {"--sample-spacing", "1e-9"},
+                                     {"--sample-count", "9000", "--faces", "vertices"},
+                                     {"--sample-count", "9000", "--sample-spacing", "0.1"}}) {
+        const Outcome outcome = program.run(QStringList{"info", "cube.obj"} + wrong);
+        QVERIFY2(outcome.code != 0 && !outcome.err.empty(), outcome.err.c_str());
+        QVERIFY2(outcome.err.find("sample_") == std::string::npos, outcome.err.c_str());
+    }
+    QVERIFY(program.run({"mesh", "--help"}).out.find("off for faces sampled so finely") != std::string::npos);
 }
 
 static const test::Registered<FacesCommandTest> registered;

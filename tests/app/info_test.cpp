@@ -33,7 +33,7 @@ void InfoTest::theObjectHasTheContractsKeys() {
     QCOMPARE(outcome.code, 0);
     const json info = json::parse(outcome.out);
     const std::set<std::string> wanted{"surfels", "bounds",  "origin", "spacing", "support", "normals", "attributes",
-                                       "faces",   "dropped", "format", "hash",    "sampled", "closed"};
+                                       "faces",   "dropped", "format", "hash",    "sampled", "closed",  "up"};
     std::set<std::string> found;
     for (const auto& [key, value] : info.items())
         found.insert(key);

@@ -1,5 +1,5 @@
 // render: a picture, its depth and its costs, by splats and by rays.
-#include "core/base/vec.h"
+#include "core/base/up_axis.h"
 #include "program.h"
 #include "support/registry.h"
 
@@ -18,6 +18,7 @@ class RenderTest : public QObject {
     void statsHaveTheContractsKeys();
     void qualitySavesRays();
     void theDefaultViewShowsTheWholeModel();
+    void viewsFollowTheUpAxis();
 };
 
 struct Depth {
@@ -130,6 +131,51 @@ void RenderTest::theDefaultViewShowsTheWholeModel() {
                 QVERIFY(row > 0 && row < 89 && column > 0 && column < 119);
             }
     QVERIFY(inside > 120 * 90 / 10);
+}
+
+/// A snail's shell of points that has no symmetry, standing with `up` upwards.
+static std::string shell(base::UpAxis up) {
+    std::string out;
+    for (int i = 0; i < 4000; ++i) {
+        const double t = 0.003 * i, around = 2.4 * i, r = 0.25 + 0.02 * t;
+        const base::Vec3d p{(1 + r * std::cos(around)) * std::cos(0.4 * t), 0.1 * t + r * std::sin(around),
+                            (1 + r * std::cos(around)) * std::sin(0.4 * t)};
+        const base::Vec3d q = fromStanding(up, p);
+        for (const double v : {q.x, q.y, q.z})
+            out += std::to_string(v) + " ";
+        out += "\n";
+    }
+    return out;
+}
+
+void RenderTest::viewsFollowTheUpAxis() {
+    const Program program;
+    const auto depth = [&](base::UpAxis axis, const QStringList& view) {
+        const std::string id = base::upRow(axis).id;
+        program.write("m.xyz", shell(axis));
+        const Outcome outcome = program.run(QStringList{"render", "m.xyz", "-o", "a.png", "--size", "80x60", "--depth",
+                                                        "a.pfm", "--grid", "--up", id.c_str()} +
+                                            view);
+        return outcome.code == 0 ? depthOf(program.read("a.pfm")) : Depth{};
+    };
+    for (const QStringList& view : {QStringList{}, {"--view", "front"}, {"--view", "top"}, {"--view", "left"}}) {
+        const Depth standing = depth(base::UpAxis::Y, view);
+        QCOMPARE(standing.rows.size(), std::size_t(4800));
+        for (const base::UpAxis axis : {base::UpAxis::Z, base::UpAxis::MinusX, base::UpAxis::MinusY}) {
+            const Depth turned = depth(axis, view);
+            QCOMPARE(turned.rows.size(), std::size_t(4800));
+            int other = 0;
+            for (std::size_t i = 0; i < 4800; ++i)
+                other += std::isfinite(standing.rows[i]) != std::isfinite(turned.rows[i]) ||
+                         std::abs(standing.rows[i] - turned.rows[i]) > 0.05f;
+            QVERIFY2(other < 60, qPrintable(QString("%1 %2").arg(view.join(' ')).arg(other)));
+        }
+    }
+    // A vector is up in the picture alone, as it always was.
+    QCOMPARE(program.run({"render", "m.xyz", "-o", "a.png", "--size", "40x30", "--up", "0,0.5,1"}).code, 0);
+    QCOMPARE(program.run({"render", "m.xyz", "-o", "a.png", "--size", "40x30", "--up=-z"}).code, 0);
+    QCOMPARE(program.run({"render", "m.xyz", "-o", "a.png", "--up", "w"}).code, 2);
+    QCOMPARE(program.run({"render", "m.xyz", "-o", "a.png", "--up", "0,0,0"}).code, 2);
 }
 
 static const test::Registered<RenderTest> registered;

@@ -202,11 +202,11 @@ void PlyReaderTest::farCoordinatesGetAnOrigin() {
 
 void PlyReaderTest::unknownOwnCommentsAreTold() {
     const FileModel model = readText(ascii("comment pointclay origin 1 2\ncomment pointclay surface frame=wooden\n"
-                                           "comment pointclay future\nelement vertex 1\n" +
+                                           "comment pointclay future\ncomment pointclay up w\nelement vertex 1\n" +
                                                xyz,
                                            "1 2 3\n"));
-    QCOMPARE(model.messages.size(), std::size_t(3));
-    QVERIFY(model.comments.empty() && !model.definition);
+    QCOMPARE(model.messages.size(), std::size_t(4));
+    QVERIFY(model.comments.empty() && !model.definition && !model.up);
 }
 
 void PlyReaderTest::namesTakenByChannelsAreMadeUnique() {

@@ -29,6 +29,8 @@ class ViewTest : public QObject {
     void changingTheProjectionKeepsTheTargetsSize();
     void pickingAPivotMovesNoPixel();
     void namedViewsLookAlongTheAxes();
+    void everyAxisStandsAlike_data();
+    void everyAxisStandsAlike();
     void framingShowsTheWholeBox();
     void savedViewsComeBackBitForBit();
     void savedViewsFollowTheOrigin();
@@ -218,6 +220,54 @@ void ViewTest::namedViewsLookAlongTheAxes() {
         QVERIFY(base::length(view.camera(100, 100).upright() - row.up) < 1e-12);
         QVERIFY(same(view, view.upright(), 1e-9));
     }
+}
+
+void ViewTest::everyAxisStandsAlike_data() {
+    QTest::addColumn<int>("axis");
+    for (const base::UpRow& row : base::upTable())
+        QTest::newRow(row.id) << static_cast<int>(row.axis);
+}
+
+/// Whatever is done to a view of a model with y upwards, the same done to one of the turned model shows the same.
+void ViewTest::everyAxisStandsAlike() {
+    QFETCH(int, axis);
+    const auto up = static_cast<base::UpAxis>(axis);
+    const auto turned = [up](View view) {
+        view.stand(up);
+        view.target = fromStanding(up, view.target);
+        if (view.pivot)
+            view.pivot = fromStanding(up, *view.pivot);
+        return view;
+    };
+    base::Random random(test::seed());
+    for (int k = 0; k < 60; ++k) {
+        View view = randomView(random);
+        view.pivot = random.unitVector();
+        View there = turned(view);
+        const ImagePoint from{random.uniform(0, 800), random.uniform(0, 600)}, to{400, 300};
+        for (const NavigationRow& row : navigationTable()) {
+            row.drag(view, from, to, 800, 600);
+            row.drag(there, from, to, 800, 600);
+            QVERIFY2(same(turned(view), there, 1e-9), seeded(k));
+        }
+        QVERIFY2(same(turned(view.upright()), there.upright(), 1e-9), seeded(k));
+        QVERIFY(std::abs(dot(there.upright().turn({1, 0, 0}), base::upRow(up).up)) < 1e-9); // a level horizon
+        for (const render::NamedView& row : render::namedViews()) {
+            view.turnTo(row.toEye, row.up);
+            there.turnTo(row.of(up).toEye, row.of(up).up);
+            QVERIFY2(same(turned(view), there, 1e-9), row.id);
+        }
+        Fly fly(view, 1), other(there, 1);
+        for (Fly* each : {&fly, &other}) {
+            each->press(Fly::Up);
+            each->look(20, 30, 600);
+            each->step(0.3);
+        }
+        QVERIFY2(same(turned(fly.view()), other.view(), 1e-9), seeded(k));
+    }
+    const base::Box3f cube[] = {{{-1, -1, -1}, {1, 1, 1}}};
+    QVERIFY(same(turned(View::threeQuarter(cube, 800, 600, base::UpAxis::Y)), View::threeQuarter(cube, 800, 600, up),
+                 1e-9));
 }
 
 void ViewTest::framingShowsTheWholeBox() {

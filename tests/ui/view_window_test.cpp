@@ -14,6 +14,7 @@ class ViewWindowTest : public QObject {
   private Q_SLOTS:
     void parallelPickingIsTheDrawnPlace();
     void pivotsArePickedOnTheSurface();
+    void oneKeyTurnsTheUpAxis();
     void strokesWorkBehindAPlane();
     void sectionsFollowTheirPlanes();
     void savedViewsAreKeptAndRecalled();
@@ -50,6 +51,30 @@ void ViewWindowTest::parallelPickingIsTheDrawnPlace() {
     const std::size_t before = f.editor().snapshot().canUndo;
     f.drag(f.centre(), f.centre() + QPointF(40, 0));
     QVERIFY(!before && f.editor().snapshot().canUndo); // strokes reach it too
+}
+
+void ViewWindowTest::oneKeyTurnsTheUpAxis() {
+    WindowFixture f;
+    QVERIFY(f.make("sphere", 4000));
+    f.window->settings().grid = true;
+    auto& motion = f.window->sculptView().motion();
+    const auto standing = [&] { return toStanding(motion.view().upAxis, motion.camera().forward()); };
+    const Vec3d before = standing();
+    for (const char* axis : {"z", "-y", "-z", "x", "-x", "y"}) {
+        QTest::keyClick(f.window.get(), Qt::Key_U);
+        QVERIFY(f.settle());
+        const base::UpRow& row = base::upRow(f.editor().snapshot().up);
+        QCOMPARE(QString(row.id), QString(axis));
+        QVERIFY(motion.view().upAxis == row.axis);
+        QVERIFY(dot(motion.camera().upright(), row.up) > 0.9 && length(standing() - before) < 1e-9);
+        const auto grid = f.window->sculptView().look().options().grid;
+        QVERIFY(grid && std::abs(dot(cross(grid->along, grid->across), row.up)) > 0.99);
+    }
+    f.editor().run({{"op", "undo"}});
+    QVERIFY(f.settle());
+    QVERIFY(motion.view().upAxis == base::UpAxis::MinusX);
+    motion.turnTo(render::namedViews()[0]);
+    QVERIFY(length(motion.camera().upright() - Vec3d{-1, 0, 0}) < 1e-9);
 }
 
 void ViewWindowTest::pivotsArePickedOnTheSurface() {

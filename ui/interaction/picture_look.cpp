@@ -19,7 +19,7 @@ bool PictureLook::showColours(std::shared_ptr<const render::BlockColours> colour
 
 void PictureLook::placeGrid() {
     const Snapshot& now = m_editor.snapshot();
-    m_grid = render::gridBelow(now.surface.tree().bounds(), {0, 1, 0}, now.origin);
+    m_grid = render::gridBelow(now.surface.tree().bounds(), upRow(now.up).up, now.origin);
 }
 
 render::RenderOptions PictureLook::options() const {

@@ -58,6 +58,9 @@ void SculptView::followModel() {
         m_cuts.reset();
         m_look.placeGrid();
         m_motion.showNewModel();
+    } else if (now.up != m_motion.view().upAxis) {
+        m_look.placeGrid();
+        m_motion.stand(now.up);
     }
     m_cuts.trace();
     refresh(busy());

@@ -46,7 +46,8 @@ void ViewMotion::pan(const QPointF& byPx) {
 
 void ViewMotion::showNewModel() {
     const render::Camera now = camera();
-    View fresh = View::threeQuarter(boxesOf(m_editor.snapshot().surface.tree()), now.width, now.height);
+    View fresh =
+        View::threeQuarter(boxesOf(m_editor.snapshot().surface.tree()), now.width, now.height, m_editor.snapshot().up);
     fresh.parallel = view().parallel;
     m_navigator.set(fresh);
 }
@@ -64,8 +65,19 @@ void ViewMotion::frame(std::span<const base::Box3f> boxes) {
 
 void ViewMotion::turnTo(const render::NamedView& named) {
     View there = view();
-    there.turnTo(named.toEye, named.up);
+    const render::NamedView seen = named.of(there.upAxis);
+    there.turnTo(seen.toEye, seen.up);
     there.target = there.turningPoint() - there.turn(view().turn.inverse()(there.turningPoint() - view().target));
+    m_navigator.goTo(there);
+}
+
+void ViewMotion::stand(base::UpAxis up) {
+    if (m_navigator.flying())
+        m_navigator.land();
+    const render::Camera now = camera();
+    View there = view();
+    there.stand(up);
+    there.frame(boxesOf(m_editor.snapshot().surface.tree()), now.width, now.height);
     m_navigator.goTo(there);
 }
 
@@ -79,7 +91,9 @@ SavedView ViewMotion::savedView(const std::string& name) const {
 }
 
 void ViewMotion::recall(const SavedView& saved) {
-    m_navigator.goTo(saved.forOrigin(m_editor.snapshot().origin));
+    View there = saved.forOrigin(m_editor.snapshot().origin);
+    there.upAxis = m_editor.snapshot().up;
+    m_navigator.goTo(there);
     Q_EMIT changed();
 }
 

@@ -36,6 +36,8 @@ class ViewMotion : public QObject {
     void frameAll();
     void frame(std::span<const base::Box3f> boxes);
     void turnTo(const render::NamedView& view);
+    /// Another axis of the model is upwards: all of it, seen from the same side as it now stands.
+    void stand(base::UpAxis up);
     void toggleParallel();
     SavedView savedView(const std::string& name) const;
     void recall(const SavedView& view);

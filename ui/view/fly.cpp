@@ -23,7 +23,8 @@ void Fly::look(double dx, double dy, int height) {
 
 Vec3d Fly::wanted() const {
     const auto axis = [&](Key more, Key less) { return double((m_keys & more) != 0) - double((m_keys & less) != 0); };
-    const Vec3d way = m_view.turn({axis(Right, Left), 0, axis(Back, Forward)}) + Vec3d{0, axis(Up, Down), 0};
+    const Vec3d way =
+        m_view.turn({axis(Right, Left), 0, axis(Back, Forward)}) + upRow(m_view.upAxis).up * axis(Up, Down);
     constexpr double fast = 4;
     return base::normalized(way) * (m_speed * (m_keys & Fast ? fast : 1));
 }

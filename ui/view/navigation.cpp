@@ -16,8 +16,8 @@ static double perPixel(int height) {
 }
 
 static void turntable(View& view, const ImagePoint& from, const ImagePoint& to, int, int height) {
-    const Vec3d pivot = view.turningPoint(), back = view.turn({0, 0, 1}), up = view.turn({0, 1, 0});
-    view.turnAbout(pivot, Rotation::about({0, 1, 0}, -(to.x - from.x) * perPixel(height)));
+    const Vec3d pivot = view.turningPoint(), back = view.standing({0, 0, 1}), up = view.standing({0, 1, 0});
+    view.turnAbout(pivot, Rotation::about(upRow(view.upAxis).up, -(to.x - from.x) * perPixel(height)));
     // The eye's height above the horizon; on the way over a pole it stops there.
     const double pitch = std::atan2(back.y, std::copysign(std::hypot(back.x, back.z), up.y));
     const double wanted =
@@ -53,8 +53,8 @@ static void trackball(View& view, const ImagePoint& from, const ImagePoint& to, 
 static void lookAround(View& view, const ImagePoint& from, const ImagePoint& to, int, int height) {
     const double angle = view.fovDeg * pi / 180 / std::max(height, 1); // what is under the pointer follows it
     const Vec3d eye = view.target + view.turn({0, 0, view.distance});
-    view.turnAbout(eye, Rotation::about({0, 1, 0}, (to.x - from.x) * angle));
-    const Vec3d back = view.turn({0, 0, 1}), up = view.turn({0, 1, 0});
+    view.turnAbout(eye, Rotation::about(upRow(view.upAxis).up, (to.x - from.x) * angle));
+    const Vec3d back = view.standing({0, 0, 1}), up = view.standing({0, 1, 0});
     const double pitch = std::atan2(-back.y, std::copysign(std::hypot(back.x, back.z), up.y));
     const double wanted =
         std::clamp(pitch + (to.y - from.y) * angle, std::min(pitch, -pi / 2), std::max(pitch, pi / 2));

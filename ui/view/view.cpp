@@ -45,17 +45,28 @@ void View::turnAbout(const Vec3d& place, const Rotation& by) {
     turn = (by * turn).unit();
 }
 
+/// The standing frame to the model's coordinates.
+static Rotation frameOf(base::UpAxis axis) {
+    const base::UpRow& row = upRow(axis);
+    return Rotation::toAxes(row.right, row.up, row.front);
+}
+
+void View::stand(base::UpAxis axis) {
+    turn = (frameOf(axis) * frameOf(upAxis).inverse() * turn).unit();
+    upAxis = axis;
+}
+
 View View::upright() const {
-    const Vec3d back = turn({0, 0, 1});
+    const Vec3d back = standing({0, 0, 1});
     // Straight above or below, the heading is in the up vector alone.
     Vec3d heading{back.x, 0, back.z};
     if (length(heading) < 1e-9) {
-        const Vec3d up = turn({0, 1, 0});
-        heading = Vec3d{up.x, 0, up.z} * (back.y > 0 ? -1.0 : 1.0);
+        const Vec3d upwards = standing({0, 1, 0});
+        heading = Vec3d{upwards.x, 0, upwards.z} * (back.y > 0 ? -1.0 : 1.0);
     }
     const Vec3d right = cross({0, 1, 0}, base::normalized(heading, {0, 0, 1}));
     View out = *this;
-    out.turn = Rotation::toAxes(right, cross(back, right), back);
+    out.turn = frameOf(upAxis) * Rotation::toAxes(right, cross(back, right), back);
     return out;
 }
 
@@ -97,10 +108,11 @@ void View::frame(std::span<const base::Box3f> boxes, int width, int height) {
         distance = needed;
 }
 
-View View::threeQuarter(std::span<const base::Box3f> boxes, int width, int height) {
+View View::threeQuarter(std::span<const base::Box3f> boxes, int width, int height, base::UpAxis up) {
     constexpr double yaw = 0.42, pitch = 0.27;
     View out;
-    out.turn = Rotation::about({0, 1, 0}, yaw) * Rotation::about({1, 0, 0}, -pitch);
+    out.turn = frameOf(up) * Rotation::about({0, 1, 0}, yaw) * Rotation::about({1, 0, 0}, -pitch);
+    out.upAxis = up;
     out.frame(boxes, width, height);
     return out;
 }

@@ -23,7 +23,8 @@ struct View {
     Rotation turn;       ///< camera axes (x right, y up, z towards the eye) to the model's
     double fovDeg = 35;
     bool parallel = false;
-    std::optional<base::Vec3d> pivot; ///< what was picked to turn about
+    base::UpAxis upAxis = base::UpAxis::Y; ///< of the model: what turntables turn about
+    std::optional<base::Vec3d> pivot;      ///< what was picked to turn about
 
     bool operator==(const View&) const = default;
 
@@ -31,7 +32,7 @@ struct View {
     /// The view whose camera looks as `camera` does.
     static View of(const render::Camera& camera);
     /// From the front, a little from the right and above.
-    static View threeQuarter(std::span<const base::Box3f> boxes, int width, int height);
+    static View threeQuarter(std::span<const base::Box3f> boxes, int width, int height, base::UpAxis up);
 
     base::Vec3d turningPoint() const { return pivot.value_or(target); }
     /// Model units across the image's height, at the target.
@@ -40,7 +41,11 @@ struct View {
     void turnTo(const base::Vec3d& toEye, const base::Vec3d& up);
     /// Turns the camera about a place; the place keeps its place in the image.
     void turnAbout(const base::Vec3d& place, const Rotation& by);
-    /// The same direction with the model's y upwards, as far as it goes.
+    /// A direction of the camera (x right, y up, z towards the eye) as seen by the standing model.
+    base::Vec3d standing(const base::Vec3d& axis) const { return toStanding(upAxis, turn(axis)); }
+    /// Another axis is upwards: the view turns with the model.
+    void stand(base::UpAxis axis);
+    /// The same direction with the model's own axis upwards, as far as it goes.
     View upright() const;
     /// The model follows the pointer in the plane through the target.
     void pan(double dx, double dy, int height);

@@ -20,6 +20,10 @@ void addViewEntries(MainWindow& window, QMenu& view) {
     for (const auto& row : render::namedViews())
         addEntry(view, "view", QObject::tr(row.label), QKeySequence(row.shortcut),
                  [&motion, &row] { motion.turnTo(row); });
+    addEntry(view, "view", QObject::tr("&Turn the Up Axis"), QKeySequence("U"), [&window] {
+        const char* next = base::upRow(nextUp(window.editor().snapshot().up)).id;
+        window.editor().run({{"op", "up"}, {"axis", next}});
+    })->setToolTip(QObject::tr("The next axis upwards: y, z, -y, -z, x, -x; it is kept with the model"));
     QAction* parallel =
         addEntry(view, "view", QObject::tr("&Orthographic"), QKeySequence("5"), [&motion] { motion.toggleParallel(); });
     parallel->setCheckable(true);

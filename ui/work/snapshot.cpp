@@ -12,6 +12,7 @@ Snapshot snapshotOf(const session::Document& document) {
     out.surfels = document.surface().tree().size();
     out.path = document.provenance().path;
     out.origin = document.provenance().origin;
+    out.up = document.up();
     out.modified = document.modified();
     out.canUndo = document.canUndo();
     out.canRedo = document.canRedo();

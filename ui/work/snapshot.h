@@ -11,6 +11,7 @@ struct Snapshot {
     std::size_t surfels = 0;    ///< of the model
     std::filesystem::path path;
     base::Vec3d origin;
+    base::UpAxis up = base::UpAxis::Y;
     bool modified = false;
     bool canUndo = false, canRedo = false;
     std::string undoLabel, redoLabel;

@@ -6,6 +6,7 @@
 #include "core/mesh/faces/face_points.h"
 #include "core/mesh/faces/face_spacing.h"
 #include "core/process/estimation/part_progress.h"
+#include "core/process/resampling/resample.h"
 
 #include <charconv>
 #include <cmath>
@@ -37,15 +38,6 @@ std::string rounded(double value) {
 
 std::string counted(std::size_t n, const char* one, const char* many) {
     return grouped(n) + " " + (n == 1 ? one : many);
-}
-
-/// Reach of a surfel in an even sampling.
-float supportFor(double spacing, const surface::SurfaceDefinition& definition) {
-    const bool gaussian = definition.weight == surface::Weight::Gaussian;
-    if (definition.support > 0)
-        return definition.support * (gaussian ? surface::gaussianReach : 1.0f);
-    return static_cast<float>(spacing) * definition.unitInSpacings() *
-           (gaussian ? surface::gaussianScale * surface::gaussianReach : 1.0f);
 }
 
 /// The layout of surfels with oriented normals and, where there are several patches, their numbers.
@@ -203,6 +195,8 @@ OpenedFaces openFaces(SurfelList vertices, std::span<const Triangle> triangles,
     const FaceTopology topology = faceTopology(positions, triangles, options.sharpRad);
     OpenedFaces out;
     if (!(topology.area > 0)) {
+        if (options.asksForSamples())
+            throw base::Error("the faces have no area to sample", "", "keep the vertices");
         out.points = std::move(vertices);
         return out;
     }
@@ -222,7 +216,8 @@ OpenedFaces openFaces(SurfelList vertices, std::span<const Triangle> triangles,
     const std::size_t count = samplesFor(topology, wall, options);
     const auto points = spreadPoints(topology, positions, count, process::part(progress, 0.3, 0.9));
     const double spacing = std::sqrt(topology.area / static_cast<double>(points.size()));
-    out.points = FaceSampler(vertices, topology, positions).run(points, supportFor(spacing, definition), spacing);
+    out.points = FaceSampler(vertices, topology, positions)
+                     .run(points, process::supportOf(definition, static_cast<float>(spacing)), spacing);
     out.sampled = true;
     out.apart = wall >= resolvedWall * spacing;
     out.messages.push_back(counted(topology.triangles.size(), "triangle", "triangles") + " sampled to " +

@@ -23,6 +23,9 @@ struct FaceOptions {
     double spacing = 0;                         ///< of samples, in model units; 0: from `count`
     std::size_t count = 0;                      ///< of samples; 0: what the shape needs
     double sharpRad = std::numbers::pi * 2 / 9; ///< edges of a larger dihedral angle stay sharp (40 degrees)
+
+    /// Whoever said so wants samples and not the file's vertices.
+    bool asksForSamples() const { return use == FaceUse::Sample || spacing > 0 || count > 0; }
 };
 
 struct OpenedFaces {
@@ -35,7 +38,7 @@ struct OpenedFaces {
 
 /// Vertices with the triangles between them; without triangles that have an area the vertices come back as they are.
 /// Supports of samples are those of the definition on an even sampling of the faces. Throws base::Error where more
-/// samples are asked for than memory is meant to hold, base::Cancelled.
+/// samples are asked for than memory is meant to hold, or samples of faces without area, base::Cancelled.
 OpenedFaces openFaces(surfel::SurfelList vertices, std::span<const Triangle> triangles,
                       const surface::SurfaceDefinition& definition, const FaceOptions& options,
                       const base::Progress& progress = {});

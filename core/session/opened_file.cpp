@@ -1,0 +1,55 @@
+#include "core/session/opened_file.h"
+
+#include "core/base/error.h"
+#include "core/process/estimation/prepare.h"
+#include "core/process/estimation/up_guess.h"
+
+#include <nlohmann/json.hpp>
+
+namespace session {
+
+using nlohmann::json;
+
+/// What the work throws, in the name of the file.
+template <class Work>
+static auto inNameOf(const std::string& name, const Work& work) {
+    try {
+        return work();
+    } catch (const base::Error& error) {
+        throw base::Error(error.message(), name);
+    }
+}
+
+OpenedFile opened(const std::string& name, io::FileModel model, const json& parameters,
+                  const base::Progress& progress) {
+    OpenedFile out{name, std::move(model), {}, {}, false};
+    out.ownNormals = out.model.points.layout->normals;
+    out.surface = changed(out.model.definition.value_or(surface::SurfaceDefinition()), parameters);
+    surface::SurfaceDefinition& definition = out.surface.definition;
+    const mesh::FaceOptions options = faceOptions(parameters);
+    out.faces = inNameOf(name, [&] { return openFaces(out.model, definition, options, progress); });
+    // What samples resolve needs no second pass, which harms sharp edges; whoever asks for it gets it.
+    if (out.faces.apart && !parameters.contains("one-sheet"))
+        definition.oneSheet = false;
+    return out;
+}
+
+static base::UpAxis upOf(const io::FileModel& model, const surface::Surface& surface) {
+    const bool curve = surface.definition().manifold == surface::Manifold::Curve;
+    if (model.up || curve)
+        return model.up.value_or(model.usualUp);
+    return process::guessedUp(process::upEvidence(surface.tree()), model.usualUp);
+}
+
+MadeModel made(OpenedFile& file, const base::Progress& progress) {
+    io::FileModel& model = file.model;
+    const surface::SurfaceDefinition& definition = file.surface.definition;
+    const bool kept = file.faces.sampled || (model.hasSupports && !file.surface.newSupports);
+    const process::PrepareOptions options{definition, kept, model.limitDecided && definition == model.definition};
+    surface::Surface surface =
+        inNameOf(file.name, [&] { return process::prepare(std::move(model.points), options, progress); });
+    const base::UpAxis up = upOf(model, surface);
+    return {std::move(surface), up};
+}
+
+} // namespace session
