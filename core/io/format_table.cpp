@@ -58,9 +58,9 @@ static const FormatRow& readerOf(const path& name) {
     return *row;
 }
 
-FileModel read(const path& path, const base::Progress& progress) {
+FileModel read(const path& path, const base::Progress& progress, const std::filesystem::path& folder) {
     const FormatRow& row = readerOf(path);
-    FileModel out = row.read(path, progress);
+    FileModel out = row.read(path, progress, folder.empty() ? path.parent_path() : folder);
     out.usualUp = row.up;
     return out;
 }

@@ -1,5 +1,6 @@
 #include "core/io/grey_image.h"
 
+#include "core/io/colour_image.h"
 #include "core/io/file_bytes.h"
 
 #include <algorithm>
@@ -10,14 +11,26 @@ static bool startsWith(std::span<const unsigned char> bytes, std::initializer_li
     return bytes.size() >= magic.size() && std::equal(magic.begin(), magic.end(), bytes.begin());
 }
 
-GreyImage readGreyImage(const std::filesystem::path& path) {
+/// What the reader of the file's format makes of it.
+template <class Image>
+static Image imageOf(const std::filesystem::path& path,
+                     Image (*png)(std::span<const unsigned char>, const std::string&),
+                     Image (*jpeg)(std::span<const unsigned char>, const std::string&)) {
     const FileBytes file(path);
     const std::span bytes(reinterpret_cast<const unsigned char*>(file.bytes().data()), file.size());
     if (startsWith(bytes, {0x89, 'P', 'N', 'G'}))
-        return readPng(bytes, path.string());
+        return png(bytes, path.string());
     if (startsWith(bytes, {0xff, 0xd8, 0xff}))
-        return readJpeg(bytes, path.string());
+        return jpeg(bytes, path.string());
     file.fail("is neither PNG nor JPEG", "convert it to one of them");
+}
+
+GreyImage readGreyImage(const std::filesystem::path& path) {
+    return imageOf(path, readPng, readJpeg);
+}
+
+mesh::Picture readPicture(const std::filesystem::path& path) {
+    return imageOf(path, readPngPicture, readJpegPicture);
 }
 
 } // namespace io

@@ -1,6 +1,8 @@
-// Wavefront OBJ: its vertices, with colours where `v` carries them, and normals where `vn` can be told to belong to
+// Wavefront OBJ: its vertices and faces, these with the pictures of their materials (obj_materials.h); vertices with
+// colours where `v` carries them, and normals where `vn` can be told to belong to
 // vertices: by the corners of faces (corners of one vertex that disagree are averaged), else by equal counts.
 #include "core/io/number_text.h"
+#include "core/io/obj_materials.h"
 #include "core/io/readers.h"
 #include "core/io/record_points.h"
 #include "core/io/text_lines.h"
@@ -14,7 +16,7 @@ namespace {
 
 constexpr std::uint32_t noNormal = std::numeric_limits<std::uint32_t>::max();
 
-enum class Statement { Other, Vertex, Normal, Face };
+enum class Statement { Other, Vertex, Normal, Texture, Face, Material, Library };
 
 void skipBlanks(std::string_view& line) {
     while (!line.empty() && isBlank(line.front()))
@@ -27,12 +29,15 @@ Statement takeStatement(std::string_view& line) {
     const auto follows = [&](std::string_view word) {
         return line.starts_with(word) && line.size() > word.size() && isBlank(line[word.size()]);
     };
-    const Statement out = follows("v")    ? Statement::Vertex
-                          : follows("vn") ? Statement::Normal
-                          : follows("f")  ? Statement::Face
-                                          : Statement::Other;
-    line.remove_prefix(out == Statement::Other ? 0 : out == Statement::Normal ? 2 : 1);
-    return out;
+    static constexpr std::pair<std::string_view, Statement> words[] = {
+        {"v", Statement::Vertex},   {"f", Statement::Face},          {"vn", Statement::Normal},
+        {"vt", Statement::Texture}, {"usemtl", Statement::Material}, {"mtllib", Statement::Library}};
+    for (const auto& [word, statement] : words)
+        if (follows(word)) {
+            line.remove_prefix(word.size());
+            return statement;
+        }
+    return Statement::Other;
 }
 
 /// Up to `most` numbers; returns how many there were.
@@ -55,24 +60,30 @@ struct Corner {
 };
 
 struct Counts {
-    std::size_t vertices = 0, normals = 0, faces = 0;
+    std::size_t vertices = 0, normals = 0, textures = 0, faces = 0;
     Counts& operator+=(const Counts& o) {
-        return vertices += o.vertices, normals += o.normals, faces += o.faces, *this;
+        vertices += o.vertices, normals += o.normals, textures += o.textures, faces += o.faces;
+        return *this;
     }
 };
 
 class ObjReader {
   public:
-    ObjReader(const path& name, const base::Progress& progress)
-        : m_file(name), m_lines(m_file, 0), m_progress(progress), m_before(m_lines.chunks() + 1),
-          m_corners(m_lines.chunks()), m_faces(m_lines.chunks()) {}
+    ObjReader(const path& name, const base::Progress& progress, const path& folder)
+        : m_file(name), m_lines(m_file, 0), m_progress(progress), m_folder(folder), m_before(m_lines.chunks() + 1),
+          m_materials(m_lines.chunks() + 1), m_libraries(m_lines.chunks()), m_corners(m_lines.chunks()),
+          m_textureOf(m_lines.chunks()), m_faces(m_lines.chunks()) {}
     FileModel read();
 
   private:
     void count();
+    void findPictures();
+    std::uint32_t pictureOf(std::string_view material) const;
+    void joinFaces();
     std::size_t parse(std::size_t chunk);
     void takeFace(std::string_view line, const Counts& at, std::size_t chunk);
     bool takeCorner(std::string_view word, const Counts& at, Corner& out) const;
+    std::uint32_t takeTexture(std::string_view word, const Counts& at) const;
     std::vector<base::Vec3d> vertexNormals();
     std::vector<base::Vec3d> normalsByCorners();
     void fillTable(const std::vector<base::Vec3d>& normals);
@@ -81,13 +92,21 @@ class ObjReader {
     FileBytes m_file;
     TextLines m_lines;
     const base::Progress& m_progress;
+    const path& m_folder; ///< of materials and pictures
     FileModel m_model;
     std::vector<Counts> m_before; ///< statements before each chunk
     std::size_t m_width = 3;      ///< numbers of a vertex: 6 with colours
     std::vector<double> m_vertices;
     std::vector<base::Vec3d> m_normals;
-    std::vector<std::vector<Corner>> m_corners; ///< per chunk
-    std::vector<mesh::Polygons> m_faces;        ///< per chunk
+    /// Materials as the text has them: the last one named before the end of each chunk; empty where none is.
+    std::vector<std::string_view> m_materials;
+    std::vector<std::vector<std::string>> m_libraries; ///< per chunk
+    std::vector<PictureName> m_pictures;
+    std::map<std::string, std::uint32_t, std::less<>> m_numbers; ///< of pictures, by material
+    std::vector<mesh::Polygons::Place> m_textures;
+    std::vector<std::vector<Corner>> m_corners;          ///< per chunk
+    std::vector<std::vector<std::uint32_t>> m_textureOf; ///< per chunk, of the faces' corners
+    std::vector<mesh::Polygons> m_faces;                 ///< per chunk
     RecordTable m_table;
 };
 
@@ -99,23 +118,49 @@ void ObjReader::count() {
             const Statement statement = takeStatement(line);
             counts.vertices += statement == Statement::Vertex ? 1 : 0;
             counts.normals += statement == Statement::Normal ? 1 : 0;
+            counts.textures += statement == Statement::Texture ? 1 : 0;
             counts.faces += statement == Statement::Face ? 1 : 0;
+            if (statement == Statement::Material)
+                m_materials[chunk + 1] = trimmed(line);
+            else if (statement == Statement::Library)
+                m_libraries[chunk].emplace_back(trimmed(line));
             if (statement == Statement::Vertex)
                 first[chunk] = std::min(first[chunk], at);
             return true;
         });
         return TextLines::none;
     });
-    for (std::size_t chunk = 0; chunk < m_lines.chunks(); ++chunk)
+    for (std::size_t chunk = 0; chunk < m_lines.chunks(); ++chunk) {
         m_before[chunk + 1] += m_before[chunk];
+        if (m_materials[chunk + 1].empty())
+            m_materials[chunk + 1] = m_materials[chunk];
+    }
     if (all().vertices == 0)
         m_file.fail("holds no points", "choose an OBJ file with 'v' lines");
-    if (all().vertices >= noNormal || all().normals >= noNormal)
+    if (all().vertices >= noNormal || all().normals >= noNormal || all().textures >= noNormal)
         m_file.fail("holds more than 4 billion vertices", "split the file");
     std::string_view line = m_lines.lineAt(*std::min_element(first.begin(), first.end()));
     takeStatement(line);
     double numbers[8];
     m_width = takeNumbers(line, numbers, 8) >= 6 ? 6 : 3;
+}
+
+/// The pictures of all materials, where faces can have them.
+void ObjReader::findPictures() {
+    std::vector<std::string> libraries;
+    for (const auto& chunk : m_libraries)
+        libraries.insert(libraries.end(), chunk.begin(), chunk.end());
+    if (all().textures == 0 || all().faces == 0)
+        return;
+    for (const auto& [material, picture] : readMaterials(m_folder, libraries, m_model.messages)) {
+        m_numbers[material] = static_cast<std::uint32_t>(m_pictures.size());
+        m_pictures.push_back(picture);
+    }
+}
+
+std::uint32_t ObjReader::pictureOf(std::string_view material) const {
+    const auto found = m_numbers.find(material);
+    return found == m_numbers.end() ? mesh::Polygons::noPicture : found->second;
 }
 
 /// What a corner's number says of `total`: from 1, or back from the last one so far; false where it is none of them.
@@ -138,6 +183,16 @@ bool ObjReader::takeCorner(std::string_view word, const Counts& at, Corner& out)
            takeIndex(word.substr(slash + 1), at.normals, all().normals, out.normal);
 }
 
+/// The number of the corner's place in the picture, or noNormal.
+std::uint32_t ObjReader::takeTexture(std::string_view word, const Counts& at) const {
+    const std::size_t slash = word.find('/');
+    if (slash == std::string_view::npos)
+        return noNormal;
+    word.remove_prefix(slash + 1);
+    std::uint32_t out = noNormal;
+    return takeIndex(word.substr(0, word.find('/')), at.textures, all().textures, out) ? out : noNormal;
+}
+
 void ObjReader::takeFace(std::string_view line, const Counts& at, std::size_t chunk) {
     for (skipBlanks(line); !line.empty() && line.front() != '#'; skipBlanks(line)) {
         std::size_t size = 0;
@@ -147,6 +202,8 @@ void ObjReader::takeFace(std::string_view line, const Counts& at, std::size_t ch
         if (takeCorner(line.substr(0, size), at, corner))
             m_corners[chunk].push_back(corner);
         m_faces[chunk].corners.push_back(corner.vertex);
+        if (!m_pictures.empty())
+            m_textureOf[chunk].push_back(takeTexture(line.substr(0, size), at));
         line.remove_prefix(size);
     }
     m_faces[chunk].close();
@@ -154,6 +211,7 @@ void ObjReader::takeFace(std::string_view line, const Counts& at, std::size_t ch
 
 std::size_t ObjReader::parse(std::size_t chunk) {
     Counts at = m_before[chunk];
+    std::uint32_t picture = pictureOf(m_materials[chunk]);
     std::size_t fault = TextLines::none;
     m_lines.forLines(chunk, [&](std::size_t offset, std::string_view line) {
         double numbers[7] = {0, 0, 0, 1, 1, 1, 1};
@@ -175,7 +233,20 @@ std::size_t ObjReader::parse(std::size_t chunk) {
             break;
         case Statement::Face:
             takeFace(line, at, chunk);
+            if (!m_pictures.empty())
+                m_faces[chunk].pictureOf.push_back(picture);
             break;
+        case Statement::Texture: {
+            numbers[1] = 0; // which may be left out
+            if (takeNumbers(line, numbers, 2) > 0 && !m_pictures.empty())
+                m_textures[at.textures] = {static_cast<float>(numbers[0]), static_cast<float>(numbers[1])};
+            ++at.textures;
+            break;
+        }
+        case Statement::Material:
+            picture = pictureOf(trimmed(line));
+            break;
+        case Statement::Library:
         case Statement::Other:
             break;
         }
@@ -236,11 +307,26 @@ void ObjReader::fillTable(const std::vector<base::Vec3d>& normals) {
     m_vertices = {};
 }
 
+void ObjReader::joinFaces() {
+    for (std::size_t chunk = 0; chunk < m_faces.size(); ++chunk) {
+        for (const std::uint32_t texture : m_textureOf[chunk])
+            m_faces[chunk].places.push_back(texture < m_textures.size() ? m_textures[texture]
+                                                                        : mesh::Polygons::Place());
+        m_model.polygons.append(m_faces[chunk]);
+        m_faces[chunk] = {};
+        m_textureOf[chunk] = {};
+    }
+    if (!m_pictures.empty())
+        readPictures(m_model, m_folder, m_pictures);
+}
+
 FileModel ObjReader::read() {
     if (m_file.bytes().substr(0, 4096).find('\0') != std::string_view::npos)
         m_file.fail("is binary, not an OBJ text file", "choose an OBJ file or convert it to PLY");
     count();
+    findPictures();
     m_vertices.resize(all().vertices * m_width);
+    m_textures.resize(m_pictures.empty() ? 0 : all().textures);
     m_normals.resize(all().normals);
     const std::size_t fault = m_lines.run({m_progress, 0.2, 0.7}, [&](std::size_t chunk) { return parse(chunk); });
     if (fault != TextLines::none)
@@ -248,18 +334,15 @@ FileModel ObjReader::read() {
     fillTable(vertexNormals());
     m_model.format = "obj";
     m_model.faces = all().faces;
-    for (mesh::Polygons& faces : m_faces) {
-        m_model.polygons.append(faces);
-        faces = {};
-    }
+    joinFaces();
     makePoints(m_model, m_file, m_table, rolesOf(m_table.fields, false), {}, {m_progress, 0.7, 1});
     return std::move(m_model);
 }
 
 } // namespace
 
-FileModel readObj(const path& file, const base::Progress& progress) {
-    return ObjReader(file, progress).read();
+FileModel readObj(const path& file, const base::Progress& progress, const path& folder) {
+    return ObjReader(file, progress, folder).read();
 }
 
 } // namespace io

@@ -4,13 +4,21 @@
 #include "core/io/record_points.h"
 #include "core/io/text_rows.h"
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
+#include <span>
 
 namespace io {
 
 namespace {
 
 const char* const cutOff = "the file is damaged or was cut off; fetch it again";
+
+struct FaceColours {
+    bool any = false; ///< some face has one
+    std::vector<surfel::Colour> all;
+};
 
 class OffReader {
   public:
@@ -21,6 +29,7 @@ class OffReader {
     void readHead(const TextRows& rows);
     void nameColumns(std::size_t columns);
     void readFaces(const TextRows& rows);
+    static void takeColour(std::span<const std::string_view> fields, FaceColours& out);
 
     FileBytes m_file;
     const base::Progress& m_progress;
@@ -82,9 +91,27 @@ void OffReader::nameColumns(std::size_t columns) {
                                   c * sizeof(double)});
 }
 
+/// Three or four numbers behind the corners: whole ones up to 255, others up to 1. One alone is a row of a table that
+/// nobody has.
+void OffReader::takeColour(std::span<const std::string_view> fields, FaceColours& out) {
+    surfel::Colour colour = surfel::white;
+    const bool given = fields.size() == 3 || fields.size() == 4;
+    const bool whole = std::none_of(fields.begin(), fields.end(), [](std::string_view f) {
+        return f.find_first_of(".eE") != std::string_view::npos;
+    });
+    for (std::size_t k = 0; given && k < 3; ++k) {
+        const double value = numberOf(fields[k]).value_or(0) * (whole ? 1 : 255);
+        const auto byte = value > 0 ? static_cast<surfel::Colour>(std::min(255.0, std::floor(value + 0.5))) : 0;
+        colour = (colour & ~(surfel::Colour(0xff) << (8 * k))) | byte << (8 * k);
+    }
+    out.any |= given;
+    out.all.push_back(colour);
+}
+
 /// A row of a face: how many corners, their numbers, then perhaps a colour.
 void OffReader::readFaces(const TextRows& rows) {
     std::size_t left = m_faces, row = m_firstRow + m_vertices;
+    FaceColours colours;
     rows.forRows(row, [&](std::string_view line) {
         if (left-- == 0)
             return false;
@@ -98,9 +125,12 @@ void OffReader::readFaces(const TextRows& rows) {
                                                                               : std::uint32_t(-1));
         }
         m_model.polygons.close();
+        takeColour(std::span(fields).subspan(*corners + 1), colours);
         ++row;
         return true;
     });
+    if (colours.any)
+        m_model.polygons.colours = std::move(colours.all);
 }
 
 FileModel OffReader::read() {
@@ -128,7 +158,7 @@ FileModel OffReader::read() {
 
 } // namespace
 
-FileModel readOff(const path& file, const base::Progress& progress) {
+FileModel readOff(const path& file, const base::Progress& progress, const path&) {
     return OffReader(file, progress).read();
 }
 

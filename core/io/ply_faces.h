@@ -1,4 +1,5 @@
-// Faces of a PLY file: the element `face` with its list of vertex numbers, and strips of triangles, which some
+// Faces of a PLY file: the element `face` with its list of vertex numbers, its colours and its places in pictures
+// (`red green blue`, the list `texcoord` with `texnumber`), and strips of triangles, which some
 // scanners' programs write instead.
 #pragma once
 

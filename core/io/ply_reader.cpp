@@ -1,3 +1,4 @@
+#include "core/io/face_pictures.h"
 #include "core/io/ply_comments.h"
 #include "core/io/ply_elements.h"
 #include "core/io/ply_faces.h"
@@ -35,7 +36,8 @@ std::size_t vertexElement(const PlyHeader& header) {
 /// One PLY file on its way to a model.
 class PlyReader {
   public:
-    PlyReader(const path& name, const base::Progress& progress) : m_file(name), m_progress(progress) {}
+    PlyReader(const path& name, const base::Progress& progress, const path& folder)
+        : m_file(name), m_progress(progress), m_folder(folder) {}
     FileModel read();
 
   private:
@@ -43,10 +45,13 @@ class PlyReader {
     void readAscii();
     void keepOther(const PlyElement& element, const std::function<std::string()>& body);
     void takeFaces(const PlyElement& element, std::string_view body, std::size_t offset, bool bigEndian);
+    void matchLooks();
+    void takePictures();
     void finish();
 
     FileBytes m_file;
     const base::Progress& m_progress;
+    const path& m_folder; ///< of pictures
     PlyHeader m_header;
     std::size_t m_vertex = none;
     RecordTable m_table;
@@ -102,7 +107,40 @@ void PlyReader::readAscii() {
     }
 }
 
+/// Faces of several elements have the looks that all of them have.
+void PlyReader::matchLooks() {
+    mesh::Polygons& faces = m_model.polygons;
+    if (faces.colours.size() != faces.size())
+        faces.colours.clear();
+    if (faces.places.size() != faces.corners.size() || faces.pictureOf.size() != faces.size())
+        faces.places.clear(), faces.pictureOf.clear();
+}
+
+/// The pictures that comments name; places in them that stand at the vertices become those of the corners.
+void PlyReader::takePictures() {
+    constexpr std::string_view word = "TextureFile ";
+    std::vector<PictureName> names;
+    for (const std::string& comment : m_header.comments)
+        if (std::string_view(comment).starts_with(word))
+            names.push_back({comment.substr(word.size())});
+    mesh::Polygons& faces = m_model.polygons;
+    const surfel::AttributeLayout& layout = *m_model.points.layout;
+    for (const auto& [u, v] : {std::pair{"s", "t"}, {"u", "v"}, {"texture_u", "texture_v"}}) {
+        const surfel::Attribute *first = layout.find(u), *second = layout.find(v);
+        if (names.empty() || !faces.places.empty() || !first || !second)
+            continue;
+        faces.pictureOf.assign(faces.size(), 0);
+        for (const std::uint32_t corner : faces.corners) {
+            const auto words = m_model.points.extraOf(corner);
+            faces.places.push_back(
+                {static_cast<float>(surfel::read(*first, words)), static_cast<float>(surfel::read(*second, words))});
+        }
+    }
+    readPictures(m_model, m_folder, names);
+}
+
 void PlyReader::finish() {
+    matchLooks();
     m_model.comments = m_header.comments;
     const NativeComments native = takeNativeComments(m_model.comments, m_model.messages);
     m_model.definition = native.definition;
@@ -114,6 +152,7 @@ void PlyReader::finish() {
     const double begun = m_header.encoding == PlyEncoding::Ascii ? 0.7 : 0.1;
     makePoints(m_model, m_file, m_table, roles, {native.origin, native.oriented.value_or(true)},
                {m_progress, begun, 1});
+    takePictures();
     for (const PlyProperty& property : m_header.elements[m_vertex].properties)
         if (property.isList)
             m_model.messages.push_back("The list property " + inQuotes(property.name) + " of the points was left out.");
@@ -138,8 +177,8 @@ FileModel PlyReader::read() {
 
 } // namespace
 
-FileModel readPly(const path& file, const base::Progress& progress) {
-    return PlyReader(file, progress).read();
+FileModel readPly(const path& file, const base::Progress& progress, const path& folder) {
+    return PlyReader(file, progress, folder).read();
 }
 
 } // namespace io

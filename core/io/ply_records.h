@@ -13,6 +13,11 @@ inline std::int64_t loadInteger(ScalarType type, const char* bytes, bool bigEndi
     });
 }
 
+inline double loadReal(ScalarType type, const char* bytes, bool bigEndian) {
+    return withType(
+        type, [&]<class T>() { return static_cast<double>(bigEndian ? load<T, true>(bytes) : load<T, false>(bytes)); });
+}
+
 /// Passes over binary records whose lists make them unequally long.
 class RecordWalker {
   public:

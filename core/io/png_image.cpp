@@ -1,5 +1,6 @@
 // PNG through libpng's simplified interface, which needs no callbacks.
 #include "core/base/error.h"
+#include "core/io/colour_image.h"
 #include "core/io/grey_image.h"
 
 #include <png.h>
@@ -32,16 +33,34 @@ GreyImage pixels(png_image& image, const std::string& name) {
 
 } // namespace
 
-GreyImage readPng(std::span<const unsigned char> bytes, const std::string& name) {
-    Reader reader;
-    png_image& image = reader.image;
+static void begin(png_image& image, std::span<const unsigned char> bytes, const std::string& name) {
     if (!png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()))
         throw base::Error(std::string("broken PNG: ") + image.message, name);
     if (image.width > png_uint_32(GreyImage::maxSide) || image.height > png_uint_32(GreyImage::maxSide))
         throw base::Error("the image has more than 8192 pixels a side", name, "make it smaller");
+}
+
+GreyImage readPng(std::span<const unsigned char> bytes, const std::string& name) {
+    Reader reader;
+    png_image& image = reader.image;
+    begin(image, bytes, name);
     const bool deep = image.format & PNG_FORMAT_FLAG_LINEAR;
     image.format = deep ? PNG_FORMAT_LINEAR_Y : PNG_FORMAT_GRAY;
     return deep ? pixels<png_uint_16>(image, name) : pixels<png_byte>(image, name);
+}
+
+mesh::Picture readPngPicture(std::span<const unsigned char> bytes, const std::string& name) {
+    Reader reader;
+    png_image& image = reader.image;
+    begin(image, bytes, name);
+    image.format = PNG_FORMAT_RGBA;
+    mesh::Picture out{int(image.width), int(image.height), {}};
+    out.pixels.resize(std::size_t(image.width) * image.height);
+    if (!png_image_finish_read(&image, nullptr, out.pixels.data(), 0, nullptr))
+        throw base::Error(std::string("broken PNG: ") + image.message, name);
+    for (surfel::Colour& pixel : out.pixels)
+        pixel |= surfel::rgba(0, 0, 0);
+    return out;
 }
 
 } // namespace io

@@ -7,11 +7,11 @@ namespace io {
 
 using std::filesystem::path;
 
-FileModel readPly(const path& file, const base::Progress& progress);
-FileModel readText(const path& file, const base::Progress& progress);
-FileModel readObj(const path& file, const base::Progress& progress);
-FileModel readOff(const path& file, const base::Progress& progress);
-FileModel readStl(const path& file, const base::Progress& progress);
+FileModel readPly(const path& file, const base::Progress& progress, const path& folder);
+FileModel readText(const path& file, const base::Progress& progress, const path& folder);
+FileModel readObj(const path& file, const base::Progress& progress, const path& folder);
+FileModel readOff(const path& file, const base::Progress& progress, const path& folder);
+FileModel readStl(const path& file, const base::Progress& progress, const path& folder);
 
 void writePly(const path& file, const FileModel& model, const base::Progress& progress);
 void writeText(const path& file, const FileModel& model, const base::Progress& progress);

@@ -115,7 +115,7 @@ RecordTable tableOf(const Welded& welded) {
 
 } // namespace
 
-FileModel readStl(const path& name, const base::Progress& progress) {
+FileModel readStl(const path& name, const base::Progress& progress, const path&) {
     const FileBytes file(name);
     const bool ascii = isAscii(file);
     const std::vector<base::Vec3d> corners = ascii ? asciiCorners(file, progress) : binaryCorners(file, progress);

@@ -229,7 +229,7 @@ FileModel TextReader::read() {
 
 } // namespace
 
-FileModel readText(const path& file, const base::Progress& progress) {
+FileModel readText(const path& file, const base::Progress& progress, const path&) {
     return TextReader(file, progress).read();
 }
 

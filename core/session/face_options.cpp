@@ -62,8 +62,10 @@ FacesOpened openFaces(io::FileModel& model, surface::SurfaceDefinition& definiti
     std::vector<base::Vec3f> positions(model.points.size());
     for (std::size_t i = 0; i < positions.size(); ++i)
         positions[i] = model.points.items[i].position;
-    const std::vector<mesh::Triangle> triangles = triangulated(model.polygons, positions);
-    mesh::OpenedFaces opened = mesh::openFaces(std::move(model.points), triangles, definition, options, progress);
+    const mesh::CutPolygons cut = mesh::cut(model.polygons, positions);
+    const mesh::FacePaint paint(model.polygons, cut);
+    mesh::OpenedFaces opened = mesh::openFaces(std::move(model.points), cut.triangles, definition, options, progress,
+                                               model.polygons.painted() ? &paint : nullptr);
     model.points = std::move(opened.points);
     model.polygons = {};
     model.messages.insert(model.messages.end(), opened.messages.begin(), opened.messages.end());

@@ -32,7 +32,7 @@ static void checkHash(const json& complete, const tree::SurfelTree& tree, const 
 static void open(Context& context, const json& complete) {
     const std::filesystem::path path = complete.at("path").get<std::string>();
     const std::filesystem::path source = complete.value("source", path.string());
-    io::FileModel model = io::read(source, process::part(context.progress, 0, 0.4));
+    io::FileModel model = io::read(source, process::part(context.progress, 0, 0.4), path.parent_path());
     Provenance provenance = provenanceOf(model, path);
     OpenedFile file = opened(path.string(), std::move(model), complete, process::part(context.progress, 0.4, 0.7));
     provenance.sampled = file.faces.sampled;

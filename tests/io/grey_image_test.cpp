@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/base/random.h"
+#include "core/io/colour_image.h"
 #include "support/registry.h"
 
 #include <cstdio>
@@ -18,6 +19,7 @@ class GreyImageTest : public QObject {
     void coloursBecomeTheirLuma();
     void deepPngsKeepSixteenBits();
     void jpegsAreReadNearly();
+    void picturesKeepTheirColours();
     void brokenImagesAreRefusedByName();
     void tornImagesNeverCrash();
 
@@ -107,6 +109,28 @@ void GreyImageTest::jpegsAreReadNearly() {
     QCOMPARE(image.width, 40);
     for (std::size_t k = 0; k < grey.size(); ++k)
         QVERIFY(std::abs(image.values[k] - float(grey[k]) / 255) < 0.03f);
+}
+
+void GreyImageTest::picturesKeepTheirColours() {
+    writePng(path("rgb.png"), 2, 1, PNG_FORMAT_RGB, std::vector<png_byte>{1, 2, 3, 250, 128, 0});
+    const mesh::Picture colours = io::readPicture(path("rgb.png"));
+    QVERIFY(colours.width == 2 && colours.height == 1);
+    QCOMPARE(colours.pixels, (std::vector<surfel::Colour>{surfel::rgba(1, 2, 3), surfel::rgba(250, 128, 0)}));
+    writePng(path("alpha.png"), 1, 1, PNG_FORMAT_RGBA, std::vector<png_byte>{9, 8, 7, 0});
+    QCOMPARE(io::readPicture(path("alpha.png")).pixels[0], surfel::rgba(9, 8, 7));
+    std::vector<unsigned char> grey;
+    for (int k = 0; k < 40 * 40; ++k)
+        grey.push_back(static_cast<unsigned char>(3 * (k % 40) + 2 * (k / 40)));
+    writeJpeg(path("a.jpg"), 40, grey);
+    const mesh::Picture jpeg = io::readPicture(path("a.jpg"));
+    QVERIFY(jpeg.width == 40 && jpeg.height == 40);
+    for (std::size_t k = 0; k < grey.size(); ++k)
+        for (const unsigned shift : {0u, 8u, 16u})
+            QVERIFY(std::abs(static_cast<int>(jpeg.pixels[k] >> shift & 255u) - grey[k]) < 8);
+    for (const char* name : {"text.png", "missing.png"}) {
+        std::ofstream(path("text.png")) << "not an image";
+        QVERIFY_EXCEPTION_THROWN(io::readPicture(path(name)), base::Error);
+    }
 }
 
 static bool refused(const std::filesystem::path& path) {

@@ -1,5 +1,6 @@
 #include "core/session/journal.h"
 
+#include "core/io/colour_png.h"
 #include "support/registry.h"
 #include "workbench.h"
 
@@ -18,6 +19,7 @@ class JournalTest : public QObject {
     void openAndNewBeginAnew();
     void aChangedFileIsNoticed();
     void savingOverTheSourceKeepsIt();
+    void keptSourcesHaveTheirPictures();
     void recoveringKeepsTheSourceOfTheOldJournal();
     void leftJournalsAreThoseThatNobodyHolds();
     void twoJournalsOfOneProcessHaveTwoFiles();
@@ -136,6 +138,27 @@ void JournalTest::savingOverTheSourceKeepsIt() {
     Workbench again;
     session::recover(journal.path(), again.context);
     QCOMPARE(again.document.provenance().path.string(), file);
+}
+
+/// A model saved over itself: the copy that the journal reads is in another folder than its picture.
+void JournalTest::keptSourcesHaveTheirPictures() {
+    Workbench bench;
+    const std::uint32_t red[] = {0xff0000ff};
+    test::write(bench.path("m.png"), io::encodePng(red, 1, 1, ""));
+    const auto file = test::write(
+        bench.path("a.ply"),
+        "ply\nformat ascii 1.0\ncomment TextureFile m.png\nelement vertex 4\nproperty float x\nproperty "
+        "float y\nproperty float z\nelement face 4\nproperty list uchar int vertex_indices\nproperty list "
+        "uchar float texcoord\nend_header\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1 6 0 0 1 0 1 1\n3 0 1 3 6 0 0 1 "
+        "0 1 1\n3 0 3 2 6 0 0 1 0 1 1\n3 1 2 3 6 0 0 1 0 1 1\n");
+    fs::create_directory(bench.path("state"));
+    session::Journal journal(bench.path("state/j.jsonl"));
+    bench.context.journal = &journal;
+    bench.run({{"op", "open"}, {"path", file.string()}, {"sample_count", 2000}});
+    QVERIFY(bench.document.surface().tree().layout()->colours);
+    bench.run({{"op", "save"}, {"path", file.string()}});
+    bench.run({{"op", "up"}, {"axis", "z"}});
+    QCOMPARE(recovered(journal.path()), bench.hash());
 }
 
 void JournalTest::recoveringKeepsTheSourceOfTheOldJournal() {

@@ -106,8 +106,10 @@ void leaveOutRepetitions(FaceTopology& out, const std::vector<std::uint32_t>& pl
             twice[all[i].triangle] = 1;
     std::size_t kept = 0;
     for (std::size_t t = 0; t < all.size(); ++t)
-        if (!twice[t])
+        if (!twice[t]) {
+            out.sources.push_back(static_cast<std::uint32_t>(t));
             out.triangles[kept++] = out.triangles[t];
+        }
     out.repeated = out.triangles.size() - kept;
     out.triangles.resize(kept);
 }

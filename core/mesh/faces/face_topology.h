@@ -22,6 +22,7 @@ namespace mesh {
 
 struct FaceTopology {
     std::vector<Triangle> triangles;    ///< those of the file without repetitions, turned alike; corners as in the file
+    std::vector<std::uint32_t> sources; ///< of each triangle: its number among those given
     std::vector<base::Vec3d> normals;   ///< unit normal of each triangle; zero where it has no area
     std::vector<double> areas;          ///< of each triangle
     std::vector<std::uint32_t> patches; ///< of each triangle, numbered from 0 in the order of their first triangles

@@ -41,8 +41,10 @@ std::string counted(std::size_t n, const char* one, const char* many) {
 }
 
 /// The layout of surfels with oriented normals and, where there are several patches, their numbers.
-surfel::AttributeLayoutPtr layoutFor(const surfel::AttributeLayoutPtr& vertices, const FaceTopology& topology) {
+surfel::AttributeLayoutPtr layoutFor(const surfel::AttributeLayoutPtr& vertices, const FaceTopology& topology,
+                                     const FacePaint* paint) {
     auto out = std::make_shared<surfel::AttributeLayout>(*vertices);
+    out->colours |= paint != nullptr;
     out->normals = true;
     out->oriented = !topology.oneSided;
     if (topology.patchCount > 1 && !out->find("patch"))
@@ -64,9 +66,10 @@ surfel::Colour blended(const surfel::Colour (&c)[3], const float (&w)[3]) {
 /// Makes surfels of points on the faces of `vertices`.
 class FaceSampler {
   public:
-    FaceSampler(const SurfelList& vertices, const FaceTopology& topology, std::span<const Vec3f> positions)
-        : m_vertices(vertices), m_topology(topology), m_positions(positions),
-          m_normals(fanNormals(topology, positions)), m_layout(layoutFor(vertices.layout, topology)) {}
+    FaceSampler(const SurfelList& vertices, const FaceTopology& topology, std::span<const Vec3f> positions,
+                const FacePaint* paint)
+        : m_vertices(vertices), m_topology(topology), m_positions(positions), m_paint(paint),
+          m_normals(fanNormals(topology, positions)), m_layout(layoutFor(vertices.layout, topology, paint)) {}
 
     SurfelList run(std::span<const FacePoint> points, float support, double spacing) const {
         SurfelList out;
@@ -103,6 +106,10 @@ class FaceSampler {
         const auto t = static_cast<float>(size > smoothOver * spacing ? smoothOver * spacing / size : 1);
         out.normal = normalized(normalized(out.normal, face) * t + face * (1 - t), face);
         out.colour = blended(colours, w);
+        if (m_paint)
+            if (const auto own =
+                    m_paint->at(m_topology.sources[point.triangle], m_topology.triangles[point.triangle], w))
+                out.colour = *own;
         return out;
     }
 
@@ -129,6 +136,7 @@ class FaceSampler {
     const SurfelList& m_vertices;
     const FaceTopology& m_topology;
     std::span<const Vec3f> m_positions;
+    const FacePaint* m_paint;     ///< null: colours are those of the vertices
     std::vector<Vec3f> m_normals; ///< of fans
     surfel::AttributeLayoutPtr m_layout;
 };
@@ -145,6 +153,13 @@ void completeVertices(SurfelList& vertices, const FaceTopology& topology, std::s
     auto layout = std::make_shared<surfel::AttributeLayout>(*vertices.layout);
     layout->normals = true;
     layout->oriented = own ? vertices.layout->oriented : !topology.oneSided;
+    vertices.layout = std::move(layout);
+}
+
+void paintVertices(SurfelList& vertices, const FacePaint& paint) {
+    paint.paint(vertices.items);
+    auto layout = std::make_shared<surfel::AttributeLayout>(*vertices.layout);
+    layout->colours = true;
     vertices.layout = std::move(layout);
 }
 
@@ -188,7 +203,7 @@ std::size_t samplesFor(const FaceTopology& topology, double wall, const FaceOpti
 
 OpenedFaces openFaces(SurfelList vertices, std::span<const Triangle> triangles,
                       const surface::SurfaceDefinition& definition, const FaceOptions& options,
-                      const base::Progress& progress) {
+                      const base::Progress& progress, const FacePaint* paint) {
     std::vector<Vec3f> positions(vertices.size());
     for (std::size_t i = 0; i < positions.size(); ++i)
         positions[i] = vertices.items[i].position;
@@ -209,6 +224,8 @@ OpenedFaces openFaces(SurfelList vertices, std::span<const Triangle> triangles,
             out.messages.push_back("The faces are too broken to take normals from.");
         else
             completeVertices(vertices, topology, positions);
+        if (paint)
+            paintVertices(vertices, *paint);
         out.points = std::move(vertices);
         return out;
     }
@@ -216,7 +233,7 @@ OpenedFaces openFaces(SurfelList vertices, std::span<const Triangle> triangles,
     const std::size_t count = samplesFor(topology, wall, options);
     const auto points = spreadPoints(topology, positions, count, process::part(progress, 0.3, 0.9));
     const double spacing = std::sqrt(topology.area / static_cast<double>(points.size()));
-    out.points = FaceSampler(vertices, topology, positions)
+    out.points = FaceSampler(vertices, topology, positions, paint)
                      .run(points, process::supportOf(definition, static_cast<float>(spacing)), spacing);
     out.sampled = true;
     out.apart = wall >= resolvedWall * spacing;

@@ -8,7 +8,7 @@
 #pragma once
 
 #include "core/base/progress.h"
-#include "core/mesh/mesh.h"
+#include "core/mesh/faces/face_paint.h"
 #include "core/surface/definition.h"
 
 #include <numbers>
@@ -36,11 +36,12 @@ struct OpenedFaces {
     std::vector<std::string> messages;
 };
 
-/// Vertices with the triangles between them; without triangles that have an area the vertices come back as they are.
-/// Supports of samples are those of the definition on an even sampling of the faces. Throws base::Error where more
-/// samples are asked for than memory is meant to hold, or samples of faces without area, base::Cancelled.
+/// Vertices with the triangles between them, and what the faces are painted with, of these very triangles; without
+/// triangles that have an area the vertices come back as they are. Supports of samples are those of the definition on
+/// an even sampling of the faces. Throws base::Error where more samples are asked for than memory is meant to hold, or
+/// samples of faces without area, base::Cancelled.
 OpenedFaces openFaces(surfel::SurfelList vertices, std::span<const Triangle> triangles,
                       const surface::SurfaceDefinition& definition, const FaceOptions& options,
-                      const base::Progress& progress = {});
+                      const base::Progress& progress = {}, const FacePaint* paint = nullptr);
 
 } // namespace mesh

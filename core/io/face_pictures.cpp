@@ -1,0 +1,82 @@
+#include "core/io/face_pictures.h"
+
+#include "core/base/error.h"
+#include "core/io/colour_image.h"
+#include "core/io/file_bytes.h"
+
+#include <algorithm>
+#include <map>
+
+namespace io {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t mostPixels = std::size_t(1) << 28;
+
+fs::path besideModel(const fs::path& folder, std::string_view name) {
+    std::string text(name);
+    std::replace(text.begin(), text.end(), '\\', '/');
+    fs::path wanted(text);
+    if (wanted.is_absolute() || (text.size() > 1 && text[1] == ':'))
+        wanted = wanted.filename();
+    wanted = wanted.lexically_normal();
+    if (wanted.empty() || wanted == "." || *wanted.begin() == "..")
+        return {};
+    return folder / wanted;
+}
+
+/// Null where it cannot be read; then `trouble` has why.
+static std::shared_ptr<const mesh::Picture> pictureOf(const PictureName& name, const fs::path& folder,
+                                                      std::size_t& left, std::vector<std::string>& trouble) {
+    const auto leaveOut = [&](const std::string& why) {
+        trouble.push_back("The picture " + inQuotes(name.file) + " of faces was left out: " + why);
+        return nullptr;
+    };
+    const fs::path path = besideModel(folder, name.file);
+    std::error_code none;
+    if (path.empty())
+        return leaveOut("it is outside of the model's folder");
+    if (!fs::is_regular_file(path, none))
+        return leaveOut("there is no such file beside the model");
+    try {
+        auto out = std::make_shared<mesh::Picture>(readPicture(path));
+        if (out->pixels.empty() || out->pixels.size() > left)
+            return leaveOut("all pictures together have too many pixels");
+        left -= out->pixels.size();
+        out->clamped = name.clamped;
+        return out;
+    } catch (const base::Error& error) {
+        return leaveOut(error.message());
+    }
+}
+
+void readPictures(FileModel& model, const fs::path& folder, const std::vector<PictureName>& names) {
+    mesh::Polygons& faces = model.polygons;
+    faces.pictures.assign(names.size(), nullptr);
+    std::vector<bool> used(names.size());
+    for (const std::uint32_t number : faces.pictureOf)
+        if (number < names.size())
+            used[number] = true;
+    std::map<std::pair<std::string, bool>, std::shared_ptr<const mesh::Picture>> read;
+    std::vector<std::string> trouble;
+    std::size_t left = mostPixels;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (!used[i] || names[i].file.empty())
+            continue;
+        const auto [at, fresh] = read.try_emplace({names[i].file, names[i].clamped});
+        if (fresh)
+            at->second = pictureOf(names[i], folder, left, trouble);
+        faces.pictures[i] = at->second;
+    }
+    if (!trouble.empty()) {
+        const std::size_t more = trouble.size() - 1;
+        model.messages.push_back(trouble.front() + (more > 0 ? "; and " + std::to_string(more) + " more." : "."));
+    }
+    if (std::all_of(faces.pictures.begin(), faces.pictures.end(), [](const auto& p) { return !p; })) {
+        faces.pictures.clear();
+        faces.pictureOf.clear();
+        faces.places.clear();
+    }
+}
+
+} // namespace io

@@ -1,0 +1,25 @@
+// The pictures that a model file names for its faces. They must lie in the file's folder or below it: a model from
+// elsewhere reads nothing else of the machine.
+#pragma once
+
+#include "core/io/file_model.h"
+
+#include <filesystem>
+
+namespace io {
+
+/// A file that a model in `folder` names: its path, or empty where it would lie outside. Absolute names, which other
+/// machines have left, stand for the file of that name in the folder.
+std::filesystem::path besideModel(const std::filesystem::path& folder, std::string_view name);
+
+/// What a model says of a picture.
+struct PictureName {
+    std::string file;
+    bool clamped = false;
+};
+
+/// Reads the pictures that faces use into model.polygons.pictures, as many as `names`. One that is missing, broken, too
+/// large or elsewhere is left out with a message; all together may have 2^28 pixels.
+void readPictures(FileModel& model, const std::filesystem::path& folder, const std::vector<PictureName>& names);
+
+} // namespace io
