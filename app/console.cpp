@@ -18,6 +18,7 @@ static void onInterrupt(int signal) {
 void catchInterrupts() {
     std::signal(SIGINT, onInterrupt);
     std::signal(SIGTERM, onInterrupt);
+    std::signal(SIGXFSZ, SIG_IGN); // a limit on file sizes is an error of writing, told as such
 }
 
 Console::Console(bool quiet) : m_quiet(quiet), m_terminal(::isatty(STDERR_FILENO) == 1) {}

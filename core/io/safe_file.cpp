@@ -3,12 +3,16 @@
 #include "core/base/error.h"
 #include "core/base/sync_folder.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
+#include <charconv>
+#include <csignal>
 #include <cstring>
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <vector>
 
 namespace io {
 
@@ -29,7 +33,38 @@ SafeFile::SafeFile(const fs::path& target) : m_target(target), m_final(target) {
             fail("be opened for writing");
         return;
     }
+    refuseProtected();
     openBeside();
+}
+
+/// Renaming would pass over the file's own permissions, and root is not stopped by any.
+void SafeFile::refuseProtected() const {
+    struct stat info {};
+    if (::stat(m_final.c_str(), &info) != 0)
+        return;
+    if ((info.st_mode & (S_IWUSR | S_IWGRP | S_IWOTH)) == 0 || ::access(m_final.c_str(), W_OK) != 0)
+        throw base::Error("is write-protected", m_target.string(), "allow writing (chmod u+w) or choose another name");
+}
+
+/// Removes what killed processes began for this target: `.NAME.PROCESS-NUMBER` of a process that is no more.
+static void removeLeftovers(const fs::path& folder, const std::string& stem) {
+    std::error_code none;
+    std::vector<fs::path> left;
+    for (const auto& entry : fs::directory_iterator(folder, none)) {
+        const std::string name = entry.path().filename().string();
+        if (!name.starts_with(stem))
+            continue;
+        pid_t process = 0;
+        const char* end = name.data() + name.size();
+        const auto parsed = std::from_chars(name.data() + stem.size(), end, process);
+        if (parsed.ec != std::errc() || parsed.ptr == end || *parsed.ptr != '-' || process <= 0)
+            continue;
+        if (std::all_of(parsed.ptr + 1, end, [](char c) { return c >= '0' && c <= '9'; }) && ::kill(process, 0) != 0 &&
+            errno == ESRCH)
+            left.push_back(entry.path());
+    }
+    for (const fs::path& each : left)
+        fs::remove(each, none);
 }
 
 void SafeFile::openBeside() {
@@ -42,11 +77,12 @@ void SafeFile::openBeside() {
                           m_target.string(), "create the folder or choose another");
     struct stat info {};
     const bool replaces = ::stat(m_final.c_str(), &info) == 0;
+    // Short of the 255 bytes that file systems allow.
+    const std::string stem = "." + m_final.filename().string().substr(0, 200) + ".";
+    removeLeftovers(folder, stem);
     static std::atomic<unsigned> counter = 0;
     do { // another process with our number, long gone, may have left a file of that name
-        // The name is kept short of the 255 bytes that file systems allow.
-        const std::string name = "." + m_final.filename().string().substr(0, 200) + "." + std::to_string(::getpid()) +
-                                 "-" + std::to_string(counter++);
+        const std::string name = stem + std::to_string(::getpid()) + "-" + std::to_string(counter++);
         m_beside = (folder / name).string();
         m_descriptor = ::open(m_beside.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     } while (m_descriptor < 0 && errno == EEXIST);
@@ -102,6 +138,11 @@ void SafeFile::commit() {
         fail("be renamed into place");
     m_beside.clear();
     base::syncFolder(m_final.parent_path());
+}
+
+bool hasOtherNames(const fs::path& target) {
+    struct stat info {};
+    return ::stat(target.c_str(), &info) == 0 && S_ISREG(info.st_mode) && info.st_nlink > 1;
 }
 
 void writeFile(const fs::path& target, std::string_view bytes) {

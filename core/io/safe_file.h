@@ -6,9 +6,11 @@
 //     file.write(bytes);          // as often as needed
 //     file.commit();              // synced, renamed
 //
-// Without commit() the destructor removes what was begun and the target stays as it was. A symbolic link is followed
-// and stays a link; an existing file keeps its permissions; a target that is not a regular file (a pipe, /dev/stdout)
-// is written directly. Errors are base::Error with the target's name. One thread at a time.
+// Without commit() the destructor removes what was begun and the target stays as it was; what a killed process had
+// begun goes when the same target is written again. A symbolic link is followed and stays a link; an existing file
+// keeps its permissions, and is refused where they forbid writing; a target that is not a regular file (a pipe,
+// /dev/stdout) is written directly. Other names of the target's file (hard links) keep what it held: see hasOtherNames.
+// Errors are base::Error with the target's name. One thread at a time.
 #pragma once
 
 #include <filesystem>
@@ -29,6 +31,7 @@ class SafeFile {
     void commit();
 
   private:
+    void refuseProtected() const;
     void openBeside();
     void discard() noexcept;
     [[noreturn]] void fail(const char* doing) const;
@@ -38,6 +41,9 @@ class SafeFile {
     std::string m_beside;           ///< the unfinished file; empty where the target is written directly
     int m_descriptor = -1;
 };
+
+/// Whether the file is known by other names too, which writing to it would leave with what it holds now.
+bool hasOtherNames(const std::filesystem::path& target);
 
 /// All of it at once.
 void writeFile(const std::filesystem::path& target, std::string_view bytes);

@@ -2,6 +2,7 @@
 #include "core/base/error.h"
 #include "core/base/row_of_id.h"
 #include "core/session/commands.h"
+#include "core/session/path_text.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -93,7 +94,7 @@ json checked(const CommandRow& row, const CommandParameter& p, const json& value
         if (!value.is_string() || value.get_ref<const std::string&>().empty())
             refuse(row, p, value, "text in quotation marks");
         if (type == "path")
-            return std::filesystem::absolute(folder / value.get<std::string>()).lexically_normal().string();
+            return std::filesystem::absolute(folder / pathOf(value.get<std::string>())).lexically_normal().string();
     }
     return value;
 }

@@ -1,13 +1,17 @@
 #include "core/session/journal.h"
 
 #include "core/base/error.h"
+#include "core/base/hash.h"
 #include "core/base/sync_folder.h"
 #include "core/session/locked_file.h"
+#include "core/session/path_text.h"
 
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
 
@@ -27,23 +31,66 @@ fs::path keptSource(const fs::path& journal, const fs::path& source) {
     return journal.string() + ".source" + source.extension().string();
 }
 
+/// What stands beside `journal` and belongs to it.
+static std::vector<fs::path> filesOf(const fs::path& journal) {
+    std::vector<fs::path> out;
+    std::error_code none;
+    const std::string own = journal.filename().string() + ".";
+    for (const auto& entry : fs::directory_iterator(journal.has_parent_path() ? journal.parent_path() : ".", none)) {
+        const std::string name = entry.path().filename().string();
+        for (const char* kind : {"source", "stamp-", "new-"})
+            if (name.starts_with(own + kind))
+                out.push_back(entry.path());
+    }
+    return out;
+}
+
 void removeJournal(const fs::path& journal) {
     std::error_code ignored;
     fs::remove(journal, ignored);
-    const fs::path folder = journal.has_parent_path() ? journal.parent_path() : fs::path(".");
-    for (const auto& entry : fs::directory_iterator(folder, ignored))
-        if (entry.path().filename() == keptSource(journal, entry.path()).filename())
-            fs::remove(entry.path(), ignored);
+    for (const fs::path& each : filesOf(journal))
+        if (!isLocked(each))
+            fs::remove(each, ignored);
+}
+
+void removeLeftovers(const fs::path& folder) {
+    std::error_code ignored;
+    constexpr std::string_view extension = ".jsonl.";
+    std::vector<fs::path> left;
+    for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+        const std::string name = entry.path().filename().string();
+        const std::size_t end = name.find(extension);
+        if (!name.starts_with("journal-") || end == std::string::npos || isLocked(entry.path()))
+            continue;
+        const bool unfinished = name.substr(end + extension.size()).find("new-") != std::string::npos;
+        if (unfinished || !fs::exists(folder / name.substr(0, end + extension.size() - 1), ignored))
+            left.push_back(entry.path());
+    }
+    for (const fs::path& each : left)
+        fs::remove(each, ignored);
 }
 
 bool isJournalHeld(const fs::path& journal) {
     return isLocked(journal);
 }
 
+/// In a folder that others can write to, they could put their files in the place of ours.
+static void checkOwner(const fs::path& folder) {
+    struct stat info {};
+    if (::stat(folder.c_str(), &info) != 0)
+        throw std::system_error(errno, std::generic_category());
+    if (info.st_uid != ::geteuid() || (info.st_mode & (S_IWGRP | S_IWOTH)) != 0)
+        throw base::Error("others can write to the folder of journals", folder.string(),
+                          "make it yours alone (chmod 700), or name a file with --journal");
+}
+
 /// The first free name of this process; a left journal of an earlier process of the same number stays.
 static fs::path defaultPath() {
     const fs::path folder = stateFolder();
-    fs::create_directories(folder);
+    if (fs::create_directories(folder))
+        fs::permissions(folder, fs::perms::owner_all);
+    checkOwner(folder);
+    removeLeftovers(folder);
     const std::string stem = "journal-" + std::to_string(::getpid());
     fs::path out = folder / (stem + ".jsonl");
     for (int k = 2; fs::exists(out); ++k)
@@ -51,8 +98,16 @@ static fs::path defaultPath() {
     return out;
 }
 
+/// Paths that are not UTF-8 become URLs.
+static json withPathText(json command) {
+    for (auto& [key, value] : command.items())
+        if (value.is_string())
+            value = pathText(value.get_ref<const std::string&>());
+    return command;
+}
+
 static std::string lineOf(const json& command) {
-    return command.dump(-1, ' ', false, json::error_handler_t::replace) + "\n";
+    return withPathText(command).dump(-1, ' ', false, json::error_handler_t::replace) + "\n";
 }
 
 static std::string contentOf(const fs::path& path) {
@@ -62,17 +117,45 @@ static std::string contentOf(const fs::path& path) {
     return out.str();
 }
 
+static std::string hashOf(const std::string& content) {
+    std::vector<std::uint32_t> words(1 + (content.size() + 3) / 4, 0);
+    words[0] = static_cast<std::uint32_t>(content.size());
+    std::memcpy(words.data() + 1, content.data(), content.size());
+    return base::hashWords(words).text();
+}
+
+/// The first line of every journal.
+static constexpr std::string_view title = "# Pointclay journal\n";
+
+/// Throws for a file that holds anything but a journal: it would be emptied.
+static void refuseForeign(const fs::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    std::string start(title.size(), '\0');
+    in.read(start.data(), static_cast<std::streamsize>(start.size()));
+    if (in.gcount() > 0 && start != title)
+        throw base::Error("is not a journal and would be written over", path.string(),
+                          "choose a new name for the journal");
+}
+
 Journal::Journal(fs::path file) {
     try {
         m_path = file.empty() ? defaultPath() : fs::absolute(file);
-        if (fs::exists(m_path) && !fs::is_regular_file(m_path)) // it would be replaced
-            throw base::Error("a journal must be a file", m_path.string(), "choose another name");
-        if (isLocked(m_path))
+        const fs::file_status found = fs::symlink_status(m_path);
+        if (fs::exists(found) && !fs::is_regular_file(found)) // it would be replaced
+            throw base::Error("a journal must be a file of its own, not a link, folder or device", m_path.string(),
+                              "choose another name");
+        m_file = hold(m_path);
+        if (m_file < 0)
             throw base::Error("another process writes its journal here", m_path.string(), "choose another file");
+        refuseForeign(m_path);
         begin({});
     } catch (const std::system_error& error) {
+        closeFile(m_file);
         throw base::Error("cannot write the journal: " + error.code().message(), m_path.string(),
                           "name a writable file with --journal");
+    } catch (...) {
+        closeFile(m_file);
+        throw;
     }
 }
 
@@ -80,80 +163,115 @@ Journal::~Journal() {
     closeFile(m_file);
 }
 
-/// Puts a new file of this content in the place of the old one; a crash leaves either of them whole.
-void Journal::begin(const std::string& content) {
-    const fs::path next = m_path.string() + ".new";
-    const int file = createLocked(next);
+/// Puts a new file of these lines in the place of the old one; a crash leaves either of them whole.
+void Journal::begin(const std::string& lines) {
+    const std::string content = std::string(title) + lines;
+    const BesideFile next = createBeside(m_path);
     try {
-        appendDurably(file, content);
-        fs::rename(next, m_path);
+        appendDurably(next.file, content);
+        fs::rename(next.path, m_path);
     } catch (...) {
-        closeFile(file);
+        closeFile(next.file);
         std::error_code ignored;
-        fs::remove(next, ignored);
+        fs::remove(next.path, ignored);
         throw;
     }
-    closeFile(std::exchange(m_file, file));
+    closeFile(std::exchange(m_file, next.file));
+    m_size = content.size();
     base::syncFolder(m_path.parent_path());
 }
 
-void Journal::append(const std::string& line) {
-    appendDurably(m_file, line);
+void Journal::append(const std::string& lines) {
+    cutOff(m_file, m_size); // half a line of an attempt that failed
+    appendDurably(m_file, lines);
+    m_size += lines.size();
 }
 
-template <class Write>
-void Journal::guarded(Context& context, const Write& write) {
-    if (m_stopped)
-        return;
+/// False where the disk refuses, which is told where it is news.
+template <class Work>
+bool Journal::attempted(Context& context, const Work& work) {
     try {
-        write();
+        work();
+        return true;
     } catch (const std::system_error& error) {
-        m_stopped = true;
-        context.messages.push_back(m_path.string() + ": the journal cannot be written (" + error.code().message() +
-                                   "); save often, a crash would lose what is not saved");
+        if (!std::exchange(m_refused, true))
+            context.messages.push_back(m_path.string() + ": the journal cannot be written (" + error.code().message() +
+                                       "); save often, a crash would lose what is not saved");
+        return false;
     }
 }
 
+void Journal::write(const std::string& line, bool first, Context& context) {
+    m_waiting = first ? line : m_waiting + line;
+    m_anew |= first;
+    if (!attempted(context, [&] { m_anew ? begin(m_waiting) : append(m_waiting); }))
+        return;
+    m_waiting.clear();
+    m_anew = false;
+    if (std::exchange(m_refused, false))
+        context.messages.push_back(m_path.string() + ": the journal is written again and holds everything");
+}
+
 void Journal::record(const json& complete, Context& context) {
-    guarded(context, [&] {
-        const std::string op = complete.at("op").get<std::string>();
-        if (!command(op).startsModel)
-            return append(lineOf(complete));
-        json first = complete;
+    const std::string op = complete.at("op").get<std::string>();
+    const bool first = command(op).startsModel;
+    m_untilModel &= !first;
+    if (m_discarded || m_untilModel)
+        return;
+    json kept = complete;
+    if (first)
         m_source.clear();
-        if (op == "open") {
-            first["hash"] = context.document.hash().text();
-            m_source = first.at("path").get<std::string>();
-            if (first.contains("source")) // kept by the journal that is being recovered, which may go
-                keep(first["source"].get<std::string>(), first);
-        }
-        begin(lineOf(first));
-    });
+    if (op == "open") {
+        kept["hash"] = context.document.hash().text();
+        m_source = complete.at("path").get<std::string>();
+        if (complete.contains("source")) // kept by the journal that is being recovered, which may go
+            attempted(context, [&] { keep(complete["source"].get<std::string>(), kept); });
+    }
+    attempted(context, [&] { keepStamp(kept); });
+    write(lineOf(kept), first, context);
 }
 
 /// Copies the file that `open` reads to this journal's side and lets it read the copy.
 void Journal::keep(const fs::path& source, json& open) {
     const fs::path kept = keptSource(m_path, source);
-    fs::copy_file(source, kept, fs::copy_options::overwrite_existing);
+    copyDurably(source, kept);
     open["source"] = kept.string();
     m_source = kept;
 }
 
+/// Copies the image that a stroke presses in to this journal's side, under a name made of its content.
+void Journal::keepStamp(json& stroke) {
+    const auto stamp = stroke.find("stamp");
+    if (stamp == stroke.end() || !stamp->is_string() || stamp->get_ref<const std::string&>().empty())
+        return;
+    const fs::path image = stamp->get<std::string>();
+    const std::string content = contentOf(image);
+    if (content.empty())
+        return; // gone meanwhile
+    const fs::path kept = m_path.string() + ".stamp-" + hashOf(content) + image.extension().string();
+    if (!fs::exists(kept))
+        copyDurably(image, kept);
+    stroke["stamp"] = kept.string();
+}
+
 void Journal::keepSource(const fs::path& target, Context& context) {
     std::error_code unequal;
-    if (m_source.empty() || !fs::equivalent(m_source, target, unequal))
+    if (m_discarded || m_source.empty() || !fs::equivalent(m_source, target, unequal))
         return;
-    guarded(context, [&] {
-        const std::string content = contentOf(m_path);
-        const std::size_t end = content.find('\n');
-        json first = json::parse(content.substr(0, end));
+    const bool kept = attempted(context, [&] {
+        const std::string content = m_anew ? std::string(title) + m_waiting : contentOf(m_path) + m_waiting;
+        const std::size_t begins = title.size(), ends = content.find('\n', begins);
+        json first = json::parse(content.substr(begins, ends - begins));
         keep(m_source, first);
-        begin(lineOf(first) + content.substr(end + 1));
+        begin(lineOf(first) + content.substr(ends + 1));
+        m_waiting.clear();
+        m_anew = false;
     });
+    m_untilModel = !kept;
 }
 
 void Journal::discard() {
-    m_stopped = true;
+    m_discarded = true;
     closeFile(std::exchange(m_file, -1));
     removeJournal(m_path);
 }

@@ -4,10 +4,15 @@
 // on the disk before the next command runs; a line torn by a crash has no newline and is ignored. Since `open` and
 // `new` replace the document, each of them begins the file anew; `open` carries an absolute path and the content hash,
 // so that recovery notices a file that has changed meanwhile. Before a save writes over the file that the journal
-// begins with, that file is kept beside the journal (`keptSource`) and the journal reads the copy.
+// begins with, that file is kept beside the journal (`keptSource`) and the journal reads the copy. Images that brushes
+// press in are kept the same way, by their content.
+//
+// A disk that refuses is told once. What it refused is kept in memory and written with the next command that finds
+// room.
 //
 // While a process lives it holds a lock on its journal, which dies with it, even by kill -9: a journal without a lock
-// was left behind (recover.h).
+// was left behind (recover.h). Its first line is a comment that says what it is: a file that exists and is no journal
+// is never written over.
 //
 // Ownership: the file stays when a Journal is destroyed; `discard` removes it, which is what a normal exit does.
 // Threads: one at a time.
@@ -20,15 +25,15 @@ namespace session {
 class Journal {
   public:
     /// A journal at `file`, replacing what was there; empty: journal-PID.jsonl in stateFolder(). Throws base::Error
-    /// where it cannot be written or another process holds it.
+    /// where it cannot be written, another process holds it, or the file is something else.
     explicit Journal(std::filesystem::path file = {});
     ~Journal();
     Journal(const Journal&) = delete;
     Journal& operator=(const Journal&) = delete;
 
     const std::filesystem::path& path() const { return m_path; }
-    /// Writes a completed command. A disk that refuses is reported once in the context's messages and stops the
-    /// journal.
+    /// Writes a completed command. That the disk refuses, and that it takes the journal again, is said in the context's
+    /// messages.
     void record(const nlohmann::json& complete, Context& context);
     /// To be called before `target` is written over.
     void keepSource(const std::filesystem::path& target, Context& context);
@@ -36,16 +41,23 @@ class Journal {
     void discard();
 
   private:
-    void begin(const std::string& content);
-    void append(const std::string& line);
+    void begin(const std::string& lines);
+    void append(const std::string& lines);
+    void write(const std::string& line, bool first, Context& context);
     void keep(const std::filesystem::path& source, nlohmann::json& open);
-    template <class Write>
-    void guarded(Context& context, const Write& write);
+    void keepStamp(nlohmann::json& stroke);
+    template <class Work>
+    bool attempted(Context& context, const Work& work);
 
     std::filesystem::path m_path;
     std::filesystem::path m_source; ///< the file that the first line opens; empty for none
     int m_file = -1;
-    bool m_stopped = false;
+    std::uint64_t m_size = 0;  ///< bytes of the file that are whole lines
+    std::string m_waiting;     ///< lines that the disk has not taken yet
+    bool m_anew = false;       ///< they begin the file anew
+    bool m_refused = false;    ///< the disk has, and that was told
+    bool m_untilModel = false; ///< what the journal begins with is lost: nothing to record before the next model
+    bool m_discarded = false;
 };
 
 /// $XDG_STATE_HOME/pointclay, else ~/.local/state/pointclay.
@@ -56,5 +68,7 @@ std::filesystem::path keptSource(const std::filesystem::path& journal, const std
 void removeJournal(const std::filesystem::path& journal);
 /// True where a living process holds the journal.
 bool isJournalHeld(const std::filesystem::path& journal);
+/// Removes what killed processes have left of journals in `folder` that they had not finished or no longer have.
+void removeLeftovers(const std::filesystem::path& folder);
 
 } // namespace session

@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/session/journal.h"
+#include "core/session/path_text.h"
 #include "core/session/session_file.h"
 
 #include <algorithm>
@@ -13,7 +14,7 @@ namespace session {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-static std::string pathOf(const json& first) {
+static std::string modelOf(const json& first) {
     const auto path = first.find("path");
     return path != first.end() && path->is_string() ? path->get<std::string>() : std::string();
 }
@@ -24,11 +25,11 @@ static bool summarise(LeftJournal& journal) {
     std::string line;
     int lines = 0;
     while (std::getline(in, line) && !in.eof())
-        if (lines++ == 0) {
+        if (!line.starts_with('#') && lines++ == 0) {
             const json first = json::parse(line, nullptr, false);
             if (!first.is_object())
                 return false;
-            journal.model = pathOf(first);
+            journal.model = pathOf(modelOf(first));
         }
     journal.commands = lines - 1;
     return lines > 0;
@@ -55,11 +56,21 @@ std::vector<LeftJournal> findLeftJournals() {
     return findLeftJournals(stateFolder());
 }
 
-void recover(const fs::path& journal, Context& context) {
+int recover(const fs::path& journal, Context& context) {
+    constexpr int told = 10;
+    int passedOver = 0;
     ReplayOptions options;
     options.allowTornEnd = true;
+    options.passedOver = [&](const base::Error& error) {
+        if (++passedOver <= told)
+            context.messages.push_back(error.message() + "; this line was left out");
+    };
     if (replay(journal, context, options) == 0)
         throw base::Error("holds no complete command", journal.string(), "there is nothing to recover");
+    if (passedOver > told)
+        context.messages.push_back(journal.string() + ": " + std::to_string(passedOver - told) +
+                                   " more lines were left out");
+    return passedOver;
 }
 
 } // namespace session

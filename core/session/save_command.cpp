@@ -1,4 +1,5 @@
 #include "core/io/formats.h"
+#include "core/io/safe_file.h"
 #include "core/session/commands.h"
 #include "core/session/journal.h"
 
@@ -21,7 +22,11 @@ static void save(Context& context, const json& complete) {
     const std::filesystem::path path = complete.at("path").get<std::string>();
     if (context.journal)
         context.journal->keepSource(path, context);
+    const bool linked = io::hasOtherNames(path);
     io::write(path, context.document.fileModel(), context.progress);
+    if (linked)
+        context.messages.push_back(path.string() +
+                                   ": other names of this file (hard links) still hold what it held before");
     if (isNative(path))
         context.document.saved(path);
 }

@@ -81,10 +81,13 @@ int replay(const std::filesystem::path& file, Context& context, const ReplayOpti
             const LineReport report = executed(commandOf(lines.text), lines.number, context);
             if (options.done)
                 options.done(report);
+            ++count;
         } catch (const base::Error& error) {
-            throw base::Error(error.message(), file.string() + ":" + std::to_string(lines.number));
+            const base::Error placed(error.message(), file.string() + ":" + std::to_string(lines.number));
+            if (count == 0 || !options.passedOver)
+                throw placed;
+            options.passedOver(placed);
         }
-        ++count;
     }
     return count;
 }

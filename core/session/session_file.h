@@ -24,6 +24,8 @@ struct ReplayOptions {
     /// A last line that a crash has torn (no newline, or no JSON) is left out instead of refused.
     bool allowTornEnd = false;
     std::function<void(const LineReport&)> done; ///< after each line; may be empty
+    /// Told of a line behind the first command that fails, which is then passed over; empty: it ends the session.
+    std::function<void(const base::Error&)> passedOver = {};
 };
 
 /// Executes the session in `context`, whose folder becomes the file's. Throws base::Error naming file and line,

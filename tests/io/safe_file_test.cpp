@@ -4,6 +4,8 @@
 #include "support/registry.h"
 
 #include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace fs = std::filesystem;
 
@@ -16,6 +18,9 @@ class SafeFileTest : public QObject {
     void newFilesHaveOrdinaryPermissions();
     void impossibleTargetsAreRefused();
     void pipesAreWrittenDirectly();
+    void writeProtectedTargetsStay();
+    void whatKilledProcessesBeganGoes();
+    void otherNamesAreKnown();
 };
 
 void SafeFileTest::targetIsUntouchedUntilCommit() {
@@ -71,6 +76,50 @@ void SafeFileTest::pipesAreWrittenDirectly() {
     QVERIFY(fs::exists("/dev/null"));
     io::writeFile("/dev/null", "into nothing");
     QVERIFY(fs::is_character_file("/dev/null"));
+}
+
+void SafeFileTest::writeProtectedTargetsStay() {
+    const test::Folder folder;
+    const fs::path target = folder.write("a.txt", "old");
+    fs::permissions(target, fs::perms::owner_read);
+    try {
+        io::writeFile(target, "new");
+        QFAIL("a write-protected file was replaced");
+    } catch (const base::Error& error) {
+        QVERIFY2(error.message().find("a.txt: is write-protected") != std::string::npos, error.what());
+    }
+    QCOMPARE(test::contentOf(target), std::string("old"));
+    QCOMPARE(folder.entries(), std::size_t(1));
+}
+
+void SafeFileTest::whatKilledProcessesBeganGoes() {
+    const test::Folder folder;
+    const pid_t child = ::fork();
+    if (child == 0)
+        ::_exit(0);
+    ::waitpid(child, nullptr, 0); // a number that no process has
+    const std::string gone = std::to_string(child), alive = std::to_string(::getpid());
+    folder.write(".a.txt." + gone + "-0", "half");
+    folder.write(".a.txt." + gone + "-17", "half");
+    for (const std::string& other : {".a.txt." + alive + "-999", ".b.txt." + gone + "-0", ".a.txt." + gone + "-x",
+                                     ".a.txt." + gone, std::string("a.txt.1-0")})
+        folder.write(other, "stays");
+    io::writeFile(folder.path("a.txt"), "new");
+    QCOMPARE(folder.entries(), std::size_t(6));
+    QVERIFY(!fs::exists(folder.path(".a.txt." + gone + "-0")));
+    QVERIFY(!fs::exists(folder.path(".a.txt." + gone + "-17")));
+}
+
+void SafeFileTest::otherNamesAreKnown() {
+    const test::Folder folder;
+    const fs::path one = folder.write("one.txt", "old"), two = folder.path("two.txt");
+    QVERIFY(!io::hasOtherNames(one));
+    QVERIFY(!io::hasOtherNames(two));
+    fs::create_hard_link(one, two);
+    QVERIFY(io::hasOtherNames(one));
+    io::writeFile(two, "new");
+    QCOMPARE(test::contentOf(one), std::string("old"));
+    QVERIFY(!io::hasOtherNames(one));
 }
 
 static const test::Registered<SafeFileTest> registered;

@@ -295,7 +295,7 @@ void SculptingTest::killedSessionsAreRecovered() {
     QCOMPARE(journals.front().commands, 2);
     f.open();
     bool recovered = false;
-    f.editor().recover(left, [&](bool done) { recovered = done; });
+    f.editor().recover(left, [&](bool done, int) { recovered = done; });
     QVERIFY(f.settle());
     QVERIFY(recovered);
     QVERIFY(f.hash() == lost);

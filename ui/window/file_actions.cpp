@@ -166,9 +166,13 @@ bool FileActions::offerRecovery() {
 
 void FileActions::recover(const fs::path& journal) {
     m_failure.clear();
-    m_editor.recover(journal, [this, journal](bool done) {
+    m_editor.recover(journal, [this, journal](bool done, int leftOut) {
         if (!done)
             return m_failure.show(tr("Could not recover the lost work"));
+        if (leftOut > 0) // what is lost may be mended by hand
+            return m_editor.told(
+                tr("Recovered but for %n step(s), which %1 still holds. Save it to keep it.", "", leftOut)
+                    .arg(textOf(journal)));
         session::removeJournal(journal); // this window's own journal holds it all now
         Q_EMIT m_editor.told(tr("Recovered. Save it to keep it."));
     });

@@ -98,9 +98,15 @@ void Editor::run(nlohmann::json command, std::function<void(bool)> then) {
         push(std::move(task));
 }
 
-void Editor::recover(std::filesystem::path journal, std::function<void(bool)> then) {
-    const auto work = [journal = std::move(journal)](session::Context& context) { session::recover(journal, context); };
-    replace({work, std::move(then)});
+void Editor::recover(std::filesystem::path journal, std::function<void(bool, int)> then) {
+    const auto leftOut = std::make_shared<int>(0); // set by the worker before `then` is called
+    const auto work = [journal = std::move(journal), leftOut](session::Context& context) {
+        *leftOut = session::recover(journal, context);
+    };
+    replace({work, [then = std::move(then), leftOut](bool done) {
+                 if (then)
+                     then(done, *leftOut);
+             }});
 }
 
 void Editor::replace(CommandTask task) {

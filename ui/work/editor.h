@@ -39,7 +39,7 @@ class Editor : public QObject {
     // All of these on the interface's thread; they return at once.
     void run(nlohmann::json command, std::function<void(bool done)> then = {});
     /// The model as a left journal's last command had it, recorded anew in this editor's own journal.
-    void recover(std::filesystem::path journal, std::function<void(bool done)> then = {});
+    void recover(std::filesystem::path journal, std::function<void(bool done, int leftOut)> then = {});
     void runAside(SideTask task);
     void beginStroke(const sculpt::StrokeSettings& settings);
     /// `input`: what Snapshot::input says once it is in the picture.
