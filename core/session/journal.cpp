@@ -124,15 +124,24 @@ static std::string hashOf(const std::string& content) {
     return base::hashWords(words).text();
 }
 
-/// The first line of every journal.
-static constexpr std::string_view title = "# Pointclay journal\n";
+/// The blanks that end the first line of every journal and of nothing else.
+static constexpr std::string_view mark = " \t\n";
+
+static std::string marked(std::string lines) {
+    const std::size_t end = lines.find('\n');
+    if (end != std::string::npos && !lines.substr(0, end + 1).ends_with(mark))
+        lines.replace(end, 1, mark);
+    return lines;
+}
 
 /// Throws for a file that holds anything but a journal: it would be emptied.
 static void refuseForeign(const fs::path& path) {
+    constexpr std::size_t longest = 1 << 20; // of a first line
     std::ifstream in(path, std::ios::binary);
-    std::string start(title.size(), '\0');
-    in.read(start.data(), static_cast<std::streamsize>(start.size()));
-    if (in.gcount() > 0 && start != title)
+    std::string start(longest, '\0');
+    in.read(start.data(), static_cast<std::streamsize>(longest));
+    start.resize(static_cast<std::size_t>(in.gcount()));
+    if (!start.empty() && !start.substr(0, start.find('\n') + 1).ends_with(mark))
         throw base::Error("is not a journal and would be written over", path.string(),
                           "choose a new name for the journal");
 }
@@ -165,7 +174,7 @@ Journal::~Journal() {
 
 /// Puts a new file of these lines in the place of the old one; a crash leaves either of them whole.
 void Journal::begin(const std::string& lines) {
-    const std::string content = std::string(title) + lines;
+    const std::string content = marked(lines);
     const BesideFile next = createBeside(m_path);
     try {
         appendDurably(next.file, content);
@@ -259,11 +268,11 @@ void Journal::keepSource(const fs::path& target, Context& context) {
     if (m_discarded || m_source.empty() || !fs::equivalent(m_source, target, unequal))
         return;
     const bool kept = attempted(context, [&] {
-        const std::string content = m_anew ? std::string(title) + m_waiting : contentOf(m_path) + m_waiting;
-        const std::size_t begins = title.size(), ends = content.find('\n', begins);
-        json first = json::parse(content.substr(begins, ends - begins));
+        const std::string content = m_anew ? m_waiting : contentOf(m_path).substr(0, m_size) + m_waiting;
+        const std::size_t end = content.find('\n');
+        json first = json::parse(content.substr(0, end));
         keep(m_source, first);
-        begin(lineOf(first) + content.substr(ends + 1));
+        begin(lineOf(first) + content.substr(end + 1));
         m_waiting.clear();
         m_anew = false;
     });

@@ -25,7 +25,7 @@ static bool summarise(LeftJournal& journal) {
     std::string line;
     int lines = 0;
     while (std::getline(in, line) && !in.eof())
-        if (!line.starts_with('#') && lines++ == 0) {
+        if (lines++ == 0) {
             const json first = json::parse(line, nullptr, false);
             if (!first.is_object())
                 return false;

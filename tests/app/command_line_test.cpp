@@ -139,7 +139,6 @@ void CommandLineTest::badInputIsOneAndLeavesNothing_data() {
     row("run bad.jsonl -o out.ply --render out.png --timings out.json", "bad.jsonl:2");
     row("run good.jsonl --model nowhere.ply", "nowhere.ply");
     row("recover empty.xyz -o out.ply", "empty.xyz");
-    row("recover bad.jsonl -o out.ply", "bad.jsonl:2");
 }
 
 void CommandLineTest::badInputIsOneAndLeavesNothing() {

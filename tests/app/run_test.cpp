@@ -18,6 +18,8 @@ class RunTest : public QObject {
     void savedAndOpenedAreTheSame();
     void theJournalGoesWithANormalEnd();
     void aKilledSessionIsRecovered();
+    void recoverLeavesOutWhatItCannotRead();
+    void aModelIsNoJournal();
     void theDemoIsWhatItsGeneratorWrites();
     void theDemoSessionRuns();
 };
@@ -93,6 +95,30 @@ void RunTest::theJournalGoesWithANormalEnd() {
     QCOMPARE(program.run({"run", "s.jsonl", "--journal", "j.jsonl", "-o", "a.ply"}).code, 0);
     QCOMPARE(program.run({"recover", "j.jsonl", "-o", "b.ply"}).code, 0);
     QCOMPARE(program.hash("b.ply"), program.hash("a.ply"));
+}
+
+void RunTest::recoverLeavesOutWhatItCannotRead() {
+    const Program program;
+    program.write("whole.jsonl", session(2, 2000));
+    std::string damaged = session(2, 2000);
+    damaged.insert(damaged.find('\n') + 1, "{\"op\":\"melt\"}\n");
+    program.write("damaged.jsonl", damaged);
+    const Outcome outcome = program.run({"recover", "damaged.jsonl", "-o", "a.ply"});
+    QCOMPARE(outcome.code, 0);
+    QVERIFY2(outcome.err.find("damaged.jsonl:2: ") != std::string::npos, outcome.err.c_str());
+    QCOMPARE(program.run({"run", "whole.jsonl", "-o", "b.ply"}).code, 0);
+    QCOMPARE(program.hash("a.ply"), program.hash("b.ply"));
+}
+
+void RunTest::aModelIsNoJournal() {
+    const Program program;
+    program.write("s.jsonl", session(1, 500));
+    QCOMPARE(program.run({"convert", "sample:sphere:500", "model.ply"}).code, 0);
+    const std::string before = program.read("model.ply");
+    const Outcome outcome = program.run({"run", "s.jsonl", "--journal", "model.ply"});
+    QCOMPARE(outcome.code, 1);
+    QVERIFY2(outcome.err.find("model.ply: is not a journal") != std::string::npos, outcome.err.c_str());
+    QCOMPARE(program.read("model.ply"), before);
 }
 
 static int linesOf(const std::string& text) {
