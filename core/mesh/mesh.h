@@ -15,8 +15,8 @@
 namespace mesh {
 
 /// Why a vertex lies on the boundary (mesh/README 3.4): the surface reaches its off-centre limit there, or its
-/// definition breaks down, as at folds and thin parts.
-enum class VertexKind : std::uint8_t { Inner, Limit, Fold };
+/// definition breaks down, as at folds and thin parts. Bridge: inside the mesh, where closed surfaces have gaps (3.14).
+enum class VertexKind : std::uint8_t { Inner, Limit, Fold, Bridge };
 
 using Triangle = std::array<std::uint32_t, 3>;
 

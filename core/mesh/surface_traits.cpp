@@ -3,6 +3,7 @@
 #include "core/surface/definition.h"
 #include "core/surface/frames/frame_table.h"
 
+#include <cmath>
 #include <numbers>
 
 namespace mesh {
@@ -17,6 +18,7 @@ double spacingsPerUnitOf(const surface::SurfaceDefinition& definition) {
 
 SurfaceTraits::SurfaceTraits(const surface::Surface& surface)
     : oriented(surface.tree().layout()->normals && surface.tree().layout()->oriented),
+      closed(oriented && std::isinf(surface.definition().boundaryLimit)),
       distances(surface::rowOf(surface.effectiveFrame()).distance),
       spacingsPerUnit(spacingsPerUnitOf(surface.definition())) {}
 

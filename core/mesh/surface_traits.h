@@ -9,6 +9,7 @@ struct SurfaceTraits {
     explicit SurfaceTraits(const surface::Surface& surface);
 
     bool oriented;          ///< do the surfels' normals give f a sign?
+    bool closed;            ///< oriented, and without a boundary limit: it bounds a solid
     bool distances;         ///< does |f| grow like a distance? With covariance frames it does not
     double spacingsPerUnit; ///< s / h
 };

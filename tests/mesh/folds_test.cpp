@@ -48,6 +48,18 @@ Mesh plate(std::uint32_t side) {
     return out;
 }
 
+/// The vertices that are on the surface.
+Mesh withoutBridges(const Mesh& m) {
+    Mesh out;
+    for (std::size_t v = 0; v < m.positions.size(); ++v)
+        if (m.kinds[v] != mesh::VertexKind::Bridge) {
+            out.positions.push_back(m.positions[v]);
+            out.normals.push_back(m.normals[v]);
+            out.kinds.push_back(m.kinds[v]);
+        }
+    return out;
+}
+
 Mesh meshOf(const surface::Surface& surface, double cell) {
     MarchingOptions options;
     options.cell = cell;
@@ -103,7 +115,7 @@ void FoldsTest::trianglesWhereSpheresTouchHaveArea() {
         other.position.x += static_cast<float>(2 + gap * spacing);
         list.items.push_back(other);
     }
-    const surface::Surface surface = shapes::surfaceOf(list);
+    const surface::Surface surface = shapes::surfaceOf(list, shapes::bounded(10)); // closed ones have no folds
     const Mesh m = meshOf(surface, cell * spacing);
     const mesh::Topology topology = mesh::topologyOf(m.triangles, m.positions.size(), m.kinds);
     QVERIFY(topology.manifold() && topology.foldLoops > 0);
@@ -130,7 +142,7 @@ void FoldsTest::meshesOfScansAreSound() {
     QVERIFY(mesh::topologyOf(m.triangles, m.positions.size()).manifold());
     QCOMPARE(mesh::shapeOf(m).degenerate, std::size_t(0));
     QCOMPARE(mesh::selfIntersections(m).size(), std::size_t(0));
-    const mesh::Deviation vertices = mesh::vertexDeviation(m, surface);
+    const mesh::Deviation vertices = mesh::vertexDeviation(withoutBridges(m), surface);
     // A vertex whose angles do not let it onto its sheet stands off at a fold: .03 cells of the dragon's, one of them.
     QVERIFY2(vertices.max < 5e-2 * report.cell && vertices.lost == 0, QByteArray::number(vertices.max / report.cell));
     QVERIFY2(vertices.hundredth < 1e-4 * report.cell, QByteArray::number(vertices.hundredth / report.cell));

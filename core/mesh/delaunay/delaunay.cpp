@@ -99,6 +99,7 @@ Mesh trimmed(const surface::Surface& surface, const Mesh& mesh, const base::Prog
 
 Mesh guideOf(const surface::Surface& surface, double unit, const base::Progress& progress) {
     MarchingOptions options;
+    options.solid = false; // what bridges gaps is no surface to refine
     options.cell = guideCell(surface, unit);
     MarchingReport report;
     return trimmed(surface, marchingCubes(surface, options, report, process::part(progress, 0, 0.8)),

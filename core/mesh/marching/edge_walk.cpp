@@ -63,6 +63,12 @@ std::optional<Crossing> EdgeWalk::run(const NodeValue& first, const NodeValue& l
     return m_roots % 2 == 1 ? std::optional(m_best) : std::nullopt;
 }
 
+std::optional<Crossing> EdgeWalk::facing(int way, const NodeValue& first, const NodeValue& last) {
+    m_way = way;
+    between({0, first}, {m_edge.length, last}, mostHalvings);
+    return m_roots > 0 ? std::optional(m_best) : std::nullopt;
+}
+
 EdgeWalk::Sample EdgeWalk::sample(double t) {
     Evaluationf at;
     m_source.evaluate(base::cast<float>(m_edge.from + m_edge.direction * t), surface::Need::Value, {}, at);
@@ -156,12 +162,12 @@ bool EdgeWalk::onOwnSheet(double t, const Evaluationf& at) {
 }
 
 void EdgeWalk::accept(double t, const Evaluationf& at) {
-    if (!surface::isSurface(at))
+    if (!surface::isSurface(at) || m_way * dot(base::cast<double>(at.gradient), m_edge.direction) < 0)
         return;
     const float offCentre = at.offCentre / at.unit;
     if (m_roots++ > 0 && offCentre >= m_best.offCentre)
         return;
-    m_best = {m_edge.from + m_edge.direction * t, base::normalized(at.gradient), at.unit, offCentre};
+    m_best = {m_edge.from + m_edge.direction * t, base::normalized(at.gradient), at.unit, offCentre, false};
 }
 
 } // namespace mesh

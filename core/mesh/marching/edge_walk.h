@@ -31,6 +31,7 @@ struct Crossing {
     base::Vec3f normal;  ///< unit gradient; of either sign without orientation
     float unit = 0;      ///< h there
     float offCentre = 0; ///< in units of h
+    bool bridge = false; ///< no root of f: a closed surface goes on there as its winding number says
 };
 
 /// Usual: trust ends that describe one smooth sheet. Thorough: short steps all along.
@@ -48,6 +49,8 @@ class EdgeWalk {
 
     /// Given the values at its ends.
     std::optional<Crossing> run(const NodeValue& first, const NodeValue& last);
+    /// The best root where the surface faces along the edge (`way` 1) or against it (-1), however many there are.
+    std::optional<Crossing> facing(int way, const NodeValue& first, const NodeValue& last);
     /// Do the values at the ends alone prove that it does not cross?
     static bool passes(const SurfaceTraits& traits, const Edge& edge, const NodeValue& first, const NodeValue& last);
 
@@ -68,6 +71,7 @@ class EdgeWalk {
     surface::Source& m_source;
     const Edge m_edge;
     Care m_care;
+    int m_way = 0; ///< 0: roots count whichever way the surface faces
     int m_roots = 0;
     Crossing m_best;
 };

@@ -44,21 +44,24 @@ namespace {
 constexpr double steepest = 0.9; ///< |n.d| of a segment that still runs along the surface at its end
 constexpr double level = 0.05;   ///< of normals in the face: with less they lie on neither side of a segment
 constexpr double never = 1e30;
+constexpr double wrongSide = 4; ///< of closed surfaces: more than any two other segments cost
 
-/// What a segment between two crossings costs: how far it leaves the surface at its ends.
+/// What a segment between two crossings costs: how far it leaves the surface at its ends. Of a closed surface every
+/// crossing has a partner: what would forbid a segment elsewhere only makes it dear.
 double costOf(const SurfaceGrid& grid, const GridFace& face, std::size_t i, std::size_t j) {
     const Crossing& a = grid.crossings()[face.crossing[i]];
     const Crossing& b = grid.crossings()[face.crossing[j]];
     const Vec3d d = base::normalized(b.position - a.position);
     const Vec3d na = base::cast<double>(a.normal), nb = base::cast<double>(b.normal);
     const double outA = std::abs(dot(na, d)), outB = std::abs(dot(nb, d));
-    if (std::max(outA, outB) > steepest)
+    const bool closed = grid.traits().closed;
+    if (!closed && std::max(outA, outB) > steepest)
         return never;
     if (grid.traits().oriented) {
         const Vec3d across = cross(d, grid.lattice().direction(face.axis));
         const double sideA = dot(na, across), sideB = dot(nb, across);
         if (sideA * sideB < 0 && std::min(std::abs(sideA), std::abs(sideB)) > level)
-            return never;
+            return closed ? outA + outB + wrongSide : never;
     }
     return outA + outB;
 }

@@ -5,6 +5,7 @@
 #include "core/mesh/finish/drop_triangles.h"
 #include "core/mesh/finish/mesh_attributes.h"
 #include "core/mesh/finish/trim_folds.h"
+#include "core/mesh/finish/untangle.h"
 #include "core/mesh/marching/cube_tree.h"
 #include "core/mesh/marching/fill_loop.h"
 #include "core/mesh/marching/relax_mesh.h"
@@ -22,6 +23,12 @@ namespace {
 
 constexpr std::size_t bricksPerTask = 64;
 constexpr double margin = 8; ///< in cells, around everything
+
+SurfaceTraits traitsOf(const surface::Surface& surface, const MarchingOptions& options) {
+    SurfaceTraits out(surface);
+    out.closed = out.closed && options.solid;
+    return out;
+}
 
 Lattice latticeFor(const surface::Surface& surface, const MarchingOptions& options) {
     Lattice out;
@@ -71,8 +78,8 @@ void addVertices(const SurfaceGrid& grid, std::span<const TracedEnd> boundary, M
     for (const Crossing& each : grid.crossings()) {
         out.positions.push_back(each.position);
         out.normals.push_back(each.normal);
+        out.kinds.push_back(each.bridge ? VertexKind::Bridge : VertexKind::Inner);
     }
-    out.kinds.assign(out.positions.size(), VertexKind::Inner);
     for (const TracedEnd& end : boundary) {
         out.positions.push_back(end.position);
         out.normals.push_back(end.normal);
@@ -211,7 +218,7 @@ Mesh cutMesh(const surface::Surface& surface, const MarchingOptions& options, Ma
              const base::Progress& progress) {
     const Lattice lattice = latticeFor(surface, options);
     report.cell = lattice.cell;
-    SurfaceGrid grid(surface, lattice);
+    SurfaceGrid grid(surface, traitsOf(surface, options), lattice);
     grid.build(process::part(progress, 0, 0.8));
     std::vector<TracedEnd> boundary;
     const LooseEnds loose = settleEnds(grid, boundary, report, progress);
@@ -238,6 +245,17 @@ RelaxOptions shapingOf(const MarchingOptions& options, const MarchingReport& rep
     return {options.relax ? 2 : 0, 0.7, report.cell, {}};
 }
 
+/// Of a solid no triangle is left out: what cuts another one then goes back to the edges of its cube.
+void shape(Mesh& mesh, const surface::Surface& surface, const MarchingOptions& options, const MarchingReport& report,
+           const base::Progress& progress) {
+    const RelaxOptions shaping = shapingOf(options, report);
+    if (!traitsOf(surface, options).closed)
+        return relax(mesh, surface, shaping, progress);
+    const VertexPlaces before{mesh.positions, mesh.normals};
+    relax(mesh, surface, shaping, process::part(progress, 0, 0.8));
+    untangle(mesh, before, shaping.cell, process::part(progress, 0.8, 1));
+}
+
 /// Loops at folds are closed, and triangles shaped that are near those.
 std::vector<std::uint32_t> close(Mesh& mesh, const surface::Surface& surface, const FoldClosing& closing,
                                  RelaxOptions shaping, const base::Progress& progress) {
@@ -252,6 +270,8 @@ std::vector<std::uint32_t> close(Mesh& mesh, const surface::Surface& surface, co
 void finishFolds(Mesh& mesh, const surface::Surface& surface, const MarchingOptions& options, MarchingReport& report,
                  const base::Progress& progress) {
     const RelaxOptions shaping = shapingOf(options, report);
+    if (traitsOf(surface, options).closed)
+        return;
     FoldClosing closing{report.cell, false, options.finishing.longestFold};
     const auto middles = close(mesh, surface, closing, shaping, process::part(progress, 0, 0.4));
     report.foldsClosed = middles.size() - reopenCut(mesh, middles, report.cell);
@@ -282,7 +302,7 @@ Mesh marchingCubes(const surface::Surface& surface, const MarchingOptions& optio
                       [&](std::uint32_t size) { return size < options.finishing.smallPiece; }));
     if (options.finishing.dropSmall)
         dropSmallPieces(out, orientation, options.finishing.smallPiece);
-    relax(out, surface, shapingOf(options, report), process::part(progress, 0.75, 0.93));
+    shape(out, surface, options, report, process::part(progress, 0.75, 0.93));
     finishFolds(out, surface, options, report, process::part(progress, 0.93, 0.95));
     takeAttributes(out, surface);
     progress.step(1, "shaping triangles");

@@ -37,6 +37,9 @@ struct MarchingOptions {
     /// In model units: where triangles stay about so close to the surface, cubes become up to 16 times as large; `cell`
     /// is then the smallest. 0: all of one size.
     double adaptive = 0;
+    /// Closed oriented surfaces bound a solid, and so the mesh has no boundary (mesh/README 3.14). False: they are
+    /// meshed as open ones are.
+    bool solid = true;
     bool relax = true; ///< shape triangles; otherwise vertices stay on the grid's edges
     Finishing finishing;
 };

@@ -55,11 +55,13 @@ class Relaxer {
     /// Vertices that no pass has put there, onto the surface.
     void landTheRest(const base::Progress& progress) {
         const std::vector<Vec3d> targets = m_mesh.positions;
-        const auto rest = [&](std::size_t v) { return moves(v) && m_landed[v] == 0; };
+        const auto rest = [&](std::size_t v) { return moves(v) && m_landed[v] == 0 && !bridge(v); };
         move(targets, tight, rest, progress);
     }
 
   private:
+    /// There is no surface under those: they only go to the middle of their neighbours.
+    bool bridge(std::size_t v) const { return m_mesh.kinds[v] == VertexKind::Bridge; }
     bool moves(std::size_t v) const { return m_near.empty() || m_near[v] != 0; }
 
     void lookAround() {
@@ -101,6 +103,8 @@ class Relaxer {
                 }
         if (count == 0)
             return here;
+        if (bridge(v))
+            return here + limited(sum / count * m_options.share, m_options.cell);
         const Vec3d n = base::cast<double>(m_mesh.normals[v]);
         return here + limited(along(sum / count, n) * m_options.share, std::max(m_options.cell, reach / count));
     }
@@ -129,7 +133,9 @@ class Relaxer {
             std::vector<Vec3f> x;
             std::vector<std::size_t> vertices;
             for (std::size_t v = begin; v < end; ++v)
-                if (which(v)) {
+                if (which(v) && bridge(v)) {
+                    next[v] = {true, targets[v], m_mesh.normals[v]};
+                } else if (which(v)) {
                     x.push_back(base::cast<float>(targets[v]));
                     vertices.push_back(v);
                 }

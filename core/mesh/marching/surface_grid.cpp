@@ -1,6 +1,7 @@
 #include "core/mesh/marching/surface_grid.h"
 
 #include "core/mesh/marching/slabs.h"
+#include "core/mesh/marching/solid_edge.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/surface/evaluation/packets.h"
 
@@ -51,11 +52,13 @@ void addDisc(const Vec3d& centre, const Vec3d& normal, double radius, std::vecto
 
 } // namespace
 
-SurfaceGrid::SurfaceGrid(const surface::Surface& surface, const Lattice& lattice)
-    : m_surface(surface), m_traits(surface), m_lattice(lattice) {}
+SurfaceGrid::SurfaceGrid(const surface::Surface& surface, const SurfaceTraits& traits, const Lattice& lattice)
+    : m_surface(surface), m_traits(traits), m_lattice(lattice) {}
 
 void SurfaceGrid::build(const base::Progress& progress) {
-    complete(discs(process::part(progress, 0, 0.2)), process::part(progress, 0.2, 1));
+    if (m_traits.closed)
+        m_solid.emplace(m_surface, process::part(progress, 0, 0.1));
+    complete(discs(process::part(progress, 0.1, 0.2)), process::part(progress, 0.2, 1));
     number();
 }
 
@@ -140,7 +143,7 @@ void SurfaceGrid::add(std::vector<BrickBits> cubes) {
     if (nodes.size() > 0x50000000u)
         throw base::Error("the cell size makes more cubes than can be numbered", "", "choose larger cells");
     std::vector<NodeValue> values(nodes.size());
-    std::vector<std::uint8_t> known(nodes.size());
+    std::vector<std::uint8_t> known(nodes.size()), inside(m_solid ? nodes.size() : 0);
     std::vector<std::uint32_t> edges(3 * nodes.size(), unknown);
     base::parallelFor(m_nodes.bricks().size(), bricksPerTask, [&](std::size_t b) {
         const SparseSet::Brick& before = m_nodes.bricks()[b];
@@ -150,12 +153,15 @@ void SurfaceGrid::add(std::vector<BrickBits> cubes) {
             const std::uint32_t to = rankIn(now, std::countr_zero(rest));
             values[to] = m_values[from];
             known[to] = m_known[from];
+            if (m_solid)
+                inside[to] = m_inside[from];
             std::copy_n(&m_edges[3 * std::size_t(from)], 3, &edges[3 * std::size_t(to)]);
         }
     });
     m_nodes = std::move(nodes);
     m_values = std::move(values);
     m_known = std::move(known);
+    m_inside = std::move(inside);
     m_edges = std::move(edges);
 }
 
@@ -173,12 +179,33 @@ void SurfaceGrid::evaluateNodes(const base::Progress& progress) {
                     ranks.push_back(rank);
                 });
             std::vector<Evaluationf> at(x.size());
-            m_surface.evaluate(x, surface::Need::Value, at);
+            std::vector<std::uint8_t> inside;
+            if (m_solid)
+                inside = m_solid->inside(x, at);
+            else
+                m_surface.evaluate(x, surface::Need::Value, at);
             for (std::size_t i = 0; i < x.size(); ++i) {
                 m_values[ranks[i]] = NodeValue::of(at[i]);
+                if (m_solid)
+                    m_inside[ranks[i]] = inside[i];
                 m_known[ranks[i]] = 1;
             }
         });
+}
+
+/// Where there is an inside, exactly the edges that enter or leave it do.
+bool SurfaceGrid::mayCross(const GridIndex& node, int axis, std::uint32_t first, std::uint32_t last) const {
+    if (m_solid)
+        return m_inside[first] != m_inside[last];
+    return !EdgeWalk::passes(m_traits, edgeOf(node, axis), m_values[first], m_values[last]);
+}
+
+std::optional<Crossing> SurfaceGrid::crossingOn(const Job& job, surface::Source& source, Care care) const {
+    const Edge edge = edgeOf(job.node, job.axis);
+    const NodeValue &first = m_values[job.first], &last = m_values[job.last];
+    if (m_solid)
+        return solidCrossing(*m_solid, m_traits, source, edge, {first, last, m_inside[job.first] ? 1 : -1});
+    return EdgeWalk(m_traits, source, edge, care).run(first, last);
 }
 
 /// Edges between nodes that nobody has looked at and that may cross; those that cannot are done with.
@@ -192,7 +219,7 @@ std::vector<SurfaceGrid::Job> SurfaceGrid::openEdges() {
             if (last == noRank || at != unknown)
                 return;
             at = none;
-            if (!EdgeWalk::passes(m_traits, edgeOf(p, axis), m_values[n], m_values[last]))
+            if (mayCross(p, axis, n, last))
                 parts[chunk].push_back({p, n, last, axis});
         };
         for (std::size_t b = begin; b < end; ++b) {
@@ -219,9 +246,7 @@ std::vector<SurfaceGrid::Found> SurfaceGrid::walk(std::span<const Job> jobs, Car
         }
         std::vector<std::optional<Crossing>> found(middles.size());
         surface::forPackets(m_surface, middles, slack, [&](surface::Source& source, std::size_t i) {
-            const Job& job = jobs[begin + i];
-            found[i] = EdgeWalk(m_traits, source, edgeOf(job.node, job.axis), care)
-                           .run(m_values[job.first], m_values[job.last]);
+            found[i] = crossingOn(jobs[begin + i], source, care);
         });
         for (std::size_t i = 0; i < found.size(); ++i)
             if (found[i])

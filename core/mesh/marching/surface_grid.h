@@ -10,6 +10,7 @@
 
 #include "core/base/progress.h"
 #include "core/mesh/marching/edge_walk.h"
+#include "core/mesh/marching/solid.h"
 #include "core/mesh/marching/sparse_set.h"
 
 namespace mesh {
@@ -19,7 +20,7 @@ class SurfaceGrid {
     /// Instead of the number of a crossing: edge not visited yet; visited, without a crossing.
     static constexpr std::uint32_t unknown = 0xffffffffu, none = 0xfffffffeu;
 
-    SurfaceGrid(const surface::Surface& surface, const Lattice& lattice);
+    SurfaceGrid(const surface::Surface& surface, const SurfaceTraits& traits, const Lattice& lattice);
 
     /// Throws base::Cancelled, base::Error where there are more nodes than can be numbered.
     void build(const base::Progress& progress);
@@ -52,6 +53,7 @@ class SurfaceGrid {
     void add(std::vector<BrickBits> cubes);
     void evaluateNodes(const base::Progress& progress);
     std::vector<Job> openEdges();
+    bool mayCross(const GridIndex& node, int axis, std::uint32_t first, std::uint32_t last) const;
     struct Found {
         std::size_t job = 0;
         Crossing crossing;
@@ -59,6 +61,7 @@ class SurfaceGrid {
     Edge edgeOf(const GridIndex& node, int axis) const {
         return {m_lattice.at(node), m_lattice.direction(axis), m_lattice.cell};
     }
+    std::optional<Crossing> crossingOn(const Job& job, surface::Source& source, Care care) const;
     std::vector<Found> walk(std::span<const Job> jobs, Care care, const base::Progress& progress) const;
     std::vector<Job> take(std::span<const Job> jobs, std::span<const Found> found);
     std::vector<BrickBits> cubesAbout(std::span<const Job> jobs) const;
@@ -69,7 +72,9 @@ class SurfaceGrid {
     Lattice m_lattice;
     SparseSet m_nodes;
     std::vector<NodeValue> m_values;
-    std::vector<std::uint8_t> m_known; ///< is the value of the node there?
+    std::vector<std::uint8_t> m_known;  ///< is the value of the node there?
+    std::optional<Solid> m_solid;       ///< of closed surfaces
+    std::vector<std::uint8_t> m_inside; ///< is the node? Of closed surfaces
     std::vector<std::uint32_t> m_edges;
     std::vector<Crossing> m_crossings;
 };

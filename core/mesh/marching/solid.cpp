@@ -1,0 +1,135 @@
+#include "core/mesh/marching/solid.h"
+
+#include "core/base/parallel.h"
+
+#include <cmath>
+
+namespace mesh {
+
+using base::Vec3d, base::Vec3f;
+using surface::Evaluationf;
+
+namespace {
+
+constexpr double offCentre = 0.4, farOff = 0.8;     ///< of h: where f begins to be doubted, where it no longer counts
+constexpr float oneSheet = 0.92f;                   ///< agreement below which there may be several
+constexpr float fewSamples = 2;                     ///< sum of weights: a stray's are little more than 1, a sheet's 5
+constexpr double surelyOut = 0.25, surelyIn = 0.75; ///< winding numbers that are sure of themselves
+
+/// From winding numbers on a sheet, which are a half where normals point out of a solid, and less beside gaps: turns by
+/// which they differ downwards; 1 where they may upwards.
+int turnsOf(double least, double most) {
+    constexpr double low = -0.25, high = 0.75, farthest = -100;
+    return least < low ? static_cast<int>(std::floor(std::max(least, farthest))) : most > high ? 1 : 0;
+}
+
+surface::Surface withoutSecondPass(const surface::Surface& surface) {
+    surface::SurfaceDefinition definition = surface.definition();
+    definition.oneSheet = false;
+    return {surface.tree(), definition};
+}
+
+double smoothStep(double t) {
+    t = std::clamp(t, 0.0, 1.0);
+    return t * t * (3 - 2 * t);
+}
+
+} // namespace
+
+Solid::Solid(const surface::Surface& surface, const base::Progress& progress)
+    : m_surface(surface), m_plain(withoutSecondPass(surface)), m_winding(surface.tree(), progress) {
+    classify();
+}
+
+/// By a few surfels of each cluster.
+int Solid::turnsOn(const surfel::SurfelBlock& block, int cluster) const {
+    constexpr int stride = 5;
+    double least = 1e300, most = -1e300;
+    const int begin = cluster * surfel::clusterSize, end = std::min(block.size(), begin + surfel::clusterSize);
+    for (int slot = begin; slot < end; slot += stride) {
+        const double w = m_winding.at(base::cast<double>(block.position(slot)));
+        least = std::min(least, w);
+        most = std::max(most, w);
+    }
+    return turnsOf(least, most);
+}
+
+void Solid::classify() {
+    const tree::SurfelTree& tree = m_surface.tree();
+    std::vector<surfel::BlockPtr> blocks;
+    tree.forEachBlock([&](std::uint32_t number, const surfel::SurfelBlock&) { blocks.push_back(tree.block(number)); });
+    std::vector<Turns> turns(blocks.size());
+    base::parallelFor(blocks.size(), 16, [&](std::size_t b) {
+        for (int cluster = 0; cluster < blocks[b]->clusterCount(); ++cluster)
+            turns[b][std::size_t(cluster)] = static_cast<std::int8_t>(turnsOn(*blocks[b], cluster));
+    });
+    std::ptrdiff_t inwards = 0, clusters = 0;
+    for (std::size_t b = 0; b < blocks.size(); ++b) {
+        clusters += blocks[b]->clusterCount();
+        inwards += std::count_if(turns[b].begin(), turns[b].end(), [](std::int8_t t) { return t < 0; });
+    }
+    m_around = 2 * inwards > clusters ? -1 : 0;
+    for (std::size_t b = 0; b < blocks.size(); ++b) {
+        for (int cluster = 0; cluster < blocks[b]->clusterCount(); ++cluster)
+            turns[b][std::size_t(cluster)] = static_cast<std::int8_t>(turns[b][std::size_t(cluster)] - m_around);
+        if (turns[b] != Turns{})
+            m_turns.emplace(blocks[b].get(), turns[b]);
+    }
+}
+
+int Solid::turnsNear(const Vec3d& x) const {
+    if (m_turns.empty())
+        return 0;
+    thread_local std::vector<tree::Neighbour> nearest;
+    m_surface.tree().nearest(base::cast<float>(x), 1, nearest);
+    const auto found = m_turns.find(nearest.front().block);
+    return found == m_turns.end() ? 0 : found->second[std::size_t(nearest.front().slot / surfel::clusterSize)];
+}
+
+/// Where one sheet is alone the second pass changes nothing.
+std::vector<std::uint8_t> Solid::inside(std::span<const Vec3f> x, std::span<Evaluationf> out) const {
+    m_plain.evaluate(x, surface::Need::Value, out);
+    std::vector<std::size_t> several;
+    std::vector<Vec3f> again;
+    for (std::size_t i = 0; i < x.size(); ++i)
+        if (!(out[i].ok() && out[i].agreement >= oneSheet)) {
+            several.push_back(i);
+            again.push_back(x[i]);
+        }
+    std::vector<Evaluationf> answers(again.size());
+    m_surface.evaluate(again, surface::Need::Value, answers);
+    std::vector<std::uint8_t> alone(x.size(), 1), result(x.size());
+    for (std::size_t i = 0; i < several.size(); ++i) {
+        out[several[i]] = answers[i];
+        alone[several[i]] = 0;
+    }
+    base::parallelFor(x.size(), 256, [&](std::size_t i) {
+        result[i] = height(base::cast<double>(x[i]), out[i], alone[i] != 0).value < 0;
+    });
+    return result;
+}
+
+Solid::Height Solid::height(const Vec3d& x, const Evaluationf& at, bool alone) const {
+    const int turns = turnsNear(x);
+    if (!at.ok())
+        return {0.5 - winding(x, turns), 1, true};
+    const double f = double(at.value) / double(at.unit), o = double(at.offCentre) / double(at.unit);
+    if (o <= offCentre && alone && at.weight >= fewSamples && turns <= 0)
+        return {f, 0, false};
+    const double w = winding(x, turns);
+    if ((w < surelyOut && f < 0) || (w > surelyIn && f >= 0))
+        return {0.5 - w, 1, true};
+    const double share = smoothStep((o - offCentre) / (farOff - offCentre));
+    return {(1 - share) * f + share * (0.5 - w), share, false};
+}
+
+Vec3d Solid::outwards(const Vec3d& x, const Evaluationf& at, const Height& height) const {
+    Vec3d out;
+    if (height.winding < 1)
+        out = base::cast<double>(at.gradient) * ((1 - height.winding) / double(at.unit));
+    if (height.winding > 0)
+        out -= m_winding.gradient(x) * height.winding;
+    return base::normalized(out, Vec3d{0, 0, 1});
+}
+
+} // namespace mesh

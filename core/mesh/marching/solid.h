@@ -1,0 +1,56 @@
+// Which side of a closed surface a place is on, everywhere (mesh/README 3.14). Internal to the room.
+//
+// f tells it near the surfels. It has no value far from all of them, and next to near sheets, sharp edges, gaps and
+// stray surfels it may tell of a sheet that ends before. There the winding number decides, where it is sure of itself;
+// over gaps, f's planes pass into the surface where the winding number is a half.
+//
+// Sheets inside of the solid, such as those of parts that run into each other, are no part of its surface. Parts whose
+// normals point inwards while those of others point outwards stay as they are.
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/mesh/surface_traits.h"
+#include "core/surface/winding/winding_number.h"
+
+#include <algorithm>
+#include <array>
+#include <unordered_map>
+
+namespace mesh {
+
+class Solid {
+  public:
+    /// REQUIRES: SurfaceTraits::closed. Throws base::Cancelled.
+    Solid(const surface::Surface& surface, const base::Progress& progress);
+
+    struct Height {
+        double value = 0;       ///< above zero outside; near the surface its distance in units of h
+        double winding = 0;     ///< share of the winding number in it, 0 to 1
+        bool overruled = false; ///< f says otherwise, or nothing
+    };
+    /// `at`: what the surface answers there; `alone`: its sheet has no other within reach.
+    Height height(const base::Vec3d& x, const surface::Evaluationf& at, bool alone) const;
+    /// Evaluates many places. Returns of each whether it is inside.
+    std::vector<std::uint8_t> inside(std::span<const base::Vec3f> x, std::span<surface::Evaluationf> out) const;
+    /// The same by the winding number alone.
+    double byWinding(const base::Vec3d& x) const { return 0.5 - winding(x, turnsNear(x)); }
+    /// Which way out. `at` with its gradient, where the height needs it.
+    base::Vec3d outwards(const base::Vec3d& x, const surface::Evaluationf& at, const Height& height) const;
+
+  private:
+    using Turns = std::array<std::int8_t, surfel::clustersPerBlock>;
+
+    int turnsOn(const surfel::SurfelBlock& block, int cluster) const;
+    void classify();
+    /// Whole turns that the nearest sheet is away from winding numbers of 0 and 1 on its sides; mostly none.
+    int turnsNear(const base::Vec3d& x) const;
+    double winding(const base::Vec3d& x, int turns) const { return m_winding.at(x) - m_around - std::min(turns, 0); }
+
+    surface::Surface m_surface, m_plain; ///< m_plain: without the second pass for near sheets, which hides them
+    surface::WindingNumber m_winding;
+    int m_around = 0; ///< winding number far outside: -1 where normals point inwards
+    /// Of the clusters of blocks; only of blocks that have others than 0.
+    std::unordered_map<const surfel::SurfelBlock*, Turns> m_turns;
+};
+
+} // namespace mesh

@@ -1,0 +1,17 @@
+// How much of the surface each surfel stands for (surface/README 11.2): what sums over surfels need to be integrals.
+//
+// From the surfels' own neighbourhood, not from the supports, which follow the spacing only roughly and not at all
+// where one is given for all. Copies of a surfel share what one would have; a stray surfel, with next to nothing around
+// it, stands for nothing.
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/tree/surfel_tree.h"
+
+namespace surface {
+
+/// In tree order, in model units squared. In parallel, the same bits at any thread count. REQUIRES: oriented normals.
+/// Throws base::Cancelled.
+std::vector<float> surfelAreas(const tree::SurfelTree& tree, const base::Progress& progress = {});
+
+} // namespace surface
