@@ -215,6 +215,8 @@ FileModel TextReader::read() {
         TextRows counted(m_file, begin, rules, {m_progress, 0.1, 0.2});
         m_firstRow -= 1;
         checkClaim(counted);
+        if (m_firstRow >= counted.count()) // nothing but counts
+            m_file.fail("holds no points, only lines of one number", "choose a text file with rows of coordinates");
         chooseColumns(counted);
         parse(counted);
     } else {

@@ -157,6 +157,8 @@ void TextReaderTest::damagedFilesAreRefusedInOneSentence_data() {
     QTest::newRow("blank") << QByteArray("\n \n\t\n") << "holds no points";
     QTest::newRow("comments only") << QByteArray("# x y z\n# nothing\n") << "holds no points";
     QTest::newRow("count only") << QByteArray("5\n") << "holds no points";
+    QTest::newRow("counts only") << QByteArray("0\n1\n2\n") << "only lines of one number";
+    QTest::newRow("counts and names only") << QByteArray("0\nx y z\n1\n") << "only lines of one number";
     QTest::newRow("names only") << QByteArray("x y z\n") << "holds no points";
     QTest::newRow("two columns") << QByteArray("1 2\n3 4\n") << "x, y and z";
     QTest::newRow("prose") << QByteArray("It was a dark night.\nAnd stormy it was too.\nSo there.\n")
