@@ -43,9 +43,17 @@ base::Box3f boundsOf(const surfel::SurfelList& points) {
 void describeSurface(ordered_json& out, session::OpenedFile file, const base::Progress& progress, Console& console) {
     out["up"] = out["hash"] = nullptr;
     try {
-        const session::MadeModel made = session::made(file, progress);
+        const std::size_t told = file.model.messages.size();
+        const session::MadeModel made = session::made(file, process::part(progress, 0, 0.8));
+        console.tell({file.model.messages.begin() + static_cast<std::ptrdiff_t>(told), file.model.messages.end()});
+        const surfel::SurfelList surfels = made.surface.tree().surfels();
+        if (made.merged > 0) {
+            out["surfels"] = surfels.size();
+            out["spacing"] = summaryOf(process::spacings(surfels.items, process::part(progress, 0.8, 1)));
+        }
+        out["merged"] = made.merged;
         std::vector<float> supports;
-        for (const surfel::Surfel& s : made.surface.tree().surfels().items)
+        for (const surfel::Surfel& s : surfels.items)
             supports.push_back(s.support);
         out["support"] = summaryOf(supports);
         out["up"] = base::upRow(made.up).id;
@@ -71,6 +79,7 @@ ordered_json describe(session::OpenedFile from, const base::Progress& progress, 
     out["sampled"] = from.faces.sampled;
     out["closed"] = from.faces.closed;
     out["dropped"] = model.dropped;
+    out["merged"] = 0;
     out["format"] = model.format;
     describeSurface(out, std::move(from), process::part(progress, 0.5, 1), console);
     return out;

@@ -41,15 +41,24 @@ static base::UpAxis upOf(const io::FileModel& model, const surface::Surface& sur
     return process::guessedUp(process::upEvidence(surface.tree()), model.usualUp);
 }
 
+static std::string mergedMessage(std::size_t merged) {
+    return merged == 1 ? "A point that stands in the place of another was merged with it."
+                       : std::to_string(merged) + " points that stand in the place of others were merged with them.";
+}
+
 MadeModel made(OpenedFile& file, const base::Progress& progress) {
     io::FileModel& model = file.model;
     const surface::SurfaceDefinition& definition = file.surface.definition;
     const bool kept = file.faces.sampled || (model.hasSupports && !file.surface.newSupports);
-    const process::PrepareOptions options{definition, kept, model.limitDecided && definition == model.definition};
+    std::size_t merged = 0;
+    const process::PrepareOptions options{definition, kept, model.limitDecided && definition == model.definition,
+                                          file.faces.sampled || model.hasSupports ? nullptr : &merged};
     surface::Surface surface =
         inNameOf(file.name, [&] { return process::prepare(std::move(model.points), options, progress); });
+    if (merged > 0)
+        model.messages.push_back(mergedMessage(merged));
     const base::UpAxis up = upOf(model, surface);
-    return {std::move(surface), up};
+    return {std::move(surface), up, merged};
 }
 
 } // namespace session

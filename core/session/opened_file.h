@@ -24,9 +24,11 @@ OpenedFile opened(const std::string& name, io::FileModel model, const nlohmann::
 struct MadeModel {
     surface::Surface surface;
     base::UpAxis up = base::UpAxis::Y; ///< as the file tells, else guessed from the shape
+    std::size_t merged = 0;            ///< points that were duplicates of others; the file's messages tell of them
 };
 
-/// Takes the file's points. Throws base::Error where they make no surface, base::Cancelled.
+/// Takes the file's points. Those whose supports were made for them, by the program that wrote them or by sampling, are
+/// all kept; of others duplicates are merged. Throws base::Error where they make no surface, base::Cancelled.
 MadeModel made(OpenedFile& file, const base::Progress& progress);
 
 } // namespace session

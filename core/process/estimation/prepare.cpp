@@ -4,7 +4,8 @@
 #include "core/process/estimation/boundary_limit.h"
 #include "core/process/estimation/cloud_normals.h"
 #include "core/process/estimation/cloud_supports.h"
-#include "core/process/estimation/knn.h"
+#include "core/process/estimation/duplicates.h"
+#include "core/process/estimation/keep_points.h"
 #include "core/process/estimation/normals.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/process/estimation/supports.h"
@@ -24,18 +25,7 @@ constexpr int orientNeighbours = 12;
 constexpr float curveLimit = 0.3f;
 
 void dropNonFinite(surfel::SurfelList& points) {
-    const std::size_t words = points.layout->words();
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        if (!base::isFinite(points.items[i].position))
-            continue;
-        points.items[kept] = points.items[i];
-        std::copy_n(points.extra.begin() + static_cast<std::ptrdiff_t>(i * words), words,
-                    points.extra.begin() + static_cast<std::ptrdiff_t>(kept * words));
-        ++kept;
-    }
-    points.items.resize(kept);
-    points.extra.resize(kept * words);
+    keepPoints(points, [&](std::size_t i) { return base::isFinite(points.items[i].position); });
 }
 
 /// Unit length where it is not; what was saved comes back bit for bit.
@@ -90,12 +80,22 @@ class LazyCloud {
             m_cloud.emplace(m_points.items, m_progress);
         return *m_cloud;
     }
+    /// The points have become others.
+    void forget() { m_cloud.reset(); }
 
   private:
     const surfel::SurfelList& m_points;
     base::Progress m_progress;
     std::optional<Cloud> m_cloud;
 };
+
+/// Returns how many.
+std::size_t mergeThrough(surfel::SurfelList& points, LazyCloud& cloud, const base::Progress& progress) {
+    const std::size_t merged = mergeDuplicates(points, firstOfDuplicates(*cloud, progress));
+    if (merged > 0)
+        cloud.forget();
+    return merged;
+}
 
 /// Distinct positions, counted up to 4.
 std::size_t fewDistinct(const surfel::SurfelList& points) {
@@ -183,7 +183,9 @@ surface::Surface prepare(surfel::SurfelList points, const PrepareOptions& option
                           "", "open a model with more points");
     const base::Progress indexing = part(progress, 0, 0.1);
     LazyCloud cloud(points, indexing);
-    prepareNormals(points, cloud, options.definition, part(progress, 0.1, 0.6));
+    if (options.merged)
+        *options.merged = mergeThrough(points, cloud, part(progress, 0.1, 0.2));
+    prepareNormals(points, cloud, options.definition, part(progress, 0.2, 0.6));
     prepareSupports(points, cloud, options, part(progress, 0.6, 0.8));
     tree::SurfelTree tree = tree::SurfelTree::build(points, part(progress, 0.8, 0.9));
     if (options.keepLimit)

@@ -1,5 +1,6 @@
 // From loaded points to a surface: everything a raw scan lacks is estimated, everything it brings is kept.
 //
+//     duplicates, where asked   merged                                                    duplicates.h
 //     normals absent            estimated from 18 neighbours, then oriented consistently   normals.h
 //                               (surfaces without two sides stay unoriented)
 //     supports absent or asked  from neighbours or one radius, by the definition           supports.h
@@ -15,6 +16,8 @@ struct PrepareOptions {
     surface::SurfaceDefinition definition;
     bool keepSupports = true; ///< supports > 0 that came with the points stay as they are
     bool keepLimit = false;   ///< Boundary::Auto was resolved for this very model: definition.boundaryLimit stands
+    /// Where not null, points that are duplicates of others are merged with them, and their number comes here.
+    std::size_t* merged = nullptr;
 };
 
 /// Throws base::Error where fewer than 4 distinct points are left to make a surface of, base::Cancelled.

@@ -1,0 +1,19 @@
+// Points that stand in one place: depth cameras write thousands of "0 0 0", programs write each corner once per face,
+// and scans that were joined twice hold everything twice, a rounding apart (process/README 1.5).
+//
+// Kept, they would say nothing new and cost as much as the square of their number, because each stands in every other's
+// neighbourhood. Time is linear in the points but for sorting; the result is the same at any thread count.
+#pragma once
+
+#include "core/process/estimation/knn.h"
+
+namespace process {
+
+/// Of each point of the list that `cloud` was made of the first one that it is a duplicate of; itself where it is none.
+std::vector<std::uint32_t> firstOfDuplicates(const Cloud& cloud, const base::Progress& progress = {});
+
+/// Takes duplicates away and returns how many there were. The first of them stays as it is but for its normal, which
+/// becomes the mean of theirs unless they cancel. `first` as above.
+std::size_t mergeDuplicates(surfel::SurfelList& points, std::span<const std::uint32_t> first);
+
+} // namespace process
