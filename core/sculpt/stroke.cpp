@@ -34,15 +34,15 @@ struct Stroke::State {
     std::unique_ptr<Method> method;
 
     State(surface::Surface start, const StrokeSettings& settings, const base::Vec3d& origin,
-          std::shared_ptr<const BrushStamp> stamp)
-        : dabs(std::move(start), settings, origin, std::move(stamp)), stabiliser(ropeOf(settings)),
+          std::shared_ptr<const BrushStamp> stamp, const std::atomic<bool>* cancel)
+        : dabs(std::move(start), settings, origin, std::move(stamp), cancel), stabiliser(ropeOf(settings)),
           method(makeMethod(dabs, tool(settings.tool).motion)) {}
 };
 
 Stroke::Stroke(surface::Surface start, StrokeSettings settings, base::Vec3d origin,
-               std::shared_ptr<const BrushStamp> stamp) {
+               std::shared_ptr<const BrushStamp> stamp, const std::atomic<bool>* cancel) {
     check(settings);
-    m_state = std::make_unique<State>(std::move(start), settings, origin, std::move(stamp));
+    m_state = std::make_unique<State>(std::move(start), settings, origin, std::move(stamp), cancel);
 }
 Stroke::~Stroke() = default;
 Stroke::Stroke(Stroke&&) noexcept = default;

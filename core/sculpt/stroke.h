@@ -17,6 +17,7 @@
 #include "core/sculpt/stroke_sample.h"
 #include "core/sculpt/stroke_settings.h"
 
+#include <atomic>
 #include <optional>
 
 namespace sculpt {
@@ -24,9 +25,11 @@ namespace sculpt {
 class Stroke {
   public:
     /// `origin`: what Symmetry mirrors at, relative to which positions are stored (io::FileModel::origin). `stamp`: the
-    /// image that settings.stamp names. Checks the settings.
+    /// image that settings.stamp names. `cancel`: where not null, base::Cancelled leaves `add` and `finish` before the
+    /// next dab and the next contact once it is set; the stroke is then good for nothing but to be dropped. Outlives
+    /// the stroke. Checks the settings.
     Stroke(surface::Surface start, StrokeSettings settings, base::Vec3d origin = {},
-           std::shared_ptr<const BrushStamp> stamp = {});
+           std::shared_ptr<const BrushStamp> stamp = {}, const std::atomic<bool>* cancel = nullptr);
     ~Stroke();
     Stroke(Stroke&&) noexcept;
     Stroke& operator=(Stroke&&) noexcept;

@@ -1,5 +1,6 @@
 #include "core/sculpt/stroke_dabs.h"
 
+#include "core/base/error.h"
 #include "core/sculpt/brush_connected.h"
 #include "core/sculpt/stroke_accumulate.h"
 
@@ -40,13 +41,13 @@ Vec3f seenUpwards(const Vec3f& view) {
 } // namespace
 
 Dabs::Dabs(surface::Surface start, StrokeSettings settings, const base::Vec3d& origin,
-           std::shared_ptr<const BrushStamp> stamp)
+           std::shared_ptr<const BrushStamp> stamp, const std::atomic<bool>* cancel)
     : m_first(start), m_surface(start), m_base(std::move(start)), m_settings(std::move(settings)),
       m_row(tool(m_settings.tool)), m_accumulate(m_settings.accumulate || m_row.motion != Motion::Along),
       m_images(mirrors(m_settings.symmetry, origin)),
       m_pressureStrength(m_settings.pressureStrength, "pressure-strength"),
       m_pressureRadius(m_settings.pressureRadius, "pressure-radius"), m_anchors(m_images.size()),
-      m_places(m_images.size()) {
+      m_places(m_images.size()), m_cancel(cancel) {
     m_pattern.radius = m_settings.radius;
     m_pattern.falloff = m_settings.falloff;
     if (m_settings.falloff == Falloff::Custom)
@@ -157,10 +158,17 @@ void Dabs::dabAt(const StrokeSample& sample, const Contact& own, const Form& for
     apply(all);
 }
 
+void Dabs::checkCancelled() const {
+    if (m_cancel && m_cancel->load(std::memory_order_relaxed))
+        throw base::Cancelled();
+}
+
 void Dabs::apply(std::span<const Dab> images) {
     const Stopwatch watch;
-    for (const Dab& dab : images)
+    for (const Dab& dab : images) {
+        checkCancelled();
         applyOne(dab);
+    }
     if (m_settings.resample && m_accumulate && m_sampling.due())
         m_surface = m_sampling.resampleDue(m_surface);
     ++m_count;
@@ -247,6 +255,7 @@ void Dabs::restart() {
 }
 
 void Dabs::finish() {
+    checkCancelled();
     if (m_sampling.pending())
         m_surface = m_base = m_sampling.resample(m_surface);
 }

@@ -13,6 +13,8 @@
 #include "core/sculpt/sampling.h"
 #include "core/sculpt/stroke_sample.h"
 
+#include <atomic>
+
 namespace sculpt {
 
 class Dabs {
@@ -26,7 +28,7 @@ class Dabs {
     };
 
     Dabs(surface::Surface start, StrokeSettings settings, const base::Vec3d& origin,
-         std::shared_ptr<const BrushStamp> stamp);
+         std::shared_ptr<const BrushStamp> stamp, const std::atomic<bool>* cancel);
 
     const StrokeSettings& settings() const { return m_settings; }
     const surface::Surface& surface() const { return m_surface; }
@@ -35,6 +37,7 @@ class Dabs {
     const surface::Surface& touched() const { return m_accumulate ? m_surface : m_base; }
     /// Tools that take surfels away stay on the surface that the stroke began on, and do not dig on through the hole.
     std::optional<Contact> contact(const base::Rayf& ray) const {
+        checkCancelled();
         return sculpt::contact(m_row.writes == Writes::Count ? m_first : touched(), ray);
     }
     /// Of the stroke's first dab, along its ray; stays at a restart.
@@ -70,6 +73,8 @@ class Dabs {
     struct Anchor {
         base::Vec3f position, normal;
     };
+    /// Throws base::Cancelled.
+    void checkCancelled() const;
     void applyOne(Dab dab);
     void pileUp(Dab dab);
     void holdBack(const Dab& dab);
@@ -94,6 +99,7 @@ class Dabs {
     std::vector<PastDab> m_past;
     int m_count = 0;
     std::vector<double> m_seconds;
+    const std::atomic<bool>* m_cancel;
 };
 
 } // namespace sculpt

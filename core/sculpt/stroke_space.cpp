@@ -10,6 +10,9 @@ namespace {
 /// A dab lies this part of its distance too far at most: what is delivered in other pieces makes the same dabs.
 constexpr float precision = 5e-4f;
 constexpr int mostHalvings = 16;
+/// The pointer goes at least this part of a dab's distance between two dabs, whatever the surface does: slopes that are
+/// seen under more than 89 degrees have their dabs farther apart.
+constexpr float leastTravel = 0.02f;
 
 /// A place between two samples where a dab is due, with the contact that the search for it has found.
 struct Due {
@@ -26,14 +29,21 @@ class Space : public Method {
     void begin(const StrokeSample& sample, const Contact& at);
 
   private:
+    float step(const StrokeSample& to) const { return m_dabs.settings().spacing * m_radius * to.stride; }
+    float sweep(const StrokeSample& to) const {
+        return distance(to.ray.at(m_last->distance), m_previous->ray.at(m_last->distance));
+    }
     std::optional<Due> advance(const StrokeSample& to, float from, int& probes) const;
+    void follow(const StrokeSample& to);
     void touch(const StrokeSample& sample, const Contact& at);
     void dab(const StrokeSample& sample, const Contact& at, const base::Vec3f& upwards);
 
     Dabs& m_dabs;
     std::optional<StrokeSample> m_previous;
-    std::optional<Contact> m_last; ///< of the last dab's own ray
-    float m_radius = 0;            ///< of the last dab
+    /// Where the last dab's own ray meets what the dab has left; where it meets nothing, what it touched.
+    std::optional<Contact> m_last;
+    float m_radius = 0;    ///< of the last dab
+    float m_travelled = 0; ///< by the pointer since then, up to m_previous
     /// A first dab whose stamp follows the stroke waits for its direction.
     std::optional<StrokeSample> m_waiting;
 };
@@ -41,8 +51,9 @@ class Space : public Method {
 /// How far between the last two samples, at least `from`, the surface is next a dab's distance from the last contact.
 /// Where the contact jumps (the pointer crosses an outline) the place behind the jump counts.
 std::optional<Due> Space::advance(const StrokeSample& to, float from, int& probes) const {
-    const float step = m_dabs.settings().spacing * m_radius * to.stride;
-    const float sweep = distance(to.ray.at(m_last->distance), m_previous->ray.at(m_last->distance));
+    const float step = this->step(to), sweep = this->sweep(to);
+    if (sweep > 0)
+        from += std::max(0.0f, leastTravel * step - m_travelled) / sweep;
     Due due;
     const auto gapAt = [&](float u) { // where it is far enough, that place is due
         const StrokeSample sample = between(*m_previous, to, u);
@@ -86,16 +97,23 @@ void Space::add(const StrokeSample& sample, bool) {
         if (const auto first = m_dabs.contact(sample.ray))
             touch(sample, *first);
     } else {
-        int probes = 0;
-        for (float u = 0; u < 1;) {
-            const std::optional<Due> due = advance(sample, u, probes);
-            if (!due)
-                break;
-            touch(due->sample, due->contact);
-            u = due->u;
-        }
+        follow(sample);
     }
     m_previous = sample;
+}
+
+void Space::follow(const StrokeSample& to) {
+    int probes = 0;
+    float u = 0;
+    while (u < 1) {
+        const std::optional<Due> due = advance(to, u, probes);
+        if (!due)
+            break;
+        touch(due->sample, due->contact);
+        u = due->u;
+        m_travelled = 0;
+    }
+    m_travelled += (1 - u) * sweep(to);
 }
 
 void Space::touch(const StrokeSample& sample, const Contact& at) {
@@ -111,6 +129,9 @@ void Space::touch(const StrokeSample& sample, const Contact& at) {
         m_waiting.reset();
         if (const auto now = waited ? m_dabs.contact(sample.ray) : at) // on what the first dab has left
             dab(sample, *now, {});
+        // A dab that moves the surface farther than one step along the ray would else call for the next at once.
+        m_last = m_dabs.contact(sample.ray).value_or(at);
+        return;
     }
     m_last = at;
 }

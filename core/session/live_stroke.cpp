@@ -29,7 +29,7 @@ static std::shared_ptr<const sculpt::BrushStamp> stampOf(const std::string& imag
 LiveStroke::LiveStroke(Context& context, sculpt::StrokeSettings settings)
     : m_context(context), m_settings(std::move(settings)),
       m_stroke(startOf(context, m_settings), m_settings, context.document.provenance().origin,
-               stampOf(m_settings.stamp)) {}
+               stampOf(m_settings.stamp), context.progress.cancel) {}
 
 bool LiveStroke::add(const sculpt::StrokeSample& sample) {
     if (sculpt::lastOnly(m_settings) && m_samples.size() > 1) // what lies between has no say

@@ -5,7 +5,8 @@
 //     move:     if (stroke.add(sample)) show(stroke.surface());
 //     release:  stroke.finish();
 //
-// Dropping it without `finish` takes the stroke back. REQUIRES: the document stays as it is meanwhile.
+// Dropping it without `finish` takes the stroke back. Where the context's progress is cancelled, base::Cancelled leaves
+// `add` and `finish` between two dabs, and dropping is all that is left. REQUIRES: the document stays as it is meanwhile.
 #pragma once
 
 #include "core/sculpt/stroke.h"

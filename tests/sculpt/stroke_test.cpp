@@ -21,6 +21,8 @@ class StrokeTest : public QObject {
     void raysThatMissMakeNoDab();
     void aHoleInAnOpenModelMakesNoDab();
     void aJumpInDepthMakesNoPileOfDabs();
+    void noStrokeLaysMoreDabsThanItsPathHasSteps();
+    void aCancelledStrokeEndsBeforeItsNextDab();
     void aRidgeHasTheHeightThatDrawPromises();
     void invertGoesTheOtherWay();
     void pressureScalesTheStrength();
@@ -112,6 +114,73 @@ void StrokeTest::aJumpInDepthMakesNoPileOfDabs() {
     const surface::Surface plates(tree::SurfelTree::build(points), definition);
     const int dabs = dabsOf(plates, settingsOf("smooth", 0.2f), {down(-0.3f, 0), down(0.3f, 0)});
     QVERIFY2(std::abs(dabs - 31) <= 3, qPrintable(QString::number(dabs)));
+}
+
+/// The way of the contacts on `surface`, in steps; seen from above.
+static float stepsAlong(const surface::Surface& surface, const StrokeSettings& settings, float from, float to) {
+    float way = 0;
+    std::optional<Contact> last;
+    for (int k = 0; k <= 400; ++k) {
+        const auto here = contact(surface, down(from + (to - from) * float(k) / 400, 0).ray);
+        if (here && last)
+            way += distance(here->position, last->position);
+        if (here)
+            last = here;
+    }
+    return way / (settings.spacing * settings.radius);
+}
+
+/// Dabs that move the surface along the ray by more than a step do not call for the next one at once.
+void StrokeTest::noStrokeLaysMoreDabsThanItsPathHasSteps() {
+    surfel::SurfelList relief = test::planePoints(100, s);
+    base::Random random(test::seed());
+    for (surfel::Surfel& each : relief.items)
+        each.position.z = each.position.x < 0.05f ? 0.3f * std::sin(9 * each.position.x) * std::sin(7 * each.position.y)
+                                                  : 0.01f * float(random.uniform());
+    const surface::Surface start = test::surfaceOf(relief);
+    for (const ToolRow& row : toolTable()) {
+        StrokeSettings settings = settingsOf(row.id, 0.3f);
+        settings.spacing = 0.01f;
+        settings.strength = 1;
+        for (const ToolParameter& parameter : row.parameters)
+            if (std::string_view(parameter.id) == "x") // clone: what stands beside
+                settings.parameters["x"] = -0.6;
+        Stroke stroke(start, settings);
+        stroke.add(down(0.1f, 0));
+        stroke.add(down(0.7f, 0));
+        stroke.finish();
+        const float steps =
+            std::max(stepsAlong(start, settings, 0.1f, 0.7f), stepsAlong(stroke.surface(), settings, 0.1f, 0.7f));
+        if (!holds(row))
+            QVERIFY2(float(stroke.dabs()) <= 2 + 2 * steps, qPrintable(QString("%1: %2 dabs, %3 steps, seed %4")
+                                                                           .arg(row.id)
+                                                                           .arg(stroke.dabs())
+                                                                           .arg(double(steps))
+                                                                           .arg(test::seed())));
+    }
+}
+
+void StrokeTest::aCancelledStrokeEndsBeforeItsNextDab() {
+    const surface::Surface plane = test::surfaceOf(test::planePoints(80, s));
+    for (const ToolRow& row : toolTable())
+        for (const MethodRow& method : methodTable()) {
+            std::atomic<bool> cancel = false;
+            Stroke stroke(plane, settingsOf(row.id, 0.2f, method.value), {}, {}, &cancel);
+            stroke.add(down(-0.3f, 0));
+            const int dabs = stroke.dabs();
+            cancel = true;
+            StrokeSample far = down(0.5f, 0.1f);
+            far.seconds = 1;
+            bool ended = false;
+            try {
+                stroke.add(far);
+            } catch (const base::Cancelled&) {
+                ended = true;
+            }
+            QVERIFY2(ended || row.motion == Motion::Turn, row.id); // nothing turned
+            QVERIFY(stroke.dabs() <= dabs);
+            QVERIFY_EXCEPTION_THROWN(stroke.finish(), base::Cancelled);
+        }
 }
 
 void StrokeTest::aRidgeHasTheHeightThatDrawPromises() {

@@ -21,6 +21,7 @@ class LiveStrokeTest : public QObject {
     void samplesSurviveLargeOrigins();
     void aLiveStrokeIsWhatItsLineReplays();
     void aDroppedStrokeLeavesNoTrace();
+    void cancelEndsAStrokeInsideASample();
     void modelArgumentsNameFilesAndSamples();
 };
 
@@ -115,6 +116,19 @@ void LiveStrokeTest::aDroppedStrokeLeavesNoTrace() {
     QCOMPARE(bench.hash(), before);
     QVERIFY(!bench.document.canUndo());
     QVERIFY_EXCEPTION_THROWN(session::LiveStroke(bench.context, drawing(0)), base::Error);
+}
+
+/// All of its dabs lie on the way to one sample, where the command itself has no look at the wish to stop.
+void LiveStrokeTest::cancelEndsAStrokeInsideASample() {
+    test::Workbench bench;
+    bench.run(test::newSphere());
+    const std::string before = bench.hash();
+    std::atomic<bool> cancel = false;
+    bench.context.progress = {[&](double done, std::string_view) { cancel = done > 0; }, &cancel};
+    nlohmann::json stroke = test::strokeAt(0);
+    stroke["samples"] = {{-0.4, 0, 5, 0, 0, -1, 1, 0}, {0.4, 0, 5, 0, 0, -1, 1, 1}};
+    QVERIFY_EXCEPTION_THROWN(bench.run(stroke), base::Cancelled);
+    QCOMPARE(bench.hash(), before);
 }
 
 void LiveStrokeTest::modelArgumentsNameFilesAndSamples() {

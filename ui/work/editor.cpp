@@ -20,6 +20,8 @@ Editor::Editor(const EditorOptions& options, QObject* parent) : QObject(parent) 
 Editor::~Editor() {
     m_signals.closing = true;
     m_signals.cancel = true;
+    if (m_strokeCancelled)
+        *m_strokeCancelled = true;
     m_queue.close();
     m_thread.join();
     if (m_discardJournal)
@@ -124,7 +126,9 @@ void Editor::runAside(SideTask task) {
 }
 
 void Editor::beginStroke(const sculpt::StrokeSettings& settings) {
-    push(BeginStroke{settings});
+    BeginStroke task{settings};
+    m_strokeCancelled = task.cancelled;
+    push(std::move(task));
 }
 
 void Editor::addSample(const sculpt::StrokeSample& sample, std::uint64_t input) {
@@ -136,7 +140,8 @@ void Editor::endStroke() {
 }
 
 void Editor::cancelStroke() {
-    ++m_signals.strokeCancels;
+    if (m_strokeCancelled)
+        *m_strokeCancelled = true;
     push(CancelStroke{});
 }
 

@@ -89,6 +89,7 @@ class Editor : public QObject {
     std::unique_ptr<ModelWorker> m_worker; ///< touched by the model thread alone
     TaskQueue m_queue;
     bool m_discardJournal = false;
+    std::shared_ptr<std::atomic<bool>> m_strokeCancelled; ///< of the newest stroke
     Snapshot m_snapshot;
     int m_waiting = 0;
     int m_commands = 0;  ///< of them, those that are not part of a stroke

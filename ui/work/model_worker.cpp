@@ -126,13 +126,15 @@ bool ModelWorker::finishStroke() {
 void ModelWorker::perform(BeginStroke& task) {
     dropStroke();
     m_strokeContext.emplace(context());
+    m_strokeCancelled = task.cancelled;
+    m_strokeContext->progress = {{}, m_strokeCancelled.get()};
     m_pacer = sculpt::StrokePacer(task.settings);
     guarded([&] { m_stroke.emplace(*m_strokeContext, task.settings); });
     m_reports.finished({}, true, 0);
 }
 
 bool ModelWorker::strokeWanted() const {
-    return m_stroke && m_signals.strokeCancels == 0 && !m_signals.closing;
+    return m_stroke && !*m_strokeCancelled && !m_signals.closing;
 }
 
 /// In slices: between them the picture is published and a cancelled stroke ends.
@@ -150,8 +152,10 @@ void ModelWorker::addSlice(const sculpt::StrokeSample& sample, std::uint64_t las
     const auto start = Clock::now();
     const int before = m_stroke->dabs();
     bool changed = false;
-    if (!guarded([&] { changed = m_stroke->add(sample); }))
-        return dropStroke();
+    if (!guarded([&] { changed = m_stroke->add(sample); })) {
+        dropStroke();
+        return publishDocument();
+    }
     m_pacer.took(secondsSince(start), m_stroke->dabs() - before);
     if (!changed)
         return;
@@ -168,7 +172,6 @@ void ModelWorker::perform(EndStroke&) {
 }
 
 void ModelWorker::perform(CancelStroke&) {
-    --m_signals.strokeCancels;
     if (m_stroke) {
         dropStroke();
         publishDocument();

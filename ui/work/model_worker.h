@@ -18,7 +18,6 @@ namespace ui {
 struct WorkerSignals {
     std::atomic<bool> cancel = false;                             ///< the running command is to stop
     std::atomic<bool> closing = false;                            ///< everything is
-    std::atomic<int> strokeCancels = 0;                           ///< asked, not yet done
     std::atomic<std::uint64_t> takenInput = 0, changingInput = 0; ///< see Editor
 };
 
@@ -69,7 +68,8 @@ class ModelWorker {
     WorkerReports m_reports;
     session::Document m_document;
     std::unique_ptr<session::Journal> m_journal;
-    std::optional<session::Context> m_strokeContext; ///< what `m_stroke` refers to
+    std::optional<session::Context> m_strokeContext;      ///< what `m_stroke` refers to
+    std::shared_ptr<std::atomic<bool>> m_strokeCancelled; ///< asked for by the interface's thread
     std::optional<session::LiveStroke> m_stroke;
     sculpt::StrokePacer m_pacer;
     std::uint64_t m_models = 0; ///< as Snapshot::models

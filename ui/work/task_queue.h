@@ -8,8 +8,10 @@
 #include "core/sculpt/stroke.h"
 #include "core/session/command.h"
 
+#include <atomic>
 #include <condition_variable>
 #include <deque>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <variant>
@@ -30,6 +32,8 @@ struct SideTask {
 };
 struct BeginStroke {
     sculpt::StrokeSettings settings;
+    /// Set by whoever cancels this stroke, which then ends between two dabs. Not null.
+    std::shared_ptr<std::atomic<bool>> cancelled = std::make_shared<std::atomic<bool>>(false);
 };
 /// A piece of the pointer's way.
 struct AddSamples {
