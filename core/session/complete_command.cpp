@@ -2,6 +2,7 @@
 #include "core/base/error.h"
 #include "core/base/row_of_id.h"
 #include "core/session/commands.h"
+#include "core/session/json_text.h"
 #include "core/session/path_text.h"
 
 #include <cmath>
@@ -17,11 +18,6 @@ namespace {
 /// What a message says about one parameter: its name, quoted, and its command's.
 std::string named(const CommandRow& row, const std::string& id) {
     return "\"" + id + "\" of \"" + row.op + "\"";
-}
-
-std::string shortly(const json& value) {
-    const std::string text = value.dump(-1, ' ', false, json::error_handler_t::replace);
-    return text.size() > 60 ? text.substr(0, 57) + "..." : text;
 }
 
 std::string number(double value) {

@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/base/hash.h"
 #include "core/base/sync_folder.h"
+#include "core/session/json_text.h"
 #include "core/session/locked_file.h"
 #include "core/session/path_text.h"
 
@@ -270,7 +271,7 @@ void Journal::keepSource(const fs::path& target, Context& context) {
     const bool kept = attempted(context, [&] {
         const std::string content = m_anew ? m_waiting : contentOf(m_path).substr(0, m_size) + m_waiting;
         const std::size_t end = content.find('\n');
-        json first = json::parse(content.substr(0, end));
+        json first = jsonOf(content.substr(0, end));
         keep(m_source, first);
         begin(lineOf(first) + content.substr(end + 1));
         m_waiting.clear();

@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/session/commands.h"
+#include "core/session/json_text.h"
 
 #include <cctype>
 #include <charconv>
@@ -88,7 +89,7 @@ static void decode(const StrokeOption& option, const json& value, CurvePoints& o
     CurvePoints points;
     for (const json& point : value) {
         if (!point.is_array() || point.size() != 2 || !point[0].is_number() || !point[1].is_number())
-            throw base::Error("\"" + std::string(option.id) + "\" holds " + point.dump(), {},
+            throw base::Error("\"" + std::string(option.id) + "\" holds " + shortly(point), {},
                               "it is a list of points [x,y] between 0 and 1, as [[0,1],[0.5,0.8],[1,0]]");
         points.push_back({point[0].get<float>(), point[1].get<float>()});
     }
@@ -105,7 +106,7 @@ static void decode(const StrokeOption& option, const json& value, MirrorPlanes& 
         else if (axis == "z")
             planes.z = true;
         else
-            throw base::Error("\"" + std::string(option.id) + "\" holds " + axis.dump(), {},
+            throw base::Error("\"" + std::string(option.id) + "\" holds " + shortly(axis), {},
                               R"(it is a list of "x", "y" and "z")");
     out = planes;
 }
@@ -206,8 +207,17 @@ static bool isText(const StrokeOption& option) {
     return std::holds_alternative<std::string StrokeSettings::*>(option.field) || !choicesOf(option).empty();
 }
 
+/// What is no JSON is a text, which no other kind of option takes.
+static json valueOf(std::string_view text) {
+    try {
+        return jsonOf(text);
+    } catch (const base::Error&) {
+        return text;
+    }
+}
+
 void setText(const StrokeOption& option, std::string_view text, StrokeSettings& settings) {
-    const json value = isText(option) ? json(text) : json::parse(text, nullptr, false);
+    const json value = isText(option) ? json(text) : valueOf(text);
     setValue(option, checked(command("stroke"), option.id, value), settings);
 }
 

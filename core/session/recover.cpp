@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/session/journal.h"
+#include "core/session/json_text.h"
 #include "core/session/path_text.h"
 #include "core/session/session_file.h"
 
@@ -19,6 +20,15 @@ static std::string modelOf(const json& first) {
     return path != first.end() && path->is_string() ? path->get<std::string>() : std::string();
 }
 
+/// Null where the line is no JSON.
+static json firstOf(const std::string& line) {
+    try {
+        return jsonOf(line);
+    } catch (const base::Error&) {
+        return {};
+    }
+}
+
 /// Reads the first line and counts the whole ones that follow; false where there is no whole line.
 static bool summarise(LeftJournal& journal) {
     std::ifstream in(journal.path, std::ios::binary);
@@ -26,7 +36,7 @@ static bool summarise(LeftJournal& journal) {
     int lines = 0;
     while (std::getline(in, line) && !in.eof())
         if (lines++ == 0) {
-            const json first = json::parse(line, nullptr, false);
+            const json first = firstOf(line);
             if (!first.is_object())
                 return false;
             journal.model = pathOf(modelOf(first));

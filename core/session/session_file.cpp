@@ -1,6 +1,7 @@
 #include "core/session/session_file.h"
 
 #include "core/base/error.h"
+#include "core/session/json_text.h"
 
 #include <chrono>
 #include <fstream>
@@ -15,13 +16,16 @@ namespace {
 /// The lines of a file with a look at what follows, so that the last one is known.
 class Lines {
   public:
-    explicit Lines(const std::filesystem::path& file) : m_in(file, std::ios::binary) {
+    explicit Lines(const std::filesystem::path& file) : m_name(file.string()), m_in(file, std::ios::binary) {
         if (std::filesystem::is_directory(file) || !m_in)
-            throw base::Error("cannot be read", file.string(), "name a session file");
+            throw base::Error("cannot be read", m_name, "name a session file");
     }
     bool next() {
-        if (!std::getline(m_in, text))
+        if (!std::getline(m_in, text)) {
+            if (m_in.bad())
+                throw base::Error("cannot be read to its end", m_name, "the file or the pipe broke off; try again");
             return false;
+        }
         ++number;
         whole = !m_in.eof();
         if (!text.empty() && text.back() == '\r')
@@ -39,22 +43,12 @@ class Lines {
     bool whole = true; ///< ended by a newline
 
   private:
+    std::string m_name;
     std::ifstream m_in;
 };
 
 bool isJson(const std::string& text) {
     return json::accept(text);
-}
-
-json commandOf(const std::string& text) {
-    try {
-        return json::parse(text);
-    } catch (const json::parse_error& error) {
-        const std::string what = error.what();
-        const std::size_t colon = what.find(": ");
-        throw base::Error("not JSON: " + what.substr(colon == std::string::npos ? 0 : colon + 2), {},
-                          R"(a line is an object such as {"op":"undo"})");
-    }
 }
 
 LineReport executed(const json& command, int line, Context& context) {
@@ -78,7 +72,7 @@ int replay(const std::filesystem::path& file, Context& context, const ReplayOpti
         if (options.allowTornEnd && (!lines.whole || (lines.isLast() && !isJson(lines.text))))
             break;
         try {
-            const LineReport report = executed(commandOf(lines.text), lines.number, context);
+            const LineReport report = executed(jsonOf(lines.text), lines.number, context);
             if (options.done)
                 options.done(report);
             ++count;

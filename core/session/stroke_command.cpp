@@ -1,5 +1,6 @@
 #include "core/base/error.h"
 #include "core/session/commands.h"
+#include "core/session/json_text.h"
 #include "core/session/live_stroke.h"
 #include "core/session/option_json.h"
 #include "core/session/stroke_json.h"
@@ -33,7 +34,7 @@ static void checkToolParameter(const json& command, const std::string& key, cons
     settings.tool = command.at("tool").get<std::string>();
     settings.radius = 1;
     if (!value.is_number())
-        throw base::Error("\"" + key + "\" of \"stroke\" is " + value.dump(), {},
+        throw base::Error("\"" + key + "\" of \"stroke\" is " + shortly(value), {},
                           "a tool's own parameters are numbers");
     settings.parameters[key] = value.get<double>();
     sculpt::check(settings);

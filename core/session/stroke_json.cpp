@@ -1,6 +1,7 @@
 #include "core/session/stroke_json.h"
 
 #include "core/base/error.h"
+#include "core/session/json_text.h"
 #include "core/session/option_json.h"
 
 #include <cmath>
@@ -84,7 +85,7 @@ std::vector<StrokeSample> strokeSamples(const json& complete, const Vec3d& origi
     out.reserve(rows.size());
     for (const json& row : rows) {
         if (!isSample(row))
-            throw base::Error("sample " + std::to_string(out.size() + 1) + " of the stroke is " + row.dump(), {},
+            throw base::Error("sample " + std::to_string(out.size() + 1) + " of the stroke is " + shortly(row, 200), {},
                               "a sample is [ox,oy,oz,dx,dy,dz,pressure,seconds] with a direction that is not zero, "
                               "pressure 0 to 1, seconds of at least 0, and optionally a stride of 1 to 10");
         const auto at = [&row](std::size_t k) { return row[k].get<float>(); };

@@ -1,6 +1,7 @@
 #include "core/session/session_file.h"
 
 #include "core/base/parallel.h"
+#include "core/base/random.h"
 #include "core/sculpt/tool.h"
 #include "support/registry.h"
 #include "workbench.h"
@@ -17,6 +18,8 @@ class SessionFileTest : public QObject {
     void everyLineIsReported();
     void errorsNameFileAndLine_data();
     void errorsNameFileAndLine();
+    void messagesAreSentencesWhateverTheBytes();
+    void aSessionThatBreaksOffIsAnError();
     void nothingIsExecutedAfterAnError();
     void relativePathsStartAtTheSession();
     void theResultDoesNotDependOnTheThreads();
@@ -55,6 +58,10 @@ void SessionFileTest::errorsNameFileAndLine_data() {
     QTest::newRow("type") << R"({"op":"resample","spacing":true})";
     QTest::newRow("torn") << R"({"op":"undo")";
     QTest::newRow("not JSON") << "undo";
+    QTest::newRow("deep") << R"({"op":"stroke","tool":)" + QString(65, '[') + QString(65, ']') + "}";
+    QTest::newRow("far too deep") << QString(100000, '[');
+    QTest::newRow("too large a number") << R"({"op":"resample","spacing":1e999})";
+    QTest::newRow("too many digits") << R"({"op":"resample","spacing":)" + QString(400, '9') + "}";
     QTest::newRow("not UTF-8") << QString("{\"op\":\"open\",\"path\":\"\xff\"}");
     QTest::newRow("failing") << R"({"op":"expect","surfels":1})";
     QTest::newRow("nothing to do") << R"({"op":"redo"})";
@@ -70,6 +77,45 @@ void SessionFileTest::errorsNameFileAndLine() {
         QFAIL("the line was taken");
     } catch (const base::Error& error) {
         QVERIFY2(error.message().find("s.jsonl:3: ") != std::string::npos, error.what());
+    }
+}
+
+/// Damaged lines by the thousand: none passes with a library's message.
+void SessionFileTest::messagesAreSentencesWhateverTheBytes() {
+    base::Random random(test::seed());
+    Workbench bench;
+    const std::string whole = R"({"op":"stroke","tool":"draw","radius":0.3,"samples":[[0,0,5,0,0,-1,0.5,1.5e-3]]})";
+    constexpr std::string_view pieces = "{}[]\",:\\eE+-.0123456789 \tntfalse\xc3\x28";
+    for (int k = 0; k < test::effort(2000); ++k) {
+        std::string line = whole;
+        for (std::size_t changes = 1 + random.below(6); changes > 0; --changes) {
+            const std::size_t at = random.below(line.size());
+            std::string piece;
+            for (std::size_t n = random.below(5); n > 0; --n)
+                piece += pieces[random.below(pieces.size())];
+            line.replace(at, random.below(3), piece);
+        }
+        const std::string where = line + QString(", seed %1").arg(test::seed()).toStdString();
+        try {
+            session::replay(test::write(bench.path("s.jsonl"), line + "\n"), bench.context);
+        } catch (const base::Error& error) {
+            QVERIFY2(error.message().find("s.jsonl:") != std::string::npos, where.c_str());
+            QVERIFY2(error.message().find("json.exception") == std::string::npos, where.c_str());
+        }
+    }
+}
+
+void SessionFileTest::aSessionThatBreaksOffIsAnError() {
+    const std::string text = test::newSphere(500).dump() + "\n" + test::strokeAt(0).dump();
+    for (std::size_t cut = text.find('\n') + 2; cut + 1 < text.size(); cut += 37) {
+        Workbench bench;
+        test::write(bench.path("s.jsonl"), text.substr(0, cut));
+        try {
+            session::replay(bench.path("s.jsonl"), bench.context);
+            QFAIL("half a line was taken");
+        } catch (const base::Error& error) {
+            QVERIFY2(error.message().find("s.jsonl:2: the JSON breaks off") != std::string::npos, error.what());
+        }
     }
 }
 
