@@ -45,7 +45,8 @@ void describeSurface(ordered_json& out, session::OpenedFile file, const base::Pr
     try {
         const std::size_t told = file.model.messages.size();
         const session::MadeModel made = session::made(file, process::part(progress, 0, 0.8));
-        console.tell({file.model.messages.begin() + static_cast<std::ptrdiff_t>(told), file.model.messages.end()});
+        for (std::size_t k = told; k < file.model.messages.size(); ++k)
+            console.tell(file.model.messages[k]);
         const surfel::SurfelList surfels = made.surface.tree().surfels();
         if (made.merged > 0) {
             out["surfels"] = surfels.size();
