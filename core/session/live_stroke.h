@@ -6,7 +6,8 @@
 //     release:  stroke.finish();
 //
 // Dropping it without `finish` takes the stroke back. Where the context's progress is cancelled, base::Cancelled leaves
-// `add` and `finish` between two dabs, and dropping is all that is left. REQUIRES: the document stays as it is meanwhile.
+// `add` and `finish` between two dabs, and dropping is all that is left. REQUIRES: the document stays as it is
+// meanwhile.
 #pragma once
 
 #include "core/sculpt/stroke.h"
