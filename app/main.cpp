@@ -2,6 +2,8 @@
 #include "app/command_line.h"
 #include "app/subcommand.h"
 #include "core/base/parallel.h"
+#include "core/io/file_name.h"
+#include "core/io/formats.h"
 
 #include <filesystem>
 #include <iostream>
@@ -18,6 +20,13 @@ int runSubcommand(const app::Action& action, const app::CommonOptions& common) {
         std::cout.flush();
         return std::cout ? 0 : app::fail("standard output cannot be written", 1);
     });
+}
+
+/// Whether a person may mean a model by it, rather than a subcommand that there is not.
+bool mayBeModel(const std::string& word) {
+    std::error_code unknown;
+    return std::filesystem::exists(word, unknown) || word.starts_with("sample:") ||
+           io::rowOfExtension(io::formatTable(), io::extensionOf(word));
 }
 
 /// Becomes the window's program: the same process, with the same arguments. Returns only where that fails.
@@ -48,5 +57,11 @@ int main(int argc, char** argv) {
     }
     if (const auto code = app::parse(program, argc, argv))
         return *code;
-    return chosen ? runSubcommand(chosen, common) : openWindow(argv);
+    if (chosen)
+        return runSubcommand(chosen, common);
+    if (!common.models.empty() && !mayBeModel(common.models.front()))
+        return app::fail("'" + common.models.front() +
+                             "' is neither a subcommand nor a file; pointclay --help names all subcommands",
+                         2);
+    return openWindow(argv);
 }

@@ -66,6 +66,8 @@ std::string contentKind(const FileBytes& file) {
     const std::string_view bytes = file.bytes();
     if (bytes.starts_with("version https://git-lfs"))
         file.fail("is only a git-lfs pointer, not the file itself", "fetch it with 'git lfs pull'");
+    if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff"))
+        file.fail("is text in UTF-16, which cannot be read", "save it as UTF-8 or ASCII");
     for (const Unreadable& row : unreadables)
         if (*row.start && bytes.starts_with(row.start))
             refuse(file, row.name);

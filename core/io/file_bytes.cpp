@@ -1,33 +1,19 @@
 #include "core/io/file_bytes.h"
 
 #include "core/base/error.h"
+#include "core/base/parallel.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
-#include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 namespace io {
 
 static const char* const lostFile = "check the name and the permissions";
-
-static std::string readAll(int descriptor, const std::filesystem::path& path) {
-    std::string out;
-    char block[1 << 16];
-    while (true) {
-        const ssize_t got = ::read(descriptor, block, sizeof block);
-        if (got < 0 && errno == EINTR)
-            continue;
-        if (got < 0)
-            throw base::Error(std::string("cannot be read (") + std::strerror(errno) + ")", path.string());
-        if (got == 0)
-            return out;
-        out.append(block, static_cast<std::size_t>(got));
-    }
-}
 
 FileBytes::FileBytes(const std::filesystem::path& path) : m_path(path) {
     const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
@@ -50,24 +36,69 @@ void FileBytes::load(int descriptor) {
         fail(std::string("cannot be read (") + std::strerror(errno) + ")", lostFile);
     if (S_ISDIR(info.st_mode))
         fail("is a folder", "choose a file inside it");
-    if (S_ISREG(info.st_mode) && info.st_size > 0) {
-        const auto size = static_cast<std::size_t>(info.st_size);
-        void* mapping = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, descriptor, 0);
-        if (mapping != MAP_FAILED) {
-            ::madvise(mapping, size, MADV_WILLNEED);
-            m_mapping = mapping;
-            m_mappedSize = size;
-            m_bytes = {static_cast<const char*>(mapping), size};
-            return;
-        }
-    }
-    m_owned = readAll(descriptor, m_path);
-    m_bytes = m_owned;
+    if (S_ISREG(info.st_mode) && info.st_size > 0)
+        readFile(descriptor, static_cast<std::size_t>(info.st_size));
+    else
+        readStream(descriptor);
 }
 
-FileBytes::~FileBytes() {
-    if (m_mapping)
-        ::munmap(m_mapping, m_mappedSize);
+void FileBytes::failToRead(int code) const {
+    fail(std::string("cannot be read (") + std::strerror(code) + ")", lostFile);
+}
+
+/// Reads on where a call gave less than asked for. Returns how much there was.
+static std::size_t readAt(int descriptor, char* out, std::size_t size, std::size_t offset, int& code) {
+    std::size_t done = 0;
+    while (done < size) {
+        const ssize_t got = ::pread(descriptor, out + done, size - done, static_cast<off_t>(offset + done));
+        if (got < 0 && errno == EINTR)
+            continue;
+        if (got < 0)
+            code = errno;
+        if (got <= 0)
+            break;
+        done += static_cast<std::size_t>(got);
+    }
+    return done;
+}
+
+/// In pieces on all cores: most of the time goes into pages that are touched for the first time.
+void FileBytes::readFile(int descriptor, std::size_t size) {
+    constexpr std::size_t piece = std::size_t(1) << 22;
+    m_file = std::make_unique_for_overwrite<char[]>(size);
+    std::atomic<int> failed = 0;
+    std::atomic<bool> whole = true;
+    base::parallelFor((size + piece - 1) / piece, 1, [&](std::size_t k) {
+        const std::size_t begin = k * piece, wanted = std::min(piece, size - begin);
+        int code = 0;
+        if (readAt(descriptor, m_file.get() + begin, wanted, begin, code) < wanted)
+            whole = false;
+        if (code != 0)
+            failed = code;
+    });
+    if (failed != 0)
+        failToRead(failed);
+    if (!whole)
+        fail("became shorter while it was read", "open it again when it is written");
+    m_bytes = {m_file.get(), size};
+}
+
+void FileBytes::readStream(int descriptor) {
+    char block[1 << 16];
+    while (true) {
+        const ssize_t got = ::read(descriptor, block, sizeof block);
+        if (got < 0 && errno == EINTR)
+            continue;
+        if (got < 0)
+            failToRead(errno);
+        if (got == 0)
+            break;
+        if (m_stream.size() + static_cast<std::size_t>(got) > longestStream)
+            fail("goes on for more than " + std::to_string(longestStream >> 20) + " MiB and is no file",
+                 "save it to a file and open that");
+        m_stream.append(block, static_cast<std::size_t>(got));
+    }
+    m_bytes = m_stream;
 }
 
 void FileBytes::fail(const std::string& what, const std::string& todo) const {

@@ -1,11 +1,12 @@
-// A whole file as read-only bytes: mapped into memory, so that nothing is copied and pages can be dropped again.
+// A whole file as read-only bytes in memory. It is opened and read once: pipes are as good as files, and whoever writes
+// or cuts the file later changes nothing (a mapped file would end the program then).
 //
-// Opening throws base::Error where the file is missing, a folder, unreadable or empty. Files that cannot be mapped
-// (pipes) are read into memory. The bytes are there as long as the object lives; truncating the file meanwhile ends the
-// program, as with any mapped file. Any number of threads may read.
+// Opening throws base::Error where the file is missing, a folder, unreadable or empty, grows shorter while it is read,
+// or is no file and goes on for more than `longestStream`. Any number of threads may read.
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -13,8 +14,13 @@ namespace io {
 
 class FileBytes {
   public:
+    /// What comes through a pipe or from a device may be so long.
+    static constexpr std::size_t longestStream = std::size_t(1) << 30;
+
     explicit FileBytes(const std::filesystem::path& path);
-    ~FileBytes();
+    /// Bytes that were made of those of a file, under its name.
+    FileBytes(std::filesystem::path path, std::string content)
+        : m_path(std::move(path)), m_stream(std::move(content)), m_bytes(m_stream) {}
     FileBytes(const FileBytes&) = delete;
     FileBytes& operator=(const FileBytes&) = delete;
 
@@ -31,11 +37,14 @@ class FileBytes {
 
   private:
     void load(int descriptor);
+    void readFile(int descriptor, std::size_t size);
+    void readStream(int descriptor);
+    [[noreturn]] void failToRead(int code) const;
+
     std::filesystem::path m_path;
+    std::string m_stream;           ///< holds the bytes of what is no file
+    std::unique_ptr<char[]> m_file; ///< of a file
     std::string_view m_bytes;
-    std::string m_owned; ///< holds the bytes where they are not mapped
-    void* m_mapping = nullptr;
-    std::size_t m_mappedSize = 0;
 };
 
 /// Some bytes of a file as they can stand in a message: at most 40 characters, unprintable ones as '?'.

@@ -43,10 +43,10 @@ static std::string knownExtensions(bool writable) {
     return out;
 }
 
-static const FormatRow& readerOf(const path& name) {
-    const FileBytes file(name);
-    const std::string extension = extensionOf(name), kind = contentKind(file);
-    refuseUnreadable(file, extension);
+static const FormatRow& readerOf(const FileBytes& file) {
+    const std::string extension = extensionOf(file.path()), kind = contentKind(file);
+    if (kind.empty() || kind == "stl")
+        refuseUnreadable(file, extension);
     const FormatRow* row = rowOfExtension(table, extension);
     // A content that proves itself is believed more than the name; "stl" proves little, so only without another name.
     if (!kind.empty() && (!row || kind != "stl"))
@@ -59,8 +59,9 @@ static const FormatRow& readerOf(const path& name) {
 }
 
 FileModel read(const path& path, const base::Progress& progress, const std::filesystem::path& folder) {
-    const FormatRow& row = readerOf(path);
-    FileModel out = row.read(path, progress, folder.empty() ? path.parent_path() : folder);
+    const FileBytes file(path);
+    const FormatRow& row = readerOf(file);
+    FileModel out = row.read(file, progress, folder.empty() ? path.parent_path() : folder);
     out.usualUp = row.up;
     return out;
 }

@@ -11,19 +11,21 @@
 
 namespace io {
 
+class FileBytes;
+
 struct FormatRow {
     const char* id;         ///< "ply"
     const char* label;      ///< "Polygon File Format"
     const char* extensions; ///< "ply" or "xyz txt csv pts asc pwn", separated by blanks, lower case
     base::UpAxis up;        ///< what is upwards in most files of it
     /// Null: cannot be read. `folder`: where pictures that the file names are looked for.
-    FileModel (*read)(const std::filesystem::path& file, const base::Progress&, const std::filesystem::path& folder);
+    FileModel (*read)(const FileBytes& file, const base::Progress&, const std::filesystem::path& folder);
     void (*write)(const std::filesystem::path&, const FileModel&, const base::Progress&); ///< null: cannot be written
 };
 
 std::span<const FormatRow> formatTable();
 
-/// By extension first, then by content where the extension lies.
+/// By extension first, then by content where the extension lies. The file is read once, so that it may be a pipe.
 /// Pictures and materials that the file names are those of `folder`, its own unless another is given.
 FileModel read(const std::filesystem::path& path, const base::Progress& progress = {},
                const std::filesystem::path& folder = {});

@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cstring>
 #include <limits>
+#include <string>
 
 namespace io {
 
@@ -31,6 +32,25 @@ static const char* parseOldWindows(const char* hash, const char* end, double& ou
     return hash;
 }
 
+/// Whether an exponent as Fortran writes it begins at the 'D': D+00, d-3, D12.
+static bool isFortranExponent(const char* at, const char* end) {
+    if (at == end || (*at != 'D' && *at != 'd'))
+        return false;
+    ++at;
+    at += at < end && (*at == '+' || *at == '-') ? 1 : 0;
+    return at < end && isDigit(*at);
+}
+
+/// The number whose exponent begins at `letter`, read with an e in its place.
+static const char* parseFortran(const char* begin, const char* letter, const char* end, double& out) {
+    const char* last = letter + 2;
+    while (last < end && isDigit(*last))
+        ++last;
+    std::string text(begin, last);
+    text[static_cast<std::size_t>(letter - begin)] = 'e';
+    return parseNumber(text.data(), text.data() + text.size(), out) ? last : nullptr;
+}
+
 const char* parseNumber(const char* begin, const char* end, double& out) {
     if (begin < end && *begin == '+') {
         ++begin;
@@ -40,6 +60,8 @@ const char* parseNumber(const char* begin, const char* end, double& out) {
     const auto [after, code] = std::from_chars(begin, end, out);
     if (code == std::errc::invalid_argument)
         return nullptr;
+    if (isFortranExponent(after, end))
+        return parseFortran(begin, after, end, out);
     const bool negative = *begin == '-';
     if (code == std::errc::result_out_of_range) {
         const char* digits = begin + (negative ? 1 : 0);

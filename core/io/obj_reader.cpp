@@ -69,8 +69,8 @@ struct Counts {
 
 class ObjReader {
   public:
-    ObjReader(const path& name, const base::Progress& progress, const path& folder)
-        : m_file(name), m_lines(m_file, 0), m_progress(progress), m_folder(folder), m_before(m_lines.chunks() + 1),
+    ObjReader(const FileBytes& file, const base::Progress& progress, const path& folder)
+        : m_file(file), m_lines(m_file, 0), m_progress(progress), m_folder(folder), m_before(m_lines.chunks() + 1),
           m_materials(m_lines.chunks() + 1), m_libraries(m_lines.chunks()), m_corners(m_lines.chunks()),
           m_textureOf(m_lines.chunks()), m_faces(m_lines.chunks()) {}
     FileModel read();
@@ -89,7 +89,7 @@ class ObjReader {
     void fillTable(const std::vector<base::Vec3d>& normals);
     const Counts& all() const { return m_before.back(); }
 
-    FileBytes m_file;
+    const FileBytes& m_file;
     TextLines m_lines;
     const base::Progress& m_progress;
     const path& m_folder; ///< of materials and pictures
@@ -339,10 +339,29 @@ FileModel ObjReader::read() {
     return std::move(m_model);
 }
 
+/// Lines that end in a backslash go on in the next: both characters become blanks. Empty where there are none.
+std::string joinedLines(std::string_view text) {
+    std::string out;
+    for (std::size_t at = text.find('\\'); at != std::string_view::npos; at = text.find('\\', at + 1)) {
+        const std::size_t end = at + (text.substr(at + 1, 1) == "\r" ? 2 : 1);
+        if (end >= text.size() || text[end] != '\n')
+            continue;
+        if (out.empty())
+            out = text;
+        std::fill(out.begin() + static_cast<std::ptrdiff_t>(at), out.begin() + static_cast<std::ptrdiff_t>(end + 1),
+                  ' ');
+    }
+    return out;
+}
+
 } // namespace
 
-FileModel readObj(const path& file, const base::Progress& progress, const path& folder) {
-    return ObjReader(file, progress, folder).read();
+FileModel readObj(const FileBytes& file, const base::Progress& progress, const path& folder) {
+    std::string joined = joinedLines(file.bytes());
+    if (joined.empty())
+        return ObjReader(file, progress, folder).read();
+    const FileBytes whole(file.path(), std::move(joined));
+    return ObjReader(whole, progress, folder).read();
 }
 
 } // namespace io

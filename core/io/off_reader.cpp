@@ -1,4 +1,5 @@
 // Object File Format (Geomview), in ascii: OFF, COFF, NOFF and their mixtures, vertices only. Comments begin with '#'.
+#include "core/base/error.h"
 #include "core/io/number_text.h"
 #include "core/io/readers.h"
 #include "core/io/record_points.h"
@@ -22,7 +23,7 @@ struct FaceColours {
 
 class OffReader {
   public:
-    OffReader(const path& name, const base::Progress& progress) : m_file(name), m_progress(progress) {}
+    OffReader(const FileBytes& file, const base::Progress& progress) : m_file(file), m_progress(progress) {}
     FileModel read();
 
   private:
@@ -31,7 +32,7 @@ class OffReader {
     void readFaces(const TextRows& rows);
     static void takeColour(std::span<const std::string_view> fields, FaceColours& out);
 
-    FileBytes m_file;
+    const FileBytes& m_file;
     const base::Progress& m_progress;
     FileModel m_model;
     RecordTable m_table;
@@ -156,10 +157,83 @@ FileModel OffReader::read() {
     return std::move(m_model);
 }
 
+/// The numbers of a file one after the other, without comments; stops at the first that is none.
+class Numbers {
+  public:
+    explicit Numbers(std::string_view text) : m_text(text) {}
+    std::string_view word() {
+        while (!m_text.empty()) {
+            const std::size_t begin = m_text.find_first_not_of(" \t\r\n\v\f");
+            m_text.remove_prefix(std::min(begin, m_text.size()));
+            if (!m_text.starts_with('#'))
+                break;
+            m_text.remove_prefix(std::min(m_text.find_first_of("\r\n"), m_text.size()));
+        }
+        const std::string_view out = m_text.substr(0, m_text.find_first_of(" \t\r\n\v\f#"));
+        m_text.remove_prefix(out.size());
+        return out;
+    }
+    std::optional<std::uint64_t> count() { return countOf(word()); }
+    /// Appends `n` numbers as they stand and ends the line.
+    bool copy(std::size_t n, std::string& out) {
+        for (std::size_t k = 0; k < n; ++k) {
+            const std::string_view each = word();
+            if (!numberOf(each))
+                return false;
+            out.append(each).append(1, ' ');
+        }
+        out += '\n';
+        return true;
+    }
+
+  private:
+    std::string_view m_text;
+};
+
+/// Line breaks mean nothing in OFF, though nearly all programs write a line each. The same in lines, where the numbers
+/// are exactly as many as the counts say; empty where they are not.
+std::string inLines(std::string_view text) {
+    Numbers numbers(text);
+    std::string_view word = numbers.word();
+    std::string out;
+    if (word.ends_with("OFF")) {
+        out = word;
+        word = numbers.word();
+    } else {
+        out = "OFF";
+    }
+    const auto vertices = countOf(word), faces = numbers.count(), edges = numbers.count();
+    if (!vertices || !faces || !edges || *vertices > text.size() || *faces > text.size())
+        return {};
+    const auto has = [&](char prefix) { return out.substr(0, out.size() - 3).find(prefix) != std::string::npos; };
+    const std::size_t width = 3 + (has('N') ? 3 : 0) + (has('C') ? 4 : 0) + (has('T') ? 2 : 0);
+    out += "\n" + std::to_string(*vertices) + " " + std::to_string(*faces) + " 0\n";
+    for (std::uint64_t i = 0; i < *vertices; ++i)
+        if (!numbers.copy(width, out))
+            return {};
+    for (std::uint64_t i = 0; i < *faces; ++i) {
+        const auto corners = numbers.count();
+        if (!corners || *corners > text.size())
+            return {};
+        out += std::to_string(*corners) + " ";
+        if (!numbers.copy(*corners, out))
+            return {};
+    }
+    return numbers.word().empty() ? out : std::string();
+}
+
 } // namespace
 
-FileModel readOff(const path& file, const base::Progress& progress, const path&) {
-    return OffReader(file, progress).read();
+FileModel readOff(const FileBytes& file, const base::Progress& progress, const path&) {
+    try {
+        return OffReader(file, progress).read();
+    } catch (const base::Error&) {
+        std::string lines = inLines(file.bytes());
+        if (lines.empty())
+            throw;
+        const FileBytes rewritten(file.path(), std::move(lines));
+        return OffReader(rewritten, progress).read();
+    }
 }
 
 } // namespace io

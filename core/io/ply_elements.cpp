@@ -115,6 +115,14 @@ static void appendAs(std::string& out, ScalarType type, double value) {
 
 namespace {
 
+/// Whether a list can have so many items: a whole number that the type of its count holds.
+bool isCount(double value, ScalarType type) {
+    return withType(type, [&]<class T>() {
+        return value >= 0 && value <= std::min(static_cast<double>(std::numeric_limits<T>::max()), 4294967295.0) &&
+               value == std::floor(value);
+    });
+}
+
 /// Turns one ascii row after another into binary.
 class AsciiRecords {
   public:
@@ -124,13 +132,16 @@ class AsciiRecords {
         m_begin = m_at = row.data();
         m_end = row.data() + row.size();
         for (const PlyProperty& property : m_element.properties) {
+            skipBlanks();
+            const char* const begin = m_at;
             const double value = next();
             appendAs(out, property.isList ? property.countType : property.type, value);
             if (!property.isList)
                 continue;
-            // Negated so that nan fails too. A short row ends the loop below, whatever the count says.
-            if (!(value >= 0 && value <= 4294967295.0))
-                fail("a list has no valid length");
+            // A short row ends the loop below, whatever the count says.
+            if (!isCount(value, property.countType))
+                fail("the list " + inQuotes(property.name) + " has " + std::string(begin, m_at) +
+                     " items, which its count of type " + plyName(property.countType) + " cannot hold");
             for (double k = 0; k < value; ++k)
                 appendAs(out, property.type, next());
         }

@@ -15,12 +15,12 @@ struct TypeName {
     ScalarType type;
 };
 constexpr TypeName typeNames[] = {
-    {"char", ScalarType::Int8},      {"uchar", ScalarType::UInt8},    {"short", ScalarType::Int16},
-    {"ushort", ScalarType::UInt16},  {"int", ScalarType::Int32},      {"uint", ScalarType::UInt32},
-    {"float", ScalarType::Float32},  {"double", ScalarType::Float64}, {"int8", ScalarType::Int8},
-    {"uint8", ScalarType::UInt8},    {"int16", ScalarType::Int16},    {"uint16", ScalarType::UInt16},
-    {"int32", ScalarType::Int32},    {"uint32", ScalarType::UInt32},  {"float32", ScalarType::Float32},
-    {"float64", ScalarType::Float64}};
+    {"char", ScalarType::Int8},       {"uchar", ScalarType::UInt8},    {"short", ScalarType::Int16},
+    {"ushort", ScalarType::UInt16},   {"int", ScalarType::Int32},      {"uint", ScalarType::UInt32},
+    {"float", ScalarType::Float32},   {"double", ScalarType::Float64}, {"int8", ScalarType::Int8},
+    {"uint8", ScalarType::UInt8},     {"int16", ScalarType::Int16},    {"uint16", ScalarType::UInt16},
+    {"int32", ScalarType::Int32},     {"uint32", ScalarType::UInt32},  {"float32", ScalarType::Float32},
+    {"float64", ScalarType::Float64}, {"bool", ScalarType::UInt8}};
 
 /// More than any program writes; a damaged file could else make us search long lists of names.
 constexpr std::size_t mostProperties = 1000, mostElements = 1000;

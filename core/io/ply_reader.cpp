@@ -36,8 +36,8 @@ std::size_t vertexElement(const PlyHeader& header) {
 /// One PLY file on its way to a model.
 class PlyReader {
   public:
-    PlyReader(const path& name, const base::Progress& progress, const path& folder)
-        : m_file(name), m_progress(progress), m_folder(folder) {}
+    PlyReader(const FileBytes& file, const base::Progress& progress, const path& folder)
+        : m_file(file), m_progress(progress), m_folder(folder) {}
     FileModel read();
 
   private:
@@ -49,7 +49,7 @@ class PlyReader {
     void takePictures();
     void finish();
 
-    FileBytes m_file;
+    const FileBytes& m_file;
     const base::Progress& m_progress;
     const path& m_folder; ///< of pictures
     PlyHeader m_header;
@@ -67,6 +67,12 @@ void PlyReader::keepOther(const PlyElement& element, const std::function<std::st
 }
 
 void PlyReader::takeFaces(const PlyElement& element, std::string_view body, std::size_t offset, bool bigEndian) {
+    if (element.properties.empty()) {
+        if (element.count > 0)
+            m_model.messages.push_back("The header declares " + std::to_string(element.count) + " of element " +
+                                       inQuotes(element.name) + " without properties, so there are none.");
+        return;
+    }
     const mesh::Polygons faces = polygonsOf(m_file, body, element, offset, bigEndian);
     m_model.faces += isFace(element) ? element.count : faces.size();
     m_model.polygons.append(faces);
@@ -85,6 +91,9 @@ void PlyReader::readBinary(bool bigEndian) {
             takeFaces(element, m_file.bytes(), offset, bigEndian);
         offset += extent;
     }
+    if (m_file.bytes().find_first_not_of(std::string_view(" \t\r\n\0", 5), offset) != std::string_view::npos)
+        m_model.messages.push_back("The file goes on for " + std::to_string(m_file.size() - offset) +
+                                   " bytes after all that its header declares; they were left out.");
 }
 
 void PlyReader::readAscii() {
@@ -105,6 +114,9 @@ void PlyReader::readAscii() {
             takeFaces(element, littleEndianBody(m_file, rows, row, element), 0, false);
         row += taken;
     }
+    if (row < rows.count())
+        m_model.messages.push_back("The file holds " + std::to_string(rows.count() - row) +
+                                   " lines more than its header declares; they were left out.");
 }
 
 /// Faces of several elements have the looks that all of them have.
@@ -177,7 +189,7 @@ FileModel PlyReader::read() {
 
 } // namespace
 
-FileModel readPly(const path& file, const base::Progress& progress, const path& folder) {
+FileModel readPly(const FileBytes& file, const base::Progress& progress, const path& folder) {
     return PlyReader(file, progress, folder).read();
 }
 

@@ -1,17 +1,18 @@
 // The readers and writers behind the rows of the format table; see formats.h for what they promise.
 #pragma once
 
+#include "core/io/file_bytes.h"
 #include "core/io/formats.h"
 
 namespace io {
 
 using std::filesystem::path;
 
-FileModel readPly(const path& file, const base::Progress& progress, const path& folder);
-FileModel readText(const path& file, const base::Progress& progress, const path& folder);
-FileModel readObj(const path& file, const base::Progress& progress, const path& folder);
-FileModel readOff(const path& file, const base::Progress& progress, const path& folder);
-FileModel readStl(const path& file, const base::Progress& progress, const path& folder);
+FileModel readPly(const FileBytes& file, const base::Progress& progress, const path& folder);
+FileModel readText(const FileBytes& file, const base::Progress& progress, const path& folder);
+FileModel readObj(const FileBytes& file, const base::Progress& progress, const path& folder);
+FileModel readOff(const FileBytes& file, const base::Progress& progress, const path& folder);
+FileModel readStl(const FileBytes& file, const base::Progress& progress, const path& folder);
 
 void writePly(const path& file, const FileModel& model, const base::Progress& progress);
 void writeText(const path& file, const FileModel& model, const base::Progress& progress);

@@ -6,6 +6,8 @@
 #include "core/io/text_lines.h"
 #include "core/io/vertex_weld.h"
 
+#include <algorithm>
+
 namespace io {
 
 namespace {
@@ -21,13 +23,27 @@ std::string_view trimmed(std::string_view text) {
     return text;
 }
 
+/// `text` begins with `word` (lower case), in any case.
+bool startsWith(std::string_view text, std::string_view word) {
+    return text.size() >= word.size() && std::equal(word.begin(), word.end(), text.begin(), [](char a, char b) {
+               return a == b || (b >= 'A' && b <= 'Z' && a == b - 'A' + 'a');
+           });
+}
+
+bool holds(std::string_view text, std::string_view word) {
+    for (; text.size() >= word.size(); text.remove_prefix(1))
+        if (startsWith(text, word))
+            return true;
+    return false;
+}
+
 /// "solid" starts binary files too; those have the exact size that their count says, or zeros in their header.
 bool isAscii(const FileBytes& file) {
     const std::string_view bytes = file.bytes();
     if (bytes.size() >= binaryHead &&
         binaryHead + binaryFacet * load<std::uint32_t, false>(bytes.data() + 80) == bytes.size())
         return false;
-    return trimmed(bytes.substr(0, 512)).starts_with("solid") &&
+    return startsWith(trimmed(bytes.substr(0, 512)), "solid") &&
            bytes.substr(0, 512).find('\0') == std::string_view::npos;
 }
 
@@ -73,7 +89,7 @@ std::vector<base::Vec3d> asciiCorners(const FileBytes& file, const base::Progres
         std::size_t bad = TextLines::none;
         lines.forLines(chunk, [&](std::size_t at, std::string_view line) {
             line = trimmed(line);
-            if (!line.starts_with("vertex") || line.size() == 6 || !isBlank(line[6]))
+            if (!startsWith(line, "vertex") || line.size() == 6 || !isBlank(line[6]))
                 return true;
             base::Vec3d corner;
             if (!takeVertex(line, corner))
@@ -92,7 +108,7 @@ std::vector<base::Vec3d> asciiCorners(const FileBytes& file, const base::Progres
     }
     const std::string_view bytes = file.bytes();
     const std::string_view tail = bytes.substr(bytes.size() - std::min<std::size_t>(bytes.size(), 4096));
-    if (corners.size() % 3 != 0 || tail.find("endsolid") == std::string_view::npos)
+    if (corners.size() % 3 != 0 || !holds(tail, "endsolid"))
         file.fail("ends inside the solid", cutOff);
     return corners;
 }
@@ -115,8 +131,7 @@ RecordTable tableOf(const Welded& welded) {
 
 } // namespace
 
-FileModel readStl(const path& name, const base::Progress& progress, const path&) {
-    const FileBytes file(name);
+FileModel readStl(const FileBytes& file, const base::Progress& progress, const path&) {
     const bool ascii = isAscii(file);
     const std::vector<base::Vec3d> corners = ascii ? asciiCorners(file, progress) : binaryCorners(file, progress);
     if (corners.empty())

@@ -1,5 +1,6 @@
 // Points as text: XYZ, TXT, ASC, CSV, PTS, PWN. One row per point, fields separated by blanks, tabs, commas or
 // semicolons; a line of names before, a line with the number of points before, comments of '#', '%' and '//' anywhere.
+#include "core/io/decimal_commas.h"
 #include "core/io/file_name.h"
 #include "core/io/number_text.h"
 #include "core/io/readers.h"
@@ -31,13 +32,14 @@ std::vector<std::string> namesIn(std::string_view line, const std::vector<std::s
 
 class TextReader {
   public:
-    TextReader(const path& name, const base::Progress& progress) : m_file(name), m_progress(progress) {}
+    TextReader(const FileBytes& file, const base::Progress& progress) : m_file(file), m_progress(progress) {}
     FileModel read();
 
   private:
     std::size_t refuseOthers() const;
     void readHead(const TextRows& rows);
     void readCommentNames(std::size_t begin);
+    bool hasDecimalCommas(const TextRows& rows);
     void chooseColumns(const TextRows& rows);
     void checkClaim(const TextRows& rows);
     void parse(const TextRows& rows);
@@ -46,7 +48,7 @@ class TextReader {
     void typeColumns(const std::vector<ColumnFacts>& facts);
     double* values() { return reinterpret_cast<double*>(m_table.owned.get()); }
 
-    FileBytes m_file;
+    const FileBytes& m_file;
     const base::Progress& m_progress;
     FileModel m_model;
     RecordTable m_table;
@@ -105,6 +107,24 @@ void TextReader::readHead(const TextRows& rows) {
     m_file.fail("holds no points", "choose a file with at least one");
 }
 
+/// Looks at the first rows of numbers, until one tells.
+bool TextReader::hasDecimalCommas(const TextRows& rows) {
+    constexpr int most = 100;
+    std::string example;
+    Commas found = Commas::Separators;
+    std::size_t row = m_firstRow;
+    rows.forRows(m_firstRow, [&](std::string_view line) {
+        found = commasIn(line, m_names.size(), example);
+        return found == Commas::Separators && ++row - m_firstRow < most;
+    });
+    if (found == Commas::Thousands)
+        m_file.failAt(rows.offset(row), inQuotes(example) + " holds separators of thousands",
+                      "write numbers without them, as 1234.5");
+    if (found == Commas::Decimal)
+        m_model.messages.push_back("Commas were read as decimal commas, as in " + inQuotes(example) + ".");
+    return found == Commas::Decimal;
+}
+
 /// Columns that hold words in the first row ("status" of our own query tables) are passed over.
 void TextReader::chooseColumns(const TextRows& rows) {
     const auto fields = rows.fields(rows.row(m_firstRow));
@@ -119,7 +139,7 @@ void TextReader::chooseColumns(const TextRows& rows) {
         m_file.failAt(rows.offset(m_firstRow), "holds more than 1000 columns", "remove those that are not needed");
     int next = 0;
     for (std::size_t c = 0; c < columns; ++c) {
-        const bool word = c < fields.size() && !fields[c].empty() && !numberOf(fields[c]);
+        const bool word = c < fields.size() && !fields[c].empty() && !rows.isNumber(fields[c]);
         m_targets.push_back(word ? -1 : next++);
         if (word)
             m_model.messages.push_back("The column " +
@@ -207,22 +227,22 @@ FileModel TextReader::read() {
         m_model.format = "text";
     const std::size_t begin = refuseOthers();
     RowRules rules{.separators = true, .comments = true};
-    TextRows rows(m_file, begin, rules, {m_progress, 0, 0.1});
+    std::optional<TextRows> rows;
+    rows.emplace(m_file, begin, rules, ProgressSpan{m_progress, 0, 0.1});
     readCommentNames(begin);
-    readHead(rows);
-    if (m_claimed) { // further counts may stand before further scans
-        rules.skipSingles = true;
-        TextRows counted(m_file, begin, rules, {m_progress, 0.1, 0.2});
+    readHead(*rows);
+    rules.decimalComma = hasDecimalCommas(*rows);
+    rules.skipSingles = m_claimed.has_value(); // further counts may stand before further scans
+    if (rules.decimalComma || rules.skipSingles)
+        rows.emplace(m_file, begin, rules, ProgressSpan{m_progress, 0.1, 0.2});
+    if (m_claimed) {
         m_firstRow -= 1;
-        checkClaim(counted);
-        if (m_firstRow >= counted.count()) // nothing but counts
+        checkClaim(*rows);
+        if (m_firstRow >= rows->count()) // nothing but counts
             m_file.fail("holds no points, only lines of one number", "choose a text file with rows of coordinates");
-        chooseColumns(counted);
-        parse(counted);
-    } else {
-        chooseColumns(rows);
-        parse(rows);
     }
+    chooseColumns(*rows);
+    parse(*rows);
     joinNormalsBelow();
     nameColumns();
     makePoints(m_model, m_file, m_table, rolesOf(m_table.fields, false), {}, {m_progress, 0.7, 1});
@@ -231,7 +251,7 @@ FileModel TextReader::read() {
 
 } // namespace
 
-FileModel readText(const path& file, const base::Progress& progress, const path&) {
+FileModel readText(const FileBytes& file, const base::Progress& progress, const path&) {
     return TextReader(file, progress).read();
 }
 

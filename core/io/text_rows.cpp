@@ -18,7 +18,9 @@ struct TextRows::Cursor {
         while (at < end && isBlank(*at))
             ++at;
     }
-    bool atSeparator() const { return rules.separators && at < end && (*at == ',' || *at == ';'); }
+    bool atSeparator() const {
+        return rules.separators && at < end && ((*at == ',' && !rules.decimalComma) || *at == ';');
+    }
     bool atEnd() const {
         if (at == end)
             return true;
@@ -101,6 +103,24 @@ std::vector<std::string_view> TextRows::fields(std::string_view row) const {
     return out;
 }
 
+/// A number that has a comma for its point.
+static const char* parseCommaNumber(const char* begin, const char* end, double& out) {
+    const char* const last = std::find_if(begin, end, [](char c) { return isBlank(c) || c == ';'; });
+    std::string text(begin, last);
+    if (text.find('.') != std::string::npos)
+        return nullptr;
+    std::replace(text.begin(), text.end(), ',', '.');
+    const char* const after = parseNumber(text.data(), text.data() + text.size(), out);
+    return after ? begin + (after - text.data()) : nullptr;
+}
+
+bool TextRows::isNumber(std::string_view field) const {
+    double value = 0;
+    const char *const begin = field.data(), *const end = begin + field.size();
+    return !field.empty() &&
+           (m_rules.decimalComma ? parseCommaNumber(begin, end, value) : parseNumber(begin, end, value)) == end;
+}
+
 TextRows::Fault TextRows::parseRow(std::string_view line, std::span<const int> targets, double* out,
                                    std::size_t& found) const {
     Cursor cursor{line.data(), line.data() + line.size(), m_rules};
@@ -116,7 +136,8 @@ TextRows::Fault TextRows::parseRow(std::string_view line, std::span<const int> t
         } else if (target < 0) {
             cursor.takeField();
         } else {
-            const char* after = parseNumber(cursor.at, cursor.end, out[target]);
+            const char* after = m_rules.decimalComma ? parseCommaNumber(cursor.at, cursor.end, out[target])
+                                                     : parseNumber(cursor.at, cursor.end, out[target]);
             cursor.at = after ? after : cursor.at;
             if (!after || !cursor.atFieldEnd())
                 return Fault::NotANumber;

@@ -11,9 +11,10 @@
 namespace io {
 
 struct RowRules {
-    bool separators = false;  ///< ',' and ';' part fields too, and a field between two of them may be empty: nan
-    bool comments = false;    ///< '#', '%' and '//' begin a comment that runs to the end of the line
-    bool skipSingles = false; ///< lines of one field are not rows (counts before each scan of a PTS file)
+    bool separators = false;   ///< ',' and ';' part fields too, and a field between two of them may be empty: nan
+    bool comments = false;     ///< '#', '%' and '//' begin a comment that runs to the end of the line
+    bool decimalComma = false; ///< ',' stands for the point in numbers and parts no fields
+    bool skipSingles = false;  ///< lines of one field are not rows (counts before each scan of a PTS file)
 };
 
 class TextRows {
@@ -30,6 +31,8 @@ class TextRows {
     template <class Body>
     void forRows(std::size_t k, const Body& body) const;
 
+    /// Whether a field is a number by these rules.
+    bool isNumber(std::string_view field) const;
     /// Fields of a row, without comments; quotes around a field are taken off.
     std::vector<std::string_view> fields(std::string_view row) const;
 

@@ -101,6 +101,8 @@ void CommandLineTest::wrongUsageIsTwo_data() {
     row("run");
     row("run p.xyz --journal p.xyz");
     row("recover j.jsonl");
+    row("clean a b");
+    row("inof p.xyz");
 }
 
 void CommandLineTest::wrongUsageIsTwo() {

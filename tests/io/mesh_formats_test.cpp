@@ -17,7 +17,10 @@ class MeshFormatsTest : public QObject {
     void objNormalsWithoutOwnersAreLeftOut();
     void offHeadersOfEveryKindAreRead_data();
     void offHeadersOfEveryKindAreRead();
+    void offNumbersMayStandInAnyLines();
+    void objStatementsGoOnBehindABackslash();
     void stlCornersAreWeldedExactly();
+    void asciiStlMayBeInCapitals();
     void stlNormalsPointOutwardAndAreUnit();
     void binaryStlMayCallItselfSolid();
     void damagedMeshesAreRefusedInOneSentence_data();
@@ -123,6 +126,37 @@ void MeshFormatsTest::offHeadersOfEveryKindAreRead() {
         QCOMPARE(model.points.items[1].normal, Vec3f({0, 1, 0}));
 }
 
+/// The same file with line breaks thrown anywhere, and with none.
+void MeshFormatsTest::offNumbersMayStandInAnyLines() {
+    const std::string head = "OFF", body = "4 2 0  0 0 0  1 0 0  0 1 0  0 0.5 1  3 0 1 2  4 0 1 2 3";
+    const std::string lines = "OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n0 0.5 1\n3 0 1 2\n4 0 1 2 3\n";
+    const FileModel expected = readAs("a.off", lines);
+    base::Random random(test::seed());
+    for (int k = 0; k < 50; ++k) {
+        std::string text = body;
+        for (char& c : text)
+            if (c == ' ' && k > 0 && random.below(3) == 0)
+                c = '\n';
+        if (k % 2 == 1)
+            text += "\n# the end\n";
+        const FileModel model = readAs("a.off", head + (k % 3 == 0 ? " " : "\n# free\n") + text);
+        const QString where = QString("%1, seed %2").arg(text.c_str()).arg(test::seed());
+        QVERIFY2(test::sameBits(model, expected) && model.faces == 2, qPrintable(where));
+        QVERIFY2(model.polygons.corners == expected.polygons.corners, qPrintable(where));
+    }
+}
+
+void MeshFormatsTest::objStatementsGoOnBehindABackslash() {
+    const FileModel plain = readAs("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    for (const char* end : {"\\\n", "\\\r\n"}) {
+        const std::string e = end;
+        const FileModel model =
+            readAs("a.obj", "v 0 0 " + e + "0\nv" + e + " 1 0 0\nv 0 1 0\nf 1 " + e + "2 " + e + "3\n");
+        QVERIFY(test::sameBits(model, plain));
+        QVERIFY(model.polygons.corners == plain.polygons.corners);
+    }
+}
+
 namespace {
 
 /// A tetrahedron with outward normals.
@@ -165,6 +199,11 @@ void MeshFormatsTest::stlCornersAreWeldedExactly() {
                                    [&](const surfel::Surfel& s) { return s.position == corner; }),
                      std::ptrdiff_t(1));
     }
+}
+
+void MeshFormatsTest::asciiStlMayBeInCapitals() {
+    const std::string capitals = QString::fromStdString(asciiStl()).toUpper().toStdString();
+    QVERIFY(test::sameBits(readAs("a.stl", capitals), readAs("a.stl", asciiStl())));
 }
 
 void MeshFormatsTest::stlNormalsPointOutwardAndAreUnit() {
@@ -228,7 +267,7 @@ void MeshFormatsTest::damagedMeshesAreRefusedInOneSentence() {
 void MeshFormatsTest::contentIsBelievedMoreThanTheName() {
     const std::string ply =
         "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nend_header\n1 2\n";
-    for (const char* name : {"a.xyz", "a.obj", "a.stl", "a", "a.PLY", "a.unknown"})
+    for (const char* name : {"a.xyz", "a.obj", "a.stl", "a", "a.PLY", "a.unknown", "a.las", "a.E57"})
         QCOMPARE(readAs(name, ply).format, std::string("ply ascii"));
     QCOMPARE(readAs("a.ply", "OFF\n1 0 0\n1 2 3\n").format, std::string("off"));
     const test::Folder folder;

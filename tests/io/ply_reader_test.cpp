@@ -21,6 +21,9 @@ class PlyReaderTest : public QObject {
     void farCoordinatesGetAnOrigin();
     void unknownOwnCommentsAreTold();
     void namesTakenByChannelsAreMadeUnique();
+    void whatFollowsTheDeclaredElementsIsTold();
+    void facesThatNoFileCouldHoldDoNotCount();
+    void truthValuesAreBytes();
     void damagedFilesAreRefusedInOneSentence_data();
     void damagedFilesAreRefusedInOneSentence();
     void everyCutOfAFileIsRefused();
@@ -220,6 +223,30 @@ void PlyReaderTest::namesTakenByChannelsAreMadeUnique() {
     QVERIFY(test::sameBits(model, io::read(folder.path("a.ply"))));
 }
 
+void PlyReaderTest::whatFollowsTheDeclaredElementsIsTold() {
+    const std::string one = ascii("element vertex 1\n" + xyz, "1 2 3\n");
+    QVERIFY(readText(one).messages.empty() && readText(one + "\n  \n").messages.empty());
+    const FileModel more = readText(one + "4 5 6\n7 8 9\n");
+    QCOMPARE(more.points.size(), std::size_t(1));
+    QVERIFY(test::anyContains(more.messages, "2 lines more than its header declares"));
+    const std::string binary =
+        "ply\nformat binary_little_endian 1.0\nelement vertex 1\n" + xyz + "end_header\n0123456789ab";
+    QVERIFY(readText(binary).messages.empty() && readText(binary + "\n").messages.empty());
+    QVERIFY(test::anyContains(readText(binary + "EXTRA").messages, "5 bytes"));
+}
+
+void PlyReaderTest::facesThatNoFileCouldHoldDoNotCount() {
+    const FileModel model = readText(ascii("element vertex 1\n" + xyz + "element face 99999999999\n", "1 2 3\n"));
+    QCOMPARE(model.faces, std::size_t(0));
+    QVERIFY(test::anyContains(model.messages, "99999999999 of element 'face' without properties"));
+}
+
+void PlyReaderTest::truthValuesAreBytes() {
+    const FileModel model = readText(ascii("element vertex 2\n" + xyz + "property bool valid\n", "1 2 3 1\n4 5 6 0\n"));
+    QVERIFY(model.points.layout->find("valid")->type == surfel::ScalarType::UInt8);
+    QCOMPARE(surfel::read(*model.points.layout->find("valid"), model.points.extraOf(0)), 1.0);
+}
+
 void PlyReaderTest::damagedFilesAreRefusedInOneSentence_data() {
     QTest::addColumn<QByteArray>("content");
     QTest::addColumn<QString>("part");
@@ -270,14 +297,24 @@ void PlyReaderTest::damagedFilesAreRefusedInOneSentence_data() {
             "0123",
         "negative length");
     row("ascii list",
-        ascii("element vertex 1\n" + xyz + "element other 1\nproperty list int int v\n", "1 2 3\n4000000000 1\n"),
+        ascii("element vertex 1\n" + xyz + "element other 1\nproperty list int int v\n", "1 2 3\n2000000000 1\n"),
         "fewer values");
     row("ascii negative list",
         ascii("element vertex 1\n" + xyz + "element other 1\nproperty list int int v\n", "1 2 3\n-1\n"),
-        "valid length");
+        "'v' has -1 items");
     row("ascii nan list",
         ascii("element vertex 1\n" + xyz + "element other 1\nproperty list int int v\n", "1 2 3\nnan\n"),
-        "valid length");
+        "'v' has nan items");
+    row("ascii list too long for its count",
+        ascii("element vertex 1\n" + xyz + "element other 1\nproperty list uchar int v\n",
+              "1 2 3\n300" + QString(" 1").repeated(300).toStdString() + "\n"),
+        "'v' has 300 items, which its count of type uchar cannot hold");
+    row("ascii list of broken length",
+        ascii("element vertex 1\n" + xyz + "element other 1\nproperty list uchar int v\n", "1 2 3\n2.5 1 2 3\n"),
+        "'v' has 2.5 items");
+    row("ascii list of the points", ascii("element vertex 1\nproperty list uchar float q\n" + xyz, "0.4 8 0 0 0\n"),
+        "'q' has 0.4 items");
+    row("UTF-16", std::string("\xff\xfep\0l\0y\0", 8), "UTF-16");
     std::string many = "element vertex 1\n";
     for (int p = 0; p < 1001; ++p)
         many += "property float p" + std::to_string(p) + "\n";

@@ -14,6 +14,10 @@ class TextReaderTest : public QObject {
     void columnsTellWhatTheyAre();
     void namesOfColumnsAreBelieved();
     void queryTablesKeepNumbersAndLeaveOutWords();
+    void decimalCommasAreReadAndTold_data();
+    void decimalCommasAreReadAndTold();
+    void commasThatPartFieldsStaySeparators_data();
+    void commasThatPartFieldsStaySeparators();
     void countsBeforeScansAreNoPoints();
     void oldPwnHasItsNormalsBelow();
     void wholeNumbersAndTimesKeepTheirValue();
@@ -31,6 +35,7 @@ static FileModel readText(const std::string& name, const std::string& content) {
 
 void TextReaderTest::delimitersAndCommentsAreUnderstood_data() {
     QTest::addColumn<QString>("text");
+    QTest::newRow("Fortran exponents") << "1.0D+00 2d0 0.03D+2\n400D-2 5.D0 6\n";
     QTest::newRow("blanks") << "1 2 3\n4 5 6\n";
     QTest::newRow("no last line end") << "1 2 3\n4 5 6";
     QTest::newRow("tabs and leading blanks") << "\t1\t2\t3\n  4  5  6  \n";
@@ -125,6 +130,41 @@ void TextReaderTest::queryTablesKeepNumbersAndLeaveOutWords() {
     QVERIFY(test::anyContains(model.messages, "'status'"));
 }
 
+void TextReaderTest::decimalCommasAreReadAndTold_data() {
+    QTest::addColumn<QString>("text");
+    QTest::newRow("semicolons") << "1,5;2,5;3,25\n4;-5,5;6e1\n";
+    QTest::newRow("blanks") << "1,5 2,5 3,25\n4 -5,5 6,0e1\n";
+    QTest::newRow("tabs, names") << "x\ty\tz\n1,5\t2,5\t3,25\n4,0\t-5,5\t60\n";
+    QTest::newRow("names") << "x;y;z\r\n1,5;2,5;3,25\r\n4,0;-5,5;60\r\n";
+    QTest::newRow("first row whole") << "x;z;y\n4;60;-5,5\n1,5;3,25;2,5\n";
+    QTest::newRow("count") << "2\n1,5 2,5 3,25\n4 -5,5 60\n";
+}
+
+void TextReaderTest::decimalCommasAreReadAndTold() {
+    QFETCH(QString, text);
+    const FileModel model = readText("a.csv", text.toStdString());
+    QCOMPARE(model.points.size(), std::size_t(2));
+    const bool turned = text.startsWith("x;z");
+    QCOMPARE(model.points.items[turned ? 1 : 0].position, base::Vec3f({1.5f, 2.5f, 3.25f}));
+    QCOMPARE(model.points.items[turned ? 0 : 1].position, base::Vec3f({4, -5.5f, 60}));
+    QVERIFY(model.points.layout->attributes().empty());
+    QVERIFY(test::anyContains(model.messages, "decimal commas"));
+}
+
+void TextReaderTest::commasThatPartFieldsStaySeparators_data() {
+    QTest::addColumn<QString>("row");
+    for (const char* row : {"1,2,3,4,5,6", "1, 2, 3, 4, 5, 6", "1 ,2 ,3 ,4 ,5 ,6", "1,2,3 4,5,6", "1,2,3;4,5,6",
+                            "1,2 3,4,5 6,", "1;2;3;4;5;6", "1,2,3,4 5 6"})
+        QTest::newRow(row) << row;
+}
+
+void TextReaderTest::commasThatPartFieldsStaySeparators() {
+    QFETCH(QString, row);
+    const FileModel model = readText("a.csv", row.toStdString() + "\n" + row.toStdString() + "\n");
+    QCOMPARE(model.points.items[0].position, base::Vec3f({1, 2, 3}));
+    QVERIFY(model.messages.empty() && model.points.layout->names().size() > 1);
+}
+
 void TextReaderTest::countsBeforeScansAreNoPoints() {
     const FileModel model = readText("a.pts", "2\n1 2 3\n4 5 6\n1\n7 8 9\n");
     QCOMPARE(model.points.size(), std::size_t(3));
@@ -174,6 +214,18 @@ void TextReaderTest::damagedFilesAreRefusedInOneSentence_data() {
         << QByteArray("x y z ").append(QByteArray(900, 'a').replace("a", "a ")).append("\n1 2 3\n") << "values";
     QTest::newRow("only nan") << QByteArray("nan nan nan\ninf 0 0\n") << "no finite points";
     QTest::newRow("PCD") << QByteArray("# .PCD v0.7\nVERSION 0.7\n") << "PCD";
+    QTest::newRow("thousands") << QByteArray("1,234.5;2,000.0;3\n") << "'1,234.5' holds separators of thousands";
+    QTest::newRow("thousands of millions") << QByteArray("1,234,567;2;3\n") << "'1,234,567' holds separators";
+    QTest::newRow("points for thousands") << QByteArray("x;y;z\n1.234,5;2,0;3,0\n") << "line 2: '1.234,5' holds";
+    QTest::newRow("blanks for thousands") << QByteArray("x,y,z\n1 000,2,3\n") << "'1 000' holds separators";
+    QTest::newRow("UTF-16") << QByteArray("\xff\xfe"
+                                          "1\0 \0",
+                                          6)
+                            << "UTF-16";
+    QTest::newRow("UTF-16, other order") << QByteArray("\xfe\xff\0"
+                                                       "1\0 ",
+                                                       6)
+                                         << "UTF-16";
     QTest::newRow("LAS") << QByteArray("LASF\0\0\0\0", 8) << "LAS";
 }
 

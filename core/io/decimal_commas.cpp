@@ -1,0 +1,74 @@
+#include "core/io/decimal_commas.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace io {
+
+static bool isDigit(char c) {
+    return c >= '0' && c <= '9';
+}
+
+/// The parts between any of `separators`, without blanks around them; empty ones between blanks do not count.
+static std::vector<std::string_view> partsOf(std::string_view row, std::string_view separators) {
+    std::vector<std::string_view> out;
+    while (!row.empty()) {
+        const std::size_t end = std::min(row.find_first_of(separators), row.size());
+        std::string_view part = row.substr(0, end);
+        part.remove_prefix(std::min(part.find_first_not_of(" \t\r"), part.size()));
+        part = part.substr(0, part.find_last_not_of(" \t\r") + 1);
+        if (!part.empty())
+            out.push_back(part);
+        row.remove_prefix(std::min(end + 1, row.size()));
+    }
+    return out;
+}
+
+/// One to three digits, then groups of three behind `separator`, at least `least` of them, then perhaps a fraction.
+static bool isGrouped(std::string_view text, char separator, std::size_t least) {
+    text.remove_prefix(text.starts_with('-') || text.starts_with('+') ? 1 : 0);
+    std::size_t digits = 0, groups = 0;
+    while (digits < text.size() && isDigit(text[digits]))
+        ++digits;
+    if (digits < 1 || digits > 3)
+        return false;
+    for (text.remove_prefix(digits); text.size() >= 4 && text[0] == separator; ++groups) {
+        if (!std::all_of(text.begin() + 1, text.begin() + 4, isDigit))
+            return false;
+        text.remove_prefix(4);
+    }
+    const bool fraction = !text.empty() && (text[0] == '.' || text[0] == ',') && text[0] != separator;
+    return groups >= (fraction ? 1 : least) && (text.empty() || fraction);
+}
+
+static bool isDecimal(std::string_view text) {
+    const std::size_t comma = text.find(',');
+    return comma != std::string_view::npos && comma > 0 && comma + 1 < text.size() && isDigit(text[comma - 1]) &&
+           isDigit(text[comma + 1]) && text.find_first_not_of("0123456789,+-eEdD") == std::string_view::npos &&
+           text.find(',', comma + 1) == std::string_view::npos;
+}
+
+Commas commasIn(std::string_view row, std::size_t columns, std::string& example) {
+    const auto groupedIn = [&](const std::vector<std::string_view>& parts, char separator, std::size_t least) {
+        const auto at = std::find_if(parts.begin(), parts.end(),
+                                     [&](std::string_view part) { return isGrouped(part, separator, least); });
+        if (at != parts.end())
+            example = *at;
+        return at != parts.end();
+    };
+    const auto between = partsOf(row, ",;");
+    if (columns >= 3 && between.size() == columns && groupedIn(between, ' ', 1))
+        return Commas::Thousands;
+    const auto parts = partsOf(row, row.find(';') != std::string_view::npos ? ";" : " \t\r");
+    if (parts.size() < 3 || row.find(',') == std::string_view::npos)
+        return Commas::Separators;
+    if (groupedIn(parts, ',', 2) || groupedIn(parts, '.', 2))
+        return Commas::Thousands;
+    for (const std::string_view part : parts)
+        if (part.find(',') != std::string_view::npos && !isDecimal(part))
+            return Commas::Separators;
+    example = *std::find_if(parts.begin(), parts.end(), isDecimal);
+    return Commas::Decimal;
+}
+
+} // namespace io
