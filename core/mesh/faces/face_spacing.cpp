@@ -13,7 +13,7 @@ namespace mesh {
 using base::Vec3d;
 using base::Vec3f;
 
-constexpr std::size_t leastCount = 100'000, mostCount = 5'000'000;
+constexpr std::size_t leastCount = 100'000, mostForWalls = 1'000'000, mostCount = 5'000'000;
 /// What vertices may be instead of samples (mesh/README 8.2).
 constexpr double coarsestEdges = 2.5; ///< over the spacing of `leastCount` samples, in the median: some 20,000 vertices
 constexpr double mostSharp = 0.025;   ///< of the edges' length
@@ -106,7 +106,8 @@ double thinnestWall(const FaceTopology& topology, std::span<const Vec3f> positio
 
 std::size_t fittingCount(const FaceTopology& topology, double thinnestWall) {
     const double spacing = thinnestWall / 3;
-    const double wanted = std::max(topology.area / (spacing * spacing), static_cast<double>(topology.triangles.size()));
+    const double walls = std::min(topology.area / (spacing * spacing), static_cast<double>(mostForWalls));
+    const double wanted = std::max(walls, static_cast<double>(topology.triangles.size()));
     return static_cast<std::size_t>(
         std::clamp(wanted, static_cast<double>(leastCount), static_cast<double>(mostCount)));
 }
