@@ -114,9 +114,10 @@ void PlyReader::readAscii() {
             takeFaces(element, littleEndianBody(m_file, rows, row, element), 0, false);
         row += taken;
     }
-    if (row < rows.count())
-        m_model.messages.push_back("The file holds " + std::to_string(rows.count() - row) +
-                                   " lines more than its header declares; they were left out.");
+    if (const std::size_t more = rows.count() - std::min(row, rows.count()); more > 0)
+        m_model.messages.push_back(more == 1 ? "The file holds a line more than its header declares; it was left out."
+                                             : "The file holds " + std::to_string(more) +
+                                                   " lines more than its header declares; they were left out.");
 }
 
 /// Faces of several elements have the looks that all of them have.
