@@ -168,13 +168,15 @@ void FacesTest::roughVerticesAreSampled() {
 }
 
 void FacesTest::thinWallsAskForMore() {
-    const Faces cube = box({1, 1, 1}), plate = box({1, 1, 0.004f});
+    const auto fitting = [](const Faces& faces) {
+        return fittingCount(faces.topology(), thinnestWall(faces.topology(), faces.positions));
+    };
+    const Faces cube = box({1, 1, 1}), plate = box({1, 1, 0.006f});
     QVERIFY(std::isinf(thinnestWall(cube.topology(), cube.positions)));
-    QCOMPARE(fittingCount(cube.topology(), thinnestWall(cube.topology(), cube.positions)), std::size_t(100'000));
-    const double spacing =
-        std::sqrt(plate.topology().area /
-                  static_cast<double>(fittingCount(plate.topology(), thinnestWall(plate.topology(), plate.positions))));
-    QVERIFY2(std::abs(spacing - 0.004 / 3) < 1e-5, qPrintable(QString::number(spacing)));
+    QCOMPARE(fitting(cube), std::size_t(100'000));
+    const double spacing = std::sqrt(plate.topology().area / static_cast<double>(fitting(plate)));
+    QVERIFY2(std::abs(spacing - 0.006 / 3) < 2e-5, qPrintable(QString::number(spacing)));
+    QCOMPARE(fitting(box({1, 1, 0.001f})), std::size_t(1'000'000)); // walls get no more
 }
 
 void FacesTest::tooManyAndTooFewSamplesAreRefused() {
