@@ -100,15 +100,11 @@ static fs::path defaultPath() {
 }
 
 /// Paths that are not UTF-8 become URLs.
-static json withPathText(json command) {
+static std::string lineOf(json command) {
     for (auto& [key, value] : command.items())
         if (value.is_string())
             value = pathText(value.get_ref<const std::string&>());
-    return command;
-}
-
-static std::string lineOf(const json& command) {
-    return withPathText(command).dump(-1, ' ', false, json::error_handler_t::replace) + "\n";
+    return command.dump(-1, ' ', false, json::error_handler_t::replace) + "\n";
 }
 
 static std::string contentOf(const fs::path& path) {
@@ -173,20 +169,10 @@ Journal::~Journal() {
     closeFile(m_file);
 }
 
-/// Puts a new file of these lines in the place of the old one; a crash leaves either of them whole.
+/// Puts a new file of these lines in the place of the old one, whose lock is held until then.
 void Journal::begin(const std::string& lines) {
     const std::string content = marked(lines);
-    const BesideFile next = createBeside(m_path);
-    try {
-        appendDurably(next.file, content);
-        fs::rename(next.path, m_path);
-    } catch (...) {
-        closeFile(next.file);
-        std::error_code ignored;
-        fs::remove(next.path, ignored);
-        throw;
-    }
-    closeFile(std::exchange(m_file, next.file));
+    closeFile(std::exchange(m_file, replaceDurably(m_path, content)));
     m_size = content.size();
     base::syncFolder(m_path.parent_path());
 }
@@ -238,7 +224,7 @@ void Journal::record(const json& complete, Context& context) {
             attempted(context, [&] { keep(complete["source"].get<std::string>(), kept); });
     }
     attempted(context, [&] { keepStamp(kept); });
-    write(lineOf(kept), first, context);
+    write(lineOf(std::move(kept)), first, context);
 }
 
 /// Copies the file that `open` reads to this journal's side and lets it read the copy.
@@ -260,7 +246,7 @@ void Journal::keepStamp(json& stroke) {
         return; // gone meanwhile
     const fs::path kept = m_path.string() + ".stamp-" + hashOf(content) + image.extension().string();
     if (!fs::exists(kept))
-        copyDurably(image, kept);
+        closeFile(replaceDurably(kept, content));
     stroke["stamp"] = kept.string();
 }
 
@@ -273,7 +259,7 @@ void Journal::keepSource(const fs::path& target, Context& context) {
         const std::size_t end = content.find('\n');
         json first = jsonOf(content.substr(0, end));
         keep(m_source, first);
-        begin(lineOf(first) + content.substr(end + 1));
+        begin(lineOf(std::move(first)) + content.substr(end + 1));
         m_waiting.clear();
         m_anew = false;
     });

@@ -1,5 +1,6 @@
 #include "core/session/locked_file.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <fcntl.h>
@@ -19,6 +20,14 @@ namespace fs = std::filesystem;
     throw std::system_error(error, std::generic_category());
 }
 
+namespace {
+
+/// A held, empty file under a name of its own.
+struct BesideFile {
+    int file = -1;
+    fs::path path;
+};
+
 BesideFile createBeside(const fs::path& target) {
     static std::atomic<unsigned> counter = 0;
     BesideFile out;
@@ -29,6 +38,55 @@ BesideFile createBeside(const fs::path& target) {
     if (out.file < 0 || ::flock(out.file, LOCK_EX | LOCK_NB) != 0)
         fail(out.file);
     return out;
+}
+
+void writeAll(int file, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(file, bytes.data(), bytes.size());
+        if (written < 0 && errno == EINTR)
+            continue;
+        if (written < 0)
+            fail(-1);
+        bytes.remove_prefix(static_cast<std::size_t>(written));
+    }
+}
+
+/// Pipes and some folders cannot sync: what was written stays as safe as they make it.
+void sync(int file) {
+    if (::fdatasync(file) != 0 && errno != EINVAL && errno != ENOTSUP)
+        fail(-1);
+}
+
+void copyAll(int from, int to) {
+    char buffer[1 << 16];
+    for (ssize_t count; (count = ::read(from, buffer, sizeof buffer)) != 0;) {
+        if (count < 0 && errno != EINTR)
+            fail(-1);
+        writeAll(to, {buffer, static_cast<std::size_t>(std::max<ssize_t>(count, 0))});
+    }
+}
+
+/// A new file in the place of `target`, filled and on the disk; a crash leaves the old or the new one whole.
+template <class Fill>
+int replaced(const fs::path& target, const Fill& fill) {
+    const BesideFile next = createBeside(target);
+    try {
+        fill(next.file);
+        sync(next.file);
+        fs::rename(next.path, target);
+    } catch (...) {
+        closeFile(next.file);
+        std::error_code ignored;
+        fs::remove(next.path, ignored);
+        throw;
+    }
+    return next.file;
+}
+
+} // namespace
+
+int replaceDurably(const fs::path& target, std::string_view bytes) {
+    return replaced(target, [&](int file) { writeAll(file, bytes); });
 }
 
 /// Whether the name still leads to the file that was opened: its holder may have put another in its place meanwhile.
@@ -57,17 +115,8 @@ int hold(const fs::path& path) {
 }
 
 void appendDurably(int file, std::string_view bytes) {
-    while (!bytes.empty()) {
-        const ssize_t written = ::write(file, bytes.data(), bytes.size());
-        if (written < 0 && errno == EINTR)
-            continue;
-        if (written < 0)
-            fail(-1);
-        bytes.remove_prefix(static_cast<std::size_t>(written));
-    }
-    // Pipes and some folders cannot sync: what was written stays as safe as they make it.
-    if (::fdatasync(file) != 0 && errno != EINVAL && errno != ENOTSUP)
-        fail(-1);
+    writeAll(file, bytes);
+    sync(file);
 }
 
 void cutOff(int file, std::uint64_t size) {
@@ -75,39 +124,17 @@ void cutOff(int file, std::uint64_t size) {
         fail(-1);
 }
 
-static void copyBytes(int from, int to) {
-    char buffer[1 << 16];
-    for (ssize_t count; (count = ::read(from, buffer, sizeof buffer)) != 0;) {
-        if (count < 0 && errno != EINTR)
-            fail(-1);
-        for (ssize_t done = 0; done < count;) {
-            const ssize_t written = ::write(to, buffer + done, static_cast<std::size_t>(count - done));
-            if (written < 0 && errno != EINTR)
-                fail(-1);
-            done += std::max<ssize_t>(written, 0);
-        }
-    }
-    if (::fdatasync(to) != 0 && errno != EINVAL && errno != ENOTSUP)
-        fail(-1);
-}
-
 void copyDurably(const fs::path& from, const fs::path& to) {
     const int source = ::open(from.c_str(), O_RDONLY | O_CLOEXEC);
     if (source < 0)
         fail(source);
-    BesideFile copy;
     try {
-        copy = createBeside(to);
-        copyBytes(source, copy.file);
-        fs::rename(copy.path, to);
+        closeFile(replaced(to, [&](int file) { copyAll(source, file); }));
     } catch (...) {
-        std::error_code ignored;
-        closeFile(source), closeFile(copy.file);
-        if (!copy.path.empty())
-            fs::remove(copy.path, ignored);
+        closeFile(source);
         throw;
     }
-    closeFile(source), closeFile(copy.file);
+    closeFile(source);
 }
 
 void closeFile(int file) {

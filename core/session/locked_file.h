@@ -10,12 +10,9 @@
 
 namespace session {
 
-/// A file under a name of its own beside another, held, empty, readable by its owner alone.
-struct BesideFile {
-    int file = -1;
-    std::filesystem::path path;
-};
-BesideFile createBeside(const std::filesystem::path& target);
+/// Puts a new file of these bytes in the place of `target`, held, readable by its owner alone and on the disk; a crash
+/// leaves the old or the new one whole.
+int replaceDurably(const std::filesystem::path& target, std::string_view bytes);
 /// Opens and holds `path`, an empty new file where there is none. -1 where another open file holds it.
 int hold(const std::filesystem::path& path);
 /// Appends all bytes in one go and returns when they are on the disk.
