@@ -3,6 +3,7 @@
 #include "core/base/parallel.h"
 #include "core/base/unit_normal.h"
 #include "core/io/origin_choice.h"
+#include "core/process/estimation/keep_points.h"
 
 #include <algorithm>
 #include <cmath>
@@ -265,20 +266,14 @@ void PointMaker::dropBad() {
         keepFaces(numbers);
         return;
     }
-    const std::size_t words = m_points.layout->words();
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < m_points.items.size(); ++i) {
-        if (!base::isFinite(m_points.items[i].position))
-            continue;
-        if (!numbers.empty())
-            numbers[i] = static_cast<std::uint32_t>(kept);
-        m_points.items[kept] = m_points.items[i];
-        std::copy_n(m_points.extra.begin() + static_cast<std::ptrdiff_t>(i * words), words,
-                    m_points.extra.begin() + static_cast<std::ptrdiff_t>(kept * words));
-        ++kept;
-    }
-    m_points.items.resize(kept);
-    m_points.extra.resize(kept * words);
+    std::uint32_t kept = 0;
+    process::keepPoints(m_points, [&](std::size_t i) {
+        const bool finite = base::isFinite(m_points.items[i].position);
+        if (finite && !numbers.empty())
+            numbers[i] = kept;
+        kept += finite ? 1 : 0;
+        return finite;
+    });
     if (kept == 0)
         m_file.fail("holds no finite points", "choose a file with numbers for coordinates");
     m_model.messages.push_back(std::to_string(m_model.dropped) +
