@@ -20,6 +20,9 @@ class NormalsTest : public QObject {
     void orientationOfEvenSamplesIsPerfect();
     void orientationCrossesSharpEdges();
     void everyComponentLooksOutward();
+    void sheetsLookUpOrAtTheViewer_data();
+    void sheetsLookUpOrAtTheViewer();
+    void patchesLookAwayFromTheRest();
     void simulatedScanAgreesWithItsNeighbours();
     void surfacesWithoutTwoSidesStayUnoriented();
     void flagsSayWhatIsKnown();
@@ -157,6 +160,56 @@ void NormalsTest::everyComponentLooksOutward() {
     orientNormals(list);
     for (std::size_t i = 0; i < list.size(); ++i)
         QVERIFY(dot(list.items[i].normal, exact[i]) > 0);
+}
+
+void NormalsTest::sheetsLookUpOrAtTheViewer_data() {
+    QTest::addColumn<int>("axis");
+    QTest::addColumn<double>("bend");
+    for (const int axis : {0, 1, 2})
+        for (const double bend : {-0.15, 0.0, 0.15})
+            QTest::addRow("axis %d, bent by %g", axis, bend) << axis << bend;
+}
+
+/// Waves on a plain, a hill or a crater, far from the origin as terrains are.
+void NormalsTest::sheetsLookUpOrAtTheViewer() {
+    QFETCH(int, axis);
+    QFETCH(double, bend);
+    base::Random random(test::seed());
+    const double phase = random.uniform(0, 6);
+    std::vector<base::Vec3f> positions;
+    for (int i = 0; i < 4000; ++i) {
+        const double u = random.uniform(-1, 1), v = random.uniform(-1, 1);
+        const auto k = static_cast<std::size_t>(axis);
+        base::Vec3d p;
+        p[k] = 0.05 * std::sin(5 * u + phase) * std::cos(4 * v) - bend * (u * u + v * v);
+        p[(k + 1) % 3] = u, p[(k + 2) % 3] = v;
+        positions.push_back(base::cast<float>(p + base::Vec3d{30, 40, -20}));
+    }
+    auto list = with(positions);
+    estimateNormals(list);
+    orientNormals(list);
+    for (const auto& s : list.items)
+        QVERIFY2(s.normal[static_cast<std::size_t>(axis)] > 0, qPrintable(QString("seed %1").arg(test::seed())));
+}
+
+/// Six plates where the sides of a cube are: seen alone none has an outside.
+void NormalsTest::patchesLookAwayFromTheRest() {
+    base::Random random(test::seed());
+    std::vector<base::Vec3f> positions, exact;
+    for (std::size_t k = 0; k < 3; ++k)
+        for (const float side : {-1.0f, 1.0f})
+            for (int i = 0; i < 900; ++i) {
+                base::Vec3f p, n;
+                p[k] = 2 * side, n[k] = side;
+                p[(k + 1) % 3] = static_cast<float>(random.uniform(-1, 1));
+                p[(k + 2) % 3] = static_cast<float>(random.uniform(-1, 1));
+                positions.push_back(p), exact.push_back(n);
+            }
+    auto list = with(positions);
+    estimateNormals(list);
+    orientNormals(list);
+    for (std::size_t i = 0; i < list.size(); ++i)
+        QVERIFY2(dot(list.items[i].normal, exact[i]) > 0, qPrintable(QString("seed %1").arg(test::seed())));
 }
 
 void NormalsTest::simulatedScanAgreesWithItsNeighbours() {

@@ -2,10 +2,10 @@
 // with a flip rule (process/README 2.2) that knows the edge between the two points.
 #include "core/base/disjoint_sets.h"
 #include "core/process/estimation/cloud_normals.h"
+#include "core/process/estimation/outside.h"
 #include "core/process/estimation/part_progress.h"
 
 #include <algorithm>
-#include <numbers>
 
 namespace process {
 
@@ -124,24 +124,6 @@ Orientation spanningTrees(const Cloud& cloud, std::span<const base::Vec3f> norma
     return {std::move(trees), sided};
 }
 
-/// Positive where the outermost points of a component look outward: each of many directions asks its extreme point.
-double outwardness(const Cloud& cloud, std::span<const base::Vec3f> normals, std::span<const std::uint32_t> members) {
-    constexpr int directions = 48;
-    double vote = 0;
-    for (int d = 0; d < directions; ++d) {
-        const double z = 1 - (2 * d + 1.0) / directions, angle = d * std::numbers::pi * (3 - std::sqrt(5.0));
-        const double r = std::sqrt(1 - z * z);
-        const base::Vec3f direction = base::cast<float>(base::Vec3d{r * std::cos(angle), r * std::sin(angle), z});
-        const auto height = [&](std::uint32_t i) { return base::dot(cloud.positions()[i], direction); };
-        std::uint32_t top = members.front();
-        for (const std::uint32_t i : members)
-            if (height(i) > height(top))
-                top = i;
-        vote += static_cast<double>(base::dot(normals[top], direction));
-    }
-    return vote;
-}
-
 } // namespace
 
 bool orient(const Cloud& cloud, std::span<base::Vec3f> normals, int neighbours, const base::Progress& progress) {
@@ -162,12 +144,13 @@ bool orient(const Cloud& cloud, std::span<base::Vec3f> normals, int neighbours, 
     std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
     for (std::uint32_t i = 0; i < n; ++i)
         members[next[rootOf[i]]++] = i;
+    const Outside outside(cloud.positions());
     for (std::size_t root = 0; root < n; ++root) {
         const std::span<const std::uint32_t> component(members.data() + start[root], start[root + 1] - start[root]);
         if (component.empty())
             continue;
         progress.step(0.9 + 0.1 * static_cast<double>(root) / static_cast<double>(n), orienting);
-        if (outwardness(cloud, normals, component) < 0)
+        if (outside.inward(normals, component))
             for (const std::uint32_t i : component)
                 normals[i] = -normals[i];
     }
