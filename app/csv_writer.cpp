@@ -12,13 +12,17 @@ void CsvWriter::separate() {
     m_begun = true;
 }
 
-CsvWriter& CsvWriter::number(double value) {
+CsvWriter& CsvWriter::number(double value, int digits) {
     if (std::isnan(value))
         return word("nan");
     separate();
     char out[40];
-    m_text.append(out, std::to_chars(out, out + sizeof out, value, std::chars_format::general, m_digits).ptr);
+    m_text.append(out, std::to_chars(out, out + sizeof out, value, std::chars_format::general, digits).ptr);
     return *this;
+}
+
+CsvWriter& CsvWriter::place(const base::Vec3d& v) {
+    return number(v.x, m_placeDigits).number(v.y, m_placeDigits).number(v.z, m_placeDigits);
 }
 
 CsvWriter& CsvWriter::integer(long long value) {

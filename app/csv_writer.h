@@ -11,10 +11,16 @@ namespace app {
 class CsvWriter {
   public:
     /// 9 digits bring back every float, 17 every double.
-    explicit CsvWriter(int digits) : m_digits(digits) {}
+    explicit CsvWriter(int digits) : m_digits(digits), m_placeDigits(digits) {}
+    /// Of answers about a model: float or double, stored relative to `origin`. Far from zero 9 digits are not enough
+    /// for a place, however near the model's own zero it is.
+    CsvWriter(bool precise, const base::Vec3d& origin)
+        : m_digits(precise ? 17 : 9), m_placeDigits(origin == base::Vec3d{} ? m_digits : 17) {}
 
-    CsvWriter& number(double value); ///< "nan" where there is none
+    CsvWriter& number(double value) { return number(value, m_digits); } ///< "nan" where there is none
     CsvWriter& vector(const base::Vec3d& v) { return number(v.x).number(v.y).number(v.z); }
+    /// A position in file coordinates.
+    CsvWriter& place(const base::Vec3d& v);
     CsvWriter& integer(long long value);
     CsvWriter& word(std::string_view text);
     void endRow();
@@ -26,7 +32,8 @@ class CsvWriter {
     void separate();
     std::string m_text;
     bool m_begun = false; ///< the row has a field
-    int m_digits;
+    CsvWriter& number(double value, int digits);
+    int m_digits, m_placeDigits;
 };
 
 } // namespace app

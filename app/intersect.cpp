@@ -93,7 +93,7 @@ class Batch {
 };
 
 void write(CsvWriter& csv, const Hit& hit, const Vec3d& origin) {
-    csv.number(hit.t).vector(hit.position + origin).vector(hit.normal);
+    csv.number(hit.t).place(hit.position + origin).vector(hit.normal);
     csv.endRow();
 }
 
@@ -145,7 +145,7 @@ void run(const Options& options, Console& console) {
 
     const surface::Surface surface = process::shownAs(document.surface(), progress); // a curve's tube
     io::SafeFile file(options.out);
-    CsvWriter csv(options.surface->inDouble() ? 17 : 9);
+    CsvWriter csv(options.surface->inDouble(), origin);
     file.write(headerOf(options.hits));
     surface::IntersectOptions how;
     how.robust = options.policy == "robust";

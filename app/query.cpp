@@ -115,7 +115,7 @@ void query(const Options& options, Console& console) {
     const Vec3d origin = document.provenance().origin;
 
     io::SafeFile file(options.out);
-    CsvWriter csv(options.surface->inDouble() ? 17 : 9);
+    CsvWriter csv(options.surface->inDouble(), origin);
     file.write(question.header());
     for (std::size_t begin = 0; begin < points.size(); begin += batchSize) {
         progress.step(static_cast<double>(begin) / static_cast<double>(points.size()), "Evaluating");
@@ -126,7 +126,7 @@ void query(const Options& options, Console& console) {
             p -= origin;
         const std::vector<Answer> answers = answer(document.surface(), question, x, options.surface->inDouble());
         for (std::size_t i = 0; i < answers.size(); ++i) {
-            csv.vector(points[begin + i]).word(surface::statusName(question.status(answers[i])));
+            csv.place(points[begin + i]).word(surface::statusName(question.status(answers[i])));
             for (const WhatRow* row : question.rows)
                 row->write(csv, answers[i], origin);
             csv.endRow();

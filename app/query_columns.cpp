@@ -38,7 +38,7 @@ void writeCurvature(CsvWriter& out, const Answer& a, const Vec3d&) {
 }
 
 void writeFoot(CsvWriter& out, const Answer& a, const Vec3d& origin) {
-    out.vector(valid(a.projection.status) ? a.projection.foot + origin : nanVector);
+    out.place(valid(a.projection.status) ? a.projection.foot + origin : nanVector);
     out.integer(a.projection.iterations);
 }
 
@@ -58,7 +58,7 @@ std::span<const WhatRow> whatTable() {
          "weighted mean of the points",
          {},
          Need::Value,
-         [](CsvWriter& out, const Answer& a, const Vec3d& origin) { out.vector(vectorOf(a, a.at.centroid + origin)); }},
+         [](CsvWriter& out, const Answer& a, const Vec3d& origin) { out.place(vectorOf(a, a.at.centroid + origin)); }},
         {"normal",
          "nx,ny,nz",
          "normal of the local plane",
