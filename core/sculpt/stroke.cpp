@@ -32,6 +32,7 @@ struct Stroke::State {
     Dabs dabs;
     Stabiliser stabiliser;
     std::unique_ptr<Method> method;
+    std::optional<surface::Surface> shown; ///< with what waits, once somebody asks
 
     State(surface::Surface start, const StrokeSettings& settings, const base::Vec3d& origin,
           std::shared_ptr<const BrushStamp> stamp, const std::atomic<bool>* cancel)
@@ -50,19 +51,25 @@ Stroke& Stroke::operator=(Stroke&&) noexcept = default;
 
 bool Stroke::add(const StrokeSample& sample) {
     const StrokeSample unit = checked(sample);
-    const tree::SurfelTree before = surface().tree();
+    const tree::SurfelTree before = m_state->dabs.surface().tree();
     const int count = dabs();
+    const bool waited = !m_state->method->waiting().empty();
+    m_state->shown.reset();
     const Stabiliser::Step step = m_state->stabiliser.follow(unit, m_state->dabs.depth());
     m_state->method->add(step.sample, step.moved);
-    return dabs() != count || !(surface().tree() == before);
+    return dabs() != count || waited || !m_state->method->waiting().empty() ||
+           !(m_state->dabs.surface().tree() == before);
 }
 void Stroke::finish() {
+    m_state->shown.reset();
     m_state->method->finish();
     m_state->dabs.finish();
 }
 
 const surface::Surface& Stroke::surface() const {
-    return m_state->dabs.surface();
+    if (const std::vector<Dab> waiting = m_state->method->waiting(); !m_state->shown && !waiting.empty())
+        m_state->shown = m_state->dabs.preview(waiting);
+    return m_state->shown ? *m_state->shown : m_state->dabs.surface();
 }
 std::optional<float> Stroke::depth() const {
     return m_state->dabs.depth();

@@ -175,6 +175,19 @@ void Dabs::apply(std::span<const Dab> images) {
     m_seconds.push_back(watch.seconds());
 }
 
+surface::Surface Dabs::preview(std::span<const Dab> images) const {
+    surface::Surface out = m_surface;
+    for (Dab dab : images) {
+        checkCancelled();
+        join(dab, out);
+        dab.first = &m_first;
+        dab.past = m_past;
+        out = {out.tree().apply(m_row.apply(out, dab)), out.definition()};
+        out = {out.tree().apply(smoothing(out, dab)), out.definition()};
+    }
+    return out;
+}
+
 void Dabs::join(Dab& dab, const surface::Surface& version) const {
     if (m_settings.connected && m_sampling.started())
         dab.connected =

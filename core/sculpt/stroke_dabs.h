@@ -58,6 +58,8 @@ class Dabs {
     Dab dabOf(const Contact& at, std::size_t index, const base::Vec3f& view, const Form& form);
     /// These dabs, of all images, as one place of the stroke. REQUIRES: begin.
     void apply(std::span<const Dab> images);
+    /// What these would make, all images, without resampling; nothing is changed.
+    surface::Surface preview(std::span<const Dab> images) const;
     /// Notes the first contact: spacing, depth.
     void begin(const Contact& first);
 

@@ -9,7 +9,7 @@ namespace sculpt {
 namespace {
 
 /// Steps of a drag are at most this long, in radii, and those of a turn in radians: grab's iteration contracts there.
-constexpr float longestStep = 0.1f;
+constexpr float stepOfDrag = 0.1f, stepOfTurn = 0.1f;
 /// Part of the radius around the contact where a pointer has no direction to turn by.
 constexpr float deaf = 0.02f;
 
@@ -17,22 +17,37 @@ constexpr float deaf = 0.02f;
 struct Held {
     Dab dab;
     base::Vec3f plane;   ///< unit normal of the plane that faces the viewer
-    base::Vec3f pointer; ///< place in it
+    base::Vec3f pointer; ///< place in it: of a drag, as far as steps have gone; of a turn, the last
+    base::Vec3f move;    ///< from there to the pointer, still to be dragged
+    float angle = 0;     ///< still to be turned
 };
 
-/// The first contact of every image, held from now on. What happens at later samples differs.
+/// The first contact of every image, held from now on. Whole steps are done as soon as the pointer is so far away; what
+/// is left waits, and is only shown: however a path is delivered, the same steps are done.
 class Holding : public Method {
   public:
     explicit Holding(Dabs& dabs) : m_dabs(dabs) {}
-    void add(const StrokeSample& sample, bool) override {
-        if (m_held.empty())
-            hold(sample);
-        else
-            go(sample);
+    void add(const StrokeSample& sample, bool) override;
+    std::vector<Dab> waiting() const override { return waitingLength() > 0 ? parts(1) : std::vector<Dab>{}; }
+    void finish() override {
+        if (waitingLength() > 0)
+            step(1);
     }
 
   protected:
+    /// Adds to what is still to be done.
     virtual void go(const StrokeSample& sample) = 0;
+    virtual float waitingLength() const = 0; ///< the longest of all images
+    virtual float longestStep() const = 0;
+    /// The dab that does a share of what waits, and what is left after it.
+    virtual Dab part(const Held& held, float share) const = 0;
+    virtual void done(Held& held, float share) const = 0;
+    template <class Fn>
+    void forHeld(const Fn& fn) {
+        for (std::size_t i = 0; i < m_held.size(); ++i)
+            if (m_held[i])
+                fn(*m_held[i], i);
+    }
     /// Where image `i` of the pointer is in the held plane; nothing where its ray runs beside it.
     std::optional<base::Vec3f> pointerIn(const Held& held, std::size_t i, const StrokeSample& sample) const;
 
@@ -41,7 +56,31 @@ class Holding : public Method {
 
   private:
     void hold(const StrokeSample& sample);
+    std::vector<Dab> parts(float share) const;
+    void step(float share);
 };
+
+void Holding::add(const StrokeSample& sample, bool) {
+    if (m_held.empty())
+        return hold(sample);
+    go(sample);
+    const float far = waitingLength(), each = std::max(longestStep(), far / float(mostProbes));
+    for (int left = static_cast<int>(far / each); left > 0; --left)
+        step(std::min(1.0f, each / waitingLength()));
+}
+
+std::vector<Dab> Holding::parts(float share) const {
+    std::vector<Dab> out;
+    for (const auto& h : m_held)
+        if (h)
+            out.push_back(part(*h, share));
+    return out;
+}
+
+void Holding::step(float share) {
+    m_dabs.apply(parts(share));
+    forHeld([&](Held& h, std::size_t) { done(h, share); });
+}
 
 void Holding::hold(const StrokeSample& sample) {
     const std::optional<Contact> own = m_dabs.contact(sample.ray);
@@ -56,7 +95,7 @@ void Holding::hold(const StrokeSample& sample) {
             continue;
         }
         const Dab dab = m_dabs.dabOf(*contacts[i], i, sample.ray.direction, {m_dabs.settings().radius, share[i], {}});
-        m_held.push_back(Held{dab, dab.view, contacts[i]->position});
+        m_held.push_back(Held{dab, dab.view, contacts[i]->position, {}, 0});
     }
 }
 
@@ -74,42 +113,38 @@ class Drag : public Holding {
 
   private:
     void go(const StrokeSample& sample) override;
-    float pull(const StrokeSample& sample);
+    float waitingLength() const override;
+    float longestStep() const override {
+        return std::min(stepOfDrag, m_dabs.settings().spacing) * m_dabs.settings().radius;
+    }
+    Dab part(const Held& held, float share) const override;
+    void done(Held& held, float share) const override;
 };
 
-/// Takes every held place's `move` to the pointer and returns the longest.
-float Drag::pull(const StrokeSample& sample) {
+void Drag::go(const StrokeSample& sample) {
+    forHeld([&](Held& h, std::size_t i) {
+        if (const auto to = pointerIn(h, i, sample))
+            h.move = *to - h.pointer;
+    });
+}
+
+float Drag::waitingLength() const {
     float longest = 0;
-    for (std::size_t i = 0; i < m_held.size(); ++i) {
-        if (!m_held[i])
-            continue;
-        Held& h = *m_held[i];
-        h.dab.move = {};
-        if (const auto to = pointerIn(h, i, sample)) {
-            h.dab.move = *to - h.pointer;
-            h.pointer = *to;
-            longest = std::max(longest, length(h.dab.move));
-        }
-    }
+    for (const auto& h : m_held)
+        longest = std::max(longest, h ? length(h->move) : 0.0f);
     return longest;
 }
 
-void Drag::go(const StrokeSample& sample) {
-    const float longest = pull(sample);
-    const float step = std::min(longestStep, m_dabs.settings().spacing) * m_dabs.settings().radius;
-    const int steps = static_cast<int>(std::min(std::ceil(longest / step), float(mostProbes)));
-    for (auto& h : m_held)
-        if (h)
-            h->dab.move = h->dab.move / float(std::max(1, steps));
-    for (int k = 0; k < steps; ++k) {
-        std::vector<Dab> all;
-        for (auto& h : m_held)
-            if (h) {
-                all.push_back(h->dab);
-                h->dab.centre += h->dab.move * m_dabs.settings().strength; // the ball stays with what it holds
-            }
-        m_dabs.apply(all);
-    }
+Dab Drag::part(const Held& held, float share) const {
+    Dab out = held.dab;
+    out.move = held.move * share;
+    return out;
+}
+
+void Drag::done(Held& held, float share) const {
+    const base::Vec3f step = held.move * share;
+    held.pointer += step, held.move = held.move - step;
+    held.dab.centre += step * m_dabs.settings().strength; // the ball stays with what it holds
 }
 
 class Turn : public Holding {
@@ -118,33 +153,35 @@ class Turn : public Holding {
 
   private:
     void go(const StrokeSample& sample) override;
+    float waitingLength() const override;
+    float longestStep() const override { return stepOfTurn; }
+    Dab part(const Held& held, float share) const override;
+    void done(Held& held, float share) const override { held.angle -= held.angle * share; }
 };
 
 void Turn::go(const StrokeSample& sample) {
-    float widest = 0;
-    for (std::size_t i = 0; i < m_held.size(); ++i) {
-        if (!m_held[i])
-            continue;
-        Held& h = *m_held[i];
-        h.dab.angle = 0;
+    forHeld([&](Held& h, std::size_t i) {
         const auto to = pointerIn(h, i, sample);
         if (!to || distance(*to, h.dab.centre) < deaf * h.dab.radius)
-            continue;
+            return;
         const base::Vec3f a = h.pointer - h.dab.centre, b = *to - h.dab.centre;
         if (length(a) >= deaf * h.dab.radius)
-            h.dab.angle = std::atan2(-dot(cross(a, b), h.plane), dot(a, b));
+            h.angle += std::atan2(-dot(cross(a, b), h.plane), dot(a, b));
         h.pointer = *to;
-        widest = std::max(widest, std::abs(h.dab.angle));
-    }
-    const int steps = static_cast<int>(std::ceil(widest / longestStep));
-    std::vector<Dab> all;
-    for (auto& h : m_held)
-        if (h) {
-            h->dab.angle /= float(std::max(1, steps));
-            all.push_back(h->dab);
-        }
-    for (int k = 0; k < steps; ++k)
-        m_dabs.apply(all);
+    });
+}
+
+float Turn::waitingLength() const {
+    float widest = 0;
+    for (const auto& h : m_held)
+        widest = std::max(widest, h ? std::abs(h->angle) : 0.0f);
+    return widest;
+}
+
+Dab Turn::part(const Held& held, float share) const {
+    Dab out = held.dab;
+    out.angle = held.angle * share;
+    return out;
 }
 
 } // namespace

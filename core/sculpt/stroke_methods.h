@@ -9,9 +9,9 @@
 //                plane through the contact that faces the viewer.
 //     Line       every sample begins anew: Space from the first sample straight to this one.
 //     Drag       the first contact is held and carried along in the plane through it that faces the viewer, in steps of
-//                at most a tenth of the radius; pressure has no say (tools that hold, whatever the method).
+//                a tenth of the radius or less; pressure has no say (tools that hold, whatever the method).
 //     Turn       the first contact is held; the angle by which the pointer goes around it, as the viewer sees it, comes
-//                in steps of at most a tenth of a radian.
+//                in steps of a tenth of a radian.
 //
 // All depend on the samples alone, so that a recorded stroke replays bit for bit.
 #pragma once
@@ -25,6 +25,8 @@ class Method {
     virtual ~Method() = default;
     /// REQUIRES: a checked sample, direction of unit length. `moved`: false where the stabiliser's rope hung slack.
     virtual void add(const StrokeSample& sample, bool moved) = 0;
+    /// Dabs that would be made if the stroke ended here, to be shown until then.
+    virtual std::vector<Dab> waiting() const { return {}; }
     /// Dabs that were waiting for more.
     virtual void finish() {}
 };
