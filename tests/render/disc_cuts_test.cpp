@@ -39,11 +39,13 @@ void DiscCutsTest::codesTellDirectionAndDistance() {
         const auto any = base::cast<float>(random.unitVector());
         const Vec3f direction = normalized(any - n * dot(n, any), Vec3f{1, 0, 0});
         const auto part = static_cast<float>(random.uniform(0.05, 0.95));
-        const DiscCut cut = discCut(n, cutCode(n, direction, part));
+        const bool corner = random.uniform() < 0.5;
+        const DiscCut cut = discCut(n, cutCode(n, direction, part, corner));
+        QCOMPARE(cut.radius, corner ? cornerRadius : cutRadius);
         QVERIFY(std::abs(cut.part - part) <= 1 / 64.0f + 1e-6f);
-        QVERIFY(dot(cut.direction, direction) > std::cos(0.013f));
+        QVERIFY(dot(cut.direction, direction) > std::cos(0.025f));
         QVERIFY(std::abs(dot(cut.direction, n)) < 1e-5f);
-        QVERIFY(cutCode(n, direction, part) < 1 << cutBits);
+        QVERIFY(cutCode(n, direction, part, corner) < 1 << cutBits);
     }
     QCOMPARE(cutCode({0, 0, 1}, {1, 0, 0}, 1), wholeDisc);
     QCOMPARE(discCut({0, 0, 1}, wholeDisc).part, 0.0f);

@@ -7,12 +7,15 @@
 #include <QTest>
 
 using base::Vec3d;
+using test::MaskGap;
 
 class MasksTest : public QObject {
     Q_OBJECT
   private Q_SLOTS:
     void splatsCoverWhatRaysHit_data();
     void splatsCoverWhatRaysHit();
+    void discsEndAtSharpEdges_data();
+    void discsEndAtSharpEdges();
     void gapsAndStraysAreCounted();
 };
 
@@ -49,6 +52,52 @@ surface::Surface withDensePlace(const surface::Surface& surface, double from, st
     return {tree::SurfelTree::build(list), surface.definition()};
 }
 
+/// Random samples of the sides of a prism with exact normals; of a star where every other corner lies within.
+surfel::SurfelList prismOf(int corners, double inner, double spacing, std::uint64_t seed) {
+    base::Random random(seed);
+    surfel::SurfelList out;
+    out.layout = test::orientedLayout();
+    const auto corner = [&](int k) {
+        const double a = 2 * std::numbers::pi * k / corners, r = k % 2 ? inner : 1;
+        return Vec3d{r * std::cos(a), r * std::sin(a), 0};
+    };
+    const Vec3d up{0, 0, 0.6};
+    const auto fill = [&](const Vec3d& at, const Vec3d& u, const Vec3d& v, double part) {
+        const Vec3d n = cross(u, v);
+        for (auto left = static_cast<int>(3 * length(n) * part / (spacing * spacing)); left > 0; --left) {
+            double a = random.uniform(), b = random.uniform();
+            if (part < 1 && a + b > 1)
+                a = 1 - a, b = 1 - b;
+            surfel::Surfel s;
+            s.position = base::cast<float>(at + u * a + v * b);
+            s.normal = base::cast<float>(normalized(n));
+            out.append(s, {});
+        }
+    };
+    for (int k = 0; k < corners; ++k) {
+        const Vec3d a = corner(k), b = corner(k + 1);
+        fill(a, b - a, up, 1);
+        fill({0, 0, 0}, b, a, 0.5);
+        fill(up, a, b, 0.5);
+    }
+    return out;
+}
+
+MaskGap gapOf(const surface::Surface& surface, const render::RenderOptions& options, std::size_t most) {
+    render::CpuSplatter splatter;
+    MaskGap all;
+    std::vector<render::Camera> views = test::allAround(surface.tree().bounds(), 240, 180);
+    views.resize(std::min(most, views.size()));
+    for (const render::Camera& camera : views) {
+        render::Image rays;
+        rays.resize(camera.width, camera.height);
+        render::RayCounts counts;
+        render::rayCast(surface, camera, options, rays, counts);
+        all += test::maskGap(rays, test::drawn(splatter, surface.tree(), camera, options));
+    }
+    return all;
+}
+
 } // namespace
 
 void MasksTest::splatsCoverWhatRaysHit_data() {
@@ -70,18 +119,10 @@ void MasksTest::splatsCoverWhatRaysHit() {
     if (denseFrom < 1)
         surface = withDensePlace(surface, denseFrom, test::seed());
     const render::RenderOptions options = test::atRest(surface);
-    render::CpuSplatter splatter;
-    test::MaskGap all;
-    std::vector<render::Camera> views = test::allAround(surface.tree().bounds(), 240, 180);
-    views.resize(std::size_t(test::effort(int(views.size())))); // fewer points would stand out farther
-    for (const render::Camera& camera : views) {
-        render::Image rays;
-        rays.resize(camera.width, camera.height);
-        render::RayCounts counts;
-        render::rayCast(surface, camera, options, rays, counts);
-        all += test::maskGap(rays, test::drawn(splatter, surface.tree(), camera, options));
-    }
-    QVERIFY(all.hit > 4000 * views.size());
+    // Fewer points would stand out farther.
+    const auto views = std::size_t(test::effort(12));
+    const MaskGap all = gapOf(surface, options, views);
+    QVERIFY(all.hit > 4000 * views);
     const QString found = QString("%1 % holes, %2 % strays, scale %3, seed %4")
                               .arg(all.holesPercent())
                               .arg(all.straysPercent())
@@ -89,6 +130,30 @@ void MasksTest::splatsCoverWhatRaysHit() {
                               .arg(test::seed());
     QVERIFY2(all.holesPercent() < 0.1, qPrintable(found));
     QVERIFY2(all.straysPercent() < mostStrays, qPrintable(found));
+}
+
+void MasksTest::discsEndAtSharpEdges_data() {
+    QTest::addColumn<int>("corners");
+    QTest::addColumn<double>("inner");
+    QTest::newRow("box") << 4 << 1.0;
+    QTest::newRow("wedges of 60 degrees") << 3 << 1.0;
+    QTest::newRow("star") << 12 << 0.6;
+    QTest::newRow("disc") << 60 << 1.0;
+}
+
+void MasksTest::discsEndAtSharpEdges() {
+    QFETCH(int, corners);
+    QFETCH(double, inner);
+    // A disc is four pixels wide: without cuts some 5 % of the pixels are strays.
+    surface::SurfaceDefinition definition;
+    definition.oneSheet = false;
+    const surface::Surface surface =
+        process::prepare(prismOf(corners, inner, 0.04, test::seed()), {definition, false, false, nullptr});
+    const MaskGap all = gapOf(surface, test::atRest(surface), std::size_t(test::effort(12)));
+    const QString found =
+        QString("%1 % holes, %2 % strays, seed %3").arg(all.holesPercent()).arg(all.straysPercent()).arg(test::seed());
+    QVERIFY2(all.holesPercent() < 0.1, qPrintable(found));
+    QVERIFY2(all.straysPercent() < 0.3, qPrintable(found));
 }
 
 void MasksTest::gapsAndStraysAreCounted() {

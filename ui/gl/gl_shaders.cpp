@@ -11,7 +11,8 @@ static std::string head() {
                                         {"filterDepth", filterDepth},   {"backBias", backBias},
                                         {"backClip", backClip},         {"minCosine", minCosine},
                                         {"backFrom", backFrom},         {"backTo", backTo},
-                                        {"acrossRadius", acrossRadius}, {"cutRadius", cutRadius}};
+                                        {"acrossRadius", acrossRadius}, {"cutRadius", cutRadius},
+                                        {"cornerRadius", cornerRadius}};
     return "#version 330 core\n" + glslConstants(constants) +
            "const int mostClips = " + std::to_string(ClipPlanes::most) + ";\n" +
            "const uint cutMask = " + std::to_string((1u << cutBits) - 1) +
@@ -47,7 +48,7 @@ flat out vec4 attributes;
 // As discCut in disc_cuts.h, for a unit normal.
 vec3 cutDirection(vec3 n, uint code) {
     vec3 u = normalize((code >> 13 & 1u) != 0u ? vec3(n.z, 0.0, -n.x) : vec3(0.0, -n.z, n.y));
-    float angle = float(code >> 5 & 255u) * (6.28318531 / 256.0);
+    float angle = float(code >> 5 & 127u) * (6.28318531 / 128.0);
     return u * cos(angle) + cross(n, u) * sin(angle);
 }
 
@@ -66,7 +67,7 @@ void main() {
     float part = float(code & 31u) / 32.0;
     edge = part > 0.0 ? turn(cutDirection(normalize(packedNormal.xyz), code)) / (part * radius) : vec3(0.0);
     if (part > 0.0)
-        radius *= cutRadius;
+        radius *= (code >> 12 & 1u) != 0u ? cornerRadius : cutRadius;
     bool away = facing > 0.0;
     if (away && !oriented) {
         n = -n;

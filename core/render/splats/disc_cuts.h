@@ -1,12 +1,13 @@
 // Where the discs of splats end before their radius does: at the boundaries of open surfaces, where the surface itself
-// ends (off-centre value beyond its limit, surface/README 5.1), and where a surfel's own normal stands across the
-// surface about it.
+// ends (off-centre value beyond its limit, surface/README 5.1), at sharp edges (sharp_cuts.h), and where a surfel's own
+// normal stands across the surface about it.
 //
 // A disc at the boundary is cut by a line: across the direction from the centroid of its surroundings, where the
 // off-centre value reaches the limit. Codes of 14 bits say so, alike for the CPU and for the low bits of the GPU's
 // supports:
 //
-//     axis (1 bit) << 13 | angle about the normal (8 bits) << 5 | distance in 32nds of the disc's radius, 1 to 31
+//     axis (1 bit) << 13 | corner (1 bit) << 12 | angle about the normal (7 bits) << 5 | distance in 32nds of the
+//     disc's radius, 1 to 31
 //     0: the whole disc     32: its radius times acrossRadius
 //
 // The angle counts from axis x normal towards normal x (axis x normal); the axis is x, or y where the normal is near x.
@@ -29,15 +30,18 @@ constexpr CutCode wholeDisc = 0, acrossDisc = 32;
 constexpr float acrossRadius = 0.35f;
 /// What is left of the radius of a disc that is cut: sideways the boundary may be bent.
 constexpr float cutRadius = 0.8f;
+/// The same where a second edge is near.
+constexpr float cornerRadius = 0.45f;
 /// Discs smaller than this many pixels stay whole: less than a pixel would go.
 constexpr float cutPx = 1.5f;
 
 /// The code of a disc cut at `part` of its radius in a tangential direction; part >= 1 is whole.
-CutCode cutCode(const base::Vec3f& normal, const base::Vec3f& direction, float part);
+CutCode cutCode(const base::Vec3f& normal, const base::Vec3f& direction, float part, bool corner = false);
 
 struct DiscCut {
     base::Vec3f direction; ///< unit, tangential
     float part = 0;        ///< of the radius, 0 where nothing is cut
+    float radius = 1;      ///< what is left of it
 };
 DiscCut discCut(const base::Vec3f& normal, CutCode code);
 
@@ -47,7 +51,9 @@ using CutCodes = std::array<CutCode, surfel::blockCapacity>;
 class DiscCuts {
   public:
     /// Whether splats are cut at all under this definition.
-    static bool any(const surface::SurfaceDefinition& definition) { return std::isfinite(definition.boundaryLimit); }
+    static bool any(const surface::SurfaceDefinition& definition) {
+        return definition.manifold == surface::Manifold::Surface;
+    }
     /// What codes depend on beside the version; forgets all if it changes.
     void use(const surface::SurfaceDefinition& definition, float radiusOfSupport);
     /// Looks at those blocks of the version followed to that were not looked at, on all cores.

@@ -116,8 +116,7 @@ int gather(const BinEntry& entry, const ViewFrame& view, const SplatStyle& style
                 entry.cuts ? (*entry.cuts)[static_cast<std::size_t>(cluster * clusterSize + i)] : wholeDisc;
             const DiscCut cut =
                 code == wholeDisc ? DiscCut{} : discCut(entry.block->normal(cluster * clusterSize + i), code);
-            const float part = cut.part > 0 ? cutRadius : code == acrossDisc ? acrossRadius : 1;
-            const float radius = part * s.radius[i], z = s.z[i];
+            const float radius = cut.radius * s.radius[i], z = s.z[i];
             const bool behind = style.oriented && s.back[i] > 0;
             const float filter = filterPx * view.pixelSize(z), range = radius + filterDepth * filter;
             out[count++] = {s.x[i],

@@ -1,0 +1,114 @@
+#include "core/render/splats/boundary_cuts.h"
+
+namespace render {
+
+using base::Vec3f;
+using surfel::SurfelBlock;
+
+namespace {
+
+/// Off-centre values up to this part of the limit are no sign of a boundary within a disc's reach.
+constexpr float quiet = 0.12f;
+/// A surfel's normal this far (cosine) from that of the surface about it stands across.
+constexpr float acrossCosine = 0.5f;
+/// A surfel beyond the limit itself keeps this much of its disc towards the boundary.
+constexpr float leastPart = 1 / 32.0f;
+
+/// Neighbours and weights decide about off-centre values, not the frame or the limit.
+surface::Surface plain(const tree::SurfelTree& model, surface::SurfaceDefinition definition) {
+    definition.frame = surface::Frame::Normals;
+    definition.oneSheet = false;
+    definition.boundary = surface::Boundary::None;
+    definition.boundaryLimit = std::numeric_limits<float>::infinity();
+    return {model, definition};
+}
+
+/// The same as if normals had a common sign, which is fastest: it fails only where they cancel.
+surface::Surface fastest(const surface::Surface& plain) {
+    auto layout = std::make_shared<surfel::AttributeLayout>(*plain.tree().layout());
+    layout->oriented = true;
+    return {plain.tree().withLayout(layout), plain.definition()};
+}
+
+struct Around {
+    float value = std::numeric_limits<float>::infinity(); ///< off-centre, in units of h
+    Vec3f away;                                           ///< from the centroid
+};
+
+Around around(const surface::Surface& surface, const Vec3f& x) {
+    const surface::Evaluationf e = surface.evaluate(x, surface::Need::Value);
+    return e.ok() ? Around{e.offCentre / e.unit, x - e.centroid} : Around{};
+}
+
+Vec3f tangential(const Vec3f& v, const Vec3f& n) {
+    return normalized(v - n * dot(n, v), Vec3f{});
+}
+
+/// The cut of a disc whose centre is off centre by `here` along the tangential direction `out`: the place along it
+/// where the value reaches the limit, by regula falsi, and the direction of the boundary there.
+CutCode boundaryCut(const surface::Surface& surface, const surfel::Surfel& s, const Vec3f& out, float radius,
+                    float here, float limit) {
+    if (here >= limit)
+        return cutCode(s.normal, out, leastPart);
+    float low = 0, lowValue = here, high = 1;
+    Around end = around(surface, s.position + out * radius);
+    if (end.value <= limit)
+        return wholeDisc;
+    Vec3f direction = out;
+    for (int step = 0; step < 5; ++step) {
+        const float between = std::isfinite(end.value) ? (limit - lowValue) / (end.value - lowValue) : 0.5f;
+        const float middle = low + (high - low) * std::clamp(between, 0.1f, 0.9f);
+        const Around found = around(surface, s.position + out * (radius * middle));
+        if (found.value <= limit)
+            low = middle, lowValue = found.value;
+        else
+            high = middle, end = found;
+        if (std::isfinite(found.value))
+            direction = tangential(found.away, s.normal);
+    }
+    const float along = dot(direction, out);
+    return along > 0.2f ? cutCode(s.normal, direction, 0.5f * (low + high) * along)
+                        : cutCode(s.normal, out, 0.5f * (low + high));
+}
+
+} // namespace
+
+BoundaryCuts::BoundaryCuts(const tree::SurfelTree& model, const surface::SurfaceDefinition& definition,
+                           float radiusOfSupport)
+    : m_surface(plain(model, definition)), m_quick(model.layout()->oriented ? m_surface : fastest(m_surface)),
+      m_radius(radiusOfSupport), m_limit(definition.boundaryLimit), m_oriented(model.layout()->oriented) {}
+
+CutCode BoundaryCuts::cutOf(const SurfelBlock& block, int slot, surface::SelfLanes& lanes) const {
+    const int lane = slot % surfel::clusterSize;
+    if (lanes.status[lane] != surface::Status::Ok && !m_oriented) {
+        const surface::Evaluationf e = m_surface.evaluate(block.position(slot), surface::Need::Value);
+        lanes.set(lane, e);
+        lanes.status[lane] = e.status;
+    }
+    const Vec3f n = block.normal(slot);
+    if (lanes.status[lane] != surface::Status::Ok || lengthSq(n) < 0.25f)
+        return wholeDisc; // it has no plane, or nothing about it
+    const float facing = dot(n, lanes.normalAt(lane)), off = lanes.offCentre[lane] / lanes.unit[lane];
+    if ((m_oriented ? facing : std::abs(facing)) < acrossCosine)
+        return acrossDisc;
+    if (!(off > quiet * m_limit))
+        return wholeDisc;
+    const Vec3f outward = tangential(block.position(slot) - lanes.centroidAt(lane), n);
+    if (!(lengthSq(outward) > 0))
+        return wholeDisc;
+    return boundaryCut(m_surface, block.surfel(slot), outward, m_radius * block.support(slot), off, m_limit);
+}
+
+bool BoundaryCuts::cut(const SurfelBlock& block, CutCodes& codes) {
+    surface::SelfLanes at[surfel::clustersPerBlock];
+    m_self.evaluate(block, block.clusterMask(), surface::Need::Value, at);
+    bool any = false;
+    for (int slot = 0; slot < block.size(); ++slot) {
+        CutCode& code = codes[static_cast<std::size_t>(slot)];
+        code = cutOf(block, slot, at[slot / surfel::clusterSize]);
+        any |= code != wholeDisc;
+    }
+    return any;
+}
+
+} // namespace render
