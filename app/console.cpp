@@ -15,10 +15,11 @@ static void onInterrupt(int signal) {
     std::signal(signal, SIG_DFL); // a second one ends the process
 }
 
-void catchInterrupts() {
+const std::atomic<bool>& catchInterrupts() {
     std::signal(SIGINT, onInterrupt);
     std::signal(SIGTERM, onInterrupt);
     std::signal(SIGXFSZ, SIG_IGN); // a limit on file sizes is an error of writing, told as such
+    return interrupted;
 }
 
 Console::Console(bool quiet) : m_quiet(quiet), m_terminal(::isatty(STDERR_FILENO) == 1) {}

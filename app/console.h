@@ -6,6 +6,7 @@
 
 #include "core/base/progress.h"
 
+#include <atomic>
 #include <chrono>
 #include <mutex>
 #include <string>
@@ -37,7 +38,7 @@ class Console {
     std::chrono::steady_clock::time_point m_last;
 };
 
-/// Turns Ctrl-C and SIGTERM into Console::progress's cancellation.
-void catchInterrupts();
+/// Turns Ctrl-C and SIGTERM into Console::progress's cancellation; returns the flag that says so.
+const std::atomic<bool>& catchInterrupts();
 
 } // namespace app

@@ -1,6 +1,7 @@
 // pointclay: one of the subcommands of subcommand_table.cpp, or the window, a program of its own beside this one.
 #include "app/command_line.h"
 #include "app/subcommand.h"
+#include "core/base/cancel_scope.h"
 #include "core/base/parallel.h"
 #include "core/io/file_name.h"
 #include "core/io/formats.h"
@@ -13,13 +14,11 @@ namespace {
 
 int runSubcommand(const app::Action& action, const app::CommonOptions& common) {
     base::setThreadCount(common.threads);
-    app::catchInterrupts();
-    return app::guarded([&] {
-        app::Console console(common.quiet);
-        action(console);
-        std::cout.flush();
-        return std::cout ? 0 : app::fail("standard output cannot be written", 1);
-    });
+    const base::CancelScope scope(&app::catchInterrupts());
+    app::Console console(common.quiet);
+    action(console);
+    std::cout.flush();
+    return std::cout ? 0 : app::fail("standard output cannot be written", 1);
 }
 
 /// Whether a person may mean a model by it, rather than a subcommand that there is not.
@@ -40,9 +39,7 @@ int openWindow(char** argv) {
                      1);
 }
 
-} // namespace
-
-int main(int argc, char** argv) {
+int work(int argc, char** argv) {
     CLI::App program("", "pointclay");
     program.require_subcommand(0, 1);
     app::CommonOptions common;
@@ -64,4 +61,10 @@ int main(int argc, char** argv) {
                              "' is neither a subcommand nor a file; pointclay --help names all subcommands",
                          2);
     return openWindow(argv);
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    return app::guarded([&] { return work(argc, argv); });
 }

@@ -1,5 +1,7 @@
 #include "core/base/parallel.h"
 
+#include "core/base/cancel_scope.h"
+
 #include <algorithm>
 #include <atomic>
 #include <exception>
@@ -66,7 +68,11 @@ static void runOnPlainThreads(std::size_t chunks, const std::function<void(std::
 void parallelChunks(std::size_t n, std::size_t grain,
                     const std::function<void(std::size_t, std::size_t, std::size_t)>& body) {
     const std::size_t chunks = chunkCount(n, grain);
-    const auto one = [&](std::size_t chunk) { body(chunk * grain, std::min(n, (chunk + 1) * grain), chunk); };
+    const auto one = [&, cancel = CancelScope::flag()](std::size_t chunk) {
+        const CancelScope scope(cancel); // for loops inside of this one
+        CancelScope::check();
+        body(chunk * grain, std::min(n, (chunk + 1) * grain), chunk);
+    };
     if (chunks < 2 || threadCount() == 1) {
         for (std::size_t chunk = 0; chunk < chunks; ++chunk)
             one(chunk);

@@ -1,5 +1,6 @@
 #include "core/session/live_stroke.h"
 
+#include "core/base/cancel_scope.h"
 #include "core/base/error.h"
 #include "core/io/grey_image.h"
 #include "core/session/commands.h"
@@ -32,6 +33,7 @@ LiveStroke::LiveStroke(Context& context, sculpt::StrokeSettings settings)
                stampOf(m_settings.stamp), context.progress.cancel) {}
 
 bool LiveStroke::add(const sculpt::StrokeSample& sample) {
+    const base::CancelScope scope(m_context.progress.cancel);
     if (sculpt::lastOnly(m_settings) && m_samples.size() > 1) // what lies between has no say
         m_samples.pop_back();
     m_samples.push_back(recordable(sample, m_context.document.provenance().origin));
@@ -39,6 +41,7 @@ bool LiveStroke::add(const sculpt::StrokeSample& sample) {
 }
 
 bool LiveStroke::finish() {
+    const base::CancelScope scope(m_context.progress.cancel);
     m_stroke.finish();
     m_context.dabs = m_stroke.dabs();
     m_context.dabSeconds.assign(m_stroke.dabSeconds().begin(), m_stroke.dabSeconds().end());

@@ -1,4 +1,5 @@
 // The one executor: check, run, roll back on failure, validate in debug builds, journal.
+#include "core/base/cancel_scope.h"
 #include "core/session/command.h"
 #include "core/session/journal.h"
 
@@ -7,6 +8,7 @@
 namespace session {
 
 static void execute(const CommandRow& row, Context& context, const nlohmann::json& complete) {
+    const base::CancelScope scope(context.progress.cancel);
     const Document before = context.document;
     try {
         row.run(context, complete);

@@ -1,5 +1,6 @@
 #include "core/base/parallel.h"
 
+#include "core/base/cancel_scope.h"
 #include "core/base/hash.h"
 #include "core/base/progress.h"
 #include "support/registry.h"
@@ -7,6 +8,7 @@
 #include <atomic>
 #include <QTest>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 using namespace base;
@@ -18,6 +20,8 @@ class ParallelTest : public QObject {
     void chunksDoNotDependOnThreads();
     void anExceptionReachesTheCaller();
     void cancelledProgressThrows();
+    void loopsStopWithTheirScope();
+    void loopsOutsideOfTheScopeGoOn();
     void hashOfASetDoesNotDependOnOrder();
     void hashTellsNeighbouringValuesApart();
     void cleanup() { setThreadCount(0); }
@@ -54,6 +58,42 @@ void ParallelTest::anExceptionReachesTheCaller() {
                                                  throw Error("bad item", "item 777");
                                          }),
                              Error);
+}
+
+void ParallelTest::loopsStopWithTheirScope() {
+    for (const int threads : {1, 0}) {
+        setThreadCount(threads);
+        std::atomic<bool> cancel{false};
+        std::atomic<int> outer{0}, inner{0};
+        const CancelScope scope(&cancel);
+        QVERIFY_EXCEPTION_THROWN(parallelFor(1000, 1,
+                                             [&](std::size_t) {
+                                                 ++outer;
+                                                 parallelFor(1000, 1, [&](std::size_t i) {
+                                                     ++inner; // on any thread
+                                                     if (i == 3)
+                                                         cancel = true;
+                                                 });
+                                             }),
+                                 Cancelled);
+        QVERIFY(outer < 1000 && inner < 2000 * threadCount());
+        QVERIFY_EXCEPTION_THROWN(parallelFor(1, 1, [](std::size_t) {}), Cancelled);
+        QVERIFY_EXCEPTION_THROWN(CancelScope::check(), Cancelled);
+    }
+}
+
+void ParallelTest::loopsOutsideOfTheScopeGoOn() {
+    std::atomic<bool> cancel{true};
+    int visits = 0;
+    {
+        const CancelScope scope(&cancel);
+        const CancelScope none(nullptr); // no scope: the one around it stays
+        QVERIFY(CancelScope::flag() == &cancel);
+        std::thread([&] { parallelFor(10, 10, [&](std::size_t) { ++visits; }); }).join();
+    }
+    parallelFor(10, 10, [&](std::size_t) { ++visits; });
+    QCOMPARE(visits, 20);
+    QVERIFY(CancelScope::flag() == nullptr);
 }
 
 void ParallelTest::cancelledProgressThrows() {
