@@ -24,8 +24,8 @@ void describe(CLI::App& program, CommonOptions& options) {
     program.add_option("MODEL", options.models, "models to open, each in a window");
 }
 
-int fail(const std::string& message, int code) {
-    std::fprintf(stderr, "pointclay: %s\n", message.c_str());
+int fail(std::string_view message, int code) {
+    std::fprintf(stderr, "pointclay: %.*s\n", static_cast<int>(message.size()), message.data());
     return code;
 }
 

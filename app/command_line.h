@@ -7,6 +7,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace app {
@@ -27,8 +28,8 @@ void addCommon(CLI::App& command, CommonOptions& options);
 /// What it is, its version, the common options and the models.
 void describe(CLI::App& program, CommonOptions& options);
 
-/// Tells it on stderr; returns the code.
-int fail(const std::string& message, int code);
+/// Tells it on stderr, without memory of its own; returns the code.
+int fail(std::string_view message, int code);
 /// Turns what the work throws into an exit code.
 int guarded(const std::function<int()>& work);
 /// Fills in the options; with an exit code where there is nothing left to do (--help, --version, wrong usage).

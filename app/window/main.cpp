@@ -3,12 +3,16 @@
 #include "core/base/parallel.h"
 #include "ui/window/run_window.h"
 
-int main(int argc, char** argv) {
+static int work(int argc, char** argv) {
     CLI::App program("", "pointclay");
     app::CommonOptions common;
     app::describe(program, common);
     if (const auto code = app::parse(program, argc, argv))
         return *code;
     base::setThreadCount(common.threads);
-    return app::guarded([&] { return ui::runWindow(argc, argv, {common.models.begin(), common.models.end()}); });
+    return ui::runWindow(argc, argv, {common.models.begin(), common.models.end()});
+}
+
+int main(int argc, char** argv) {
+    return app::guarded([&] { return work(argc, argv); });
 }
