@@ -1,5 +1,6 @@
 #include "core/io/grey_image.h"
 
+#include "core/base/error.h"
 #include "core/io/colour_image.h"
 #include "core/io/file_bytes.h"
 
@@ -23,6 +24,17 @@ static Image imageOf(const std::filesystem::path& path,
     if (startsWith(bytes, {0xff, 0xd8, 0xff}))
         return jpeg(bytes, path.string());
     file.fail("is neither PNG nor JPEG", "convert it to one of them");
+}
+
+void checkSize(std::size_t width, std::size_t height, std::size_t bytes, const std::string& name) {
+    // Deflate packs 1032 bytes into one, 8 pixels each at most; JPEG's codes stay far below.
+    constexpr std::size_t pixelsPerByte = 8 * 1032;
+    if (width > std::size_t(GreyImage::maxSide) || height > std::size_t(GreyImage::maxSide))
+        throw base::Error("the image has more than 8192 pixels a side", name, "make it smaller");
+    if (width * height > pixelsPerByte * bytes)
+        throw base::Error("the image claims " + std::to_string(width) + " x " + std::to_string(height) +
+                              " pixels, which so short a file cannot hold",
+                          name, "it is damaged or was cut off; fetch it again");
 }
 
 GreyImage readGreyImage(const std::filesystem::path& path) {

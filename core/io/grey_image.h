@@ -16,8 +16,12 @@ struct GreyImage {
     static constexpr int maxSide = 8192;
 };
 
-/// Throws base::Error naming the file: unreadable, neither PNG nor JPEG, broken, or more than 8192 pixels a side.
+/// Throws base::Error naming the file: unreadable, neither PNG nor JPEG, broken or cut off, or more than 8192 pixels a
+/// side.
 GreyImage readGreyImage(const std::filesystem::path& path);
+
+/// Before anything is allocated: throws for more than 8192 pixels a side, and for more than so many bytes can hold.
+void checkSize(std::size_t width, std::size_t height, std::size_t bytes, const std::string& name);
 
 // --- the formats, each behind one file; `name` is for messages ---
 GreyImage readPng(std::span<const unsigned char> bytes, const std::string& name);

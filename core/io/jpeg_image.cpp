@@ -6,6 +6,7 @@
 #include <csetjmp>
 #include <cstdio>
 // after <cstdio>, which it needs
+#include <jerror.h>
 #include <jpeglib.h>
 
 namespace io {
@@ -26,6 +27,12 @@ void leave(j_common_ptr info) {
 }
 
 void keepQuiet(j_common_ptr) {}
+
+/// Warnings stay quiet but for one: what lies behind the end of the file would be grey.
+void warn(j_common_ptr info, int level) {
+    if (level < 0 && info->err->msg_code == JWRN_JPEG_EOF)
+        leave(info);
+}
 
 /// Plain C between setjmp and longjmp: calls `take(line, samples)` for each line of pixels. `row` has room for one.
 template <class Take>
@@ -63,6 +70,7 @@ struct Reader {
         info.err = jpeg_std_error(&trouble.manager);
         trouble.manager.error_exit = leave;
         trouble.manager.output_message = keepQuiet;
+        trouble.manager.emit_message = warn;
     }
     ~Reader() { jpeg_destroy_decompress(&info); }
     Reader(const Reader&) = delete;
@@ -78,8 +86,7 @@ void readLines(std::span<const unsigned char> bytes, const std::string& name, J_
     if (!readHeader(reader.info, reader.trouble, bytes, colours))
         throw broken();
     const auto width = reader.info.output_width, height = reader.info.output_height;
-    if (width > unsigned(GreyImage::maxSide) || height > unsigned(GreyImage::maxSide))
-        throw base::Error("the image has more than 8192 pixels a side", name, "make it smaller");
+    checkSize(width, height, bytes.size(), name);
     prepare(int(width), int(height));
     std::vector<unsigned char> row(samples * width);
     if (!decode(reader.info, reader.trouble, row, take))

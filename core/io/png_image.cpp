@@ -36,8 +36,7 @@ GreyImage pixels(png_image& image, const std::string& name) {
 static void begin(png_image& image, std::span<const unsigned char> bytes, const std::string& name) {
     if (!png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()))
         throw base::Error(std::string("broken PNG: ") + image.message, name);
-    if (image.width > png_uint_32(GreyImage::maxSide) || image.height > png_uint_32(GreyImage::maxSide))
-        throw base::Error("the image has more than 8192 pixels a side", name, "make it smaller");
+    checkSize(image.width, image.height, bytes.size(), name);
 }
 
 GreyImage readPng(std::span<const unsigned char> bytes, const std::string& name) {

@@ -22,6 +22,8 @@ class GreyImageTest : public QObject {
     void picturesKeepTheirColours();
     void brokenImagesAreRefusedByName();
     void tornImagesNeverCrash();
+    void shortFilesClaimNoLargeImages();
+    void imagesThatEndTooEarlyAreRefused();
 
   private:
     std::filesystem::path path(const char* name) const { return m_folder.filePath(name).toStdString(); }
@@ -167,6 +169,48 @@ void GreyImageTest::tornImagesNeverCrash() {
             } catch (const base::Error&) {
             }
         }
+    }
+}
+
+static std::string refusalOf(const std::filesystem::path& path) {
+    try {
+        io::readGreyImage(path);
+    } catch (const base::Error& error) {
+        return error.message();
+    }
+    return {};
+}
+
+static void writeBytes(const std::filesystem::path& path, const std::vector<char>& bytes) {
+    std::ofstream(path, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+}
+
+void GreyImageTest::shortFilesClaimNoLargeImages() {
+    writeJpeg(path("a.jpg"), 40, std::vector<unsigned char>(1600, 90));
+    std::vector<char> bytes = bytesOf(path("a.jpg"));
+    std::size_t frame = 0;
+    while (!(bytes[frame] == '\xff' && bytes[frame + 1] == '\xc0'))
+        ++frame;
+    for (const std::size_t side : {5u, 7u}) // height, width
+        bytes[frame + side] = 31, bytes[frame + side + 1] = 64;
+    writeBytes(path("large.jpg"), bytes);
+    QVERIFY2(refusalOf(path("large.jpg")).find("8000 x 8000") != std::string::npos,
+             refusalOf(path("large.jpg")).c_str());
+}
+
+void GreyImageTest::imagesThatEndTooEarlyAreRefused() {
+    base::Random random(test::seed());
+    std::vector<unsigned char> grey(1600);
+    for (unsigned char& each : grey)
+        each = static_cast<unsigned char>(random.next());
+    writeJpeg(path("a.jpg"), 40, grey);
+    writePng<png_byte>(path("a.png"), 40, 40, PNG_FORMAT_GRAY, grey);
+    for (const char* name : {"a.jpg", "a.png"}) {
+        std::vector<char> bytes = bytesOf(path(name));
+        QCOMPARE(refusalOf(path(name)), std::string());
+        bytes.resize(bytes.size() * 2 / 3);
+        writeBytes(path(name), bytes);
+        QVERIFY2(!refusalOf(path(name)).empty(), name);
     }
 }
 
