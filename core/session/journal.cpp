@@ -71,6 +71,15 @@ void removeLeftovers(const fs::path& folder) {
         fs::remove(each, ignored);
 }
 
+/// What a killed process had begun for this journal. REQUIRES: we hold it.
+static void removeUnfinished(const fs::path& journal) {
+    std::error_code ignored;
+    const std::size_t own = journal.filename().string().size();
+    for (const fs::path& each : filesOf(journal))
+        if (each.filename().string().find(".new-", own) != std::string::npos && !isLocked(each))
+            fs::remove(each, ignored);
+}
+
 bool isJournalHeld(const fs::path& journal) {
     return isLocked(journal);
 }
@@ -154,6 +163,7 @@ Journal::Journal(fs::path file) {
         if (m_file < 0)
             throw base::Error("another process writes its journal here", m_path.string(), "choose another file");
         refuseForeign(m_path);
+        removeUnfinished(m_path);
         begin({});
     } catch (const std::system_error& error) {
         closeFile(m_file);

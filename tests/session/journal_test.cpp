@@ -33,6 +33,7 @@ class JournalTest : public QObject {
     void stampsAreKeptByTheirContent();
     void pathsThatAreNotUtf8Survive();
     void leftoversOfKilledProcessesGo();
+    void leftoversOfANamedJournalGo();
     void foldersThatOthersWriteToAreRefused();
 };
 
@@ -373,6 +374,18 @@ void JournalTest::leftoversOfKilledProcessesGo() {
                                         put("journal-7.jsonl.source.ply.new-7-1")};
     const std::vector<fs::path> kept = {put("journal-7.jsonl"), put("journal-7.jsonl.source.ply"), put("notes.txt")};
     const session::Journal journal;
+    for (const fs::path& each : gone)
+        QVERIFY2(!fs::exists(each), each.c_str());
+    for (const fs::path& each : kept)
+        QVERIFY2(fs::exists(each), each.c_str());
+}
+
+void JournalTest::leftoversOfANamedJournalGo() {
+    Workbench bench;
+    const auto put = [&](const char* name) { return test::write(bench.path(name), "x"); };
+    const std::vector<fs::path> gone = {put("a.jsonl.new-9-0"), put("a.jsonl.source.ply.new-9-1")};
+    const std::vector<fs::path> kept = {put("b.jsonl.new-9-0"), put("a.jsonl.source.ply"), put("a.jsonl.newer")};
+    const session::Journal journal(bench.path("a.jsonl"));
     for (const fs::path& each : gone)
         QVERIFY2(!fs::exists(each), each.c_str());
     for (const fs::path& each : kept)
