@@ -137,7 +137,7 @@ void run(const Options& options, Console& console) {
     session::Document document;
     const base::Progress progress = console.progress();
     session::Context context{document, {}, progress, {}, 0, {}, nullptr};
-    std::vector<base::Rayd> rays = readRays(options.rays, progress);
+    std::vector<base::Rayd> rays = readRays(io::FileBytes(options.rays), progress);
     openModel(context, options.model, options.surface->parameters(), console);
     const Vec3d origin = document.provenance().origin;
     for (base::Rayd& ray : rays)

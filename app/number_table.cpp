@@ -110,7 +110,10 @@ base::Rayd rayOf(const Row& row, const RayColumns& columns) {
 std::vector<Vec3d> readPoints(const std::filesystem::path& path, const base::Progress& progress) {
     if (isModel(extensionOf(path)))
         return positionsOf(io::read(path, progress));
-    const io::FileBytes file(path);
+    return readPoints(io::FileBytes(path), progress);
+}
+
+std::vector<Vec3d> readPoints(const io::FileBytes& file, const base::Progress& progress) {
     const io::TextRows rows(file, 0, rules, {progress});
     std::vector<Vec3d> out;
     out.reserve(rows.count());
@@ -126,8 +129,7 @@ std::vector<Vec3d> readPoints(const std::filesystem::path& path, const base::Pro
     return out;
 }
 
-std::vector<base::Rayd> readRays(const std::filesystem::path& path, const base::Progress& progress) {
-    const io::FileBytes file(path);
+std::vector<base::Rayd> readRays(const io::FileBytes& file, const base::Progress& progress) {
     const io::TextRows rows(file, 0, rules, {progress});
     std::vector<base::Rayd> out;
     out.reserve(rows.count());

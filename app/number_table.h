@@ -3,6 +3,7 @@
 
 #include "core/base/progress.h"
 #include "core/base/ray.h"
+#include "core/io/file_bytes.h"
 
 #include <filesystem>
 #include <vector>
@@ -13,9 +14,11 @@ namespace app {
 /// over. Other readable models (by extension) give their positions in file coordinates. Throws base::Error naming the
 /// line.
 std::vector<base::Vec3d> readPoints(const std::filesystem::path& path, const base::Progress& progress);
+/// The same of a text that is no model.
+std::vector<base::Vec3d> readPoints(const io::FileBytes& file, const base::Progress& progress);
 
 /// Rows under a header that names ox, oy, oz, dx, dy, dz, in any order and among others; directions made unit length.
 /// Throws base::Error naming the line.
-std::vector<base::Rayd> readRays(const std::filesystem::path& path, const base::Progress& progress);
+std::vector<base::Rayd> readRays(const io::FileBytes& file, const base::Progress& progress);
 
 } // namespace app

@@ -58,12 +58,15 @@ static const FormatRow& readerOf(const FileBytes& file) {
     return *row;
 }
 
-FileModel read(const path& path, const base::Progress& progress, const std::filesystem::path& folder) {
-    const FileBytes file(path);
+FileModel read(const FileBytes& file, const base::Progress& progress, const std::filesystem::path& folder) {
     const FormatRow& row = readerOf(file);
-    FileModel out = row.read(file, progress, folder.empty() ? path.parent_path() : folder);
+    FileModel out = row.read(file, progress, folder);
     out.usualUp = row.up;
     return out;
+}
+
+FileModel read(const path& path, const base::Progress& progress, const std::filesystem::path& folder) {
+    return read(FileBytes(path), progress, folder.empty() ? path.parent_path() : folder);
 }
 
 void write(const path& path, const FileModel& model, const base::Progress& progress) {

@@ -29,6 +29,8 @@ std::span<const FormatRow> formatTable();
 /// Pictures and materials that the file names are those of `folder`, its own unless another is given.
 FileModel read(const std::filesystem::path& path, const base::Progress& progress = {},
                const std::filesystem::path& folder = {});
+/// The same for bytes that are there already, under the name that they have. The folder is as given.
+FileModel read(const FileBytes& file, const base::Progress& progress, const std::filesystem::path& folder);
 void write(const std::filesystem::path& path, const FileModel& model, const base::Progress& progress = {});
 
 } // namespace io

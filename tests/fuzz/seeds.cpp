@@ -1,0 +1,139 @@
+// fuzz-seeds FOLDER: inputs to begin with that are no text, FOLDER/TARGET/NAME, and the words of sessions,
+// FOLDER/session.dict. What is text lies in tests/fuzz.
+#include "core/base/random.h"
+#include "core/io/colour_png.h"
+#include "core/io/formats.h"
+#include "core/session/command.h"
+
+#include <cstdio>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+// after <cstdio>, which it needs
+#include <jpeglib.h>
+
+namespace fs = std::filesystem;
+
+static void put(const fs::path& file, std::string_view content) {
+    fs::create_directories(file.parent_path());
+    std::ofstream(file, std::ios::binary) << content;
+}
+
+/// A few surfels with all that a native file can hold.
+static io::FileModel fullModel() {
+    io::FileModel model;
+    auto layout = std::make_shared<surfel::AttributeLayout>();
+    layout->normals = layout->oriented = layout->colours = layout->masks = true;
+    layout->add("label", surfel::ScalarType::UInt8);
+    layout->add("time", surfel::ScalarType::Float64);
+    model.points.layout = layout;
+    model.hasSupports = true;
+    model.origin = {500000, 4.5e6, 0};
+    model.definition = surface::SurfaceDefinition();
+    model.elements.push_back(
+        {"element other 2\nproperty list uchar int ids\nproperty short s\n", std::string("\1\0\0\0\7\1\1\0\2\2", 10)});
+    base::Random random(1);
+    for (int i = 0; i < 6; ++i) {
+        surfel::Surfel s;
+        s.position = base::cast<float>(random.unitVector());
+        s.normal = s.position;
+        s.support = 0.5f;
+        s.mask = 0.25f;
+        const std::uint32_t words[] = {7, 0, 0x40000000u};
+        model.points.append(s, words);
+    }
+    return model;
+}
+
+static std::string triangleStl() {
+    std::string out(80, ' ');
+    out += std::string("\2\0\0\0", 4);
+    for (int t = 0; t < 2; ++t) {
+        const float numbers[12] = {0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, float(t)};
+        out.append(reinterpret_cast<const char*>(numbers), sizeof numbers);
+        out.append(2, '\0');
+    }
+    return out;
+}
+
+static std::string bigEndianPly() {
+    std::string out = "ply\nformat binary_big_endian 1.0\nelement vertex 2\nproperty float x\nproperty double y\n"
+                      "property float z\nproperty list uchar short l\nelement face 1\n"
+                      "property list uchar int vertex_indices\nend_header\n";
+    for (int i = 0; i < 2; ++i)
+        out += std::string("\x3f\x80\0\0\x3f\xf0\0\0\0\0\0\0\x40\0\0\0\2\0\1\0\2", 21);
+    return out + std::string("\3\0\0\0\0\0\0\0\1\0\0\0\1", 13);
+}
+
+/// 24 x 16 pixels.
+static std::string jpeg(bool progressive, int components) {
+    jpeg_compress_struct info{};
+    jpeg_error_mgr errors{};
+    info.err = jpeg_std_error(&errors);
+    jpeg_create_compress(&info);
+    unsigned char* bytes = nullptr;
+    unsigned long size = 0;
+    jpeg_mem_dest(&info, &bytes, &size);
+    info.image_width = 24, info.image_height = 16;
+    info.input_components = components;
+    info.in_color_space = components == 1 ? JCS_GRAYSCALE : JCS_RGB;
+    jpeg_set_defaults(&info);
+    if (progressive)
+        jpeg_simple_progression(&info);
+    jpeg_start_compress(&info, TRUE);
+    for (unsigned y = 0; y < 16; ++y) {
+        unsigned char row[72];
+        for (unsigned i = 0; i < 72; ++i)
+            row[i] = static_cast<unsigned char>(7 * i + 11 * y);
+        unsigned char* rows[] = {row};
+        jpeg_write_scanlines(&info, rows, 1);
+    }
+    jpeg_finish_compress(&info);
+    std::string out(reinterpret_cast<char*>(bytes), size);
+    jpeg_destroy_compress(&info);
+    std::free(bytes);
+    return out;
+}
+
+/// All words that the table of commands knows.
+static std::string words() {
+    std::set<std::string> all{"samples", "1e999", "1e-300", "file://", "\\\\u0000"};
+    for (const session::CommandRow& row : session::commandTable()) {
+        all.insert(std::string("{\\\"op\\\":\\\"") + row.op + "\\\"");
+        for (const session::CommandParameter& p : row.parameters) {
+            all.insert(std::string("\\\"") + p.id + "\\\":");
+            std::istringstream in(p.choices);
+            for (std::string choice; in >> choice;)
+                all.insert("\\\"" + choice + "\\\"");
+        }
+    }
+    std::string out;
+    for (const std::string& word : all)
+        out += "\"" + word + "\"\n";
+    return out;
+}
+
+int main(int argc, char** argv) {
+    if (argc != 2) {
+        std::fputs("usage: fuzz-seeds FOLDER\n", stderr);
+        return 2;
+    }
+    const fs::path out = argv[1];
+    fs::create_directories(out / "ply");
+    io::write(out / "ply/native.ply", fullModel());
+    put(out / "ply/big", bigEndianPly());
+    put(out / "stl/binary", triangleStl());
+    const std::uint32_t pixels[] = {0xff0000ffu, 0x8000ff00u, 0xffff0000u, 0xffffffffu, 0u, 0xff808080u};
+    put(out / "picture/colour.png", io::encodePng(pixels, 3, 2, "colour.png"));
+    put(out / "picture/grey.jpg", jpeg(false, 1));
+    put(out / "picture/colour.jpg", jpeg(false, 3));
+    put(out / "picture/progressive.jpg", jpeg(true, 3));
+    put(out / "session.dict", words());
+    session::Document document;
+    session::Context context{document, {}, {}, {}, 0, {}, nullptr};
+    session::run(context, {{"op", "new"}, {"sample", "moebius"}, {"count", 120}});
+    fs::create_directories(out / "open");
+    io::write(out / "open/sample.ply", document.fileModel());
+    return 0;
+}
