@@ -144,7 +144,7 @@ void MasksTest::discsEndAtSharpEdges_data() {
 void MasksTest::discsEndAtSharpEdges() {
     QFETCH(int, corners);
     QFETCH(double, inner);
-    // A disc is four pixels wide: without cuts some 5 % of the pixels are strays.
+    // A disc is four pixels wide: without cuts 1 to 2 % of the pixels are strays.
     surface::SurfaceDefinition definition;
     definition.oneSheet = false;
     const surface::Surface surface =
