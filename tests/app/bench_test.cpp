@@ -43,6 +43,8 @@ static bool saysNone(const std::string& help, const std::string& name) {
 }
 
 void BenchTest::jsonHasTheContractsKeys() {
+    if (test::effort(10) < 10)
+        QSKIP("minutes under a sanitizer");
     const Program program;
     const std::string help = program.run({"bench", "--help"}).out;
     const Outcome outcome = program.run(
@@ -63,6 +65,8 @@ void BenchTest::jsonHasTheContractsKeys() {
 }
 
 void BenchTest::modelsCanBeMeasured() {
+    if (test::effort(10) < 10)
+        QSKIP("minutes under a sanitizer");
     const Program program;
     const Outcome outcome = program.run(
         {"bench", "curvature", "evaluate", "--model", "sample:torus:2000", "--seconds", "0.001", "--json", "a.json"});

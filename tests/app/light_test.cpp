@@ -83,6 +83,8 @@ void LightTest::depthAndNormalsAreThoseOfIntersect() {
 }
 
 void LightTest::everyMaterialAndLightIsListedAndDrawn() {
+    if (test::effort(10) < 10)
+        QSKIP("minutes under a sanitizer");
     const Program program;
     const std::string help = program.run({"render", "--help"}).out;
     std::vector<QImage> pictures;

@@ -18,6 +18,8 @@ class LookTest : public QObject {
 };
 
 void LookTest::everyShadingIsListedAndDrawn() {
+    if (test::effort(10) < 10)
+        QSKIP("minutes under a sanitizer");
     const Program program;
     const std::string help = program.run({"render", "--help"}).out;
     for (const render::ShadingRow& row : render::shadingTable()) {

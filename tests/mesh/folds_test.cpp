@@ -132,6 +132,8 @@ void FoldsTest::meshesOfScansAreSound_data() {
 
 /// Manifold, on the surface, no triangle through another or without area.
 void FoldsTest::meshesOfScansAreSound() {
+    if (test::effort(10) < 10)
+        QSKIP("minutes under a sanitizer");
     QFETCH(QString, file);
     surfel::SurfelList points;
     if (const char* why = scans::load(file, points))

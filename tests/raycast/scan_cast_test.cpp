@@ -24,6 +24,8 @@ void ScanCastTest::raysAreFewAndRight_data() {
 }
 
 void ScanCastTest::raysAreFewAndRight() {
+    if (test::effort(10) < 10)
+        QSKIP("minutes under a sanitizer");
     QFETCH(QString, file);
     QFETCH(int, pixelsPerRay);
     surfel::SurfelList points;

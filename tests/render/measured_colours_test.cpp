@@ -253,6 +253,8 @@ void MeasuredColoursTest::everyRowIsDrawnAlikeByEveryRenderer_data() {
 }
 
 void MeasuredColoursTest::everyRowIsDrawnAlikeByEveryRenderer() {
+    if (test::effort(10) < 10)
+        QSKIP("minutes under a sanitizer");
     QFETCH(int, row);
     const auto shading = static_cast<Shading>(row);
     const surface::Surface surface = surfaceOf(test::sphere({0, 0, 0}, 1, 10000, true));

@@ -359,7 +359,7 @@ static void verifyNoHoles(const surface::Surface& surface, double spacing) {
 }
 
 void StrokeTest::longStrokesLeaveNoHoles() {
-    constexpr std::size_t count = 12000;
+    constexpr std::size_t count = test::effort(20) == 20 ? 12000 : 6000;
     const surface::Surface sphere = test::surfaceOf(test::spherePoints(count));
     for (const char* tool : {"draw", "clay"}) {
         StrokeSettings settings = settingsOf(tool, 0.3f);

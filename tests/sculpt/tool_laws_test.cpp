@@ -51,7 +51,7 @@ static std::vector<StrokeSample> wander(base::Random& random, float step) {
     const base::Vec3d view = random.unitVector(), u = perpendicular(view), v = cross(view, u);
     double a = random.uniform(-0.4, 0.4), b = random.uniform(-0.4, 0.4), heading = random.uniform(0, 6.28);
     std::vector<StrokeSample> out;
-    for (int k = 0; k < 12; ++k) {
+    for (int k = 0; k < (test::effort(20) == 20 ? 12 : 6); ++k) {
         const base::Vec3d eye = view * -4.0 + u * a + v * b;
         out.push_back(
             {{base::cast<float>(eye), base::cast<float>(view)}, float(random.uniform(0.3, 1)), float(k) / 60});

@@ -76,6 +76,8 @@ void MeshExportTest::estimateIsNearTheMesh_data() {
 }
 
 void MeshExportTest::estimateIsNearTheMesh() {
+    if (test::effort(10) < 10)
+        QSKIP("minutes under a sanitizer");
     QFETCH(const QString, sample);
     QFETCH(const double, cell);
     QFETCH(const bool, delaunay);
