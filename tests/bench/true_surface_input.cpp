@@ -152,7 +152,7 @@ int main(int argc, char** argv) {
             code = 0;
         }
         std::fflush(stdout);
-        window.editor().discardJournalAtEnd();
+        window.editor().discardJournal();
         QApplication::exit(code);
     });
     return QApplication::exec();

@@ -202,7 +202,7 @@ int main(int argc, char** argv) {
         if (session >= 0 && session + 1 < arguments.size())
             QFile::copy(folder.filePath("journal.jsonl"), arguments[session + 1]);
         std::fflush(stdout);
-        window.editor().discardJournalAtEnd();
+        window.editor().discardJournal();
         QApplication::exit();
     };
     window.editor().run({{"op", "new"}, {"sample", "clay"}, {"count", int(option(arguments, "--surfels", 1e6))}},

@@ -1,4 +1,4 @@
-#include "ui/settings/settings.h"
+#include "ui/settings/settings_file.h"
 
 #include "core/render/effects/effect_rows.h"
 #include "sculpt/random_options.h"
@@ -20,6 +20,8 @@ class SettingsTest : public QObject {
     void nonsenseKeepsTheDefaults();
     void recentFilesAreFewAndNewestFirst();
     void strokesTakeWhatThePersonChose();
+    void windowsLeaveAloneWhatOthersHaveWritten();
+    void listsAreMergedEntryByEntry();
 };
 
 static Settings unusual(base::Random& random, test::Part part = test::Part::Within) {
@@ -60,8 +62,9 @@ void SettingsTest::whatIsWrittenIsReadBack() {
     all.push_back({});
     for (const Settings& settings : all) {
         {
-            QSettings store(file, QSettings::IniFormat);
-            writeSettings(settings, store);
+            SettingsFile store(file);
+            store.read();
+            store.write(settings);
         }
         const QSettings store(file, QSettings::IniFormat);
         QVERIFY2(readSettings(store) == settings, qPrintable(QString("seed %1").arg(test::seed())));
@@ -71,10 +74,7 @@ void SettingsTest::whatIsWrittenIsReadBack() {
 static QByteArray written(const Settings& settings) {
     const QTemporaryDir folder;
     const QString path = folder.filePath("s.ini");
-    {
-        QSettings store(path, QSettings::IniFormat);
-        writeSettings(settings, store);
-    }
+    SettingsFile(path).write(settings);
     QFile file(path);
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
@@ -148,6 +148,41 @@ void SettingsTest::strokesTakeWhatThePersonChose() {
         for (const auto& p : row.parameters)
             QCOMPARE(plain.parameters.at(p.id), p.fallback);
     }
+}
+
+void SettingsTest::windowsLeaveAloneWhatOthersHaveWritten() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("s.ini");
+    SettingsFile one(path), other(path);
+    Settings first = one.read(), second = other.read();
+    first.radiusPx = 30;
+    first.edit(sculpt::toolTable().front()).strength = 0.25f;
+    first.remember("/one.ply");
+    one.write(first);
+    second.grid = true;
+    second.radiusModel = 7;
+    second.remember("/other.ply");
+    other.write(second);
+    first.truth.on = true;
+    one.write(first);
+    const Settings both = SettingsFile(path).read();
+    QCOMPARE(both.radiusPx, 30.0);
+    QCOMPARE(both.radiusModel, 7.0);
+    QVERIFY(both.grid && both.truth.on);
+    QCOMPARE(both.tools.at(sculpt::toolTable().front().id).strength, 0.25f);
+    QCOMPARE(both.recentFiles, (std::vector<std::string>{"/other.ply", "/one.ply"}));
+    first.tools.clear(); // back to the default, and gone from the file
+    one.write(first);
+    QVERIFY(SettingsFile(path).read().tools.empty());
+    QVERIFY(SettingsFile(path).read().grid);
+}
+
+void SettingsTest::listsAreMergedEntryByEntry() {
+    QCOMPARE(merged({"a", "b"}, {"c", "a", "b"}, {"a", "b"}), (QStringList{"c", "a", "b"}));
+    QCOMPARE(merged({"a", "b"}, {"c", "a", "b"}, {"d", "a", "b"}), (QStringList{"c", "a", "b", "d"}));
+    QCOMPARE(merged({"a", "b"}, {"b"}, {"a", "b", "d"}), (QStringList{"b", "d"}));
+    QCOMPARE(merged({"a", "b"}, {"a", "b", "c"}, {"b"}), (QStringList{"b", "c"}));
+    QCOMPARE(merged({}, {"a"}, {"a"}), QStringList{"a"});
 }
 
 static const test::Registered<SettingsTest> registered;

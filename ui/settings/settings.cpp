@@ -118,16 +118,14 @@ static void readOptions(const QSettings& store, sculpt::Scope scope, const QStri
 }
 
 /// What differs from `fallback`.
-static void writeOptions(const sculpt::StrokeSettings& settings, const sculpt::StrokeSettings& fallback,
-                         sculpt::Scope scope, const QString& group, QSettings& store) {
+static void addOptions(const sculpt::StrokeSettings& settings, const sculpt::StrokeSettings& fallback,
+                       sculpt::Scope scope, const QString& group, Entries& out) {
     for (const auto& option : sculpt::strokeOptionTable()) {
         if (option.scope != scope)
             continue;
         const std::string text = session::textOf(option, settings);
-        if (text == session::textOf(option, fallback))
-            store.remove(group + option.id);
-        else
-            store.setValue(group + option.id, QString::fromStdString(text));
+        if (text != session::textOf(option, fallback))
+            out[group + option.id] = QString::fromStdString(text);
     }
 }
 
@@ -190,54 +188,54 @@ Settings readSettings(const QSettings& store) {
     return out;
 }
 
-static void writeTools(const Settings& settings, QSettings& store) {
-    store.remove("tools");
+static void addTools(const Settings& settings, Entries& out) {
     for (const auto& [id, choice] : settings.tools) {
         const QString group = QString("tools/%1/").arg(QString::fromStdString(id));
         const sculpt::StrokeSettings fallback = sculpt::defaultsOf(sculpt::tool(id));
-        writeOptions(choice, fallback, sculpt::Scope::Tool, group, store);
+        addOptions(choice, fallback, sculpt::Scope::Tool, group, out);
         for (const auto& [name, value] : choice.parameters)
             if (value != fallback.parameters.at(name))
-                store.setValue(group + "parameters/" + QString::fromStdString(name), value);
+                out[group + "parameters/" + QString::fromStdString(name)] = value;
     }
 }
 
-void writeSettings(const Settings& settings, QSettings& store) {
-    store.setValue("brush/tool", QString::fromStdString(settings.tool));
-    store.setValue("brush/shiftTool", QString::fromStdString(settings.shiftTool));
-    store.setValue("brush/radiusUnit", settings.radiusUnit == RadiusUnit::Model ? "model" : "pixels");
-    store.setValue("brush/radiusPx", settings.radiusPx);
-    store.setValue("brush/radiusModel", settings.radiusModel);
-    writeOptions(settings.shared, sculpt::StrokeSettings(), sculpt::Scope::AllTools, "brush/", store);
-    store.remove("panel");
+Entries entriesOf(const Settings& settings) {
+    Entries out;
+    out["brush/tool"] = QString::fromStdString(settings.tool);
+    out["brush/shiftTool"] = QString::fromStdString(settings.shiftTool);
+    out["brush/radiusUnit"] = settings.radiusUnit == RadiusUnit::Model ? "model" : "pixels";
+    out["brush/radiusPx"] = settings.radiusPx;
+    out["brush/radiusModel"] = settings.radiusModel;
+    addOptions(settings.shared, sculpt::StrokeSettings(), sculpt::Scope::AllTools, "brush/", out);
     for (const auto& [id, open] : settings.groups)
-        store.setValue(QString("panel/") + QString::fromStdString(id), open);
-    writeTools(settings, store);
-    store.setValue("view/shading", render::shadingRow(settings.shading).id);
-    store.setValue("view/background", render::backdropRow(settings.backdrop).id);
-    store.setValue("view/effects", storedSet(render::effectTable(), &render::EffectRow::effect, settings.effects));
-    store.setValue("view/annotations",
-                   storedSet(render::annotationTable(), &render::AnnotationRow::annotation, settings.annotated));
-    store.setValue("view/grid", settings.grid);
-    store.setValue("view/trueSurface", settings.truth.on);
-    store.setValue("view/trueQuality", settings.truth.quality);
+        out[QString("panel/") + QString::fromStdString(id)] = open;
+    addTools(settings, out);
+    out["view/shading"] = render::shadingRow(settings.shading).id;
+    out["view/background"] = render::backdropRow(settings.backdrop).id;
+    out["view/effects"] = storedSet(render::effectTable(), &render::EffectRow::effect, settings.effects);
+    out["view/annotations"] =
+        storedSet(render::annotationTable(), &render::AnnotationRow::annotation, settings.annotated);
+    out["view/grid"] = settings.grid;
+    out["view/trueSurface"] = settings.truth.on;
+    out["view/trueQuality"] = settings.truth.quality;
     const raycast::Lighting& lighting = settings.truth.lighting;
-    store.setValue("view/material", raycast::materialRow(lighting.material).id);
-    store.setValue("view/lights", raycast::lightRigRow(lighting.rig).id);
-    store.setValue("view/shadows", lighting.shadows);
-    store.setValue("view/occlusion", lighting.occlusion);
-    store.setValue("view/shadowGround", lighting.ground);
-    store.setValue("view/navigation", QString::fromStdString(settings.navigation));
+    out["view/material"] = raycast::materialRow(lighting.material).id;
+    out["view/lights"] = raycast::lightRigRow(lighting.rig).id;
+    out["view/shadows"] = lighting.shadows;
+    out["view/occlusion"] = lighting.occlusion;
+    out["view/shadowGround"] = lighting.ground;
+    out["view/navigation"] = QString::fromStdString(settings.navigation);
     QStringList saved;
     for (const SavedView& view : settings.savedViews)
         saved << QString::fromStdString(textOf(view));
-    store.setValue("view/saved", saved);
+    out["view/saved"] = saved;
     QStringList recent;
     for (const auto& file : settings.recentFiles)
         recent << QString::fromStdString(file);
-    store.setValue("files/recent", recent);
-    store.setValue("window/geometry", settings.geometry);
-    store.setValue("window/state", settings.windowState);
+    out["files/recent"] = recent;
+    out["window/geometry"] = settings.geometry;
+    out["window/state"] = settings.windowState;
+    return out;
 }
 
 } // namespace ui

@@ -13,6 +13,8 @@
 #include "ui/view/saved_views.h"
 
 #include <QByteArray>
+#include <QMap>
+#include <QVariant>
 #include <string>
 #include <vector>
 
@@ -73,6 +75,10 @@ sculpt::StrokeSettings strokeSettings(const Settings& settings, const sculpt::To
 render::RenderOptions lookOf(const Settings& settings);
 
 Settings readSettings(const QSettings& store);
-void writeSettings(const Settings& settings, QSettings& store);
+
+/// As they are stored: keys and values, defaults of tools and options left out. How they get into a file, beside what
+/// other windows have put there: settings_file.h.
+using Entries = QMap<QString, QVariant>;
+Entries entriesOf(const Settings& settings);
 
 } // namespace ui

@@ -13,15 +13,10 @@
 #include <QDockWidget>
 #include <QMenu>
 #include <QMimeData>
+#include <QTimer>
 #include <QUrl>
 
 namespace ui {
-
-static std::unique_ptr<QSettings> openStore(const QString& file) {
-    if (file.isEmpty())
-        return std::make_unique<QSettings>("pointclay", "pointclay");
-    return std::make_unique<QSettings>(file, QSettings::IniFormat);
-}
 
 /// A folder that refuses the journal is no reason not to start.
 static Editor* startEditor(const EditorOptions& options, QObject* parent, QString& trouble) {
@@ -34,7 +29,7 @@ static Editor* startEditor(const EditorOptions& options, QObject* parent, QStrin
 }
 
 MainWindow::MainWindow(const WindowOptions& options, QWidget* parent)
-    : QMainWindow(parent), m_store(openStore(options.settingsFile)), m_settings(readSettings(*m_store)) {
+    : QMainWindow(parent), m_settingsFile(options.settingsFile), m_settings(m_settingsFile.read()) {
     QString trouble;
     m_editor = startEditor(options.editor, this, trouble);
     setAcceptDrops(true);
@@ -51,6 +46,10 @@ MainWindow::MainWindow(const WindowOptions& options, QWidget* parent)
     resize(1280, 800);
     restoreGeometry(m_settings.geometry);
     restoreState(m_settings.windowState);
+    constexpr int pauseMs = 1000; // between a change and its being safe
+    auto* clock = new QTimer(this);
+    connect(clock, &QTimer::timeout, this, &MainWindow::keepSettings);
+    clock->start(pauseMs);
     if (!trouble.isEmpty())
         tellFailure(trouble);
 }
@@ -177,6 +176,12 @@ void MainWindow::tellFailure(const QString& message) {
     m_status->tell(message, true);
 }
 
+void MainWindow::keepSettings() {
+    m_settings.geometry = saveGeometry();
+    m_settings.windowState = saveState();
+    m_settingsFile.write(m_settings);
+}
+
 // --- undo and stopping ---
 
 void MainWindow::undo() {
@@ -204,10 +209,8 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         });
         return;
     }
-    m_settings.geometry = saveGeometry();
-    m_settings.windowState = saveState();
-    writeSettings(m_settings, *m_store);
-    m_editor->discardJournalAtEnd();
+    keepSettings();
+    m_editor->discardJournal();
     event->accept();
 }
 

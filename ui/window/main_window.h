@@ -3,11 +3,11 @@
 #pragma once
 
 #include "ui/interaction/sculpt_view.h"
+#include "ui/settings/settings_file.h"
 #include "ui/window/file_actions.h"
 #include "ui/window/image_export.h"
 
 #include <QMainWindow>
-#include <QSettings>
 
 namespace ui {
 
@@ -69,8 +69,9 @@ class MainWindow : public QMainWindow {
     void connectWork();
     void showSnapshot();
     void suitShading();
+    void keepSettings();
 
-    std::unique_ptr<QSettings> m_store;
+    SettingsFile m_settingsFile;
     Settings m_settings;
     Editor* m_editor = nullptr;
     Measurer* m_measurer = nullptr;

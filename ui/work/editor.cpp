@@ -78,6 +78,15 @@ void Editor::finish(const std::function<void(bool)>& then, bool done, int comman
         Q_EMIT idled();
 }
 
+void Editor::discardJournal() {
+    m_discardJournal = true; // should the queue not come to it
+    push(CommandTask{[](session::Context& context) {
+                         if (context.journal)
+                             context.journal->discard();
+                     },
+                     {}});
+}
+
 // --- asking ---
 
 void Editor::push(Task task) {

@@ -50,8 +50,9 @@ class Editor : public QObject {
     /// Asks the command that is running to stop; it then leaves the model as it was.
     void cancelWork() { m_signals.cancel = true; }
 
-    /// The journal goes with the editor: the person has saved, or does not want to.
-    void discardJournalAtEnd() { m_discardJournal = true; }
+    /// Nothing is journalled any more, and the file goes at once, or when what runs is done: the person has saved, or
+    /// does not want to.
+    void discardJournal();
 
     /// Something is running or waiting.
     bool busy() const { return m_waiting > 0; }
