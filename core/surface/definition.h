@@ -34,7 +34,7 @@ struct SurfaceDefinition {
     /// whoever resolves Boundary::Auto for a model; infinity for closed ones.
     float boundaryLimit = std::numeric_limits<float>::infinity();
     bool shrinkFree = true;     ///< the symmetric form mu = 1/2 (surface/README 2.6); false: mu = 0 [Adamson07]
-    bool oneSheet = true;       ///< second pass where near sheets meet (near_sheets.h)
+    bool oneSheet = true;       ///< near sheets are kept apart (surface/README 2.7)
     bool interpolating = false; ///< weights over r^2: the surface passes through the points (surface/README 2.10)
     /// Curvature is taken on supports that reach over at least so many spacings (surface/README 6.3); 0: on those of
     /// the surface. Known for supports from neighbours; one support for all is taken at its word.

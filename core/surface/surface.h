@@ -68,7 +68,8 @@ using Evaluationf = Evaluation<float>;
 using Evaluationd = Evaluation<double>;
 
 /// A direction that chooses the sign of unoriented frames and, for near sheets, the sheet (its own normal); zero for
-/// none: unoriented frames then keep an arbitrary sign, near sheets go by the nearest surfel.
+/// none: unoriented frames then keep an arbitrary sign, near sheets are put together or go by the nearest surfel
+/// (surface/README 2.7).
 struct OrientationHint {
     base::Vec3f direction;
 };

@@ -1,7 +1,7 @@
 // Second stage of an evaluation: from the sums over surfels to n, f, g, Hessian and status. Shared by both precisions;
 // `O` is the order of derivatives wanted.
 //
-//     sums at x -> near sheets? sums once more without those that face away (near_sheets.h)
+//     sums at x -> near sheets? both of them (two_solids.h), or sums once more without what faces away (near_sheets.h)
 //               -> c, d = x - c -> are there enough surfels? (sufficiency.h)
 //               -> weights interpolate and a surfel is here? then it is the answer (surfel_here.h)
 //               -> n and f by the frame (frames/)
@@ -9,6 +9,7 @@
 #pragma once
 
 #include "core/surface/evaluation/surfel_here.h"
+#include "core/surface/evaluation/two_solids.h"
 #include "core/surface/frames/frame_part.h"
 
 namespace surface {
@@ -22,10 +23,11 @@ class Assembler {
         : m_at(source, clusters, x, hint) {}
 
     Evaluation<T> run() {
-        sum(m_at.clusters, m_at.x, m_at.options, m_at.moments);
+        const bool solids = sumAll();
         if (!(m_at.moments.one.v > leastWeight<T>))
             return failed(Status::Outside, Cause::NoSupport);
-        m_at.keepOneSheet();
+        if (!solids)
+            m_at.keepOneSheet();
         m_at.centre();
         count();
         if (const Cause cause = scarcity(m_at.clusters, m_at.x, m_at.options, m_at.moments); cause != Cause::None)
@@ -33,12 +35,14 @@ class Assembler {
         if (m_at.options.interpolating && m_at.normals)
             if (const auto here = surfelHere(m_at.clusters, m_at.x, m_at.options.scale))
                 return take(*here);
-        if (m_at.frame.reads == NormalsRead::Oriented && !(m_at.agreement >= T(leastAgreement)))
+        if (!solids && m_at.frame.reads == NormalsRead::Oriented && !(m_at.agreement >= T(leastAgreement)))
             return failed(Status::Degenerate, Cause::CancellingNormals);
-        const Field<T, O> found = fieldOf(*m_at.frame.part, m_at);
+        const Field<T, O> found = solids ? TwoSolids<T, O>(m_at).run() : fieldOf(*m_at.frame.part, m_at);
         if (found.cause != Cause::None)
             return failed(Status::Degenerate, found.cause);
         m_out.agreement = m_at.agreement;
+        if (solids)
+            locate();
         store(found);
         return m_out;
     }
@@ -62,14 +66,33 @@ class Assembler {
   private:
     using Vector = base::Vec3<T>;
 
+    /// Sums over all surfels; tells whether near sheets are put together as two solids. Only then products of normals
+    /// are summed: the other sums keep their bits.
+    bool sumAll() {
+        if (m_at.tellsSolids()) {
+            SumOptions options = m_at.options;
+            options.outer = Outer::Normals;
+            sum(m_at.clusters, m_at.x, options, m_at.moments);
+            m_at.agreement = agreementOf(m_at.moments);
+            if (m_at.agreement < T(oneSheetBelow) || !(m_at.moments.one.v > leastWeight<T>))
+                return true;
+        }
+        sum(m_at.clusters, m_at.x, m_at.options, m_at.moments);
+        return false;
+    }
+
+    void locate() {
+        m_out.centroid = m_at.centroidPosition();
+        m_out.offCentre = length(valueOf(m_at.centroid));
+    }
+
     /// What stays even where there is no answer, so that a failure can be explained.
     void count() {
         m_out.samples = m_at.moments.samples;
         m_out.weight = m_at.moments.one.v;
         m_out.unit = m_at.moments.unit / m_at.moments.one.v;
         m_out.agreement = m_at.agreement;
-        m_out.centroid = m_at.centroidPosition();
-        m_out.offCentre = length(valueOf(m_at.centroid));
+        locate();
     }
 
     /// What would be used as an answer is not a number.

@@ -17,18 +17,38 @@ namespace surface {
 /// What happens to surfels by their normal's angle to a reference: nothing; those facing away are skipped (the second
 /// pass of surface/README 2.7); normals are flipped to the reference's side (unoriented normals); weights are
 /// multiplied by exp(-|n - reference|^2 / sigma^2), the factor counting as constant (the refits of rimls,
-/// surface/README 2.9).
-enum class Facing { All, Skip, Flip, Refit };
+/// surface/README 2.9); weights are multiplied by a smooth step of the normal's part along a moving axis (the two
+/// solids of surface/README 2.7).
+enum class Facing { All, Skip, Flip, Refit, Part };
 constexpr float facingLimit = -0.17f;
 constexpr float leastInterpolation = 1e-12f;
+
+/// A unit vector that moves with x.
+struct Axis {
+    base::Vec3d at, slope[3], bend[6]; ///< and its derivatives by x; the second by `sym`
+
+    Axis operator-() const {
+        Axis out = *this;
+        out.at = -at;
+        for (base::Vec3d& each : out.slope)
+            each = -each;
+        for (base::Vec3d& each : out.bend)
+            each = -each;
+        return out;
+    }
+};
+
+/// Part along the axis above minus which a normal begins to count, and above which it counts wholly.
+constexpr float partingLimit = 0.3f;
 
 struct SumOptions {
     Weight weight = Weight::Wendland;
     Outer outer = Outer::None;
     Facing facing = Facing::All;
-    base::Vec3d reference; ///< unit vector for Skip and Flip; the gradient of the pass before for Refit
-    float sigma = 1;       ///< of Refit
-    float scale = 1;       ///< supports are multiplied by it
+    base::Vec3d reference;      ///< unit vector for Skip and Flip; the gradient of the pass before for Refit
+    const Axis* axis = nullptr; ///< of Part
+    float sigma = 1;            ///< of Refit
+    float scale = 1;            ///< supports are multiplied by it
     /// Weights over max(r^2, leastInterpolation) (surface/README 2.10), r the distance over the support.
     bool interpolating = false;
 };

@@ -1,4 +1,5 @@
 #include "core/surface/evaluation/moments.h"
+#include "core/surface/evaluation/smooth_step.h"
 #include "core/surfel/surfel_block.h"
 
 namespace surface {
@@ -51,6 +52,23 @@ Radial weightAt(double r, const SumOptions& options) {
                          : options.weight == Weight::WendlandC4 ? wendlandC4(r)
                                                                 : gaussian(r);
     return options.interpolating ? interpolating(plain, r) : plain;
+}
+
+/// The factor of Facing::Part for a normal, with its derivatives as the axis moves.
+template <int O>
+Jet<double, O> partOf(const Vec3d& n, const Axis& axis) {
+    constexpr double slope = 0.5 / static_cast<double>(partingLimit);
+    Jet<double, O> t;
+    t.v = 0.5 + slope * dot(n, axis.at);
+    if constexpr (O >= 1)
+        for (int k = 0; k < 3; ++k)
+            t.d[k] = slope * dot(n, axis.slope[k]);
+    if constexpr (O >= 2)
+        for (int k = 0; k < 6; ++k)
+            t.dd[k] = slope * dot(n, axis.bend[k]);
+    static_assert(O <= 2);
+    const SmoothStep<double> step(t.v);
+    return chain(t, step.v, step.d, step.dd, step.ddd);
 }
 
 /// theta with its derivatives by x (surface/README 2.1), G = (x - p) / h^2.
@@ -117,8 +135,13 @@ void sum(ClusterSpan clusters, const Vec3d& x, const SumOptions& options, Moment
                 w *= std::exp(-lengthSq(n - options.reference) / (sigma * sigma));
             if (!(w.phi > 0))
                 continue;
+            if (options.facing == Facing::Part && dot(n, options.axis->at) <= -static_cast<double>(partingLimit))
+                continue;
             ++out.samples;
-            const Jet<double, O> theta = jetOf<O>(w, q, h);
+            Jet<double, O> theta = jetOf<O>(w, q, h);
+            if constexpr (O <= 2)
+                if (options.facing == Facing::Part)
+                    theta = theta * partOf<O>(n, *options.axis);
             const double unit = options.weight == Weight::Gaussian ? h / static_cast<double>(gaussianReach) : h;
             out.unit += theta.v * unit;
             if constexpr (O >= 1)

@@ -21,11 +21,11 @@ static Jet<float, O> jetOf(const float* sums, int monomial) {
 
 KernelInput kernelInput(ClusterSpan clusters, const base::Vec3f& x, const SumOptions& options) {
     const base::Vec3f reference = base::cast<float>(options.reference);
-    return {clusters.data(),      clusters.size(),
-            {x.x, x.y, x.z},      options.weight,
-            options.facing,       {reference.x, reference.y, reference.z},
-            options.scale,        1 / (options.sigma * options.sigma),
-            options.interpolating};
+    return {clusters.data(),       clusters.size(),
+            {x.x, x.y, x.z},       options.weight,
+            options.facing,        {reference.x, reference.y, reference.z},
+            options.scale,         1 / (options.sigma * options.sigma),
+            options.interpolating, options.axis};
 }
 
 template <int O>

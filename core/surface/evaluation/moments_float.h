@@ -38,6 +38,7 @@ struct KernelInput {
     float scale;              ///< of supports
     float inverseSigmaSquare; ///< of Facing::Refit
     bool interpolating;
+    const Axis* axis; ///< of Facing::Part
 };
 
 KernelInput kernelInput(ClusterSpan clusters, const base::Vec3f& x, const SumOptions& options);

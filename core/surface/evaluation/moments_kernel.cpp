@@ -43,6 +43,8 @@ HWY_INLINE std::size_t pick(const float* cluster, const KernelInput& in, std::si
         M keep = hn::Lt(dot(q, q), hn::Mul(h, h));
         if (in.facing == Facing::Skip)
             keep = hn::And(keep, hn::Gt(dot(n, in.reference), constant(facingLimit)));
+        if (in.facing == Facing::Part)
+            keep = hn::And(keep, hn::Gt(dot(n, in.reference), constant(-partingLimit)));
         const Packing packing(keep);
         const auto append = [&](int row, V value) { hn::StoreU(packing.pack(value), d, out.monomial[row] + count); };
         append(Dense::Support, h);
@@ -63,12 +65,38 @@ HWY_INLINE void pad(std::size_t count, Dense& dense) {
     }
 }
 
+/// Of Facing::Part: weights times derivatives of the step by the normal's part along the axis.
+struct PartLanes {
+    V theta, slope, bend; ///< theta and slope times the first derivative, theta times the second
+};
+
 /// One group of lanes with its weights.
 struct Lanes {
     V3 q, n;
     V h, height, square, inverse;
     WeightLanes weight;
+    PartLanes part;
 };
+
+/// Weights times the step of t = 1/2 + n.axis / 2 partingLimit.
+template <int order>
+HWY_INLINE void takePart(const KernelInput& in, Lanes& s) {
+    constexpr float rise = 0.5f / partingLimit;
+    const V zero = hn::Zero(D()), one = constant(1);
+    const V t = hn::Min(one, hn::Max(zero, hn::MulAdd(dot(s.n, in.reference), constant(rise), constant(0.5f))));
+    const V rest = hn::Sub(one, t), square = hn::Mul(t, t);
+    const V inner = hn::MulAdd(hn::MulAdd(constant(6), t, constant(-15)), t, constant(10));
+    if constexpr (order >= 1) {
+        const V d = hn::Mul(constant(30 * rise), hn::Mul(square, hn::Mul(rest, rest)));
+        s.part.theta = hn::Mul(s.weight.theta, d);
+        s.part.slope = hn::Mul(s.weight.slope, d);
+    }
+    if constexpr (order >= 2) {
+        const V dd = hn::Mul(hn::Mul(constant(60 * rise * rise), hn::Mul(t, rest)), hn::Sub(rest, t));
+        s.part.bend = hn::Mul(s.weight.theta, dd);
+    }
+    scale<order>(hn::Mul(hn::Mul(square, t), inner), s.weight);
+}
 
 /// Weights of the surfels from `at` on, zero from `end` on.
 template <int order>
@@ -97,6 +125,8 @@ HWY_INLINE Lanes weigh(const KernelInput& in, const Dense& dense, std::size_t at
         s.weight.slope = hn::IfThenElseZero(inside, s.weight.slope);
     if constexpr (order >= 2)
         s.weight.bend = hn::IfThenElseZero(inside, s.weight.bend);
+    if (in.facing == Facing::Part)
+        takePart<order>(in, s);
     s.height = dot(s.n, s.q);
     return s;
 }
@@ -169,9 +199,34 @@ HWY_INLINE std::size_t sumPlain(const KernelInput& in, const Dense& dense, std::
     return samples;
 }
 
+/// Adds to the factors what the axis of Facing::Part does to them as it moves.
+template <int order>
+HWY_INLINE void prepareParts(const Axis& axis, const Lanes& s, const V3& u, std::size_t place, Dense& dense) {
+    const D d;
+    const auto along = [&](const base::Vec3d& v) {
+        const float narrow[3] = {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+        return dot(s.n, narrow);
+    };
+    const auto add = [&](std::size_t k, V value) {
+        float* to = dense.factor[k] + place;
+        hn::Store(hn::Add(hn::Load(d, to), value), d, to);
+    };
+    const V3 turn{along(axis.slope[0]), along(axis.slope[1]), along(axis.slope[2])};
+    unrolled<3>([&](auto k) { add(SlopeFactor + k, hn::Mul(s.part.theta, at<k>(turn))); });
+    if constexpr (order >= 2) {
+        const V slope = hn::Mul(s.part.slope, s.inverse);
+        forPairs([&](auto k, auto l) {
+            const V mixed = hn::MulAdd(at<k>(u), at<l>(turn), hn::Mul(at<l>(u), at<k>(turn)));
+            const V bent = hn::Mul(s.part.theta, along(axis.bend[sym(k, l)]));
+            const V turned = hn::Mul(s.part.bend, hn::Mul(at<k>(turn), at<l>(turn)));
+            add(BendFactor + sym(k, l), hn::Add(hn::MulAdd(slope, mixed, bent), turned));
+        });
+    }
+}
+
 /// The factors and the monomials that are not picked as they are, for one group of lanes.
 template <int order, Outer outer>
-HWY_INLINE void prepare(const Lanes& s, std::size_t place, Dense& dense) {
+HWY_INLINE void prepare(const KernelInput& in, const Lanes& s, std::size_t place, Dense& dense) {
     const D d;
     const auto factor = [&](std::size_t k, V value) { hn::Store(value, d, dense.factor[k] + place); };
     const auto monomial = [&](std::size_t k, V value) { hn::Store(value, d, dense.monomial[k] + place); };
@@ -187,6 +242,9 @@ HWY_INLINE void prepare(const Lanes& s, std::size_t place, Dense& dense) {
         const V bend = hn::Mul(hn::Mul(s.weight.bend, s.inverse), s.inverse);
         forPairs([&](auto k, auto l) { factor(BendFactor + sym(k, l), hn::Mul(hn::Mul(bend, at<k>(u)), at<l>(u))); });
     }
+    if constexpr (order >= 1)
+        if (in.facing == Facing::Part)
+            prepareParts<order>(*in.axis, s, u, place, dense);
     unrolled<3>([&](auto k) { monomial(NTerm + k, at<k>(s.n)); });
     monomial(HeightTerm, s.height);
     monomial(SquareTerm, s.square);
@@ -209,7 +267,7 @@ HWY_INLINE std::size_t sumProducts(const KernelInput& in, Dense& dense, std::siz
             const Lanes s = weigh<order>(in, dense, at, count);
             samples += hn::CountTrue(d, hn::Gt(s.weight.theta, hn::Zero(d)));
             accumulate(unit, s.weight.theta, s.h);
-            prepare<order, outer>(s, at, dense);
+            prepare<order, outer>(in, s, at, dense);
         }
         rows.put(sumCount(order, outer) - 1, first, unit, fresh);
         for (std::size_t f = 0; f < factorCount(order); ++f) {

@@ -1,5 +1,5 @@
-// Near sheets (surface/README 2.7): where another sheet is near, the sums leave out the surfels that face away from
-// this one.
+// Near sheets for the frames that are not put together of two solids (surface/README 2.7; two_solids.h): where another
+// sheet is near, the sums leave out the surfels that face away from this one.
 //
 // How much of those counts is a smooth function of |m|/w, m the sum of all normals: all of it while the normals agree,
 // nothing where they nearly cancel. In between sums are mixed, so that f has no step where the second pass sets in: a
@@ -9,6 +9,7 @@
 
 #include "core/surface/evaluation/clusters.h"
 #include "core/surface/evaluation/moving_sums.h"
+#include "core/surface/evaluation/smooth_step.h"
 #include "core/surface/evaluation/sufficiency.h"
 
 namespace surface {
@@ -20,8 +21,7 @@ constexpr double oneSheetBelow = 0.92, twoSheetsBelow = 0.82;
 /// The part of the surfels facing away that counts, by |m|/w over all: 0 to 1, without corners.
 template <class T>
 T shareOfFacingAway(T agreement) {
-    const T t = (agreement - T(twoSheetsBelow)) / T(oneSheetBelow - twoSheetsBelow);
-    return t <= T(0) ? T(0) : t >= T(1) ? T(1) : t * t * t * (T(10) + t * (T(6) * t - T(15)));
+    return SmoothStep<T>((agreement - T(twoSheetsBelow)) / T(oneSheetBelow - twoSheetsBelow)).v;
 }
 
 /// kept + share (all - kept).

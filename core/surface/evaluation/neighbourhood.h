@@ -36,10 +36,12 @@ struct Neighbourhood {
     const SurfaceDefinition& definition() const { return source.surface().definition(); }
     base::Vec3<T> centroidPosition() const { return x + valueOf(centroid); }
 
+    /// Are near sheets put together as two solids?
+    bool tellsSolids() const { return oriented && definition().oneSheet && frame.solids; }
     /// Tells near sheets apart. REQUIRES: sums of some weight.
     void keepOneSheet() {
         agreement = normals ? agreementOf(moments) : T(1);
-        if (!oriented || !definition().oneSheet)
+        if (!oriented || !definition().oneSheet || tellsSolids())
             return;
         sheet = surface::keepOneSheet(clusters, x, side, options, moments);
         if (sheet.another)

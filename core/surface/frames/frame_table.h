@@ -24,6 +24,7 @@ struct FrameRow {
     Outer outer = Outer::None; ///< wanted at x
     bool ownField = false;     ///< f is another than the height over a plane; mu has no part in it
     bool onCurves = false;     ///< gives directions of curves, whatever normals there are
+    bool solids = false;       ///< near sheets are put together as two solids (two_solids.h), not told apart
     bool distance = true;      ///< off the surface |f| still grows as the distance does
 };
 

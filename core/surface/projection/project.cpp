@@ -137,10 +137,19 @@ class Projecting {
         out.slope = flat ? m_at.normal * slopeAlongNormal() : m_at.gradient;
         if (!(std::abs(dot(out.slope, out.along)) > T(0.1) * length(out.along)))
             out.slope = m_at.normal;
+        if (!flat && fades())
+            out.slope = base::normalized(out.along);
         out.value = m_at.value;
         out.unit = m_at.unit;
         out.meet();
         return out;
+    }
+
+    /// Whether f is flatter here than on the way to the surface: above near sheets, where the farther one comes into
+    /// play. A step by its slope would lead past both.
+    bool fades() const {
+        constexpr double far = 0.25, slope = 0.85; // of h; along n
+        return std::abs(m_at.value) > T(far) * m_at.unit && dot(m_at.gradient, m_at.normal) < T(slope);
     }
 
     /// The slope of f along n, as the last step of a basic projection has shown it (secant).

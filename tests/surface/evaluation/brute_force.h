@@ -5,7 +5,7 @@
 // derivatives from the bordered system [S - l, n; n^T, 0] [n_k; *] = [(l_k - S_k) n; 0].
 #pragma once
 
-#include "surface/evaluation/brute_sums.h"
+#include "surface/evaluation/brute_solids.h"
 
 #include <array>
 #include <vector>
@@ -23,9 +23,11 @@ struct Answer {
     int samples = 0, samplesAtCentroid = 0, flipped = 0;
     double f = 0, o = 0, unit = 0, agreement = 1;
     Vec3d c, n, g;
-    double share = -1; ///< of what faces away, where there are two sheets
-    Pass pass;         ///< of rimls
-    double sphere = 1; ///< of apss: |q| h; its formulas as printed lose digits as that goes to zero
+    double share = -1;   ///< of what faces away, where there are two sheets
+    bool solids = false; ///< put together of two; derivatives are differences then
+    Vec3d hint;          ///< that it was asked with
+    Pass pass;           ///< of rimls
+    double sphere = 1;   ///< of apss: |q| h; its formulas as printed lose digits as that goes to zero
 };
 
 /// Solves a 4x4 system by Gauss with full row pivoting.
@@ -233,6 +235,23 @@ auto difference(const Fn& fn, const Vec3d& x, int k, double step) {
     return (pair(1) * 45 - pair(2) * 9 + pair(3)) * (1 / (60 * step));
 }
 
+/// Where near sheets meet, for summed normals. False where they do not.
+inline bool solidsAt(const Model& model, const Vec3d& x, const Sums& s, const Vec3d& hint, Answer& out) {
+    const Vec3d side = base::normalized(hint);
+    const TwoSolids at = twoSolids(model, x, side);
+    if (!at.there)
+        return false;
+    out.valid = out.solids = true;
+    out.hint = side;
+    out.samples = s.count;
+    out.unit = s.unit / s.w;
+    out.f = at.f, out.n = at.n, out.c = x + at.c, out.o = length(at.c), out.agreement = at.agreement;
+    for (int k = 0; k < 3; ++k)
+        out.g[static_cast<std::size_t>(k)] =
+            difference([&](const Vec3d& y) { return twoSolids(model, y, side).f; }, x, k, 1e-4 * out.unit);
+    return true;
+}
+
 /// A share >= 0 is that of another position, held still.
 inline Answer evaluate(const Model& model, const Vec3d& x, const Vec3d& hint = {}, double atShare = -1) {
     Answer out;
@@ -240,9 +259,12 @@ inline Answer evaluate(const Model& model, const Vec3d& x, const Vec3d& hint = {
     Sums s = sums(model, x);
     if (s.w < 1e-12 || s.count < 3)
         return out;
+    const bool solids = frame == Frame::Normals && model.oriented && model.definition.oneSheet;
+    if (solids && solidsAt(model, x, s, hint, out))
+        return out;
     Vec3d reference;
     double share = 1;
-    const bool two = model.oriented && model.definition.oneSheet && length(s.m) / s.w < 0.92;
+    const bool two = !solids && model.oriented && model.definition.oneSheet && length(s.m) / s.w < 0.92;
     if (two) {
         reference = lengthSq(hint) > 0 ? base::normalized(hint) : nearestNormal(model, x);
         share = atShare >= 0 ? atShare : shareOf(s);
@@ -300,7 +322,7 @@ inline Answer evaluate(const Model& model, const Vec3d& x, const Vec3d& hint = {
 /// The same branch of f beside a position where it was answered: signs, sheets and the factors of rimls stay.
 inline Answer beside(const Model& model, const Answer& at, const Vec3d& y) {
     if (model.definition.frame != Frame::Rimls)
-        return evaluate(model, y, at.n, at.share);
+        return evaluate(model, y, at.solids ? at.hint : at.n, at.share);
     Answer out;
     rimlsPass(sums(model, y, at.pass.mode, at.pass.reference), out);
     return out;
