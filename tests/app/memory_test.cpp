@@ -60,6 +60,12 @@ void MemoryTest::tooLittleMemoryEndsInASentence_data() {
                                           "out.csv"};
 }
 
+/// Without what nanoflann prints on its own before it throws.
+static std::string ownWords(std::string text) {
+    const std::string others = "Failed to allocate memory.\n";
+    return text.starts_with(others) ? text.substr(others.size()) : text;
+}
+
 void MemoryTest::tooLittleMemoryEndsInASentence() {
     if (!limited)
         QSKIP("address space cannot be limited under a sanitizer");
@@ -84,7 +90,8 @@ void MemoryTest::tooLittleMemoryEndsInASentence() {
         if (done)
             break;
         ++refused;
-        QVERIFY2(out.err.starts_with("pointclay: ") && std::count(out.err.begin(), out.err.end(), '\n') == 1, where());
+        const std::string words = ownWords(out.err);
+        QVERIFY2(words.starts_with("pointclay: ") && std::count(words.begin(), words.end(), '\n') == 1, where());
         if (!target.empty())
             QCOMPARE(program.read(target), std::string("what was there"));
     }
