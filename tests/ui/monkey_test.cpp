@@ -1,5 +1,6 @@
 // A monkey at the window: random events, with a printed seed, that no person would send. What it must not do is crash,
-// break the model, or leave a window that no longer works. POINTCLAY_MONKEY: how many events; 20000 by hand.
+// break the model, or leave a window that no longer works. POINTCLAY_MONKEY: how many events; its moments are not those
+// of a replay, so it runs by hand.
 #include "core/base/random.h"
 #include "core/session/recover.h"
 #include "support/registry.h"
@@ -181,7 +182,10 @@ class Monkey {
         if (box->inherits("QFileDialog") || box->inherits("QColorDialog") || buttons.isEmpty() ||
             m_random.below(4) == 0)
             return box->reject();
-        buttons[static_cast<qsizetype>(m_random.below(static_cast<std::size_t>(buttons.size())))]->click();
+        // Not from here: a timer does not fire for boxes that open while it is being heard.
+        QMetaObject::invokeMethod(
+            buttons[static_cast<qsizetype>(m_random.below(static_cast<std::size_t>(buttons.size())))],
+            &QAbstractButton::click, Qt::QueuedConnection);
     }
 
     base::Random m_random;
@@ -195,7 +199,9 @@ class Monkey {
 void MonkeyTest::aWindowSurvivesRandomEvents() {
     bool given = false;
     const int wanted = qEnvironmentVariableIntValue("POINTCLAY_MONKEY", &given);
-    const int events = given ? wanted : test::effort(1500);
+    if (!given)
+        QSKIP("runs by hand: tests/run monkey");
+    const int events = wanted;
     qInfo("%d events, seed %llu", events, test::seed());
     Monkey monkey(test::seed());
     QString last;
