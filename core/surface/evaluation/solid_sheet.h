@@ -42,6 +42,19 @@ struct SolidSheet {
         return out;
     }
 
+    /// The centroid on supports `wider` times as wide: its way from x along the sheet, as at a boundary, is as much
+    /// longer.
+    JetVec<T, O> centroidOn(T wider) const {
+        JetVec<T, O> way = c, out = c;
+        if constexpr (O >= 1)
+            for (std::size_t k = 0; k < 3; ++k)
+                way[k].d[k] -= T(1); // x moves
+        const Jet<T, O> across = dot(n, way);
+        for (std::size_t k = 0; k < 3; ++k)
+            out[k] += (way[k] - n[k] * across) * (wider - T(1));
+        return out;
+    }
+
   private:
     static constexpr double cancelled = 1e-10; ///< of agreementSq: far below where n has a share in f
 };

@@ -230,10 +230,13 @@ class TwoSolids {
         const auto put = [&](const Jet<T, O>& all, const Jet<T, O>& a, const Jet<T, O>& b) {
             return between(all, between(b, a, m_mixture), m_share);
         };
+        // off-centre values are judged in supports: as if the parts had been summed on whole ones
+        constexpr auto whole = static_cast<T>(1 / two_solids::supports);
+        const JetVec<T, O> cA = m_a.centroidOn(whole), cB = m_b.centroidOn(whole);
         JetVec<T, O> n;
         for (std::size_t k = 0; k < 3; ++k) {
             n[k] = put(m_all.n[k], m_a.n[k], m_b.n[k]);
-            m_at.centroid[k] = put(m_at.centroid[k], m_a.c[k], m_b.c[k]);
+            m_at.centroid[k] = put(m_at.centroid[k], cA[k], cB[k]);
         }
         out.f = put(m_all.height, m_a.height, m_b.height);
         // half-way between both there is no normal: it turns over

@@ -46,6 +46,11 @@ struct SolidSums {
     double agreement() const { return length(m) / w; }
     Vec3d normal() const { return base::normalized(m); }
     Vec3d centroid() const { return p / w; }
+    /// As on whole supports.
+    Vec3d wholeCentroid() const {
+        const Vec3d c = centroid(), across = normal() * dot(normal(), c);
+        return across + (c - across) / 0.75;
+    }
     double f(double plain) const { return -plain * dot(normal(), centroid()) + (1 - plain) * height / w; }
     double thickness() const {
         const Vec3d n = normal();
@@ -132,7 +137,7 @@ inline TwoSolids twoSolids(const Model& model, const Vec3d& x, const Vec3d& hint
     };
     const SolidSums &first = thereA > 0 ? a : b, &second = thereB > 0 ? b : a; // either alone stands for both
     out.f = mix(out.f, first.f(plain), second.f(plain));
-    out.c = mix(out.c, first.centroid(), second.centroid());
+    out.c = mix(out.c, first.wholeCentroid(), second.wholeCentroid());
     out.n = base::normalized(mix(out.n, first.normal(), second.normal()));
     share *= share;
     share *= share;

@@ -1,6 +1,7 @@
 // Near sheets as two solids (surface/README 2.7): f stays on walls however near, has no false zeros past edges, no
 // jumps, and exact derivatives.
 #include "core/base/parallel.h"
+#include "core/surface/curves/boundary_curves.h"
 #include "core/surface/definition_text.h"
 #include "core/surface/rays/intersect.h"
 #include "support/registry.h"
@@ -24,6 +25,7 @@ class TwoSolidsTest : public QObject {
     void agreesWithBruteForce();
     void lanesAgreeWithDouble();
     void whereOneSheetIsAloneNothingChanges();
+    void thinOpenShellsKeepTheirRims();
 };
 
 namespace {
@@ -313,6 +315,48 @@ void TwoSolidsTest::whereOneSheetIsAloneNothingChanges() {
         }
     }
     QVERIFY(compared > 100);
+}
+
+/// Two pipes, one in the other: four rims, each where one pipe alone has it.
+void TwoSolidsTest::thinOpenShellsKeepTheirRims() {
+    constexpr double s = 0.05, height = 1.2;
+    SurfaceDefinition definition;
+    definition.boundaryLimit = 0.18f;
+    const auto pipes = [&](std::initializer_list<std::pair<double, double>> walls) {
+        surfel::SurfelList list;
+        list.layout = shapes::layout(true, true);
+        for (const auto& [radius, facing] : walls) {
+            const int around = int(std::lround(2 * shapes::pi * radius / s)), rows = int(std::lround(height / s));
+            for (int i = 0; i < around; ++i)
+                for (int k = 0; k < rows; ++k) {
+                    const double a = 2 * shapes::pi * (i + 0.5 * (k % 2)) / around;
+                    const Vec3d out{std::cos(a), std::sin(a), 0};
+                    const Vec3d p = out * radius + Vec3d{0, 0, (k + 0.5) * s};
+                    surfel::Surfel surfel;
+                    surfel.position = base::cast<float>(p), surfel.normal = base::cast<float>(out * facing);
+                    surfel.support = float(3.5 * s);
+                    list.append(surfel, {});
+                }
+        }
+        return Surface(tree::SurfelTree::build(list), definition);
+    };
+    const auto rims = [](const Surface& surface) {
+        std::vector<double> out;
+        for (const BoundaryCurve& curve : findBoundaryCurves(surface))
+            if (curve.closed)
+                out.push_back(curve.points.front().position.z);
+        std::sort(out.begin(), out.end());
+        return out;
+    };
+    const std::vector<double> alone = rims(pipes({{1, 1}}));
+    QCOMPARE(alone.size(), std::size_t(2));
+    for (const double apart : {1.0, 1.5, 2.0}) {
+        const std::vector<double> both = rims(pipes({{1, 1}, {1 - apart * s, -1}}));
+        QCOMPARE(both.size(), std::size_t(4));
+        for (std::size_t i = 0; i < both.size(); ++i)
+            QVERIFY2(std::abs(both[i] - alone[i / 2]) < 0.3 * s,
+                     qPrintable(QString::number((both[i] - alone[i / 2]) / s)));
+    }
 }
 
 static const test::Registered<TwoSolidsTest> registered;
