@@ -135,7 +135,7 @@ void PullToolsTest::aHookOfTenRadiiStaysWellSampled() {
     QVERIFY2(spacing.min >= 0.6f && spacing.max <= 3,
              qPrintable(QString("%1 to %2").arg(double(spacing.min)).arg(double(spacing.max))));
     for (const surfel::Surfel& each : after.tree().surfels().items)
-        QVERIFY(after.evaluate(each.position, surface::Need::Value).samples >= 6);
+        QVERIFY(after.evaluate(each.position, surface::Need::Value).samples >= 4);
 }
 
 void PullToolsTest::twistKeepsDistancesToAxisAndCentre() {
