@@ -180,6 +180,15 @@ static render::Camera framedForTurns(render::Camera camera, const tree::SurfelTr
     return camera;
 }
 
+/// Of a height that was told, around all directions: the model turns about its middle.
+static render::Camera centredForTurns(render::Camera camera, const tree::SurfelTree& model) {
+    const Vec3d back = camera.eye - camera.target;
+    if (!model.empty())
+        camera.target = base::cast<double>(render::framedBox(model).centre());
+    camera.eye = camera.target + back;
+    return camera.before(model.bounds());
+}
+
 /// A view that was saved in the window, whole.
 static std::optional<render::Camera> savedCamera(const std::string& name, const render::Camera& size,
                                                  const base::Box3f& box, const Vec3d& origin) {
@@ -264,10 +273,8 @@ std::vector<render::Camera> camerasOf(const ViewOptions& options, const tree::Su
             camera = fits ? closeUp(camera, model) : centred(camera, model);
         return {camera};
     }
-    if (free && fits)
-        camera = framedForTurns(camera, model, options.turntable);
-    else if (free)
-        camera = centred(camera, model);
+    if (free)
+        camera = fits ? framedForTurns(camera, model, options.turntable) : centredForTurns(camera, model);
     std::vector<render::Camera> out;
     for (int k = 0; k < options.turntable; ++k) {
         out.push_back(turnedAbout(camera, camera.upright(), 2 * std::numbers::pi * k / options.turntable));

@@ -104,7 +104,9 @@ Camera Camera::looking(const base::Box3f& box, int width, int height, base::UpAx
     camera.width = width;
     camera.height = height;
     camera.target = {0, 0, 0};
-    camera.eye = fromStanding(up, {0.45, 0.3, 1});
+    // 21 degrees above the horizon: clearly more than half the angle of view, at which the top of whatever fills the
+    // picture's height would be seen edge-on.
+    camera.eye = fromStanding(up, {0.45, 0.42, 1});
     camera.up = upRow(up).up;
     return camera.framing(box);
 }

@@ -109,7 +109,7 @@ void View::frame(std::span<const base::Box3f> boxes, int width, int height) {
 }
 
 View View::threeQuarter(std::span<const base::Box3f> boxes, int width, int height, base::UpAxis up) {
-    constexpr double yaw = 0.42, pitch = 0.27;
+    constexpr double yaw = 0.42, pitch = 0.366; // as render::Camera::looking, and for its reason
     View out;
     out.turn = frameOf(up) * Rotation::about({0, 1, 0}, yaw) * Rotation::about({1, 0, 0}, -pitch);
     out.upAxis = up;
