@@ -22,6 +22,7 @@ class UpGuessTest : public QObject {
     void roomsHaveTheirFloorBelow();
     void ballsTellNothing();
     void feetBearATable();
+    void whatIsBuiltHeadDownStandsAsUsual();
     void theUsualAxisWinsAmongEquals();
     void emptyAndFlatModelsTellWhatTheyCan();
 };
@@ -150,6 +151,28 @@ Place room(Random& random, const Vec3d& size) {
     }
 }
 
+/// A wide slab with a tower on it, by area.
+Place block(Random& random) {
+    for (;;) {
+        const bool tower = random.uniform() < 0.23;
+        const Vec3d half = tower ? Vec3d{0.4, 0.4, 0.4} : Vec3d{1, 0.2, 1}, middle{0, tower ? 0.8 : 0.2, 0};
+        const double areas[3] = {half.y * half.z, half.x * half.z, half.x * half.y};
+        double pick = random.uniform() * (areas[0] + areas[1] + areas[2]);
+        std::size_t k = 0;
+        while (k < 2 && pick > areas[k])
+            pick -= areas[k++];
+        Vec3d p, normal;
+        for (std::size_t a = 0; a < 3; ++a)
+            p[a] = middle[a] + half[a] * random.uniform(-1, 1);
+        normal[k] = random.uniform() < 0.5 ? -1 : 1;
+        p[k] = middle[k] + half[k] * normal[k];
+        const bool inside =
+            k == 1 && (tower ? normal.y < 0 : normal.y > 0 && std::abs(p.x) < 0.4 && std::abs(p.z) < 0.4);
+        if (!inside)
+            return {p, normal};
+    }
+}
+
 Place ball(Random& random) {
     const double y = random.uniform(-1, 1), turn = random.uniform(0, 2 * std::numbers::pi), r = std::sqrt(1 - y * y);
     const Vec3d p{r * std::cos(turn), y, r * std::sin(turn)};
@@ -226,6 +249,20 @@ void UpGuessTest::feetBearATable() {
     };
     for (const UpAxis up : {UpAxis::Y, UpAxis::Z, UpAxis::X})
         QCOMPARE(guess(modelOf(table, 6000, up, {0.002, 0, 0, true}, random)), up);
+}
+
+/// A machine part hangs from its largest plane as often as it stands on it; a scan of it lies as it was scanned.
+void UpGuessTest::whatIsBuiltHeadDownStandsAsUsual() {
+    Random random(test::seed());
+    for (const base::UpRow& row : base::upTable()) {
+        const bool headDown = row.up.x + row.up.y + row.up.z < 0;
+        const auto built = modelOf(block, 6000, row.axis, {}, random);
+        const auto scanned = modelOf(block, 6000, row.axis, {0.004, 0, 0, false}, random);
+        for (const UpAxis usual : {UpAxis::Y, UpAxis::Z}) {
+            QVERIFY2(guess(built, usual) == (headDown ? usual : row.axis), row.id);
+            QVERIFY2(guess(scanned, usual) == row.axis, row.id);
+        }
+    }
 }
 
 void UpGuessTest::theUsualAxisWinsAmongEquals() {

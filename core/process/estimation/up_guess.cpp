@@ -21,6 +21,8 @@ constexpr double restsLess = 0.6, tallEnough = 0.7; ///< of what stands without 
 constexpr double thinnest = 0.3, facingOfSheets = 0.45;
 constexpr double larger = 1.25, muchLarger = 2.5; ///< planes that outdo the usual axis and side
 constexpr double standsOn = 0.35;                 ///< rest of what stands
+constexpr float exactly = 0.999999f;              ///< |cosine| between the normals of a built plane and an axis
+constexpr double leastExact = 0.02;               ///< of the area, along each of two axes
 /// Of the diagonal and of the height: how thick a layer is that counts as one plane.
 constexpr double thick = 0.01, thickOfHeight = 0.04;
 
@@ -189,8 +191,10 @@ UpEvidence upEvidence(const tree::SurfelTree& tree) {
         total += s.weight;
     for (std::size_t k = 0; k < 3; ++k) {
         out.extent[k] = static_cast<double>(box.size()[k]);
-        for (const Sample& s : samples)
+        for (const Sample& s : samples) {
             out.facing[k] += s.weight * std::abs(static_cast<double>(s.normal[k])) / total;
+            out.exact[k] += std::abs(s.normal[k]) >= exactly ? s.weight / total : 0;
+        }
     }
     for (const base::UpRow& row : base::upTable()) {
         const std::size_t axis = row.up.x != 0 ? 0 : row.up.y != 0 ? 1 : 2;
@@ -260,7 +264,8 @@ static std::optional<UpAxis> standing(const UpEvidence& evidence) {
     return tall && rest(*best) >= leastRest ? std::optional(best->axis) : std::nullopt;
 }
 
-UpAxis guessedUp(const UpEvidence& evidence, UpAxis usual) {
+/// By the shape alone.
+static UpAxis shapedUp(const UpEvidence& evidence, UpAxis usual) {
     if (const auto thin = thinSide(evidence))
         return *thin == axisOf(usual) ? usual : along(*thin, true);
     std::array<double, 3> plane{};
@@ -271,6 +276,17 @@ UpAxis guessedUp(const UpEvidence& evidence, UpAxis usual) {
         return standing(evidence).value_or(usual);
     const std::size_t own = axisOf(usual);
     return sideOf(evidence, plane[best] > larger * plane[own] ? best : own, usual);
+}
+
+/// Planes along two axes, exact: machine parts, buildings, furniture, in the coordinates that they were made in.
+static bool isBuilt(const UpEvidence& evidence) {
+    return std::count_if(evidence.exact.begin(), evidence.exact.end(), [](double e) { return e >= leastExact; }) >= 2;
+}
+
+UpAxis guessedUp(const UpEvidence& evidence, UpAxis usual) {
+    const UpAxis out = shapedUp(evidence, usual);
+    const base::Vec3d& up = base::upRow(out).up;
+    return up.x + up.y + up.z < 0 && isBuilt(evidence) ? usual : out;
 }
 
 } // namespace process
