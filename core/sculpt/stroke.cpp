@@ -53,12 +53,11 @@ bool Stroke::add(const StrokeSample& sample) {
     const StrokeSample unit = checked(sample);
     const tree::SurfelTree before = m_state->dabs.surface().tree();
     const int count = dabs();
-    const bool waited = !m_state->method->waiting().empty();
+    const bool waited = m_state->method->waits();
     m_state->shown.reset();
     const Stabiliser::Step step = m_state->stabiliser.follow(unit, m_state->dabs.depth());
     m_state->method->add(step.sample, step.moved);
-    return dabs() != count || waited || !m_state->method->waiting().empty() ||
-           !(m_state->dabs.surface().tree() == before);
+    return dabs() != count || waited || m_state->method->waits() || !(m_state->dabs.surface().tree() == before);
 }
 void Stroke::finish() {
     m_state->shown.reset();
@@ -67,8 +66,8 @@ void Stroke::finish() {
 }
 
 const surface::Surface& Stroke::surface() const {
-    if (const std::vector<Dab> waiting = m_state->method->waiting(); !m_state->shown && !waiting.empty())
-        m_state->shown = m_state->dabs.preview(waiting);
+    if (!m_state->shown && m_state->method->waits())
+        m_state->shown = m_state->dabs.preview(m_state->method->waiting());
     return m_state->shown ? *m_state->shown : m_state->dabs.surface();
 }
 std::optional<float> Stroke::depth() const {

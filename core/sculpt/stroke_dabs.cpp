@@ -179,9 +179,7 @@ surface::Surface Dabs::preview(std::span<const Dab> images) const {
     surface::Surface out = m_surface;
     for (Dab dab : images) {
         checkCancelled();
-        join(dab, out);
-        dab.first = &m_first;
-        dab.past = m_past;
+        complete(dab, out);
         out = {out.tree().apply(m_row.apply(out, dab)), out.definition()};
         out = {out.tree().apply(smoothing(out, dab)), out.definition()};
     }
@@ -195,10 +193,14 @@ void Dabs::join(Dab& dab, const surface::Surface& version) const {
                                         connectedMargin * dab.radius, connectedReach * m_sampling.spacing());
 }
 
-void Dabs::applyOne(Dab dab) {
-    join(dab, touched());
+void Dabs::complete(Dab& dab, const surface::Surface& version) const {
+    join(dab, version);
     dab.first = &m_first;
     dab.past = m_past;
+}
+
+void Dabs::applyOne(Dab dab) {
+    complete(dab, touched());
     if (m_accumulate)
         pileUp(dab);
     else

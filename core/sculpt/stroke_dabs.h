@@ -84,6 +84,8 @@ class Dabs {
     void commit(const tree::Edit& edit, const Dab& dab);
     void aim(Dab& dab, const Mirror& image, const base::Vec3f& view, const Form& form) const;
     void join(Dab& dab, const surface::Surface& version) const;
+    /// With what a tool may ask of the stroke so far, for a dab that works on `version`.
+    void complete(Dab& dab, const surface::Surface& version) const;
 
     surface::Surface m_first, m_surface;
     surface::Surface m_base; ///< what dabs that do not accumulate work on

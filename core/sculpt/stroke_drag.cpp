@@ -28,9 +28,10 @@ class Holding : public Method {
   public:
     explicit Holding(Dabs& dabs) : m_dabs(dabs) {}
     void add(const StrokeSample& sample, bool) override;
-    std::vector<Dab> waiting() const override { return waitingLength() > 0 ? parts(1) : std::vector<Dab>{}; }
+    bool waits() const override { return waitingLength() > 0; }
+    std::vector<Dab> waiting() const override { return waits() ? parts(1) : std::vector<Dab>{}; }
     void finish() override {
-        if (waitingLength() > 0)
+        if (waits())
             step(1);
     }
 

@@ -25,7 +25,9 @@ class Method {
     virtual ~Method() = default;
     /// REQUIRES: a checked sample, direction of unit length. `moved`: false where the stabiliser's rope hung slack.
     virtual void add(const StrokeSample& sample, bool moved) = 0;
-    /// Dabs that would be made if the stroke ended here, to be shown until then.
+    /// Whether the stroke would make dabs if it ended here.
+    virtual bool waits() const { return false; }
+    /// These dabs, to be shown until then; none where nothing waits.
     virtual std::vector<Dab> waiting() const { return {}; }
     /// Dabs that were waiting for more.
     virtual void finish() {}
