@@ -30,12 +30,12 @@ class Stopwatch {
     std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
 };
 
-/// What a person calls up: the upright axis (y) as it is seen; from straight above, away from the viewer.
-Vec3f seenUpwards(const Vec3f& view) {
-    const Vec3f upright{0, 1, 0}, up = upright - view * dot(view, upright);
+/// What a person calls up: the upright axis as it is seen; from straight above, away from the viewer.
+Vec3f seenUpwards(const Vec3f& view, base::UpAxis axis) {
+    const Vec3f upright = base::cast<float>(upRow(axis).up), up = upright - view * dot(view, upright);
     if (length(up) > 1e-3f)
         return normalized(up);
-    return {0, 0, view.y < 0 ? -1.0f : 1.0f};
+    return base::cast<float>(fromStanding(axis, {0, 0, dot(view, upright) < 0 ? -1.0 : 1.0}));
 }
 
 } // namespace
@@ -120,7 +120,7 @@ Dab Dabs::dabOf(const Contact& at, std::size_t index, const Vec3f& view, const F
 }
 
 void Dabs::aim(Dab& dab, const Mirror& image, const Vec3f& view, const Form& form) const {
-    Vec3f up = image.direction(seenUpwards(view));
+    Vec3f up = image.direction(seenUpwards(view, m_settings.stampUpright));
     if (form.upwards != Vec3f{})
         up = image.direction(form.upwards);
     else if (m_settings.stampFollows && dab.travel != Vec3f{})

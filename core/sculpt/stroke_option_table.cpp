@@ -195,6 +195,16 @@ std::span<const StrokeOption> strokeOptionTable() {
         {"stamp-follows", "Follow the stroke", "",
          "The stamp's upper edge leads along the stroke; off: the stamp stands upright in the view.", "", Stamp,
          &S::stampFollows, stamped},
+        {"stamp-upright",
+         "Upright",
+         "",
+         "Axis of the model that an upright stamp takes for upwards; the window writes the model's own.",
+         "",
+         Stamp,
+         &S::stampUpright,
+         stamped,
+         {},
+         Scope::Stroke},
     };
     return rows;
 }

@@ -30,7 +30,7 @@ std::span<const OptionGroupRow> optionGroupTable();
 using OptionField =
     std::variant<float StrokeSettings::*, bool StrokeSettings::*, std::string StrokeSettings::*,
                  CurvePoints StrokeSettings::*, Falloff StrokeSettings::*, StrokeMethod StrokeSettings::*,
-                 MirrorPlanes Symmetry::*, int Symmetry::*, Axis Symmetry::*>;
+                 base::UpAxis StrokeSettings::*, MirrorPlanes Symmetry::*, int Symmetry::*, Axis Symmetry::*>;
 
 template <class T>
 T& at(StrokeSettings& settings, T StrokeSettings::*field) {
@@ -56,6 +56,8 @@ auto choicesOf() {
         return falloffTable();
     else if constexpr (std::is_same_v<Choice, StrokeMethod>)
         return methodTable();
+    else if constexpr (std::is_same_v<Choice, base::UpAxis>)
+        return upAxisTable();
     else
         return axisTable();
 }

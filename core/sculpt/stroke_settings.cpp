@@ -3,6 +3,7 @@
 #include "core/base/row_of_id.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace sculpt {
 
@@ -40,6 +41,24 @@ const AxisRow& row(Axis axis) {
 
 Axis axis(std::string_view id) {
     return base::rowOf(axes, id, {"there is no axis '%'", "radial-axis", "choose one of %"}).value;
+}
+
+std::span<const UpAxisRow> upAxisTable() {
+    static const auto rows = [] {
+        std::vector<UpAxisRow> out;
+        for (const base::UpRow& row : base::upTable())
+            out.push_back({row.axis, row.id, row.id});
+        return out;
+    }();
+    return rows;
+}
+
+const UpAxisRow& row(base::UpAxis axis) {
+    return upAxisTable()[static_cast<std::size_t>(axis)];
+}
+
+base::UpAxis upAxis(std::string_view id) {
+    return base::rowOf(upAxisTable(), id, {"there is no axis '%'", "stamp-upright", "choose one of %"}).value;
 }
 
 bool lastOnly(const StrokeSettings& settings) {

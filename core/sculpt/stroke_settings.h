@@ -2,6 +2,7 @@
 // names, ranges and texts of the fields are in stroke_options.h, one row each.
 #pragma once
 
+#include "core/base/up_axis.h"
 #include "core/sculpt/tool.h"
 
 namespace sculpt {
@@ -17,6 +18,16 @@ std::span<const AxisRow> axisTable();
 const AxisRow& row(Axis axis);
 /// Throws base::Error naming the axes.
 Axis axis(std::string_view id);
+
+struct UpAxisRow {
+    base::UpAxis value;
+    const char* id; ///< as sessions name it: "-z"
+    const char* label;
+};
+std::span<const UpAxisRow> upAxisTable();
+const UpAxisRow& row(base::UpAxis axis);
+/// Throws base::Error naming the axes.
+base::UpAxis upAxis(std::string_view id);
 
 /// Planes x = 0, y = 0, z = 0 of the file's coordinates.
 struct MirrorPlanes {
@@ -84,6 +95,7 @@ struct StrokeSettings {
     std::string stamp;         ///< the image that the brush presses in, as the session names it; empty: none
     float stampAngleRad = 0;   ///< turns it to the left
     bool stampFollows = false; ///< its upper edge leads along the stroke; else it stands upright as seen
+    base::UpAxis stampUpright = base::UpAxis::Y; ///< the model's axis that is upright then
 
     bool operator==(const StrokeSettings&) const = default;
 };

@@ -119,6 +119,9 @@ static void decode(const StrokeOption&, const json& value, sculpt::StrokeMethod&
 static void decode(const StrokeOption&, const json& value, Axis& out) {
     out = sculpt::axis(value.get<std::string>());
 }
+static void decode(const StrokeOption&, const json& value, base::UpAxis& out) {
+    out = sculpt::upAxis(value.get<std::string>());
+}
 
 json valueOf(const StrokeOption& option, const StrokeSettings& settings) {
     return std::visit([&](auto field) { return encoded(option, at(settings, field)); }, option.field);

@@ -20,6 +20,7 @@ class StrokeImagesTest : public QObject {
     void fourCopiesMakeAFourFoldShape();
     void mirroredStampsMirror();
     void stampsFollowTheStroke();
+    void uprightStampsFollowTheUpAxis();
     void anAnchoredStampTurnsWithTheDrag();
 
   private:
@@ -137,6 +138,18 @@ void StrokeImagesTest::stampsFollowTheStroke() {
     // A stroke that ends before it went anywhere is one upright dab.
     const Vec3f centre = raisedCentre(stamped(m_plane, settings, {down(0, 0)}));
     QVERIFY(centre.y > 0.03f && std::abs(centre.x) < 0.005f);
+}
+
+/// Seen along -z: an axis in the plane is upright there; from straight above, what is away from the viewer's feet is.
+void StrokeImagesTest::uprightStampsFollowTheUpAxis() {
+    for (const base::UpRow& up : base::upTable()) {
+        StrokeSettings settings = settingsOf("draw", 0.15f, StrokeMethod::Dots);
+        settings.stampUpright = up.axis;
+        const bool above = up.up.z != 0;
+        const Vec3f upwards = above ? Vec3f{0, 1, 0} : base::cast<float>(up.up);
+        const Vec3f centre = raisedCentre(stamped(m_plane, settings, {down(0, 0)}));
+        QVERIFY2(length(centre) > 0.03f && dot(normalized(Vec3f{centre.x, centre.y, 0}), upwards) > 0.99f, up.id);
+    }
 }
 
 void StrokeImagesTest::anAnchoredStampTurnsWithTheDrag() {

@@ -20,6 +20,7 @@ class SculptingTest : public QObject {
   private Q_SLOTS:
     void everyToolMovesPointsAndUndoBringsTheHashBack();
     void recordedSessionReplaysToTheSameHashWithoutAWindow();
+    void strokesRecordWhichAxisIsUpright();
     void escapeTakesAStrokeBackWithoutATrace();
     void undoDuringAStrokeTakesItBack();
     void symmetricStrokeWorksOnBothSides();
@@ -96,6 +97,16 @@ void SculptingTest::recordedSessionReplaysToTheSameHashWithoutAWindow() {
 static QByteArray contentOf(const std::filesystem::path& path) {
     QFile file(QString::fromStdString(path.string()));
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+void SculptingTest::strokesRecordWhichAxisIsUpright() {
+    WindowFixture f;
+    QVERIFY(f.make("sphere", 4000));
+    f.editor().run({{"op", "up"}, {"axis", "-z"}});
+    QVERIFY(f.settle());
+    f.drag(f.centre(), f.centre() + QPointF(30, 0));
+    QVERIFY(f.editor().snapshot().canUndo);
+    QVERIFY(contentOf(f.journal()).contains("\"stamp-upright\":\"-z\""));
 }
 
 void SculptingTest::escapeTakesAStrokeBackWithoutATrace() {

@@ -14,6 +14,7 @@ void StrokeInput::begin(const Pointer& pointer, const BrushContact& contact, std
     const bool flip = pointer.modifiers.testFlag(Qt::ControlModifier);
     const auto radius = static_cast<float>(m_sizing.radiusAt(contact.position));
     sculpt::StrokeSettings settings = strokeSettings(m_settings, row, radius, flip);
+    settings.stampUpright = m_editor.snapshot().up;
     if (row.needs.source)
         m_source.addTo(settings, contact.position);
     m_start = contact.position;
