@@ -1,5 +1,6 @@
 #include "app/command_line.h"
 
+#include "core/base/near_word.h"
 #include "core/base/row_of_id.h"
 #include "core/base/up_axis.h"
 
@@ -54,6 +55,28 @@ static std::vector<std::string> withAxes(int argc, char** argv) {
     return out;
 }
 
+/// Long options of the program or the subcommand that was chosen, apart by blanks.
+static std::string longOptions(const CLI::App& command) {
+    std::string out;
+    for (const CLI::Option* option : command.get_options())
+        for (const std::string& name : option->get_lnames())
+            out += name + " ";
+    return out;
+}
+
+/// What words that nobody expected may have meant, a line each.
+static void suggest(const CLI::App& program) {
+    const auto chosen = program.get_subcommands();
+    const CLI::App& command = chosen.empty() ? program : *chosen.front();
+    for (const std::string& word : program.remaining(true)) {
+        if (!word.starts_with("--"))
+            continue;
+        const std::string name = word.substr(2, word.find('=') - 2);
+        if (const std::string near = base::nearWord(name, longOptions(command)); !near.empty())
+            std::fprintf(stderr, "Did you mean --%s?\n", near.c_str());
+    }
+}
+
 std::optional<int> parse(CLI::App& program, int argc, char** argv) {
     const std::vector<std::string> words = withAxes(argc, argv);
     std::vector<const char*> texts;
@@ -63,7 +86,10 @@ std::optional<int> parse(CLI::App& program, int argc, char** argv) {
         program.parse(static_cast<int>(texts.size()), texts.data());
         return {};
     } catch (const CLI::ParseError& error) {
-        return program.exit(error) == 0 ? 0 : 2;
+        if (program.exit(error) == 0)
+            return 0;
+        suggest(program); // also where the mistyped one is missed as required
+        return 2;
     }
 }
 

@@ -2,7 +2,9 @@
 #include "app/command_line.h"
 #include "app/subcommand.h"
 #include "core/base/cancel_scope.h"
+#include "core/base/near_word.h"
 #include "core/base/parallel.h"
+#include "core/base/row_of_id.h"
 #include "core/io/file_name.h"
 #include "core/io/formats.h"
 
@@ -26,6 +28,13 @@ bool mayBeModel(const std::string& word) {
     std::error_code unknown;
     return std::filesystem::exists(word, unknown) || word.starts_with("sample:") ||
            io::rowOfExtension(io::formatTable(), io::extensionOf(word));
+}
+
+int refuseWord(const std::string& word) {
+    const std::string known = base::joinedIds(app::subcommandTable(), &app::SubcommandRow::name);
+    return app::fail("'" + word + "' is neither a subcommand nor a file; " +
+                         base::didYouMeanOr(word, known, "pointclay --help names all subcommands"),
+                     2);
 }
 
 /// Becomes the window's program: the same process, with the same arguments. Returns only where that fails.
@@ -57,9 +66,7 @@ int work(int argc, char** argv) {
     if (chosen)
         return runSubcommand(chosen, common);
     if (!common.models.empty() && !mayBeModel(common.models.front()))
-        return app::fail("'" + common.models.front() +
-                             "' is neither a subcommand nor a file; pointclay --help names all subcommands",
-                         2);
+        return refuseWord(common.models.front());
     return openWindow(argv);
 }
 

@@ -1,6 +1,7 @@
 #include "app/query_columns.h"
 
 #include "app/subcommand.h"
+#include "core/base/near_word.h"
 #include "core/base/row_of_id.h"
 
 #include <algorithm>
@@ -150,7 +151,9 @@ static std::vector<std::string> wordsOf(const std::string& list) {
 static void checkKnown(const std::vector<std::string>& asked) {
     for (const std::string& word : asked)
         if (!base::findRow(whatTable(), word))
-            throw UsageError("--what: unknown '" + word + "'; known are " + base::joinedIds(whatTable()));
+            throw UsageError(
+                "--what: unknown '" + word + "'; " +
+                base::didYouMeanOr(word, base::joinedIds(whatTable()), "known are " + base::joinedIds(whatTable())));
 }
 
 Question parseQuestion(const std::string& list) {

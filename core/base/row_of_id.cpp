@@ -1,6 +1,7 @@
 #include "core/base/row_of_id.h"
 
 #include "core/base/error.h"
+#include "core/base/near_word.h"
 
 namespace base {
 
@@ -10,7 +11,7 @@ static std::string filled(std::string text, std::string_view value) {
 }
 
 void refuseId(const UnknownId& text, std::string_view id, std::string_view known) {
-    throw Error(filled(text.what, id), text.where, filled(text.todo, known));
+    throw Error(filled(text.what, id), text.where, didYouMeanOr(id, known, filled(text.todo, known)));
 }
 
 } // namespace base

@@ -1,5 +1,6 @@
 // What a stroke's settings may be: the one place that refuses them.
 #include "core/base/error.h"
+#include "core/base/near_word.h"
 #include "core/base/row_of_id.h"
 #include "core/base/short_number.h"
 #include "core/sculpt/stroke_options.h"
@@ -21,7 +22,8 @@ static void checkParameter(const ToolRow& row, const std::string& id, double val
     }
     const std::string names = base::joinedIds(row.parameters);
     throw base::Error("the tool '" + std::string(row.id) + "' has no parameter '" + id + "'", "stroke",
-                      names.empty() ? "it has none" : "it has " + names);
+                      base::didYouMeanOr(id, names + ", samples, " + base::joinedIds(strokeOptionTable()),
+                                         names.empty() ? "it has none" : "it has " + names));
 }
 
 namespace {

@@ -1,5 +1,6 @@
 // Checking and completing a command against its row.
 #include "core/base/error.h"
+#include "core/base/near_word.h"
 #include "core/base/row_of_id.h"
 #include "core/session/commands.h"
 #include "core/session/json_text.h"
@@ -44,7 +45,9 @@ bool hasChoice(const CommandParameter& p, const std::string& value) {
 }
 
 [[noreturn]] void refuse(const CommandRow& row, const CommandParameter& p, const json& value, const std::string& wish) {
-    throw base::Error(named(row, p.id) + " is " + shortly(value) + " but must be " + wish);
+    const std::string word = value.is_string() ? value.get<std::string>() : std::string();
+    throw base::Error(named(row, p.id) + " is " + shortly(value) + " but must be " + wish, {},
+                      base::didYouMean(word, p.choices));
 }
 
 void checkNumber(const CommandRow& row, const CommandParameter& p, const json& value) {
@@ -97,7 +100,8 @@ json checked(const CommandRow& row, const CommandParameter& p, const json& value
 
 [[noreturn]] void refuseUnknown(const CommandRow& row, const std::string& id) {
     const std::string known = base::joinedIds(row.parameters);
-    throw base::Error("unknown parameter " + named(row, id), {}, known.empty() ? "it takes none" : "it takes " + known);
+    throw base::Error("unknown parameter " + named(row, id), {},
+                      base::didYouMeanOr(id, known, known.empty() ? "it takes none" : "it takes " + known));
 }
 
 } // namespace

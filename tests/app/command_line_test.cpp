@@ -19,6 +19,7 @@ class CommandLineTest : public QObject {
     void helpOfRunNamesEveryCommandAndTool();
     void wrongUsageIsTwo_data();
     void wrongUsageIsTwo();
+    void mistypedWordsAreAnsweredWithTheNearest();
     void badInputIsOneAndLeavesNothing_data();
     void badInputIsOneAndLeavesNothing();
     void interruptStopsCleanly();
@@ -113,6 +114,29 @@ void CommandLineTest::wrongUsageIsTwo() {
     QVERIFY2(outcome.code == 2, outcome.err.c_str());
     QVERIFY(!outcome.err.empty());
     QCOMPARE(program.dir().entryList(QDir::Files), QStringList{"p.xyz"});
+}
+
+void CommandLineTest::mistypedWordsAreAnsweredWithTheNearest() {
+    const Program program;
+    program.write("p.xyz", "0 0 1\n");
+    program.write("s.jsonl", "{\"op\":\"new\",\"sample\":\"shpere\"}\n");
+    program.write("t.jsonl", "{\"op\":\"nwe\",\"sample\":\"sphere\"}\n");
+    const std::pair<const char*, const char*> rows[] = {
+        {"inof p.xyz", "did you mean 'info'? pointclay --help"},
+        {"info sample:sphere:500 --jsn", "Did you mean --json?"},
+        {"render sample:sphere:500 --ouput a.png", "Did you mean --output?"},
+        {"render sample:sphere:500 --sizes=8x8 -o a.png", "Did you mean --size?"},
+        {"query sample:sphere:500 --at p.xyz --what vlaue -o o.csv", "did you mean 'value'? known are"},
+        {"info sample:shpere:500", "did you mean 'sphere'?"},
+        {"run s.jsonl", "did you mean 'sphere'?"},
+        {"run t.jsonl", "did you mean 'new'? known are"},
+    };
+    for (const auto& [words, wanted] : rows) {
+        const Outcome outcome = program.run(QString(words).split(' '));
+        QVERIFY2(outcome.code > 0 && outcome.err.find(wanted) != std::string::npos,
+                 (words + (": " + outcome.err)).c_str());
+    }
+    QVERIFY(program.run({"info", "sample:sphere:500", "--qwertz"}).err.find("Did you mean") == std::string::npos);
 }
 
 void CommandLineTest::badInputIsOneAndLeavesNothing_data() {

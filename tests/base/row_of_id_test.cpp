@@ -33,6 +33,13 @@ class RowOfIdTest : public QObject {
         } catch (const Error& error) {
             QCOMPARE(error.message(), std::string("basket: no fruit '50%'; take a, b, c% or none"));
         }
+        try {
+            rowOf(fruits, "bananna", {"no fruit '%'", "", "take %"}, &Fruit::name);
+            QFAIL("accepted");
+        } catch (const Error& error) {
+            QCOMPARE(error.message(),
+                     std::string("no fruit 'bananna'; did you mean 'banana'? take apple, banana, cherry"));
+        }
     }
 };
 
