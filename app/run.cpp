@@ -26,6 +26,7 @@ namespace {
 struct Options {
     std::string session, model, out, image, timings, journal;
     GivenParameters faces;
+    bool anyway = false;
 };
 
 /// The journal of one run: a named one stays, the default one goes with the process's normal end.
@@ -89,7 +90,7 @@ void run(const Options& options, Console& console) {
     session::Document document;
     const base::Progress progress = console.progress();
     RunJournal journal(options.journal, console);
-    session::Context context{document, {}, progress, {}, 0, {}, journal.get()};
+    session::Context context{document, {}, progress, {}, 0, {}, journal.get(), options.anyway};
     if (!options.model.empty())
         openModel(context, options.model, parametersOf(options.faces), console);
     ordered_json timings = ordered_json::array();
@@ -131,6 +132,9 @@ Action addRun(CLI::App& command) {
         .add_option("--journal", options->journal,
                     "where to keep the journal for `recover`; default: in the XDG state folder, removed at the end")
         ->type_name("FILE");
+    command.add_flag("--anyway", options->anyway,
+                     "take files as they are now that have changed since the session was recorded: strokes then meet "
+                     "another model than they were drawn on");
     addFaceOptions(command, options->faces, model);
     command.footer(command.get_footer() + "\n\n" + commandHelp());
     return [options](Console& console) { run(*options, console); };

@@ -46,6 +46,8 @@ struct Context {
     int dabs = 0;
     std::vector<double> dabSeconds;
     Journal* journal = nullptr; ///< null: nothing is journalled
+    /// `open` takes a file that is not the one that was recorded, and says so.
+    bool takesChangedFiles = false;
 };
 
 struct CommandRow {

@@ -22,11 +22,17 @@ static Provenance provenanceOf(io::FileModel& model, const std::filesystem::path
     return out;
 }
 
-static void checkHash(const json& complete, const tree::SurfelTree& tree, const base::Vec3d& origin) {
+static void checkHash(Context& context, const json& complete, const tree::SurfelTree& tree, const base::Vec3d& origin) {
     const auto wanted = complete.find("hash");
-    if (wanted != complete.end() && *wanted != contentHash(tree, origin).text())
-        throw base::Error("the file is not the one that was opened when this was recorded",
-                          complete.at("path").get<std::string>(), "restore that file");
+    if (wanted == complete.end() || *wanted == contentHash(tree, origin).text())
+        return;
+    const std::string path = complete.at("path").get<std::string>(),
+                      what = "the file is not the one that was opened when this was recorded";
+    if (!context.takesChangedFiles)
+        throw base::Error(
+            what, path,
+            "restore that file, or go on with it as it is now: pointclay recover --anyway, or run --anyway");
+    context.messages.push_back(path + ": " + what + "; it is taken as it is now");
 }
 
 static void open(Context& context, const json& complete) {
@@ -38,7 +44,7 @@ static void open(Context& context, const json& complete) {
     provenance.sampled = file.faces.sampled;
     provenance.closed = file.faces.closed;
     MadeModel fresh = made(file, process::part(context.progress, 0.7, 1));
-    checkHash(complete, fresh.surface.tree(), provenance.origin);
+    checkHash(context, complete, fresh.surface.tree(), provenance.origin);
     context.messages.insert(context.messages.end(), file.model.messages.begin(), file.model.messages.end());
     context.document.reset(std::move(fresh.surface), std::move(provenance), fresh.up);
 }

@@ -70,7 +70,10 @@ int recover(const fs::path& journal, Context& context) {
     constexpr int told = 10;
     int passedOver = 0;
     ReplayOptions options;
-    options.allowTornEnd = true;
+    options.torn = [&](int line) {
+        context.messages.push_back(journal.string() + ":" + std::to_string(line) +
+                                   ": the last line broke off and was left out");
+    };
     options.passedOver = [&](const base::Error& error) {
         if (++passedOver <= told)
             context.messages.push_back(error.message() + "; this line was left out");

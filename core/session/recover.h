@@ -20,8 +20,9 @@ std::vector<LeftJournal> findLeftJournals();
 
 /// Brings the model of a journal back into `context`, whose own journal, if any, records it anew. The journal itself
 /// stays; remove it with removeJournal once the model is safe. Lines behind the first that fail are passed over and
-/// named in the context's messages; returns how many. Throws base::Error where it holds no command, or where the file
-/// that it opens is gone or has changed.
+/// named in the context's messages; returns how many. A last line that broke off is named, too, and does not count.
+/// Throws base::Error where it holds no command, or where the file that it opens is gone or, unless the context takes
+/// changed files, has changed.
 int recover(const std::filesystem::path& journal, Context& context);
 
 } // namespace session

@@ -21,9 +21,10 @@ struct LineReport {
 };
 
 struct ReplayOptions {
-    /// A last line that a crash has torn (no newline, or no JSON) is left out instead of refused.
-    bool allowTornEnd = false;
     std::function<void(const LineReport&)> done; ///< after each line; may be empty
+    /// Told the number of a last line that a crash has torn (no newline, or no JSON), which is then left out; empty: it
+    /// is refused.
+    std::function<void(int line)> torn = {};
     /// Told of a line behind the first command that fails, which is then passed over; empty: it ends the session.
     std::function<void(const base::Error&)> passedOver = {};
 };

@@ -19,6 +19,8 @@ class RunTest : public QObject {
     void theJournalGoesWithANormalEnd();
     void aKilledSessionIsRecovered();
     void recoverLeavesOutWhatItCannotRead();
+    void changedFilesAreTakenWhenAsked();
+    void picturesAreThoseOfRender();
     void aModelIsNoJournal();
     void theDemoIsWhatItsGeneratorWrites();
     void theDemoSessionRuns();
@@ -108,6 +110,47 @@ void RunTest::recoverLeavesOutWhatItCannotRead() {
     QVERIFY2(outcome.err.find("damaged.jsonl:2: ") != std::string::npos, outcome.err.c_str());
     QCOMPARE(program.run({"run", "whole.jsonl", "-o", "b.ply"}).code, 0);
     QCOMPARE(program.hash("a.ply"), program.hash("b.ply"));
+}
+
+void RunTest::changedFilesAreTakenWhenAsked() {
+    const Program program;
+    QCOMPARE(program.run({"convert", "sample:sphere:3000", "a.ply"}).code, 0);
+    program.write("s.jsonl", "{\"op\":\"open\",\"path\":\"a.ply\"}\n" + strokeAt(0, "draw").dump() + "\n");
+    QCOMPARE(program.run({"run", "s.jsonl", "--journal", "j.jsonl"}).code, 0);
+    QCOMPARE(program.run({"convert", "sample:sphere:2000", "a.ply"}).code, 0);
+    QCOMPARE(program.run({"run", "s.jsonl", "-o", "wanted.ply"}).code, 0);
+    for (const QStringList& words :
+         {QStringList{"recover", "j.jsonl", "-o", "b.ply"}, QStringList{"run", "j.jsonl", "-o", "b.ply"}}) {
+        const Outcome refused = program.run(words);
+        QCOMPARE(refused.code, 1);
+        QVERIFY2(refused.err.find("--anyway") != std::string::npos, refused.err.c_str());
+        QVERIFY(program.read("b.ply").empty());
+        const Outcome taken = program.run(words + QStringList{"--anyway"});
+        QVERIFY2(taken.code == 0 && taken.err.find("it is taken as it is now") != std::string::npos, taken.err.c_str());
+        QCOMPARE(program.hash("b.ply"), program.hash("wanted.ply"));
+        QFile::remove(program.path("b.ply").c_str());
+    }
+}
+
+/// The same view, and colours where there are some.
+void RunTest::picturesAreThoseOfRender() {
+    const Program program;
+    std::string points = "x,y,z,red,green,blue\n";
+    for (int i = 0; i < 3000; ++i) {
+        const double z = 1 - (2 * i + 1) / 3000.0, r = std::sqrt(1 - z * z), t = 2.399963 * i;
+        points += std::to_string(r * std::cos(t)) + "," + std::to_string(r * std::sin(t)) + "," + std::to_string(z) +
+                  (z > 0 ? ",250,40,0\n" : ",0,90,250\n");
+    }
+    program.write("ball.csv", points);
+    for (const char* model : {"ball.csv", "sample:knot:3000"}) {
+        program.write("s.jsonl", "");
+        QCOMPARE(program.run({"run", "s.jsonl", "--model", model, "--render", "a.png"}).code, 0);
+        QCOMPARE(program.run({"render", model, "-o", "b.png"}).code, 0);
+        QVERIFY2(program.read("a.png") == program.read("b.png") && program.read("a.png").size() > 5000, model);
+    }
+    program.run({"render", "ball.csv", "-o", "c.png", "--shading", "matcap"});
+    QCOMPARE(program.run({"run", "s.jsonl", "--model", "ball.csv", "--render", "a.png"}).code, 0);
+    QVERIFY(program.read("a.png") != program.read("c.png"));
 }
 
 void RunTest::aModelIsNoJournal() {

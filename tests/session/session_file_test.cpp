@@ -41,7 +41,7 @@ void SessionFileTest::everyLineIsReported() {
     const std::string text = test::newSphere().dump() + "\n\n" + test::strokeAt(0).dump() + "\n{\"op\":\"undo\"}\n";
     std::vector<session::LineReport> reports;
     session::replay(test::write(bench.path("s.jsonl"), text), bench.context,
-                    {false, [&](const session::LineReport& report) { reports.push_back(report); }});
+                    {[&](const session::LineReport& report) { reports.push_back(report); }});
     QCOMPARE(reports.size(), std::size_t(3));
     QCOMPARE(reports[0].line, 1);
     QCOMPARE(reports[1].line, 3);
