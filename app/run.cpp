@@ -11,6 +11,7 @@
 #include "core/render/framed_box.h"
 #include "core/render/image_io.h"
 #include "core/render/picture.h"
+#include "core/render/shading/own_colours.h"
 #include "core/session/journal.h"
 #include "core/session/session_file.h"
 
@@ -78,9 +79,11 @@ void savePicture(const session::Document& document, const std::string& path, con
     if (surface.tree().empty())
         throw base::Error("there is no model to draw", path, "open one in the session or with --model");
     render::PictureStats stats;
+    render::PictureOptions look;
+    look.style.shading = render::usualShading(document.surface().tree());
     const render::Camera camera =
         closeUp(render::Camera::looking(render::framedBox(surface.tree()), 1280, 720, document.up()), surface.tree());
-    render::savePng(render::drawPicture(surface, camera, {}, stats, progress), path);
+    render::savePng(render::drawPicture(surface, camera, look, stats, progress), path);
 }
 
 void run(const Options& options, Console& console) {

@@ -108,8 +108,7 @@ std::shared_ptr<LookOptions> addLookOptions(CLI::App& command) {
 static render::Shading shadingOf(const LookOptions& options, const tree::SurfelTree& model) {
     if (!options.shading.empty())
         return render::shading(options.shading);
-    const bool colours = options.light->material == "matcap" && render::hasOwnColours(model);
-    return colours ? render::Shading::Colour : render::Shading::Matcap;
+    return options.light->material == "matcap" ? render::usualShading(model) : render::Shading::Matcap;
 }
 
 void applyLook(const LookOptions& options, const session::Document& document, const nlohmann::json& surface,

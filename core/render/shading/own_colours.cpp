@@ -15,4 +15,8 @@ bool hasOwnColours(const tree::SurfelTree& tree) {
     return false;
 }
 
+Shading usualShading(const tree::SurfelTree& tree) {
+    return hasOwnColours(tree) ? Shading::Colour : Shading::Matcap;
+}
+
 } // namespace render

@@ -1,6 +1,7 @@
 // Whether a model's colours are worth showing.
 #pragma once
 
+#include "core/render/shading/shading_table.h"
 #include "core/tree/surfel_tree.h"
 
 namespace render {
@@ -8,5 +9,8 @@ namespace render {
 /// It has colours, and they are not all the same: many programs write black or white where they know none. Cost: up to
 /// the first surfel that differs.
 bool hasOwnColours(const tree::SurfelTree& tree);
+
+/// What a model is shown in where nobody chose: its own colours, else the matcap.
+Shading usualShading(const tree::SurfelTree& tree);
 
 } // namespace render
