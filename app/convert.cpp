@@ -3,7 +3,9 @@
 #include "app/open_model.h"
 #include "app/options/face_options.h"
 #include "app/subcommand.h"
+#include "core/io/file_name.h"
 #include "core/io/formats.h"
+#include "core/io/mesh_formats.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/session/face_options.h"
 
@@ -39,6 +41,17 @@ static void sampleFaces(io::FileModel& model, const std::string& name, const nlo
         model.messages.push_back("The file's faces are not written, only its points.");
 }
 
+/// What was written where.
+static std::string report(const std::string& out, const io::FileModel& model, bool replaced) {
+    const io::FormatRow& row = *io::rowOfExtension(io::formatTable(), io::extensionOf(out));
+    const std::size_t count = model.points.size();
+    std::string text = out + ": " + std::to_string(count) + (count == 1 ? " point" : " points") + " written as " +
+                       row.label + (replaced ? ", in the place of what was read" : "");
+    if (std::string_view(row.id) != "ply" && io::meshFormatOf(out)) // where people expect faces
+        text += ", without faces; pointclay mesh makes them";
+    return text;
+}
+
 Action addConvert(CLI::App& command) {
     struct Options {
         std::string in, out;
@@ -53,7 +66,10 @@ Action addConvert(CLI::App& command) {
         io::FileModel model = readModel(options->in, process::part(progress, 0, 0.3));
         sampleFaces(model, options->in, parametersOf(options->faces), process::part(progress, 0.3, 0.5));
         console.tell(model.messages);
+        std::error_code unequal;
+        const bool replaces = std::filesystem::equivalent(options->in, options->out, unequal);
         io::write(options->out, model, process::part(progress, 0.5, 1));
+        console.tell(report(options->out, model, replaces));
     };
 }
 

@@ -64,6 +64,14 @@ void describeSurface(ordered_json& out, session::OpenedFile file, const base::Pr
     }
 }
 
+/// Normals that come of the faces are not the file's, and are told neither here nor as `normals`.
+std::vector<std::string> attributesOf(const session::OpenedFile& from) {
+    std::vector<std::string> out = from.model.points.layout->names();
+    if (!from.ownNormals)
+        std::erase(out, "normal");
+    return out;
+}
+
 ordered_json describe(session::OpenedFile from, const base::Progress& progress, Console& console) {
     const io::FileModel& model = from.model;
     const base::Box3f box = boundsOf(model.points);
@@ -75,7 +83,7 @@ ordered_json describe(session::OpenedFile from, const base::Progress& progress, 
     out["spacing"] = summaryOf(process::spacings(model.points.items, process::part(progress, 0.3, 0.5)));
     out["support"] = nullptr;
     out["normals"] = from.ownNormals;
-    out["attributes"] = model.points.layout->names();
+    out["attributes"] = attributesOf(from);
     out["faces"] = model.faces;
     out["sampled"] = from.faces.sampled;
     out["closed"] = from.faces.closed;

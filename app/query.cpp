@@ -140,8 +140,17 @@ std::string whatHelp() {
     std::string out = "comma-separated list of what to compute; the CSV has x,y,z,status and then, in this order,";
     for (const WhatRow& row : whatTable())
         out += std::string("\n  ") + row.id + ": " + row.tip + " (" + row.columns + ")";
-    return out +
-           "\n  status: of the position or, where that is ok, of the projection; columns without an answer hold nan";
+    return out + R"(
+  status: of the position or, where that is ok or was not asked for, of the projection; columns without an answer
+  hold nan
+    ok
+    outside: no surfel has the position in its support, so that nothing but a projection is defined there
+    degenerate: the surfels around it have no plane
+    not-converged: a projection that led to no foot
+    beyond-boundary: past the rim of an open surface; numbers are those of the surface carried on
+  Projections start anywhere: outside of all supports at the nearest surfel, and at others around where that leads to
+  a foot that is not the nearest. The farther away a position is, the more often two feet are as near as each other
+  and none is found.)";
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 #include "core/io/content_kind.h"
 #include "core/io/file_name.h"
 #include "core/io/formats.h"
+#include "core/io/mesh_formats.h"
 #include "core/io/readers.h"
 
 namespace io {
@@ -71,6 +72,9 @@ FileModel read(const path& path, const base::Progress& progress, const std::file
 
 void write(const path& path, const FileModel& model, const base::Progress& progress) {
     const FormatRow* row = rowOfExtension(table, extensionOf(path));
+    if ((!row || !row->write) && meshFormatOf(path))
+        throw base::Error("holds faces, which a model of points has none of", path.string(),
+                          "make them with pointclay mesh, or choose one of the extensions " + knownExtensions(true));
     if (!row || !row->write)
         throw base::Error("cannot be written in this format", path.string(),
                           "choose one of the extensions " + knownExtensions(true));

@@ -23,7 +23,8 @@ static void stroke(Context& context, const json& complete) {
         live.add(samples[i]);
     }
     if (!live.finish())
-        context.messages.push_back("a stroke of " + std::to_string(samples.size()) + " samples " +
+        context.messages.push_back("a stroke of " + std::to_string(samples.size()) +
+                                   (samples.size() == 1 ? " sample " : " samples ") +
                                    (live.depth() ? "met the model and changed nothing" : "missed the model"));
     context.dabs += quiet.dabs;
     context.dabSeconds.insert(context.dabSeconds.end(), quiet.dabSeconds.begin(), quiet.dabSeconds.end());

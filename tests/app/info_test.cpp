@@ -16,6 +16,8 @@ class InfoTest : public QObject {
     void aGridIsDescribedExactly();
     void fewPointsAreDescribedWithoutASurface();
     void conversionKeepsThePoints();
+    void conversionsAreTold();
+    void normalsOfFacesAreNotTheFiles();
     void realScansHaveTheirCounts();
 };
 
@@ -87,6 +89,32 @@ void InfoTest::conversionKeepsThePoints() {
     QCOMPARE(program.hash("d.ply"), program.hash("a.ply"));
     QCOMPARE(program.run({"convert", "sample:knot:1500", "knot.ply"}).code, 0);
     QCOMPARE(program.hash("knot.ply"), program.hash("sample:knot:1500"));
+}
+
+void InfoTest::conversionsAreTold() {
+    const Program program;
+    program.write("grid.xyz", grid());
+    const auto told = [&](const char* out, const std::string& part) {
+        const Outcome outcome = program.run({"convert", "grid.xyz", out});
+        QVERIFY2(outcome.err.find(part) != std::string::npos, outcome.err.c_str());
+    };
+    told("a.ply", "a.ply: 120 points written as Polygon file\n");
+    told("a.obj", "a.obj: 120 points written as Wavefront OBJ, without faces; pointclay mesh makes them\n");
+    told("a.stl", "pointclay mesh, or choose one of the extensions ply");
+    told("a.doc", "cannot be written in this format");
+    told("grid.xyz", "grid.xyz: 120 points written as Points as text, in the place of what was read\n");
+}
+
+void InfoTest::normalsOfFacesAreNotTheFiles() {
+    const Program program;
+    const std::string faces = "f 1 3 5\nf 3 2 5\nf 2 4 5\nf 4 1 5\nf 3 1 6\nf 2 3 6\nf 4 2 6\nf 1 4 6\n";
+    program.write("a.obj", "v 1 0 0\nv -1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nv 0 0 -1\n" + faces);
+    const Outcome outcome = program.run({"info", "a.obj", "--json", "--sample-count", "500"});
+    QVERIFY2(outcome.code == 0, outcome.err.c_str());
+    const json info = json::parse(outcome.out);
+    QCOMPARE(info["normals"], json(false));
+    const auto names = info["attributes"].get<std::vector<std::string>>();
+    QVERIFY(names.front() == "position" && std::find(names.begin(), names.end(), "normal") == names.end());
 }
 
 void InfoTest::realScansHaveTheirCounts() {
