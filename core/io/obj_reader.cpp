@@ -1,6 +1,6 @@
-// Wavefront OBJ: its vertices and faces, these with the pictures of their materials (obj_materials.h); vertices with
-// colours where `v` carries them, and normals where `vn` can be told to belong to
-// vertices: by the corners of faces (corners of one vertex that disagree are averaged), else by equal counts.
+// Wavefront OBJ: its vertices and faces, these with pictures and colours of their materials (obj_materials.h); vertices
+// with colours where `v` carries them, and normals where `vn` can be told to belong to vertices: by the corners of
+// faces (corners of one vertex that disagree are averaged), else by equal counts.
 #include "core/io/number_text.h"
 #include "core/io/obj_materials.h"
 #include "core/io/readers.h"
@@ -77,9 +77,11 @@ class ObjReader {
 
   private:
     void count();
-    void findPictures();
-    std::uint32_t pictureOf(std::string_view material) const;
+    void findMaterials();
+    std::uint32_t materialOf(std::string_view name) const;
     void joinFaces();
+    void placeInPictures(mesh::Polygons& faces, const std::vector<std::uint32_t>& textures) const;
+    void colourFaces();
     std::size_t parse(std::size_t chunk);
     void takeFace(std::string_view line, const Counts& at, std::size_t chunk);
     bool takeCorner(std::string_view word, const Counts& at, Corner& out) const;
@@ -100,9 +102,10 @@ class ObjReader {
     std::vector<base::Vec3d> m_normals;
     /// Materials as the text has them: the last one named before the end of each chunk; empty where none is.
     std::vector<std::string_view> m_materials;
-    std::vector<std::vector<std::string>> m_libraries; ///< per chunk
-    std::vector<PictureName> m_pictures;
-    std::map<std::string, std::uint32_t, std::less<>> m_numbers; ///< of pictures, by material
+    std::vector<std::vector<std::string>> m_libraries;           ///< per chunk
+    std::vector<ObjMaterial> m_painting;                         ///< the materials that paint faces
+    std::map<std::string, std::uint32_t, std::less<>> m_numbers; ///< of these, by their names
+    bool m_pictured = false;                                     ///< some have pictures, and corners places in them
     std::vector<mesh::Polygons::Place> m_textures;
     std::vector<std::vector<Corner>> m_corners;          ///< per chunk
     std::vector<std::vector<std::uint32_t>> m_textureOf; ///< per chunk, of the faces' corners
@@ -145,21 +148,22 @@ void ObjReader::count() {
     m_width = takeNumbers(line, numbers, 8) >= 6 ? 6 : 3;
 }
 
-/// The pictures of all materials, where faces can have them.
-void ObjReader::findPictures() {
+/// The materials that faces can have.
+void ObjReader::findMaterials() {
     std::vector<std::string> libraries;
     for (const auto& chunk : m_libraries)
         libraries.insert(libraries.end(), chunk.begin(), chunk.end());
-    if (all().textures == 0 || all().faces == 0)
+    if (all().faces == 0)
         return;
-    for (const auto& [material, picture] : readMaterials(m_folder, libraries, m_model.messages)) {
-        m_numbers[material] = static_cast<std::uint32_t>(m_pictures.size());
-        m_pictures.push_back(picture);
+    for (auto& [name, material] : readMaterials(m_folder, libraries, m_model.messages)) {
+        m_numbers[name] = static_cast<std::uint32_t>(m_painting.size());
+        m_pictured |= all().textures > 0 && !material.picture.file.empty();
+        m_painting.push_back(material);
     }
 }
 
-std::uint32_t ObjReader::pictureOf(std::string_view material) const {
-    const auto found = m_numbers.find(material);
+std::uint32_t ObjReader::materialOf(std::string_view name) const {
+    const auto found = m_numbers.find(name);
     return found == m_numbers.end() ? mesh::Polygons::noPicture : found->second;
 }
 
@@ -202,7 +206,7 @@ void ObjReader::takeFace(std::string_view line, const Counts& at, std::size_t ch
         if (takeCorner(line.substr(0, size), at, corner))
             m_corners[chunk].push_back(corner);
         m_faces[chunk].corners.push_back(corner.vertex);
-        if (!m_pictures.empty())
+        if (m_pictured)
             m_textureOf[chunk].push_back(takeTexture(line.substr(0, size), at));
         line.remove_prefix(size);
     }
@@ -211,7 +215,7 @@ void ObjReader::takeFace(std::string_view line, const Counts& at, std::size_t ch
 
 std::size_t ObjReader::parse(std::size_t chunk) {
     Counts at = m_before[chunk];
-    std::uint32_t picture = pictureOf(m_materials[chunk]);
+    std::uint32_t material = materialOf(m_materials[chunk]);
     std::size_t fault = TextLines::none;
     m_lines.forLines(chunk, [&](std::size_t offset, std::string_view line) {
         double numbers[7] = {0, 0, 0, 1, 1, 1, 1};
@@ -233,18 +237,18 @@ std::size_t ObjReader::parse(std::size_t chunk) {
             break;
         case Statement::Face:
             takeFace(line, at, chunk);
-            if (!m_pictures.empty())
-                m_faces[chunk].pictureOf.push_back(picture);
+            if (!m_painting.empty())
+                m_faces[chunk].pictureOf.push_back(material);
             break;
         case Statement::Texture: {
             numbers[1] = 0; // which may be left out
-            if (takeNumbers(line, numbers, 2) > 0 && !m_pictures.empty())
+            if (takeNumbers(line, numbers, 2) > 0 && m_pictured)
                 m_textures[at.textures] = {static_cast<float>(numbers[0]), static_cast<float>(numbers[1])};
             ++at.textures;
             break;
         }
         case Statement::Material:
-            picture = pictureOf(trimmed(line));
+            material = materialOf(trimmed(line));
             break;
         case Statement::Library:
         case Statement::Other:
@@ -307,26 +311,65 @@ void ObjReader::fillTable(const std::vector<base::Vec3d>& normals) {
     m_vertices = {};
 }
 
+/// The corners' places in the pictures of their faces' materials.
+void ObjReader::placeInPictures(mesh::Polygons& faces, const std::vector<std::uint32_t>& textures) const {
+    const ObjMaterial none;
+    for (std::size_t face = 0, corner = 0; face < faces.size(); ++face) {
+        const std::uint32_t number = faces.pictureOf[face];
+        const ObjMaterial& material = number < m_painting.size() ? m_painting[number] : none;
+        const auto moved = [&](float place, std::size_t k) {
+            return static_cast<float>(static_cast<double>(place) * material.scale[k] + material.offset[k]);
+        };
+        for (; corner < faces.ends[face]; ++corner) {
+            mesh::Polygons::Place place;
+            if (textures[corner] < m_textures.size())
+                place = m_textures[textures[corner]];
+            faces.places.push_back({moved(place.u, 0), moved(place.v, 1)});
+        }
+    }
+}
+
+/// The colours of materials where they tell faces apart; vertices that have colours keep them.
+void ObjReader::colourFaces() {
+    mesh::Polygons& faces = m_model.polygons;
+    if (m_width > 3 || faces.pictureOf.empty())
+        return;
+    std::vector<surfel::Colour> colours;
+    bool pictured = false;
+    for (const std::uint32_t number : faces.pictureOf) {
+        const ObjMaterial* material = number < m_painting.size() ? &m_painting[number] : nullptr;
+        colours.push_back(material ? material->colour.value_or(surfel::white) : surfel::white);
+        pictured |= m_pictured && material && !material->picture.file.empty();
+    }
+    const surfel::Colour usual = pictured ? surfel::white : colours.front();
+    if (std::any_of(colours.begin(), colours.end(), [&](surfel::Colour each) { return each != usual; }))
+        faces.colours = std::move(colours);
+}
+
 void ObjReader::joinFaces() {
     for (std::size_t chunk = 0; chunk < m_faces.size(); ++chunk) {
-        for (const std::uint32_t texture : m_textureOf[chunk])
-            m_faces[chunk].places.push_back(texture < m_textures.size() ? m_textures[texture]
-                                                                        : mesh::Polygons::Place());
+        if (m_pictured)
+            placeInPictures(m_faces[chunk], m_textureOf[chunk]);
         m_model.polygons.append(m_faces[chunk]);
         m_faces[chunk] = {};
         m_textureOf[chunk] = {};
     }
-    if (!m_pictures.empty())
-        readPictures(m_model, m_folder, m_pictures);
+    if (m_painting.empty())
+        return;
+    colourFaces();
+    std::vector<PictureName> pictures;
+    for (const ObjMaterial& material : m_painting)
+        pictures.push_back(m_pictured ? material.picture : PictureName());
+    readPictures(m_model, m_folder, pictures);
 }
 
 FileModel ObjReader::read() {
     if (m_file.bytes().substr(0, 4096).find('\0') != std::string_view::npos)
         m_file.fail("is binary, not an OBJ text file", "choose an OBJ file or convert it to PLY");
     count();
-    findPictures();
+    findMaterials();
     m_vertices.resize(all().vertices * m_width);
-    m_textures.resize(m_pictures.empty() ? 0 : all().textures);
+    m_textures.resize(m_pictured ? all().textures : 0);
     m_normals.resize(all().normals);
     const std::size_t fault = m_lines.run({m_progress, 0.2, 0.7}, [&](std::size_t chunk) { return parse(chunk); });
     if (fault != TextLines::none)

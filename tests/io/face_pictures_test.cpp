@@ -15,6 +15,9 @@ class FacePicturesTest : public QObject {
   private Q_SLOTS:
     void materialsPaintTheFacesOfAnObj();
     void materialsHoldAcrossALongFile();
+    void materialsColourFacesWithoutPictures();
+    void oneColourForAllTellsNothing();
+    void picturesAreScaledAndMoved();
     void whatIsMissingIsOneWarning_data();
     void whatIsMissingIsOneWarning();
     void nothingOutsideOfTheFolderIsRead();
@@ -67,6 +70,54 @@ void FacePicturesTest::materialsHoldAcrossALongFile() {
         io::read(folder.write("a.obj", "mtllib m.mtl\nusemtl a\n" + square + padding + "\nf 1/1 2/2 3/3\n" + padding +
                                            "\nf 1/1 3/3 4/4\nusemtl none\nf 1 2 4\n"));
     QCOMPARE(model.polygons.pictureOf, (std::vector<std::uint32_t>{0, 0, mesh::Polygons::noPicture}));
+}
+
+void FacePicturesTest::materialsColourFacesWithoutPictures() {
+    const test::Folder folder;
+    folder.write("m.png", png(1, 1, rgba(1, 2, 3)));
+    folder.write("m.mtl",
+                 "newmtl red\nKd 1 0 0.2\nnewmtl grey\nKd 0.5\nnewmtl map\nmap_Kd m.png\nKd 0 0 1\n"
+                 "newmtl odd\nKd spectral a.rfl\nnewmtl out\nKd 7 -1 nan\nnewmtl gone\nKd 0 1 0\nmap_Kd n.png\n");
+    const std::string faces =
+        "f 1 2 3\nusemtl red\nf 1 2 3\nusemtl grey\nf 1 2 3\nusemtl map\nf 1/1 2/2 3/3\nusemtl odd\n"
+        "f 1 2 3\nusemtl out\nf 1 2 3\nusemtl gone\nf 1/1 2/2 3/3\n";
+    const io::FileModel model = io::read(folder.write("a.obj", "mtllib m.mtl\n" + square + faces));
+    const mesh::Polygons& p = model.polygons;
+    QCOMPARE(p.colours,
+             (std::vector<surfel::Colour>{surfel::white, rgba(255, 0, 51), rgba(128, 128, 128), rgba(0, 0, 255),
+                                          surfel::white, rgba(255, 0, 255), rgba(0, 255, 0)}));
+    QVERIFY(p.pictures[p.pictureOf[3]] && !p.pictures[p.pictureOf[1]] && !p.pictures[p.pictureOf[6]]);
+    QVERIFY(model.messages.size() == 1 && test::contains(model.messages[0], "'n.png'"));
+    // Without places in pictures, colours are all there is; vertices' own colours are more.
+    const std::string corners = "v 0 0 0\nv 1 0 0\nv 1 1 0\n", plain = "usemtl red\nf 1 2 3\nusemtl grey\nf 1 2 3\n";
+    const io::FileModel bare = io::read(folder.write("b.obj", "mtllib m.mtl\n" + corners + plain));
+    QVERIFY(bare.polygons.painted() && bare.polygons.pictureOf.empty() && bare.polygons.places.empty());
+    const std::string own = "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 1 1 0 0 0 1\n";
+    QVERIFY(!io::read(folder.write("c.obj", "mtllib m.mtl\n" + own + plain)).polygons.painted());
+}
+
+void FacePicturesTest::oneColourForAllTellsNothing() {
+    const test::Folder folder;
+    folder.write("m.mtl", "newmtl a\nKd 0.8 0.8 0.8\nnewmtl b\nKd 0.8 0.8 0.8\n");
+    const io::FileModel model =
+        io::read(folder.write("a.obj", "mtllib m.mtl\n" + square + "usemtl a\nf 1 2 3\nusemtl b\nf 1 3 4\n"));
+    QVERIFY(!model.polygons.painted() && model.polygons.pictureOf.empty() && model.messages.empty());
+}
+
+void FacePicturesTest::picturesAreScaledAndMoved() {
+    const test::Folder folder;
+    folder.write("m.png", png(1, 1, rgba(1, 2, 3)));
+    folder.write("m.mtl", "newmtl a\nmap_Kd -s 2 4 1 -o 0.5 -0.25 0 -t 9 9 9 m.png\nnewmtl b\nmap_Kd -o 3 m.png\n"
+                          "newmtl c\nmap_Kd -s inf nan m.png\n");
+    const io::FileModel model = io::read(folder.write("a.obj", "mtllib m.mtl\n" + square +
+                                                                   "usemtl a\nf 1/1 2/2 3/3\nusemtl b\nf 1/1 2/2 3/3\n"
+                                                                   "usemtl c\nf 1/1 2/2 3/3\n"));
+    const auto is = [&](std::size_t corner, float u, float v) {
+        const mesh::Polygons::Place& place = model.polygons.places[corner];
+        return place.u == u && place.v == v;
+    };
+    QVERIFY(is(0, 0.5f, -0.25f) && is(1, 2.5f, -0.25f) && is(2, 2.5f, 3.75f));
+    QVERIFY(is(3, 3, 0) && is(5, 4, 1) && is(8, 1, 1));
 }
 
 void FacePicturesTest::whatIsMissingIsOneWarning_data() {
