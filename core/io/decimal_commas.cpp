@@ -48,6 +48,28 @@ static bool isDecimal(std::string_view text) {
            text.find(',', comma + 1) == std::string_view::npos;
 }
 
+void DoubledCommas::look(std::string_view row) {
+    const auto parts = partsOf(row, ",");
+    m_fits = m_fits && parts.size() >= 6 && parts.size() % 2 == 0 && (m_names == 0 || parts.size() == 2 * m_names);
+    for (std::size_t i = 0; m_fits && i < parts.size(); ++i) {
+        std::string_view part = parts[i];
+        const bool fraction = i % 2 == 1;
+        part.remove_prefix(!fraction && (part[0] == '-' || part[0] == '+') ? 1 : 0);
+        m_fits = !part.empty() && std::all_of(part.begin(), part.end(), isDigit);
+        if (!m_fits || !fraction)
+            continue;
+        m_width = m_width == 0 ? part.size() : m_width;
+        m_even = m_even && part.size() == m_width && m_width >= 2;
+        m_zero = m_zero || part[0] == '0';
+    }
+    if (m_fits && m_first.empty())
+        m_first = std::string(parts[0]) + "," + std::string(parts[1]);
+}
+
+std::string DoubledCommas::found() const {
+    return m_fits && (m_names > 0 || (m_even && m_zero)) ? m_first : std::string();
+}
+
 Commas commasIn(std::string_view row, std::size_t columns, std::string& example) {
     const auto groupedIn = [&](const std::vector<std::string_view>& parts, char separator, std::size_t least) {
         const auto at = std::find_if(parts.begin(), parts.end(),

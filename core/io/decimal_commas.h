@@ -16,4 +16,21 @@ enum class Commas {
 /// the field that tells, unless they are separators.
 Commas commasIn(std::string_view row, std::size_t columns, std::string& example);
 
+/// Whether commas stand both for the point and between the fields of some rows: "20,2236,20,0000,1,5000". Then every
+/// second field is digits alone. There are twice as many fields as names, or, where the file gives no names, those
+/// digits are as many in every field and row, two or more, and begin with a zero somewhere, as no whole number does.
+class DoubledCommas {
+  public:
+    explicit DoubledCommas(std::size_t names) : m_names(names) {}
+    /// Looks at one more row.
+    void look(std::string_view row);
+    /// The first two fields where it is so; else empty.
+    std::string found() const;
+
+  private:
+    std::size_t m_names, m_width = 0;
+    std::string m_first;
+    bool m_fits = true, m_even = true, m_zero = false;
+};
+
 } // namespace io

@@ -16,6 +16,8 @@ class TextReaderTest : public QObject {
     void queryTablesKeepNumbersAndLeaveOutWords();
     void decimalCommasAreReadAndTold_data();
     void decimalCommasAreReadAndTold();
+    void commasForPointsAndBetweenFieldsAreRefused_data();
+    void commasForPointsAndBetweenFieldsAreRefused();
     void commasThatPartFieldsStaySeparators_data();
     void commasThatPartFieldsStaySeparators();
     void countsBeforeScansAreNoPoints();
@@ -151,10 +153,28 @@ void TextReaderTest::decimalCommasAreReadAndTold() {
     QVERIFY(test::anyContains(model.messages, "decimal commas"));
 }
 
+void TextReaderTest::commasForPointsAndBetweenFieldsAreRefused_data() {
+    QTest::addColumn<QString>("text");
+    QTest::newRow("four digits") << "20,2236,20,0000,1,5000\n-3,1250,7,1234,0,9999\n";
+    QTest::newRow("blanks, too") << "20,2236, 20,0000, 1,5000\n-3,1250, 7,1234, 0,9999\n";
+    QTest::newRow("normals") << "20,22,20,05,1,50,0,00,0,00,1,00\n";
+    QTest::newRow("names") << "x,y,z\n20,2236,20,5,1,75\n";
+    QTest::newRow("late") << QString("20,22,20,15,1,50\n").repeated(99) + "20,22,20,05,1,50\n";
+}
+
+void TextReaderTest::commasForPointsAndBetweenFieldsAreRefused() {
+    QFETCH(QString, text);
+    const test::Folder folder;
+    const std::string told = test::refusal(folder.write("a.csv", text.toStdString()));
+    QVERIFY2(test::contains(told, "'20,22") && test::contains(told, "semicolons"), told.c_str());
+}
+
 void TextReaderTest::commasThatPartFieldsStaySeparators_data() {
     QTest::addColumn<QString>("row");
-    for (const char* row : {"1,2,3,4,5,6", "1, 2, 3, 4, 5, 6", "1 ,2 ,3 ,4 ,5 ,6", "1,2,3 4,5,6", "1,2,3;4,5,6",
-                            "1,2 3,4,5 6,", "1;2;3;4;5;6", "1,2,3,4 5 6"})
+    // Colours of three digits, ids with zeros, and names for all of six fields are what they seem.
+    for (const char* row : {"1,2,3,255,128,100", "1,2,3,255,007,100", "1,2,3,040,5,060", "1,2,3,4,5,06",
+                            "1.0,2,3,04,5,06", "1,2,3,4,5,6", "1, 2, 3, 4, 5, 6", "1 ,2 ,3 ,4 ,5 ,6", "1,2,3 4,5,6",
+                            "1,2,3;4,5,6", "1,2 3,4,5 6,", "1;2;3;4;5;6", "1,2,3,4 5 6"})
         QTest::newRow(row) << row;
 }
 
