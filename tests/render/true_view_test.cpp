@@ -15,6 +15,7 @@ class TrueViewTest : public QObject {
     void lastLevelIsTheSurface();
     void levelsNeverKnowLess();
     void onlyTheViewThatWasRefinedIsKnown();
+    void editForgetsOnlyWhatItTouches_data();
     void editForgetsOnlyWhatItTouches();
     void measuredNumbersColourTheSurface();
     void lightComesLastAndStays();
@@ -125,9 +126,22 @@ void TrueViewTest::onlyTheViewThatWasRefinedIsKnown() {
     QVERIFY(!view.known(other));
 }
 
+void TrueViewTest::editForgetsOnlyWhatItTouches_data() {
+    QTest::addColumn<double>("support");
+    QTest::newRow("even") << 0.0;
+    QTest::newRow("one far surfel reaches far") << 1.5;
+}
+
 void TrueViewTest::editForgetsOnlyWhatItTouches() {
+    QFETCH(double, support);
     TrueView view;
-    auto subject = sphere(60000);
+    surfel::SurfelList list = test::sphere({0, 0, 0}, 0.9, 60000);
+    if (support > 0) {
+        list.items.push_back(list.items.front());
+        list.items.back().position = {30, 0, 0};
+        list.items.back().support = static_cast<float>(support);
+    }
+    auto subject = subjectOf(test::built(list));
     const auto before = refined(view, subject).back().layer;
     subject.surface = surface::Surface(edited(subject.surface.tree()), {});
     const auto known = view.known(subject);

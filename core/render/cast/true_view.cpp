@@ -15,14 +15,14 @@ static bool sameLook(const TrueView::Subject& a, const TrueView::Subject& b) {
            (!a.lighting.wanted() || a.options.backdrop == b.options.backdrop);
 }
 
-/// Tiles where one of two versions may look otherwise than the other.
+/// Tiles where one of two versions may look otherwise than the other: those that see places where surfels of a block
+/// that one of them lacks have weight. Elsewhere f is the same along every ray.
 static TileMask touched(const tree::SurfelTree& from, const tree::SurfelTree& to, const ViewFrame& view) {
     TileMask out(view);
     const tree::Diff diff = tree::diff(from, to);
-    const float reach = std::max(from.maxSupport(), to.maxSupport());
     for (const auto* blocks : {&diff.removed, &diff.added})
         for (const auto& block : *blocks)
-            out.add(screenBounds(view, block->box(), reach));
+            out.add(screenBounds(view, block->box(), block->maxSupport()));
     return out;
 }
 
