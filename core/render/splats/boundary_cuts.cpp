@@ -15,7 +15,7 @@ constexpr float acrossCosine = 0.5f;
 constexpr float leastPart = 1 / 32.0f;
 
 /// Neighbours and weights decide about off-centre values, not the frame or the limit.
-surface::Surface plain(const tree::SurfelTree& model, surface::SurfaceDefinition definition) {
+surface::Surface plainly(const tree::SurfelTree& model, surface::SurfaceDefinition definition) {
     definition.frame = surface::Frame::Normals;
     definition.oneSheet = false;
     definition.boundary = surface::Boundary::None;
@@ -24,7 +24,9 @@ surface::Surface plain(const tree::SurfelTree& model, surface::SurfaceDefinition
 }
 
 /// The same as if normals had a common sign, which is fastest: it fails only where they cancel.
-surface::Surface fastest(const surface::Surface& plain) {
+surface::Surface fastestOf(const surface::Surface& plain) {
+    if (plain.tree().layout()->oriented)
+        return plain;
     auto layout = std::make_shared<surfel::AttributeLayout>(*plain.tree().layout());
     layout->oriented = true;
     return {plain.tree().withLayout(layout), plain.definition()};
@@ -73,15 +75,15 @@ CutCode boundaryCut(const surface::Surface& surface, const surfel::Surfel& s, co
 
 } // namespace
 
-BoundaryCuts::BoundaryCuts(const tree::SurfelTree& model, const surface::SurfaceDefinition& definition,
-                           float radiusOfSupport)
-    : m_surface(plain(model, definition)), m_quick(model.layout()->oriented ? m_surface : fastest(m_surface)),
-      m_radius(radiusOfSupport), m_limit(definition.boundaryLimit), m_oriented(model.layout()->oriented) {}
+BoundarySubject::BoundarySubject(const tree::SurfelTree& model, const surface::SurfaceDefinition& definition,
+                                 float radiusOfSupport)
+    : plain(plainly(model, definition)), fastest(fastestOf(plain)), radius(radiusOfSupport),
+      limit(definition.boundaryLimit), oriented(model.layout()->oriented) {}
 
 CutCode BoundaryCuts::cutOf(const SurfelBlock& block, int slot, surface::SelfLanes& lanes) const {
     const int lane = slot % surfel::clusterSize;
-    if (lanes.status[lane] != surface::Status::Ok && !m_oriented) {
-        const surface::Evaluationf e = m_surface.evaluate(block.position(slot), surface::Need::Value);
+    if (lanes.status[lane] != surface::Status::Ok && !m_of.oriented) {
+        const surface::Evaluationf e = m_of.plain.evaluate(block.position(slot), surface::Need::Value);
         lanes.set(lane, e);
         lanes.status[lane] = e.status;
     }
@@ -89,14 +91,14 @@ CutCode BoundaryCuts::cutOf(const SurfelBlock& block, int slot, surface::SelfLan
     if (lanes.status[lane] != surface::Status::Ok || lengthSq(n) < 0.25f)
         return wholeDisc; // it has no plane, or nothing about it
     const float facing = dot(n, lanes.normalAt(lane)), off = lanes.offCentre[lane] / lanes.unit[lane];
-    if ((m_oriented ? facing : std::abs(facing)) < acrossCosine)
+    if ((m_of.oriented ? facing : std::abs(facing)) < acrossCosine)
         return acrossDisc;
-    if (!(off > quiet * m_limit))
+    if (!(off > quiet * m_of.limit))
         return wholeDisc;
     const Vec3f outward = tangential(block.position(slot) - lanes.centroidAt(lane), n);
     if (!(lengthSq(outward) > 0))
         return wholeDisc;
-    return boundaryCut(m_surface, block.surfel(slot), outward, m_radius * block.support(slot), off, m_limit);
+    return boundaryCut(m_of.plain, block.surfel(slot), outward, m_of.radius * block.support(slot), off, m_of.limit);
 }
 
 bool BoundaryCuts::cut(const SurfelBlock& block, CutCodes& codes) {

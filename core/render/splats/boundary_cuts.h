@@ -7,11 +7,22 @@
 
 namespace render {
 
+/// What cuts are found of, the same for all workers.
+struct BoundarySubject {
+    /// `radiusOfSupport`: radius of a disc in supports. REQUIRES: the definition has a boundary limit.
+    BoundarySubject(const tree::SurfelTree& model, const surface::SurfaceDefinition& definition, float radiusOfSupport);
+
+    surface::Surface plain;   ///< neighbours and weights alone
+    surface::Surface fastest; ///< the same as if normals had a common sign
+    float radius, limit;
+    bool oriented;
+};
+
 /// Finds cuts block by block. A worker of one thread, which keeps its memory.
 class BoundaryCuts {
   public:
-    /// `radiusOfSupport`: radius of a disc in supports. REQUIRES: the definition has a boundary limit.
-    BoundaryCuts(const tree::SurfelTree& model, const surface::SurfaceDefinition& definition, float radiusOfSupport);
+    /// `of` outlives it.
+    explicit BoundaryCuts(const BoundarySubject& of) : m_of(of) {}
 
     /// Cuts those discs of a block that reach the boundary or stand across the surface. True if there are any.
     bool cut(const surfel::SurfelBlock& block, CutCodes& codes);
@@ -19,10 +30,8 @@ class BoundaryCuts {
   private:
     CutCode cutOf(const surfel::SurfelBlock& block, int slot, surface::SelfLanes& lanes) const;
 
-    surface::Surface m_surface, m_quick;
-    float m_radius, m_limit;
-    bool m_oriented;
-    surface::SelfEvaluator m_self{m_quick};
+    const BoundarySubject& m_of;
+    surface::SelfEvaluator m_self{m_of.fastest};
 };
 
 } // namespace render

@@ -53,12 +53,14 @@ void DiscCuts::use(const surface::SurfaceDefinition& definition, float radiusOfS
 }
 
 DiscCuts::Found DiscCuts::look(std::span<const SurfelBlock* const> blocks) const {
-    const bool bounded = std::isfinite(m_definition.boundaryLimit);
+    std::optional<BoundarySubject> bounded;
+    if (std::isfinite(m_definition.boundaryLimit))
+        bounded.emplace(m_model, m_definition, m_radiusOfSupport);
     Found out(blocks.size());
     base::parallelChunks(blocks.size(), 4, [&](std::size_t begin, std::size_t end, std::size_t) {
         std::optional<BoundaryCuts> boundary;
         if (bounded)
-            boundary.emplace(m_model, m_definition, m_radiusOfSupport);
+            boundary.emplace(*bounded);
         SharpCuts sharp(m_model, m_radiusOfSupport);
         for (std::size_t b = begin; b < end; ++b) {
             CutCodes codes{};
