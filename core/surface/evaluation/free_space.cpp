@@ -1,6 +1,6 @@
 #include "core/surface/evaluation/free_space.h"
 
-#include "core/surface/evaluation/free_space_kernel.h"
+#include "core/surface/evaluation/kernels/free_space_kernel.h"
 
 #include <bit>
 

@@ -1,8 +1,8 @@
 #include "core/surface/evaluation/self.h"
 
 #include "core/base/parallel.h"
+#include "core/surface/evaluation/kernels/self_kernel.h"
 #include "core/surface/evaluation/near_sheets.h"
-#include "core/surface/evaluation/self_kernel.h"
 
 #include <bit>
 #include <cassert>

@@ -73,9 +73,10 @@ std::optional<RayRoot> planeIteration(RayProbe<T>& probe, const RaySample<T>& st
     return std::nullopt;
 }
 
-/// What f jumps by between two samples on either side of a crack: where the second pass for near sheets begins, f has
-/// small steps, and a surface that crosses zero there would let rays through. Zero for true jumps, which are no roots:
-/// from one sheet to another normals turn.
+/// What f jumps by between two samples on either side of a crack: where the second pass for near sheets begins, which
+/// all frames but `normals` have (surface/README 2.7), f has small steps, and a surface that crosses zero there would
+/// let rays through; of two solids f is continuous. Zero for true jumps, which are no roots: from one sheet to another
+/// normals turn.
 template <class T>
 double crackBetween(const RayProbe<T>& probe, const RaySample<T>& a, const RaySample<T>& b) {
     constexpr double widest = 0.1, steady = 0.9; // of h; least cosine of the normals

@@ -3,6 +3,7 @@
 #include "core/surface/evaluation/self.h"
 #include "support/registry.h"
 #include "surface/definition_rows.h"
+#include "surface/moving_axis.h"
 #include "surface/shapes.h"
 
 #include <cstring>
@@ -117,13 +118,16 @@ void InstructionSetsTest::sumsHaveTheSameBits() {
         QSKIP("this machine has no AVX-512");
     for (const auto& weight : weightNames()) {
         const Surface surface = torus(weight.value);
-        for (const Facing facing : {Facing::All, Facing::Skip, Facing::Flip, Facing::Refit})
+        for (const Facing facing : {Facing::All, Facing::Skip, Facing::Flip, Facing::Refit, Facing::Part})
             for (const Outer outer : {Outer::None, Outer::Normals, Outer::Offsets}) {
                 SumOptions options;
                 options.weight = weight.value;
                 options.facing = facing;
                 options.outer = outer;
                 options.reference = base::normalized(base::Vec3d{1, 2, 3});
+                base::Random random(7);
+                const Axis axis = test::movingAxis(options.reference, random);
+                options.axis = &axis;
                 options.scale = 1.3f;
                 options.interpolating = outer == Outer::Offsets;
                 const auto wide = allSums(surface, options);

@@ -10,7 +10,7 @@
 #define POINTCLAY_KERNEL_WEIGHTS_H
 #endif
 
-#include "core/surface/evaluation/kernel_lanes.h"
+#include "core/surface/evaluation/kernels/kernel_lanes.h"
 #include "core/surface/evaluation/moments_float.h"
 
 #include <hwy/contrib/math/math-inl.h>

@@ -4,15 +4,15 @@
 // around them is one step of the loop, with the same operations in all lanes. First those that reach the box of the
 // positions are picked out of the clusters, in tree order; the others would add exact zeros.
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "core/surface/evaluation/self_kernel.cpp"
+#define HWY_TARGET_INCLUDE "core/surface/evaluation/kernels/self_kernel.cpp"
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
-#include "core/surface/evaluation/self_kernel.h"
+#include "core/surface/evaluation/kernels/self_kernel.h"
 
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 // Per instruction set, after the main header.
-#include "core/surface/evaluation/kernel_pick.h"
-#include "core/surface/evaluation/kernel_weights.h"
+#include "core/surface/evaluation/kernels/kernel_pick.h"
+#include "core/surface/evaluation/kernels/kernel_weights.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace surface {

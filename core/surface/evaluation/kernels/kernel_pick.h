@@ -9,7 +9,7 @@
 
 #include "core/base/box.h"
 #include "core/surface/evaluation/clusters.h"
-#include "core/surface/evaluation/kernel_lanes.h"
+#include "core/surface/evaluation/kernels/kernel_lanes.h"
 #include "core/surface/evaluation/pick_scratch.h"
 
 HWY_BEFORE_NAMESPACE();

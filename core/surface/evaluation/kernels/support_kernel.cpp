@@ -1,14 +1,14 @@
 // Which clusters may have weight in a box, 16 at a time, compiled once per instruction set and chosen at run time
 // (Google Highway).
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "core/surface/evaluation/support_kernel.cpp"
+#define HWY_TARGET_INCLUDE "core/surface/evaluation/kernels/support_kernel.cpp"
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
 #include "core/surface/evaluation/candidates.h"
 
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 // Per instruction set, after the main header.
-#include "core/surface/evaluation/kernel_lanes.h"
+#include "core/surface/evaluation/kernels/kernel_lanes.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace surface {

@@ -1,14 +1,14 @@
 // The free-space test, compiled once per instruction set and chosen at run time (Google Highway). As in self-evaluation
 // the surfels of a cluster are the lanes, and those around them are visited one by one.
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "core/surface/evaluation/free_space_kernel.cpp"
+#define HWY_TARGET_INCLUDE "core/surface/evaluation/kernels/free_space_kernel.cpp"
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
-#include "core/surface/evaluation/free_space_kernel.h"
+#include "core/surface/evaluation/kernels/free_space_kernel.h"
 
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 // Per instruction set, after the main header.
-#include "core/surface/evaluation/kernel_pick.h"
+#include "core/surface/evaluation/kernels/kernel_pick.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace surface {
