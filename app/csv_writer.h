@@ -30,9 +30,10 @@ class CsvWriter {
 
   private:
     void separate();
+    CsvWriter& number(double value, int digits);
+
     std::string m_text;
     bool m_begun = false; ///< the row has a field
-    CsvWriter& number(double value, int digits);
     int m_digits, m_placeDigits;
 };
 

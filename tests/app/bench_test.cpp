@@ -1,6 +1,7 @@
 // bench: the table and the JSON of the contract.
 #include "program.h"
 #include "support/registry.h"
+#include "support/sanitized.h"
 
 #include <QTest>
 
@@ -43,7 +44,7 @@ static bool saysNone(const std::string& help, const std::string& name) {
 }
 
 void BenchTest::jsonHasTheContractsKeys() {
-    if (test::effort(10) < 10)
+    if (test::sanitized)
         QSKIP("minutes under a sanitizer");
     const Program program;
     const std::string help = program.run({"bench", "--help"}).out;
@@ -65,7 +66,7 @@ void BenchTest::jsonHasTheContractsKeys() {
 }
 
 void BenchTest::modelsCanBeMeasured() {
-    if (test::effort(10) < 10)
+    if (test::sanitized)
         QSKIP("minutes under a sanitizer");
     const Program program;
     const Outcome outcome = program.run(

@@ -61,12 +61,7 @@ Outcome runWith(const test::Program& program, const QStringList& arguments, cons
     environment.insert("FAULT_LOG", program.dir().filePath("state/struck"));
     process.setProcessEnvironment(environment);
     process.start();
-    Outcome out;
-    if (process.waitForFinished(60000) && process.exitStatus() == QProcess::NormalExit)
-        out.code = process.exitCode();
-    out.out = process.readAllStandardOutput().toStdString();
-    out.err = process.readAllStandardError().toStdString();
-    return out;
+    return test::outcomeOf(process, 60000);
 }
 
 int sentences(const std::string& err) {

@@ -5,6 +5,7 @@
 #include "core/raycast/material_table.h"
 #include "program.h"
 #include "support/registry.h"
+#include "support/sanitized.h"
 
 #include <QImage>
 #include <QTest>
@@ -83,7 +84,7 @@ void LightTest::depthAndNormalsAreThoseOfIntersect() {
 }
 
 void LightTest::everyMaterialAndLightIsListedAndDrawn() {
-    if (test::effort(10) < 10)
+    if (test::sanitized)
         QSKIP("minutes under a sanitizer");
     const Program program;
     const std::string help = program.run({"render", "--help"}).out;

@@ -2,6 +2,7 @@
 #include "core/render/shading/shading_table.h"
 #include "program.h"
 #include "support/registry.h"
+#include "support/sanitized.h"
 
 #include <QTest>
 
@@ -18,7 +19,7 @@ class LookTest : public QObject {
 };
 
 void LookTest::everyShadingIsListedAndDrawn() {
-    if (test::effort(10) < 10)
+    if (test::sanitized)
         QSKIP("minutes under a sanitizer");
     const Program program;
     const std::string help = program.run({"render", "--help"}).out;

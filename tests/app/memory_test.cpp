@@ -28,14 +28,7 @@ static Outcome runWithin(const test::Program& program, long kib, const QStringLi
     process.setArguments(QStringList{"-c", words, process.program()} + arguments);
     process.setProgram("/bin/bash");
     process.start();
-    Outcome out;
-    if (process.waitForFinished(120000) && process.exitStatus() == QProcess::NormalExit)
-        out.code = process.exitCode();
-    process.kill();
-    process.waitForFinished();
-    out.out = process.readAllStandardOutput().toStdString();
-    out.err = process.readAllStandardError().toStdString();
-    return out;
+    return test::outcomeOf(process, 120000);
 }
 
 /// Address space with which the program starts at all.

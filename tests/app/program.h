@@ -18,6 +18,17 @@ struct Outcome {
     std::string out, err;
 };
 
+/// Waits for a process that was started; one that has not ended after `ms` milliseconds counts as crashed, and its
+/// destructor ends it.
+inline Outcome outcomeOf(QProcess& process, int ms) {
+    Outcome out;
+    if (process.waitForFinished(ms) && process.exitStatus() == QProcess::NormalExit)
+        out.code = process.exitCode();
+    out.out = process.readAllStandardOutput().toStdString();
+    out.err = process.readAllStandardError().toStdString();
+    return out;
+}
+
 class Program {
   public:
     std::string path(const std::string& name) const { return m_dir.filePath(name.c_str()).toStdString(); }
@@ -36,12 +47,7 @@ class Program {
         QProcess process;
         prepare(process, arguments);
         process.start();
-        Outcome out;
-        if (process.waitForFinished(300000) && process.exitStatus() == QProcess::NormalExit)
-            out.code = process.exitCode();
-        out.out = process.readAllStandardOutput().toStdString();
-        out.err = process.readAllStandardError().toStdString();
-        return out;
+        return outcomeOf(process, 300000);
     }
     void write(const std::string& name, const std::string& content) const {
         std::ofstream(path(name), std::ios::binary) << content;

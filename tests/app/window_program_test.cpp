@@ -34,12 +34,7 @@ static Outcome run(const QString& file, const QStringList& arguments, const QPro
     QProcess process;
     process.setProcessEnvironment(environment);
     process.start(file, arguments);
-    Outcome out;
-    if (process.waitForFinished(60000) && process.exitStatus() == QProcess::NormalExit)
-        out.code = process.exitCode();
-    out.out = process.readAllStandardOutput().toStdString();
-    out.err = process.readAllStandardError().toStdString();
-    return out;
+    return test::outcomeOf(process, 60000);
 }
 
 static Outcome run(const QString& file, const QStringList& arguments) {

@@ -14,6 +14,7 @@
 #include "mesh/meshes.h"
 #include "mesh/models.h"
 #include "support/registry.h"
+#include "support/sanitized.h"
 #include "surface/scans.h"
 
 #include <QTest>
@@ -279,7 +280,7 @@ void DelaunayTest::demandsHoldOnScans_data() {
 }
 
 void DelaunayTest::demandsHoldOnScans() {
-    if (test::effort(10) < 10)
+    if (test::sanitized)
         QSKIP("minutes under a sanitizer");
     QFETCH(QString, file);
     surfel::SurfelList points;

@@ -5,6 +5,7 @@
 #include "core/mesh/marching/marching_cubes.h"
 #include "mesh/models.h"
 #include "support/registry.h"
+#include "support/sanitized.h"
 #include "surface/scans.h"
 
 #include <array>
@@ -132,7 +133,7 @@ void FoldsTest::meshesOfScansAreSound_data() {
 
 /// Manifold, on the surface, no triangle through another or without area.
 void FoldsTest::meshesOfScansAreSound() {
-    if (test::effort(10) < 10)
+    if (test::sanitized)
         QSKIP("minutes under a sanitizer");
     QFETCH(QString, file);
     surfel::SurfelList points;

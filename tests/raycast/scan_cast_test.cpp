@@ -3,6 +3,7 @@
 #include "core/process/estimation/prepare.h"
 #include "raycast_models.h"
 #include "support/registry.h"
+#include "support/sanitized.h"
 #include "surface/scans.h"
 
 #include <QTest>
@@ -24,7 +25,7 @@ void ScanCastTest::raysAreFewAndRight_data() {
 }
 
 void ScanCastTest::raysAreFewAndRight() {
-    if (test::effort(10) < 10)
+    if (test::sanitized)
         QSKIP("minutes under a sanitizer");
     QFETCH(QString, file);
     QFETCH(int, pixelsPerRay);

@@ -5,6 +5,7 @@
 #include "core/render/splats/cpu_splatter.h"
 #include "render/render_models.h"
 #include "support/registry.h"
+#include "support/sanitized.h"
 #include "ui/gl/offscreen_renderer.h"
 
 #include <QTest>
@@ -253,7 +254,7 @@ void MeasuredColoursTest::everyRowIsDrawnAlikeByEveryRenderer_data() {
 }
 
 void MeasuredColoursTest::everyRowIsDrawnAlikeByEveryRenderer() {
-    if (test::effort(10) < 10)
+    if (test::sanitized)
         QSKIP("minutes under a sanitizer");
     QFETCH(int, row);
     const auto shading = static_cast<Shading>(row);

@@ -2,6 +2,7 @@
 #include "core/io/formats.h"
 #include "core/io/mesh_formats.h"
 #include "support/registry.h"
+#include "support/sanitized.h"
 #include "ui/window/mesh_export.h"
 #include "window_fixture.h"
 
@@ -76,7 +77,7 @@ void MeshExportTest::estimateIsNearTheMesh_data() {
 }
 
 void MeshExportTest::estimateIsNearTheMesh() {
-    if (test::effort(10) < 10)
+    if (test::sanitized)
         QSKIP("minutes under a sanitizer");
     QFETCH(const QString, sample);
     QFETCH(const double, cell);

@@ -1,6 +1,7 @@
 // The reference against an independent brute force, and its derivatives against finite differences.
 #include "core/surface/definition_text.h"
 #include "support/registry.h"
+#include "support/sanitized.h"
 #include "surface/projection/brute_feet.h"
 #include "surface/shapes.h"
 
@@ -148,7 +149,7 @@ struct Differences {
     brute::Model all = brute::modelOf(fetchModel(), fetchDefinition());
     base::Random random{test::seed() + 4};
     const double step = 2e-4 * support;
-    const int most = test::effort(10) == 10 ? 8 : 2;
+    const int most = test::sanitized ? 2 : 8;
     int compared = 0;
     double worst = 0;
 
