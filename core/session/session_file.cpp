@@ -69,8 +69,11 @@ int replay(const std::filesystem::path& file, Context& context, const ReplayOpti
     while (lines.next()) {
         if (!lines.isCommand())
             continue;
-        if (options.allowTornEnd && (!lines.whole || (lines.isLast() && !isJson(lines.text))))
+        if (options.allowTornEnd && (!lines.whole || (lines.isLast() && !isJson(lines.text)))) {
+            if (options.torn)
+                options.torn(lines.number);
             break;
+        }
         try {
             const LineReport report = executed(jsonOf(lines.text), lines.number, context);
             if (options.done)

@@ -26,6 +26,7 @@ struct ReplayOptions {
     std::function<void(const LineReport&)> done; ///< after each line; may be empty
     /// Told of a line behind the first command that fails, which is then passed over; empty: it ends the session.
     std::function<void(const base::Error&)> passedOver = {};
+    std::function<void(int line)> torn = {}; ///< told of the torn line's number; may be empty
 };
 
 /// Executes the session in `context`, whose folder becomes the file's. Throws base::Error naming file and line,

@@ -16,6 +16,7 @@ class JournalTest : public QObject {
   private Q_SLOTS:
     void recoveryGivesTheLastCommandsModel();
     void aTornLastLineIsLeftOut();
+    void aTornLastLineIsTold();
     void aLineThatIsNoCommandIsToldAndPassedOver();
     void openAndNewBeginAnew();
     void aChangedFileIsNoticed();
@@ -29,6 +30,8 @@ class JournalTest : public QObject {
     void aDiskThatRefusesIsToldOnce();
     void theJournalGoesOnWhenTheDiskDoes();
     void whatIsNoJournalIsNeverWrittenOver();
+    void aSessionThatDidNotEndIsNotWrittenOver();
+    void noModelTakesTheJournalsPlace();
     void linksAreNotFollowed();
     void stampsAreKeptByTheirContent();
     void pathsThatAreNotUtf8Survive();
@@ -85,13 +88,26 @@ void JournalTest::aTornLastLineIsLeftOut() {
     QVERIFY_EXCEPTION_THROWN(recovered(bench.path("torn.jsonl")), base::Error);
 }
 
+void JournalTest::aTornLastLineIsTold() {
+    const std::string first = test::newSphere().dump() + "\n", stroke = test::strokeAt(0).dump() + "\n";
+    for (const bool torn : {false, true}) {
+        Workbench bench;
+        const auto file = test::write(bench.path("j.jsonl"), first + stroke + (torn ? stroke.substr(0, 40) : ""));
+        const session::Recovery found = session::recover(file, bench.context);
+        QCOMPARE(found.commands, 2);
+        QCOMPARE(found.leftOut, 0);
+        QCOMPARE(bench.context.messages.size(), std::size_t(torn ? 1 : 0));
+        QVERIFY(!torn || bench.context.messages[0].find("j.jsonl:3: ") != std::string::npos);
+    }
+}
+
 void JournalTest::aLineThatIsNoCommandIsToldAndPassedOver() {
     Workbench bench, whole;
     const std::string first = test::newSphere().dump() + "\n", stroke = test::strokeAt(0).dump() + "\n";
     whole.run(test::newSphere());
     whole.run(test::strokeAt(0));
     const auto file = test::write(bench.path("j.jsonl"), first + "{\"op\":\n" + stroke + "{\"op\":\"dance\"}\n{}\n");
-    QCOMPARE(session::recover(file, bench.context), 3);
+    QCOMPARE(session::recover(file, bench.context).leftOut, 3);
     QCOMPARE(bench.hash(), whole.hash());
     QCOMPARE(bench.context.messages.size(), std::size_t(3));
     for (const int k : {0, 1, 2})
@@ -309,6 +325,48 @@ void JournalTest::whatIsNoJournalIsNeverWrittenOver() {
     session::Journal again(bench.path("empty")); // one that was left
     QCOMPARE(lineCount(again.path()), 0);
     bench.context.journal = nullptr;
+}
+
+void JournalTest::aSessionThatDidNotEndIsNotWrittenOver() {
+    Workbench bench;
+    const fs::path file = bench.path("j.jsonl");
+    const auto record = [&](bool stroke, bool end) {
+        session::Journal journal(file);
+        bench.context.journal = &journal;
+        if (end)
+            journal.end(bench.context); // of nothing: leaves nothing
+        bench.run(test::newSphere());
+        if (stroke)
+            bench.run(test::strokeAt(0));
+        if (end)
+            journal.end(bench.context);
+        bench.context.journal = nullptr;
+    };
+    record(true, true);
+    QCOMPARE(recovered(file), bench.hash());
+    record(false, false); // takes the place of one that ended, and holds nothing that could be lost
+    record(true, false);
+    const std::string before = test::contentOf(file);
+    try {
+        record(true, true);
+        QFAIL("a session is lost");
+    } catch (const base::Error& error) {
+        QVERIFY2(error.message().find("did not come to its end") != std::string::npos, error.what());
+        QVERIFY2(std::string(error.what()).find("pointclay recover j.jsonl") != std::string::npos, error.what());
+    }
+    QCOMPARE(test::contentOf(file), before);
+    QCOMPARE(recovered(file), bench.hash());
+}
+
+void JournalTest::noModelTakesTheJournalsPlace() {
+    Workbench bench;
+    session::Journal journal(bench.path("j.ply"));
+    bench.context.journal = &journal;
+    bench.run(test::newSphere());
+    const std::string before = test::contentOf(journal.path());
+    const std::string told = bench.refusal({{"op", "save"}, {"path", bench.path("./j.ply").string()}});
+    QVERIFY2(told.find("is the journal of this session") != std::string::npos, told.c_str());
+    QCOMPARE(test::contentOf(journal.path()), before);
 }
 
 void JournalTest::linksAreNotFollowed() {
