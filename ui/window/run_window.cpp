@@ -3,11 +3,11 @@
 #include "core/process/samples/samples.h"
 #include "ui/theme/icon.h"
 #include "ui/theme/theme.h"
+#include "ui/window/guarded_application.h"
 #include "ui/window/main_window.h"
 
 #include <clocale>
 #include <cstdio>
-#include <QApplication>
 #include <QLocale>
 #include <QTimer>
 #include <string_view>
@@ -49,7 +49,8 @@ int runWindow(int argc, char** argv, const std::vector<std::filesystem::path>& m
                      "pointclay --help\n");
         return 1;
     }
-    QApplication application(argc, argv);
+    installLastWords();
+    GuardedApplication application(argc, argv);
     // Qt has taken over the person's locale. Numbers are written and read with a point everywhere, as in files.
     std::setlocale(LC_NUMERIC, "C");
     QLocale::setDefault(QLocale::c());
