@@ -73,7 +73,7 @@ void raise(std::vector<float>& h, const NeighbourGraph& g, const base::Progress&
 
 /// What grading has made this many times as wide as its own place asks for, and so wide that it holds too many
 /// positions, gets few of them; counted by every 64th.
-constexpr float farRaised = 8.0f;
+constexpr float farRaised = 3.0f;
 constexpr std::size_t countedEach = 64, tooMany = 64, few = 4;
 
 /// A pile of points in a sparse surrounding would be raised until each of them holds all the others. `own`: what every
