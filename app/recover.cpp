@@ -21,12 +21,13 @@ Action addRecover(CLI::App& command) {
     return [options](Console& console) {
         session::Document document;
         session::Context context{document, {}, console.progress(), {}, 0, {}, nullptr, options->anyway};
-        session::recover(options->journal, context);
+        const int commands = session::recover(options->journal, context).commands;
         context.folder.clear();
         session::run(context, {{"op", "save"}, {"path", options->out}});
         console.tell(context.messages);
-        console.tell(options->out + ": the model as of the last command, " +
-                     std::to_string(document.surface().tree().size()) + " surfels");
+        console.tell(options->journal + ": recovered " +
+                     (commands == 1 ? "1 command" : std::to_string(commands) + " commands") + "; " + options->out +
+                     " holds " + std::to_string(document.surface().tree().size()) + " points");
     };
 }
 

@@ -46,6 +46,11 @@ class RunJournal {
         if (m_journal && !m_named)
             m_journal->discard();
     }
+    /// Everything is written: a named journal may be replaced from now on.
+    void end(session::Context& context) {
+        if (m_journal && m_named)
+            m_journal->end(context);
+    }
     session::Journal* get() { return m_journal.get(); }
 
   private:
@@ -86,10 +91,30 @@ void savePicture(const session::Document& document, const std::string& path, con
     render::savePng(render::drawPicture(surface, camera, look, stats, progress), path);
 }
 
+/// Where a name leads, be there a file or not.
+std::filesystem::path placeOf(const std::string& name) {
+    std::error_code failed;
+    const std::filesystem::path place = std::filesystem::absolute(name, failed).lexically_normal();
+    const std::filesystem::path known = std::filesystem::weakly_canonical(place, failed);
+    return failed ? place : known;
+}
+
+/// The journal is a file of its own.
+void checkJournal(const Options& options) {
+    const std::pair<const std::string&, const char*> others[] = {{options.session, "the session itself"},
+                                                                 {options.out, "the model to be written (-o)"},
+                                                                 {options.image, "the picture (--render)"},
+                                                                 {options.timings, "the timings (--timings)"}};
+    for (const auto& [name, what] : others) {
+        std::error_code unequal;
+        if (!options.journal.empty() && !name.empty() &&
+            (std::filesystem::equivalent(name, options.journal, unequal) || placeOf(name) == placeOf(options.journal)))
+            throw UsageError(std::string("--journal names ") + what + "; the journal needs a name of its own");
+    }
+}
+
 void run(const Options& options, Console& console) {
-    std::error_code unequal;
-    if (std::filesystem::equivalent(options.session, options.journal, unequal))
-        throw UsageError("--journal names the session itself, which it would replace");
+    checkJournal(options);
     session::Document document;
     const base::Progress progress = console.progress();
     RunJournal journal(options.journal, console);
@@ -111,6 +136,8 @@ void run(const Options& options, Console& console) {
         savePicture(document, options.image, progress);
     if (!options.timings.empty())
         io::writeFile(options.timings, timings.dump(1) + "\n");
+    journal.end(context);
+    console.tell(context.messages);
 }
 
 } // namespace
@@ -132,8 +159,10 @@ Action addRun(CLI::App& command) {
     command.add_option("--timings", options->timings, "seconds of each line and milliseconds of its dabs, as JSON")
         ->type_name("OUT.json");
     command
-        .add_option("--journal", options->journal,
-                    "where to keep the journal for `recover`; default: in the XDG state folder, removed at the end")
+        .add_option(
+            "--journal", options->journal,
+            "where to keep the journal for `recover`, no file or the journal of a session that came to its end; "
+            "default: in the XDG state folder, removed at the end")
         ->type_name("FILE");
     command.add_flag("--anyway", options->anyway,
                      "take files as they are now that have changed since the session was recorded: strokes then meet "

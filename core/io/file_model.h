@@ -5,6 +5,7 @@
 #include "core/mesh/faces/polygons.h"
 #include "core/surface/definition.h"
 #include "core/surfel/surfel.h"
+#include "core/tree/tree_shape.h"
 
 #include <optional>
 #include <string>
@@ -25,6 +26,7 @@ struct FileModel {
     base::UpAxis usualUp = base::UpAxis::Y;               ///< of files of its format
     bool limitDecided = false;         ///< the definition has what Boundary::Auto was resolved to for these points
     bool hasSupports = false;          ///< every point brought a support radius > 0
+    tree::TreeShape shape;             ///< of the tree that the points were saved from, as the file claims
     std::size_t faces = 0;             ///< in the file
     mesh::Polygons polygons;           ///< of them, those whose corners are points that are there
     std::size_t dropped = 0;           ///< points that were not finite

@@ -2,6 +2,7 @@
 #include "core/io/ply_comments.h"
 #include "core/io/ply_elements.h"
 #include "core/io/ply_faces.h"
+#include "core/io/ply_tree_shape.h"
 #include "core/io/readers.h"
 #include "core/io/record_points.h"
 
@@ -59,7 +60,9 @@ class PlyReader {
 };
 
 void PlyReader::keepOther(const PlyElement& element, const std::function<std::string()>& body) {
-    if (!refersToVertices(element))
+    if (isTreeShape(element))
+        m_model.shape = treeShapeOf(m_file, element, body());
+    else if (!refersToVertices(element))
         m_model.elements.push_back({element.declaration(), body()});
     else if (!isFace(element) && !isStrips(element) && element.count > 0)
         m_model.messages.push_back("The element " + inQuotes(element.name) +

@@ -3,6 +3,7 @@
 #include "core/io/file_coordinates.h"
 #include "core/io/ply_comments.h"
 #include "core/io/ply_header.h"
+#include "core/io/ply_tree_shape.h"
 #include "core/io/readers.h"
 #include "core/io/record_roles.h"
 #include "core/io/safe_file.h"
@@ -134,7 +135,7 @@ std::string PlyWriter::header() const {
     out += m_element.declaration();
     for (const OpaqueElement& element : m_model.elements)
         out += element.declaration;
-    return out + "end_header\n";
+    return out + treeShapeDeclaration(m_model.shape) + "end_header\n";
 }
 
 void PlyWriter::writeRecords(const base::Progress& progress) {
@@ -157,6 +158,7 @@ void PlyWriter::write(const base::Progress& progress) {
     writeRecords(progress);
     for (const OpaqueElement& element : m_model.elements)
         m_file.write(element.body);
+    m_file.write(treeShapeBody(m_model.shape));
     progress.step(1, "Writing");
     m_file.commit();
 }

@@ -43,6 +43,7 @@ class TextReader {
     void chooseColumns(const TextRows& rows);
     void checkClaim(const TextRows& rows);
     void parse(const TextRows& rows);
+    void tellWrongCounts(std::size_t begin);
     void joinNormalsBelow();
     void nameColumns();
     void typeColumns(const std::vector<ColumnFacts>& facts);
@@ -176,6 +177,27 @@ void TextReader::checkClaim(const TextRows& rows) {
                     "the file is damaged or was cut off; fetch it again");
 }
 
+/// All count lines together, where the first is not it all: what they leave out was read all the same.
+void TextReader::tellWrongCounts(std::size_t begin) {
+    const TextRows lines(m_file, begin, {.separators = true, .comments = true}, {m_progress, 0.7, 0.7});
+    std::uint64_t sum = 0;
+    std::size_t looked = 0;
+    lines.forRows(0, [&](std::string_view line) {
+        if (looked++ % 65536 == 0)
+            m_progress.step(0.7, "Reading");
+        const std::size_t mark = line.find_first_not_of("0123456789 \t\r");
+        if (mark != std::string_view::npos && line[mark] != '#' && line[mark] != '%' && line[mark] != '/')
+            return true;
+        const auto fields = lines.fields(line);
+        if (fields.size() == 1) // no honest count exceeds the bytes
+            sum += std::min<std::uint64_t>(countOf(fields[0]).value_or(0), m_file.size());
+        return true;
+    });
+    if (sum != m_table.count)
+        m_model.messages.push_back("The file counts " + std::to_string(sum) + " points but holds " +
+                                   std::to_string(m_table.count) + "; all of these were read.");
+}
+
 /// The older PWN: the count, all positions, then all normals.
 void TextReader::joinNormalsBelow() {
     if (!m_claimed || m_targets.size() != 3 || m_table.count != 2 * *m_claimed || m_table.count == 0 ||
@@ -251,6 +273,8 @@ FileModel TextReader::read() {
     chooseColumns(*rows);
     parse(*rows);
     joinNormalsBelow();
+    if (m_claimed && *m_claimed != m_table.count)
+        tellWrongCounts(begin);
     nameColumns();
     makePoints(m_model, m_file, m_table, rolesOf(m_table.fields, false), {}, {m_progress, 0.7, 1});
     return std::move(m_model);

@@ -115,6 +115,7 @@ void Document::enforceBudget() {
 io::FileModel Document::fileModel() const {
     io::FileModel out;
     out.points = m_surface.tree().surfels();
+    out.shape = m_surface.tree().shape();
     out.origin = m_provenance.origin;
     out.up = m_up;
     out.definition = m_surface.definition();

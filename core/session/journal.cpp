@@ -140,16 +140,35 @@ static std::string marked(std::string lines) {
     return lines;
 }
 
-/// Throws for a file that holds anything but a journal: it would be emptied.
-static void refuseForeign(const fs::path& path) {
-    constexpr std::size_t longest = 1 << 20; // of a first line
+/// The last line of a journal whose session came to its end.
+static constexpr std::string_view endLine = "# ended\n";
+
+/// Up to `count` bytes of a file from `begin` on.
+static std::string bytesOf(const fs::path& path, std::uintmax_t begin, std::size_t count) {
     std::ifstream in(path, std::ios::binary);
-    std::string start(longest, '\0');
-    in.read(start.data(), static_cast<std::streamsize>(longest));
-    start.resize(static_cast<std::size_t>(in.gcount()));
-    if (!start.empty() && !start.substr(0, start.find('\n') + 1).ends_with(mark))
+    std::string out(count, '\0');
+    in.seekg(static_cast<std::streamoff>(begin));
+    in.read(out.data(), static_cast<std::streamsize>(count));
+    out.resize(static_cast<std::size_t>(in.gcount()));
+    return out;
+}
+
+/// Throws for a file that holds anything but a journal, or one that somebody may still want: it would be emptied.
+static void refuseOthers(const fs::path& path) {
+    constexpr std::size_t longest = 1 << 20; // of a first line
+    const std::string start = bytesOf(path, 0, longest);
+    if (start.empty())
+        return;
+    const std::size_t first = start.find('\n') + 1;
+    if (!start.substr(0, first).ends_with(mark))
         throw base::Error("is not a journal and would be written over", path.string(),
                           "choose a new name for the journal");
+    const std::uintmax_t size = fs::file_size(path);
+    if (size > first && bytesOf(path, size - std::min<std::uintmax_t>(size, endLine.size()), endLine.size()) != endLine)
+        throw base::Error("is the journal of a session that did not come to its end and would be written over",
+                          path.string(),
+                          "save what it holds with `pointclay recover " + path.filename().string() +
+                              " -o OUT` and remove it, or choose another name");
 }
 
 Journal::Journal(fs::path file) {
@@ -162,7 +181,7 @@ Journal::Journal(fs::path file) {
         m_file = hold(m_path);
         if (m_file < 0)
             throw base::Error("another process writes its journal here", m_path.string(), "choose another file");
-        refuseForeign(m_path);
+        refuseOthers(m_path);
         removeUnfinished(m_path);
         begin({});
     } catch (const std::system_error& error) {
@@ -274,6 +293,12 @@ void Journal::keepSource(const fs::path& target, Context& context) {
         m_anew = false;
     });
     m_untilModel = !kept;
+}
+
+void Journal::end(Context& context) {
+    const bool empty = m_size == 0 && m_waiting.empty();
+    if (!m_discarded && !m_untilModel && !empty)
+        write(std::string(endLine), false, context);
 }
 
 void Journal::discard() {

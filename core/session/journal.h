@@ -11,8 +11,8 @@
 // room.
 //
 // While a process lives it holds a lock on its journal, which dies with it, even by kill -9: a journal without a lock
-// was left behind (recover.h). Its first line is a comment that says what it is: a file that exists and is no journal
-// is never written over.
+// was left behind (recover.h). Its first line has a mark that says what it is: a file that exists and is no journal is
+// never written over, nor is a journal that did not come to its end.
 //
 // Ownership: the file stays when a Journal is destroyed; `discard` removes it, which is what a normal exit does.
 // Threads: one at a time.
@@ -25,7 +25,8 @@ namespace session {
 class Journal {
   public:
     /// A journal at `file`, replacing what was there; empty: journal-PID.jsonl in stateFolder(). Throws base::Error
-    /// where it cannot be written, another process holds it, or the file is something else.
+    /// where it cannot be written, another process holds it, the file is something else, or it holds commands of a
+    /// session that was not ended.
     explicit Journal(std::filesystem::path file = {});
     ~Journal();
     Journal(const Journal&) = delete;
@@ -37,6 +38,9 @@ class Journal {
     void record(const nlohmann::json& complete, Context& context);
     /// To be called before `target` is written over.
     void keepSource(const std::filesystem::path& target, Context& context);
+    /// To be called when nothing can be lost any more: another journal may then take the place of this one, which can
+    /// be recovered until it does.
+    void end(Context& context);
     /// Removes the file and what was kept beside it. Nothing is recorded afterwards.
     void discard();
 

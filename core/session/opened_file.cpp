@@ -52,7 +52,7 @@ MadeModel made(OpenedFile& file, const base::Progress& progress) {
     const bool kept = file.faces.sampled || (model.hasSupports && !file.surface.newSupports);
     std::size_t merged = 0;
     const process::PrepareOptions options{definition, kept, model.limitDecided && definition == model.definition,
-                                          file.faces.sampled || model.hasSupports ? nullptr : &merged};
+                                          file.faces.sampled || model.hasSupports ? nullptr : &merged, &model.shape};
     surface::Surface surface =
         inNameOf(file.name, [&] { return process::prepare(std::move(model.points), options, progress); });
     if (merged > 0)

@@ -66,24 +66,28 @@ std::vector<LeftJournal> findLeftJournals() {
     return findLeftJournals(stateFolder());
 }
 
-int recover(const fs::path& journal, Context& context) {
+Recovery recover(const fs::path& journal, Context& context) {
     constexpr int told = 10;
-    int passedOver = 0;
+    Recovery out;
+    std::string torn;
     ReplayOptions options;
     options.torn = [&](int line) {
-        context.messages.push_back(journal.string() + ":" + std::to_string(line) +
-                                   ": the last line broke off and was left out");
+        torn = journal.string() + ":" + std::to_string(line) +
+               ": the last line breaks off, as a crash leaves it; it was left out";
     };
     options.passedOver = [&](const base::Error& error) {
-        if (++passedOver <= told)
+        if (++out.leftOut <= told)
             context.messages.push_back(error.message() + "; this line was left out");
     };
-    if (replay(journal, context, options) == 0)
+    out.commands = replay(journal, context, options);
+    if (out.commands == 0)
         throw base::Error("holds no complete command", journal.string(), "there is nothing to recover");
-    if (passedOver > told)
-        context.messages.push_back(journal.string() + ": " + std::to_string(passedOver - told) +
+    if (out.leftOut > told)
+        context.messages.push_back(journal.string() + ": " + std::to_string(out.leftOut - told) +
                                    " more lines were left out");
-    return passedOver;
+    if (!torn.empty())
+        context.messages.push_back(torn);
+    return out;
 }
 
 } // namespace session

@@ -18,11 +18,17 @@ std::vector<LeftJournal> findLeftJournals(const std::filesystem::path& folder);
 /// Those of stateFolder().
 std::vector<LeftJournal> findLeftJournals();
 
+/// What became of a journal's lines.
+struct Recovery {
+    int commands = 0; ///< executed
+    int leftOut = 0;  ///< failed and passed over
+};
+
 /// Brings the model of a journal back into `context`, whose own journal, if any, records it anew. The journal itself
 /// stays; remove it with removeJournal once the model is safe. Lines behind the first that fail are passed over and
-/// named in the context's messages; returns how many. A last line that broke off is named, too, and does not count.
-/// Throws base::Error where it holds no command, or where the file that it opens is gone or, unless the context takes
-/// changed files, has changed.
-int recover(const std::filesystem::path& journal, Context& context);
+/// named in the context's messages, as is a last line that a crash has torn, which is not counted. Throws base::Error
+/// where it holds no command, or where the file that it opens is gone or, unless the context takes changed files, has
+/// changed.
+Recovery recover(const std::filesystem::path& journal, Context& context);
 
 } // namespace session

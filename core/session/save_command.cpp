@@ -1,3 +1,4 @@
+#include "core/base/error.h"
 #include "core/io/formats.h"
 #include "core/io/safe_file.h"
 #include "core/session/commands.h"
@@ -20,6 +21,10 @@ static bool isNative(const std::filesystem::path& path) {
 static void save(Context& context, const json& complete) {
     requireModel(context);
     const std::filesystem::path path = complete.at("path").get<std::string>();
+    std::error_code unequal;
+    if (context.journal && std::filesystem::equivalent(path, context.journal->path(), unequal))
+        throw base::Error("is the journal of this session, which the model would replace", path.string(),
+                          "choose another name");
     if (context.journal)
         context.journal->keepSource(path, context);
     const bool linked = io::hasOtherNames(path);

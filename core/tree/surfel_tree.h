@@ -28,6 +28,8 @@
 
 namespace tree {
 
+struct TreeShape;
+
 /// What happens to one block of a version. A surfel that is both changed and removed is removed.
 struct BlockEdit {
     std::uint32_t block = 0;                    ///< number of the block in the version edited
@@ -58,6 +60,11 @@ class SurfelTree {
     /// Morton-ordered build, in parallel. Same bits at any thread count. Surfels keep no order.
     /// REQUIRES: finite positions, supports > 0. Throws base::Cancelled.
     static SurfelTree build(const surfel::SurfelList& surfels, const base::Progress& progress = {});
+    /// The tree of that shape, bit for bit, where it is the shape of these surfels in this order; else as above.
+    static SurfelTree build(const surfel::SurfelList& surfels, const TreeShape& shape,
+                            const base::Progress& progress = {});
+    /// How the surfels are spread: with `surfels()` all that there is of a tree. In parallel, O(size).
+    TreeShape shape() const;
 
     bool empty() const { return !m_root; }
     std::size_t size() const { return m_root ? m_root->surfelCount : 0; }

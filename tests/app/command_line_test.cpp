@@ -101,6 +101,9 @@ void CommandLineTest::wrongUsageIsTwo_data() {
     row("render sample:sphere:500 -o out.png --shading plaid");
     row("run");
     row("run p.xyz --journal p.xyz");
+    row("run p.xyz --journal j.ply -o ./j.ply");
+    row("run p.xyz --journal j.png --render j.png");
+    row("run p.xyz --journal j.json --timings j.json");
     row("recover j.jsonl");
     row("clean a b");
     row("inof p.xyz");

@@ -13,6 +13,7 @@ class MemoryTest : public QObject {
     void tooLittleMemoryEndsInASentence_data();
     void tooLittleMemoryEndsInASentence();
     void headersCannotAskForMemory();
+    void theWindowNeverAborts();
 };
 
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
@@ -49,6 +50,9 @@ void MemoryTest::tooLittleMemoryEndsInASentence_data() {
     QTest::newRow("raycast") << QStringList{
         "render", "sample:sphere:60000", "-o", "out.png", "--mode", "raycast", "--size", "200x150"};
     QTest::newRow("run") << QStringList{"run", "s.jsonl", "-o", "out.ply"};
+    QTest::newRow("bench") << QStringList{
+        "bench",    "evaluate", "project-orthogonal", "rays-camera", "rays-random", "build",   "splat-cpu",
+        "--points", "30000",    "--seconds",          "0.01",        "--json",      "out.json"};
     QTest::newRow("query") << QStringList{"query",  "sample:sphere:60000", "--at", "in.xyz", "--what", "value", "-o",
                                           "out.csv"};
 }
@@ -108,6 +112,43 @@ void MemoryTest::headersCannotAskForMemory() {
         const Outcome out = runWithin(program, leastOf(program) + (64 << 10), {"info", name});
         QVERIFY2(out.code == 1 && out.err.find("memory") == std::string::npos, out.err.c_str());
     }
+}
+
+/// With too little it ends in a sentence, with more it stays open, whether its model fits or not.
+void MemoryTest::theWindowNeverAborts() {
+    if (!limited)
+        QSKIP("address space cannot be limited under a sanitizer");
+    const test::Program program;
+    const QString window = qEnvironmentVariable("POINTCLAY_PROGRAM") + "-window";
+    int stayed = 0, ended = 0;
+    for (long kib = 96 << 10; kib < (4 << 20) && stayed < 4; kib += kib / 5) {
+        QProcess process;
+        program.prepare(process, {"-c", "ulimit -v " + QString::number(kib) + "; exec \"$0\" \"$@\"", window,
+                                  "--threads", "2", "sample:sphere:400000"});
+        process.setProgram("/bin/bash");
+        QProcessEnvironment environment = process.processEnvironment();
+        environment.insert("QT_QPA_PLATFORM", "offscreen");
+        environment.insert("HOME", program.dir().path());
+        environment.insert("XDG_CONFIG_HOME", program.dir().path());
+        process.setProcessEnvironment(environment);
+        process.start();
+        const bool open = !process.waitForFinished(3000);
+        process.kill();
+        process.waitForFinished();
+        const QByteArray err = process.readAllStandardError();
+        const auto where = [&] {
+            return QString("%1 KiB: code %2, %3").arg(kib).arg(process.exitCode()).arg(err.data()).toUtf8();
+        };
+        const bool loads = !err.contains("error while loading shared libraries"); // before the program has begun
+        stayed += open ? 1 : 0;
+        if (open || !loads)
+            continue;
+        ++ended;
+        QVERIFY2(process.exitStatus() == QProcess::NormalExit && process.exitCode() == 1, where());
+        QVERIFY2(err.contains("pointclay: "), where());
+    }
+    QVERIFY2(stayed == 4, "never enough");
+    QVERIFY2(ended > 0, "always enough");
 }
 
 static const test::Registered<MemoryTest> registered;

@@ -2,7 +2,9 @@
 
 #include "core/base/cancel_scope.h"
 #include "core/base/hash.h"
+#include "core/base/parallel_sort.h"
 #include "core/base/progress.h"
+#include "core/base/random.h"
 #include "support/registry.h"
 
 #include <atomic>
@@ -20,7 +22,9 @@ class ParallelTest : public QObject {
     void chunksDoNotDependOnThreads();
     void anExceptionReachesTheCaller();
     void cancelledProgressThrows();
+    void sortingIsTheSameAtAnyThreadCount();
     void loopsStopWithTheirScope();
+    void sortingStopsWithItsScope();
     void loopsOutsideOfTheScopeGoOn();
     void hashOfASetDoesNotDependOnOrder();
     void hashTellsNeighbouringValuesApart();
@@ -58,6 +62,47 @@ void ParallelTest::anExceptionReachesTheCaller() {
                                                  throw Error("bad item", "item 777");
                                          }),
                              Error);
+}
+
+void ParallelTest::sortingIsTheSameAtAnyThreadCount() {
+    Random random(test::seed());
+    for (const std::size_t n : {0u, 1u, 2u, 1000u, 16384u, 16385u, 70001u}) {
+        std::vector<std::uint64_t> items(n);
+        for (std::uint64_t& item : items)
+            item = random.below(n + 1); // some of them alike
+        std::vector<std::uint64_t> wanted = items;
+        std::sort(wanted.begin(), wanted.end());
+        for (const int threads : {1, 2}) {
+            setThreadCount(threads);
+            std::vector<std::uint64_t> sorted = items;
+            parallelSort(sorted, std::less<>());
+            QVERIFY(sorted == wanted);
+        }
+    }
+}
+
+/// Wherever it is then: in the pieces or in putting them together.
+void ParallelTest::sortingStopsWithItsScope() {
+    Random random(test::seed());
+    std::vector<std::uint64_t> items(1 << 18);
+    for (std::uint64_t& item : items)
+        item = random.next();
+    for (const int threads : {1, 2}) {
+        setThreadCount(threads);
+        for (const long most : {1000l, 4000000l}) {
+            std::atomic<bool> cancel{false};
+            std::atomic<long> looks{0};
+            const CancelScope scope(&cancel);
+            const auto less = [&](std::uint64_t a, std::uint64_t b) {
+                if (++looks == most)
+                    cancel = true;
+                return a < b;
+            };
+            std::vector<std::uint64_t> sorted = items;
+            QVERIFY_EXCEPTION_THROWN(parallelSort(sorted, less), Cancelled);
+            QVERIFY(looks < most + 600000 * threads);
+        }
+    }
 }
 
 void ParallelTest::loopsStopWithTheirScope() {

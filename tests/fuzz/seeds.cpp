@@ -1,5 +1,5 @@
-// fuzz-seeds FOLDER: inputs to begin with that are no text, FOLDER/TARGET/NAME, and the words of sessions,
-// FOLDER/session.dict. What is text lies in tests/fuzz.
+#include "fuzz/seeds.h"
+
 #include "core/base/random.h"
 #include "core/io/colour_png.h"
 #include "core/io/formats.h"
@@ -114,12 +114,7 @@ static std::string words() {
     return out;
 }
 
-int main(int argc, char** argv) {
-    if (argc != 2) {
-        std::fputs("usage: fuzz-seeds FOLDER\n", stderr);
-        return 2;
-    }
-    const fs::path out = argv[1];
+void fuzz::writeSeeds(const fs::path& out) {
     fs::create_directories(out / "ply");
     io::write(out / "ply/native.ply", fullModel());
     put(out / "ply/big", bigEndianPly());
@@ -135,5 +130,4 @@ int main(int argc, char** argv) {
     session::run(context, {{"op", "new"}, {"sample", "moebius"}, {"count", 120}});
     fs::create_directories(out / "open");
     io::write(out / "open/sample.ply", document.fileModel());
-    return 0;
 }

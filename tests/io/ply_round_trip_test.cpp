@@ -19,6 +19,8 @@ class PlyRoundTripTest : public QObject {
     void smallFloatsNearAFarOriginSurvive();
     void movedDoublesWinOverStaleFloats();
     void definitionCommentsAndElementsSurvive();
+    void shapesOfTreesSurvive();
+    void shapesThatAreNotOursAreNone();
     void everyEncodingOfEveryLayoutReadsTheSame();
     void writtenFileIsPlainPly();
     void cancelledWritingLeavesNothing();
@@ -74,6 +76,43 @@ void PlyRoundTripTest::movedDoublesWinOverStaleFloats() {
     QVERIFY(model.points.layout->attributes().empty());
     QCOMPARE(model.points.items[0].position.x, 1e-30f);
     QCOMPARE(model.points.items[1].position.x, 5.0f);
+}
+
+void PlyRoundTripTest::shapesOfTreesSurvive() {
+    const test::Folder folder;
+    base::Random random(test::seed());
+    for (int k = 0; k < 20; ++k) {
+        FileModel model = test::randomModel(random, 50);
+        model.shape.check = {random.next(), random.next()};
+        for (std::size_t n = 1 + random.below(40); n > 0; --n)
+            model.shape.blocks.push_back(static_cast<std::uint8_t>(random.next()));
+        for (std::size_t n = random.below(40); n > 0; --n)
+            model.shape.nodes.push_back(static_cast<std::uint8_t>(random.next()));
+        io::write(folder.path("a.ply"), model);
+        const FileModel read = io::read(folder.path("a.ply"));
+        QVERIFY2(read.shape == model.shape && test::sameBits(model, read), qPrintable(round(k)));
+        QVERIFY2(read.messages.empty() && read.elements.size() == model.elements.size(), qPrintable(round(k)));
+    }
+}
+
+/// As other programs may have written it: by hand in ascii, with other types, twice, or not at all.
+void PlyRoundTripTest::shapesThatAreNotOursAreNone() {
+    const test::Folder folder;
+    const std::string lists = "property list uint uchar blocks\nproperty list uint uchar nodes\n"
+                              "property list uchar uint check\n";
+    const auto shapeOf = [&](const std::string& declaration, const std::string& rows) {
+        const auto path = folder.write("a.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n"
+                                                "property float y\nproperty float z\n" +
+                                                    declaration + "end_header\n1 2 3\n" + rows);
+        const FileModel model = io::read(path);
+        return model.messages.empty() && model.elements.empty() ? model.shape : tree::TreeShape{{}, {77}, {}};
+    };
+    const tree::TreeShape ours{{1}, {1}, {std::uint64_t(8) << 32 | 7, std::uint64_t(10) << 32 | 9}};
+    QVERIFY(shapeOf("element pointclay_tree 1\n" + lists, "1 1 1 1 4 7 8 9 10\n") == ours);
+    QVERIFY(shapeOf("element pointclay_tree 1\n" + lists, "1 1 1 1 3 7 8 9\n").empty());
+    QVERIFY(shapeOf("element pointclay_tree 0\n" + lists, "").empty());
+    QVERIFY(shapeOf("element pointclay_tree 2\n" + lists, "1 1 1 1 4 7 8 9 10\n0 0 0\n").empty());
+    QVERIFY(shapeOf("element pointclay_tree 1\nproperty uchar blocks\n", "1\n").empty());
 }
 
 void PlyRoundTripTest::definitionCommentsAndElementsSurvive() {

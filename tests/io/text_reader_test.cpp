@@ -21,6 +21,7 @@ class TextReaderTest : public QObject {
     void commasThatPartFieldsStaySeparators_data();
     void commasThatPartFieldsStaySeparators();
     void countsBeforeScansAreNoPoints();
+    void countsThatAreNotThePointsAreTold();
     void oldPwnHasItsNormalsBelow();
     void wholeNumbersAndTimesKeepTheirValue();
     void damagedFilesAreRefusedInOneSentence_data();
@@ -189,6 +190,18 @@ void TextReaderTest::countsBeforeScansAreNoPoints() {
     const FileModel model = readText("a.pts", "2\n1 2 3\n4 5 6\n1\n7 8 9\n");
     QCOMPARE(model.points.size(), std::size_t(3));
     QCOMPARE(model.points.items[2].position, base::Vec3f({7, 8, 9}));
+    QVERIFY(model.messages.empty());
+}
+
+void TextReaderTest::countsThatAreNotThePointsAreTold() {
+    for (const auto& [text, told] : {std::pair{"2\n1 2 3\n4 5 6\n7 8 9\n", "counts 2 points but holds 3"},
+                                     {"1\n1 2 3\n4 5 6\n1\n7 8 9\n", "counts 2 points but holds 3"},
+                                     {"2\n1 2 3\n4 5 6\n2 # here\n7 8 9\n", "counts 4 points but holds 3"},
+                                     {"0\n1 2 3\n99999999999999999999\n1 2 4\n", "counts "}}) {
+        const FileModel model = readText("a.pts", text);
+        QCOMPARE(model.messages.size(), std::size_t(1));
+        QVERIFY2(model.messages[0].find(told) != std::string::npos, model.messages[0].c_str());
+    }
 }
 
 void TextReaderTest::oldPwnHasItsNormalsBelow() {

@@ -118,8 +118,10 @@ class Campaign {
 
     /// A whole run takes away what killed ones had begun.
     void checkLeftovers() {
-        for (Work& work : m_works)
+        for (Work& work : m_works) {
+            restore(work);
             succeed(work.arguments);
+        }
         for (const auto& each : fs::directory_iterator("."))
             if (const std::string name = each.path().filename();
                 name.starts_with(".") || name.find(".new-") != std::string::npos)
@@ -157,7 +159,8 @@ class Campaign {
     void restore(const Work& work) const {
         for (int k = 1; k <= strokes; ++k)
             fs::remove(state(k));
-        fs::remove("journal.jsonl");
+        for (const char* journal : {"journal.jsonl", "over-journal.jsonl"}) // whose sessions did not end
+            fs::remove(journal);
         if (!work.target.empty())
             std::ofstream(work.target, std::ios::binary) << work.before;
     }

@@ -21,6 +21,8 @@ class JournalTest : public QObject {
     void aDiskThatRefusesIsToldOnce();
     void theJournalGoesOnWhenTheDiskDoes();
     void whatIsNoJournalIsNeverWrittenOver();
+    void aSessionThatDidNotEndIsNotWrittenOver();
+    void noModelTakesTheJournalsPlace();
     void linksAreNotFollowed();
     void stampsAreKeptByTheirContent();
     void pathsThatAreNotUtf8Survive();
@@ -134,6 +136,48 @@ void JournalTest::whatIsNoJournalIsNeverWrittenOver() {
     session::Journal again(bench.path("empty")); // one that was left
     QCOMPARE(lineCount(again.path()), 0);
     bench.context.journal = nullptr;
+}
+
+void JournalTest::aSessionThatDidNotEndIsNotWrittenOver() {
+    Workbench bench;
+    const fs::path file = bench.path("j.jsonl");
+    const auto record = [&](bool stroke, bool end) {
+        session::Journal journal(file);
+        bench.context.journal = &journal;
+        if (end)
+            journal.end(bench.context); // of nothing: leaves nothing
+        bench.run(test::newSphere());
+        if (stroke)
+            bench.run(test::strokeAt(0));
+        if (end)
+            journal.end(bench.context);
+        bench.context.journal = nullptr;
+    };
+    record(true, true);
+    QCOMPARE(recovered(file), bench.hash());
+    record(false, false); // takes the place of one that ended, and holds nothing that could be lost
+    record(true, false);
+    const std::string before = test::contentOf(file);
+    try {
+        record(true, true);
+        QFAIL("a session is lost");
+    } catch (const base::Error& error) {
+        QVERIFY2(error.message().find("did not come to its end") != std::string::npos, error.what());
+        QVERIFY2(std::string(error.what()).find("pointclay recover j.jsonl") != std::string::npos, error.what());
+    }
+    QCOMPARE(test::contentOf(file), before);
+    QCOMPARE(recovered(file), bench.hash());
+}
+
+void JournalTest::noModelTakesTheJournalsPlace() {
+    Workbench bench;
+    session::Journal journal(bench.path("j.ply"));
+    bench.context.journal = &journal;
+    bench.run(test::newSphere());
+    const std::string before = test::contentOf(journal.path());
+    const std::string told = bench.refusal({{"op", "save"}, {"path", bench.path("./j.ply").string()}});
+    QVERIFY2(told.find("is the journal of this session") != std::string::npos, told.c_str());
+    QCOMPARE(test::contentOf(journal.path()), before);
 }
 
 void JournalTest::linksAreNotFollowed() {

@@ -72,7 +72,7 @@ void RecoverTest::aLineThatIsNoCommandIsToldAndPassedOver() {
     whole.run(test::newSphere());
     whole.run(test::strokeAt(0));
     const auto file = test::write(bench.path("j.jsonl"), first + "{\"op\":\n" + stroke + "{\"op\":\"dance\"}\n{}\n");
-    QCOMPARE(session::recover(file, bench.context), 3);
+    QCOMPARE(session::recover(file, bench.context).leftOut, 3);
     QCOMPARE(bench.hash(), whole.hash());
     QCOMPARE(bench.context.messages.size(), std::size_t(3));
     for (const int k : {0, 1, 2})
@@ -98,7 +98,7 @@ void RecoverTest::aChangedFileIsNoticed() {
     // Whoever takes it as it is has the same stroke on the other model.
     Workbench anyway;
     anyway.context.takesChangedFiles = true;
-    QCOMPARE(session::recover(journal.path(), anyway.context), 0);
+    QCOMPARE(session::recover(journal.path(), anyway.context).leftOut, 0);
     QVERIFY(anyway.size() < 2500 && anyway.document.canUndo());
     QVERIFY(anyway.context.messages.front().find("a.ply: the file is not the one") != std::string::npos);
 }

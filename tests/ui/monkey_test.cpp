@@ -6,6 +6,7 @@
 #include "support/registry.h"
 #include "window_fixture.h"
 
+#include <map>
 #include <QAbstractButton>
 #include <QAction>
 #include <QDialog>
@@ -205,9 +206,11 @@ void MonkeyTest::aWindowSurvivesRandomEvents() {
     qInfo("%d events, seed %llu", events, test::seed());
     Monkey monkey(test::seed());
     QString last;
+    std::map<QString, int> counts;
     try {
         for (int k = 0; k < events; ++k) {
             last = monkey.act();
+            ++counts[last];
             if (k % 50 == 0) {
                 monkey.settle();
                 last += " and settling";
@@ -223,6 +226,10 @@ void MonkeyTest::aWindowSurvivesRandomEvents() {
     QVERIFY(f.settle());
     QVERIFY(f.make("sphere", 2000));
     QCOMPARE(f.surfels(), std::size_t(2000));
+    QString told;
+    for (const auto& [what, count] : counts)
+        told += QString(", %1 %2").arg(what).arg(count);
+    qInfo("%d events survived, seed %llu%s", events, test::seed(), qPrintable(told));
 }
 
 static const test::Registered<MonkeyTest> registered;

@@ -3,14 +3,15 @@
 #include "core/process/samples/samples.h"
 #include "ui/theme/icon.h"
 #include "ui/theme/theme.h"
+#include "ui/window/guarded_application.h"
 #include "ui/window/main_window.h"
 
 #include <clocale>
 #include <cstdio>
-#include <QApplication>
 #include <QLocale>
 #include <QTimer>
 #include <string_view>
+#include <sys/mman.h>
 
 namespace ui {
 
@@ -34,6 +35,14 @@ static bool hasDisplay(int argc, char** argv) {
     return false;
 }
 
+/// Room that Qt, its plugins and the threads of a window take before there is a model. With less they crash in places
+/// that no program can catch.
+static bool hasRoom() {
+    constexpr std::size_t needed = std::size_t(384) << 20;
+    void* const room = ::mmap(nullptr, needed, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    return room != MAP_FAILED && ::munmap(room, needed) == 0;
+}
+
 /// The first thing that a person sees: what they asked for, what a crash has left, or a lump of clay.
 static void fill(MainWindow& window, const std::filesystem::path* model) {
     if (model)
@@ -49,7 +58,14 @@ int runWindow(int argc, char** argv, const std::vector<std::filesystem::path>& m
                      "pointclay --help\n");
         return 1;
     }
-    QApplication application(argc, argv);
+    if (!hasRoom()) {
+        std::fprintf(stderr,
+                     "pointclay: not enough memory for a window; raise the limit (ulimit -v), or work without a "
+                     "window: pointclay --help\n");
+        return 1;
+    }
+    installLastWords();
+    GuardedApplication application(argc, argv);
     // Qt has taken over the person's locale. Numbers are written and read with a point everywhere, as in files.
     std::setlocale(LC_NUMERIC, "C");
     QLocale::setDefault(QLocale::c());

@@ -112,7 +112,7 @@ void Editor::run(nlohmann::json command, std::function<void(bool)> then) {
 void Editor::recover(std::filesystem::path journal, std::function<void(bool, int)> then) {
     const auto leftOut = std::make_shared<int>(0); // set by the worker before `then` is called
     const auto work = [journal = std::move(journal), leftOut](session::Context& context) {
-        *leftOut = session::recover(journal, context);
+        *leftOut = session::recover(journal, context).leftOut;
     };
     replace({work, [then = std::move(then), leftOut](bool done) {
                  if (then)

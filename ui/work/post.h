@@ -7,6 +7,7 @@
 #include <QString>
 
 #include <exception>
+#include <new>
 
 namespace ui {
 
@@ -20,7 +21,8 @@ inline QString textOf(std::string_view utf8) {
     return QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size()));
 }
 inline QString textOf(const std::exception& error) {
-    return QString::fromUtf8(error.what());
+    return dynamic_cast<const std::bad_alloc*>(&error) ? QObject::tr("There is not enough memory for this.")
+                                                       : QString::fromUtf8(error.what());
 }
 
 /// Stopped as `stop` is; how far it is goes to tell(share, doing) on the receiver's thread.

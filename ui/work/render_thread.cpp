@@ -1,5 +1,7 @@
 #include "ui/work/render_thread.h"
 
+#include "ui/work/post.h"
+
 #include <chrono>
 
 namespace ui {
@@ -157,7 +159,7 @@ void RenderThread::work() {
                 refine(*frame);
         } catch (const std::exception& error) {
             m_unrefined.reset();
-            result.trouble = QString::fromUtf8(error.what());
+            result.trouble = textOf(error);
             m_deliver(std::move(result));
         }
     }

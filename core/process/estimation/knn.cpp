@@ -103,4 +103,14 @@ void Cloud::nearest(std::size_t i, std::size_t k, Neighbours& out) const {
     out.index.erase(self);
 }
 
+float Cloud::reach(const base::Vec3f& x, std::size_t k) const {
+    std::vector<std::uint32_t> index(std::min(k, size()));
+    std::vector<float> distanceSq(index.size());
+    nanoflann::KNNResultSet<float, std::uint32_t, std::size_t> result(index.size());
+    result.init(index.data(), distanceSq.data());
+    const float query[3] = {x.x, x.y, x.z};
+    m_index->tree.findNeighbors(result, query, nanoflann::SearchParams());
+    return std::sqrt(distanceSq.back());
+}
+
 } // namespace process

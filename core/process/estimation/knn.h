@@ -32,6 +32,8 @@ class Cloud {
     std::span<const std::uint32_t> places() const { return m_places; }
     /// The k nearest other positions of position `i`; fewer where there are fewer.
     void nearest(std::size_t i, std::size_t k, Neighbours& out) const;
+    /// Distance from anywhere to the k-th nearest position, or the last where there are fewer.
+    float reach(const base::Vec3f& x, std::size_t k) const;
 
     /// body(i, neighbours) for every position, in parallel; body writes only what belongs to i.
     template <class Body>

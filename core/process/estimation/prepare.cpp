@@ -187,7 +187,8 @@ surface::Surface prepare(surfel::SurfelList points, const PrepareOptions& option
         *options.merged = mergeThrough(points, cloud, part(progress, 0.1, 0.2));
     prepareNormals(points, cloud, options.definition, part(progress, 0.2, 0.6));
     prepareSupports(points, cloud, options, part(progress, 0.6, 0.8));
-    tree::SurfelTree tree = tree::SurfelTree::build(points, part(progress, 0.8, 0.9));
+    tree::SurfelTree tree =
+        tree::SurfelTree::build(points, options.shape ? *options.shape : tree::TreeShape(), part(progress, 0.8, 0.9));
     if (options.keepLimit)
         return {std::move(tree), options.definition};
     return withLimit(std::move(tree), options.definition, part(progress, 0.9, 1));

@@ -9,6 +9,7 @@
 #pragma once
 
 #include "core/surface/surface.h"
+#include "core/tree/tree_shape.h"
 
 namespace process {
 
@@ -18,6 +19,8 @@ struct PrepareOptions {
     bool keepLimit = false;   ///< Boundary::Auto was resolved for this very model: definition.boundaryLimit stands
     /// Where not null, points that are duplicates of others are merged with them, and their number comes here.
     std::size_t* merged = nullptr;
+    /// Where not null, of a tree that these very points may come from: then it is that tree again.
+    const tree::TreeShape* shape = nullptr;
 };
 
 /// Throws base::Error where fewer than 4 distinct points are left to make a surface of, base::Cancelled.

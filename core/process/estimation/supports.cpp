@@ -71,6 +71,31 @@ void raise(std::vector<float>& h, const NeighbourGraph& g, const base::Progress&
     }
 }
 
+/// What grading has made this many times as wide as its own place asks for, and so wide that it holds too many
+/// positions, gets few of them; counted by every 64th.
+constexpr float farRaised = 3.0f;
+constexpr std::size_t countedEach = 64, tooMany = 64, few = 4;
+
+/// A pile of points in a sparse surrounding would be raised until each of them holds all the others. `own`: what every
+/// place asks for by itself.
+void sparePiles(std::vector<float>& h, const std::vector<float>& own, std::span<const base::Vec3f> positions,
+                const base::Progress& progress) {
+    const auto isRaised = [&](std::size_t i) { return h[i] > farRaised * own[i]; };
+    bool any = false;
+    for (std::size_t i = 0; i < h.size() && !any; ++i)
+        any = isRaised(i);
+    if (!any || positions.size() < countedEach * tooMany)
+        return;
+    std::vector<surfel::Surfel> some; // along the Morton curve, hence evenly
+    for (std::size_t i = 0; i < positions.size(); i += countedEach)
+        some.emplace_back().position = positions[i];
+    const Cloud counted(some, progress);
+    base::parallelFor(h.size(), 1024, [&](std::size_t i) {
+        if (isRaised(i) && h[i] > counted.reach(positions[i], tooMany))
+            h[i] = std::max(own[i], counted.reach(positions[i], few));
+    });
+}
+
 /// The mean of the smallest graded field above `h` and the largest below it: of all graded fields the one that departs
 /// least from `h` (McShane and Whitney's extensions), unbiased where spacing is only noisy, and nowhere under half of
 /// `h`, so that no place loses its cover.
@@ -94,16 +119,19 @@ std::vector<float> supportsOf(const Cloud& cloud, const surfel::SurfelList& poin
     if (cloud.size() < 2)
         return std::vector<float>(cloud.size(), 1.0f); // a lone point has no scale; any will do
     NeighbourGraph graph = neighbourGraph(cloud, points, part(progress, 0, 0.7));
-    std::vector<float> h = withoutOutliers(spacingsOf(graph, cloud.size()), graph);
+    std::vector<float> own = spacingsOf(graph, cloud.size());
+    std::vector<float> h = withoutOutliers(own, graph);
     const float perSpacing = definition.unitInSpacings();
-    for (float& value : h)
-        value = std::max(value * perSpacing, 1e-18f); // denormal distances
+    for (auto* each : {&own, &h})
+        for (float& value : *each)
+            value = std::max(value * perSpacing, 1e-18f); // denormal distances
     const Outliers outliers = cutOutliers(graph, cloud.positions(), h);
     grade(h, graph, part(progress, 0.7, 1));
     if (!outliers.members.empty()) {
         lowerOutliers(h, graph, outliers, steepest);
         raise(h, graph, progress); // what they see was graded without them
     }
+    sparePiles(h, own, cloud.positions(), progress);
     if (gaussian)
         for (float& value : h)
             value *= surface::gaussianScale * reach;

@@ -1,3 +1,4 @@
+#include "core/base/cancel_scope.h"
 #include "core/base/parallel.h"
 #include "core/process/resampling/resample_land.h"
 #include "core/process/resampling/resample_set.h"
@@ -65,6 +66,7 @@ std::vector<Gap> takeApart(SampleSet& set, std::vector<Gap>& gaps) {
     std::vector<Gap> taken, left;
     PointGrid places(set.version.tree().bounds().centre(), fillReach * set.spacing);
     for (const Gap& gap : gaps) {
+        base::CancelScope::check();
         const float apart = fillClear * set.target[gap.from];
         bool alone = true;
         places.forNear(gap.place, apart, [&](const PointGrid::Entry& e) {
@@ -97,6 +99,7 @@ std::size_t fill(SampleSet& set, std::vector<Gap> gaps) {
             found[i].ok = found[i].ok && !stray(set, found[i].place, found[i].gradient, fillReach * target);
         });
         for (std::size_t i = 0; i < asked.size(); ++i) {
+            base::CancelScope::check();
             if (!acceptable(set, asked[i], found[i]))
                 continue;
             const base::Vec3f n = set.normal[asked[i].from];

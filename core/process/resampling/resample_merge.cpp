@@ -1,3 +1,4 @@
+#include "core/base/cancel_scope.h"
 #include "core/process/resampling/resample_land.h"
 #include "core/process/resampling/resample_set.h"
 
@@ -30,6 +31,7 @@ void dropStrays(SampleSet& set, const std::vector<std::uint32_t>& strays) {
 void merge(SampleSet& set, const std::vector<ClosePair>& pairs, float distance) {
     const float limitSq = distance * distance;
     for (const ClosePair& pair : pairs) {
+        base::CancelScope::check();
         if (pair.distanceSq >= limitSq)
             break;
         if (set.is(pair.a, Gone) || set.is(pair.b, Gone))

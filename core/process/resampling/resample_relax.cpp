@@ -1,3 +1,4 @@
+#include "core/base/cancel_scope.h"
 #include "core/base/parallel.h"
 #include "core/process/resampling/resample_land.h"
 #include "core/process/resampling/resample_set.h"
@@ -12,6 +13,7 @@ namespace process {
 constexpr float notice = 0.01f;
 
 static void wakeAround(SampleSet& set, std::size_t i) {
+    base::CancelScope::check();
     const float radius = wakeDistance * set.target[i];
     set.grid.forNear(set.position[i], radius, [&](const PointGrid::Entry& e) {
         if (set.free(e.index) && !set.is(e.index, Gone) &&

@@ -1,6 +1,6 @@
 // The look around every touched surfel: who is too close, and where is room. One cell of the grid at a time, whose
 // neighbourhood all its surfels share; the eight directions of a surfel lie in lanes.
-#include "core/base/parallel.h"
+#include "core/base/parallel_sort.h"
 #include "core/process/resampling/resample_set.h"
 
 #include <algorithm>
@@ -153,11 +153,11 @@ ScanResult scan(SampleSet& set) {
     for (const ScanResult& part : parts)
         gather(out.strays, part.strays), gather(out.pairs, part.pairs), gather(out.gaps, part.gaps);
     std::sort(out.strays.begin(), out.strays.end());
-    std::sort(out.pairs.begin(), out.pairs.end(), [](const ClosePair& a, const ClosePair& b) {
+    base::parallelSort(out.pairs, [](const ClosePair& a, const ClosePair& b) {
         return std::tie(a.distanceSq, a.a, a.b) < std::tie(b.distanceSq, b.a, b.b);
     });
-    std::sort(out.gaps.begin(), out.gaps.end(),
-              [](const Gap& a, const Gap& b) { return std::tie(a.from, a.k) < std::tie(b.from, b.k); });
+    base::parallelSort(out.gaps,
+                       [](const Gap& a, const Gap& b) { return std::tie(a.from, a.k) < std::tie(b.from, b.k); });
     for (auto& flag : set.flags)
         flag = static_cast<std::uint8_t>(flag & ~Scan);
     return out;

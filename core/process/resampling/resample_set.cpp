@@ -1,5 +1,6 @@
 #include "core/process/resampling/resample_set.h"
 
+#include "core/base/cancel_scope.h"
 #include "core/base/parallel.h"
 
 #include <algorithm>
@@ -25,6 +26,7 @@ struct Surroundings {
 Surroundings surroundings(const tree::SurfelTree& tree, const tree::Selection& touched, float reach) {
     Surroundings out;
     for (const tree::SelectedBlock& selected : touched) {
+        base::CancelScope::check();
         const surfel::BlockPtr block = tree.block(selected.block);
         base::Box3f box;
         for (int slot = 0; slot < block->size(); ++slot)

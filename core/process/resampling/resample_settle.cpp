@@ -1,3 +1,4 @@
+#include "core/base/cancel_scope.h"
 #include "core/base/parallel.h"
 #include "core/process/resampling/resample_blend.h"
 #include "core/process/resampling/resample_land.h"
@@ -106,6 +107,7 @@ tree::Edit editOf(const SampleSet& set, const std::vector<std::uint32_t>& which,
     tree::Edit edit;
     edit.inserted.layout = set.version.tree().layout();
     for (std::size_t i = 0; i < set.oldCount();) {
+        base::CancelScope::check();
         const std::uint32_t block = set.source[i].block;
         tree::BlockEdit change{set.blockNumber[block], {}, {}};
         surfel::MutableBlockPtr changed;
