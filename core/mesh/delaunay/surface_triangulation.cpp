@@ -4,9 +4,9 @@ namespace mesh {
 
 using base::Vec3d, base::Vec3f;
 
-SurfaceTriangulation::SurfaceTriangulation(const surface::Surface& surface, const Mesh& mesh)
+SurfaceTriangulation::SurfaceTriangulation(const surface::Surface& surface, const Mesh& mesh, Asking asking)
     : Triangulation(mesh), positions(mesh.positions), normals(mesh.normals), kinds(mesh.kinds),
-      m_source(surface, surface::Steps::Apart) {}
+      m_source(surface, surface::Steps::Apart), m_asking(asking) {}
 
 std::uint32_t SurfaceTriangulation::addVertex(const SurfacePoint& at, VertexKind kind) {
     positions.push_back(at.position);
@@ -31,7 +31,8 @@ Vec3d SurfaceTriangulation::surfaceNormal(const Triangle& t) const {
 /// In float, and from there to x by the slope: far from the origin floats are coarser than small triangles.
 SurfaceTriangulation::Sheet SurfaceTriangulation::evaluate(const Vec3d& x, const Vec3d& normal) {
     const Vec3f near = base::cast<float>(x);
-    const auto at = m_source.evaluate(near, surface::Need::Gradient, {base::cast<float>(normal)});
+    const base::Vec3f sheet = m_asking == Asking::OwnSheet ? base::cast<float>(normal) : base::Vec3f{};
+    const auto at = m_source.evaluate(near, surface::Need::Gradient, {sheet});
     if (!at.ok() && at.status != surface::Status::BeyondBoundary)
         return {};
     const Vec3d gradient = base::cast<double>(at.gradient);
@@ -54,7 +55,8 @@ std::optional<SurfaceTriangulation::Root> SurfaceTriangulation::root(const Vec3d
             return std::nullopt;
         if (std::abs(step) <= precise * at.unit) {
             const Vec3d unit = base::normalized(at.gradient);
-            return dot(unit, normal) >= sameSheet ? std::optional(Root{t, base::cast<float>(unit)}) : std::nullopt;
+            const bool counts = m_asking == Asking::OwnSheet ? dot(unit, normal) >= sameSheet : slope > 0;
+            return counts ? std::optional(Root{t, base::cast<float>(unit)}) : std::nullopt;
         }
     }
     return std::nullopt;

@@ -1,0 +1,14 @@
+// Which faces of a closed mesh span what is no surface, so that refinement has nothing to go by (mesh/README 4.8).
+// Internal to the room.
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/mesh/delaunay/surface_triangulation.h"
+
+namespace mesh {
+
+/// By face: has it a corner on a bridge, does it face away from the surface, does none lie above its middle, or is it
+/// so enclosed by such faces that nothing good could be made of it? REQUIRES: oriented faces. Throws base::Cancelled.
+std::vector<bool> heldFaces(SurfaceTriangulation& mesh, const base::Progress& progress);
+
+} // namespace mesh
