@@ -70,7 +70,7 @@ surface::Surface shape(const std::string& name) {
     if (name == "double torus")
         return models::doubleTorus(0.12);
     if (name == "touching spheres")
-        return models::touchingSpheres(600);
+        return models::touchingSpheres(600, shapes::bounded(0.6f)); // open: the mesh ends where they touch
     if (name == "plane")
         return shapes::surfaceOf(shapes::plane(15, 0.1, 0.35), shapes::bounded(0.3f));
     return models::sampled(name.c_str(), name == "sphere" ? 1500 : count);

@@ -3,6 +3,8 @@
 #include "core/mesh/check/self_intersections.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace mesh {
 

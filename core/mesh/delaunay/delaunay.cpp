@@ -77,6 +77,13 @@ double guideCell(const surface::Surface& surface, double unit) {
     return samples.empty() ? unit : std::clamp(double(samples[samples.size() / 20].spacing), unit / 3, unit);
 }
 
+/// The same for closed surfaces, but finer only where it must be: over gaps, small cubes make handles.
+double closedGuideCell(const surface::Surface& surface, double unit) {
+    constexpr double much = 0.5;
+    const double finer = guideCell(surface, unit);
+    return finer < much * unit ? finer : unit;
+}
+
 /// Leaves out faces of cubes that are nowhere near the surface, as at folds.
 Mesh trimmed(const surface::Surface& surface, const Mesh& mesh, const base::Progress& progress) {
     constexpr double facing = 0.2, tall = 0.5;
@@ -155,8 +162,9 @@ Mesh closedDelaunay(const surface::Surface& surface, const DelaunayOptions& opti
     refinement.run(process::part(progress, 0.4, 0.9));
     const std::vector<bool> failing = refinement.failing();
     report.missed = static_cast<std::size_t>(std::count(failing.begin(), failing.end(), true));
+    shapeHeld(faces, closed, process::part(progress, 0.9, 0.92));
     Mesh out = faces.mesh(std::vector<bool>(faces.faceCount()));
-    finishClosed(surface, options, out, process::part(progress, 0.9, 1));
+    finishClosed(surface, options, out, process::part(progress, 0.92, 1));
     return out;
 }
 
@@ -169,10 +177,10 @@ Mesh restrictedDelaunay(const surface::Surface& surface, const DelaunayOptions& 
     const double unit = unitOf(surface);
     const FaceDemand demand = demandOf(surface, options, unit, process::part(progress, 0, 0.05));
     report = {};
-    const double cell = guideCell(surface, unit);
     if (SurfaceTraits(surface).closed)
-        return closedDelaunay(surface, options, demand, cell, report, progress);
-    SurfaceTriangulation faces(surface, guideOf(surface, cell, process::part(progress, 0.05, 0.35)));
+        return closedDelaunay(surface, options, demand, closedGuideCell(surface, unit), report, progress);
+    SurfaceTriangulation faces(surface,
+                               guideOf(surface, guideCell(surface, unit), process::part(progress, 0.05, 0.35)));
     coarsen(faces, demand.size, demand.distance, process::part(progress, 0.35, 0.4));
     DelaunayRefinement refinement(faces, demand);
     refinement.run(process::part(progress, 0.4, 0.9));

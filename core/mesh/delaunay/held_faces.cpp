@@ -1,5 +1,7 @@
 #include "core/mesh/delaunay/held_faces.h"
 
+#include "core/mesh/check/shape.h"
+
 #include <algorithm>
 
 namespace mesh {
@@ -44,7 +46,53 @@ void enclose(const SurfaceTriangulation& mesh, std::vector<bool>& held) {
     }
 }
 
+/// Returns whether the side was flipped.
+bool shapeSide(SurfaceTriangulation& mesh, KeptClosed& closed, const Side& s) {
+    constexpr double flat = 0.9, better = 1e-9; // cosine; radians
+    const Side other = mesh.across(s);
+    if (!other.exists() || !closed.held(other.face))
+        return false;
+    mesh.align(s);
+    const std::uint32_t p = mesh.apex(s), q = mesh.apex(mesh.across(s)), a = mesh.from(s), b = mesh.to(s);
+    const Triangle was{p, a, b}, beside{q, b, a}, first{p, a, q}, second{q, b, p};
+    const auto least = [&](const Triangle& t) {
+        const auto [u, v, w] = mesh.cornersOf(t);
+        return smallestAngle(u, v, w);
+    };
+    const Vec3d normal = mesh.faceNormal(was);
+    const std::array others{beside, first, second};
+    const std::array pair{s.face, other.face};
+    if (std::min(least(first), least(second)) <= std::min(least(was), least(beside)) + better ||
+        !std::all_of(others.begin(), others.end(),
+                     [&](const Triangle& t) { return dot(mesh.faceNormal(t), normal) > flat; }) ||
+        !closed.allows(std::array{first, second}, pair) || !mesh.flip(s))
+        return false;
+    for (const std::uint32_t f : pair)
+        closed.update(f);
+    return true;
+}
+
 } // namespace
+
+void shapeHeld(SurfaceTriangulation& mesh, KeptClosed& closed, const base::Progress& progress) {
+    std::vector<std::uint32_t> open;
+    for (std::uint32_t f = 0; f < mesh.faceCount(); ++f)
+        if (mesh.alive(f) && closed.held(f))
+            open.push_back(f);
+    for (std::size_t i = 0, most = 100 * open.size(); !open.empty() && i < most; ++i) {
+        if (i % 4096 == 0)
+            progress.step(0, "Flipping");
+        const std::uint32_t f = open.back();
+        open.pop_back();
+        for (int k = 0; k < 3; ++k) {
+            const Side s{f, k}, other = mesh.across(s);
+            if (!shapeSide(mesh, closed, s))
+                continue;
+            open.insert(open.end(), {f, other.face});
+            break;
+        }
+    }
+}
 
 std::vector<bool> heldFaces(SurfaceTriangulation& mesh, const base::Progress& progress) {
     std::vector<bool> out(mesh.faceCount());
