@@ -6,10 +6,12 @@
 #include "core/mesh/check/self_intersections.h"
 #include "core/mesh/delaunay/cut_guard.h"
 #include "core/mesh/delaunay/delaunay.h"
+#include "core/process/estimation/spacing_sample.h"
 #include "mesh/meshes.h"
 #include "mesh/models.h"
 #include "mesh/solids.h"
 #include "support/registry.h"
+#include "surface/scans.h"
 
 #include <QTest>
 
@@ -21,6 +23,7 @@ class ClosedDelaunayTest : public QObject {
     void closedInClosedOut_data();
     void closedInClosedOut();
     void evenSurfacesMeetEveryDemand();
+    void closedScansStayClosed();
     void gapsAreClosedAsCubesClose();
     void triangulationsThatTouchInSpaceStayApart();
     void guardsSeeEveryCut();
@@ -146,6 +149,27 @@ void ClosedDelaunayTest::evenSurfacesMeetEveryDemand() {
     QVERIFY(found.shape.leastAngle >= 25 * shapes::pi / 180);
     QVERIFY2(found.faces.max <= options.distance, QByteArray::number(found.faces.max / options.distance));
     QVERIFY2(found.vertices.max <= 1e-6 * spacing, QByteArray::number(found.vertices.max / spacing));
+}
+
+/// With folds, near sheets and strays; away from those every demand holds.
+void ClosedDelaunayTest::closedScansStayClosed() {
+    if (test::effort(10) < 10)
+        QSKIP("minutes under a sanitizer");
+    surfel::SurfelList points;
+    if (const char* why = scans::load("dragon_res2.ply", points))
+        QSKIP(why);
+    surface::SurfaceDefinition closed;
+    closed.boundary = surface::Boundary::None;
+    const surface::Surface surface = process::prepare(std::move(points), {.definition = closed});
+    const double s = double(process::typicalSpacing(surface.tree()));
+    DelaunayReport report;
+    const Mesh m = mesh::restrictedDelaunay(surface, {}, report);
+    const mesh::Report found = mesh::check(m, surface);
+    QVERIFY(isClosed(found.topology));
+    QCOMPARE(found.selfIntersections, std::size_t(0));
+    QVERIFY2(report.missed < m.triangles.size() / 50, QByteArray::number(report.missed));
+    QVERIFY2(found.faces.hundredth <= 0.1 * s, QByteArray::number(found.faces.hundredth / s));
+    QVERIFY(found.shape.hundredthAngle >= 25 * shapes::pi / 180);
 }
 
 /// A sphere whose points leave out a cap as wide as several supports.

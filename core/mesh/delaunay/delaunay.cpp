@@ -98,7 +98,7 @@ Mesh trimmed(const surface::Surface& surface, const Mesh& mesh, const base::Prog
         const double cosine = oriented ? faces.facing(t) : std::abs(faces.facing(t));
         const double reach = tall * std::max({distance(a, b), distance(b, c), distance(c, a)});
         leftOut[f] =
-            cosine < facing || !faces.root((a + b + c) / 3, faces.faceNormal(t), reach, faces.surfaceNormal(t));
+            cosine < facing || !faces.root((a + b + c) / 3, faces.faceNormal(t), reach, {faces.surfaceNormal(t)});
     }
     Mesh out = faces.mesh(leftOut);
     makeManifold(out);

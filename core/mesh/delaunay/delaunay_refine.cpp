@@ -199,7 +199,7 @@ std::optional<SurfacePoint> DelaunayRefinement::middleOf(const Side& s, VertexKi
         }
     }
     kind = boundary ? VertexKind::Fold : VertexKind::Inner;
-    if (const auto root = m_mesh.root(middle, normal, near, normal))
+    if (const auto root = m_mesh.root(middle, normal, near, m_mesh.facingOf({a, b, b})))
         return SurfacePoint{middle + normal * root->t, root->normal};
     return isProtected(s) ? std::optional(SurfacePoint{middle, base::cast<float>(normal)}) : std::nullopt;
 }
@@ -231,7 +231,7 @@ std::optional<SurfacePoint> DelaunayRefinement::pointOver(std::uint32_t face, co
     const double reach = 0.5 * std::max({distance(a, b), distance(b, c), distance(c, a)});
     const double above = dot(x - a, along);
     const Vec3d start = std::abs(above) > reach ? x - along * above : x;
-    const auto root = m_mesh.root(start, along, reach, m_mesh.surfaceNormal(t));
+    const auto root = m_mesh.root(start, along, reach, m_mesh.facingOf(t));
     if (!root)
         return std::nullopt;
     return SurfacePoint{start + along * root->t, root->normal};
@@ -304,8 +304,22 @@ bool DelaunayRefinement::splitSide(const Side& s, std::uint32_t vertex) {
     return true;
 }
 
+/// What is left where nothing else fits: faces of a closed surface cannot be left out.
+bool DelaunayRefinement::insertMiddle(std::uint32_t face) {
+    const auto [a, b, c] = m_mesh.cornersOf(m_mesh.corners(face));
+    const auto point = pointOver(face, (a + b + c) / 3);
+    if (!point || std::min({distance(point->position, a), distance(point->position, b), distance(point->position, c)}) <
+                      0.5 * m_demand.floor)
+        return false;
+    const std::uint32_t v = m_mesh.addVertex(*point, VertexKind::Inner);
+    if (!splitFace(face, v))
+        return false;
+    touchOneRing(v);
+    return true;
+}
+
 void DelaunayRefinement::refine(const Bad& bad) {
-    if (!insertCentre(bad) && !halve(longestSide(bad.face)))
+    if (!insertCentre(bad) && !halve(longestSide(bad.face)) && !(m_closed && insertMiddle(bad.face)))
         return;
     settle();
     judgeTouched();

@@ -69,6 +69,7 @@ class DelaunayRefinement {
     void refine(const Bad& bad);
     std::optional<SurfacePoint> pointOver(std::uint32_t face, const base::Vec3d& x);
     bool insertCentre(const Bad& bad);
+    bool insertMiddle(std::uint32_t face);
     bool split(const Location& where, std::uint32_t vertex);
     bool splitFace(std::uint32_t face, std::uint32_t vertex);
     bool splitSide(const Side& s, std::uint32_t vertex);

@@ -17,7 +17,7 @@ bool offSurface(SurfaceTriangulation& mesh, std::uint32_t face) {
         return true;
     const auto [a, b, c] = mesh.cornersOf(t);
     const double reach = tall * std::max({distance(a, b), distance(b, c), distance(c, a)});
-    return !(mesh.facing(t) > 0) || !mesh.root((a + b + c) / 3, mesh.faceNormal(t), reach, mesh.surfaceNormal(t));
+    return !(mesh.facing(t) > 0) || !mesh.root((a + b + c) / 3, mesh.faceNormal(t), reach, mesh.facingOf(t));
 }
 
 /// Faces with two and more neighbours that are held, again and again: what is left has no corners that are too sharp.

@@ -48,13 +48,19 @@ class SurfaceTriangulation : public Triangulation {
     double facing(const Triangle& t) const { return dot(faceNormal(t), surfaceNormal(t)); }
 
     Ball ball(const Triangle& t);
-    /// The root of f on a line, at most `reach` from x, whose normal is near to that given; asked as it is, one where
-    /// the surface faces along the line.
+    /// Which way the surface may face where one looks for it.
+    struct Facing {
+        base::Vec3d normal;
+        double least = 0.5; ///< cosine to it
+    };
+    /// As a face's corners do, and no further away than they from their mean.
+    Facing facingOf(const Triangle& t) const;
+    /// The root of f on a line, at most `reach` from x; asked as it is, one where the surface faces along the line.
     struct Root {
         double t = 0;
         base::Vec3f normal;
     };
-    std::optional<Root> root(const base::Vec3d& x, const base::Vec3d& along, double reach, const base::Vec3d& normal);
+    std::optional<Root> root(const base::Vec3d& x, const base::Vec3d& along, double reach, const Facing& facing);
     /// f over its slope at x, on the sheet with that normal; infinite where the definition gives none.
     double height(const base::Vec3d& x, const base::Vec3d& normal);
 

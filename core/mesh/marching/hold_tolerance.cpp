@@ -23,9 +23,22 @@ std::vector<std::uint8_t> farTriangles(const surface::Surface& surface, std::spa
 
 std::size_t holdTolerance(Mesh& mesh, const surface::Surface& surface, const VertexPlaces& before, double tolerance) {
     constexpr int rounds = 16; // what goes back pulls at its neighbours
-    const auto centreOf = [&](std::uint32_t t) {
-        const Triangle& corners = mesh.triangles[t];
-        return (mesh.positions[corners[0]] + mesh.positions[corners[1]] + mesh.positions[corners[2]]) / 3;
+    const auto centresOf = [&](std::span<const std::uint32_t> some, std::span<const Vec3d> positions) {
+        std::vector<Vec3d> out;
+        for (const std::uint32_t t : some) {
+            const Triangle& corners = mesh.triangles[t];
+            out.push_back((positions[corners[0]] + positions[corners[1]] + positions[corners[2]]) / 3);
+        }
+        return out;
+    };
+    // those of some that are too far away, or that are not, with vertices there
+    const auto farOf = [&](std::span<const std::uint32_t> some, std::span<const Vec3d> positions, bool yes) {
+        const std::vector<std::uint8_t> far = farTriangles(surface, centresOf(some, positions), tolerance);
+        std::vector<std::uint32_t> out;
+        for (std::size_t i = 0; i < some.size(); ++i)
+            if ((far[i] != 0) == yes)
+                out.push_back(some[i]);
+        return out;
     };
     const auto movedOf = [&](std::uint32_t v) { return mesh.positions[v] != before.positions[v]; };
     std::vector<std::uint32_t> looked(mesh.triangles.size());
@@ -33,15 +46,12 @@ std::size_t holdTolerance(Mesh& mesh, const surface::Surface& surface, const Ver
         looked[t] = t;
     std::size_t count = 0;
     for (int round = 0; round < rounds && !looked.empty(); ++round) {
-        std::vector<Vec3d> centres;
-        for (const std::uint32_t t : looked)
-            centres.push_back(centreOf(t));
-        const std::vector<std::uint8_t> far = farTriangles(surface, centres, tolerance);
+        const std::vector<std::uint32_t> spoiled = farOf(farOf(looked, mesh.positions, true), before.positions, false);
         std::vector<std::uint8_t> back(mesh.positions.size());
         std::size_t some = 0;
-        for (std::size_t i = 0; i < looked.size(); ++i)
-            for (const std::uint32_t v : mesh.triangles[looked[i]])
-                if (far[i] && movedOf(v) && !back[v])
+        for (const std::uint32_t t : spoiled)
+            for (const std::uint32_t v : mesh.triangles[t])
+                if (movedOf(v) && !back[v])
                     back[v] = 1, ++some;
         if (some == 0)
             break;
