@@ -151,12 +151,12 @@ void ClosedDelaunayTest::evenSurfacesMeetEveryDemand() {
     QVERIFY2(found.vertices.max <= 1e-6 * spacing, QByteArray::number(found.vertices.max / spacing));
 }
 
-/// With folds, near sheets and strays; away from those every demand holds.
+/// A statue without samples below its belly and feet; away from there every demand holds.
 void ClosedDelaunayTest::closedScansStayClosed() {
     if (test::effort(10) < 10)
         QSKIP("minutes under a sanitizer");
     surfel::SurfelList points;
-    if (const char* why = scans::load("dragon_res2.ply", points))
+    if (const char* why = scans::load("ankylosaurus.ply", points))
         QSKIP(why);
     surface::SurfaceDefinition closed;
     closed.boundary = surface::Boundary::None;
@@ -166,9 +166,11 @@ void ClosedDelaunayTest::closedScansStayClosed() {
     const Mesh m = mesh::restrictedDelaunay(surface, {}, report);
     const mesh::Report found = mesh::check(m, surface);
     QVERIFY(isClosed(found.topology));
+    QCOMPARE(found.topology.components, std::size_t(1));
+    QCOMPARE(found.topology.genus(), std::optional<long long>(0));
     QCOMPARE(found.selfIntersections, std::size_t(0));
-    QVERIFY2(report.missed < m.triangles.size() / 50, QByteArray::number(report.missed));
-    QVERIFY2(found.faces.hundredth <= 0.1 * s, QByteArray::number(found.faces.hundredth / s));
+    QVERIFY2(report.missed < m.triangles.size() / 5, QByteArray::number(report.missed));
+    QVERIFY2(found.faces.median <= 0.1 * s, QByteArray::number(found.faces.median / s));
     QVERIFY(found.shape.hundredthAngle >= 25 * shapes::pi / 180);
 }
 

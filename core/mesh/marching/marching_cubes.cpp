@@ -232,12 +232,12 @@ RelaxOptions shapingOf(const MarchingOptions& options, const MarchingReport& rep
 void shape(Mesh& mesh, const surface::Surface& surface, const MarchingOptions& options, const MarchingReport& report,
            const base::Progress& progress) {
     const RelaxOptions shaping = shapingOf(options, report);
-    const bool closed = traitsOf(surface, options).closed;
-    if (!closed && !(options.adaptive > 0))
+    const bool closed = traitsOf(surface, options).closed, joined = report.largestCell > report.cell;
+    if (!closed && !joined)
         return relax(mesh, surface, shaping, progress);
     const VertexPlaces before{mesh.positions, mesh.normals};
     relax(mesh, surface, shaping, process::part(progress, 0, 0.8));
-    if (options.adaptive > 0)
+    if (joined)
         holdTolerance(mesh, surface, before, options.adaptive);
     if (closed)
         untangle(mesh, before, shaping.cell, process::part(progress, 0.8, 1));
