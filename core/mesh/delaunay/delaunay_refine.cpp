@@ -5,6 +5,7 @@
 #include "core/surface/curves/boundary.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace mesh {
 
@@ -318,13 +319,15 @@ bool DelaunayRefinement::insertMiddle(std::uint32_t face) {
     return true;
 }
 
-void DelaunayRefinement::refine(const Bad& bad) {
+/// False, and nothing changed, where no new vertex fits.
+bool DelaunayRefinement::refine(const Bad& bad) {
     if (!insertCentre(bad) && !halve(longestSide(bad.face)) && !(m_closed && insertMiddle(bad.face)))
-        return;
+        return false;
     settle();
     judgeTouched();
     if (m_mesh.alive(bad.face) && m_facets[bad.face].version == bad.version)
         m_bad.push(bad);
+    return true;
 }
 
 Side DelaunayRefinement::longestSide(std::uint32_t face) const {
@@ -340,15 +343,26 @@ void DelaunayRefinement::run(const base::Progress& progress) {
     settle(process::part(progress, 0, 0.2));
     judgeTouched();
     const base::Progress refining = process::part(progress, 0.2, 1);
-    for (std::size_t i = 0; !m_bad.empty(); ++i) {
+    std::vector<Bad> stuck; // of a closed mesh: tried again, as long as others change around them
+    bool changed = false;
+    for (std::size_t i = 0;; ++i) {
+        if (m_bad.empty() && m_closed && std::exchange(changed, false))
+            for (const Bad& bad : std::exchange(stuck, {}))
+                m_bad.push(bad);
+        if (m_bad.empty())
+            break;
         if (i % 256 == 0) {
             const double done = double(m_mesh.faceCount());
             refining.step(done / (done + 2 * double(m_bad.size())), "Triangulating");
         }
         const Bad next = m_bad.top();
         m_bad.pop();
-        if (m_mesh.alive(next.face) && m_facets[next.face].version == next.version)
-            refine(next);
+        if (!m_mesh.alive(next.face) || m_facets[next.face].version != next.version)
+            continue;
+        if (refine(next))
+            changed = true;
+        else if (m_closed)
+            stuck.push_back(next);
     }
 }
 

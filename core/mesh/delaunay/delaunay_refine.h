@@ -66,7 +66,7 @@ class DelaunayRefinement {
     Location locate(std::uint32_t face, const base::Vec3d& x) const;
     Side encroached(std::uint32_t face, const base::Vec3d& x) const;
     bool inBall(const Side& s, const base::Vec3d& x) const;
-    void refine(const Bad& bad);
+    bool refine(const Bad& bad);
     std::optional<SurfacePoint> pointOver(std::uint32_t face, const base::Vec3d& x);
     bool insertCentre(const Bad& bad);
     bool insertMiddle(std::uint32_t face);
