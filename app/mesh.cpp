@@ -62,6 +62,9 @@ mesh::Mesh makeByDelaunay(const Options& options, const surface::Surface& surfac
     mesh::Mesh out = restrictedDelaunay(surface, options.delaunay, report, progress);
     tellCount(console, report.unrefined,
               " triangles were left out: refinement could not bring them within the limits asked for, as at folds.");
+    tellCount(
+        console, report.missed,
+        " triangles miss the limits asked for: they close the mesh where points leave gaps or sheets run together.");
     tellCount(console, report.removed, " triangles were left out where more than two met at an edge.");
     tellCount(console, report.trimmed, " triangles were left out because they cut others at folds.");
     tellCount(console, report.foldsClosed, " loops at folds were closed.");
@@ -136,8 +139,9 @@ Action addMesh(CLI::App& command) {
     command
         .add_option(
             "--adaptive", options->adaptive,
-            "large triangles where the surface is flat: as large as they can be and stay about this close to it, "
-            "in model units; --cell is then the smallest cube [all of one size]")
+            "large triangles where the surface is flat: as large as they can be while their middles stay this close to "
+            "it, in model units; --cell is then the smallest cube, whose triangles are as far away as they are [all of "
+            "one size]")
         ->type_name("TOLERANCE")
         ->check(above(0));
     addMarchingOptions(command, options->marching);

@@ -19,6 +19,7 @@ double spacingsPerUnitOf(const surface::SurfaceDefinition& definition) {
 SurfaceTraits::SurfaceTraits(const surface::Surface& surface)
     : oriented(surface.tree().layout()->normals && surface.tree().layout()->oriented),
       closed(oriented && std::isinf(surface.definition().boundaryLimit)),
+      continuous(surface::rowOf(surface.effectiveFrame()).solids || !surface.definition().oneSheet),
       distances(surface::rowOf(surface.effectiveFrame()).distance),
       spacingsPerUnit(spacingsPerUnitOf(surface.definition())) {}
 

@@ -13,6 +13,7 @@ class AdaptiveCubesTest : public QObject {
     Q_OBJECT
   private Q_SLOTS:
     void trianglesStayWithinTheTolerance();
+    void theToleranceHoldsOnBumps();
     void flatPartsHaveLargeCubes();
     void rimsStayAsTheyAre();
     void anyGridIsManifold();
@@ -66,6 +67,30 @@ void AdaptiveCubesTest::trianglesStayWithinTheTolerance() {
         QVERIFY2(10 * m.triangles.size() < 7 * before, QByteArray::number(m.triangles.size()));
         QVERIFY(report.largestCell >= 2 * report.cell);
         before = m.triangles.size();
+    }
+}
+
+/// Of all that the finest cubes keep.
+void AdaptiveCubesTest::theToleranceHoldsOnBumps() {
+    const unsigned long long seed = test::seed();
+    for (int i = 0; i < test::effort(5); ++i) {
+        surfel::SurfelList list = shapes::torus(1, 0.4, spacing, 3.5 * spacing);
+        base::Random random(seed + static_cast<unsigned long long>(i));
+        const double noise = random.uniform(0.02, 0.1) * spacing, tolerance = random.uniform(0.05, 0.3) * spacing;
+        list = shapes::jittered(list, noise, seed + static_cast<unsigned long long>(i));
+        const surface::Surface surface =
+            shapes::surfaceOf(list, i % 2 ? shapes::bounded(0.5f) : surface::SurfaceDefinition{});
+        MarchingReport report;
+        MarchingOptions options = adaptive(0.5, 0);
+        const Mesh fine = mesh::marchingCubes(surface, options, report);
+        const double finest = mesh::faceDeviation(fine, surface).max;
+        options.adaptive = std::max(tolerance, 1.1 * finest);
+        const Mesh m = mesh::marchingCubes(surface, options, report);
+        const mesh::Deviation found = mesh::faceDeviation(m, surface);
+        const auto where = "seed " + QByteArray::number(seed) + " round " + QByteArray::number(i) + ": " +
+                           QByteArray::number(found.max / options.adaptive);
+        QVERIFY2(found.lost == 0 && found.max <= 1.02 * options.adaptive, where);
+        QVERIFY2(m.triangles.size() < fine.triangles.size(), where);
     }
 }
 

@@ -71,7 +71,7 @@ surface::Surface shape(const std::string& name) {
     if (name == "double torus")
         return models::doubleTorus(0.12);
     if (name == "touching spheres")
-        return models::touchingSpheres(600);
+        return models::touchingSpheres(600, shapes::bounded(0.6f)); // open: the mesh ends where they touch
     if (name == "plane")
         return shapes::surfaceOf(shapes::plane(15, 0.1, 0.35), shapes::bounded(0.3f));
     return models::sampled(name.c_str(), name == "sphere" ? 1500 : count);
@@ -238,12 +238,17 @@ static void verifyDemands(const surface::Surface& surface, double unit, double s
     const mesh::Report found = mesh::check(mesh, surface);
     QVERIFY(!mesh.triangles.empty());
     QVERIFY(found.topology.manifold());
-    QVERIFY2(found.shape.leastAngle >= 25 * degree, QByteArray::number(found.shape.leastAngle / degree));
-    QVERIFY2(found.faces.max <= options.distance && found.faces.lost == 0, QByteArray::number(found.faces.max / unit));
+    // a closed surface keeps the few that break a demand
+    const double angle = report.missed > 0 ? found.shape.hundredthAngle : found.shape.leastAngle;
+    const double far = report.missed > 0 ? found.faces.hundredth : found.faces.max;
+    QVERIFY2(report.missed == 0 || found.topology.boundaryEdges == 0, QByteArray::number(report.missed));
+    QVERIFY2(angle >= 25 * degree, QByteArray::number(angle / degree));
+    QVERIFY2(far <= options.distance && found.faces.lost == 0, QByteArray::number(far / unit));
     QVERIFY2(found.vertices.max <= 0.01 * unit && found.vertices.lost == 0,
              QByteArray::number(found.vertices.max / unit));
     QCOMPARE(found.selfIntersections, std::size_t(0));
-    QVERIFY2(report.unrefined <= mesh.triangles.size() / 50, QByteArray::number(report.unrefined));
+    const std::size_t broken = report.unrefined + report.missed;
+    QVERIFY2(broken <= mesh.triangles.size() / 50, QByteArray::number(broken));
 }
 
 /// Spheres that touch: f jumps between them, and triangles in space would have to be infinitely small.
@@ -286,7 +291,10 @@ void DelaunayTest::demandsHoldOnScans() {
     surfel::SurfelList points;
     if (const char* why = scans::load(file, points))
         QSKIP(why);
-    const surface::Surface surface = process::prepare(std::move(points), {});
+    const surface::Surface prepared = process::prepare(std::move(points), {});
+    surface::SurfaceDefinition open = prepared.definition(); // what is closed may keep triangles that break a demand
+    open.boundaryLimit = std::min(open.boundaryLimit, 0.6f);
+    const surface::Surface surface{prepared.tree(), open};
     QFETCH(double, size);
     verifyDemands(surface, double(process::typicalSpacing(surface.tree())), size);
 }

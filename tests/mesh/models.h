@@ -95,7 +95,7 @@ inline surface::Surface smoothDoubleTorus(double spacing) {
 }
 
 /// Unit spheres about -x and x that touch in the origin.
-inline surface::Surface touchingSpheres(std::size_t count) {
+inline surface::Surface touchingSpheres(std::size_t count, const surface::SurfaceDefinition& definition = {}) {
     surfel::SurfelList out = shapes::sphere(count, 1, 3 * shapes::sphereSpacing(count, 1));
     const std::size_t n = out.size();
     for (std::size_t i = 0; i < n; ++i) {
@@ -104,7 +104,7 @@ inline surface::Surface touchingSpheres(std::size_t count) {
         s.position.x += 1;
         out.items.push_back(s);
     }
-    return shapes::surfaceOf(out);
+    return shapes::surfaceOf(out, definition);
 }
 
 } // namespace models

@@ -15,11 +15,10 @@ using Point = Kernel::Point_3;
 
 class Intersections {
   public:
-    explicit Intersections(const Mesh& mesh) : m_mesh(mesh) {}
+    explicit Intersections(std::span<const base::Vec3d> positions) : m_positions(positions) {}
 
     /// Do two triangles share more than the vertices that both name?
-    bool meet(std::uint32_t a, std::uint32_t b) const {
-        Triangle s = m_mesh.triangles[a], t = m_mesh.triangles[b];
+    bool meet(Triangle s, Triangle t) const {
         switch (bringForward(s, t)) {
         case 0:
             return CGAL::do_intersect(triangle(s), triangle(t));
@@ -32,13 +31,10 @@ class Intersections {
             return true; // the same triangle twice
         }
     }
-    bool flat(std::uint32_t f) const {
-        const Triangle& t = m_mesh.triangles[f];
-        return !isProper(t) || CGAL::collinear(at(t[0]), at(t[1]), at(t[2]));
-    }
-    Box box(std::uint32_t f) const {
+    bool flat(const Triangle& t) const { return !isProper(t) || CGAL::collinear(at(t[0]), at(t[1]), at(t[2])); }
+    Box box(const Triangle& t, std::uint32_t f) const {
         CGAL::Bbox_3 out;
-        for (const std::uint32_t v : m_mesh.triangles[f])
+        for (const std::uint32_t v : t)
             out += at(v).bbox();
         return {out, f};
     }
@@ -57,13 +53,13 @@ class Intersections {
         return common;
     }
     Point at(std::uint32_t v) const {
-        const base::Vec3d& p = m_mesh.positions[v];
+        const base::Vec3d& p = m_positions[v];
         return {p.x, p.y, p.z};
     }
     Kernel::Triangle_3 triangle(const Triangle& t) const { return {at(t[0]), at(t[1]), at(t[2])}; }
     Kernel::Segment_3 segment(const Triangle& t) const { return {at(t[1]), at(t[2])}; }
 
-    const Mesh& m_mesh;
+    std::span<const base::Vec3d> m_positions;
 };
 
 } // namespace
@@ -77,11 +73,11 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> selfIntersections(const Mes
 
 std::vector<std::pair<std::uint32_t, std::uint32_t>>
 selfIntersections(const Mesh& mesh, std::span<const std::uint32_t> among, const base::Progress& progress) {
-    const Intersections intersections(mesh);
+    const Intersections intersections(mesh.positions);
     std::vector<Box> boxes;
     for (const std::uint32_t f : among)
-        if (!intersections.flat(f))
-            boxes.push_back(intersections.box(f));
+        if (!intersections.flat(mesh.triangles[f]))
+            boxes.push_back(intersections.box(mesh.triangles[f], f));
     std::vector<std::pair<std::uint32_t, std::uint32_t>> out;
     std::size_t pairs = 0;
     CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
@@ -89,11 +85,19 @@ selfIntersections(const Mesh& mesh, std::span<const std::uint32_t> among, const 
         if (++pairs % 65536 == 0)
             progress.step(std::min(0.99, double(pairs) / (15.0 * double(boxes.size()))), "Looking for intersections");
         const std::pair<std::uint32_t, std::uint32_t> pair = std::minmax({a.info(), b.info()});
-        if (intersections.meet(pair.first, pair.second))
+        if (intersections.meet(mesh.triangles[pair.first], mesh.triangles[pair.second]))
             out.emplace_back(pair.first, pair.second);
     });
     std::sort(out.begin(), out.end());
     return out;
+}
+
+bool trianglesMeet(std::span<const base::Vec3d> positions, const Triangle& a, const Triangle& b) {
+    return Intersections(positions).meet(a, b);
+}
+
+bool isFlat(std::span<const base::Vec3d> positions, const Triangle& t) {
+    return Intersections(positions).flat(t);
 }
 
 } // namespace mesh

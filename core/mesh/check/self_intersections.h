@@ -19,4 +19,9 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> selfIntersections(const Mes
 std::vector<std::pair<std::uint32_t, std::uint32_t>>
 selfIntersections(const Mesh& mesh, std::span<const std::uint32_t> among, const base::Progress& progress = {});
 
+/// Of two triangles: true also where they are the same. REQUIRES: both have an area.
+bool trianglesMeet(std::span<const base::Vec3d> positions, const Triangle& a, const Triangle& b);
+/// Has a triangle no area, exactly?
+bool isFlat(std::span<const base::Vec3d> positions, const Triangle& t);
+
 } // namespace mesh

@@ -12,19 +12,21 @@ namespace {
 
 class Coarsening {
   public:
-    Coarsening(SurfaceTriangulation& mesh, const SizeField& size, double distance)
-        : m_mesh(mesh), m_size(size), m_distance(distance) {}
+    Coarsening(SurfaceTriangulation& mesh, const SizeField& size, double distance, KeptClosed* closed)
+        : m_mesh(mesh), m_size(size), m_distance(distance), m_closed(closed) {}
 
     bool shorten(std::uint32_t vertex);
 
   private:
     bool allowed(std::uint32_t vertex, std::uint32_t into);
+    bool collapse(std::uint32_t vertex, std::uint32_t into);
     bool boundaryKeepsCourse(std::uint32_t vertex, std::uint32_t into);
     bool facesKeepFacing(std::uint32_t vertex, std::uint32_t into);
 
     SurfaceTriangulation& m_mesh;
     const SizeField& m_size;
     double m_distance;
+    KeptClosed* m_closed;
     std::vector<std::uint32_t> m_ring, m_around;
 };
 
@@ -41,7 +43,18 @@ bool Coarsening::shorten(std::uint32_t vertex) {
             near.emplace_back(d, v);
     std::sort(near.begin(), near.end());
     return std::any_of(near.begin(), near.end(),
-                       [&](const auto& n) { return allowed(vertex, n.second) && m_mesh.collapse(vertex, n.second); });
+                       [&](const auto& n) { return allowed(vertex, n.second) && collapse(vertex, n.second); });
+}
+
+bool Coarsening::collapse(std::uint32_t vertex, std::uint32_t into) {
+    if (!m_closed)
+        return m_mesh.collapse(vertex, into);
+    m_mesh.oneRing(vertex, m_ring);
+    if (!m_closed->mayCollapse(m_ring, vertex, into) || !m_mesh.collapse(vertex, into))
+        return false;
+    for (const std::uint32_t f : m_ring)
+        m_closed->update(f);
+    return true;
 }
 
 bool Coarsening::allowed(std::uint32_t vertex, std::uint32_t into) {
@@ -103,9 +116,10 @@ void cutSharpCorners(SurfaceTriangulation& mesh) {
 
 } // namespace
 
-void coarsen(SurfaceTriangulation& mesh, const SizeField& size, double distance, const base::Progress& progress) {
+void coarsen(SurfaceTriangulation& mesh, const SizeField& size, double distance, const base::Progress& progress,
+             KeptClosed* closed) {
     cutSharpCorners(mesh);
-    Coarsening coarsening(mesh, size, distance);
+    Coarsening coarsening(mesh, size, distance, closed);
     constexpr int passes = 6;
     const auto count = static_cast<std::uint32_t>(mesh.positions.size());
     for (int pass = 0; pass < passes; ++pass) {

@@ -4,11 +4,13 @@
 #include "core/mesh/check/shape.h"
 #include "core/mesh/delaunay/delaunay_finish.h"
 #include "core/mesh/delaunay/delaunay_refine.h"
+#include "core/mesh/delaunay/held_faces.h"
 #include "core/mesh/finish/close_folds.h"
 #include "core/mesh/finish/drop_triangles.h"
 #include "core/mesh/finish/make_manifold.h"
 #include "core/mesh/finish/mesh_attributes.h"
 #include "core/mesh/finish/trim_folds.h"
+#include "core/mesh/finish/untangle.h"
 #include "core/mesh/marching/marching_cubes.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/process/estimation/spacing_sample.h"
@@ -75,6 +77,13 @@ double guideCell(const surface::Surface& surface, double unit) {
     return samples.empty() ? unit : std::clamp(double(samples[samples.size() / 20].spacing), unit / 3, unit);
 }
 
+/// The same for closed surfaces, but finer only where it must be: over gaps, small cubes make handles.
+double closedGuideCell(const surface::Surface& surface, double unit) {
+    constexpr double much = 0.5;
+    const double finer = guideCell(surface, unit);
+    return finer < much * unit ? finer : unit;
+}
+
 /// Leaves out faces of cubes that are nowhere near the surface, as at folds.
 Mesh trimmed(const surface::Surface& surface, const Mesh& mesh, const base::Progress& progress) {
     constexpr double facing = 0.2, tall = 0.5;
@@ -89,7 +98,7 @@ Mesh trimmed(const surface::Surface& surface, const Mesh& mesh, const base::Prog
         const double cosine = oriented ? faces.facing(t) : std::abs(faces.facing(t));
         const double reach = tall * std::max({distance(a, b), distance(b, c), distance(c, a)});
         leftOut[f] =
-            cosine < facing || !faces.root((a + b + c) / 3, faces.faceNormal(t), reach, faces.surfaceNormal(t));
+            cosine < facing || !faces.root((a + b + c) / 3, faces.faceNormal(t), reach, {faces.surfaceNormal(t)});
     }
     Mesh out = faces.mesh(leftOut);
     makeManifold(out);
@@ -97,11 +106,12 @@ Mesh trimmed(const surface::Surface& surface, const Mesh& mesh, const base::Prog
     return out;
 }
 
-Mesh guideOf(const surface::Surface& surface, double unit, const base::Progress& progress) {
+Mesh guideOf(const surface::Surface& surface, double cell, const base::Progress& progress) {
     MarchingOptions options;
-    options.solid = false; // what bridges gaps is no surface to refine
-    options.cell = guideCell(surface, unit);
+    options.cell = cell;
     MarchingReport report;
+    if (SurfaceTraits(surface).closed)
+        return marchingCubes(surface, options, report, progress);
     return trimmed(surface, marchingCubes(surface, options, report, process::part(progress, 0, 0.8)),
                    process::part(progress, 0.8, 1));
 }
@@ -127,6 +137,37 @@ void finish(const surface::Surface& surface, const DelaunayOptions& options, con
     takeAttributes(mesh, surface);
 }
 
+/// A closed mesh stays as it is: vertices come to rest on the surface where that cuts nothing.
+void finishClosed(const surface::Surface& surface, const DelaunayOptions& options, Mesh& mesh,
+                  const base::Progress& progress) {
+    const VertexPlaces before{mesh.positions, mesh.normals};
+    settleVertices(surface, options.angle * degree, mesh);
+    untangle(mesh, before, 0.5 * shapeOf(mesh).longestEdge, progress);
+    const Orientation orientation = orient(mesh, true);
+    if (options.finishing.dropSmall)
+        dropSmallPieces(mesh, orientation, options.finishing.smallPiece);
+    dropUnused(mesh);
+    takeAttributes(mesh, surface);
+}
+
+/// Without a boundary, whatever the points: of cubes that know inside and outside, by edits that keep it so.
+Mesh closedDelaunay(const surface::Surface& surface, const DelaunayOptions& options, const FaceDemand& demand,
+                    double cell, DelaunayReport& report, const base::Progress& progress) {
+    constexpr double edges = 1.5; // of the guide, in a cube of the guard
+    const Asking asking = SurfaceTraits(surface).continuous ? Asking::AsItIs : Asking::OwnSheet;
+    SurfaceTriangulation faces(surface, guideOf(surface, cell, process::part(progress, 0.05, 0.3)), asking);
+    KeptClosed closed(faces, heldFaces(faces, process::part(progress, 0.3, 0.35)), edges * cell);
+    coarsen(faces, demand.size, demand.distance, process::part(progress, 0.35, 0.4), &closed);
+    DelaunayRefinement refinement(faces, demand, &closed);
+    refinement.run(process::part(progress, 0.4, 0.9));
+    const std::vector<bool> failing = refinement.failing();
+    report.missed = static_cast<std::size_t>(std::count(failing.begin(), failing.end(), true));
+    shapeHeld(faces, closed, process::part(progress, 0.9, 0.92));
+    Mesh out = faces.mesh(std::vector<bool>(faces.faceCount()));
+    finishClosed(surface, options, out, process::part(progress, 0.92, 1));
+    return out;
+}
+
 } // namespace
 
 Mesh restrictedDelaunay(const surface::Surface& surface, const DelaunayOptions& options, DelaunayReport& report,
@@ -136,7 +177,10 @@ Mesh restrictedDelaunay(const surface::Surface& surface, const DelaunayOptions& 
     const double unit = unitOf(surface);
     const FaceDemand demand = demandOf(surface, options, unit, process::part(progress, 0, 0.05));
     report = {};
-    SurfaceTriangulation faces(surface, guideOf(surface, unit, process::part(progress, 0.05, 0.35)));
+    if (SurfaceTraits(surface).closed)
+        return closedDelaunay(surface, options, demand, closedGuideCell(surface, unit), report, progress);
+    SurfaceTriangulation faces(surface,
+                               guideOf(surface, guideCell(surface, unit), process::part(progress, 0.05, 0.35)));
     coarsen(faces, demand.size, demand.distance, process::part(progress, 0.35, 0.4));
     DelaunayRefinement refinement(faces, demand);
     refinement.run(process::part(progress, 0.4, 0.9));

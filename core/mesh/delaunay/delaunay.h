@@ -7,11 +7,14 @@
 //
 // and how it is found, after [Chew93]: along the surface, by flips, from a mesh that has the right topology. What is
 // near in space only, such as touching sheets and thin parts, therefore needs no finer triangles, and open and
-// one-sided surfaces are meshed like others. Where the definition itself ends, as at folds, so does the mesh.
+// one-sided surfaces are meshed like others. Where the definition itself ends, as at folds, so does the mesh of an open
+// surface; that of a closed one has no boundary and cuts itself nowhere.
 //
 //     marching_cubes.h        the mesh to begin with       surface_triangulation.h    what flips and splits work on
 //     coarsen.h               few of its vertices          delaunay_finish.h          vertices to the surface
-//     delaunay_refine.h       flips, refinement            core/mesh/finish           what both methods do at the end
+//     held_faces.h            what is no surface           kept_closed.h, cut_guard.h what edits may do to a closed
+//     mesh delaunay_refine.h       flips, refinement            core/mesh/finish           what both methods do at the
+//     end
 //
 // Boundary loops are those of marching cubes; their sides are halved where others come too near [Ruppert95]. One thread
 // does most of it. The same bits at any thread count.
@@ -39,6 +42,8 @@ struct DelaunayReport {
     std::size_t removed = 0;     ///< triangles removed to make the mesh manifold
     std::size_t trimmed = 0;     ///< triangles at folds removed because they cut others
     std::size_t foldsClosed = 0; ///< loops
+    /// Of a closed mesh: triangles that break a criterion and stay, where points leave gaps or sheets run together.
+    std::size_t missed = 0;
 };
 
 /// Throws base::Cancelled, base::Error where the surface has no points or the triangles would be too many.

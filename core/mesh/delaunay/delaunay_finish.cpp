@@ -6,6 +6,7 @@
 #include "core/mesh/connectivity/boundary_loops.h"
 #include "core/mesh/finish/drop_triangles.h"
 #include "core/mesh/finish/own_sheet.h"
+#include "core/surface/projection/project.h"
 
 #include <utility>
 
@@ -15,16 +16,35 @@ using base::Vec3d;
 
 namespace {
 
-/// Where vertices lie on their own sheets; those on the boundary curve stay, and those without a foot near.
+/// h there; 0 where the surface has no value.
+double unitAt(const surface::Surface& surface, const Vec3d& x, const base::Vec3f& normal) {
+    const surface::Evaluationf at = surface.evaluate(base::cast<float>(x), surface::Need::Value, {normal});
+    return at.ok() || at.status == surface::Status::BeyondBoundary ? double(at.unit) : 0;
+}
+
+/// On a vertex' own sheet; of a closed surface without steps on what is there.
+std::optional<Vec3d> footOf(const surface::Surface& surface, const SurfaceTraits& traits, const Vec3d& x,
+                            const base::Vec3f& normal, double farthest) {
+    if (traits.closed && traits.continuous) {
+        const auto found = surface::projectReference(surface, x);
+        return found.ok() && distance(found.foot, x) <= farthest ? std::optional(found.foot) : std::nullopt;
+    }
+    const auto found = ontoOwnSheet(surface, traits, x, normal, farthest);
+    return found ? std::optional(found->position) : std::nullopt;
+}
+
+/// Where vertices lie on their own sheets; those on the boundary curve and on bridges stay, and those without a foot
+/// near.
 std::vector<Vec3d> feetOf(const surface::Surface& surface, const Mesh& mesh) {
-    constexpr double most = 0.05; // of the largest support: further is another part of the surface
-    const double farthest = most * double(surface.tree().maxSupport());
+    constexpr double most = 0.05; // of h there: further is another part of the surface
     const SurfaceTraits traits(surface);
     std::vector<Vec3d> out = mesh.positions;
     base::parallelFor(out.size(), 64, [&](std::size_t v) {
-        if (mesh.kinds[v] != VertexKind::Limit)
-            if (const auto foot = ontoOwnSheet(surface, traits, out[v], mesh.normals[v], farthest))
-                out[v] = foot->position;
+        if (mesh.kinds[v] == VertexKind::Limit || mesh.kinds[v] == VertexKind::Bridge)
+            return;
+        const double unit = unitAt(surface, out[v], mesh.normals[v]);
+        if (const auto foot = footOf(surface, traits, out[v], mesh.normals[v], most * unit))
+            out[v] = *foot;
     });
     return out;
 }
@@ -60,8 +80,12 @@ void takeBackSpoiling(const std::vector<Vec3d>& before, double leastAngle, Mesh&
 void settleVertices(const surface::Surface& surface, double leastAngle, Mesh& mesh) {
     const std::vector<Vec3d> before = std::exchange(mesh.positions, feetOf(surface, mesh));
     takeBackSpoiling(before, leastAngle, mesh);
+    const SurfaceTraits traits(surface);
+    const bool plain = traits.closed && traits.continuous;
     base::parallelFor(mesh.positions.size(), 64, [&](std::size_t v) {
-        const surface::OrientationHint sheet{mesh.normals[v]};
+        if (mesh.kinds[v] == VertexKind::Bridge)
+            return;
+        const surface::OrientationHint sheet{plain ? base::Vec3f{} : mesh.normals[v]};
         const surface::Evaluationd e = surface.evaluateReference(mesh.positions[v], surface::Need::Gradient, sheet);
         if (e.ok() || e.status == surface::Status::BeyondBoundary)
             mesh.normals[v] = base::cast<float>(base::normalized(e.gradient));

@@ -5,6 +5,7 @@
 #include "core/surface/curves/boundary.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace mesh {
 
@@ -13,8 +14,18 @@ using base::Vec3d;
 /// Cosine: flips soon mend what a new vertex bends.
 static constexpr double insertFacing = 0.5;
 
-DelaunayRefinement::DelaunayRefinement(SurfaceTriangulation& mesh, const FaceDemand& demand)
-    : m_mesh(mesh), m_demand(demand) {}
+DelaunayRefinement::DelaunayRefinement(SurfaceTriangulation& mesh, const FaceDemand& demand, KeptClosed* closed)
+    : m_mesh(mesh), m_demand(demand), m_closed(closed) {}
+
+/// On the boundary, or beside a face that is held: never flipped, and halved where a point comes too near.
+bool DelaunayRefinement::isProtected(const Side& s) const {
+    const Side other = m_mesh.across(s);
+    return !other.exists() || held(s.face) || held(other.face);
+}
+
+bool DelaunayRefinement::allows(std::span<const Triangle> made, std::span<const std::uint32_t> instead) const {
+    return !m_closed || m_closed->allows(made, instead);
+}
 
 bool DelaunayRefinement::fails(std::uint32_t face) {
     const Triangle& t = m_mesh.corners(face);
@@ -35,6 +46,8 @@ bool DelaunayRefinement::isFar(const Triangle& t, const Ball& ball) {
 
 void DelaunayRefinement::touch(std::uint32_t face, const Ball& ball) {
     m_facets.resize(m_mesh.faceCount());
+    if (m_closed)
+        m_closed->update(face);
     Facet& facet = m_facets[face];
     facet.ball = ball;
     ++facet.version;
@@ -55,7 +68,7 @@ void DelaunayRefinement::judgeTouched() {
     for (const std::uint32_t f : m_touched) {
         Facet& facet = m_facets[f];
         facet.touched = false;
-        if (facet.ball.radius > (facet.ball.onSurface ? m_demand.floor : m_demand.foldFloor) && fails(f))
+        if (facet.ball.radius > (facet.ball.onSurface ? m_demand.floor : m_demand.foldFloor) && !held(f) && fails(f))
             m_bad.push({facet.ball.radius, f, facet.version});
     }
     m_touched.clear();
@@ -98,7 +111,7 @@ bool DelaunayRefinement::fit(std::span<const Triangle> faces, std::span<const Tr
 /// Flips a side that is not Delaunay. Where balls do not agree with themselves, as at folds, the smallest angle
 /// decides: no flip is undone.
 bool DelaunayRefinement::improve(const Side& s, bool byBalls) {
-    if (m_mesh.onBoundary(s))
+    if (isProtected(s))
         return false;
     const std::uint32_t p = m_mesh.apex(s), q = m_mesh.apex(m_mesh.across(s)), f = s.face, g = m_mesh.across(s).face;
     const auto& at = m_mesh.positions;
@@ -117,7 +130,7 @@ bool DelaunayRefinement::improve(const Side& s, bool byBalls) {
         if (std::min(least(first), least(second)) <= std::min(least(was), least(other)) + better)
             return false;
     }
-    if (!m_mesh.flip(s))
+    if (!allows(std::array{first, second}, std::array{f, g}) || !m_mesh.flip(s))
         return false;
     touch(f, one);
     touch(g, two);
@@ -141,7 +154,7 @@ DelaunayRefinement::Location DelaunayRefinement::locate(std::uint32_t face, cons
         if (!(out.weights[std::size_t(k)] < 0))
             return out;
         const Side other = m_mesh.across(out.side);
-        out.outside = !other.exists();
+        out.outside = isProtected(out.side);
         if (out.outside || other.face == from) // beyond the boundary, or over the side between two faces
             return out;
         from = face;
@@ -156,24 +169,24 @@ bool DelaunayRefinement::inBall(const Side& s, const Vec3d& x) const {
     return dot(a - x, b - x) < 0 && distance(a, b) > 2 * m_demand.floor;
 }
 
-/// A side on the boundary near the face whose smallest ball holds the point.
+/// A protected side near the face whose smallest ball holds the point.
 Side DelaunayRefinement::encroached(std::uint32_t face, const Vec3d& x) const {
     for (int k = 0; k < 3; ++k) {
         const Side s{face, k}, other = m_mesh.across(s);
-        if (!other.exists()) {
+        if (isProtected(s)) {
             if (inBall(s, x))
                 return s;
             continue;
         }
         for (int j = 0; j < 3; ++j)
-            if (const Side t{other.face, j}; m_mesh.onBoundary(t) && inBall(t, x))
+            if (const Side t{other.face, j}; isProtected(t) && inBall(t, x))
                 return t;
     }
     return {};
 }
 
 /// A point near the middle of a side, inside or on the surface's boundary curve; loops of folds are straight where
-/// there is none.
+/// there is none, as are sides of held faces.
 std::optional<SurfacePoint> DelaunayRefinement::middleOf(const Side& s, VertexKind& kind) {
     const std::uint32_t a = m_mesh.from(s), b = m_mesh.to(s);
     const Vec3d middle = (m_mesh.positions[a] + m_mesh.positions[b]) * 0.5, normal = m_mesh.surfaceNormal({a, b, b});
@@ -187,9 +200,9 @@ std::optional<SurfacePoint> DelaunayRefinement::middleOf(const Side& s, VertexKi
         }
     }
     kind = boundary ? VertexKind::Fold : VertexKind::Inner;
-    if (const auto root = m_mesh.root(middle, normal, near, normal))
+    if (const auto root = m_mesh.root(middle, normal, near, m_mesh.facingOf({a, b, b})))
         return SurfacePoint{middle + normal * root->t, root->normal};
-    return boundary ? std::optional(SurfacePoint{middle, base::cast<float>(normal)}) : std::nullopt;
+    return isProtected(s) ? std::optional(SurfacePoint{middle, base::cast<float>(normal)}) : std::nullopt;
 }
 
 /// A vertex in the middle of a side; false where the side is short enough.
@@ -205,9 +218,8 @@ bool DelaunayRefinement::halve(const Side& s) {
         if (side.exists() && distance(m_mesh.positions[m_mesh.apex(side)], point->position) < 0.5 * floor)
             return false;
     const std::uint32_t v = m_mesh.addVertex(*point, kind);
-    if (!fitsSide(v, s))
+    if (!splitSide(s, v))
         return false;
-    m_mesh.splitSide(s, v);
     touchOneRing(v);
     return true;
 }
@@ -220,7 +232,7 @@ std::optional<SurfacePoint> DelaunayRefinement::pointOver(std::uint32_t face, co
     const double reach = 0.5 * std::max({distance(a, b), distance(b, c), distance(c, a)});
     const double above = dot(x - a, along);
     const Vec3d start = std::abs(above) > reach ? x - along * above : x;
-    const auto root = m_mesh.root(start, along, reach, m_mesh.surfaceNormal(t));
+    const auto root = m_mesh.root(start, along, reach, m_mesh.facingOf(t));
     if (!root)
         return std::nullopt;
     return SurfacePoint{start + along * root->t, root->normal};
@@ -254,41 +266,68 @@ bool DelaunayRefinement::insertCentre(const Bad& bad) {
 /// The face, or its side where that is near and the face alone would be bent.
 bool DelaunayRefinement::split(const Location& where, std::uint32_t vertex) {
     constexpr double onSide = 0.03, nearSide = 0.3;
-    const bool boundary = m_mesh.onBoundary(where.side);
-    if ((boundary || where.least() >= onSide) && fitsFace(vertex, where.side.face))
-        m_mesh.splitFace(where.side.face, vertex);
-    else if (!boundary && where.least() < nearSide && fitsSide(vertex, where.side))
-        m_mesh.splitSide(where.side, vertex);
-    else
+    const bool border = isProtected(where.side);
+    return ((border || where.least() >= onSide) && splitFace(where.side.face, vertex)) ||
+           (!border && where.least() < nearSide && splitSide(where.side, vertex));
+}
+
+/// False, and nothing changed, where the faces would not fit.
+bool DelaunayRefinement::splitFace(std::uint32_t face, std::uint32_t vertex) {
+    const Triangle t = m_mesh.corners(face);
+    const std::array parts{Triangle{t[0], t[1], vertex}, Triangle{t[1], t[2], vertex}, Triangle{t[2], t[0], vertex}};
+    if (!fit(parts, {&t, 1}, insertFacing) || !allows(parts, {&face, 1}))
         return false;
+    m_mesh.splitFace(face, vertex);
     return true;
 }
 
-bool DelaunayRefinement::fitsFace(std::uint32_t vertex, std::uint32_t face) const {
-    const Triangle& t = m_mesh.corners(face);
-    const std::array parts{Triangle{t[0], t[1], vertex}, Triangle{t[1], t[2], vertex}, Triangle{t[2], t[0], vertex}};
-    return fit(parts, {&t, 1}, insertFacing);
-}
-
-bool DelaunayRefinement::fitsSide(std::uint32_t vertex, const Side& s) const {
+/// The same.
+bool DelaunayRefinement::splitSide(const Side& s, std::uint32_t vertex) {
+    std::vector<Triangle> parts;
+    std::vector<std::uint32_t> faces;
     for (const Side& side : {s, m_mesh.across(s)}) {
         if (!side.exists())
             continue;
         const std::uint32_t p = m_mesh.apex(side), a = m_mesh.from(side), b = m_mesh.to(side);
         const Triangle was{p, a, b};
-        if (!fit(std::array{Triangle{p, a, vertex}, Triangle{p, vertex, b}}, {&was, 1}, insertFacing))
+        const std::array two{Triangle{p, a, vertex}, Triangle{p, vertex, b}};
+        if (!held(side.face) && !fit(two, {&was, 1}, insertFacing))
             return false;
+        parts.insert(parts.end(), two.begin(), two.end());
+        faces.push_back(side.face);
     }
+    if (!allows(parts, faces))
+        return false;
+    const std::uint32_t next = m_mesh.faceCount(); // their second halves, in the same order
+    m_mesh.splitSide(s, vertex);
+    for (std::uint32_t i = 0; m_closed && i < faces.size(); ++i)
+        m_closed->inherit(next + i, faces[i]);
     return true;
 }
 
-void DelaunayRefinement::refine(const Bad& bad) {
-    if (!insertCentre(bad) && !halve(longestSide(bad.face)))
-        return;
+/// What is left where nothing else fits: faces of a closed surface cannot be left out.
+bool DelaunayRefinement::insertMiddle(std::uint32_t face) {
+    const auto [a, b, c] = m_mesh.cornersOf(m_mesh.corners(face));
+    const auto point = pointOver(face, (a + b + c) / 3);
+    if (!point || std::min({distance(point->position, a), distance(point->position, b), distance(point->position, c)}) <
+                      0.5 * m_demand.floor)
+        return false;
+    const std::uint32_t v = m_mesh.addVertex(*point, VertexKind::Inner);
+    if (!splitFace(face, v))
+        return false;
+    touchOneRing(v);
+    return true;
+}
+
+/// False, and nothing changed, where no new vertex fits.
+bool DelaunayRefinement::refine(const Bad& bad) {
+    if (!insertCentre(bad) && !halve(longestSide(bad.face)) && !(m_closed && insertMiddle(bad.face)))
+        return false;
     settle();
     judgeTouched();
     if (m_mesh.alive(bad.face) && m_facets[bad.face].version == bad.version)
         m_bad.push(bad);
+    return true;
 }
 
 Side DelaunayRefinement::longestSide(std::uint32_t face) const {
@@ -304,15 +343,26 @@ void DelaunayRefinement::run(const base::Progress& progress) {
     settle(process::part(progress, 0, 0.2));
     judgeTouched();
     const base::Progress refining = process::part(progress, 0.2, 1);
-    for (std::size_t i = 0; !m_bad.empty(); ++i) {
+    std::vector<Bad> stuck; // of a closed mesh: tried again, as long as others change around them
+    bool changed = false;
+    for (std::size_t i = 0;; ++i) {
+        if (m_bad.empty() && m_closed && std::exchange(changed, false))
+            for (const Bad& bad : std::exchange(stuck, {}))
+                m_bad.push(bad);
+        if (m_bad.empty())
+            break;
         if (i % 256 == 0) {
             const double done = double(m_mesh.faceCount());
             refining.step(done / (done + 2 * double(m_bad.size())), "Triangulating");
         }
         const Bad next = m_bad.top();
         m_bad.pop();
-        if (m_mesh.alive(next.face) && m_facets[next.face].version == next.version)
-            refine(next);
+        if (!m_mesh.alive(next.face) || m_facets[next.face].version != next.version)
+            continue;
+        if (refine(next))
+            changed = true;
+        else if (m_closed)
+            stuck.push_back(next);
     }
 }
 

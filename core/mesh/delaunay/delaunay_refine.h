@@ -4,7 +4,7 @@
 // After [Chew93]: the ball through a face's corners about a point of the surface holds no corner of its neighbours,
 // else the side between them is flipped; the centre of a bad face's ball becomes a vertex; where it would come too near
 // to the boundary, the side there is halved instead [Ruppert95]. What is near in space but not along the surface never
-// meets: sheets that touch, folds, thin parts.
+// meets: sheets that touch, folds, thin parts. A closed surface stays closed (kept_closed.h).
 #pragma once
 
 #include "core/mesh/delaunay/coarsen.h"
@@ -24,12 +24,12 @@ struct FaceDemand {
 
 class DelaunayRefinement {
   public:
-    /// REQUIRES: both outlive the refinement.
-    DelaunayRefinement(SurfaceTriangulation& mesh, const FaceDemand& demand);
+    /// With `closed` faces that it holds ask for nothing and stay. REQUIRES: all outlive the refinement.
+    DelaunayRefinement(SurfaceTriangulation& mesh, const FaceDemand& demand, KeptClosed* closed = nullptr);
 
     /// Throws base::Cancelled.
     void run(const base::Progress& progress);
-    /// By face: those that break the demand.
+    /// By face: those that break the demand, held ones too.
     std::vector<bool> failing();
 
   private:
@@ -53,6 +53,9 @@ class DelaunayRefinement {
         double least() const { return weights[std::size_t(side.k)]; }
     };
 
+    bool held(std::uint32_t face) const { return m_closed && m_closed->held(face); }
+    bool isProtected(const Side& s) const;
+    bool allows(std::span<const Triangle> made, std::span<const std::uint32_t> instead) const;
     bool fails(std::uint32_t face);
     bool isFar(const Triangle& t, const Ball& ball);
     void touch(std::uint32_t face, const Ball& ball);
@@ -63,19 +66,21 @@ class DelaunayRefinement {
     Location locate(std::uint32_t face, const base::Vec3d& x) const;
     Side encroached(std::uint32_t face, const base::Vec3d& x) const;
     bool inBall(const Side& s, const base::Vec3d& x) const;
-    void refine(const Bad& bad);
+    bool refine(const Bad& bad);
     std::optional<SurfacePoint> pointOver(std::uint32_t face, const base::Vec3d& x);
     bool insertCentre(const Bad& bad);
+    bool insertMiddle(std::uint32_t face);
     bool split(const Location& where, std::uint32_t vertex);
+    bool splitFace(std::uint32_t face, std::uint32_t vertex);
+    bool splitSide(const Side& s, std::uint32_t vertex);
     bool fit(std::span<const Triangle> faces, std::span<const Triangle> was, double good) const;
-    bool fitsFace(std::uint32_t vertex, std::uint32_t face) const;
-    bool fitsSide(std::uint32_t vertex, const Side& s) const;
     std::optional<SurfacePoint> middleOf(const Side& s, VertexKind& kind);
     bool halve(const Side& s);
     Side longestSide(std::uint32_t face) const;
 
     SurfaceTriangulation& m_mesh;
     const FaceDemand& m_demand;
+    KeptClosed* m_closed;
     std::vector<Facet> m_facets;
     std::vector<std::uint32_t> m_touched, m_open; ///< to be judged; whose sides are to be looked at
     std::priority_queue<Bad> m_bad;

@@ -4,9 +4,9 @@ namespace mesh {
 
 using base::Vec3d, base::Vec3f;
 
-SurfaceTriangulation::SurfaceTriangulation(const surface::Surface& surface, const Mesh& mesh)
+SurfaceTriangulation::SurfaceTriangulation(const surface::Surface& surface, const Mesh& mesh, Asking asking)
     : Triangulation(mesh), positions(mesh.positions), normals(mesh.normals), kinds(mesh.kinds),
-      m_source(surface, surface::Steps::Apart) {}
+      m_source(surface, surface::Steps::Apart), m_asking(asking) {}
 
 std::uint32_t SurfaceTriangulation::addVertex(const SurfacePoint& at, VertexKind kind) {
     positions.push_back(at.position);
@@ -31,20 +31,30 @@ Vec3d SurfaceTriangulation::surfaceNormal(const Triangle& t) const {
 /// In float, and from there to x by the slope: far from the origin floats are coarser than small triangles.
 SurfaceTriangulation::Sheet SurfaceTriangulation::evaluate(const Vec3d& x, const Vec3d& normal) {
     const Vec3f near = base::cast<float>(x);
-    const auto at = m_source.evaluate(near, surface::Need::Gradient, {base::cast<float>(normal)});
+    const base::Vec3f sheet = m_asking == Asking::OwnSheet ? base::cast<float>(normal) : base::Vec3f{};
+    const auto at = m_source.evaluate(near, surface::Need::Gradient, {sheet});
     if (!at.ok() && at.status != surface::Status::BeyondBoundary)
         return {};
     const Vec3d gradient = base::cast<double>(at.gradient);
     return {double(at.value) + dot(gradient, x - base::cast<double>(near)), gradient, double(at.unit)};
 }
 
+SurfaceTriangulation::Facing SurfaceTriangulation::facingOf(const Triangle& t) const {
+    constexpr double slack = 0.05;
+    Facing out{surfaceNormal(t)};
+    if (m_asking == Asking::AsItIs) // at edges corners lie on sheets that face different ways
+        for (const std::uint32_t v : t)
+            out.least = std::min(out.least, dot(base::cast<double>(normals[v]), out.normal) - slack);
+    return out;
+}
+
 std::optional<SurfaceTriangulation::Root> SurfaceTriangulation::root(const Vec3d& x, const Vec3d& along, double reach,
-                                                                     const Vec3d& normal) {
+                                                                     const Facing& facing) {
     constexpr int steps = 8;
-    constexpr double precise = 1e-5, leastSlope = 0.1, sameSheet = 0.5;
+    constexpr double precise = 1e-5, leastSlope = 0.1;
     double t = 0;
     for (int i = 0; i < steps; ++i) {
-        const Sheet at = evaluate(x + along * t, normal);
+        const Sheet at = evaluate(x + along * t, facing.normal);
         const double slope = dot(at.gradient, along);
         if (!(std::abs(slope) >= leastSlope * length(at.gradient)))
             return std::nullopt;
@@ -54,7 +64,8 @@ std::optional<SurfaceTriangulation::Root> SurfaceTriangulation::root(const Vec3d
             return std::nullopt;
         if (std::abs(step) <= precise * at.unit) {
             const Vec3d unit = base::normalized(at.gradient);
-            return dot(unit, normal) >= sameSheet ? std::optional(Root{t, base::cast<float>(unit)}) : std::nullopt;
+            const bool counts = dot(unit, facing.normal) >= facing.least && (m_asking == Asking::OwnSheet || slope > 0);
+            return counts ? std::optional(Root{t, base::cast<float>(unit)}) : std::nullopt;
         }
     }
     return std::nullopt;
@@ -84,7 +95,7 @@ Ball SurfaceTriangulation::ball(const Triangle& t) {
     out.centre = a + (cross(w, u) * lengthSq(v) + cross(v, w) * lengthSq(u)) / (2 * area);
     out.radius = distance(out.centre, a);
     const Vec3d along = w / std::sqrt(area);
-    if (const auto found = root(out.centre, along, out.radius, surfaceNormal(t))) {
+    if (const auto found = root(out.centre, along, out.radius, facingOf(t))) {
         out.centre += along * found->t;
         out.radius = distance(out.centre, a);
         out.onSurface = true;

@@ -22,10 +22,14 @@ struct Ball {
     }
 };
 
+/// How f is asked. OwnSheet: each face for the sheet that its corners face along. AsItIs: for what is there; faces know
+/// which way is out, as those of closed surfaces do, and f has no steps.
+enum class Asking : std::uint8_t { OwnSheet, AsItIs };
+
 class SurfaceTriangulation : public Triangulation {
   public:
     /// REQUIRES: positions, normals and kinds of a manifold mesh; `surface` outlives the triangulation.
-    SurfaceTriangulation(const surface::Surface& surface, const Mesh& mesh);
+    SurfaceTriangulation(const surface::Surface& surface, const Mesh& mesh, Asking asking = Asking::OwnSheet);
 
     std::vector<base::Vec3d> positions;
     std::vector<base::Vec3f> normals; ///< unit gradients; of either sign where the surface has no sides
@@ -44,12 +48,19 @@ class SurfaceTriangulation : public Triangulation {
     double facing(const Triangle& t) const { return dot(faceNormal(t), surfaceNormal(t)); }
 
     Ball ball(const Triangle& t);
-    /// The root of f on a line, at most `reach` from x, whose normal is near to that given.
+    /// Which way the surface may face where one looks for it.
+    struct Facing {
+        base::Vec3d normal;
+        double least = 0.5; ///< cosine to it
+    };
+    /// As a face's corners do, and no further away than they from their mean.
+    Facing facingOf(const Triangle& t) const;
+    /// The root of f on a line, at most `reach` from x; asked as it is, one where the surface faces along the line.
     struct Root {
         double t = 0;
         base::Vec3f normal;
     };
-    std::optional<Root> root(const base::Vec3d& x, const base::Vec3d& along, double reach, const base::Vec3d& normal);
+    std::optional<Root> root(const base::Vec3d& x, const base::Vec3d& along, double reach, const Facing& facing);
     /// f over its slope at x, on the sheet with that normal; infinite where the definition gives none.
     double height(const base::Vec3d& x, const base::Vec3d& normal);
 
@@ -66,6 +77,7 @@ class SurfaceTriangulation : public Triangulation {
     Sheet evaluate(const base::Vec3d& x, const base::Vec3d& normal);
 
     surface::Source m_source;
+    Asking m_asking;
 };
 
 } // namespace mesh

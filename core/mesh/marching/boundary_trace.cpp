@@ -185,13 +185,13 @@ std::vector<TracedEnd> trace(const SurfaceGrid& grid, std::span<const LooseEnd> 
     for (const LooseEnd& end : ends)
         x.push_back(base::cast<float>(grid.crossings()[end.crossing()].position));
     std::vector<TracedEnd> out(ends.size());
-    const float slack = static_cast<float>(grid.lattice().cell) / grid.surface().tree().maxSupport();
     for (std::size_t first = 0; first < ends.size(); first += endsAtOnce) {
         progress.step(static_cast<double>(first) / static_cast<double>(ends.size()), "tracing boundaries");
         const std::span<const Vec3f> some{x.data() + first, std::min(endsAtOnce, ends.size() - first)};
-        surface::forPackets(grid.surface(), some, slack, [&](surface::Source& source, std::size_t i) {
-            out[first + i] = FaceTrace(grid, source, ends[first + i]).run();
-        });
+        surface::forPacketsWithin(grid.surface(), some, grid.lattice().cell,
+                                  [&](surface::Source& source, std::size_t i) {
+                                      out[first + i] = FaceTrace(grid, source, ends[first + i]).run();
+                                  });
     }
     return out;
 }

@@ -49,8 +49,9 @@ SparseSet chosen(const SparseSet& from, const std::vector<std::uint8_t>& which) 
 
 } // namespace
 
-CubeTree::CubeTree(const SurfaceGrid& grid, std::span<const LooseEnd> loose, double tolerance)
-    : m_grid(grid), m_tolerance(tolerance) {
+CubeTree::CubeTree(const SurfaceGrid& grid, std::span<const LooseEnd> loose, double tolerance,
+                   std::span<const SparseSet> apart)
+    : m_grid(grid), m_tolerance(tolerance), m_apart(apart) {
     findActive(loose);
     for (int level = 1; level <= mostLevels && m_levels.back().joined.size() > 0; ++level)
         addLevel(level);
@@ -109,7 +110,8 @@ void CubeTree::addLevel(int level) {
 }
 
 bool CubeTree::joins(const GridIndex& place, int level, const CrossingMoments& moments) const {
-    return neighboursAreLarge(place, level) && flat(moments, level) && oneCrossingPerEdge(place, level) &&
+    const bool apart = std::size_t(level) < m_apart.size() && m_apart[std::size_t(level)].contains(place);
+    return !apart && neighboursAreLarge(place, level) && flat(moments, level) && oneCrossingPerEdge(place, level) &&
            facesPair(place, level);
 }
 

@@ -21,8 +21,9 @@ namespace mesh {
 class CubeTree {
   public:
     /// `tolerance`: roughly how far triangles may be from the surface, in model units. Cubes beside loose ends never
-    /// merge.
-    CubeTree(const SurfaceGrid& grid, std::span<const LooseEnd> loose, double tolerance);
+    /// merge, and none become one that `apart` has, by level. REQUIRES: the grid and `apart` outlive the tree.
+    CubeTree(const SurfaceGrid& grid, std::span<const LooseEnd> loose, double tolerance,
+             std::span<const SparseSet> apart = {});
 
     static constexpr int mostLevels = 4;
     /// By level: cubes that are not part of a larger one, in units of their side. Level 0 is the grid's own.
@@ -53,6 +54,7 @@ class CubeTree {
 
     const SurfaceGrid& m_grid;
     double m_tolerance;
+    std::span<const SparseSet> m_apart;
     std::vector<Level> m_levels;
     std::vector<std::vector<GridIndex>> m_large;
 };

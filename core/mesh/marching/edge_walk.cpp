@@ -140,7 +140,8 @@ void EdgeWalk::refine(Sample a, Sample b) {
     }
 }
 
-/// A step of f where the second pass for near sheets sets in: the ray caster takes it for surface too (ray_roots.h).
+/// A step of f where the second pass for near sheets of some frames sets in: the ray caster takes it for surface too
+/// (ray_roots.h).
 bool EdgeWalk::jumps(const Sample& a, const Sample& b) const {
     constexpr double widest = 0.1, steady = 0.9; // of h; least cosine of the normals
     const double side = sign(a, b), step = side * double(b.at.f) - double(a.at.f);

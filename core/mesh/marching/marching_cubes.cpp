@@ -6,14 +6,15 @@
 #include "core/mesh/finish/mesh_attributes.h"
 #include "core/mesh/finish/trim_folds.h"
 #include "core/mesh/finish/untangle.h"
+#include "core/mesh/marching/cube_filler.h"
 #include "core/mesh/marching/cube_tree.h"
-#include "core/mesh/marching/fill_loop.h"
+#include "core/mesh/marching/hold_tolerance.h"
 #include "core/mesh/marching/relax_mesh.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/process/estimation/spacing_sample.h"
 
 #include <algorithm>
-#include <numeric>
+#include <optional>
 
 namespace mesh {
 
@@ -87,77 +88,6 @@ void addVertices(const SurfaceGrid& grid, std::span<const TracedEnd> boundary, M
     }
 }
 
-/// Triangles of some bricks; middles are numbered from 0 above `middleBit` until all are known.
-struct CubePart {
-    static constexpr std::uint32_t middleBit = 0x80000000u;
-    std::vector<Triangle> triangles;
-    std::vector<Vec3d> middles;
-    std::vector<Vec3f> middleNormals;
-    std::size_t cubes = 0;
-};
-
-class CubeFiller {
-  public:
-    CubeFiller(const Mesh& mesh, bool oriented, CubePart& out) : m_mesh(mesh), m_oriented(oriented), m_out(out) {}
-
-    void fill(const std::vector<Loop>& loops) {
-        for (const Loop& loop : loops)
-            fill(loop);
-        m_out.cubes += loops.empty() ? 0 : 1;
-    }
-
-  private:
-    void fill(const Loop& loop) {
-        m_positions.clear();
-        m_normals.clear();
-        for (const LoopVertex& each : loop) {
-            m_positions.push_back(m_mesh.positions[each.vertex]);
-            m_normals.push_back(m_mesh.normals[each.vertex]);
-        }
-        if (fillLoop({loop, m_positions, m_normals}, m_triangles))
-            addMiddle();
-        const bool turned = m_oriented && facing() < 0;
-        for (const auto& t : m_triangles) {
-            const Triangle named{name(loop, t[0]), name(loop, t[1]), name(loop, t[2])};
-            m_out.triangles.push_back(turned ? Triangle{named[0], named[2], named[1]} : named);
-        }
-    }
-
-    void addMiddle() {
-        const double count = static_cast<double>(m_positions.size());
-        const Vec3d middle = std::accumulate(m_positions.begin(), m_positions.end(), Vec3d{}) / count;
-        Vec3f normal = m_normals[0];
-        for (const Vec3f& each : m_normals)
-            normal += dot(each, m_normals[0]) < 0 ? -each : each;
-        m_positions.push_back(middle);
-        m_normals.push_back(base::normalized(normal, m_normals[0]));
-        m_out.middles.push_back(middle);
-        m_out.middleNormals.push_back(m_normals.back());
-    }
-    /// Above zero where triangles run around the normals.
-    double facing() const {
-        double sum = 0;
-        for (const auto& t : m_triangles) {
-            const auto [i, j, k] = std::tuple(std::size_t(t[0]), std::size_t(t[1]), std::size_t(t[2]));
-            const Vec3d area = cross(m_positions[j] - m_positions[i], m_positions[k] - m_positions[i]);
-            sum += dot(area, base::cast<double>(m_normals[i] + m_normals[j] + m_normals[k]));
-        }
-        return sum;
-    }
-    std::uint32_t name(const Loop& loop, int i) const {
-        return std::size_t(i) < loop.size()
-                   ? loop[std::size_t(i)].vertex
-                   : CubePart::middleBit | static_cast<std::uint32_t>(m_out.middles.size() - 1);
-    }
-
-    const Mesh& m_mesh;
-    bool m_oriented;
-    CubePart& m_out;
-    std::vector<Vec3d> m_positions;
-    std::vector<Vec3f> m_normals;
-    std::vector<std::array<int, 3>> m_triangles;
-};
-
 /// Cubes of the grid's own size, but those that `covered` says are part of larger ones.
 template <class Covered>
 std::vector<CubePart> fillCubes(const SurfaceGrid& grid, const LooseEnds& loose, const Mesh& mesh,
@@ -197,6 +127,53 @@ std::vector<CubePart> fillLargeCubes(const CubeTree& tree, int level, bool orien
     return parts;
 }
 
+/// The middles of the triangles of some larger cubes.
+struct CubeCentres {
+    std::vector<Vec3d> centres;
+    std::vector<GridIndex> cubes; ///< by centre
+};
+
+std::vector<CubeCentres> centresOf(const SurfaceGrid& grid, const CubeTree& tree, int level, const Mesh& mesh) {
+    constexpr std::size_t cubesPerTask = 1024;
+    const std::vector<GridIndex>& places = tree.large()[std::size_t(level)];
+    std::vector<CubeCentres> out(base::chunkCount(places.size(), cubesPerTask));
+    base::parallelChunks(places.size(), cubesPerTask, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+        CubePart part;
+        CubeFiller filler(mesh, grid.traits().oriented, part);
+        std::vector<Loop> loops;
+        for (std::size_t i = begin; i < end; ++i) {
+            tree.loopsOf(places[i], level, loops);
+            filler.fill(loops);
+            out[chunk].cubes.resize(part.triangles.size(), places[i]);
+        }
+        out[chunk].centres = part.centres(mesh);
+    });
+    return out;
+}
+
+/// Larger cubes with a triangle whose middle is further from the surface than the tolerance, or has none near, are not
+/// to be one any more; returns whether there were any.
+bool takeApart(const SurfaceGrid& grid, const CubeTree& tree, const Mesh& mesh, double tolerance,
+               std::vector<SparseSet>& apart) {
+    bool any = false;
+    for (int level = 1; level < static_cast<int>(tree.large().size()); ++level) {
+        SparseSet& known = apart[std::size_t(level)];
+        std::vector<BrickBits> bits;
+        for (const SparseSet::Brick& brick : known.bricks())
+            bits.push_back({brick.key, brick.mask});
+        const std::size_t before = bits.size();
+        for (const CubeCentres& part : centresOf(grid, tree, level, mesh)) {
+            const std::vector<std::uint8_t> far = farTriangles(grid.surface(), part.centres, tolerance);
+            for (std::size_t t = 0; t < far.size(); ++t)
+                if (far[t])
+                    bits.push_back(bitsOf(part.cubes[t]));
+        }
+        any = any || bits.size() > before;
+        known = SparseSet(std::move(bits));
+    }
+    return any;
+}
+
 void addParts(const std::vector<CubePart>& parts, Mesh& out, MarchingReport& report) {
     for (const CubePart& part : parts) {
         const auto first = static_cast<std::uint32_t>(out.positions.size());
@@ -230,7 +207,13 @@ Mesh cutMesh(const surface::Surface& surface, const MarchingOptions& options, Ma
         addParts(fillCubes(grid, loose, out, [](const GridIndex&) { return false; }), out, report);
         return out;
     }
-    const CubeTree tree(grid, loose.ends(), options.adaptive);
+    std::vector<SparseSet> apart(CubeTree::mostLevels + 1);
+    std::optional<CubeTree> found;
+    do {
+        progress.step(0.9, "joining cubes");
+        found.emplace(grid, loose.ends(), options.adaptive, apart);
+    } while (takeApart(grid, *found, out, options.adaptive, apart));
+    const CubeTree& tree = *found;
     addParts(fillCubes(grid, loose, out, [&](const GridIndex& p) { return tree.covered(p); }), out, report);
     for (int level = 1; level < static_cast<int>(tree.large().size()); ++level) {
         addParts(fillLargeCubes(tree, level, grid.traits().oriented, out), out, report);
@@ -249,11 +232,15 @@ RelaxOptions shapingOf(const MarchingOptions& options, const MarchingReport& rep
 void shape(Mesh& mesh, const surface::Surface& surface, const MarchingOptions& options, const MarchingReport& report,
            const base::Progress& progress) {
     const RelaxOptions shaping = shapingOf(options, report);
-    if (!traitsOf(surface, options).closed)
+    const bool closed = traitsOf(surface, options).closed, joined = report.largestCell > report.cell;
+    if (!closed && !joined)
         return relax(mesh, surface, shaping, progress);
     const VertexPlaces before{mesh.positions, mesh.normals};
     relax(mesh, surface, shaping, process::part(progress, 0, 0.8));
-    untangle(mesh, before, shaping.cell, process::part(progress, 0.8, 1));
+    if (joined)
+        holdTolerance(mesh, surface, before, options.adaptive);
+    if (closed)
+        untangle(mesh, before, shaping.cell, process::part(progress, 0.8, 1));
 }
 
 /// Loops at folds are closed, and triangles shaped that are near those.

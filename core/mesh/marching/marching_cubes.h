@@ -7,8 +7,9 @@
 //
 //     surface_grid.h    cubes near the surface, crossings      edge_walk.h         one edge
 //     grid_face.h       pairs of crossings in a face           boundary_trace.h    where the surface ends in a face
-//     cube_loops.h      loops around a cube                    fill_loop.h         their triangles
+//     cube_loops.h      loops around a cube                    cube_filler.h       their triangles (fill_loop.h)
 //     cube_tree.h       cubes of several sizes                 relax_mesh.h        well-shaped triangles
+//     hold_tolerance.h  triangles that are too far away
 //
 // and from core/mesh/finish
 //
@@ -34,8 +35,8 @@ struct MarchingOptions {
     /// Rows: directions of the grid's axes. A rotation.
     base::Mat3d turned = base::Mat3d::identity();
     base::Vec3d shift; ///< of the grid, in cells
-    /// In model units: where triangles stay about so close to the surface, cubes become up to 16 times as large; `cell`
-    /// is then the smallest. 0: all of one size.
+    /// In model units: where the middles of their triangles stay so close to the surface, cubes become up to 16 times
+    /// as large; `cell` is then the smallest, whose triangles are as far away as they are. 0: all of one size.
     double adaptive = 0;
     /// Closed oriented surfaces bound a solid, and so the mesh has no boundary (mesh/README 3.14). False: they are
     /// meshed as open ones are.

@@ -127,7 +127,6 @@ class Relaxer {
 
     template <class Which>
     void move(std::span<const Vec3d> targets, double enough, const Which& which, const base::Progress& progress) {
-        const float slack = static_cast<float>(0.1 * m_options.cell) / m_surface.tree().maxSupport();
         std::vector<Settled> next(targets.size());
         parallelSlabs(targets.size(), grain, progress, step, [&](std::size_t begin, std::size_t end, std::size_t) {
             std::vector<Vec3f> x;
@@ -139,7 +138,7 @@ class Relaxer {
                     x.push_back(base::cast<float>(targets[v]));
                     vertices.push_back(v);
                 }
-            surface::forPackets(m_surface, x, slack, [&](surface::Source& source, std::size_t i) {
+            surface::forPacketsWithin(m_surface, x, 0.1 * m_options.cell, [&](surface::Source& source, std::size_t i) {
                 const std::size_t v = vertices[i];
                 next[v] = m_mesh.kinds[v] == VertexKind::Limit ? onRim(targets[v], v)
                                                                : settled(source, targets[v], v, enough);

@@ -86,7 +86,7 @@ int Solid::turnsNear(const Vec3d& x) const {
     return found == m_turns.end() ? 0 : found->second[std::size_t(nearest.front().slot / surfel::clusterSize)];
 }
 
-/// Where one sheet is alone the second pass changes nothing.
+/// Where one sheet is alone it makes no difference what is done about near ones.
 std::vector<std::uint8_t> Solid::inside(std::span<const Vec3f> x, std::span<Evaluationf> out) const {
     m_plain.evaluate(x, surface::Need::Value, out);
     std::vector<std::size_t> several;

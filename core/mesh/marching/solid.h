@@ -46,7 +46,7 @@ class Solid {
     int turnsNear(const base::Vec3d& x) const;
     double winding(const base::Vec3d& x, int turns) const { return m_winding.at(x) - m_around - std::min(turns, 0); }
 
-    surface::Surface m_surface, m_plain; ///< m_plain: without the second pass for near sheets, which hides them
+    surface::Surface m_surface, m_plain; ///< m_plain: by plain sums, whose agreement tells that sheets are near
     surface::WindingNumber m_winding;
     int m_around = 0; ///< winding number far outside: -1 where normals point inwards
     /// Of the clusters of blocks; only of blocks that have others than 0.

@@ -236,7 +236,6 @@ std::vector<SurfaceGrid::Job> SurfaceGrid::openEdges() {
 std::vector<SurfaceGrid::Found> SurfaceGrid::walk(std::span<const Job> jobs, Care care,
                                                   const base::Progress& progress) const {
     constexpr std::size_t jobsPerTask = 8192;
-    const float slack = static_cast<float>(0.51 * m_lattice.cell) / m_surface.tree().maxSupport();
     std::vector<std::vector<Found>> parts(base::chunkCount(jobs.size(), jobsPerTask));
     parallelSlabs(jobs.size(), jobsPerTask, progress, step, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
         std::vector<Vec3f> middles;
@@ -245,9 +244,9 @@ std::vector<SurfaceGrid::Found> SurfaceGrid::walk(std::span<const Job> jobs, Car
             middles.push_back(base::cast<float>(edge.from + edge.direction * (0.5 * edge.length)));
         }
         std::vector<std::optional<Crossing>> found(middles.size());
-        surface::forPackets(m_surface, middles, slack, [&](surface::Source& source, std::size_t i) {
-            found[i] = crossingOn(jobs[begin + i], source, care);
-        });
+        surface::forPacketsWithin(
+            m_surface, middles, 0.51 * m_lattice.cell,
+            [&](surface::Source& source, std::size_t i) { found[i] = crossingOn(jobs[begin + i], source, care); });
         for (std::size_t i = 0; i < found.size(); ++i)
             if (found[i])
                 parts[chunk].push_back({begin + i, *found[i]});

@@ -18,10 +18,11 @@ class PacketCutter {
   public:
     /// Prepares `source` for as many of the first of `order`, and returns how many. Packets mostly lie alike: where the
     /// last one was found at once, this may be twice as large.
-    std::size_t cut(Source& source, std::span<const base::Vec3f> x, std::span<const std::uint32_t> order, float slack) {
+    std::size_t cut(Source& source, std::span<const base::Vec3f> x, std::span<const std::uint32_t> order, float slack,
+                    float distance) {
         m_count = std::min({packetSize, m_atOnce ? 2 * m_count : m_count, order.size()});
         m_atOnce = true;
-        while (!source.announce(boxOf(x, order.first(m_count)), slack, m_count)) {
+        while (!source.announce(boxOf(x, order.first(m_count)), slack, m_count, distance)) {
             m_count = (m_count + 1) / 2;
             m_atOnce = false;
         }
@@ -37,7 +38,7 @@ class PacketCutter {
 
 namespace detail {
 
-void forEachPacket(const Surface& surface, std::span<const base::Vec3f> x, float slack,
+void forEachPacket(const Surface& surface, std::span<const base::Vec3f> x, float slack, float distance,
                    const std::function<void(Source&, std::span<const std::uint32_t>)>& fn) {
     if (x.empty())
         return;
@@ -50,9 +51,9 @@ void forEachPacket(const Surface& surface, std::span<const base::Vec3f> x, float
             packets.clear();
             for (std::size_t k = 0; k < packetsAtOnce && begin < end; ++k) {
                 if (k == sources.size())
-                    sources.emplace_back(surface, slack > 0 ? Steps::Close : Steps::Apart);
+                    sources.emplace_back(surface, std::max(slack, distance) > 0 ? Steps::Close : Steps::Apart);
                 const std::span<const std::uint32_t> rest{order.data() + begin, end - begin};
-                packets.push_back(rest.first(cutter.cut(sources[k], x, rest, slack)));
+                packets.push_back(rest.first(cutter.cut(sources[k], x, rest, slack, distance)));
                 begin += packets.back().size();
             }
             for (std::size_t k = 0; k < packets.size(); ++k)

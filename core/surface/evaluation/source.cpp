@@ -37,11 +37,11 @@ static Evaluationf rounded(const Evaluationd& e) {
     return out;
 }
 
-bool Source::announce(const base::Box3f& box, float slack, std::size_t positions) {
+bool Source::announce(const base::Box3f& box, float slack, std::size_t positions, float distance) {
     const std::size_t most = positions > 1 ? fairBlocks(positions) : Candidates::anyNumber;
     if (!m_candidates.findBlocks(*m_surface, box, most))
         return false;
-    const float around = slack * m_surface->supportScale() * m_candidates.localSupport();
+    const float around = std::max(distance, slack * m_surface->supportScale() * m_candidates.localSupport());
     if (around > 0 && !m_candidates.findBlocks(*m_surface, box.inflated(around), 2 * fairBlocks(positions)))
         m_candidates.findBlocks(*m_surface, box);
     return true;

@@ -25,9 +25,10 @@ class Source {
     /// Collects for positions in `box` at once.
     void expect(const base::Box3f& box) { m_candidates.collect(*m_surface, box); }
     /// `expect` in two steps: what one does for several sources in turn has its memory at hand in the next. `slack`:
-    /// how far around the box, in units of the least support there. Nothing is expected, and false returned, where
-    /// `positions` in the box would share too little to pay for collecting it; a slack that costs too much is left out.
-    bool announce(const base::Box3f& box, float slack, std::size_t positions);
+    /// how far around the box, in units of the least support there; `distance`: at least so far, in model units.
+    /// Nothing is expected, and false returned, where `positions` in the box would share too little to pay for
+    /// collecting it; a slack that costs too much is left out.
+    bool announce(const base::Box3f& box, float slack, std::size_t positions, float distance = 0);
     void fetch() { m_candidates.fetchClusters(); }
     bool expect(const base::Box3f& box, float slack, std::size_t positions) {
         if (!announce(box, slack, positions))
