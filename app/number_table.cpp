@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <sstream>
 #include <utility>
 
@@ -73,6 +74,7 @@ class Row {
 };
 
 constexpr const char* pointForm = "each line holds x y z";
+constexpr const char* placeForm = "each line holds the numbers that the header t,x,y,z names";
 constexpr const char* rayForm = "each line holds the numbers that the header ox,oy,oz,dx,dy,dz names";
 
 bool isHeader(const Row& row) {
@@ -80,29 +82,68 @@ bool isHeader(const Row& row) {
                         [](std::string_view field) { return io::numberOf(field).has_value(); });
 }
 
-using RayColumns = std::array<std::size_t, 6>;
+/// Numbers of a row, in the order of the names that a header was asked for.
+template <std::size_t N>
+class NamedColumns {
+  public:
+    using Names = std::array<std::string_view, N>;
 
-RayColumns columnsOf(const Row& header) {
-    constexpr std::array<std::string_view, 6> names{"ox", "oy", "oz", "dx", "dy", "dz"};
-    RayColumns out{};
-    for (std::size_t k = 0; k < names.size(); ++k) {
-        const auto& fields = header.fields();
-        const auto found = std::find(fields.begin(), fields.end(), names[k]);
-        if (found == fields.end())
-            header.fail("the column " + std::string(names[k]) + " is missing", "begin with ox,oy,oz,dx,dy,dz");
-        out[k] = static_cast<std::size_t>(found - fields.begin());
+    /// `begin`: what the error tells to begin with where a name is missing.
+    NamedColumns(const Row& header, const Names& names, const char* begin) {
+        for (std::size_t k = 0; k < N; ++k) {
+            const auto& fields = header.fields();
+            const auto found = std::find(fields.begin(), fields.end(), names[k]);
+            if (found == fields.end())
+                header.fail("the column " + std::string(names[k]) + " is missing", begin);
+            m_columns[k] = static_cast<std::size_t>(found - fields.begin());
+        }
     }
-    return out;
-}
+    std::array<double, N> numbers(const Row& row, const char* form) const {
+        std::array<double, N> out{};
+        for (std::size_t k = 0; k < N; ++k)
+            out[k] = row.number(m_columns[k], form);
+        return out;
+    }
 
-base::Rayd rayOf(const Row& row, const RayColumns& columns) {
-    std::array<double, 6> v{};
-    for (std::size_t k = 0; k < v.size(); ++k)
-        v[k] = row.number(columns[k], rayForm);
+  private:
+    std::array<std::size_t, N> m_columns{};
+};
+
+constexpr NamedColumns<6>::Names rayNames{"ox", "oy", "oz", "dx", "dy", "dz"};
+constexpr NamedColumns<4>::Names placeNames{"t", "x", "y", "z"};
+
+base::Rayd rayOf(const Row& row, const NamedColumns<6>& columns) {
+    const auto v = columns.numbers(row, rayForm);
     const base::Rayd ray{{v[0], v[1], v[2]}, base::normalized(Vec3d{v[3], v[4], v[5]})};
     if (!base::isFinite(ray.origin) || ray.direction == Vec3d{})
         row.fail("the ray has no finite origin and direction", rayForm);
     return ray;
+}
+
+haptics::TimedPlace placeOf(const Row& row, const NamedColumns<4>& columns, const haptics::Trajectory& before) {
+    const auto v = columns.numbers(row, placeForm);
+    const haptics::TimedPlace out{v[0], {v[1], v[2], v[3]}};
+    if (!std::isfinite(out.time) || !base::isFinite(out.place))
+        row.fail("the time and place are not finite", placeForm);
+    if (!before.empty() && !(out.time > before.back().time))
+        row.fail("the time is not later than that of the row before", "times must ascend");
+    return out;
+}
+
+/// Rows under a header of names.
+template <std::size_t N, class Take>
+void forNamedRows(const io::FileBytes& file, const base::Progress& progress,
+                  const typename NamedColumns<N>::Names& names, const char* begin, const Take& take) {
+    const io::TextRows rows(file, 0, rules, {progress});
+    std::optional<NamedColumns<N>> columns;
+    rows.forRows(0, [&](std::string_view line) {
+        const Row row(file, rows, line);
+        if (!columns)
+            columns.emplace(row, names, begin);
+        else
+            take(row, *columns);
+        return true;
+    });
 }
 
 } // namespace
@@ -130,21 +171,20 @@ std::vector<Vec3d> readPoints(const io::FileBytes& file, const base::Progress& p
 }
 
 std::vector<base::Rayd> readRays(const io::FileBytes& file, const base::Progress& progress) {
-    const io::TextRows rows(file, 0, rules, {progress});
     std::vector<base::Rayd> out;
-    out.reserve(rows.count());
-    RayColumns columns{};
-    bool first = true;
-    rows.forRows(0, [&](std::string_view line) {
-        const Row row(file, rows, line);
-        if (std::exchange(first, false))
-            columns = columnsOf(row);
-        else
-            out.push_back(rayOf(row, columns));
-        return true;
-    });
+    forNamedRows<6>(file, progress, rayNames, "begin with ox,oy,oz,dx,dy,dz",
+                    [&](const Row& row, const NamedColumns<6>& columns) { out.push_back(rayOf(row, columns)); });
     if (out.empty())
         file.fail("holds no rays", "begin with ox,oy,oz,dx,dy,dz and give one ray per line");
+    return out;
+}
+
+haptics::Trajectory readTrajectory(const io::FileBytes& file, const base::Progress& progress) {
+    haptics::Trajectory out;
+    forNamedRows<4>(file, progress, placeNames, "begin with t,x,y,z",
+                    [&](const Row& row, const NamedColumns<4>& columns) { out.push_back(placeOf(row, columns, out)); });
+    if (out.empty())
+        file.fail("holds no places", "begin with t,x,y,z and give one place per line");
     return out;
 }
 

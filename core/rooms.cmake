@@ -25,6 +25,8 @@ pointclay_room(sculpt core/sculpt process)
 # Neither changes a bit; without them loops with square roots and selections stay scalar.
 target_compile_options(pointclay_sculpt PRIVATE -fno-math-errno -fno-trapping-math)
 
+pointclay_room(haptics core/haptics surface)
+
 pointclay_room(io core/io process mesh)
 pointclay_link(io PNG::PNG JPEG::JPEG)
 

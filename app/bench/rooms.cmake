@@ -1,6 +1,6 @@
 # Level 7, beside the window: what `pointclay bench` and tests/bench measure, and the naive ways beside it.
 find_package(embree 3 REQUIRED)
-pointclay_room(workloads app/bench gl session)
+pointclay_room(workloads app/bench gl session haptics)
 
 # The naive ways are built as well as the compiler can for the machine that builds: whoever compares must not lose by
 # flags. A Release taken to another machine runs there, but for the rows of `pointclay bench` that need these.

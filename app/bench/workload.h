@@ -67,6 +67,7 @@ std::vector<Workload> surfaceWorkloads();
 std::vector<Workload> rayWorkloads();
 std::vector<Workload> lightWorkloads();
 std::vector<Workload> dabWorkloads();
+std::vector<Workload> hapticWorkloads();
 std::vector<Workload> splatWorkloads();
 std::vector<Workload> displayWorkloads();
 std::vector<Workload> fileWorkloads();

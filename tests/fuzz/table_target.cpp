@@ -1,5 +1,7 @@
-// What `query` and `intersect` read, and their answers on a small model. Which definition follows from the length.
+// What `query`, `intersect` and `haptic` read, and their answers on a small model. Which definition follows from the
+// length.
 #include "app/number_table.h"
+#include "core/haptics/proxy.h"
 #include "core/process/estimation/prepare.h"
 #include "core/process/samples/samples.h"
 #include "core/surface/curvature.h"
@@ -66,6 +68,18 @@ void answer(const Surface& surface, std::span<const base::Rayd> rays) {
     }
 }
 
+void answer(const Surface& surface, std::span<const haptics::TimedPlace> places) {
+    for (const double radius : {0.0, 0.1}) {
+        haptics::Proxy proxy({radius, 0.3});
+        for (const haptics::TimedPlace& at : places) {
+            if (!proxy.placed())
+                proxy.place(surface, at.place);
+            proxy.move(surface, at.place);
+            fuzz::require(base::isFinite(proxy.position()) && std::isfinite(proxy.depth()), "proxies are finite");
+        }
+    }
+}
+
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -79,6 +93,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     fuzz::tried([&] {
         const std::vector<base::Rayd> rays = app::readRays(file, {});
         answer(surfaceOf(size), std::span(rays).first(std::min(rays.size(), mostRows)));
+    });
+    fuzz::tried([&] {
+        const haptics::Trajectory places = app::readTrajectory(file, {});
+        requireValid(places);
+        answer(surfaceOf(size), std::span(places).first(std::min(places.size(), mostRows)));
     });
     return 0;
 }

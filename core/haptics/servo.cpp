@@ -1,0 +1,38 @@
+#include "core/haptics/servo.h"
+
+#include <chrono>
+
+namespace haptics {
+
+using base::Vec3d;
+
+Servo::Servo(const ServoOptions& options)
+    : m_options(options), m_proxy(options.tool, options.mostSteps), m_passivity(options.port),
+      m_safety(options.safety) {}
+
+Tick Servo::step(const PatchPtr& patch, const DeviceState& state, Circumstances at) {
+    const auto begin = std::chrono::steady_clock::now();
+    Tick out;
+    out.time = state.time;
+    out.tool = out.proxy = m_options.workspace.place(state.position);
+    if (patch) {
+        const surface::Surface& surface = patch->surface;
+        if (!m_proxy.placed())
+            m_proxy.place(surface, out.tool);
+        else if (m_patch && m_patch != patch)
+            m_proxy.follow(m_patch->surface, surface);
+        m_proxy.move(surface, out.tool);
+        out.proxy = m_proxy.position();
+        out.contact = m_proxy.touches();
+        out.force = forceOn(m_options.law, m_proxy, surface, out.tool, m_options.workspace.velocity(state.velocity));
+        m_patch = patch;
+    }
+    at.patch = patch ? patch->time : -SafetyLimits::none;
+    out.sent = m_safety.pass(m_options.workspace.force(out.force), at);
+    if (m_options.passive)
+        out.sent = m_passivity.limit(state.position, out.sent);
+    out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return out;
+}
+
+} // namespace haptics
