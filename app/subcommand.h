@@ -31,6 +31,7 @@ Action addIntersect(CLI::App& command);
 Action addBoundary(CLI::App& command);
 Action addSection(CLI::App& command);
 Action addMesh(CLI::App& command);
+Action addReduce(CLI::App& command);
 Action addRender(CLI::App& command);
 Action addRun(CLI::App& command);
 Action addRecover(CLI::App& command);

@@ -16,6 +16,8 @@ std::span<const SubcommandRow> subcommandTable() {
          "pointclay section bunny.ply --plane 0,1,0,0.1 -o section.obj", addSection},
         {"mesh", "Triangulate the surface, into a mesh file",
          "pointclay mesh bunny.ply -o bunny.stl --method delaunay --check", addMesh},
+        {"reduce", "Make the same surface with fewer points, and tell how near it is",
+         "pointclay reduce bunny.ply -o light.ply --ratio 0.1 --report light.json", addReduce},
         {"render", "Draw a model into an image file, without a window",
          "pointclay render bunny.ply -o bunny.png --size 800x600 --mode raycast", addRender},
         {"run", "Execute a session file", "pointclay run session.jsonl --model bunny.ply -o out.ply", addRun},
