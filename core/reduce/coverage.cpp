@@ -32,19 +32,29 @@ class Coverage {
     Coverage(std::span<const base::Vec3f> places, std::span<const base::Vec3f> normals, bool oriented, Sites& sites)
         : m_places(places), m_normals(normals), m_oriented(oriented), m_sites(sites), m_tree(treeOf(sites)) {}
 
+    /// What one thread looks with.
+    struct Scratch {
+        std::vector<std::pair<std::uint32_t, float>> over; ///< sites above a place; squared distances
+        std::vector<tree::Neighbour> near;
+    };
+
     /// What a place lacks, as wishes; true where it lacks something.
-    bool look(std::uint32_t place, std::vector<tree::Neighbour>& near, std::vector<Wish>& wishes) const {
-        const float scale = scaleAt(place);
+    bool look(std::uint32_t place, Scratch& scratch, std::vector<Wish>& wishes) const {
+        scratch.over.clear();
+        m_tree.forSupporting(m_places[place], [&](std::uint32_t k, float distanceSq) {
+            scratch.over.push_back({k, distanceSq});
+        });
+        const float scale = scaleOf(place, scratch);
         int count = 0;
         float weight = 0;
-        m_tree.forSupporting(m_places[place], [&](std::uint32_t k, float distanceSq) {
+        for (const auto& [k, distanceSq] : scratch.over) {
             const float h = scale * m_sites.support[k];
             if (facing(place, k) && distanceSq < h * h)
                 ++count, weight += surface::wendlandC2(std::sqrt(distanceSq) / h);
-        });
+        }
         if (count >= fewest && weight >= leastWeight)
             return false;
-        wish(place, scale, count < fewest ? fewest - count : 2, count < fewest, near, wishes);
+        wish(place, scale, count < fewest ? fewest - count : 2, count < fewest, scratch.near, wishes);
         return true;
     }
     /// The nearest in their own metric, `wanted` of them; of those that do not reach the place alone, where so asked.
@@ -70,16 +80,16 @@ class Coverage {
         return (m_oriented ? c : std::abs(c)) > leastFacing;
     }
     /// Which part of the supports counts: less where another sheet is within reach.
-    float scaleAt(std::uint32_t place) const {
+    float scaleOf(std::uint32_t place, const Scratch& scratch) const {
         if (!m_oriented)
             return 1;
         float all = 0, against = 0;
-        m_tree.forSupporting(m_places[place], [&](std::uint32_t k, float distanceSq) {
+        for (const auto& [k, distanceSq] : scratch.over) {
             const float w = surface::wendlandC2(std::sqrt(distanceSq) / m_sites.support[k]);
             all += w;
             if (dot(m_normals[place], m_sites.normal[k]) < opposite)
                 against += w;
-        });
+        }
         return against > shareOfOpposite * all ? partSupport : 1;
     }
 
@@ -119,9 +129,9 @@ void cover(const Places& places, float supports, Sites& sites) {
         std::vector<std::vector<Wish>> wishes(base::chunkCount(open.size(), grain));
         std::vector<std::vector<std::uint32_t>> left(wishes.size());
         base::parallelChunks(open.size(), grain, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
-            std::vector<tree::Neighbour> near;
+            Coverage::Scratch scratch;
             for (std::size_t k = begin; k < end; ++k)
-                if (coverage.look(open[k], near, wishes[chunk]))
+                if (coverage.look(open[k], scratch, wishes[chunk]))
                     left[chunk].push_back(open[k]);
         });
         open.clear();
