@@ -82,7 +82,7 @@ surface::Surface assemble(const surface::Surface& model, const Sites& sites, int
 }
 
 surface::Surface bounded(const surface::Surface& model, const surface::Surface& surface, const Places& places,
-                         const base::Progress& progress) {
+                         float beyond, const base::Progress& progress) {
     if (!std::isfinite(model.definition().boundaryLimit))
         return surface;
     constexpr std::size_t slab = 1 << 14;
@@ -97,7 +97,7 @@ surface::Surface bounded(const surface::Surface& model, const surface::Surface& 
                 limit = std::max(limit, at[k].offCentre / at[k].unit);
     }
     surface::SurfaceDefinition definition = surface.definition();
-    definition.boundaryLimit = std::min(slack * limit, loosest);
+    definition.boundaryLimit = std::min(slack * limit + beyond, loosest);
     return {surface.tree(), definition};
 }
 

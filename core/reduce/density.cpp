@@ -4,6 +4,7 @@
 #include "core/base/parallel.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <numbers>
 
 namespace reduce {
@@ -15,14 +16,19 @@ constexpr std::size_t probesPerSample = 4;
 /// A support holds this many samples (reduce/README 3.3), less what its rim weighs.
 constexpr double supportArea = 6;
 constexpr std::size_t mostNeighbours = 220;
-constexpr float leastFacing = 0.1f, likeFacing = 0.3f;
+constexpr float leastFacing = 0.1f, likeFacing = 0.3f, opposed = -0.1f;
 /// What irregular samples cost through n(x), as a part of heights over the tangent plane.
 constexpr double heightShare = 0.03;
 /// Least errors that count: a part of the median one, and of the dense spacing.
 constexpr double leastOfMedian = 0.25, leastOfSpacing = 0.003;
-/// Errors fall with the 1.6th power of a sample's area; with e at the local unit of area a0, the sum of squares is
-/// least for areas as a0^0.524 e'^-0.476, e' = e / sqrt(a0).
-constexpr double errorPower = -0.476, unitPower = -0.476;
+/// Errors fall with some power p of a sample's area; with e' in roots of the local unit of area a0, the sum of squares
+/// is least for areas as a0 (a0 e'^2)^(-1 / (2 p + 1)). p = 1.3.
+constexpr double power = -0.55;
+static double env(const char* n, double d) {
+    const char* v = getenv(n);
+    return v ? atof(v) : d;
+}
+static const double crowdPower = env("CP", 0);
 constexpr double widest = 8; ///< farthest that areas depart from the local unit, either way
 /// Where less than this part of the disc holds surface, as on strips and crumbs, samples get smaller.
 constexpr double fullDisc = 0.5;
@@ -33,6 +39,7 @@ constexpr double mostShare = 0.77; ///< of a place: reduced samples are not dens
 struct Probe {
     double error = -1; ///< relative to the root of the unit of area; < 0: unknown
     double fill = 1;   ///< share of the disc that holds surface
+    double clear = 1;  ///< share of the surface in reach that is of the same sheet
 };
 
 /// The terms of the shrink-free form between one place and those around it, as if one support held them all.
@@ -41,8 +48,10 @@ Probe probeAt(const Places& places, const NumberedTree& tree, std::size_t j, dou
     const float radius = static_cast<float>(std::sqrt(supportArea * unit / std::numbers::pi));
     const base::Vec3f y = places.position[j], v = places.normal[j];
     in.clear();
-    double area = 0;
+    double area = 0, against = 0;
     tree.forBall(y, radius, [&](std::uint32_t k, float) {
+        if (places.oriented && dot(v, places.normal[k]) < opposed)
+            against += double(places.area[k]);
         if (!places.facing(v, places.normal[k], leastFacing))
             return;
         in.push_back(k);
@@ -50,6 +59,7 @@ Probe probeAt(const Places& places, const NumberedTree& tree, std::size_t j, dou
     });
     Probe out;
     out.fill = std::min(1.0, area / (supportArea * unit));
+    out.clear = area / (area + against);
     const std::size_t stride = in.size() / mostNeighbours + 1;
     double sum = 0, weight = 0;
     for (std::size_t k = 0; k < in.size(); k += stride) {
@@ -126,9 +136,10 @@ class Probes {
         m_log.resize(n);
         for (std::size_t c = 0; c < n; ++c) {
             const double e = std::hypot(probes[c].error >= 0 ? probes[c].error : typical, least);
-            const double asked = errorPower * std::log(e / reference) + unitPower * std::log(unit[c] / typicalUnit);
+            const double asked = power * std::log(e / reference * unit[c] / typicalUnit);
             m_log[c] = std::log(unit[c]) + std::clamp(asked, -std::log(widest), std::log(widest)) +
-                       2 * std::log(std::clamp(probes[c].fill / fullDisc, 0.1, 1.0));
+                       2 * std::log(std::clamp(probes[c].fill / fullDisc, 0.1, 1.0)) +
+                       crowdPower * std::log(std::clamp(probes[c].clear, 0.2, 1.0));
         }
     }
 

@@ -12,10 +12,9 @@ namespace {
 constexpr int rounds = 3, steps = 40;
 constexpr std::size_t rowsOfPiece = 2048;
 /// Towards where the sites began, in parts of the diagonal and of its mean (reduce/README 4.3).
-constexpr std::array<double, unknowns> ridge{0.1, 0.1, 0.1};
-constexpr double meanShare = 0.05;
+constexpr double ridge = 0.1, meanShare = 0.05;
 /// Most of a round, in supports.
-constexpr std::array<double, unknowns> farthest{0.2, 0.25, 0.25};
+constexpr std::array<double, unknowns> farthest{0.2, 0.25, 0.25, 0.12, 0.12, 0.12};
 
 std::vector<FitSite> fitSites(const Sites& sites) {
     std::vector<FitSite> out(sites.size());
@@ -49,19 +48,24 @@ FitPiece pieceOf(const Places& places, const NumberedTree& tree, std::size_t beg
         e.site = static_cast<std::uint32_t>(std::lower_bound(out.sites.begin(), out.sites.end(), e.site) -
                                             out.sites.begin());
     out.residual.resize(out.ends.size());
+    out.unit.resize(out.ends.size());
     return out;
 }
 
 void linearise(const Places& places, const std::vector<FitSite>& sites, FitPiece& piece) {
     std::vector<FitTerm> terms;
-    for (std::size_t row = 0, at = 0; row < piece.ends.size(); at = piece.ends[row++]) {
+    std::vector<std::array<float, unknowns>> derivatives;
+    for (std::size_t row = 0; row < piece.ends.size(); ++row) {
+        const std::size_t first = piece.firstOf(row), n = piece.ends[row] - first;
         terms.clear();
-        for (std::size_t e = at; e < piece.ends[row]; ++e)
-            terms.push_back({&sites[piece.sites[piece.entries[e].site]], &piece.entries[e].d, {}, {}});
+        derivatives.resize(n);
+        for (std::size_t k = 0; k < n; ++k)
+            terms.push_back({&sites[piece.sites[piece.entries[first + k].site]], &derivatives[k], {}, {}});
         const std::size_t place = piece.begin + row;
         const FitRow done = fitRow(base::cast<double>(places.position[place]), base::cast<double>(places.normal[place]),
                                    places.oriented, terms);
         piece.residual[row] = static_cast<float>(done.residual);
+        piece.setRow(row, derivatives);
     }
 }
 
@@ -97,6 +101,7 @@ void fit(const Places& places, Sites& sites, const base::Progress& progress) {
         move(moving, equations.solve(movedSoFar(moving), ridge, meanShare, steps));
         for (std::size_t i = 0; i < sites.size(); ++i) {
             sites.position[i] = base::cast<float>(moving[i].position());
+            sites.support[i] = static_cast<float>(moving[i].reach());
             sites.normal[i] = base::cast<float>(normalized(moving[i].tilted()));
         }
     }

@@ -13,14 +13,15 @@ namespace {
 
 constexpr double mu = 0.5;
 constexpr double leastAgreement = 0.2, flattest = 0.05;
-/// Below this agreement two sheets are put together as solids, each summed on its own (surface/README 2.7); in between
-/// the plain sum is as good.
-constexpr double twoSheets = 0.87, partSupport = 0.75, partEdge = 0.3;
+/// Where another sheet weighs as much, and normals agree less than this, both are put together as solids, each summed
+/// on its own (surface/README 2.7); in between the plain sum is as good.
+constexpr double twoSheets = 0.87, partSupport = 0.75, partEdge = 0.3, leastAgainst = 0.02;
 /// In supports: from here on a residual counts as its root, and from there on not at all: other sheets, crumbs.
 constexpr double largeResidual = 0.1, strayResidual = 0.5;
 
 struct Sums {
     double weight = 0;
+    double against = 0;    ///< of what faces the other way
     Vec3d offset, normals; ///< sum theta y, sum theta n
     double agreement() const { return weight > 0 ? length(normals) / weight : 0; }
 };
@@ -28,7 +29,7 @@ struct Sums {
 Sums sum(std::span<FitTerm> terms, const Vec3d& normal, bool parted) {
     Sums out;
     for (FitTerm& t : terms) {
-        const double h = t.site->support * (parted ? partSupport : 1), r = length(t.y) / h;
+        const double h = t.site->reach() * (parted ? partSupport : 1), r = length(t.y) / h;
         t.theta = t.slope = 0;
         if (r >= 1)
             continue;
@@ -38,6 +39,7 @@ Sums sum(std::span<FitTerm> terms, const Vec3d& normal, bool parted) {
         t.theta = part * q3 * q * (4 * r + 1);
         t.slope = part * -20 * q3 / (h * h);
         out.weight += t.theta;
+        out.against += dot(t.normal, normal) < -partEdge ? t.theta : 0;
         out.offset += t.y * t.theta;
         out.normals += t.normal * t.theta;
     }
@@ -63,7 +65,7 @@ FitRow fitRow(const Vec3d& place, const Vec3d& normal, bool oriented, std::span<
         support = std::max(support, t.site->support);
     }
     Sums all = sum(terms, normal, false);
-    if (oriented && all.agreement() < twoSheets)
+    if (oriented && all.agreement() < twoSheets && all.against > leastAgainst * all.weight)
         all = sum(terms, normal, true);
     if (!(all.weight > 1e-6) || all.agreement() < leastAgreement)
         return {};
@@ -90,9 +92,14 @@ FitRow fitRow(const Vec3d& place, const Vec3d& normal, bool oriented, std::span<
             continue;
         const Vec3d byPlace = (n * (1 - mu) + t.normal * mu) * (t.theta / w) + t.y * (byWeight(t) * t.slope);
         const Vec3d byNormal = (t.y * (mu / w) + v * (1 - mu)) * t.theta;
+        // theta by the logarithm of h: - slope |y|^2
+        const double bySize = -byWeight(t) * t.slope * lengthSq(t.y) / t.site->support;
         *t.d = {static_cast<float>(-weight * dot(byPlace, t.site->normal0)),
                 static_cast<float>(weight * dot(byNormal, tilt(t, t.site->along[0]))),
-                static_cast<float>(weight * dot(byNormal, tilt(t, t.site->along[1])))};
+                static_cast<float>(weight * dot(byNormal, tilt(t, t.site->along[1]))),
+                static_cast<float>(-weight * dot(byPlace, t.site->along[0])),
+                static_cast<float>(-weight * dot(byPlace, t.site->along[1])),
+                static_cast<float>(weight * bySize)};
     }
     return {true, f * weight};
 }

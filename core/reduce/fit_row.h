@@ -9,13 +9,15 @@
 
 namespace reduce {
 
-/// A site as the fit moves it: along the normal it began with, and that normal's tilts.
+/// A site as the fit moves it, from where it began.
 struct FitSite {
     base::Vec3d start, normal0, along[2]; ///< a right-handed frame at the beginning
     double support = 0;
-    std::array<double, unknowns> x{}; ///< offset; tilts times the support: all lengths
+    std::array<double, unknowns>
+        x{}; ///< offset, tilts, moves, logarithm of the support, times the support where they are none: all lengths
 
-    base::Vec3d position() const { return start + normal0 * x[0]; }
+    base::Vec3d position() const { return start + normal0 * x[0] + along[0] * x[3] + along[1] * x[4]; }
+    double reach() const { return support * std::exp(x[5] / support); }
     base::Vec3d tilted() const { return normal0 + along[0] * (x[1] / support) + along[1] * (x[2] / support); }
 };
 

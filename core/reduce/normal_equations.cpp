@@ -2,6 +2,8 @@
 
 #include "core/base/parallel.h"
 
+#include <algorithm>
+#include <cmath>
 #include <Eigen/IterativeLinearSolvers>
 #include <numeric>
 
@@ -55,6 +57,18 @@ struct generic_product_impl<reduce::ScaledMatrix, Right, SparseShape, DenseShape
 
 namespace reduce {
 
+void FitPiece::setRow(std::size_t row, std::span<const std::array<float, unknowns>> d) {
+    float most = 0;
+    for (const auto& each : d)
+        for (const float x : each)
+            most = std::max(most, std::abs(x));
+    unit[row] = most / fullPart;
+    const float scale = most > 0 ? fullPart / most : 0;
+    for (std::size_t k = 0; k < d.size(); ++k)
+        for (std::size_t u = 0; u < unknowns; ++u)
+            entries[firstOf(row) + k].part[u] = static_cast<std::int16_t>(std::lround(d[k][u] * scale));
+}
+
 NormalEquations::NormalEquations(const std::vector<FitPiece>& pieces, std::size_t sites)
     : m_pieces(pieces), m_first(sites + 1, 0) {
     for (const FitPiece& piece : pieces)
@@ -93,40 +107,42 @@ NormalEquations::Vector NormalEquations::scaledProduct(const Vector& x) const {
         for (std::size_t k = 0; k < piece.sites.size(); ++k)
             for (std::size_t u = 0; u < unknowns; ++u)
                 local[k * unknowns + u] = scaled[static_cast<Eigen::Index>(piece.sites[k] * unknowns + u)];
-        piece.forRows([&](std::size_t, const FitEntry* begin, const FitEntry* end) {
+        piece.forRows([&](std::size_t row, std::span<const FitEntry> entries) {
             double along = 0;
-            for (const FitEntry* e = begin; e != end; ++e)
+            for (const FitEntry& e : entries)
                 for (std::size_t u = 0; u < unknowns; ++u)
-                    along += double(e->d[u]) * local[e->site * unknowns + u];
-            for (const FitEntry* e = begin; e != end; ++e)
+                    along += double(e.part[u]) * local[e.site * unknowns + u];
+            along *= double(piece.unit[row]) * double(piece.unit[row]);
+            for (const FitEntry& e : entries)
                 for (std::size_t u = 0; u < unknowns; ++u)
-                    sum[e->site * unknowns + u] += along * double(e->d[u]);
+                    sum[e.site * unknowns + u] += along * double(e.part[u]);
         });
     });
     return m_scale.cwiseProduct(sums + m_ridge.cwiseProduct(scaled));
 }
 
-NormalEquations::Vector NormalEquations::solve(const Vector& from, const std::array<double, unknowns>& ridge,
-                                               double meanShare, int steps) {
+NormalEquations::Vector NormalEquations::solve(const Vector& from, double ridge, double meanShare, int steps) {
     const Vector diagonal = summed([](const FitPiece& piece, std::vector<double>& sum) {
-        piece.forRows([&](std::size_t, const FitEntry* begin, const FitEntry* end) {
-            for (const FitEntry* e = begin; e != end; ++e)
+        piece.forRows([&](std::size_t row, std::span<const FitEntry> entries) {
+            const double unit = double(piece.unit[row]) * double(piece.unit[row]);
+            for (const FitEntry& e : entries)
                 for (std::size_t u = 0; u < unknowns; ++u)
-                    sum[e->site * unknowns + u] += double(e->d[u]) * double(e->d[u]);
+                    sum[e.site * unknowns + u] += unit * double(e.part[u]) * double(e.part[u]);
         });
     });
     const Vector slope = summed([](const FitPiece& piece, std::vector<double>& sum) {
-        piece.forRows([&](std::size_t row, const FitEntry* begin, const FitEntry* end) {
-            for (const FitEntry* e = begin; e != end; ++e)
+        piece.forRows([&](std::size_t row, std::span<const FitEntry> entries) {
+            const double residual = double(piece.residual[row]) * double(piece.unit[row]);
+            for (const FitEntry& e : entries)
                 for (std::size_t u = 0; u < unknowns; ++u)
-                    sum[e->site * unknowns + u] += double(piece.residual[row]) * double(e->d[u]);
+                    sum[e.site * unknowns + u] += residual * double(e.part[u]);
         });
     });
     m_ridge.resize(size());
     for (int u = 0; u < unknowns; ++u) {
         const auto kind = Eigen::seqN(u, size() / unknowns, Eigen::fix<unknowns>);
         const double mean = std::max(diagonal(kind).mean(), 1e-30);
-        m_ridge(kind) = ridge[static_cast<std::size_t>(u)] * (diagonal(kind).array() + meanShare * mean);
+        m_ridge(kind) = ridge * (diagonal(kind).array() + meanShare * mean);
     }
     m_scale = (diagonal + m_ridge).cwiseSqrt().cwiseInverse();
     const ScaledMatrix matrix(*this);

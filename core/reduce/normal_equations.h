@@ -9,17 +9,20 @@
 #include <array>
 #include <cstdint>
 #include <Eigen/Core>
+#include <span>
 #include <vector>
 
 namespace reduce {
 
-/// Of each site: offset along its normal, two tilts.
-constexpr int unknowns = 3;
+/// Of each site: offset along its normal, two tilts, two moves along the surface, the logarithm of its support.
+constexpr int unknowns = 6;
 
+/// Derivatives of a row by the unknowns of one site, in parts of the row's largest.
 struct FitEntry {
     std::uint32_t site; ///< in the piece's list
-    std::array<float, unknowns> d;
+    std::array<std::int16_t, unknowns> part;
 };
+constexpr float fullPart = 32767;
 
 /// Rows of consecutive places.
 struct FitPiece {
@@ -27,13 +30,16 @@ struct FitPiece {
     std::vector<std::uint32_t> sites; ///< ascending
     std::vector<std::uint32_t> ends;  ///< of each row, into `entries`
     std::vector<FitEntry> entries;
-    std::vector<float> residual; ///< of each row
+    std::vector<float> residual, unit; ///< of each row; a derivative is its part times the unit
 
-    /// fn(row, first entry, end of entries)
+    /// Stores the derivatives of a row, one array for each of its entries.
+    void setRow(std::size_t row, std::span<const std::array<float, unknowns>> d);
+    std::size_t firstOf(std::size_t row) const { return row == 0 ? 0 : ends[row - 1]; }
+    /// fn(row, entries)
     template <class Fn>
     void forRows(const Fn& fn) const {
-        for (std::size_t row = 0, at = 0; row < ends.size(); at = ends[row++])
-            fn(row, entries.data() + at, entries.data() + ends[row]);
+        for (std::size_t row = 0; row < ends.size(); ++row)
+            fn(row, std::span(entries).subspan(firstOf(row), ends[row] - firstOf(row)));
     }
 };
 
@@ -43,9 +49,9 @@ class NormalEquations {
 
     NormalEquations(const std::vector<FitPiece>& pieces, std::size_t sites);
 
-    /// min |A x + r|^2 + |x + from|^2_ridge; `ridge` in parts of the diagonal and of its mean over all sites, for each
-    /// kind of unknown.
-    Vector solve(const Vector& from, const std::array<double, unknowns>& ridge, double meanShare, int steps);
+    /// min |A x + r|^2 + |x + from|^2_ridge; `ridge` in parts of the diagonal and of `meanShare` of its mean over all
+    /// sites, for each kind of unknown by itself.
+    Vector solve(const Vector& from, double ridge, double meanShare, int steps);
 
     Eigen::Index size() const { return static_cast<Eigen::Index>(m_first.size() - 1) * unknowns; }
     /// S (A^T A + ridge) S x, S the root of the inverse diagonal.

@@ -1,10 +1,13 @@
 #include "core/reduce/placement.h"
 
+#include "core/base/cancel_scope.h"
 #include "core/base/parallel.h"
+#include "core/base/random.h"
 #include "core/reduce/density.h"
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <numeric>
 
 namespace reduce {
@@ -15,12 +18,14 @@ constexpr int rounds = 15;
 constexpr std::size_t asked = 20; ///< neighbours of a site, of any sheet
 constexpr float leastFacing = -0.1f;
 constexpr std::size_t grain = 1024;
+/// Darts end at some 0.83 spacings where they lie as close as chance packs them.
+constexpr float widestApart = 0.92f, shrink = 0.95f, leastApart = 0.02f;
 
 class Relaxation {
   public:
-    Relaxation(const Places& places, std::span<const float> shares, std::size_t count)
+    Relaxation(const Places& places, const NumberedTree& tree, std::span<const float> shares, std::size_t count)
         : m_places(places), m_shares(shares), m_owner(places.size()), m_member(places.size()) {
-        start(count);
+        start(tree, count);
     }
     Sites& sites() { return m_sites; }
 
@@ -42,21 +47,48 @@ class Relaxation {
         m_sites.spacing[site] = spacingAt(m_places, m_shares, place);
     }
 
-    /// Along the tree's order, which keeps neighbours together: even in the large, not yet in the small.
-    void start(std::size_t count) {
-        m_sites.position.resize(count), m_sites.normal.resize(count), m_sites.spacing.resize(count);
-        double total = 0;
-        for (const float share : m_shares)
-            total += double(share);
-        double sum = 0;
-        std::size_t site = 0;
-        for (std::size_t i = 0; i < m_places.size(); ++i) {
-            m_owner[i] = static_cast<std::uint32_t>(std::min(site, count - 1));
-            sum += double(m_shares[i]);
-            const bool passed = sum * double(count) >= (double(site) + 0.5) * total;
-            if (site < count && (passed || m_places.size() - i == count - site))
-                take(site++, i);
+    /// Darts in random order, each of which keeps others off by its spacing times `apart`; the first radius is too
+    /// large for `count` of them, and shrinks until there are so many [McCool92].
+    void start(const NumberedTree& tree, std::size_t count) {
+        m_sites.position.reserve(count), m_sites.normal.reserve(count), m_sites.spacing.reserve(count);
+        std::vector<std::uint32_t> order(m_places.size());
+        std::iota(order.begin(), order.end(), 0u);
+        std::sort(order.begin(), order.end(), [](std::uint32_t a, std::uint32_t b) {
+            const std::uint64_t x = base::mix(a), y = base::mix(b);
+            return x != y ? x < y : a < b;
+        });
+        std::vector<std::uint32_t> chosen;
+        std::vector<std::uint8_t> taken(m_places.size());
+        for (float apart = widestApart; chosen.size() < count; apart *= shrink) {
+            std::fill(taken.begin(), taken.end(), std::uint8_t(0));
+            base::parallelFor(chosen.size(), 256, [&](std::size_t k) { keepOff(tree, chosen[k], apart, taken); });
+            for (std::size_t k = 0; k < order.size() && chosen.size() < count; ++k) {
+                if (k % 4096 == 0)
+                    base::CancelScope::check();
+                if (taken[order[k]])
+                    continue;
+                chosen.push_back(order[k]);
+                keepOff(tree, order[k], apart, taken);
+            }
         }
+        std::sort(chosen.begin(), chosen.end());
+        m_sites.position.resize(count), m_sites.normal.resize(count), m_sites.spacing.resize(count);
+        for (std::size_t k = 0; k < count; ++k)
+            take(k, chosen[k]);
+    }
+    /// Marks what the dart at a place keeps others off.
+    void keepOff(const NumberedTree& tree, std::uint32_t place, float apart, std::vector<std::uint8_t>& taken) const {
+        const auto mark = [&](std::uint32_t i) {
+            std::atomic_ref<std::uint8_t>(taken[i]).store(1, std::memory_order_relaxed);
+        };
+        mark(place);
+        if (apart < leastApart)
+            return;
+        tree.forBall(m_places.position[place], apart * spacingAt(m_places, m_shares, place),
+                     [&](std::uint32_t i, float) {
+                         if (m_places.facing(m_places.normal[place], m_places.normal[i], leastFacing))
+                             mark(i);
+                     });
     }
 
     /// Of each site the sites around it that face as it does, itself first.
@@ -215,9 +247,11 @@ static void land(const surface::Surface& surface, bool oriented, Sites& sites) {
         }
 }
 
-Sites place(const surface::Surface& surface, const Places& places, std::span<const float> shares, std::size_t count,
-            const base::Progress& progress) {
-    Relaxation relaxation(places, shares, count);
+Sites place(const surface::Surface& surface, const Places& places, NumberedTree tree, std::span<const float> shares,
+            std::size_t count, const base::Progress& progress) {
+    progress.step(0, "Placing samples");
+    Relaxation relaxation(places, tree, shares, count);
+    tree = {};
     for (int k = 0; k < rounds; ++k) {
         progress.step(double(k) / rounds, "Placing samples");
         relaxation.round();

@@ -69,9 +69,9 @@ Sites sitesOf(Ground& ground, std::size_t count, bool keepTree, const base::Prog
     const Places& places = ground.dense.places;
     progress.step(0, "Measuring errors");
     std::vector<float> shares = sharesByError(places, ground.tree, count);
-    if (!keepTree)
-        ground.tree = {};
-    Sites sites = place(ground.dense.surface, places, shares, count, process::part(progress, 0.1, 0.5));
+    NumberedTree tree = keepTree ? ground.tree : std::move(ground.tree);
+    Sites sites =
+        place(ground.dense.surface, places, std::move(tree), shares, count, process::part(progress, 0.1, 0.5));
     shares = {};
     cover(places, supportsOver, sites);
     fit(places, sites, process::part(progress, 0.5, 1));
@@ -80,7 +80,7 @@ Sites sitesOf(Ground& ground, std::size_t count, bool keepTree, const base::Prog
 
 surface::Surface surfaceOf(const Ground& ground, const Sites& sites) {
     const surface::Surface& model = ground.dense.surface;
-    return bounded(model, assemble(model, sites, static_cast<int>(supportsOver)), ground.dense.places);
+    return bounded(model, assemble(model, sites, static_cast<int>(supportsOver)), ground.dense.places, 0);
 }
 
 Reduced finished(const Ground& ground, Sites sites, const base::Progress& progress) {
@@ -200,8 +200,9 @@ Reduced reduceBy(const surface::Surface& model, const Wish& wish, const base::Pr
 std::string summaryOf(const Report& report) {
     std::ostringstream out;
     out.precision(3);
-    out << report.count << " surfels; the model's points are " << report.rms << " from the reduced surface (rms), "
-        << report.p999 << " (99.9 %), " << report.max << " (most), and " << report.denseRms << " from their own (rms)";
+    out << report.count << " surfels; the surfaces are " << report.surfaceRms << " apart (rms), " << report.surfaceMax
+        << " (most); the model's points are " << report.rms << " from the reduced surface (rms), " << report.p999
+        << " (99.9 %), " << report.max << " (most), and " << report.denseRms << " from their own (rms)";
     if (report.holes > 0)
         out << "; " << report.holes << " of them miss it: a hole";
     if (report.strays > 0)

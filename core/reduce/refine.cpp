@@ -21,6 +21,8 @@ constexpr float placesPerSpacing = 2.4f;
 /// A surfel lays out places as far as this part of its support; nearer surfels take theirs.
 constexpr float laidOver = 0.75f;
 constexpr std::size_t asked = 17;
+/// Of a support: o grows so much from the last place to the rim.
+constexpr float lastStep = 0.04f;
 constexpr float leastFacing = 0.17f;
 constexpr double mostPlaces = 4e8;
 
@@ -111,7 +113,8 @@ Refined refine(const surface::Surface& model, float spacing, const base::Progres
     dense.surface = model;
     dense.places = placesAllOver(model, spacing / placesPerSpacing, process::part(progress, 0, 0.3));
     Places& places = dense.places;
-    measureAreas(places, NumberedTree(places.position, places.normal, {}));
+    NumberedTree tree(places.position, places.normal, {});
+    measureAreas(places, tree);
     const std::vector<float> shares = sharesBySpacing(places, spacing);
     double sum = 0;
     for (const float share : shares)
@@ -119,12 +122,13 @@ Refined refine(const surface::Surface& model, float spacing, const base::Progres
     const auto count = static_cast<std::size_t>(std::llround(sum));
     if (count < 4)
         throw base::Error("that spacing leaves no surface", "refine", "choose a smaller one");
-    Sites sites = place(model, places, shares, std::min(count, places.size()), process::part(progress, 0.3, 0.8));
+    Sites sites = place(model, places, std::move(tree), shares, std::min(count, places.size()),
+                        process::part(progress, 0.3, 0.8));
     for (float& s : sites.spacing)
         s = spacing;
     cover(places, static_cast<float>(usual.neighbours), sites);
     Refined out;
-    out.surface = bounded(model, assemble(model, sites, usual.neighbours), places);
+    out.surface = bounded(model, assemble(model, sites, usual.neighbours), places, lastStep);
     out.report = verifyPlaces(places, out.surface, process::part(progress, 0.8, 1));
     return out;
 }

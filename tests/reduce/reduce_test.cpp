@@ -12,6 +12,8 @@
 
 using namespace reduce;
 using test::Shape;
+using test::Vec3d;
+using test::Vec3f;
 
 class ReduceTest : public QObject {
     Q_OBJECT

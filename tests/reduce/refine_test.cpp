@@ -56,7 +56,7 @@ void RefineTest::openSurfacesKeepTheirRims() {
     const Reduced few = reduceByRatio(shape.surface, 0.1);
     const Refined many = refine(few.surface, float(shape.spacing));
     double lowest = 1;
-    for (const Vec3f& p : test::positionsOf(many.surface))
+    for (const test::Vec3f& p : test::positionsOf(many.surface))
         lowest = std::min(lowest, double(p.z));
     const double wide = shape.spacing * std::sqrt(10.0);
     QVERIFY2(lowest > -0.8 * wide, qPrintable(QString::number(lowest / wide)));
