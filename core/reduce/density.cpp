@@ -4,7 +4,6 @@
 #include "core/base/parallel.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <numbers>
 
 namespace reduce {
@@ -22,13 +21,10 @@ constexpr double heightShare = 0.03;
 /// Least errors that count: a part of the median one, and of the dense spacing.
 constexpr double leastOfMedian = 0.25, leastOfSpacing = 0.003;
 /// Errors fall with some power p of a sample's area; with e' in roots of the local unit of area a0, the sum of squares
-/// is least for areas as a0 (a0 e'^2)^(-1 / (2 p + 1)). p = 1.3.
+/// is least for areas as a0 (a0 e')^(-2 / (2 p + 1)). p = 1.3.
 constexpr double power = -0.55;
-static double env(const char* n, double d) {
-    const char* v = getenv(n);
-    return v ? atof(v) : d;
-}
-static const double crowdPower = env("CP", 0);
+/// Near another sheet samples get smaller with this power of their own sheet's share.
+constexpr double crowdPower = 1;
 constexpr double widest = 8; ///< farthest that areas depart from the local unit, either way
 /// Where less than this part of the disc holds surface, as on strips and crumbs, samples get smaller.
 constexpr double fullDisc = 0.5;
