@@ -4,25 +4,15 @@
 #include "app/options/face_options.h"
 #include "app/subcommand.h"
 #include "core/io/file_name.h"
+#include "app/writable_models.h"
 #include "core/io/formats.h"
 #include "core/io/mesh_formats.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/session/face_options.h"
 
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 namespace app {
-
-static std::string writableExtensions() {
-    std::string out;
-    for (const io::FormatRow& row : io::formatTable()) {
-        std::istringstream in(row.extensions);
-        for (std::string extension; row.write && in >> extension;)
-            out += (out.empty() ? "." : " .") + extension;
-    }
-    return out;
-}
 
 /// Vertices that are kept stay as the file has them.
 static void sampleFaces(io::FileModel& model, const std::string& name, const nlohmann::json& parameters,

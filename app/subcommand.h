@@ -32,6 +32,7 @@ Action addBoundary(CLI::App& command);
 Action addSection(CLI::App& command);
 Action addMesh(CLI::App& command);
 Action addHaptic(CLI::App& command);
+Action addReduce(CLI::App& command);
 Action addRender(CLI::App& command);
 Action addRun(CLI::App& command);
 Action addRecover(CLI::App& command);

@@ -18,6 +18,8 @@ std::span<const SubcommandRow> subcommandTable() {
          "pointclay mesh bunny.ply -o bunny.stl --method delaunay --check", addMesh},
         {"haptic", "Play the way of a tool over the surface, and write what it feels, into a CSV file",
          "pointclay haptic bunny.ply --trajectory tool.csv -o felt.csv --radius 0.002 --friction 0.3", addHaptic},
+        {"reduce", "Make the same surface with fewer points, and tell how near it is",
+         "pointclay reduce bunny.ply -o light.ply --ratio 0.1 --report light.json", addReduce},
         {"render", "Draw a model into an image file, without a window",
          "pointclay render bunny.ply -o bunny.png --size 800x600 --mode raycast", addRender},
         {"run", "Execute a session file", "pointclay run session.jsonl --model bunny.ply -o out.ply", addRun},

@@ -21,6 +21,9 @@ pointclay_room(mesh core/mesh process)
 pointclay_link(mesh gmp mpfr)
 set_source_files_properties(core/mesh/check/self_intersections.cpp PROPERTIES COMPILE_OPTIONS "-frounding-math")
 
+pointclay_room(reduce core/reduce process)
+pointclay_link(reduce Eigen3::Eigen)
+
 pointclay_room(sculpt core/sculpt process)
 # Neither changes a bit; without them loops with square roots and selections stay scalar.
 target_compile_options(pointclay_sculpt PRIVATE -fno-math-errno -fno-trapping-math)
@@ -33,6 +36,6 @@ pointclay_link(io PNG::PNG JPEG::JPEG)
 pointclay_room(render core/render raycast io)
 pointclay_link(render PkgConfig::HWY PkgConfig::EXR)
 
-pointclay_room(session core/session sculpt io)
+pointclay_room(session core/session sculpt reduce io)
 pointclay_link(session nlohmann_json::nlohmann_json)
 pointclay_unhurried(pointclay_session)

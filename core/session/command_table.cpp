@@ -7,8 +7,9 @@
 namespace session {
 
 std::span<const CommandRow> commandTable() {
-    static const std::array rows{openCommand(),     newCommand(), saveCommand(), surfaceCommand(), strokeCommand(),
-                                 resampleCommand(), upCommand(),  undoCommand(), redoCommand(),    expectCommand()};
+    static const std::array rows{openCommand(),   newCommand(),      saveCommand(),   surfaceCommand(),
+                                 strokeCommand(), resampleCommand(), reduceCommand(), refineCommand(),
+                                 upCommand(),     undoCommand(),     redoCommand(),   expectCommand()};
     return rows;
 }
 

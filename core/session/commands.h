@@ -14,6 +14,8 @@ CommandRow saveCommand();
 CommandRow surfaceCommand();
 CommandRow strokeCommand();
 CommandRow resampleCommand();
+CommandRow reduceCommand();
+CommandRow refineCommand();
 CommandRow upCommand();
 CommandRow undoCommand();
 CommandRow redoCommand();

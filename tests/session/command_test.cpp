@@ -50,7 +50,8 @@ void CommandTest::everyRowIsWhole() {
             QVERIFY2(p.min <= p.max, p.id);
         }
     }
-    for (const char* op : {"open", "new", "save", "surface", "stroke", "undo", "redo", "resample", "expect", "up"})
+    for (const char* op :
+         {"open", "new", "save", "surface", "stroke", "undo", "redo", "resample", "reduce", "refine", "expect", "up"})
         QVERIFY2(ops.contains(op), op);
 }
 

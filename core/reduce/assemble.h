@@ -1,0 +1,19 @@
+// From sites to a surface: what the surfels carry, the definition, the boundary (reduce/README 5).
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/reduce/sites.h"
+
+namespace reduce {
+
+/// Surfels at the sites with the colours, masks and further attributes of the model around them; `neighbours` becomes
+/// the definition's. A surface in the shrink-free form by summed normals, without a boundary yet. In parallel; the same
+/// bits at any thread count.
+surface::Surface assemble(const surface::Surface& model, const Sites& sites, int neighbours);
+
+/// The same surface ends where the model does: with the least off-centre limit that keeps all places, and `beyond` more
+/// (in supports) where these do not go to the rim.
+surface::Surface bounded(const surface::Surface& model, const surface::Surface& surface, const Places& places,
+                         float beyond, const base::Progress& progress = {});
+
+} // namespace reduce

@@ -1,0 +1,107 @@
+#include "core/reduce/fit_row.h"
+
+#include "core/surface/evaluation/smooth_step.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace reduce {
+
+using base::Vec3d;
+
+namespace {
+
+constexpr double mu = 0.5;
+constexpr double leastAgreement = 0.2, flattest = 0.05;
+/// Where another sheet weighs as much, and normals agree less than this, both are put together as solids, each summed
+/// on its own (surface/README 2.7); in between the plain sum is as good.
+constexpr double twoSheets = 0.87, partSupport = 0.75, partEdge = 0.3, leastAgainst = 0.02;
+/// In supports: from here on a residual counts as its root, and from there on not at all: other sheets, crumbs.
+constexpr double largeResidual = 0.1, strayResidual = 0.5;
+
+struct Sums {
+    double weight = 0;
+    double against = 0;    ///< of what faces the other way
+    Vec3d offset, normals; ///< sum theta y, sum theta n
+    double agreement() const { return weight > 0 ? length(normals) / weight : 0; }
+};
+
+Sums sum(std::span<FitTerm> terms, const Vec3d& normal, bool parted) {
+    Sums out;
+    for (FitTerm& t : terms) {
+        const double h = t.site->reach() * (parted ? partSupport : 1), r = length(t.y) / h;
+        t.theta = t.slope = 0;
+        if (r >= 1)
+            continue;
+        const double part =
+            parted ? surface::SmoothStep<double>((dot(t.normal, normal) + partEdge) / (2 * partEdge)).v : 1;
+        const double q = 1 - r, q3 = q * q * q;
+        t.theta = part * q3 * q * (4 * r + 1);
+        t.slope = part * -20 * q3 / (h * h);
+        out.weight += t.theta;
+        out.against += dot(t.normal, normal) < -partEdge ? t.theta : 0;
+        out.offset += t.y * t.theta;
+        out.normals += t.normal * t.theta;
+    }
+    return out;
+}
+
+/// A normal of the tilted frame and its derivative along one of its tangents.
+Vec3d tilt(const FitTerm& t, const Vec3d& along) {
+    return (along - t.normal * dot(t.normal, along)) * (t.sign / (t.length * t.site->support));
+}
+
+} // namespace
+
+FitRow fitRow(const Vec3d& place, const Vec3d& normal, bool oriented, std::span<FitTerm> terms) {
+    double support = 0;
+    for (FitTerm& t : terms) {
+        t.d->fill(0);
+        const Vec3d tilted = t.site->tilted();
+        t.length = base::length(tilted);
+        t.y = place - t.site->position();
+        t.sign = !oriented && dot(tilted, normal) < 0 ? -1 : 1;
+        t.normal = tilted * (t.sign / t.length);
+        support = std::max(support, t.site->support);
+    }
+    Sums all = sum(terms, normal, false);
+    if (oriented && all.agreement() < twoSheets && all.against > leastAgainst * all.weight)
+        all = sum(terms, normal, true);
+    if (!(all.weight > 1e-6) || all.agreement() < leastAgreement)
+        return {};
+    const double w = all.weight, m = length(all.normals);
+    const Vec3d n = all.normals / m, d = all.offset / w;
+    const Vec3d v = (d - n * dot(n, d)) / m; // d (n.d) / d (sum theta n)
+    double heights = 0;
+    for (const FitTerm& t : terms)
+        heights += t.theta * dot(t.normal, t.y);
+    const double f = (1 - mu) * dot(n, d) + mu * heights / w;
+    // By the weight of each; the gradient at the place.
+    const auto byWeight = [&](const FitTerm& t) {
+        return ((1 - mu) * dot(n, t.y) + mu * dot(t.normal, t.y) - f) / w + (1 - mu) * dot(v, t.normal);
+    };
+    Vec3d g;
+    for (const FitTerm& t : terms)
+        g += (n * (1 - mu) + t.normal * mu) * (t.theta / w) + t.y * (byWeight(t) * t.slope);
+    const double steep = length(g), residual = f / steep, size = std::abs(residual) / support;
+    if (!(steep > flattest) || !(size < strayResidual) || dot(g, normal) < 0)
+        return {};
+    const double weight = (size > largeResidual ? std::sqrt(largeResidual / size) : 1) / steep;
+    for (const FitTerm& t : terms) {
+        if (t.theta == 0)
+            continue;
+        const Vec3d byPlace = (n * (1 - mu) + t.normal * mu) * (t.theta / w) + t.y * (byWeight(t) * t.slope);
+        const Vec3d byNormal = (t.y * (mu / w) + v * (1 - mu)) * t.theta;
+        // theta by the logarithm of h: - slope |y|^2
+        const double bySize = -byWeight(t) * t.slope * lengthSq(t.y) / t.site->support;
+        *t.d = {static_cast<float>(-weight * dot(byPlace, t.site->normal0)),
+                static_cast<float>(weight * dot(byNormal, tilt(t, t.site->along[0]))),
+                static_cast<float>(weight * dot(byNormal, tilt(t, t.site->along[1]))),
+                static_cast<float>(-weight * dot(byPlace, t.site->along[0])),
+                static_cast<float>(-weight * dot(byPlace, t.site->along[1])),
+                static_cast<float>(weight * bySize)};
+    }
+    return {true, f * weight};
+}
+
+} // namespace reduce

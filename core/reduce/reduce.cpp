@@ -1,0 +1,213 @@
+#include "core/reduce/reduce.h"
+
+#include "core/base/cancel_scope.h"
+#include "core/base/error.h"
+#include "core/process/estimation/part_progress.h"
+#include "core/reduce/assemble.h"
+#include "core/reduce/coverage.h"
+#include "core/reduce/density.h"
+#include "core/reduce/fit.h"
+#include "core/reduce/placement.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace reduce {
+
+namespace {
+
+/// A surface wants some samples around every place.
+constexpr std::size_t fewest = 8;
+/// Places for each sample: more say nothing new.
+constexpr std::size_t placesPerSample = 32;
+/// Rounds in which supports grow where verification misses surface.
+constexpr int mends = 4;
+
+void check(const surface::Surface& model, Shapes shapes) {
+    if (model.definition().manifold == surface::Manifold::Curve)
+        throw base::Error("curves cannot be reduced, only surfaces", "reduce",
+                          "open a model whose points sample a surface");
+    if (shapes == Shapes::Ellipsoids)
+        throw base::Error("ellipsoids are not built yet, only spheres", "reduce", "choose shapes auto or spheres");
+    if (model.tree().size() <= fewest)
+        throw base::Error("a model of " + std::to_string(model.tree().size()) + " surfels cannot be reduced", "reduce",
+                          "a reduced one has at least " + std::to_string(fewest));
+}
+
+void checkCount(std::size_t size, std::size_t count) {
+    if (count >= size)
+        throw base::Error("the model has " + std::to_string(size) + " surfels, no more than the " +
+                              std::to_string(count) + " asked for",
+                          "reduce", "choose a count below " + std::to_string(size));
+    if (count < fewest)
+        throw base::Error(std::to_string(count) + " surfels make no surface", "reduce",
+                          "choose a count of at least " + std::to_string(fewest));
+}
+
+std::size_t strideFor(std::size_t size, std::size_t count) {
+    return std::max<std::size_t>(1, size / (placesPerSample * count));
+}
+
+/// The model's feet with their areas, and their tree while it is needed.
+struct Ground {
+    Dense dense;
+    NumberedTree tree;
+    std::size_t stride = 0;
+};
+
+Ground groundOf(const surface::Surface& model, std::size_t stride, const base::Progress& progress) {
+    Ground out{denseOf(model, stride, progress), {}, stride};
+    if (out.dense.feet <= fewest)
+        throw base::Error("the model's points define hardly any surface", "reduce",
+                          "look at its normals and supports first");
+    out.tree = NumberedTree(out.dense.places.position, out.dense.places.normal, {});
+    measureAreas(out.dense.places, out.tree);
+    return out;
+}
+
+Sites sitesOf(Ground& ground, std::size_t count, bool keepTree, const base::Progress& progress) {
+    const Places& places = ground.dense.places;
+    progress.step(0, "Measuring errors");
+    std::vector<float> shares = sharesByError(places, ground.tree, count);
+    NumberedTree tree = keepTree ? ground.tree : std::move(ground.tree);
+    Sites sites =
+        place(ground.dense.surface, places, std::move(tree), shares, count, process::part(progress, 0.1, 0.5));
+    shares = {};
+    cover(places, supportsOver, sites);
+    fit(places, sites, process::part(progress, 0.5, 1));
+    return sites;
+}
+
+surface::Surface surfaceOf(const Ground& ground, const Sites& sites) {
+    const surface::Surface& model = ground.dense.surface;
+    return bounded(model, assemble(model, sites, static_cast<int>(supportsOver)), ground.dense.places, 0);
+}
+
+Reduced finished(const Ground& ground, Sites sites, const base::Progress& progress) {
+    Reduced out;
+    for (int k = 0;; ++k) {
+        Missed missed;
+        out.surface = surfaceOf(ground, sites);
+        out.report = verify(ground.dense, out.surface, missed, progress);
+        if (missed.position.empty() || k == mends ||
+            !growAround(missed.position, missed.normal, ground.dense.places.oriented, sites))
+            return out;
+    }
+}
+
+Reduced reduced(Ground& ground, std::size_t count, bool keepTree, const base::Progress& progress) {
+    const std::size_t most = ground.dense.places.size();
+    if (count > most)
+        throw base::Error("only " + std::to_string(most) + " of the model's points lie on a surface, fewer than the " +
+                              std::to_string(count) + " asked for",
+                          "reduce", "choose a smaller count");
+    Sites sites = sitesOf(ground, count, keepTree, process::part(progress, 0, 0.8));
+    return finished(ground, std::move(sites), process::part(progress, 0.8, 1));
+}
+
+/// Errors fall with this power of the count where the surface is resolved.
+constexpr double fall = -1.6;
+constexpr int mostTries = 14;
+constexpr double closeEnough = 1.02;
+/// A try with more than this part of the samples missed does not count as good, whatever its error.
+constexpr double heldMisses = 1e-4;
+
+/// The search for the least count: known counts, and the error there.
+class Search {
+  public:
+    Search(std::size_t size, double error, double floor) : m_error(error), m_floor(floor), m_high(double(size)) {}
+
+    bool wide() const { return m_high / m_low > closeEnough && m_high - m_low > 1.5; }
+    /// Within the bracket; where the power law leads from the last try, not too near to the ends.
+    std::size_t next() const {
+        double guess = std::sqrt(m_low * m_high);
+        if (m_last > 0) {
+            const double want = excess(m_error), had = excess(m_lastError);
+            if (want > 0 && had > 0)
+                guess = m_last * std::pow(want / had, 1 / fall) * (m_lastError <= m_error ? 0.995 : 1.005);
+        }
+        const double margin = std::pow(m_high / m_low, 0.1);
+        return static_cast<std::size_t>(std::lround(std::clamp(std::clamp(guess, m_low * margin, m_high / margin),
+                                                               m_low + 1, std::max(m_low + 1, m_high - 1))));
+    }
+    void learn(std::size_t count, double error) {
+        m_last = double(count), m_lastError = error;
+        (error <= m_error ? m_high : m_low) = double(count);
+    }
+
+  private:
+    /// What the reduction adds to the model's own distance.
+    double excess(double error) const { return error > m_floor ? std::sqrt(error * error - m_floor * m_floor) : 0; }
+    double m_error, m_floor, m_low = fewest - 1, m_high, m_last = 0, m_lastError = 0;
+};
+
+} // namespace
+
+Reduced reduceToCount(const surface::Surface& model, std::size_t count, Shapes shapes, const base::Progress& progress) {
+    check(model, shapes);
+    checkCount(model.tree().size(), count);
+    const base::CancelScope scope(progress.cancel);
+    Ground ground = groundOf(model, strideFor(model.tree().size(), count), process::part(progress, 0, 0.15));
+    return reduced(ground, count, false, process::part(progress, 0.15, 1));
+}
+
+Reduced reduceByRatio(const surface::Surface& model, double ratio, Shapes shapes, const base::Progress& progress) {
+    check(model, shapes);
+    if (!(ratio > 0 && ratio < 1))
+        throw base::Error("a ratio is above 0 and below 1", "reduce");
+    const double count = std::max(double(fewest), std::round(ratio * double(model.tree().size())));
+    return reduceToCount(model, static_cast<std::size_t>(count), shapes, progress);
+}
+
+Reduced reduceToError(const surface::Surface& model, double error, Shapes shapes, const base::Progress& progress) {
+    check(model, shapes);
+    if (!(error > 0))
+        throw base::Error("an error is a length above 0", "reduce");
+    const base::CancelScope scope(progress.cancel);
+    const std::size_t size = model.tree().size();
+    std::size_t count = std::max(fewest, size / 10);
+    Ground ground = groundOf(model, strideFor(size, count), process::part(progress, 0, 0.05));
+    if (ground.dense.rms > error) {
+        std::ostringstream said;
+        said << "no count keeps an error of " << error << ": the model's own surface is " << ground.dense.rms
+             << " from its points";
+        throw base::Error(said.str(), "reduce", "choose a larger error");
+    }
+    Search search(std::min(size, ground.dense.feet), error, ground.dense.rms);
+    Reduced best;
+    for (int k = 0; k < mostTries && search.wide(); ++k, count = search.next()) {
+        if (const std::size_t stride = strideFor(size, count); stride != ground.stride)
+            ground = groundOf(model, stride, {{}, progress.cancel});
+        Reduced tried = reduced(ground, count, true, process::part(progress, 0.05 + 0.06 * k, 0.11 + 0.06 * k));
+        const bool whole = double(tried.report.holes) <= heldMisses * double(ground.dense.feet);
+        const bool good = tried.report.rms <= error && whole;
+        search.learn(count, good ? tried.report.rms : std::max(tried.report.rms, 1.05 * error));
+        if (good && (best.surface.tree().empty() || tried.report.count < best.report.count))
+            best = std::move(tried);
+    }
+    if (best.surface.tree().empty())
+        throw base::Error("fewer surfels than the model has do not keep that error", "reduce", "choose a larger error");
+    return best;
+}
+
+Reduced reduceBy(const surface::Surface& model, const Wish& wish, const base::Progress& progress) {
+    if (wish.count > 0)
+        return reduceToCount(model, wish.count, wish.shapes, progress);
+    return wish.ratio > 0 ? reduceByRatio(model, wish.ratio, wish.shapes, progress)
+                          : reduceToError(model, wish.error, wish.shapes, progress);
+}
+
+std::string summaryOf(const Report& report) {
+    std::ostringstream out;
+    out.precision(3);
+    out << report.count << " surfels; the surfaces are " << report.surfaceRms << " apart (rms), " << report.surfaceMax
+        << " (most); the model's points are " << report.rms << " from the reduced surface (rms), " << report.p999
+        << " (99.9 %), " << report.max << " (most), and " << report.denseRms << " from their own (rms)";
+    if (report.holes > 0)
+        out << "; " << report.holes << " of them miss it: a hole";
+    if (report.strays > 0)
+        out << "; " << report.strays << " had no surface and do not count";
+    return out.str();
+}
+
+} // namespace reduce
