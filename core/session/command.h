@@ -14,6 +14,7 @@
 #include "core/session/document.h"
 
 #include <limits>
+#include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <span>
 
@@ -46,6 +47,8 @@ struct Context {
     int dabs = 0;
     std::vector<double> dabSeconds;
     Journal* journal = nullptr; ///< null: nothing is journalled
+    /// What commands counted and measured, by name: the numbers of their messages, for reports.
+    std::map<std::string, double> figures = {};
 };
 
 struct CommandRow {

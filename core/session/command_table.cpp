@@ -7,8 +7,10 @@
 namespace session {
 
 std::span<const CommandRow> commandTable() {
-    static const std::array rows{openCommand(),     newCommand(), saveCommand(), surfaceCommand(), strokeCommand(),
-                                 resampleCommand(), upCommand(),  undoCommand(), redoCommand(),    expectCommand()};
+    static const std::array rows{
+        openCommand(),   newCommand(),        saveCommand(),     surfaceCommand(), strokeCommand(), resampleCommand(),
+        cleanCommand(),  duplicatesCommand(), outliersCommand(), denoiseCommand(), thinCommand(),   normalsCommand(),
+        orientCommand(), upCommand(),         undoCommand(),     redoCommand(),    expectCommand()};
     return rows;
 }
 
