@@ -6,6 +6,12 @@ std::span<const SubcommandRow> subcommandTable() {
     static constexpr SubcommandRow rows[] = {
         {"info", "Show what a model contains", "pointclay info bunny.ply --json", addInfo},
         {"convert", "Write a model in another format", "pointclay convert scan.xyz scan.ply", addConvert},
+        {"clean", "Take outliers, noise and duplicates out of a scan, and make its normals anew",
+         "pointclay clean scan.ply clean.ply --outliers surface --denoise auto --report clean.json", addClean},
+        {"resample", "Space the points of a model anew on the surface that they define",
+         "pointclay resample scan.ply -o even.ply --count 20000", addResample},
+        {"measure", "Measure area and volume, distances to another model, and shapes that fit",
+         "pointclay measure scan.ply area volume --to part.ply --fit cylinder", addMeasure},
         {"query", "Evaluate, differentiate and project at positions, into a CSV file",
          "pointclay query bunny.ply --at points.xyz --what value,normal,project-orthogonal -o out.csv", addQuery},
         {"intersect", "Intersect rays with the surface, into a CSV file",

@@ -19,7 +19,7 @@ static void runClean(Context& context, const json& complete) {
     const std::vector<const char*> steps{"duplicates", "outliers", "denoise", "thin", "normals", "orient"};
     const auto wanted = [&](const char* step) {
         const json value = given(complete, step);
-        return !value.is_null() && value != false;
+        return !value.is_null() && !(value.is_boolean() && !value.get<bool>());
     };
     if (std::none_of(steps.begin(), steps.end(), wanted))
         throw base::Error("nothing to do", {},

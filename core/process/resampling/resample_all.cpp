@@ -1,6 +1,7 @@
 // Resampling of a whole model to a spacing.
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/process/estimation/part_progress.h"
 #include "core/process/estimation/spacing.h"
 #include "core/process/resampling/resample_set.h"
 
@@ -94,6 +95,35 @@ ResampleResult resampleAll(const surface::Surface& surface, float spacing, int m
     out.surface = {withSupports(out.surface.tree(), [&](const base::Vec3f&) { return support; }), surface.definition()};
     progress.step(1, "Resampling");
     return out;
+}
+
+ResampleResult resampleToCount(const surface::Surface& surface, std::size_t count, int maxRounds,
+                               const base::Progress& progress) {
+    constexpr int tries = 4;
+    constexpr double close = 0.01;
+    if (count < 4)
+        throw base::Error("a surface needs at least 4 points", "resample", "ask for more");
+    const surfel::SurfelList list = surface.tree().surfels();
+    ResampleResult best{surface, 0, true};
+    if (list.items.empty())
+        return best;
+    const auto off = [&](std::size_t size) {
+        return std::log(static_cast<double>(std::max<std::size_t>(size, 1)) / static_cast<double>(count));
+    };
+    double spacing = double(summarise(spacings(list.items, part(progress, 0, 0.05))).median);
+    spacing *= std::exp(0.5 * off(list.size()));
+    for (int attempt = 0; attempt < tries; ++attempt) {
+        const double from = 0.05 + 0.95 * attempt / tries;
+        ResampleResult found =
+            resampleAll(surface, static_cast<float>(spacing), maxRounds, part(progress, from, from + 0.95 / tries));
+        const double excess = off(found.surface.tree().size());
+        if (attempt == 0 || std::abs(excess) < std::abs(off(best.surface.tree().size())))
+            best = std::move(found);
+        if (std::abs(excess) < close)
+            break;
+        spacing *= std::exp(0.5 * excess);
+    }
+    return best;
 }
 
 /// Where the spacing was `present` and shall be the field's, what it is on the way, after a share of it.
