@@ -49,7 +49,8 @@ std::vector<std::uint8_t> thinned(const surfel::SurfelList& points, float spacin
     for (const surfel::Surfel& s : points.items)
         box.extend(s.position);
     constexpr float finest = 1e-6f; ///< of the model: smaller cells would not be told apart
-    const float scale = 1 / std::max(spacing, finest * box.diagonal()), nearSq = spacing * spacing;
+    const float scale = 1 / std::max(spacing, finest * box.diagonal());
+    const double nearSq = static_cast<double>(spacing) * static_cast<double>(spacing);
     const bool sided = points.layout->normals && points.layout->oriented;
     base::CellMap<std::vector<std::uint32_t>> kept;
     const auto taken = [&](const surfel::Surfel& s, const base::Cell& around) {
@@ -60,7 +61,7 @@ std::vector<std::uint8_t> thinned(const surfel::SurfelList& points, float spacin
                 return;
             found = std::any_of(there->begin(), there->end(), [&](std::uint32_t j) {
                 const surfel::Surfel& other = points.items[j];
-                return distanceSq(other.position, s.position) < nearSq &&
+                return static_cast<double>(distanceSq(other.position, s.position)) < nearSq &&
                        !(sided && dot(other.normal, s.normal) < oppositeCosine);
             });
         });
