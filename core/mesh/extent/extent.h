@@ -1,4 +1,4 @@
-// Area and volume of the surface itself (mesh/README 10): of a fine mesh of it whose vertices lie on it, and of the
+// Area and volume of the surface itself (mesh/README 9): of a fine mesh of it whose vertices lie on it, and of the
 // same mesh with every edge halved and the middles put on it, extrapolated to no size of triangles at all.
 #pragma once
 

@@ -1,4 +1,4 @@
-// Noise taken out of positions without shrinking the model (process/README 6.3).
+// Noise taken out of positions without shrinking the model (process/README 11.3).
 //
 // Each point is moved onto quadrics fitted to more and more of its neighbours, along their plane's normal, as long as
 // the larger fit agrees with the smaller ones within their noise (the intersection of confidence intervals,

@@ -1,4 +1,4 @@
-// Points that are not of the model, by four ways to tell (process/README 6.2). All compare with what is usual around a
+// Points that are not of the model, by four ways to tell (process/README 11.2). All compare with what is usual around a
 // point, never with the whole model: densities of 1 : 20 lose nothing.
 //
 //     statistical    farther from its 16 nearest than they are from theirs

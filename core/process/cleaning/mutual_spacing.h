@@ -1,5 +1,5 @@
 // Who stands beside whom, with the distance that is usual there: what makes places of any density comparable, and
-// strays tell themselves apart (process/README 6.1).
+// strays tell themselves apart (process/README 11.1).
 #pragma once
 
 #include "core/process/estimation/neighbour_graph.h"

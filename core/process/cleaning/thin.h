@@ -1,5 +1,5 @@
 // Thinning to a Poisson disc: as many of the points as can stand with no two of them closer than a distance, each of
-// them where it was (process/README 6.4). What resampling is to surfaces, this is to measurements.
+// them where it was (process/README 11.4). What resampling is to surfaces, this is to measurements.
 #pragma once
 
 #include "core/base/progress.h"

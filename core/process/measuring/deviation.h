@@ -1,4 +1,4 @@
-// How far one model's surfels stand from another model's surface (process/README 7.2): exact feet, in double, positive
+// How far one model's surfels stand from another model's surface (process/README 12.2): exact feet, in double, positive
 // on the side to which that surface's normals point.
 #pragma once
 

@@ -1,5 +1,5 @@
 // Planes, spheres, cylinders, cones and tori fitted to points by least squares of their geometric distances, where the
-// points may be for a third something else (process/README 7.1).
+// points may be for a third something else (process/README 12.1).
 //
 // A start is found among many from a few points each, the one whose median distance is least; then Gauss-Newton steps
 // with Marquardt's damping on the distances themselves, under weights that leave out what does not belong to it.
