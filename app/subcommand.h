@@ -28,6 +28,7 @@ Action addInfo(CLI::App& command);
 Action addConvert(CLI::App& command);
 Action addClean(CLI::App& command);
 Action addMeasure(CLI::App& command);
+Action addRegister(CLI::App& command);
 Action addResample(CLI::App& command);
 Action addQuery(CLI::App& command);
 Action addIntersect(CLI::App& command);

@@ -10,6 +10,8 @@ std::span<const SubcommandRow> subcommandTable() {
          "pointclay clean scan.ply clean.ply --outliers surface --denoise auto --report clean.json", addClean},
         {"resample", "Space the points of a model anew on the surface that they define",
          "pointclay resample scan.ply -o even.ply --count 20000", addResample},
+        {"register", "Bring scans of one thing together",
+         "pointclay register side.ply back.ply --to front.ply -o all.ply --global", addRegister},
         {"measure", "Measure area and volume, distances to another model, and shapes that fit",
          "pointclay measure scan.ply area volume --to part.ply --fit cylinder", addMeasure},
         {"query", "Evaluate, differentiate and project at positions, into a CSV file",
