@@ -89,7 +89,7 @@ void AlignTest::motionsAreRigid() {
 
 void AlignTest::twoScansMeet() {
     base::Random random(test::seed());
-    for (int k = 0; k < test::effort(3); ++k) {
+    for (int k = 0; k < test::effort(2); ++k) {
         const Rigid motion = disturbance(0.17, 0.1, random);
         std::vector<Placed> models{{scan({3, 0, 0}, 4000, 0.002, {}, random), {}},
                                    {scan({2, 2.5, 0}, 4000, 0.002, motion, random), {}}};
@@ -101,32 +101,34 @@ void AlignTest::twoScansMeet() {
     }
 }
 
-/// Six scans from all around, each disturbed: the last one meets the first.
+/// Five scans from all around, each disturbed: the last one meets the first.
 void AlignTest::loopsClose() {
     base::Random random(test::seed());
     std::vector<Placed> models;
     std::vector<Rigid> motions;
-    for (int k = 0; k < 6; ++k) {
-        const double angle = k * 2 * std::numbers::pi / 6;
+    for (int k = 0; k < 5; ++k) {
+        const double angle = k * 2 * std::numbers::pi / 5;
         motions.push_back(k == 0 ? Rigid{} : disturbance(0.1, 0.05, random));
         models.push_back(
-            {scan({3 * std::cos(angle), 3 * std::sin(angle), 0.5}, 2500, 0.002, motions.back(), random), {}});
+            {scan({3 * std::cos(angle), 3 * std::sin(angle), 0.5}, 2000, 0.002, motions.back(), random), {}});
     }
-    align(models);
+    AlignOptions options;
+    options.points = 400;
+    align(models, options);
     for (std::size_t m = 1; m < models.size(); ++m)
         QVERIFY2(error(models[m].pose, motions[m]) < 0.006, told(error(models[m].pose, motions[m])));
 }
 
 void AlignTest::scansAreFoundAnywhere() {
     base::Random random(test::seed());
-    for (int k = 0; k < test::effort(3); ++k) {
+    for (int k = 0; k < test::effort(2); ++k) {
         const Rigid motion = disturbance(random.uniform(0.5, 3), 5, random);
         std::vector<Placed> models{{scan({3, 0, 0}, 6000, 0.001, {}, random), {}},
                                    {scan({1.5, 2.8, 0}, 6000, 0.001, motion, random), {}}};
         const float spacing = 0.06f;
         const Features fixed = featuresOf(models[0].surface, spacing), moving = featuresOf(models[1].surface, spacing);
         const FoundPlace place = findPlace(moving, fixed, spacing);
-        QVERIFY2(place.share > 0.25, told(place.share));
+        QVERIFY2(error(place.pose, motion) < 0.1, told(place.share));
         models[1].pose = place.pose;
         AlignOptions options;
         options.reach = 0.2;

@@ -73,8 +73,8 @@ void DenoiseTest::noiseIsFoundAsItIs_data() {
 void DenoiseTest::noiseIsFoundAsItIs() {
     QFETCH(double, level);
     base::Random random(test::seed());
-    const std::size_t n = 8000;
-    surfel::SurfelList sphere = test::spherePoints(n), plane = test::planePoints(90, 0.02);
+    const auto n = static_cast<std::size_t>(test::effort(8000));
+    surfel::SurfelList sphere = test::spherePoints(n), plane = test::planePoints(test::effort(90) + 20, 0.02);
     const double s = test::sphereSpacing(n);
     shake(sphere, level * s, random);
     shake(plane, level * 0.02, random);
@@ -91,7 +91,7 @@ void DenoiseTest::spheresKeepTheirRadius_data() {
 void DenoiseTest::spheresKeepTheirRadius() {
     QFETCH(double, level);
     base::Random random(test::seed());
-    const std::size_t n = 8000;
+    const auto n = static_cast<std::size_t>(test::effort(8000));
     const double s = test::sphereSpacing(n);
     surfel::SurfelList list = test::spherePoints(n);
     shake(list, level * s, random);

@@ -151,7 +151,7 @@ void PrimitivesTest::cleanSamplesAreExact_data() {
 void PrimitivesTest::cleanSamplesAreExact() {
     QFETCH(int, shape);
     base::Random random(test::seed());
-    for (int k = 0; k < test::effort(5); ++k) {
+    for (int k = 0; k < test::effort(4); ++k) {
         const Primitive wanted = some(Shape(shape), random);
         const surfel::SurfelList list = samples(wanted, 3000, 0, random);
         const PrimitiveFit fit = fitPrimitive(list, Shape(shape));
@@ -167,7 +167,7 @@ void PrimitivesTest::straysDoNotCount_data() {
 void PrimitivesTest::straysDoNotCount() {
     QFETCH(int, shape);
     base::Random random(test::seed());
-    for (int k = 0; k < test::effort(5); ++k) {
+    for (int k = 0; k < test::effort(4); ++k) {
         const Primitive wanted = some(Shape(shape), random);
         surfel::SurfelList list = samples(wanted, 2100, 0.002, random);
         addStrays(list, 900, random); // 30 %

@@ -4,6 +4,8 @@
 #include "core/process/cleaning/local_quadric.h"
 #include "core/process/cleaning/mutual_spacing.h"
 #include "core/process/cleaning/spread.h"
+#include "core/process/estimation/cloud_spacing.h"
+#include "core/process/estimation/outliers.h"
 #include "core/process/estimation/part_progress.h"
 
 #include <algorithm>
@@ -127,6 +129,14 @@ double residualWithout(std::span<const base::Vec3f> positions, std::size_t i, co
     return fit.distance();
 }
 
+/// Swarms about the model: few sparse points that see it and that nothing of it sees, above it and not beside it.
+void addSwarms(const Cloud& cloud, Flags& found, const base::Progress& progress) {
+    NeighbourGraph graph = nearestGraph(cloud, gradedNeighbours, part(progress, 0, 0.6));
+    const std::vector<float> spacing = spacingsOf(cloud, part(progress, 0.6, 1));
+    for (const std::uint32_t i : cutOutliers(graph, cloud.positions(), spacing).members)
+        found[i] = 1;
+}
+
 Flags bySurface(const Cloud& cloud, double limit, const base::Progress& progress) {
     constexpr std::size_t fitted = 30;
     constexpr double least = 0.25; ///< of the local spacing: nearer than this nothing is off the surface
@@ -151,11 +161,8 @@ Flags bySurface(const Cloud& cloud, double limit, const base::Progress& progress
 
 } // namespace
 
-std::vector<std::uint8_t> findOutliers(const Cloud& cloud, const OutlierQuestion& question,
-                                       const base::Progress& progress) {
+static Flags byItsOwnWay(const Cloud& cloud, const OutlierQuestion& question, const base::Progress& progress) {
     constexpr double deviations = 4, others = 6;
-    if (cloud.size() <= looked)
-        return Flags(cloud.size()); // too few to tell what is usual
     switch (question.way) {
     case OutlierWay::Statistical:
         return byDistance(cloud, question.limit.value_or(deviations), progress);
@@ -166,6 +173,15 @@ std::vector<std::uint8_t> findOutliers(const Cloud& cloud, const OutlierQuestion
     default:
         return bySurface(cloud, question.limit.value_or(deviations), progress);
     }
+}
+
+std::vector<std::uint8_t> findOutliers(const Cloud& cloud, const OutlierQuestion& question,
+                                       const base::Progress& progress) {
+    if (cloud.size() <= looked)
+        return Flags(cloud.size()); // too few to tell what is usual
+    Flags out = byItsOwnWay(cloud, question, part(progress, 0, 0.7));
+    addSwarms(cloud, out, part(progress, 0.7, 1));
+    return out;
 }
 
 } // namespace process

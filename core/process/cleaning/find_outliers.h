@@ -5,6 +5,9 @@
 //     radius         too few others within 3 local spacings
 //     islands        in a small piece that is connected with nothing else along the surface
 //     surface        off the surface that its neighbours make without it, by more than their noise
+//
+// With each of them go swarms, which neighbours cannot tell apart: few sparse points about a model that nothing of the
+// model sees (estimation/outliers.h).
 #pragma once
 
 #include "core/process/estimation/knn.h"

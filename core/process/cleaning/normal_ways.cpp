@@ -27,6 +27,10 @@ namespace {
 
 /// Points by row and column. Of several at one place in the grid the first counts.
 class Grid {
+    auto keys() const {
+        return [this](std::uint32_t i) { return m_keys[i]; };
+    }
+
   public:
     Grid(const surfel::SurfelList& points, const surfel::Attribute& row, const surfel::Attribute& column)
         : m_keys(points.size()) {
@@ -47,10 +51,6 @@ class Grid {
     static std::uint64_t keyOf(double row, double column) {
         return (static_cast<std::uint64_t>(row + 1) << 32) + static_cast<std::uint64_t>(column + 1);
     }
-    auto keys() const {
-        return [this](std::uint32_t i) { return m_keys[i]; };
-    }
-
     std::vector<std::uint64_t> m_keys;
     base::KeyIndex m_index;
 };

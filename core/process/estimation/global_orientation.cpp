@@ -164,9 +164,11 @@ bool orientGlobally(const Cloud& cloud, std::span<Vec3f> normals, int neighbours
     if (pieces.size() > 1) {
         Pieces judged(dipolesOf(pieces, trees, cloud, normals, spacing), pieces.size(), part(progress, 0.6, 0.8));
         const std::vector<int>& sign = judged.solve(part(progress, 0.8, 0.9));
-        const auto opposite = [&](std::size_t p) { return trees.find(pieces[p].front()).opposite != (sign[p] < 0); };
-        for (std::size_t p = 1; p < pieces.size(); ++p) // signs are told from roots
-            trees.relate(pieces[0].front(), pieces[p].front(), opposite(0) != opposite(p));
+        std::vector<std::uint8_t> turned; // told from roots, before these change
+        for (std::size_t p = 0; p < pieces.size(); ++p)
+            turned.push_back(trees.find(pieces[p].front()).opposite != (sign[p] < 0));
+        for (std::size_t p = 1; p < pieces.size(); ++p)
+            trees.relate(pieces[0].front(), pieces[p].front(), turned[0] != turned[p]);
     }
     joinBelow(2);
     const bool sided = !hasSeam(trees, links, cloud.size());

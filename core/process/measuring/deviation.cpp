@@ -1,6 +1,7 @@
 #include "core/process/measuring/deviation.h"
 
 #include "core/base/parallel.h"
+#include "core/surface/curves/boundary.h"
 #include "core/surface/projection/project.h"
 
 #include <algorithm>
@@ -17,6 +18,18 @@ struct Foot {
     Status status = Status::NotConverged;
     double distance = 0;
 };
+
+/// Whether the surface ends where it is nearest to x: what lies so far out that there is no foot at all is beyond it.
+bool isBeyond(const surface::Surface& to, const Vec3d& x) {
+    std::vector<tree::Neighbour> nearest;
+    to.tree().nearest(base::cast<float>(x), 1, nearest);
+    if (nearest.empty() || !std::isfinite(to.definition().boundaryLimit))
+        return false;
+    const Vec3d last = base::cast<double>(nearest.front().block->position(nearest.front().slot));
+    const surface::BoundarySearch rim =
+        surface::findBoundaryPoint(to, last, {nearest.front().block->normal(nearest.front().slot)});
+    return rim.ok() && base::distance(rim.point.position, last) < rim.point.unit;
+}
 
 /// A foot much farther than the nearest surfel is another place's: the iteration went astray.
 bool isNear(const surface::Surface& to, const Vec3d& x, double distance, double unit) {
@@ -44,6 +57,8 @@ Foot footOf(const surface::Surface& to, const Vec3d& x, bool sided) {
             out.distance = -out.distance;
         return out;
     }
+    if (isBeyond(to, x))
+        out.status = Status::BeyondBoundary;
     return out;
 }
 

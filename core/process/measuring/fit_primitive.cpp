@@ -6,7 +6,7 @@
 #include "core/process/measuring/primitive_start.h"
 #include "core/process/measuring/primitive_step.h"
 
-#include <numeric>
+#include <limits>
 
 namespace process {
 
@@ -15,16 +15,14 @@ using base::Vec3d;
 namespace {
 
 /// Points that starts are judged by, starts, and those of them that are followed.
-constexpr std::size_t judges = 2000, starts = 1000, followed = 8;
+constexpr std::size_t judges = 1000, starts = 600, followed = 6;
 /// Standard deviations within which a point belongs to the shape.
 constexpr double belongs = 3;
-/// Of the points' extent: what float coordinates hold.
-constexpr double finest = 1e-8;
-
 /// Points around 0, in units of their extent.
 struct Scaled {
     Vec3d centre;
     double scale = 0;
+    double finest = 0; ///< what float coordinates hold
     std::vector<Vec3d> points;
 };
 
@@ -38,6 +36,10 @@ Scaled scaled(const surfel::SurfelList& list) {
     out.scale = std::sqrt(out.scale);
     if (!(out.scale > 0))
         throw base::Error("all points stand in one place", {}, "there is nothing to fit");
+    double farthest = 0;
+    for (const surfel::Surfel& s : list.items)
+        farthest = std::max(farthest, length(base::cast<double>(s.position)));
+    out.finest = farthest * static_cast<double>(std::numeric_limits<float>::epsilon()) / out.scale;
     for (const surfel::Surfel& s : list.items)
         out.points.push_back((base::cast<double>(s.position) - out.centre) / out.scale);
     return out;
@@ -98,7 +100,7 @@ Primitive bestStart(const surfel::SurfelList& list, const Scaled& data, Shape sh
     for (Candidate& c : found) {
         progress.step(0.3, "Fitting");
         for (int round = 0; round < 2; ++round) {
-            const double reach = robustReach * std::max(deviationOverMad * c.median, finest);
+            const double reach = robustReach * std::max(deviationOverMad * c.median, data.finest);
             c.primitive = descend(*c.primitive, judged, reach, steps);
             c.median = medianDistance(*c.primitive, judged);
         }
@@ -110,14 +112,14 @@ Primitive bestStart(const surfel::SurfelList& list, const Scaled& data, Shape sh
 
 /// Of the points that belong to the shape: from the median of all, then of those that it lets in, so that strays do not
 /// count.
-double deviationFrom(const Primitive& p, std::span<const Vec3d> points) {
+double deviationFrom(const Primitive& p, const Scaled& data) {
     std::vector<double> d;
-    for (const Vec3d& x : points)
+    for (const Vec3d& x : data.points)
         d.push_back(std::abs(p.distance(x)));
-    double sigma = std::max(deviationOverMad * middleOf(d), finest);
+    double sigma = std::max(deviationOverMad * middleOf(d), data.finest);
     for (int round = 0; round < 3; ++round) {
         std::erase_if(d, [&](double each) { return each > robustReach * sigma; });
-        sigma = std::max(deviationOverMad * middleOf(d), finest);
+        sigma = std::max(deviationOverMad * middleOf(d), data.finest);
     }
     return sigma;
 }
@@ -156,10 +158,10 @@ PrimitiveFit fitPrimitive(const surfel::SurfelList& points, Shape shape, const b
     Primitive p = bestStart(points, data, shape, progress);
     for (int round = 0; round < rounds; ++round) {
         progress.step(0.5 + 0.1 * round, "Fitting");
-        p = descend(p, data.points, robustReach * deviationFrom(p, data.points), steps);
+        p = descend(p, data.points, robustReach * deviationFrom(p, data), steps);
     }
     PrimitiveFit out;
-    out.sigma = deviationFrom(p, data.points);
+    out.sigma = deviationFrom(p, data);
     Vec3d middle;
     double squares = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {

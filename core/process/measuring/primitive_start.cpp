@@ -11,26 +11,13 @@ using Points = std::span<const OrientedPoint>;
 
 namespace {
 
-/// The place nearest to the planes through the points across `normals`, or to the lines through them; nothing where
-/// these are parallel.
+/// The solution of a symmetric system; nothing where it does not determine one.
 std::optional<Vec3d> meeting(const base::Mat3d& sum, const Vec3d& right) {
     constexpr double parallel = 1e-8;
     const auto eigen = base::symmetricEigen(sum);
     if (!(eigen.value[0] > parallel * eigen.value[2]))
         return {};
     return base::inverse(sum) * right;
-}
-
-/// Nearest to the lines through the points along their normals.
-std::optional<Vec3d> meetingOfLines(Points points) {
-    base::Mat3d sum;
-    Vec3d right;
-    for (const OrientedPoint& p : points) {
-        const base::Mat3d across = base::Mat3d::identity() - base::outer(p.normal, p.normal);
-        sum += across;
-        right += across * p.position;
-    }
-    return meeting(sum, right);
 }
 
 std::optional<Primitive> plane(Points points) {

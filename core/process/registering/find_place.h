@@ -1,5 +1,5 @@
-// Where a scan belongs, without any hint: motions that bring three places that look alike onto each other are tried by
-// the hundred thousand, and the one that brings most of the scan onto the other's points is taken
+// Where a scan belongs, without any hint: motions that bring two places onto two that look alike, normals and all, are
+// tried by the hundred thousand, and the one that brings most of the scan onto the other's points is taken
 // (process/README 13.2).
 #pragma once
 
@@ -10,7 +10,7 @@ namespace process {
 
 struct FoundPlace {
     Rigid pose;       ///< of `moving`, in the coordinates of `fixed`
-    double share = 0; ///< of moving's points that then have one of fixed within 1.5 spacings that faces the same way
+    double share = 0; ///< of moving's points that then lie on fixed's, to a third of a spacing, and face the same way
 };
 
 /// `spacing`: that both features were made with. The same bits at any thread count. Throws base::Cancelled.
