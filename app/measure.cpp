@@ -4,6 +4,7 @@
 #include "app/options/option_checks.h"
 #include "app/options/surface_options.h"
 #include "app/subcommand.h"
+#include "core/base/cancel_scope.h"
 #include "core/base/error.h"
 #include "core/base/row_of_id.h"
 #include "core/process/estimation/part_progress.h"
@@ -34,6 +35,7 @@ void refuseCurve(const surface::Surface& surface, const std::string& model) {
 /// Area and volume where nothing is named.
 Measurements measure(const Options& options, Console& console) {
     const base::Progress progress = console.progress();
+    const base::CancelScope scope(progress.cancel);
     session::Document document, other;
     session::Context context{document, {}, progress, {}, 0, {}, nullptr};
     openModel(context, options.model, options.surface->parameters(), console);
@@ -52,7 +54,7 @@ Measurements measure(const Options& options, Console& console) {
             process::part(progress, 0.5, 0.6));
     if (!options.other.empty()) {
         session::Context beside{other, {}, progress, {}, 0, {}, nullptr};
-        openModel(beside, options.other, {}, console);
+        openModel(beside, options.other, nlohmann::json::object(), console);
         refuseCurve(other.surface(), options.other);
         out.deviation = process::deviationOf(document.surface().tree(), other.surface(),
                                              document.provenance().origin - other.provenance().origin,

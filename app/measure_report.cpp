@@ -87,7 +87,8 @@ void tellFit(Lines& out, const process::PrimitiveFit& fit, const Vec3d& origin) 
     const double share = 100 * static_cast<double>(fit.inliers) / static_cast<double>(count);
     out.line(process::shapeTable()[static_cast<std::size_t>(fit.primitive.shape)].id, "fits ", fit.inliers, " of ",
              count, " surfels (", std::round(10 * share) / 10, " %), rms ", fit.rms, ", max ", fit.max);
-    for (const auto& [name, value] : parametersOf(fit.primitive, origin).items())
+    const ordered_json parameters = parametersOf(fit.primitive, origin);
+    for (const auto& [name, value] : parameters.items())
         out.line("  " + name, valueOf(value));
 }
 

@@ -3,6 +3,7 @@
 #include "app/open_model.h"
 #include "app/options/surface_options.h"
 #include "app/subcommand.h"
+#include "core/base/cancel_scope.h"
 #include "core/base/error.h"
 #include "core/io/formats.h"
 #include "core/io/safe_file.h"
@@ -176,8 +177,9 @@ nlohmann::ordered_json reportOf(const Scans& scans) {
 }
 
 void run(const Options& options, Console& console) {
-    Scans scans = opened(options, console);
     const base::Progress progress = console.progress();
+    const base::CancelScope scope(progress.cancel);
+    Scans scans = opened(options, console);
     if (options.global)
         findPlaces(scans, process::part(progress, 0.2, 0.5));
     process::AlignOptions how;

@@ -183,7 +183,7 @@ void CleanTest::measureTellsDistances() {
 void CleanTest::measureFitsShapesFarFromZero() {
     const Program program;
     std::ostringstream out;
-    out.precision(12);
+    out.precision(17);
     for (int i = 0; i < 3000; ++i) {
         const double a = 2.39996 * i, x = 4.0 * i / 3000;
         out << 1e7 + x << ' ' << -2e6 + 0.5 * std::cos(a) << ' ' << 0.5 * std::sin(a) << '\n';
@@ -197,6 +197,11 @@ void CleanTest::measureFitsShapesFarFromZero() {
     QVERIFY(std::abs(fit.at("point").at(1).get<double>() + 2e6) < 1e-6);
     QVERIFY(fit.at("inliers").get<int>() > 2950 && fit.at("rms").get<double>() < 1e-6);
     QVERIFY(!json::parse(outcome.out).contains("area"));
+    for (const char* shape : {"plane", "sphere", "cylinder", "cone", "torus"}) {
+        const Outcome text = program.run({"measure", "pipe.xyz", "--fit", shape});
+        QVERIFY2(text.code == 0 && text.out.starts_with(shape) && text.out.find("rms") != std::string::npos,
+                 (text.out + text.err).c_str());
+    }
 }
 
 void CleanTest::threadsDoNotChangeAnything() {

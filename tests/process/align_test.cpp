@@ -27,8 +27,8 @@ namespace {
 
 /// A lumpy body without symmetry.
 double radiusAt(const Vec3d& d) {
-    return 1 + 0.16 * std::sin(3 * d.x + 1) * std::cos(2.5 * d.y) + 0.12 * std::sin(4 * d.z + 0.5 * d.x) +
-           0.08 * std::cos(5 * d.y - 2 * d.z);
+    return 1 + 0.2 * std::sin(3 * d.x + 1) * std::cos(2.5 * d.y) + 0.15 * std::sin(4 * d.z + 0.5 * d.x) +
+           0.1 * std::cos(5 * d.y - 2 * d.z) + 0.05 * std::sin(9 * d.x + 3 * d.z) * std::cos(7 * d.y);
 }
 
 /// What a scanner sees of it from `eye`, moved by `motion`.

@@ -2,6 +2,7 @@
 
 #include "core/base/box.h"
 #include "core/base/parallel.h"
+#include "core/base/radix_sort.h"
 #include "core/mesh/check/topology.h"
 #include "core/mesh/marching/marching_cubes.h"
 #include "core/process/estimation/part_progress.h"
@@ -9,6 +10,7 @@
 #include "core/surface/projection/project.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace mesh {
@@ -34,11 +36,13 @@ struct Edges {
     std::vector<std::uint8_t> boundary;
 
     explicit Edges(const Mesh& mesh) {
-        std::vector<Edge> all;
-        for (const Triangle& t : mesh.triangles)
+        std::vector<Edge> all(3 * mesh.triangles.size());
+        base::parallelFor(mesh.triangles.size(), 8192, [&](std::size_t i) {
             for (std::size_t k = 0; k < 3; ++k)
-                all.push_back(edgeOf(t, k));
-        std::sort(all.begin(), all.end());
+                all[3 * i + k] = edgeOf(mesh.triangles[i], k);
+        });
+        const int bits = std::bit_width(mesh.positions.size());
+        base::radixSort(all, 2 * bits, [bits](const Edge& e) { return std::uint64_t(e.a) << bits | e.b; });
         for (std::size_t i = 0, end = 0; i < all.size(); i = end) {
             for (end = i; end < all.size() && all[end] == all[i];)
                 ++end;
