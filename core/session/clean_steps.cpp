@@ -282,12 +282,14 @@ Surface orient(Context& context, const Surface& surface, const std::string& way,
     std::vector<Vec3f> turned = normalsIn(cloud, points);
     std::size_t flat = 0;
     bool oriented = true;
+    const bool sided = points.layout->normals && points.layout->oriented;
+    const auto given = sided ? process::Sides::Mostly : process::Sides::Unknown;
     const base::Progress turning = process::part(context.progress, 0.1, 0.7);
     if (way == "viewpoint")
         flat = turnTo(viewpointOf(context, viewpoint), cloud, turned);
     else
-        oriented = way == "global" ? process::orientGlobally(cloud, turned, 12, turning)
-                                   : process::orient(cloud, turned, 12, turning);
+        oriented = way == "global" ? process::orientGlobally(cloud, turned, 12, turning, given)
+                                   : process::orient(cloud, turned, 12, turning, given);
     const std::vector<std::uint8_t> doubts =
         process::doubtfulSigns(cloud, turned, process::part(context.progress, 0.7, 0.8));
     const auto contradicted = static_cast<std::size_t>(std::count(doubts.begin(), doubts.end(), 1));

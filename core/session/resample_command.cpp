@@ -40,7 +40,7 @@ CommandRow resampleCommand() {
         {"spacing", "number", "model units",
          "distance between neighbouring points to reach; with a tolerance alone: the median that there is", "null", "",
          positive, largest},
-        {"count", "integer", "", "number of points to reach, within some percent, instead of a spacing", "null", "", 4,
+        {"count", "integer", "", "number of points to reach, within a few percent, instead of a spacing", "null", "", 4,
          largestCount},
         {"tolerance", "number", "model units",
          "above 0 the distance follows the curvature: the square root of tolerance over curvature, within the two "

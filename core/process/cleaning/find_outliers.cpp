@@ -4,6 +4,7 @@
 #include "core/process/cleaning/local_quadric.h"
 #include "core/process/cleaning/mutual_spacing.h"
 #include "core/process/cleaning/spread.h"
+#include "core/process/estimation/cloud_normals.h"
 #include "core/process/estimation/cloud_spacing.h"
 #include "core/process/estimation/outliers.h"
 #include "core/process/estimation/part_progress.h"
@@ -129,12 +130,31 @@ double residualWithout(std::span<const base::Vec3f> positions, std::size_t i, co
     return fit.distance();
 }
 
-/// Swarms about the model: few sparse points that see it and that nothing of it sees, above it and not beside it.
+/// Mean squared sine between the ways from a position to its neighbours and their tangent planes: next to nothing on a
+/// surface, a third in a swarm that fills space.
+double steepness(const Cloud& cloud, const NeighbourGraph& graph, std::span<const base::Vec3f> normals, std::size_t i) {
+    double sum = 0;
+    for (std::size_t e = i * graph.count; e < (i + 1) * graph.count; ++e) {
+        const base::Vec3f way = base::normalized(cloud.positions()[graph.index[e]] - cloud.positions()[i]);
+        const double rise = static_cast<double>(dot(way, normals[graph.index[e]]));
+        sum += rise * rise;
+    }
+    return sum / static_cast<double>(graph.count);
+}
+
+/// Swarms about the model: few sparse points that see it and that nothing of it sees, above it and not beside it, and
+/// that are no surface themselves.
 void addSwarms(const Cloud& cloud, Flags& found, const base::Progress& progress) {
-    NeighbourGraph graph = nearestGraph(cloud, gradedNeighbours, part(progress, 0, 0.6));
-    const std::vector<float> spacing = spacingsOf(cloud, part(progress, 0.6, 1));
-    for (const std::uint32_t i : cutOutliers(graph, cloud.positions(), spacing).members)
-        found[i] = 1;
+    constexpr double fillsSpace = 0.17;
+    const NeighbourGraph graph = nearestGraph(cloud, gradedNeighbours, part(progress, 0, 0.3));
+    const std::vector<float> spacing = spacingsOf(cloud, part(progress, 0.3, 0.5));
+    NeighbourGraph cut = graph;
+    const std::vector<std::uint32_t> members = cutOutliers(cut, cloud.positions(), spacing).members;
+    if (members.empty())
+        return;
+    const std::vector<base::Vec3f> normals = normalsOf(cloud, 18, part(progress, 0.5, 1));
+    for (const std::uint32_t i : members)
+        found[i] |= steepness(cloud, graph, normals, i) > fillsSpace;
 }
 
 Flags bySurface(const Cloud& cloud, double limit, const base::Progress& progress) {

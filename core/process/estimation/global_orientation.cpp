@@ -142,7 +142,8 @@ std::vector<Dipole> dipolesOf(const std::vector<std::vector<std::uint32_t>>& pie
 
 } // namespace
 
-bool orientGlobally(const Cloud& cloud, std::span<Vec3f> normals, int neighbours, const base::Progress& progress) {
+bool orientGlobally(const Cloud& cloud, std::span<Vec3f> normals, int neighbours, const base::Progress& progress,
+                    Sides given) {
     if (cloud.size() < 2)
         return true;
     const NormalLinks links = normalLinks(cloud, normals, neighbours, part(progress, 0, 0.5));
@@ -172,7 +173,7 @@ bool orientGlobally(const Cloud& cloud, std::span<Vec3f> normals, int neighbours
     }
     joinBelow(2);
     const bool sided = !hasSeam(trees, links, cloud.size());
-    takeSigns(trees, cloud, normals, part(progress, 0.9, 1));
+    takeSigns(trees, cloud, normals, given, part(progress, 0.9, 1));
     return sided;
 }
 

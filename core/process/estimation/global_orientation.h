@@ -5,13 +5,13 @@
 // is judged by all the others, near and far. In parallel, the same bits at any thread count.
 #pragma once
 
-#include "core/process/estimation/knn.h"
+#include "core/process/estimation/cloud_normals.h"
 
 namespace process {
 
 /// As `orient` (cloud_normals.h): flips unit normals in place; false where the surface has no two sides.
 bool orientGlobally(const Cloud& cloud, std::span<base::Vec3f> normals, int neighbours = 12,
-                    const base::Progress& progress = {});
+                    const base::Progress& progress = {}, Sides given = Sides::Unknown);
 
 /// One per position, true where an orientation is in doubt: where more than a quarter of what 12 neighbours say,
 /// weighted by how certain they are, contradicts it.

@@ -18,13 +18,14 @@ static base::ParitySets spanningTrees(const NormalLinks& links, std::size_t poin
     return trees;
 }
 
-bool orient(const Cloud& cloud, std::span<base::Vec3f> normals, int neighbours, const base::Progress& progress) {
+bool orient(const Cloud& cloud, std::span<base::Vec3f> normals, int neighbours, const base::Progress& progress,
+            Sides given) {
     if (cloud.size() < 2)
         return true;
     const NormalLinks links = normalLinks(cloud, normals, neighbours, part(progress, 0, 0.7));
     base::ParitySets trees = spanningTrees(links, cloud.size(), part(progress, 0.7, 0.9));
     const bool sided = !hasSeam(trees, links, cloud.size());
-    takeSigns(trees, cloud, normals, part(progress, 0.9, 1));
+    takeSigns(trees, cloud, normals, given, part(progress, 0.9, 1));
     return sided;
 }
 

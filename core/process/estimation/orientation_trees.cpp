@@ -26,12 +26,14 @@ bool hasSeam(base::ParitySets& trees, const NormalLinks& links, std::size_t poin
     return length >= leastSeam && static_cast<double>(length) >= seamLength * std::sqrt(static_cast<double>(points));
 }
 
-void takeSigns(base::ParitySets& trees, const Cloud& cloud, std::span<base::Vec3f> normals,
+void takeSigns(base::ParitySets& trees, const Cloud& cloud, std::span<base::Vec3f> normals, Sides given,
                const base::Progress& progress) {
     const std::size_t n = cloud.size();
     std::vector<std::uint32_t> start(n + 1), members(n), rootOf(n);
+    std::vector<std::uint8_t> flipped(n);
     for (std::uint32_t i = 0; i < n; ++i) {
         const auto [root, flip] = trees.find(i);
+        flipped[i] = flip;
         if (flip)
             normals[i] = -normals[i];
         rootOf[i] = root;
@@ -48,7 +50,10 @@ void takeSigns(base::ParitySets& trees, const Cloud& cloud, std::span<base::Vec3
         if (component.empty())
             continue;
         progress.step(static_cast<double>(root) / static_cast<double>(n), "Orienting normals");
-        if (outside.inward(normals, component))
+        const auto turned = static_cast<std::size_t>(
+            std::count_if(component.begin(), component.end(), [&](std::uint32_t i) { return flipped[i] != 0; }));
+        const bool unclear = given == Sides::Mostly && std::abs(outside.vote(normals, component)) < Outside::clear;
+        if (unclear ? 2 * turned > component.size() : outside.inward(normals, component))
             for (const std::uint32_t i : component)
                 normals[i] = -normals[i];
     }

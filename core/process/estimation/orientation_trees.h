@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/disjoint_sets.h"
+#include "core/process/estimation/cloud_normals.h"
 #include "core/process/estimation/normal_links.h"
 
 namespace process {
@@ -12,7 +13,7 @@ namespace process {
 bool hasSeam(base::ParitySets& trees, const NormalLinks& links, std::size_t points);
 
 /// Turns normals as the trees say, and each component so that it looks outwards (process/README 2.3).
-void takeSigns(base::ParitySets& trees, const Cloud& cloud, std::span<base::Vec3f> normals,
+void takeSigns(base::ParitySets& trees, const Cloud& cloud, std::span<base::Vec3f> normals, Sides given,
                const base::Progress& progress);
 
 } // namespace process

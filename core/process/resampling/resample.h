@@ -63,7 +63,7 @@ struct ResampleResult {
 ResampleResult resampleAll(const surface::Surface& surface, float spacing, int maxRounds = 12,
                            const base::Progress& progress = {});
 
-/// The same to about `count` surfels: the spacing is tried and corrected until their number is within a hundredth, 4
+/// The same to about `count` surfels: the spacing is tried and corrected until their number is within a hundredth, 8
 /// times at most; what came closest is returned. Throws base::Error for fewer than 4 as well.
 ResampleResult resampleToCount(const surface::Surface& surface, std::size_t count, int maxRounds = 12,
                                const base::Progress& progress = {});
