@@ -48,6 +48,14 @@ struct Pair {
     double distance; ///< to the foot
 };
 
+/// Feet as exact as weights and normals need them; what does not get there soon lies beyond or between.
+surface::ProjectOptions footing() {
+    surface::ProjectOptions out;
+    out.tolerance = 1e-5;
+    out.maxIterations = 10;
+    return out;
+}
+
 class Round {
   public:
     Round(const std::vector<Placed>& models, const std::vector<Sample>& samples, double reach)
@@ -69,15 +77,23 @@ class Round {
         const Rigid there = m_models[to].pose.inverse() * m_models[from].pose;
         const base::Box3f box = on.tree().bounds().inflated(static_cast<float>(m_reach));
         const Sample& sample = m_samples[from];
+        // where no surfel is near there is no foot to look for
+        std::vector<std::uint8_t> near(sample.position.size());
+        base::parallelFor(near.size(), 64, [&](std::size_t i) {
+            std::vector<tree::Neighbour> found;
+            if (const Vec3f p = base::cast<float>(there(sample.position[i])); box.contains(p))
+                on.tree().nearest(p, 1, found, static_cast<float>(m_reach));
+            near[i] = !found.empty();
+        });
         std::vector<Vec3f> asked;
         std::vector<std::uint32_t> which;
-        for (std::uint32_t i = 0; i < sample.position.size(); ++i)
-            if (const Vec3f p = base::cast<float>(there(sample.position[i])); box.contains(p)) {
-                asked.push_back(p);
+        for (std::uint32_t i = 0; i < near.size(); ++i)
+            if (near[i]) {
+                asked.push_back(base::cast<float>(there(sample.position[i])));
                 which.push_back(i);
             }
         std::vector<surface::Projection<float>> feet(asked.size());
-        surface::project(on, asked, {}, feet);
+        surface::project(on, asked, footing(), feet);
         const bool sided = sample.oriented && m_samples[to].oriented;
         for (std::size_t k = 0; k < feet.size(); ++k) {
             if (!feet[k].ok())
