@@ -153,8 +153,16 @@ void addSwarms(const Cloud& cloud, Flags& found, const base::Progress& progress)
     if (members.empty())
         return;
     const std::vector<base::Vec3f> normals = normalsOf(cloud, 18, part(progress, 0.5, 1));
+    std::vector<double> steep(cloud.size(), -1);
     for (const std::uint32_t i : members)
-        found[i] |= steepness(cloud, graph, normals, i) > fillsSpace;
+        steep[i] = steepness(cloud, graph, normals, i);
+    for (const std::uint32_t i : members) { // few directions tell little: those beside it count too
+        double sum = steep[i], count = 1;
+        for (std::size_t e = i * graph.count; e < (i + 1) * graph.count; ++e)
+            if (const double beside = steep[graph.index[e]]; beside >= 0)
+                sum += beside, ++count;
+        found[i] |= sum > fillsSpace * count;
+    }
 }
 
 Flags bySurface(const Cloud& cloud, double limit, const base::Progress& progress) {
