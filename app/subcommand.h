@@ -26,6 +26,10 @@ std::span<const SubcommandRow> subcommandTable();
 
 Action addInfo(CLI::App& command);
 Action addConvert(CLI::App& command);
+Action addClean(CLI::App& command);
+Action addMeasure(CLI::App& command);
+Action addRegister(CLI::App& command);
+Action addResample(CLI::App& command);
 Action addQuery(CLI::App& command);
 Action addIntersect(CLI::App& command);
 Action addBoundary(CLI::App& command);

@@ -11,7 +11,7 @@ pointclay_room(surface core/surface tree)
 pointclay_link(surface PkgConfig::HWY)
 
 pointclay_room(process core/process surface)
-pointclay_link(process nanoflann::nanoflann)
+pointclay_link(process nanoflann::nanoflann Eigen3::Eigen)
 
 pointclay_room(raycast core/raycast surface)
 

@@ -14,6 +14,7 @@
 #include "core/session/document.h"
 
 #include <limits>
+#include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <span>
 
@@ -48,6 +49,8 @@ struct Context {
     Journal* journal = nullptr; ///< null: nothing is journalled
     /// `open` takes a file that is not the one that was recorded, and says so.
     bool takesChangedFiles = false;
+    /// What commands counted and measured, by name: the numbers of their messages, for reports.
+    std::map<std::string, double> figures = {};
 };
 
 struct CommandRow {

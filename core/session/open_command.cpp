@@ -44,6 +44,7 @@ static void open(Context& context, const json& complete) {
     provenance.sampled = file.faces.sampled;
     provenance.closed = file.faces.closed;
     MadeModel fresh = made(file, process::part(context.progress, 0.7, 1));
+    provenance.merged = fresh.merged;
     checkHash(context, complete, fresh.surface.tree(), provenance.origin);
     context.messages.insert(context.messages.end(), file.model.messages.begin(), file.model.messages.end());
     context.document.reset(std::move(fresh.surface), std::move(provenance), fresh.up);

@@ -7,9 +7,13 @@ namespace process {
 
 /// Unit normals without a meaningful sign, one per position.
 std::vector<base::Vec3f> normalsOf(const Cloud& cloud, int neighbours = 18, const base::Progress& progress = {});
+/// What the signs of normals say that shall be oriented. Mostly: in each component that has no clear outside the side
+/// of most of them stays.
+enum class Sides { Unknown, Mostly };
+
 /// Flips unit normals in place so that they agree over the surface. False where they cannot: along some seam neighbours
 /// that are certain of each other end up opposite, as on a Moebius strip.
 bool orient(const Cloud& cloud, std::span<base::Vec3f> normals, int neighbours = 12,
-            const base::Progress& progress = {});
+            const base::Progress& progress = {}, Sides given = Sides::Unknown);
 
 } // namespace process

@@ -12,32 +12,12 @@ using base::Vec3f;
 namespace {
 
 constexpr int directions = 48;
-/// Share of the directions by which the vote must be won to stand against all else. A plate has 0, a crater -0.15, a
-/// cap of 30 degrees 0.4.
-constexpr double clear = 1 / 3.0;
 /// |mean normal| from which on a component is a sheet with a direction that it faces; closed ones have 0, half a ball
 /// 0.5.
 constexpr double facesOneWay = 0.3;
 /// Components up to this share of the points look away from the others, where these lie clearly (in root mean squares
 /// of the cloud's radius) on one side of them.
 constexpr double partOfAll = 0.5, beside = 0.2;
-
-/// Positive where the outermost points look outward: each of many directions asks its extreme point. -1 to 1.
-double vote(std::span<const Vec3f> positions, std::span<const Vec3f> normals, std::span<const std::uint32_t> members) {
-    double sum = 0;
-    for (int d = 0; d < directions; ++d) {
-        const double z = 1 - (2 * d + 1.0) / directions, angle = d * std::numbers::pi * (3 - std::sqrt(5.0));
-        const double r = std::sqrt(1 - z * z);
-        const Vec3f direction = base::cast<float>(Vec3d{r * std::cos(angle), r * std::sin(angle), z});
-        const auto height = [&](std::uint32_t i) { return dot(positions[i], direction); };
-        std::uint32_t top = members.front();
-        for (const std::uint32_t i : members)
-            if (height(i) > height(top))
-                top = i;
-        sum += static_cast<double>(dot(normals[top], direction));
-    }
-    return sum / directions;
-}
 
 double largestComponent(const Vec3d& v) {
     double out = v.x;
@@ -63,8 +43,24 @@ Outside::Outside(std::span<const Vec3f> positions) : m_positions(positions) {
     m_radius = std::sqrt(m_radius);
 }
 
+double Outside::vote(std::span<const Vec3f> normals, std::span<const std::uint32_t> members) const {
+    double sum = 0;
+    for (int d = 0; d < directions; ++d) {
+        const double z = 1 - (2 * d + 1.0) / directions, angle = d * std::numbers::pi * (3 - std::sqrt(5.0));
+        const double r = std::sqrt(1 - z * z);
+        const Vec3f direction = base::cast<float>(Vec3d{r * std::cos(angle), r * std::sin(angle), z});
+        const auto height = [&](std::uint32_t i) { return dot(m_positions[i], direction); };
+        std::uint32_t top = members.front();
+        for (const std::uint32_t i : members)
+            if (height(i) > height(top))
+                top = i;
+        sum += static_cast<double>(dot(normals[top], direction));
+    }
+    return sum / directions;
+}
+
 bool Outside::inward(std::span<const Vec3f> normals, std::span<const std::uint32_t> members) const {
-    const double votes = vote(m_positions, normals, members);
+    const double votes = vote(normals, members);
     const Vec3d facing = mean(normals, members);
     if (std::abs(votes) >= clear || !(length(facing) >= facesOneWay))
         return votes < 0;

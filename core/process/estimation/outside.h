@@ -14,6 +14,11 @@ class Outside {
   public:
     explicit Outside(std::span<const base::Vec3f> positions);
 
+    /// How many of 48 directions' outermost points look outwards, from -1, none, to 1.
+    double vote(std::span<const base::Vec3f> normals, std::span<const std::uint32_t> members) const;
+    /// From which on the vote decides, either way: a plate has 0, a crater -0.15, a cap of 30 degrees 0.4.
+    static constexpr double clear = 1 / 3.0;
+
     /// Do the normals of a component point inwards? REQUIRES: members, whose normals agree.
     bool inward(std::span<const base::Vec3f> normals, std::span<const std::uint32_t> members) const;
 

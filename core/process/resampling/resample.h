@@ -63,6 +63,11 @@ struct ResampleResult {
 ResampleResult resampleAll(const surface::Surface& surface, float spacing, int maxRounds = 12,
                            const base::Progress& progress = {});
 
+/// The same to about `count` surfels: the spacing is tried and corrected until their number is within a hundredth, 8
+/// times at most; what came closest is returned. Throws base::Error for fewer than 4 as well.
+ResampleResult resampleToCount(const surface::Surface& surface, std::size_t count, int maxRounds = 12,
+                               const base::Progress& progress = {});
+
 /// The same with a spacing that follows the curvature. Throws as well for limits that are not 0 < finest <= coarsest.
 ResampleResult resampleByCurvature(const surface::Surface& surface, const CurvatureSpacing& by, int maxRounds = 12,
                                    const base::Progress& progress = {});

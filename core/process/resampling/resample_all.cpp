@@ -1,12 +1,14 @@
 // Resampling of a whole model to a spacing.
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/process/estimation/part_progress.h"
 #include "core/process/estimation/spacing.h"
 #include "core/process/resampling/resample_set.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 
 namespace process {
 
@@ -94,6 +96,46 @@ ResampleResult resampleAll(const surface::Surface& surface, float spacing, int m
     out.surface = {withSupports(out.surface.tree(), [&](const base::Vec3f&) { return support; }), surface.definition()};
     progress.step(1, "Resampling");
     return out;
+}
+
+ResampleResult resampleToCount(const surface::Surface& surface, std::size_t count, int maxRounds,
+                               const base::Progress& progress) {
+    constexpr int tries = 8;
+    constexpr double close = 0.01;
+    if (count < 4)
+        throw base::Error("a surface needs at least 4 points", "resample", "ask for more");
+    const surfel::SurfelList list = surface.tree().surfels();
+    ResampleResult best{surface, 0, true};
+    if (list.items.empty())
+        return best;
+    // how many more there are than asked for, as a logarithm: falls with the spacing's, with a slope of about -2
+    struct Try {
+        double spacing, excess;
+    };
+    const auto excessOf = [&](std::size_t size) {
+        return std::log(static_cast<double>(std::max<std::size_t>(size, 1)) / static_cast<double>(count));
+    };
+    const double present = double(summarise(spacings(list.items, part(progress, 0, 0.05))).median);
+    Try now{std::log(present) + 0.5 * excessOf(list.size()), 0};
+    std::optional<Try> fine, coarse;
+    for (int attempt = 0; attempt < tries; ++attempt) {
+        const double from = 0.05 + 0.95 * attempt / tries;
+        ResampleResult found = resampleAll(surface, static_cast<float>(std::exp(now.spacing)), maxRounds,
+                                           part(progress, from, from + 0.95 / tries));
+        now.excess = excessOf(found.surface.tree().size());
+        if (attempt == 0 || std::abs(now.excess) < std::abs(excessOf(best.surface.tree().size())))
+            best = std::move(found);
+        if (std::abs(now.excess) < close)
+            break;
+        (now.excess > 0 ? fine : coarse) = now;
+        if (fine && coarse) { // between both, not too near to either
+            const double share = std::clamp(fine->excess / (fine->excess - coarse->excess), 0.2, 0.8);
+            now.spacing = fine->spacing + share * (coarse->spacing - fine->spacing);
+        } else {
+            now.spacing += 0.5 * now.excess;
+        }
+    }
+    return best;
 }
 
 /// Where the spacing was `present` and shall be the field's, what it is on the way, after a share of it.

@@ -1,0 +1,186 @@
+#include "core/mesh/extent/extent.h"
+
+#include "core/base/box.h"
+#include "core/base/parallel.h"
+#include "core/base/radix_sort.h"
+#include "core/mesh/check/topology.h"
+#include "core/mesh/marching/marching_cubes.h"
+#include "core/process/estimation/part_progress.h"
+#include "core/surface/curves/boundary.h"
+#include "core/surface/projection/project.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace mesh {
+
+using base::Vec3d;
+
+namespace {
+
+struct Edge {
+    std::uint32_t a, b; ///< a < b
+    bool operator==(const Edge&) const = default;
+    bool operator<(const Edge& o) const { return a != o.a ? a < o.a : b < o.b; }
+};
+
+Edge edgeOf(const Triangle& t, std::size_t k) {
+    const std::uint32_t a = t[k], b = t[(k + 1) % 3];
+    return {std::min(a, b), std::max(a, b)};
+}
+
+/// All edges once, in order, and whether one triangle alone has them.
+struct Edges {
+    std::vector<Edge> list;
+    std::vector<std::uint8_t> boundary;
+
+    explicit Edges(const Mesh& mesh) {
+        std::vector<Edge> all(3 * mesh.triangles.size());
+        base::parallelFor(mesh.triangles.size(), 8192, [&](std::size_t i) {
+            for (std::size_t k = 0; k < 3; ++k)
+                all[3 * i + k] = edgeOf(mesh.triangles[i], k);
+        });
+        const int bits = std::bit_width(mesh.positions.size());
+        base::radixSort(all, 2 * bits, [bits](const Edge& e) { return std::uint64_t(e.a) << bits | e.b; });
+        for (std::size_t i = 0, end = 0; i < all.size(); i = end) {
+            for (end = i; end < all.size() && all[end] == all[i];)
+                ++end;
+            list.push_back(all[i]);
+            boundary.push_back(end - i == 1);
+        }
+    }
+    std::uint32_t find(const Edge& edge) const {
+        return static_cast<std::uint32_t>(std::lower_bound(list.begin(), list.end(), edge) - list.begin());
+    }
+};
+
+/// The middle of an edge put on the surface, or on its boundary; straight where that is too far away to be the same
+/// place.
+struct Middle {
+    Vec3d position;
+    bool flat = true;
+};
+
+Middle middleOf(const surface::Surface& surface, const Mesh& mesh, const Edge& edge, bool boundary) {
+    constexpr double farthest = 0.5; ///< of the edge
+    const Vec3d &a = mesh.positions[edge.a], &b = mesh.positions[edge.b];
+    Middle out{(a + b) / 2};
+    const double reach = farthest * distance(a, b);
+    surface::OrientationHint hint;
+    if (!mesh.normals.empty())
+        hint.direction = mesh.normals[edge.a] + mesh.normals[edge.b];
+    const auto take = [&](const Vec3d& p) {
+        if (!(distance(p, out.position) <= reach))
+            return;
+        out = {p, false};
+    };
+    const auto isLimit = [&](std::uint32_t v) { return mesh.kinds.empty() || mesh.kinds[v] == VertexKind::Limit; };
+    if (boundary) {
+        if (isLimit(edge.a) && isLimit(edge.b))
+            if (const auto found = surface::findBoundaryPoint(surface, out.position, hint); found.ok())
+                take(found.point.position);
+        return out;
+    }
+    surface::ProjectOptions options;
+    options.checkBoundary = false;
+    for (const surface::OrientationHint& asked : {surface::OrientationHint{}, hint})
+        if (const auto found = surface::projectReference(surface, out.position, options, asked); found.ok() && out.flat)
+            take(found.foot);
+    return out;
+}
+
+Vec3d middleOf(const Mesh& mesh) {
+    base::Box3d box;
+    for (const Vec3d& p : mesh.positions)
+        box.extend(p);
+    return mesh.positions.empty() ? Vec3d() : (box.lo + box.hi) / 2;
+}
+
+/// Sums of triangles in chunks, in their order.
+template <class Each>
+double sumOver(const Mesh& mesh, const Each& each) {
+    constexpr std::size_t grain = 8192;
+    std::vector<double> parts(base::chunkCount(mesh.triangles.size(), grain));
+    base::parallelChunks(mesh.triangles.size(), grain, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const Triangle& t = mesh.triangles[i];
+            parts[chunk] += each(mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]);
+        }
+    });
+    double out = 0;
+    for (const double part : parts)
+        out += part;
+    return out;
+}
+
+} // namespace
+
+double areaOf(const Mesh& mesh) {
+    return sumOver(mesh,
+                   [](const Vec3d& a, const Vec3d& b, const Vec3d& c) { return 0.5 * length(cross(b - a, c - a)); });
+}
+
+double volumeOf(const Mesh& mesh) {
+    const Vec3d middle = middleOf(mesh);
+    return sumOver(mesh, [&](const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+        return dot(a - middle, cross(b - middle, c - middle)) / 6;
+    });
+}
+
+/// Every edge halved; `flat` counts middles that stay on the straight edge.
+static Mesh halved(const surface::Surface& surface, const Mesh& mesh, std::size_t& flat,
+                   const base::Progress& progress) {
+    constexpr std::size_t slab = 1 << 14;
+    const Edges edges(mesh);
+    std::vector<Middle> middles(edges.list.size());
+    for (std::size_t first = 0; first < middles.size(); first += slab) {
+        progress.step(static_cast<double>(first) / static_cast<double>(middles.size()), "Measuring area");
+        base::parallelFor(std::min(slab, middles.size() - first), 64, [&](std::size_t i) {
+            middles[first + i] = middleOf(surface, mesh, edges.list[first + i], edges.boundary[first + i] != 0);
+        });
+    }
+    Mesh out;
+    out.positions = mesh.positions;
+    for (const Middle& m : middles) {
+        out.positions.push_back(m.position);
+        flat += m.flat;
+    }
+    const auto count = static_cast<std::uint32_t>(mesh.positions.size());
+    for (const Triangle& t : mesh.triangles) {
+        const std::uint32_t ab = count + edges.find(edgeOf(t, 0)), bc = count + edges.find(edgeOf(t, 1)),
+                            ca = count + edges.find(edgeOf(t, 2));
+        for (const Triangle& each :
+             {Triangle{t[0], ab, ca}, Triangle{t[1], bc, ab}, Triangle{t[2], ca, bc}, Triangle{ab, bc, ca}})
+            out.triangles.push_back(each);
+    }
+    return out;
+}
+
+Extent extentOf(const surface::Surface& surface, double cell, const base::Progress& progress) {
+    MarchingOptions options;
+    options.cell = cell;
+    MarchingReport report;
+    Mesh coarse = marchingCubes(surface, options, report, process::part(progress, 0, 0.6));
+    std::erase_if(coarse.triangles, [](const Triangle& t) { return !isProper(t); });
+    const Topology topology = topologyOf(coarse.triangles, coarse.positions.size(), coarse.kinds);
+    Extent out;
+    const Mesh fine = halved(surface, coarse, out.flat, process::part(progress, 0.6, 1));
+    // errors go with the square of the triangles' size
+    const auto extrapolated = [](double wide, double narrow, double& error) {
+        const double more = (narrow - wide) / 3;
+        error = std::abs(more);
+        return narrow + more;
+    };
+    out.area = extrapolated(areaOf(coarse), areaOf(fine), out.areaError);
+    out.triangles = fine.triangles.size();
+    out.boundaryEdges = topology.boundaryEdges;
+    out.foldLoops = topology.foldLoops;
+    out.orientable = topology.orientable && topology.opposedEdges == 0;
+    out.closed = topology.boundaryEdges == 0 && out.orientable && !coarse.triangles.empty();
+    if (out.closed)
+        out.volume = std::abs(extrapolated(volumeOf(coarse), volumeOf(fine), out.volumeError));
+    return out;
+}
+
+} // namespace mesh

@@ -1,0 +1,110 @@
+// Areas and volumes of surfaces, against what is known of them.
+#include "core/mesh/extent/extent.h"
+
+#include "core/base/parallel.h"
+#include "mesh/models.h"
+#include "support/registry.h"
+
+#include <numbers>
+#include <QTest>
+
+using mesh::Extent;
+using mesh::extentOf;
+using std::numbers::pi;
+
+class ExtentTest : public QObject {
+    Q_OBJECT
+  private Q_SLOTS:
+    void spheresAreWithinAThousandth();
+    void toriAreWithinAThousandth();
+    void boxesGainWithTheirPoints();
+    void openSurfacesHaveAreaAndNoVolume();
+    void oneSidedSurfacesHaveNoVolume();
+    void theSideOfNormalsDoesNotMatter();
+    void placeAndCellDoNotMatter();
+    void threadsDoNotShow();
+};
+
+namespace {
+
+QByteArray told(double value, double wanted) {
+    return QByteArray::number(value, 'g', 9) + " for " + QByteArray::number(wanted, 'g', 9);
+}
+
+surface::Surface torusOf(double spacing) {
+    return shapes::surfaceOf(shapes::torus(1, 0.4, spacing, 3.5 * spacing));
+}
+
+surface::Surface sphereOf(std::size_t count, double radius) {
+    return shapes::surfaceOf(shapes::sphere(count, radius, 3.5 * shapes::sphereSpacing(count, radius)));
+}
+
+} // namespace
+
+void ExtentTest::spheresAreWithinAThousandth() {
+    for (const std::size_t count : {400u, 3000u})
+        for (const double radius : {1.0, 250.0}) {
+            const Extent e = extentOf(sphereOf(count, radius));
+            const double area = 4 * pi * radius * radius, volume = area * radius / 3;
+            QVERIFY2(std::abs(e.area / area - 1) < 1e-3, told(e.area, area));
+            QVERIFY2(e.closed && std::abs(e.volume / volume - 1) < 1e-3, told(e.volume, volume));
+            QVERIFY2(e.areaError < 0.02 * area && e.flat == 0, told(e.areaError, area));
+        }
+}
+
+void ExtentTest::toriAreWithinAThousandth() {
+    const Extent e = extentOf(torusOf(0.06));
+    const double area = 4 * pi * pi * 0.4, volume = 2 * pi * pi * 0.16;
+    QVERIFY2(std::abs(e.area / area - 1) < 1e-3, told(e.area, area));
+    QVERIFY2(e.closed && std::abs(e.volume / volume - 1) < 1e-3, told(e.volume, volume));
+}
+
+/// Edges are as round as the supports make them: what they lose goes with the spacing.
+void ExtentTest::boxesGainWithTheirPoints() {
+    const Extent coarse = extentOf(models::cube(20)), fine = extentOf(models::cube(40));
+    QVERIFY2(fine.closed && std::abs(fine.volume / 8 - 1) < 0.004, told(fine.volume, 8));
+    QVERIFY2(std::abs(fine.area / 24 - 1) < 0.02, told(fine.area, 24));
+    QVERIFY2(24 - fine.area < 0.6 * (24 - coarse.area), told(coarse.area, fine.area));
+}
+
+void ExtentTest::openSurfacesHaveAreaAndNoVolume() {
+    const Extent e = extentOf(models::halfSphere(6000));
+    QVERIFY(!e.closed && e.boundaryEdges > 0 && e.orientable && e.volume == 0);
+    const double strip = 2 * pi * shapes::sphereSpacing(6000, 1); // it ends within a spacing of the rim
+    QVERIFY2(std::abs(e.area - 2 * pi) < strip, told(e.area, 2 * pi));
+}
+
+void ExtentTest::oneSidedSurfacesHaveNoVolume() {
+    const Extent e = extentOf(models::sampled("moebius", 3000));
+    QVERIFY(!e.orientable && !e.closed && e.area > 0 && e.volume == 0);
+}
+
+void ExtentTest::theSideOfNormalsDoesNotMatter() {
+    surfel::SurfelList list = shapes::sphere(2000, 1, 3.5 * shapes::sphereSpacing(2000, 1));
+    for (surfel::Surfel& s : list.items)
+        s.normal = -s.normal;
+    const Extent e = extentOf(shapes::surfaceOf(list));
+    QVERIFY2(e.closed && std::abs(e.volume / (4 * pi / 3) - 1) < 1e-3, told(e.volume, 4 * pi / 3));
+}
+
+void ExtentTest::placeAndCellDoNotMatter() {
+    surfel::SurfelList list = shapes::sphere(3000, 1, 3.5 * shapes::sphereSpacing(3000, 1));
+    const double wanted = extentOf(shapes::surfaceOf(list)).area;
+    for (surfel::Surfel& s : list.items)
+        s.position += base::Vec3f{3, -5, 7};
+    const double moved = extentOf(shapes::surfaceOf(list)).area, finer = extentOf(shapes::surfaceOf(list), 0.03).area;
+    QVERIFY2(std::abs(moved / wanted - 1) < 2e-4 && std::abs(finer / wanted - 1) < 2e-4, told(moved, wanted));
+}
+
+void ExtentTest::threadsDoNotShow() {
+    const surface::Surface torus = torusOf(0.12);
+    base::setThreadCount(1);
+    const Extent one = extentOf(torus);
+    base::setThreadCount(2);
+    const Extent two = extentOf(torus);
+    base::setThreadCount(0);
+    QVERIFY(one.area == two.area && one.volume == two.volume && one.triangles == two.triangles);
+}
+
+static const test::Registered<ExtentTest> registered;
+#include "extent_test.moc"

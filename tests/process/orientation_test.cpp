@@ -1,0 +1,149 @@
+// Orientation by agreement of the whole, and how much of an orientation is in doubt.
+#include "core/base/parallel.h"
+#include "core/base/random.h"
+#include "core/process/estimation/cloud_normals.h"
+#include "core/process/estimation/global_orientation.h"
+#include "process/even_shapes.h"
+#include "support/registry.h"
+
+#include <QTest>
+
+using namespace process;
+using base::Vec3d, base::Vec3f;
+
+class OrientationTest : public QObject {
+    Q_OBJECT
+  private Q_SLOTS:
+    void spheresAndBoxesLookOutwards();
+    void piecesApartAgree();
+    void openPartsOfABodyAgree();
+    void flippedPatchesAreInDoubt();
+    void threadsDoNotShow();
+};
+
+namespace {
+
+struct Body {
+    std::vector<Vec3f> positions, outwards;
+};
+
+Body sphere(std::size_t n, const Vec3f& centre = {}, float radius = 1) {
+    Body out;
+    for (const surfel::Surfel& s : test::spherePoints(n).items) {
+        out.positions.push_back(centre + s.position * radius);
+        out.outwards.push_back(s.position);
+    }
+    return out;
+}
+
+surfel::SurfelList listOf(const Body& body) {
+    surfel::SurfelList out;
+    for (const Vec3f& p : body.positions)
+        out.items.emplace_back().position = p;
+    return out;
+}
+
+/// Share of the points that look outwards after their true normals were turned by chance and oriented.
+double outwardShare(const Body& body, base::Random& random) {
+    const surfel::SurfelList list = listOf(body);
+    const Cloud cloud(list.items);
+    std::vector<Vec3f> normals(cloud.size());
+    for (std::size_t i = 0; i < list.size(); ++i)
+        normals[cloud.places()[i]] = random.uniform() < 0.5 ? body.outwards[i] : -body.outwards[i];
+    if (!orientGlobally(cloud, normals))
+        return 0;
+    double right = 0;
+    for (std::size_t i = 0; i < list.size(); ++i)
+        right += dot(normals[cloud.places()[i]], body.outwards[i]) > 0;
+    return right / double(list.size());
+}
+
+} // namespace
+
+void OrientationTest::spheresAndBoxesLookOutwards() {
+    base::Random random(test::seed());
+    QCOMPARE(outwardShare(sphere(4000), random), 1.0);
+    Body box;
+    for (int k = 0; k < 12000; ++k) {
+        Vec3d p{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)}, n;
+        const std::size_t axis = random.below(3);
+        n[axis] = random.uniform() < 0.5 ? -1 : 1;
+        p[axis] = n[axis];
+        box.positions.push_back(base::cast<float>(p));
+        box.outwards.push_back(base::cast<float>(n));
+    }
+    const double share = outwardShare(box, random);
+    QVERIFY2(share > 0.999, qPrintable(QString("%1 seed %2").arg(share).arg(test::seed())));
+}
+
+/// The six faces of a box with gaps along its edges that no neighbour bridges: nothing but the whole tells their sides.
+void OrientationTest::piecesApartAgree() {
+    base::Random random(test::seed());
+    Body box;
+    for (int k = 0; k < 12000; ++k) {
+        Vec3d p{random.uniform(-0.8, 0.8), random.uniform(-0.8, 0.8), random.uniform(-0.8, 0.8)}, n;
+        const std::size_t axis = random.below(3);
+        n[axis] = random.uniform() < 0.5 ? -1 : 1;
+        p[axis] = n[axis];
+        box.positions.push_back(base::cast<float>(p));
+        box.outwards.push_back(base::cast<float>(n));
+    }
+    const double share = outwardShare(box, random);
+    QVERIFY2(share > 0.999, qPrintable(QString("%1 seed %2").arg(share).arg(test::seed())));
+}
+
+/// A sphere of which nothing is left but 14 caps.
+void OrientationTest::openPartsOfABodyAgree() {
+    base::Random random(test::seed());
+    const Body whole = sphere(16000);
+    Body caps;
+    std::vector<Vec3f> middles;
+    for (const float x : {-1.0f, 1.0f}) {
+        middles.push_back({x, 0, 0}), middles.push_back({0, x, 0}), middles.push_back({0, 0, x});
+        for (const float y : {-1.0f, 1.0f})
+            for (const float z : {-1.0f, 1.0f})
+                middles.push_back(base::normalized(Vec3f{x, y, z}));
+    }
+    for (std::size_t i = 0; i < whole.positions.size(); ++i)
+        if (std::any_of(middles.begin(), middles.end(),
+                        [&](const Vec3f& m) { return dot(m, whole.positions[i]) > 0.93f; })) {
+            caps.positions.push_back(whole.positions[i]);
+            caps.outwards.push_back(whole.outwards[i]);
+        }
+    const double share = outwardShare(caps, random);
+    QVERIFY2(share == 1, qPrintable(QString("%1 seed %2").arg(share).arg(test::seed())));
+}
+
+void OrientationTest::flippedPatchesAreInDoubt() {
+    const Body body = sphere(5000);
+    const surfel::SurfelList list = listOf(body);
+    const Cloud cloud(list.items);
+    std::vector<Vec3f> normals(cloud.positions().begin(), cloud.positions().end());
+    const auto doubts = [&] {
+        const auto found = doubtfulSigns(cloud, normals);
+        return std::count(found.begin(), found.end(), 1);
+    };
+    QCOMPARE(doubts(), std::ptrdiff_t(0));
+    for (std::size_t i = 0; i < normals.size(); ++i)
+        if (cloud.positions()[i].z > 0.9f)
+            normals[i] = -normals[i];
+    const auto rim = doubts(); // both sides of a circle of radius 0.44, a spacing of 0.05
+    QVERIFY2(rim > 50 && rim < 300, qPrintable(QString::number(rim)));
+}
+
+void OrientationTest::threadsDoNotShow() {
+    base::Random random(test::seed());
+    const Body body = sphere(std::size_t(test::effort(5000)));
+    const surfel::SurfelList list = listOf(body);
+    const Cloud cloud(list.items);
+    std::vector<Vec3f> one = normalsOf(cloud), two = one;
+    base::setThreadCount(1);
+    orientGlobally(cloud, one);
+    base::setThreadCount(2);
+    orientGlobally(cloud, two);
+    base::setThreadCount(0);
+    QVERIFY(one == two);
+}
+
+static const test::Registered<OrientationTest> registered;
+#include "orientation_test.moc"

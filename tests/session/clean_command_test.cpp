@@ -1,0 +1,204 @@
+// The commands that clean: undone to the same bits, replayed to the same bits, and what they protect.
+#include "core/base/random.h"
+#include "core/session/journal.h"
+#include "core/session/recover.h"
+#include "support/registry.h"
+#include "workbench.h"
+
+#include <QTest>
+
+using base::Vec3d;
+using test::json;
+using test::Workbench;
+
+class CleanCommandTest : public QObject {
+    Q_OBJECT
+  private Q_SLOTS:
+    void everyStepUndoesAndReplays_data();
+    void everyStepUndoesAndReplays();
+    void stepsTogetherAreOneStep();
+    void whatHasNothingToDoLeavesNoStep();
+    void maskedSurfelsAreProtected();
+    void othersKeepEveryBit();
+    void viewpointsTurnNormals();
+    void gridsGiveNormals();
+    void nonsenseIsRefused();
+};
+
+namespace {
+
+/// A noisy sphere with strays, at coordinates far from zero where asked for.
+std::string scan(double offset = 0, bool masked = false) {
+    base::Random random(7);
+    std::ostringstream out;
+    out.precision(12);
+    out << "ply\nformat ascii 1.0\nelement vertex 3060\nproperty double x\nproperty double y\nproperty double z\n"
+        << (masked ? "property float mask\n" : "") << "end_header\n";
+    for (int i = 0; i < 3060; ++i) {
+        const double z = 1 - (2 * i + 1.0) / 3000, r = std::sqrt(std::max(0.0, 1 - z * z)), a = i * 2.399963229728653;
+        Vec3d p = Vec3d{r * std::cos(a), r * std::sin(a), z} * (1 + 0.01 * random.normal());
+        if (i >= 3000)
+            p = random.unitVector() * random.uniform(1.3, 2);
+        out << p.x + offset << ' ' << p.y << ' ' << p.z << (masked ? i % 2 ? " 1" : " 0" : "") << '\n';
+    }
+    return out.str();
+}
+
+json open(Workbench& bench, const std::string& content) {
+    return {{"op", "open"}, {"path", test::write(bench.path("scan.ply"), content).string()}};
+}
+
+double meanRadius(const Workbench& bench) {
+    double sum = 0;
+    for (const surfel::Surfel& s : bench.document.surface().tree().surfels().items)
+        sum += length(base::cast<double>(s.position));
+    return sum / double(bench.size());
+}
+
+} // namespace
+
+void CleanCommandTest::everyStepUndoesAndReplays_data() {
+    QTest::addColumn<QString>("line");
+    for (const char* line :
+         {R"({"op":"outliers"})", R"({"op":"outliers","method":"radius"})", R"({"op":"outliers","method":"islands"})",
+          R"({"op":"outliers","method":"surface","limit":3})", R"({"op":"denoise"})",
+          R"({"op":"denoise","sigma":0.02})", R"({"op":"thin","spacing":0.15})", R"({"op":"normals","method":"jet"})",
+          R"({"op":"normals","method":"viewpoint","viewpoint":[0,0,9]})", R"({"op":"orient","method":"viewpoint"})",
+          R"({"op":"clean","outliers":"surface","denoise":"auto","thin":0.1,"normals":"jet","orient":"global"})"})
+        QTest::newRow(line) << line;
+}
+
+void CleanCommandTest::everyStepUndoesAndReplays() {
+    QFETCH(QString, line);
+    const json command = json::parse(line.toStdString());
+    Workbench bench;
+    session::Journal journal(bench.path("j.jsonl"));
+    bench.context.journal = &journal;
+    bench.run(open(bench, scan(1e6)));
+    const std::string before = bench.hash();
+    bench.run(command);
+    const std::string after = bench.hash();
+    QVERIFY(after != before && bench.document.canUndo() && !bench.context.messages.empty());
+    Workbench other;
+    session::recover(journal.path(), other.context);
+    QCOMPARE(other.hash(), after);
+    bench.run({{"op", "undo"}});
+    QCOMPARE(bench.hash(), before);
+    bench.run({{"op", "redo"}});
+    QCOMPARE(bench.hash(), after);
+}
+
+void CleanCommandTest::stepsTogetherAreOneStep() {
+    Workbench together, apart;
+    together.run(open(together, scan()));
+    apart.run(open(apart, scan()));
+    together.run({{"op", "clean"}, {"outliers", "statistical"}, {"denoise", "auto"}, {"thin", 0.1}});
+    apart.run({{"op", "outliers"}});
+    apart.run({{"op", "denoise"}});
+    apart.run({{"op", "thin"}, {"spacing", 0.1}});
+    QCOMPARE(together.hash(), apart.hash());
+    QCOMPARE(together.document.undoLabel(), std::string("Clean"));
+    together.run({{"op", "undo"}});
+    QVERIFY(!together.document.canUndo());
+    QVERIFY(together.context.figures.at("outliers") > 50 && together.context.figures.at("sigma") > 0.005);
+    QVERIFY(std::abs(meanRadius(apart) - 1) < 0.004);
+}
+
+void CleanCommandTest::whatHasNothingToDoLeavesNoStep() {
+    Workbench bench;
+    bench.run(test::newSphere(2000));
+    bench.run({{"op", "duplicates"}});
+    bench.run({{"op", "outliers"}});
+    QVERIFY(!bench.document.canUndo() && !bench.document.modified());
+}
+
+void CleanCommandTest::maskedSurfelsAreProtected() {
+    Workbench bench;
+    bench.run(open(bench, scan(0, true)));
+    const auto masked = [&] {
+        std::vector<base::Vec3f> out;
+        for (const surfel::Surfel& s : bench.document.surface().tree().surfels().items)
+            if (s.mask >= 1)
+                out.push_back(s.position);
+        const auto before = [](const base::Vec3f& a, const base::Vec3f& b) {
+            return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
+        };
+        std::sort(out.begin(), out.end(), before);
+        return out;
+    };
+    const auto all = masked();
+    QCOMPARE(all.size(), std::size_t(1530));
+    const std::size_t size = bench.size();
+    bench.run({{"op", "clean"}, {"outliers", "statistical"}, {"denoise", 0.02}, {"thin", 0.1}});
+    QVERIFY(masked() == all && bench.size() < size);
+}
+
+/// Far from where strays went surfels stay as they were, supports and all.
+void CleanCommandTest::othersKeepEveryBit() {
+    Workbench bench;
+    base::Random random(3);
+    std::ostringstream out;
+    for (int i = 0; i < 60; ++i)
+        for (int j = 0; j < 60; ++j)
+            out << i << ' ' << j << ' ' << 0.1 * random.normal() << '\n';
+    out << "5 5 20\n6 5 21\n";
+    bench.run({{"op", "open"}, {"path", test::write(bench.path("a.xyz"), out.str()).string()}});
+    const surfel::SurfelList before = bench.document.surface().tree().surfels();
+    bench.run({{"op", "outliers"}});
+    const surfel::SurfelList after = bench.document.surface().tree().surfels();
+    QCOMPARE(after.size(), before.size() - 2);
+    std::size_t same = 0;
+    for (const surfel::Surfel& s : after.items)
+        same += std::find(before.items.begin(), before.items.end(), s) != before.items.end();
+    QVERIFY2(same > after.size() * 95 / 100, qPrintable(QString::number(same)));
+}
+
+void CleanCommandTest::viewpointsTurnNormals() {
+    Workbench bench;
+    bench.run(open(bench, scan(1e6)));
+    bench.run({{"op", "clean"}, {"outliers", "statistical"}, {"orient", "tree"}});
+    bench.run({{"op", "orient"}, {"method", "viewpoint"}, {"viewpoint", {1e6, 0.0, 0.0}}}); // from the middle
+    const base::Vec3d origin = bench.document.provenance().origin;
+    for (const surfel::Surfel& s : bench.document.surface().tree().surfels().items) {
+        const base::Vec3d way = base::Vec3d{1e6, 0, 0} - origin - base::cast<double>(s.position);
+        QVERIFY(dot(way, base::cast<double>(s.normal)) >= 0);
+    }
+    QVERIFY(bench.context.figures.at("flipped") > 2000);
+    QVERIFY(!bench.refusal({{"op", "orient"}, {"method", "viewpoint"}, {"viewpoint", {1, 2}}}).empty());
+    QVERIFY(!bench.refusal({{"op", "orient"}, {"method", "viewpoint"}, {"viewpoint", {1, 2, "c"}}}).empty());
+}
+
+void CleanCommandTest::gridsGiveNormals() {
+    Workbench bench;
+    std::ostringstream out;
+    out << "ply\nformat ascii 1.0\nelement vertex 2500\nproperty float x\nproperty float y\nproperty float z\n"
+           "property int row\nproperty int column\nend_header\n";
+    for (int i = 0; i < 50; ++i)
+        for (int j = 0; j < 50; ++j) // two levels with a step between
+            out << i << ' ' << j << ' ' << 0.5 * j + (i < 25 ? 0 : 40) << ' ' << i << ' ' << j << '\n';
+    bench.run({{"op", "open"}, {"path", test::write(bench.path("grid.ply"), out.str()).string()}});
+    bench.run({{"op", "normals"}, {"method", "grid"}});
+    const base::Vec3f wanted = base::normalized(base::Vec3f{0, -0.5f, 1});
+    for (const surfel::Surfel& s : bench.document.surface().tree().surfels().items)
+        QVERIFY(std::abs(std::abs(dot(s.normal, wanted)) - 1) < 1e-5f);
+    Workbench none;
+    none.run(test::newSphere(500));
+    QVERIFY(none.refusal({{"op", "normals"}, {"method", "grid"}}).find("use plane or jet") != std::string::npos);
+}
+
+void CleanCommandTest::nonsenseIsRefused() {
+    Workbench bench;
+    bench.run(test::newSphere(1000));
+    const std::string before = bench.hash();
+    for (const json& command :
+         {json{{"op", "clean"}}, json{{"op", "thin"}}, json{{"op", "thin"}, {"spacing", 0}},
+          json{{"op", "thin"}, {"spacing", 100}}, json{{"op", "denoise"}, {"sigma", -1}},
+          json{{"op", "denoise"}, {"sigma", "much"}}, json{{"op", "outliers"}, {"method", "magic"}},
+          json{{"op", "outliers"}, {"limit", -2}}, json{{"op", "normals"}, {"method", 3}}, json{{"op", "resample"}},
+          json{{"op", "resample"}, {"count", 3}}, json{{"op", "resample"}, {"count", 500}, {"spacing", 0.1}}})
+        QVERIFY2(!bench.refusal(command).empty(), command.dump().c_str());
+    QVERIFY(bench.hash() == before && !bench.document.canUndo());
+}
+
+static const test::Registered<CleanCommandTest> registered;
+#include "clean_command_test.moc"
