@@ -53,6 +53,7 @@ void CellSource::gather() {
                     at->face = label.face;
                 }
                 ++at->samples;
+                at->beside |= label.meeting != Meeting::None;
             }
         },
         surface::queryReach(surface::queryReach(surface.supportScale())));
@@ -84,6 +85,8 @@ std::size_t CellSource::find(std::uint32_t cell) const {
 }
 
 Meeting CellSource::meeting(std::size_t i, std::size_t j) const {
+    if (vote(i, j) == 0 && !m_cells[i].beside)
+        return Meeting::None;
     const double convex = vote(i, j) + vote(j, i);
     return convex > 0 ? Meeting::Convex : convex < 0 ? Meeting::Concave : Meeting::None;
 }
@@ -97,6 +100,24 @@ const Evaluationd& CellSource::at(std::size_t i, Need need) {
         near.known = true;
     }
     return near.at;
+}
+
+double CellSource::height(std::size_t i) {
+    const Evaluationd& known = at(i, Need::Value);
+    if (valid(known))
+        return known.value;
+    const surface::Weight weight = m_surface->surface().definition().weight;
+    const float scale = m_surface->surface().supportScale();
+    double total = 0, sum = 0;
+    for (const Found& each : m_found)
+        if (each.cell == m_cells[i].cell) {
+            const auto theta = static_cast<double>(
+                surface::weightAt(weight, static_cast<float>(each.distanceSq), scale * each.block->support(each.slot)));
+            total += theta;
+            sum += theta * dot(base::cast<double>(each.block->normal(each.slot)),
+                               m_x - base::cast<double>(each.block->position(each.slot)));
+        }
+    return sum / total;
 }
 
 bool CellSource::beyondBoundary() {

@@ -32,8 +32,9 @@ class CellSource {
     /// Surfels of cell i alone that are in support.
     int samples(std::size_t i) const { return m_cells[i].samples; }
 
-    /// How cells i and j meet near here, as most of the surfels with the other one as partner have it; None where none
-    /// in support has: walls of a thin plate do not cut each other off.
+    /// How cell i meets cell j near here, as most of the surfels with the other one as partner have it. None where no
+    /// surfel in support has: walls of a thin plate do not cut each other off. Surfels of j alone tell nothing where
+    /// none of i is beside any crease: theirs may lie beyond a wall.
     Meeting meeting(std::size_t i, std::size_t j) const;
 
     /// How sharp the crease between cells i and j is, 0 to 1: the mean of the surfels beside it. Zero without a crease.
@@ -42,6 +43,9 @@ class CellSource {
     /// What cell i's surface is at the position: the sums over its own surfels and those of cells that are smooth to
     /// it. The status does not tell whether there is a boundary (`beyondBoundary`).
     const surface::Evaluationd& at(std::size_t i, surface::Need need);
+    /// f of cell i, or where its surfels are too few for that, the mean of its surfels' planes by weight: what cuts
+    /// others off at the tips of slender faces. Not a number where it has no weight.
+    double height(std::size_t i);
     /// Is the off-centre value over all surfels, of whatever cells, larger than the boundary limit?
     bool beyondBoundary();
 
@@ -63,6 +67,7 @@ class CellSource {
     struct Near {
         std::uint32_t cell = 0, face = 0;
         int samples = 0;
+        bool beside = false; ///< some of its surfels in support are beside a crease
         bool known = false;
         surface::Need need = surface::Need::Value;
         surface::Evaluationd at;

@@ -9,15 +9,16 @@ using surface::Need;
 
 namespace {
 
-constexpr int leastSamples = 3;         ///< of a cell that cuts another one off
 constexpr double leastSharpness = 0.02; ///< of a crease; with less both sides are nearly the same function
 
 /// How two cells meet by where they are, for those that no surfel has as partners: neighbours of a third one.
 Meeting measured(CellSource& source, std::size_t j, std::size_t k) {
-    const Meeting known = source.meeting(j, k);
-    if (known != Meeting::None)
-        return known;
+    for (const Meeting known : {source.meeting(j, k), source.meeting(k, j)})
+        if (known != Meeting::None)
+            return known;
     const Evaluationd &a = source.at(j, Need::Value), &b = source.at(k, Need::Value);
+    if (!valid(a) || !valid(b))
+        return Meeting::None;
     return dot(a.normal - b.normal, b.centroid - a.centroid) < 0 ? Meeting::Convex : Meeting::Concave;
 }
 
@@ -28,14 +29,14 @@ bool cutOff(CellSource& source, std::size_t i, double tolerance) {
     std::vector<std::size_t> cuts, keeps;
     for (std::size_t j = 0; j < source.count(); ++j) {
         const Meeting how = j == i ? Meeting::None : source.meeting(i, j);
-        if (how == Meeting::None || source.samples(j) < leastSamples)
+        if (how == Meeting::None)
             continue;
-        const Evaluationd& other = source.at(j, Need::Value);
-        if (!valid(other))
+        const double other = source.height(j);
+        if (!std::isfinite(other))
             continue;
         if (!(source.sharpness(i, j) > leastSharpness))
             continue;
-        const double beyond = how == Meeting::Convex ? other.value - level : level - other.value;
+        const double beyond = how == Meeting::Convex ? other - level : level - other;
         (beyond > tolerance ? cuts : keeps).push_back(j);
     }
     for (const std::size_t cut : cuts) {
@@ -49,9 +50,22 @@ bool cutOff(CellSource& source, std::size_t i, double tolerance) {
     return false;
 }
 
+namespace {
+
+/// At corners a face has its surfels to one side, the more so the narrower it is; others end it there.
+double mostOffCentre(const CellSource& source, std::size_t i) {
+    constexpr double atCorners = 0.7; // of h
+    int meets = 0;
+    for (std::size_t j = 0; j < source.count(); ++j)
+        meets += j != i && source.meeting(i, j) != Meeting::None ? 1 : 0;
+    return meets >= 2 ? atCorners : surface::maxOffCentre;
+}
+
+} // namespace
+
 bool isFace(CellSource& source, std::size_t i, double tolerance) {
     const Evaluationd& at = source.at(i, Need::Gradient);
-    return valid(at) && at.offCentre <= surface::maxOffCentre * at.unit &&
+    return valid(at) && at.offCentre <= mostOffCentre(source, i) * at.unit &&
            dot(at.normal, at.gradient) >= surface::minSlope && !cutOff(source, i, tolerance) &&
            !source.beyondBoundary();
 }

@@ -147,10 +147,10 @@ void FaceCreasesTest::creasesThatEndFadeBetweenTwoBands() {
         QCOMPARE(labels[i].meeting, Meeting::Convex);
         if (p.x < -0.7f) {
             QVERIFY(labels[i].sharpness > 200);
-            QVERIFY(labels[labels[i].partner == 0 ? 0 : i].cell != 0);
+            QVERIFY(labels[i].cell != 0 && labels[i].partner != 0 && labels[i].cell != labels[i].partner);
             ++sharpOnes;
         }
-        if (p.x > 0) {
+        if (p.x > -0.2f) { // the edge is flatter than 40 degrees from -0.3 on
             QVERIFY(labels[i].sharpness < 40);
             ++faint;
         }
@@ -169,7 +169,7 @@ void FaceCreasesTest::creasesThatEndFadeBetweenTwoBands() {
         const cells::CellHit hit = intersectCells(*surface, {{x, 0.001, 2}, {0, 0, -1}});
         QVERIFY2(hit.hit.hit, QByteArray::number(x));
         const double off = std::abs(hit.hit.position.z - height(x, 0.001)) / spacing;
-        if (x < -0.65 || x > 0)
+        if (x < -0.65 || x > 0.1)
             QVERIFY2(off < 0.05, QByteArray::number(x) + " off " + QByteArray::number(off));
         if (x > -0.79)
             worst = std::max(worst, std::abs(hit.hit.position.z - before) / spacing);
