@@ -22,6 +22,7 @@ const char* featureName(Feature feature) {
 namespace {
 
 constexpr std::size_t nearestSurfels = 32; ///< whose cells and creases are looked at, beside those in support
+constexpr std::size_t mostStarts = 12;     ///< nearest cells and creases that are tried: labels may be anything
 constexpr double partnersReach = 2.5;      ///< spacings: how far from a crease surfels have it as theirs, and a bit
 constexpr double seamTolerance = 1e-9;     ///< of h: what iterations leave
 constexpr double looseTolerance = 1e-3;    ///< of the spacing: where nothing is left otherwise
@@ -70,12 +71,27 @@ class CellProjector {
         }
         const double support = near.empty() ? 0 : static_cast<double>(near.front().block->support(near.front().slot));
         m_source.forSurfels([&](const Vec3d& p, const Label& label, double) { note(p, label, support); });
+        keepNearest(m_faceStarts);
+        keepNearest(m_seamStarts);
         // a place where the cell has a meaning already is the best to start from
-        for (std::size_t i = 0; i < m_source.count(); ++i) {
+        for (auto& [cell, start] : m_faceStarts) {
+            const std::size_t i = m_source.find(cell);
+            if (i == CellSource::none)
+                continue;
             const Evaluationd& at = m_source.at(i, Need::Value);
             if (valid(at) && at.offCentre <= surface::maxOffCentre * at.unit)
-                m_faceStarts[m_source.cell(i)].position = m_x;
+                start.position = m_x;
         }
+    }
+    template <class Starts>
+    static void keepNearest(Starts& starts) {
+        if (starts.size() <= mostStarts)
+            return;
+        std::vector<double> distances;
+        for (const auto& each : starts)
+            distances.push_back(each.second.distance);
+        std::nth_element(distances.begin(), distances.begin() + mostStarts, distances.end());
+        std::erase_if(starts, [&](const auto& each) { return each.second.distance >= distances[mostStarts]; });
     }
     void note(const Vec3d& p, const Label& label, double support) {
         const Start start{p, base::distance(p, m_x), support * surface::spacingOfUnit};

@@ -24,6 +24,7 @@ class CellProjectionTest : public QObject {
     void gradientsAreThoseOfTheValues();
     void awayFromCreasesBitsStay();
     void everyProjectorLandsOnTheSurface();
+    void anyLabelsAreAnsweredSomehow();
 };
 
 namespace {
@@ -189,6 +190,30 @@ void CellProjectionTest::everyProjectorLandsOnTheSurface() {
             QVERIFY(foot.projection.ok());
             QVERIFY(std::abs(s.solid.value(foot.projection.foot)) < 1e-9);
         }
+}
+
+/// Labels that mean nothing: every answer is a number on the surface or none, in finite time.
+void CellProjectionTest::anyLabelsAreAnsweredSomehow() {
+    Random random(test::seed());
+    SampledSolid s = sampled(cube(1), 2, 0.15, random);
+    std::vector<cells::Label> labels(s.surfels.size());
+    for (cells::Label& label : labels) {
+        label.cell = static_cast<std::uint32_t>(random.below(40));
+        label.partner = static_cast<std::uint32_t>(random.below(40));
+        label.meeting =
+            label.partner == label.cell ? cells::Meeting::None : static_cast<cells::Meeting>(random.below(3));
+        label.sharpness = static_cast<std::uint8_t>(random.below(256));
+        label.face = static_cast<std::uint32_t>(random.below(5));
+    }
+    setLabels(s.surfels, labels);
+    const CellSurface surface = cellsOf(s.surfels);
+    for (int k = 0; k < test::effort(20); ++k) {
+        const Vec3d x = beside(s, random, 0.3);
+        const CellFoot foot = project(surface, x);
+        QVERIFY(!foot.projection.ok() || base::isFinite(foot.projection.foot));
+        const cells::CellValue value = evaluate(surface, x, surface::Need::Gradient);
+        QVERIFY(!value.at.ok() || std::isfinite(value.at.value));
+    }
 }
 
 static const test::Registered<CellProjectionTest> registered;
