@@ -59,6 +59,7 @@ class CellRay {
             return std::nullopt;
         CellHit out;
         out.cell = cell;
+        out.alone = m_source.count() == 1;
         out.hit.hit = true;
         out.hit.t = t;
         out.hit.position = m_source.position();
@@ -109,6 +110,14 @@ bool concerns(const CellSurface& surface, const base::Ray<T>& ray, const RayHit<
     return surface.mixedAlong(rounded, hit.hit ? static_cast<float>(hit.t + hit.unit) : options.tMax);
 }
 
+/// Did both find the same place, where only one cell is? Then the smooth surface's bits stay.
+template <class T>
+bool samePlace(const CellHit& byCells, const RayHit<T>& plain) {
+    constexpr double tolerance = 1e-4; // of h: what float leaves at grazing angles
+    return byCells.alone && plain.hit &&
+           std::abs(static_cast<double>(plain.t) - byCells.hit.t) <= tolerance * byCells.hit.unit;
+}
+
 bool any(const CellSurface& surface, const Rayd& ray, const IntersectOptions& options) {
     for (const CellHit& each : CellRay(surface, ray, options).run(true, static_cast<double>(options.tMin)))
         if (each.hit.t - static_cast<double>(options.tMin) >
@@ -132,7 +141,10 @@ std::vector<CellHit> intersectAllCells(const CellSurface& surface, const Rayd& r
 
 RayHit<double> intersectReference(const CellSurface& surface, const Rayd& ray, const IntersectOptions& options) {
     const RayHit<double> plain = intersectReference(surface.surface(), ray, options);
-    return concerns(surface, ray, plain, options) ? intersectCells(surface, ray, options).hit : plain;
+    if (!concerns(surface, ray, plain, options))
+        return plain;
+    const CellHit byCells = intersectCells(surface, ray, options);
+    return samePlace(byCells, plain) ? plain : byCells.hit;
 }
 
 std::vector<RayHit<double>> intersectAllReference(const CellSurface& surface, const Rayd& ray,
@@ -155,8 +167,11 @@ void intersect(const CellSurface& surface, std::span<const Rayf> rays, const Int
     assert(rays.size() == out.size());
     intersect(surface.surface(), rays, options, out);
     base::parallelFor(rays.size(), 16, [&](std::size_t i) {
-        if (concerns(surface, rays[i], out[i], options))
-            out[i] = rounded(intersectCells(surface, widened(rays[i]), options).hit);
+        if (!concerns(surface, rays[i], out[i], options))
+            return;
+        const CellHit byCells = intersectCells(surface, widened(rays[i]), options);
+        if (!samePlace(byCells, out[i]))
+            out[i] = rounded(byCells.hit);
     });
 }
 

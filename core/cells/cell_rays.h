@@ -16,6 +16,7 @@ namespace cells {
 struct CellHit {
     surface::RayHit<double> hit;
     std::uint32_t cell = noCell; ///< that was hit
+    bool alone = false;          ///< no other cell has surfels in support there
 };
 
 /// By cells alone, wherever on the model. `robust` is not needed: what is not monotone is marched always.

@@ -102,22 +102,26 @@ const Evaluationd& CellSource::at(std::size_t i, Need need) {
     return near.at;
 }
 
-double CellSource::height(std::size_t i) {
+CellSource::Tangent CellSource::tangent(std::size_t i) {
     const Evaluationd& known = at(i, Need::Value);
     if (valid(known))
-        return known.value;
+        return {known.normal, known.centroid, known.value};
     const surface::Weight weight = m_surface->surface().definition().weight;
     const float scale = m_surface->surface().supportScale();
-    double total = 0, sum = 0;
+    double total = 0;
+    Tangent out;
     for (const Found& each : m_found)
         if (each.cell == m_cells[i].cell) {
             const auto theta = static_cast<double>(
                 surface::weightAt(weight, static_cast<float>(each.distanceSq), scale * each.block->support(each.slot)));
+            const Vec3d p = base::cast<double>(each.block->position(each.slot));
+            const Vec3d n = base::cast<double>(each.block->normal(each.slot));
             total += theta;
-            sum += theta * dot(base::cast<double>(each.block->normal(each.slot)),
-                               m_x - base::cast<double>(each.block->position(each.slot)));
+            out.normal += n * theta;
+            out.centroid += p * theta;
+            out.height += theta * dot(n, m_x - p);
         }
-    return sum / total;
+    return {base::normalized(out.normal), out.centroid / total, out.height / total};
 }
 
 bool CellSource::beyondBoundary() {

@@ -43,9 +43,14 @@ class CellSource {
     /// What cell i's surface is at the position: the sums over its own surfels and those of cells that are smooth to
     /// it. The status does not tell whether there is a boundary (`beyondBoundary`).
     const surface::Evaluationd& at(std::size_t i, surface::Need need);
-    /// f of cell i, or where its surfels are too few for that, the mean of its surfels' planes by weight: what cuts
-    /// others off at the tips of slender faces. Not a number where it has no weight.
-    double height(std::size_t i);
+    /// A plane of a cell.
+    struct Tangent {
+        base::Vec3d normal, centroid;
+        double height = 0; ///< of the position above it
+    };
+    /// n, c and f of cell i, or where its surfels are too few for that, the mean of its surfels' planes by weight: what
+    /// cuts others off at the tips of slender faces. Not numbers where it has no weight.
+    Tangent tangent(std::size_t i);
     /// Is the off-centre value over all surfels, of whatever cells, larger than the boundary limit?
     bool beyondBoundary();
 

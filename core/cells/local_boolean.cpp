@@ -16,9 +16,7 @@ Meeting measured(CellSource& source, std::size_t j, std::size_t k) {
     for (const Meeting known : {source.meeting(j, k), source.meeting(k, j)})
         if (known != Meeting::None)
             return known;
-    const Evaluationd &a = source.at(j, Need::Value), &b = source.at(k, Need::Value);
-    if (!valid(a) || !valid(b))
-        return Meeting::None;
+    const CellSource::Tangent a = source.tangent(j), b = source.tangent(k);
     return dot(a.normal - b.normal, b.centroid - a.centroid) < 0 ? Meeting::Convex : Meeting::Concave;
 }
 
@@ -31,7 +29,7 @@ bool cutOff(CellSource& source, std::size_t i, double tolerance) {
         const Meeting how = j == i ? Meeting::None : source.meeting(i, j);
         if (how == Meeting::None)
             continue;
-        const double other = source.height(j);
+        const double other = source.tangent(j).height;
         if (!std::isfinite(other))
             continue;
         if (!(source.sharpness(i, j) > leastSharpness))

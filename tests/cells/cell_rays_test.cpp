@@ -215,7 +215,9 @@ void CellRaysTest::anyCornerOfPlanesIsHitWhereItIs() {
     }
     qInfo() << solids << "solids," << told(sum).constData();
     QVERIFY2(sum.rays > 20, told(sum));
-    QVERIFY2(1000 * (sum.lost + sum.wrong) <= 3 * sum.rays, (told(sum) + ", seed " + QByteArray::number(test::seed())));
+    const bool saddle = kind == 3 || kind == 4; // cells/README 6
+    QVERIFY2(1000 * (sum.lost + sum.wrong) <= (saddle ? 12 : 2) * sum.rays,
+             (told(sum) + ", seed " + QByteArray::number(test::seed())));
 }
 
 /// Walls whose both sides are in each other's support, and which no surfel has as partners.
