@@ -3,6 +3,7 @@
 #include "app/options/surface_options.h"
 #include "app/subcommand.h"
 #include "core/base/error.h"
+#include "core/cells/cell_surface.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/process/estimation/spacing.h"
 #include "core/session/document.h"
@@ -53,6 +54,7 @@ void describeSurface(ordered_json& out, session::OpenedFile file, const base::Pr
             out["spacing"] = summaryOf(process::spacings(surfels.items, process::part(progress, 0.8, 1)));
         }
         out["merged"] = made.merged;
+        out["cells"] = cells::countCells(surfels).cells;
         std::vector<float> supports;
         for (const surfel::Surfel& s : surfels.items)
             supports.push_back(s.support);
@@ -89,6 +91,7 @@ ordered_json describe(session::OpenedFile from, const base::Progress& progress, 
     out["closed"] = from.faces.closed;
     out["dropped"] = model.dropped;
     out["merged"] = 0;
+    out["cells"] = 0;
     out["format"] = model.format;
     describeSurface(out, std::move(from), process::part(progress, 0.5, 1), console);
     return out;

@@ -6,6 +6,7 @@
 #include "app/options/surface_options.h"
 #include "app/subcommand.h"
 #include "core/base/parallel.h"
+#include "core/cells/cell_rays.h"
 #include "core/io/safe_file.h"
 #include "core/process/curve_tube.h"
 
@@ -37,10 +38,11 @@ Hit inDouble(const surface::RayHit<float>& hit) {
     return out;
 }
 
-/// One batch of rays against a surface in one precision, in the ways that --hits names.
+/// One batch of rays against a surface, with or without cells, in one precision, in the ways that --hits names.
+template <class Surface>
 class Batch {
   public:
-    Batch(const surface::Surface& surface, std::span<const base::Rayd> rays, const surface::IntersectOptions& options,
+    Batch(const Surface& surface, std::span<const base::Rayd> rays, const surface::IntersectOptions& options,
           bool precise)
         : m_surface(surface), m_rays(rays), m_options(options), m_precise(precise) {
         for (const base::Rayd& ray : precise ? std::span<const base::Rayd>() : rays)
@@ -85,7 +87,7 @@ class Batch {
         base::parallelFor(m_rays.size(), 16, body);
     }
 
-    const surface::Surface& m_surface;
+    const Surface& m_surface;
     std::span<const base::Rayd> m_rays;
     std::vector<base::Rayf> m_near;
     surface::IntersectOptions m_options;
@@ -107,7 +109,9 @@ void writeFirst(CsvWriter& csv, const Hit& hit, const Vec3d& origin) {
 }
 
 /// Rows of a batch whose first ray has the number `begin`.
-void writeBatch(CsvWriter& csv, const Batch& batch, const std::string& hits, std::size_t begin, const Vec3d& origin) {
+template <class Surface>
+void writeBatch(CsvWriter& csv, const Batch<Surface>& batch, const std::string& hits, std::size_t begin,
+                const Vec3d& origin) {
     if (hits == "first") {
         for (const Hit& hit : batch.first())
             writeFirst(csv, hit, origin);
@@ -144,6 +148,7 @@ void run(const Options& options, Console& console) {
         ray.origin -= origin;
 
     const surface::Surface surface = process::shownAs(document.surface(), progress); // a curve's tube
+    const auto byCells = cells::CellSurface::of(surface);
     io::SafeFile file(options.out);
     CsvWriter csv(options.surface->inDouble(), origin);
     file.write(headerOf(options.hits));
@@ -152,8 +157,10 @@ void run(const Options& options, Console& console) {
     for (std::size_t begin = 0; begin < rays.size(); begin += batchSize) {
         progress.step(static_cast<double>(begin) / static_cast<double>(rays.size()), "Intersecting");
         const auto some = std::span(rays).subspan(begin, std::min(batchSize, rays.size() - begin));
-        const Batch batch(surface, some, how, options.surface->inDouble());
-        writeBatch(csv, batch, options.hits, begin, origin);
+        if (byCells)
+            writeBatch(csv, Batch(*byCells, some, how, options.surface->inDouble()), options.hits, begin, origin);
+        else
+            writeBatch(csv, Batch(surface, some, how, options.surface->inDouble()), options.hits, begin, origin);
         file.write(csv.take());
     }
     file.commit();

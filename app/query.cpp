@@ -1,4 +1,5 @@
 // pointclay query: f, its derivatives and projections at positions, as CSV rows in their order.
+#include "app/cell_answers.h"
 #include "app/curve_answers.h"
 #include "app/number_table.h"
 #include "app/open_model.h"
@@ -81,7 +82,8 @@ void addCurvature(const Surface& surface, std::span<const Vec3d> x, bool inDoubl
 }
 
 /// Answers at positions relative to the origin. What is not finite is nowhere: Status::Outside.
-std::vector<Answer> answer(const Surface& surface, const Question& question, std::span<const Vec3d> x, bool inDouble) {
+std::vector<Answer> answer(const Surface& surface, const CellAnswers* byCells, const Question& question,
+                           std::span<const Vec3d> x, bool inDouble) {
     std::vector<std::size_t> places;
     std::vector<Vec3d> finite;
     for (std::size_t i = 0; i < x.size(); ++i)
@@ -94,6 +96,8 @@ std::vector<Answer> answer(const Surface& surface, const Question& question, std
     (curve ? answerOnCurve : inDouble ? answerInDouble : answerInFloat)(surface, question, finite, found);
     if (question.curvature && !curve)
         addCurvature(surface, finite, inDouble, found);
+    if (byCells)
+        byCells->answer(question, finite, found);
     for (std::size_t k = 0; k < places.size(); ++k)
         out[places[k]] = found[k];
     return out;
@@ -111,7 +115,8 @@ void query(const Options& options, Console& console) {
     session::Context context{document, {}, progress, {}, 0, {}, nullptr};
     const std::vector<Vec3d> points = readPoints(options.points, progress);
     openModel(context, options.model, options.surface->parameters(), console);
-    question.check(document.surface().definition().manifold);
+    const auto byCells = CellAnswers::of(document.surface(), question);
+    question.check(document.surface().definition().manifold, byCells.has_value());
     const Vec3d origin = document.provenance().origin;
 
     io::SafeFile file(options.out);
@@ -124,7 +129,8 @@ void query(const Options& options, Console& console) {
                              points.begin() + static_cast<std::ptrdiff_t>(end));
         for (Vec3d& p : x)
             p -= origin;
-        const std::vector<Answer> answers = answer(document.surface(), question, x, options.surface->inDouble());
+        const std::vector<Answer> answers =
+            answer(document.surface(), byCells ? &*byCells : nullptr, question, x, options.surface->inDouble());
         for (std::size_t i = 0; i < answers.size(); ++i) {
             csv.place(points[begin + i]).word(surface::statusName(question.status(answers[i])));
             for (const WhatRow* row : question.rows)

@@ -111,6 +111,22 @@ std::span<const WhatRow> whatTable() {
          Need::Hessian,
          [](CsvWriter& out, const Answer& a, const Vec3d&) { out.vector(vectorOf(a, a.curvatureVector)); },
          Asks::Curve},
+        {"cell",
+         "cell",
+         "number of the cell that the position belongs to, of a model with cells; -1 where there is none",
+         {},
+         Need::Value,
+         [](CsvWriter& out, const Answer& a, const Vec3d&) {
+             out.integer(a.cell == cells::noCell ? -1 : static_cast<long long>(a.cell));
+         },
+         Asks::Cells},
+        {"feature",
+         "feature",
+         "what the closest point of the surface lies on, of a model with cells: face, seam, corner, or none",
+         {},
+         Need::Value,
+         [](CsvWriter& out, const Answer& a, const Vec3d&) { out.word(cells::featureName(a.feature)); },
+         Asks::Cells},
         {"project-basic", foot, "a nearby point of the surface", Projector::Basic, Need::Value, writeFoot},
         {"project-almost", foot, "a point of the surface along its plane's normal", Projector::Almost, Need::Value,
          writeFoot},
@@ -126,8 +142,12 @@ std::string Question::header() const {
     return out + "\n";
 }
 
-void Question::check(surface::Manifold manifold) const {
+void Question::check(surface::Manifold manifold, bool cells) const {
     const Asks wrong = manifold == surface::Manifold::Curve ? Asks::Surface : Asks::Curve;
+    for (const WhatRow* row : rows)
+        if (row->of == Asks::Cells && !cells)
+            throw UsageError("--what: " + std::string(row->id) +
+                             " is for models with cells; meshes with sharp edges have them with --creases on");
     for (const WhatRow* row : rows)
         if (row->of == wrong)
             throw UsageError("--what: " + std::string(row->id) +
@@ -171,6 +191,7 @@ Question parseQuestion(const std::string& list) {
         out.curvature |= row.need == Need::Hessian;
         if (row.projector)
             out.projector = row.projector;
+        out.feature |= std::string_view(row.id) == "feature";
     }
     if (out.rows.empty())
         throw UsageError("--what: name at least one quantity");

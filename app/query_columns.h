@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/csv_writer.h"
+#include "core/cells/cell_projection.h"
 #include "core/surface/curvature.h"
 #include "core/surface/projection/project.h"
 
@@ -17,10 +18,12 @@ struct Answer {
     surface::Curvature curvature;
     surface::Projection<double> projection;
     base::Vec3d tangent, curvatureVector; ///< of a curve
+    std::uint32_t cell = cells::noCell;   ///< of a model with cells
+    cells::Feature feature = cells::Feature::None;
 };
 
 /// What a question makes sense on.
-enum class Asks { Both, Surface, Curve };
+enum class Asks { Both, Surface, Curve, Cells };
 
 struct WhatRow {
     const char* id;
@@ -42,10 +45,11 @@ struct Question {
     surface::Need need = surface::Need::Value;
     bool curvature = false;
     std::optional<surface::Projector> projector;
+    bool feature = false; ///< of models with cells
 
     std::string header() const;
     /// Throws UsageError where something makes no sense on this kind of model.
-    void check(surface::Manifold manifold) const;
+    void check(surface::Manifold manifold, bool cells) const;
     /// The first of evaluation and projection that is not all right.
     surface::Status status(const Answer& answer) const;
 };

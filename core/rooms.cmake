@@ -13,9 +13,11 @@ pointclay_link(surface PkgConfig::HWY)
 pointclay_room(process core/process surface)
 pointclay_link(process nanoflann::nanoflann Eigen3::Eigen)
 
+pointclay_room(cells core/cells surface)
+
 pointclay_room(raycast core/raycast surface)
 
-pointclay_room(mesh core/mesh process)
+pointclay_room(mesh core/mesh process cells)
 # CGAL is headers over these two. Its own target would set -frounding-math, which its predicates need, for all of the
 # room: only those files get it that include CGAL.
 pointclay_link(mesh gmp mpfr)

@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/session/commands.h"
 
+#include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -24,6 +25,10 @@ std::span<const CommandParameter> faceParameters() {
         {"sharp", "number or choice", "degrees",
          "edges of the faces stay sharp where the normals on both sides differ by more than this; 40 by default",
          "null", "off", 0, 180},
+        {"creases", "boolean", "",
+         "samples of the faces get labels of cells that meet in the sharp edges, for query and intersect; off by "
+         "default",
+         "null", "", 0, 0},
     };
     return rows;
 }
@@ -45,12 +50,22 @@ mesh::FaceOptions faceOptions(const json& complete) {
     if (complete.contains("sharp"))
         out.sharpRad = complete["sharp"].is_string() ? std::numeric_limits<double>::infinity()
                                                      : complete["sharp"].get<double>() * std::numbers::pi / 180;
+    if (const auto creases = complete.find("creases"); creases != complete.end())
+        out.creases = *creases == true || *creases == "on"; // before a command is completed it may say either
+    if (out.creases && out.use == mesh::FaceUse::Vertices)
+        throw base::Error("the vertices are kept, and have no creases", {},
+                          "leave out the creases, or sample the faces");
+    if (out.creases && !std::isfinite(out.sharpRad))
+        throw base::Error("creases are where edges of the faces are sharp, and no edge is", {},
+                          "leave out 'sharp off' or the creases");
     return out;
 }
 
 void refuseSamples(const mesh::FaceOptions& options, const std::string& where) {
     if (options.asksForSamples())
         throw base::Error("there are no faces to sample", where, "leave out what is said of samples");
+    if (options.creases)
+        throw base::Error("there are no faces with sharp edges", where, "leave out the creases");
 }
 
 FacesOpened openFaces(io::FileModel& model, surface::SurfaceDefinition& definition, const mesh::FaceOptions& options,

@@ -7,13 +7,14 @@
 
 namespace session {
 
-/// `faces`, `sample_spacing`, `sample_count` and `sharp`; all may be left out.
+/// `faces`, `sample_spacing`, `sample_count`, `sharp` and `creases`; all may be left out.
 std::span<const CommandParameter> faceParameters();
 
 /// Throws base::Error where two parameters exclude each other.
 mesh::FaceOptions faceOptions(const nlohmann::json& complete);
 
-/// Throws base::Error, in the name of `where`, for options that ask for samples: of a model that has no faces.
+/// Throws base::Error, in the name of `where`, for options that ask for samples or creases: of a model that has no
+/// faces.
 void refuseSamples(const mesh::FaceOptions& options, const std::string& where);
 
 struct FacesOpened {

@@ -20,6 +20,7 @@ class FacesCommandTest : public QObject {
     void runAndBenchTakeTheOptions();
     void cloudsHaveNoFacesToSample();
     void errorsSpeakOfOptions();
+    void creasesAreKeptAndAnswer();
 };
 
 namespace {
@@ -158,6 +159,58 @@ void FacesCommandTest::errorsSpeakOfOptions() {
         QVERIFY2(outcome.err.find("sample_") == std::string::npos, outcome.err.c_str());
     }
     QVERIFY(program.run({"mesh", "--help"}).out.find("off for faces sampled so finely") != std::string::npos);
+}
+
+/// A cube with creases: saved and opened again it is the same, query and intersect know its edges and corners.
+void FacesCommandTest::creasesAreKeptAndAnswer() {
+    const Program program;
+    writeCubes(program);
+    const QStringList options{"--sample-count", "3000", "--creases", "on"};
+    const json info = infoOf(program, QStringList{"cube.obj"} + options);
+    QCOMPARE(info.at("cells").get<int>(), 6);
+    QCOMPARE(infoOf(program, {"cube.obj", "--sample-count", "3000"}).at("cells").get<int>(), 0);
+    program.write("s.jsonl", "{\"op\":\"open\",\"path\":\"cube.obj\",\"sample_count\":3000,\"creases\":true}\n"
+                             "{\"op\":\"save\",\"path\":\"out.ply\"}\n");
+    QCOMPARE(program.run({"run", "s.jsonl"}).code, 0);
+    QCOMPARE(program.hash("out.ply"), info.at("hash").get<std::string>());
+    QCOMPARE(infoOf(program, {"out.ply"}).at("cells").get<int>(), 6);
+
+    program.write("p.txt", "1.01 0.5 0.5\n1.01 1.01 0.5\n1.01 1.01 1.01\n5 5 5\n");
+    QCOMPARE(program
+                 .run({"query", "out.ply", "--at", "p.txt", "--what", "cell,feature,project-orthogonal", "-o", "q.csv",
+                       "--precision", "double"})
+                 .code,
+             0);
+    const QStringList rows = QString::fromStdString(program.read("q.csv")).split('\n');
+    QCOMPARE(rows[0], QString("x,y,z,status,cell,feature,px,py,pz,iterations"));
+    const char* features[] = {"face", "seam", "corner"};
+    for (int i = 0; i < 3; ++i) {
+        const QStringList row = rows[i + 1].split(',');
+        QCOMPARE(row[5], QString(features[i]));
+        QVERIFY(std::abs(row[6].toDouble() - 1) < 1e-6);
+        QVERIFY(std::abs(row[7].toDouble() - (i > 0 ? 1 : 0.5)) < 1e-6);
+    }
+    QCOMPARE(rows[4].split(',')[4], QString("-1"));
+
+    program.write("r.csv", "ox,oy,oz,dx,dy,dz\n3,2.999,0.5,-1,-1,0\n3,3.01,0.5,-1,-1,0\n");
+    for (const char* precision : {"float", "double"}) {
+        QCOMPARE(program.run({"intersect", "out.ply", "--rays", "r.csv", "-o", "h.csv", "--precision", precision}).code,
+                 0);
+        const QStringList hits = QString::fromStdString(program.read("h.csv")).split('\n');
+        for (int i = 1; i <= 2; ++i) { // beside the edge, on either side of it
+            const QStringList hit = hits[i].split(',');
+            QCOMPARE(hit[0], QString("1"));
+            QVERIFY(std::abs(hit[i == 1 ? 2 : 3].toDouble() - 1) < 1e-6);
+        }
+    }
+    // who asks for what is not there is told
+    QCOMPARE(
+        program.run({"query", "cube.obj", "--sample-count", "3000", "--at", "p.txt", "--what", "cell", "-o", "q.csv"})
+            .code,
+        2);
+    QCOMPARE(program.run({"info", "cube.obj", "--creases", "on", "--faces", "vertices"}).code, 1);
+    QCOMPARE(program.run({"info", "cube.obj", "--creases", "on", "--sharp", "off"}).code, 1);
+    QCOMPARE(program.run({"info", "out.ply", "--creases", "on"}).code, 1);
 }
 
 static const test::Registered<FacesCommandTest> registered;

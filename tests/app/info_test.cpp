@@ -34,9 +34,9 @@ void InfoTest::theObjectHasTheContractsKeys() {
     const Outcome outcome = program.run({"info", "sample:torus:2000", "--json"});
     QCOMPARE(outcome.code, 0);
     const json info = json::parse(outcome.out);
-    const std::set<std::string> wanted{"surfels", "bounds",     "origin", "spacing", "support",
-                                       "normals", "attributes", "faces",  "dropped", "format",
-                                       "hash",    "sampled",    "closed", "up",      "merged"};
+    const std::set<std::string> wanted{"surfels",    "bounds", "origin",  "spacing", "support", "normals",
+                                       "attributes", "faces",  "dropped", "format",  "hash",    "sampled",
+                                       "closed",     "up",     "merged",  "cells"};
     std::set<std::string> found;
     for (const auto& [key, value] : info.items())
         found.insert(key);

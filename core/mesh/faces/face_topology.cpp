@@ -193,6 +193,18 @@ std::size_t numbered(base::DisjointSets& sets, std::vector<std::uint32_t>& out) 
     return count;
 }
 
+/// Of the sides that begin at corners a and b: which way the edge is bent tells where the other triangle goes from
+/// there.
+SharpEdge sharpEdge(const FaceTopology& topology, std::span<const Vec3f> positions, std::uint32_t a, std::uint32_t b,
+                    double turn) {
+    const auto at = [&](std::uint32_t corner, std::uint32_t further) {
+        return base::cast<double>(positions[topology.triangles[corner / 3][(corner % 3 + further) % 3]]);
+    };
+    const Vec3d &n = topology.normals[a / 3], &m = topology.normals[b / 3];
+    const double rise = dot(n, at(b, 2) - at(b, 0)) + dot(m, at(a, 2) - at(a, 0));
+    return {at(a, 0), at(a, 1), a / 3, b / 3, rise < 0, turn};
+}
+
 /// The corners of both triangles at either end of a smooth edge belong to one fan, the triangles to one patch.
 void joinSmooth(FaceTopology& out, std::span<const Vec3f> positions, const std::vector<Side>& sides, double sharp) {
     out.patches.assign(out.triangles.size(), 0);
@@ -212,6 +224,7 @@ void joinSmooth(FaceTopology& out, std::span<const Vec3f> positions, const std::
         length += along;
         if (turn > sharp) {
             sharpLength += along;
+            out.sharpEdges.push_back(sharpEdge(out, positions, a, b, turn));
             return;
         }
         const bool against = edge[0].downwards != edge[1].downwards;

@@ -20,6 +20,14 @@
 
 namespace mesh {
 
+/// An edge between two triangles whose dihedral angle is larger than what counts as smooth.
+struct SharpEdge {
+    base::Vec3d from, to;
+    std::uint32_t left = 0, right = 0; ///< triangles; both may belong to one patch, around the end of the edge
+    bool convex = true;                ///< as seen from where the triangles' normals point
+    double turn = 0;                   ///< between the normals, radians
+};
+
 struct FaceTopology {
     std::vector<Triangle> triangles;    ///< those of the file without repetitions, turned alike; corners as in the file
     std::vector<std::uint32_t> sources; ///< of each triangle: its number among those given
@@ -34,9 +42,10 @@ struct FaceTopology {
     std::size_t bordersGiven = 0; ///< the same with repeated triangles counted as often as they come
     std::size_t nonManifold = 0;  ///< edges with more than two faces
     bool oneSided = false;        ///< some piece cannot be turned alike: a Moebius strip
-    std::vector<float> turns;     ///< dihedral angle of each edge of exactly two faces, radians
-    double sharpShare = 0;        ///< of their length, of those that are sharp
-    double area = 0;              ///< of all triangles
+    std::vector<SharpEdge> sharpEdges;
+    std::vector<float> turns; ///< dihedral angle of each edge of exactly two faces, radians
+    double sharpShare = 0;    ///< of their length, of those that are sharp
+    double area = 0;          ///< of all triangles
 
     /// A few repeated triangles do not open what is closed with them.
     bool closed() const {

@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/mesh/faces/face_creases.h"
 #include "core/mesh/faces/face_normals.h"
 #include "core/mesh/faces/face_points.h"
 #include "core/mesh/faces/face_spacing.h"
@@ -226,6 +227,8 @@ OpenedFaces openFaces(SurfelList vertices, std::span<const Triangle> triangles,
             completeVertices(vertices, topology, positions);
         if (paint)
             paintVertices(vertices, *paint);
+        if (options.creases)
+            out.messages.push_back("The vertices are kept, without creases; --faces sample makes them.");
         out.points = std::move(vertices);
         return out;
     }
@@ -236,6 +239,8 @@ OpenedFaces openFaces(SurfelList vertices, std::span<const Triangle> triangles,
     out.points = FaceSampler(vertices, topology, positions, paint)
                      .run(points, process::supportOf(definition, static_cast<float>(spacing)), spacing);
     out.sampled = true;
+    if (options.creases)
+        labelCreases(topology, points, spacing, out.points);
     out.apart = wall >= resolvedWall * spacing;
     out.messages.push_back(counted(topology.triangles.size(), "triangle", "triangles") + " sampled to " +
                            counted(points.size(), "surfel", "surfels") + ", spacing " + rounded(spacing) +

@@ -1,0 +1,180 @@
+#include "core/cells/cell_roots.h"
+
+#include "core/surface/rays/surface_intervals.h"
+
+namespace cells {
+
+using base::Vec3d;
+using surface::Need;
+
+namespace {
+
+constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
+constexpr double tolerance = 1e-13; ///< of the support
+
+/// The chord of a ball about a surfel in which the surface that it tells of can be.
+struct Chord {
+    std::uint32_t cell;
+    double begin, end, guess, nearest, unit, slope;
+};
+
+void append(std::vector<Stretch>& out, const Chord& c) {
+    if (out.empty() || out.back().cell != c.cell || c.begin > out.back().end) {
+        out.push_back({c.cell, c.begin, c.end, c.guess, c.nearest, c.unit, c.slope, c.slope});
+        return;
+    }
+    Stretch& last = out.back();
+    last.end = std::max(last.end, c.end);
+    last.unit = std::min(last.unit, c.unit);
+    last.least = std::min(last.least, c.slope);
+    last.most = std::max(last.most, c.slope);
+    if (c.nearest < last.nearest) {
+        last.nearest = c.nearest;
+        last.guess = c.guess;
+    }
+}
+
+} // namespace
+
+std::vector<Stretch> stretches(const CellSurface& surface, const base::Rayd& ray, double tMin, double tMax) {
+    std::vector<Chord> chords;
+    const auto scale = static_cast<double>(surface.surface().supportScale());
+    const base::Rayf rounded{base::cast<float>(ray.origin), base::cast<float>(ray.direction)};
+    surface.surface().tree().alongRay(rounded, [&](const surfel::SurfelBlock& block, int cluster, float enter, float) {
+        if (static_cast<double>(enter) > tMax)
+            return false;
+        const int begin = cluster * surfel::clusterSize, end = std::min(begin + surfel::clusterSize, block.size());
+        for (int slot = begin; slot < end; ++slot) {
+            const double support = scale * static_cast<double>(block.support(slot));
+            const double reach = support * static_cast<double>(surfel::surfaceReach);
+            const Vec3d q = base::cast<double>(block.position(slot)) - ray.origin;
+            const double t = dot(q, ray.direction), besideSq = lengthSq(q - ray.direction * t);
+            if (!(besideSq < reach * reach))
+                continue;
+            const double half = std::sqrt(reach * reach - besideSq);
+            if (t + half < tMin || t - half > tMax)
+                continue;
+            const Vec3d n = base::cast<double>(block.normal(slot));
+            const double slope = dot(n, ray.direction), crossing = dot(n, q) / slope;
+            const double guess = std::abs(crossing - t) <= half ? crossing : t;
+            chords.push_back({surface.labels().cellAt(block, slot), std::max(t - half, tMin), std::min(t + half, tMax),
+                              guess, lengthSq(q - ray.direction * guess) / (support * support), support, slope});
+        }
+        return true;
+    });
+    std::sort(chords.begin(), chords.end(),
+              [](const Chord& a, const Chord& b) { return a.cell != b.cell ? a.cell < b.cell : a.begin < b.begin; });
+    std::vector<Stretch> out;
+    for (const Chord& each : chords)
+        append(out, each);
+    std::sort(out.begin(), out.end(), [](const Stretch& a, const Stretch& b) {
+        return a.begin != b.begin ? a.begin < b.begin : a.cell < b.cell;
+    });
+    return out;
+}
+
+void CellRoots::find(const Stretch& stretch, std::vector<double>& out) {
+    m_cell = stretch.cell;
+    double t = 0;
+    if (stretch.monotone() && newton(stretch, t)) {
+        if (t >= stretch.begin && t <= stretch.end)
+            out.push_back(t);
+        return;
+    }
+    march(stretch, out);
+}
+
+/// Plain Newton, the step no longer than half a support. False where it leaves the stretch or does not settle.
+bool CellRoots::newton(const Stretch& stretch, double& t) {
+    constexpr int most = 24;
+    const double margin = 0.2 * stretch.unit;
+    t = std::clamp(stretch.guess, stretch.begin, stretch.end);
+    for (int k = 0; k < most; ++k) {
+        m_source.moveTo(m_ray.at(t));
+        const std::size_t i = m_source.find(m_cell);
+        ++m_evaluations;
+        if (i == CellSource::none)
+            return false;
+        const surface::Evaluationd& at = m_source.at(i, Need::Gradient);
+        const double slope = valid(at) ? dot(at.gradient, m_ray.direction) : 0;
+        if (!(std::abs(slope) > 0.05))
+            return false;
+        const double step = std::clamp(-at.value / slope, -0.5 * at.unit, 0.5 * at.unit);
+        t += step;
+        if (t < stretch.begin - margin || t > stretch.end + margin)
+            return false;
+        if (std::abs(step) <= tolerance * at.unit + rounding * std::abs(t))
+            return true;
+    }
+    return false;
+}
+
+CellRoots::Sample CellRoots::sample(double t) {
+    m_source.moveTo(m_ray.at(t));
+    const std::size_t i = m_source.find(m_cell);
+    ++m_evaluations;
+    if (i == CellSource::none)
+        return {t, 0, false};
+    const surface::Evaluationd& at = m_source.at(i, Need::Value);
+    return {t, at.value, valid(at)};
+}
+
+void CellRoots::march(const Stretch& stretch, std::vector<double>& out) {
+    constexpr double stepOfUnit = 1.0 / 12, dip = 0.6; // of the support; of a step, below which zeros may be in pairs
+    constexpr int finer = 8;
+    const double span = stretch.end - stretch.begin;
+    const int steps = std::max(2, static_cast<int>(std::min(std::ceil(span / (stepOfUnit * stretch.unit)), 1e6)));
+    const double step = span / steps;
+    Sample before, last = sample(stretch.begin);
+    for (int k = 1; k <= steps; ++k) {
+        const Sample next = sample(stretch.begin + k * step);
+        if (last.valid && next.valid && (last.f > 0) != (next.f > 0)) {
+            refine(last, next, stretch.unit, out);
+        } else if (k > 1 && before.valid && last.valid && next.valid && std::abs(last.f) < dip * step &&
+                   std::abs(last.f) <= std::abs(before.f) && std::abs(last.f) <= std::abs(next.f)) {
+            Sample a = before;
+            for (int m = 1; m <= 2 * finer; ++m) {
+                const Sample b = sample(before.t + m * step / finer);
+                if (a.valid && b.valid && (a.f > 0) != (b.f > 0))
+                    refine(a, b, stretch.unit, out);
+                a = b;
+            }
+        }
+        before = last;
+        last = next;
+    }
+    std::sort(out.begin(), out.end());
+}
+
+/// False position after Illinois, halving where that is slow.
+void CellRoots::refine(Sample a, Sample b, double unit, std::vector<double>& out) {
+    constexpr int most = 80;
+    constexpr double jump = 0.02; // of the support: larger where the interval has shrunk to nothing is no zero
+    double fa = a.f, fb = b.f;
+    for (int k = 0; k < most && b.t - a.t > tolerance * unit + rounding * std::abs(b.t); ++k) {
+        double t = k % 4 == 3 ? (a.t + b.t) / 2 : (a.t * fb - b.t * fa) / (fb - fa);
+        if (!(t > a.t && t < b.t))
+            t = (a.t + b.t) / 2;
+        const Sample mid = sample(t);
+        if (!mid.valid)
+            return;
+        if (mid.f == 0) {
+            a = b = mid;
+            break;
+        }
+        if ((mid.f > 0) == (a.f > 0)) {
+            a = mid;
+            fa = mid.f;
+            fb /= 2;
+        } else {
+            b = mid;
+            fb = mid.f;
+            fa /= 2;
+        }
+    }
+    if (std::min(std::abs(a.f), std::abs(b.f)) > jump * unit)
+        return;
+    out.push_back(std::abs(a.f) < std::abs(b.f) ? a.t : b.t);
+}
+
+} // namespace cells

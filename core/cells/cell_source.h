@@ -1,0 +1,115 @@
+// The cells around one place, and what the surface of each says there (cells/README 2).
+//
+//     CellSource source(surface);
+//     source.moveTo(x);                             finds the surfels in support, and by them the cells
+//     for (i < source.count()) source.at(i, need)   f, gradient and so on of cell i, each computed once
+//
+// Float64. One thread at a time.
+#pragma once
+
+#include "core/cells/cell_surface.h"
+#include "core/surface/evaluation/source.h"
+
+#include <algorithm>
+
+namespace cells {
+
+class CellSource {
+  public:
+    static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+
+    explicit CellSource(const CellSurface& surface);
+
+    const CellSurface& surface() const { return *m_surface; }
+    void moveTo(const base::Vec3d& x);
+    const base::Vec3d& position() const { return m_x; }
+
+    /// Cells with surfels in support, by ascending label.
+    std::size_t count() const { return m_cells.size(); }
+    std::uint32_t cell(std::size_t i) const { return m_cells[i].cell; }
+    /// The place of a cell among them, or `none`.
+    std::size_t find(std::uint32_t cell) const;
+    /// Surfels of cell i alone that are in support.
+    int samples(std::size_t i) const { return m_cells[i].samples; }
+
+    /// How cell i meets cell j near here, as most of the surfels with the other one as partner have it. None where no
+    /// surfel in support has: walls of a thin plate do not cut each other off. Surfels of j alone tell nothing where
+    /// none of i is beside any crease: theirs may lie beyond a wall.
+    Meeting meeting(std::size_t i, std::size_t j) const;
+
+    /// How sharp the crease between cells i and j is, 0 to 1: the mean of the surfels beside it. Zero without a crease.
+    double sharpness(std::size_t i, std::size_t j) { return meeting(i, j) == Meeting::None ? 0 : 1 - shareOf(i, j).v; }
+
+    /// What cell i's surface is at the position: the sums over its own surfels and those of cells that are smooth to
+    /// it. The status does not tell whether there is a boundary (`beyondBoundary`).
+    const surface::Evaluationd& at(std::size_t i, surface::Need need);
+    /// A plane of a cell.
+    struct Tangent {
+        base::Vec3d normal, centroid;
+        double height = 0; ///< of the position above it
+    };
+    /// n, c and f of cell i, or where its surfels are too few for that, the mean of its surfels' planes by weight: what
+    /// cuts others off at the tips of slender faces. Not numbers where it has no weight.
+    Tangent tangent(std::size_t i);
+    /// Is the off-centre value over all surfels, of whatever cells, larger than the boundary limit?
+    bool beyondBoundary();
+
+    /// fn(position, label, distanceSq) for the surfels in support.
+    template <class Fn>
+    void forSurfels(const Fn& fn) const {
+        for (const Found& each : m_found)
+            fn(base::cast<double>(each.block->position(each.slot)), m_surface->labels().at(*each.block, each.slot),
+               each.distanceSq);
+    }
+
+  private:
+    struct Found {
+        const surfel::SurfelBlock* block;
+        int slot;
+        std::uint32_t cell, partner;
+        double distanceSq;
+    };
+    struct Near {
+        std::uint32_t cell = 0, face = 0;
+        int samples = 0;
+        bool beside = false; ///< some of its surfels in support are beside a crease
+        bool known = false;
+        surface::Need need = surface::Need::Value;
+        surface::Evaluationd at;
+    };
+    /// What a cell j adds to the sums of a cell i: all, nothing, or a share that moves with x.
+    struct Share {
+        double v = 0;
+        base::Vec3d slope;
+    };
+
+    void gather();
+    void meet();
+    Share shareOf(std::size_t i, std::size_t j);
+    surface::Evaluationd sumOf(std::size_t i, surface::Need need);
+    surface::Evaluationd layered(const std::vector<Share>& shares, surface::Need need);
+    /// Clusters of the surfels that `take` tells: fn(found) as a normal to use in place of their own, if it has one.
+    template <class Take>
+    surface::ClusterSpan pack(const Take& take);
+    surface::Evaluationd evaluate(surface::ClusterSpan clusters, surface::Need need) const;
+    surface::SumOptions plainSums() const;
+    double& vote(std::size_t i, std::size_t j) { return m_votes[i * m_cells.size() + j]; }
+    double vote(std::size_t i, std::size_t j) const { return m_votes[i * m_cells.size() + j]; }
+
+    const CellSurface* m_surface;
+    surface::Source m_source;
+    base::Vec3d m_x;
+    std::vector<Found> m_found;
+    std::vector<Near> m_cells;
+    std::vector<double> m_votes; ///< convex > 0, concave < 0, by cell and partner
+    std::vector<float> m_packed;
+    std::vector<const float*> m_clusters;
+    int m_beyond = -1; ///< not known yet, no, yes
+};
+
+/// Has the evaluation numbers?
+inline bool valid(const surface::Evaluationd& at) {
+    return at.status == surface::Status::Ok || at.status == surface::Status::BeyondBoundary;
+}
+
+} // namespace cells

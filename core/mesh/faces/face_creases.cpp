@@ -1,0 +1,168 @@
+#include "core/mesh/faces/face_creases.h"
+
+#include "core/base/disjoint_sets.h"
+#include "core/cells/crease_labels.h"
+#include "core/mesh/faces/crease_bands.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+
+namespace mesh {
+
+using base::Vec3d;
+
+namespace {
+
+constexpr std::size_t fewestSamples = 8; ///< of a cell
+constexpr double linkReach = 2.2;        ///< spacings
+
+/// Patches that become one another's, with the edges around them.
+class PatchMerge {
+  public:
+    PatchMerge(const FaceTopology& topology, std::span<const FacePoint> points)
+        : m_topology(topology), m_sets(topology.patchCount), m_counts(topology.patchCount),
+          m_edges(topology.patchCount) {
+        for (const FacePoint& point : points)
+            ++m_counts[topology.patches[point.triangle]];
+        for (std::uint32_t e = 0; e < topology.sharpEdges.size(); ++e)
+            for (const std::uint32_t triangle : {topology.sharpEdges[e].left, topology.sharpEdges[e].right})
+                m_edges[topology.patches[triangle]].push_back(e);
+    }
+
+    /// Those of too few samples join the neighbour that they turn to least.
+    void joinSmall() {
+        for (std::uint32_t p = 0; p < m_counts.size(); ++p)
+            for (std::uint32_t own = m_sets.find(p); m_counts[own] < fewestSamples; own = m_sets.find(p)) {
+                const std::uint32_t other = flattest(own);
+                if (other == own)
+                    break;
+                join(own, other);
+            }
+    }
+    /// Numbers from 0, in the order of the patches.
+    std::vector<std::uint32_t> numbers() {
+        std::vector<std::uint32_t> out(m_counts.size());
+        std::uint32_t next = 0;
+        for (std::uint32_t p = 0; p < out.size(); ++p) {
+            const std::uint32_t root = m_sets.find(p); // the smallest of them
+            out[p] = root == p ? next++ : out[root];
+        }
+        return out;
+    }
+
+  private:
+    std::uint32_t setOf(std::uint32_t triangle) { return m_sets.find(m_topology.patches[triangle]); }
+
+    std::uint32_t flattest(std::uint32_t own) {
+        struct Border {
+            double length = 0, turn = 0;
+        };
+        std::map<std::uint32_t, Border> borders;
+        for (const std::uint32_t e : m_edges[own]) {
+            const SharpEdge& edge = m_topology.sharpEdges[e];
+            const std::uint32_t l = setOf(edge.left), r = setOf(edge.right);
+            if (l == r)
+                continue;
+            const double along = base::distance(edge.from, edge.to);
+            Border& border = borders[l == own ? r : l];
+            border.length += along;
+            border.turn += along * edge.turn;
+        }
+        std::uint32_t out = own;
+        double least = std::numeric_limits<double>::infinity();
+        for (const auto& [other, border] : borders)
+            if (border.length > 0 && border.turn / border.length < least) {
+                least = border.turn / border.length;
+                out = other;
+            }
+        return out;
+    }
+    void join(std::uint32_t a, std::uint32_t b) {
+        m_sets.join(a, b);
+        const std::uint32_t root = m_sets.find(a), child = root == a ? b : a;
+        m_counts[root] += m_counts[child];
+        if (m_edges[root].size() < m_edges[child].size())
+            m_edges[root].swap(m_edges[child]);
+        m_edges[root].insert(m_edges[root].end(), m_edges[child].begin(), m_edges[child].end());
+        m_edges[child].clear();
+    }
+
+    const FaceTopology& m_topology;
+    base::DisjointSets m_sets;
+    std::vector<std::size_t> m_counts;
+    std::vector<std::vector<std::uint32_t>> m_edges;
+};
+
+/// Of each patch the cell that it belongs to.
+std::vector<std::uint32_t> cellsOfPatches(const FaceTopology& topology, std::span<const FacePoint> points) {
+    PatchMerge merge(topology, points);
+    merge.joinSmall();
+    return merge.numbers();
+}
+
+/// Cell of the sample nearest to `y` of a face, on the side of an edge if one is given; the face's own number without.
+std::uint32_t cellBeside(const SampleGrid& grid, std::span<const std::uint32_t> cells,
+                         std::span<const std::uint32_t> faces, std::uint32_t face, const Vec3d& y,
+                         const std::function<bool(const Vec3d&)>& onSide) {
+    double least = std::numeric_limits<double>::infinity();
+    std::uint32_t out = face;
+    grid.forAround(y, [&](std::uint32_t i, double distanceSq) {
+        if (faces[i] == face && distanceSq < least && onSide(grid.at(i))) {
+            least = distanceSq;
+            out = cells[i];
+        }
+    });
+    return out;
+}
+
+} // namespace
+
+void labelCreases(const FaceTopology& topology, std::span<const FacePoint> points, double spacing,
+                  surfel::SurfelList& samples) {
+    if (topology.sharpEdges.empty() || samples.items.empty() || !samples.layout->oriented)
+        return;
+    const std::vector<std::uint32_t> cellOf = cellsOfPatches(topology, points);
+    std::vector<std::uint32_t> faces(samples.size());
+    for (std::size_t i = 0; i < faces.size(); ++i)
+        faces[i] = cellOf[topology.patches[points[i].triangle]];
+    std::vector<SharpEdge> within;
+    std::vector<std::uint32_t> withinFaces;
+    for (const SharpEdge& edge : topology.sharpEdges)
+        if (const std::uint32_t face = cellOf[topology.patches[edge.left]];
+            face == cellOf[topology.patches[edge.right]]) {
+            within.push_back(edge);
+            withinFaces.push_back(face);
+        }
+    const SampleGrid grid(samples.items, linkReach * spacing);
+    const double support = static_cast<double>(samples.items.front().support);
+    const CreaseBands bands(topology, grid, samples.items, faces, within, withinFaces, spacing, support);
+
+    std::vector<cells::CreasePiece> pieces;
+    for (const SharpEdge& edge : topology.sharpEdges) {
+        const std::uint32_t left = cellOf[topology.patches[edge.left]], right = cellOf[topology.patches[edge.right]];
+        const auto parts = static_cast<std::size_t>(std::ceil(base::distance(edge.from, edge.to) / spacing));
+        const Vec3d step = (edge.to - edge.from) / std::max(1.0, static_cast<double>(parts));
+        for (std::size_t k = 0; k < parts; ++k) {
+            const Vec3d from = edge.from + step * static_cast<double>(k), middle = from + step / 2;
+            const auto cell = [&](std::uint32_t face, double sign) {
+                return cellBeside(grid, bands.cells(), faces, face, middle, [&](const Vec3d& p) {
+                    return left != right || sideOf(topology, edge, p) * sign > 0;
+                });
+            };
+            const std::uint32_t l = cell(left, 1), r = cell(right, -1);
+            if (l != r)
+                pieces.push_back(
+                    {from, from + step, l, r, edge.convex ? cells::Meeting::Convex : cells::Meeting::Concave});
+        }
+    }
+    std::vector<cells::Label> labels = cells::labelsByCreases(samples.items, bands.cells(), pieces, spacing);
+    for (std::size_t i = 0; i < labels.size(); ++i)
+        labels[i].face = faces[i];
+    bands.fade(labels);
+    cells::setLabels(samples, labels);
+}
+
+} // namespace mesh

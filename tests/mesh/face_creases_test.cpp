@@ -1,0 +1,203 @@
+// Labels of samples from the sharp edges of meshes.
+#include "core/mesh/faces/face_creases.h"
+
+#include "core/cells/cell_rays.h"
+#include "core/mesh/faces/open_faces.h"
+#include "mesh/face_models.h"
+#include "support/registry.h"
+
+#include <QTest>
+#include <set>
+
+using namespace faces;
+using cells::Label;
+using cells::LabelLayout;
+using cells::Meeting;
+
+class FaceCreasesTest : public QObject {
+    Q_OBJECT
+  private Q_SLOTS:
+    void boxesHaveSixCellsAndTwelveCreases();
+    void withoutCreasesNothingIsAdded();
+    void samplesStayWhereTheyAre();
+    void smoothMeshesHaveNone();
+    void ofBentPairsTheSignIsThatOfTheNormals();
+    void smallPatchesJoinTheirFlattestNeighbour();
+    void creasesThatEndFadeBetweenTwoBands();
+    void openBoxesAreHitAtTheirEdges();
+};
+
+namespace {
+
+mesh::OpenedFaces opened(const Faces& f, std::size_t count, bool creases = true, double at = sharp) {
+    return mesh::openFaces(f.list(), f.triangles, {},
+                           {.use = mesh::FaceUse::Sample, .count = count, .sharpRad = at, .creases = creases});
+}
+
+std::vector<Label> labelsOf(const surfel::SurfelList& list) {
+    std::vector<Label> out;
+    if (const auto layout = LabelLayout::of(*list.layout))
+        for (std::size_t i = 0; i < list.size(); ++i)
+            out.push_back(layout->at(list.extraOf(i)));
+    return out;
+}
+
+/// A sheet over [-1, 1]^2 with a ridge along the x axis, as high as `height` tells; facing up.
+template <class Height>
+Faces sheet(int n, const Height& height) {
+    Faces out;
+    for (int i = 0; i <= n; ++i)
+        for (int k = 0; k <= n; ++k) {
+            const double x = -1 + 2.0 * i / n, y = -1 + 2.0 * k / n;
+            out.positions.push_back(base::cast<float>(Vec3d{x, y, height(x, y)}));
+        }
+    const auto at = [n](int i, int k) { return static_cast<std::uint32_t>(i * (n + 1) + k); };
+    for (int i = 0; i < n; ++i)
+        for (int k = 0; k < n; ++k) {
+            out.triangles.push_back({at(i, k), at(i + 1, k), at(i + 1, k + 1)});
+            out.triangles.push_back({at(i, k), at(i + 1, k + 1), at(i, k + 1)});
+        }
+    return out;
+}
+
+} // namespace
+
+void FaceCreasesTest::boxesHaveSixCellsAndTwelveCreases() {
+    const mesh::OpenedFaces open = opened(box({1, 2, 3}), 4000);
+    const cells::CellCounts counts = cells::countCells(open.points);
+    QCOMPARE(counts.cells, std::size_t(6));
+    QCOMPARE(counts.pairs, std::size_t(12));
+    QCOMPARE(counts.concave, std::size_t(0));
+    QVERIFY(!open.points.layout->find("sharpness"));
+}
+
+void FaceCreasesTest::withoutCreasesNothingIsAdded() {
+    const mesh::OpenedFaces open = opened(box({1, 2, 3}), 2000, false);
+    QVERIFY(!open.points.layout->find("cell") && !open.points.layout->find("partner"));
+    QVERIFY(labelsOf(open.points).empty());
+}
+
+void FaceCreasesTest::samplesStayWhereTheyAre() {
+    const mesh::OpenedFaces with = opened(box({1, 2, 3}), 2000), without = opened(box({1, 2, 3}), 2000, false);
+    QVERIFY(with.points.items == without.points.items);
+}
+
+void FaceCreasesTest::smoothMeshesHaveNone() {
+    const mesh::OpenedFaces open = opened(band(60, 30, false), 4000);
+    QVERIFY(labelsOf(open.points).empty());
+}
+
+void FaceCreasesTest::ofBentPairsTheSignIsThatOfTheNormals() {
+    for (const double up : {1.0, -1.0}) {
+        const mesh::OpenedFaces open = opened(sheet(8, [up](double, double y) { return -up * std::abs(y); }), 2000);
+        int beside = 0;
+        for (const Label& label : labelsOf(open.points)) {
+            beside += label.meeting != Meeting::None ? 1 : 0;
+            QVERIFY(label.meeting == Meeting::None || label.meeting == (up > 0 ? Meeting::Convex : Meeting::Concave));
+        }
+        QVERIFY(beside > 50);
+        QCOMPARE(cells::countCells(open.points).cells, std::size_t(2));
+    }
+}
+
+void FaceCreasesTest::smallPatchesJoinTheirFlattestNeighbour() {
+    // a box with one edge cut off, so narrowly that hardly a sample lies there
+    Faces f;
+    const float e = 0.002f;
+    const Vec3f profile[] = {{0, 0, 0}, {1, 0, 0}, {1, 0, 1 - 2 * e}, {1 - e, 0, 1}, {0, 0, 1}};
+    for (const float y : {0.0f, 1.0f})
+        for (const Vec3f& p : profile)
+            f.positions.push_back({p.x, y, p.z});
+    for (std::uint32_t i = 0; i < 5; ++i) {
+        const std::uint32_t next = (i + 1) % 5;
+        f.triangles.push_back({i, next, next + 5});
+        f.triangles.push_back({i, next + 5, i + 5});
+    }
+    for (std::uint32_t i = 1; i + 1 < 5; ++i) {
+        f.triangles.push_back({0, i + 1, i});
+        f.triangles.push_back({5, 5 + i, 5 + i + 1});
+    }
+    QCOMPARE(f.topology(20 * std::numbers::pi / 180).patchCount, std::size_t(7));
+    const mesh::OpenedFaces open = opened(f, 1500, true, 20 * std::numbers::pi / 180);
+    QCOMPARE(cells::countCells(open.points).cells, std::size_t(6));
+}
+
+/// A ridge that flattens out half-way: sharp at its beginning, and nothing of it is left at the other side.
+void FaceCreasesTest::creasesThatEndFadeBetweenTwoBands() {
+    const auto height = [](double x, double y) {
+        const double rise = std::max(0.0, -x);
+        return -1.2 * rise * std::abs(y) * std::exp(-4 * y * y);
+    };
+    const Faces f = sheet(40, height);
+    QCOMPARE(f.topology().patchCount, std::size_t(1));
+    const mesh::OpenedFaces open = opened(f, 12000);
+    const std::vector<Label> labels = labelsOf(open.points);
+    QVERIFY(!labels.empty());
+    std::set<std::uint32_t> cells;
+    for (const Label& label : labels) {
+        cells.insert(label.cell);
+        QCOMPARE(label.face, 0u);
+    }
+    QCOMPARE(cells.size(), std::size_t(3));
+    int sharpOnes = 0, faint = 0;
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        const Vec3f p = open.points.items[i].position;
+        if (labels[i].meeting == Meeting::None)
+            continue;
+        QCOMPARE(labels[i].meeting, Meeting::Convex);
+        if (p.x < -0.7f) {
+            QVERIFY(labels[i].sharpness > 200);
+            QVERIFY(labels[i].cell != 0 && labels[i].partner != 0 && labels[i].cell != labels[i].partner);
+            ++sharpOnes;
+        }
+        if (p.x > -0.2f) { // the edge is flatter than 40 degrees from -0.3 on
+            QVERIFY(labels[i].sharpness < 40);
+            ++faint;
+        }
+    }
+    QVERIFY(sharpOnes > 40);
+    QVERIFY(faint > 0);
+
+    // rays from above meet the ridge, and f has no step where it ends
+    surface::SurfaceDefinition definition;
+    definition.oneSheet = false;
+    const auto surface = cells::CellSurface::of({tree::SurfelTree::build(open.points), definition});
+    QVERIFY(surface);
+    const double spacing = std::sqrt(4.3 / 12000);
+    double worst = 0, before = 0;
+    for (double x = -0.8; x < 0.6; x += 0.02) {
+        const cells::CellHit hit = intersectCells(*surface, {{x, 0.001, 2}, {0, 0, -1}});
+        QVERIFY2(hit.hit.hit, QByteArray::number(x));
+        const double off = std::abs(hit.hit.position.z - height(x, 0.001)) / spacing;
+        if (x < -0.65 || x > 0.1)
+            QVERIFY2(off < 0.05, QByteArray::number(x) + " off " + QByteArray::number(off));
+        if (x > -0.79)
+            worst = std::max(worst, std::abs(hit.hit.position.z - before) / spacing);
+        before = hit.hit.position.z;
+    }
+    QVERIFY2(worst < 0.2, QByteArray::number(worst));
+}
+
+void FaceCreasesTest::openBoxesAreHitAtTheirEdges() {
+    const Faces f = box({1, 2, 3});
+    const mesh::OpenedFaces open = opened(f, 6000);
+    surface::SurfaceDefinition definition;
+    definition.oneSheet = false;
+    const auto surface = cells::CellSurface::of({tree::SurfelTree::build(open.points), definition});
+    QVERIFY(surface);
+    base::Random random(test::seed());
+    for (int k = 0; k < test::effort(300); ++k) {
+        const Vec3d target{1, random.uniform(0.1, 1.9), 3}; // on an edge, and a little beside it
+        const Vec3d direction =
+            -base::normalized(Vec3d{random.uniform(0.1, 1), random.uniform(-0.3, 0.3), random.uniform(0.1, 1)});
+        const Vec3d aside{-random.uniform(0.0, 0.02), 0, -random.uniform(0.001, 0.02)};
+        const cells::CellHit hit = intersectCells(*surface, {target + aside - direction * 2, direction});
+        QVERIFY(hit.hit.hit);
+        const Vec3d p = hit.hit.position;
+        QVERIFY(std::min(std::abs(p.x - 1), std::abs(p.z - 3)) < 1e-9);
+        QVERIFY(p.x < 1 + 1e-9 && p.z < 3 + 1e-9);
+    }
+}
+
+static const test::Registered<FaceCreasesTest> registered;
+#include "face_creases_test.moc"
