@@ -42,8 +42,8 @@ void CommandLineTest::helpNamesEverySubcommandWithAnExample() {
     QCOMPARE(help.code, 0);
     const std::vector<std::string> all = subcommandsIn(help.out);
     // These names are a contract with scripts (app/README 2); the program may have more.
-    for (const char* name : {"info", "convert", "query", "intersect", "boundary", "section", "mesh", "haptic", "reduce", "render",
-                             "run", "recover", "bench"})
+    for (const char* name : {"info", "convert", "query", "intersect", "boundary", "section", "mesh", "haptic", "reduce",
+                             "render", "run", "recover", "bench"})
         QVERIFY2(std::find(all.begin(), all.end(), name) != all.end(), name);
     for (const std::string& name : all) {
         const Outcome own = program.run({QString::fromStdString(name), "--help"});
