@@ -6,12 +6,13 @@ pointclay_link(base TBB::tbb Threads::Threads Eigen3::Eigen)
 pointclay_room(surfel core/surfel base)
 
 pointclay_room(tree core/tree surfel)
+pointclay_link(tree PkgConfig::HWY)
 
 pointclay_room(surface core/surface tree)
 pointclay_link(surface PkgConfig::HWY)
 
 pointclay_room(process core/process surface)
-pointclay_link(process nanoflann::nanoflann)
+pointclay_link(process PkgConfig::HWY)
 
 pointclay_room(raycast core/raycast surface)
 
