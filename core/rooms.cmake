@@ -13,6 +13,9 @@ pointclay_link(surface PkgConfig::HWY)
 
 pointclay_room(process core/process surface)
 pointclay_link(process PkgConfig::HWY)
+# As for sculpt below.
+set_source_files_properties(core/process/estimation/orient.cpp PROPERTIES COMPILE_OPTIONS
+                            "-fno-math-errno;-fno-trapping-math")
 
 pointclay_room(raycast core/raycast surface)
 

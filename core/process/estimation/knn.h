@@ -52,12 +52,14 @@ class Cloud {
 
 template <class Body>
 void Cloud::forEachCell(std::size_t k, const base::Progress& progress, const char* what, const Body& body) const {
-    constexpr std::size_t slab = 1024, grain = 8; // cells: some 10 ms of work between two looks at `cancel`
+    constexpr std::size_t slab = 128, grain = 4; // cells: a millisecond of work between two reports
     k = std::min(k, size() - 1);
     const std::size_t count = m_cells.count();
     for (std::size_t from = 0; from < count; from += slab) {
         progress.step(static_cast<double>(from) / static_cast<double>(count), what);
         base::parallelChunks(std::min(slab, count - from), grain, [&](std::size_t begin, std::size_t end, std::size_t) {
+            if (progress.cancel && progress.cancel->load(std::memory_order_relaxed))
+                throw base::Cancelled();
             NearestRows rows;
             for (std::size_t cell = from + begin; cell < from + end; ++cell) {
                 nearestOfCell(m_cells, m_positions, cell, k, rows);

@@ -25,7 +25,12 @@ constexpr hn::CappedTag<float, NearestScratch::widest> d;
 constexpr hn::RebindToUnsigned<decltype(d)> du;
 using V = hn::Vec<decltype(d)>;
 using VU = hn::Vec<decltype(du)>;
+constexpr hn::RebindToSigned<decltype(d)> di;
+using VI = hn::Vec<decltype(di)>;
 constexpr float infinity = std::numeric_limits<float>::infinity();
+/// 16 zeros, then ones: lane i of what is loaded from 15 - j on is 1 where i > j.
+constexpr std::int32_t laneSteps[2 * NearestScratch::widest] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+                                                                1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
 
 HWY_INLINE std::size_t lanes() {
     return hn::Lanes(d);
@@ -262,10 +267,11 @@ std::size_t Around::nearClusters(const Vec3f& p, float mostSq) {
             hn::Max(hn::Sub(hn::Load(d, m_scratch.lo[axis] + c), q), hn::Sub(q, hn::Load(d, m_scratch.hi[axis] + c))),
             zero);
     };
+    const VU lane = hn::Iota(du, 0);
     std::size_t count = 0;
     for (std::size_t c = 0; c < m_clusters; c += lanes()) {
         const auto near = hn::Le(lengthSq(gapAlong(0, p.x, c), gapAlong(1, p.y, c), gapAlong(2, p.z, c)), most);
-        const VU number = hn::Iota(du, static_cast<std::uint32_t>(c));
+        const VU number = hn::Add(hn::Set(du, static_cast<std::uint32_t>(c)), lane);
         hn::StoreU(hn::Compress(number, hn::RebindMask(du, near)), du, m_scratch.near + count);
         count += hn::CountTrue(d, near);
     }
@@ -277,7 +283,7 @@ std::size_t Around::nearClusters(const Vec3f& p, float mostSq) {
 /// All but `self` within the bound, in ascending order.
 std::size_t Around::collect(std::uint32_t self, const Vec3f& p, float mostSq) {
     const V x = hn::Set(d, p.x), y = hn::Set(d, p.y), z = hn::Set(d, p.z), most = hn::Set(d, mostSq);
-    const VU own = hn::Set(du, self);
+    const VU own = hn::Set(du, self), count = hn::Iota(du, 0); // made anew it would go through memory
     const std::size_t clusters = nearClusters(p, mostSq);
     std::size_t found = 0;
     for (std::size_t n = 0; n < clusters; ++n) {
@@ -286,7 +292,7 @@ std::size_t Around::collect(std::uint32_t self, const Vec3f& p, float mostSq) {
             const V sq = lengthSq(hn::Sub(x, hn::Load(d, m_scratch.x + at + lane)),
                                   hn::Sub(y, hn::Load(d, m_scratch.y + at + lane)),
                                   hn::Sub(z, hn::Load(d, m_scratch.z + at + lane)));
-            const VU number = hn::Iota(du, m_scratch.first[cluster] + static_cast<std::uint32_t>(lane));
+            const VU number = hn::Add(hn::Set(du, m_scratch.first[cluster] + static_cast<std::uint32_t>(lane)), count);
             const auto other = hn::RebindMask(d, hn::Ne(number, own));
             const auto inside = hn::And(hn::Le(sq, most), other);
             hn::StoreU(hn::Compress(sq, inside), d, m_scratch.distanceSq + found);
@@ -297,28 +303,26 @@ std::size_t Around::collect(std::uint32_t self, const Vec3f& p, float mostSq) {
     return found;
 }
 
-/// Of each of the first `count` found the number of those before it, by distance, then by place.
+/// Of each of the first `count` found the number of those before it, by distance, then by place. Distances are compared
+/// by their bits, whose order is the same, so that one more stands for "or equal".
 void Around::rankFirst(std::size_t count) {
     const float* const sq = m_scratch.distanceSq;
-    const VU one = hn::Set(du, 1);
+    const VI zero = hn::Zero(di), one = hn::Set(di, 1);
     for (std::size_t v = 0; v < count; v += lanes()) {
-        const V mine = hn::Load(d, sq + v);
-        VU rank = hn::Zero(du);
-        const auto add = [&](auto before) {
-            rank = hn::Add(rank, hn::IfThenElseZero(hn::RebindMask(du, before), one));
+        const VI mine = hn::BitCast(di, hn::Load(d, sq + v)), upTo = hn::Add(mine, one);
+        VI rank = zero;
+        const auto add = [&](std::size_t j, VI below) {
+            const auto before = hn::Lt(hn::Set(di, std::bit_cast<std::int32_t>(sq[j])), below);
+            rank = hn::Sub(rank, hn::VecFromMask(di, before));
         };
         const std::size_t stop = std::min(v + lanes(), count);
         for (std::size_t j = 0; j < v; ++j)
-            add(hn::Le(hn::Set(d, sq[j]), mine));
-        const VU place = hn::Iota(du, static_cast<std::uint32_t>(v));
-        for (std::size_t j = v; j < stop; ++j) {
-            const V other = hn::Set(d, sq[j]);
-            const auto behind = hn::RebindMask(d, hn::Gt(place, hn::Set(du, static_cast<std::uint32_t>(j))));
-            add(hn::Or(hn::Lt(other, mine), hn::And(hn::Eq(other, mine), behind)));
-        }
+            add(j, upTo);
+        for (std::size_t j = v; j < stop; ++j) // 1 for the lanes behind the one of j
+            add(j, hn::Add(mine, hn::LoadU(di, laneSteps + (NearestScratch::widest - 1) - (j - v))));
         for (std::size_t j = stop; j < count; ++j)
-            add(hn::Lt(hn::Set(d, sq[j]), mine));
-        hn::Store(rank, du, m_scratch.rank + v);
+            add(j, mine);
+        hn::Store(rank, di, m_scratch.rank + v);
     }
 }
 
@@ -328,7 +332,7 @@ std::size_t Around::narrow(std::size_t found) {
     while (found > enough) {
         rankFirst(enough);
         std::size_t at = 0;
-        while (m_scratch.rank[at] != k - 1)
+        while (m_scratch.rank[at] != static_cast<std::int32_t>(k - 1))
             ++at;
         const V most = hn::Set(d, m_scratch.distanceSq[at]);
         std::size_t kept = 0;
@@ -359,9 +363,13 @@ void Around::nearest(std::uint32_t self, std::uint32_t* index, float* distanceSq
     const std::size_t found = narrow(collect(self, p, boundSq(p, cluster)));
     assert(found >= k);
     rankFirst(found);
-    for (std::size_t i = 0; i < found; ++i)
-        if (const std::size_t rank = m_scratch.rank[i]; rank < k)
-            index[rank] = m_scratch.index[i], distanceSq[rank] = m_scratch.distanceSq[i];
+    for (std::size_t i = 0; i < found; ++i) { // all of them: a branch would be guessed wrong
+        const auto rank = static_cast<std::size_t>(m_scratch.rank[i]);
+        m_scratch.sortedIndex[rank] = m_scratch.index[i];
+        m_scratch.sortedSq[rank] = m_scratch.distanceSq[i];
+    }
+    std::copy_n(m_scratch.sortedIndex, k, index);
+    std::copy_n(m_scratch.sortedSq, k, distanceSq);
     remember(self, p, distanceSq[k - 1]);
 }
 

@@ -27,7 +27,9 @@ struct NearestScratch {
     std::uint32_t near[mostClusters + widest];
     alignas(64) float distanceSq[mostPoints + widest];
     alignas(64) std::uint32_t index[mostPoints + widest];
-    alignas(64) std::uint32_t rank[mostPoints + widest];
+    alignas(64) std::int32_t rank[mostPoints + widest];
+    float sortedSq[mostPoints];
+    std::uint32_t sortedIndex[mostPoints];
     alignas(64) float recent[3][recents];
     alignas(64) float reach[recents]; ///< distance of the farthest neighbour of each
 };

@@ -1,5 +1,6 @@
 // Consistent orientation: the minimum spanning tree of unlikeness over the neighbour graph [Hoppe92],
 // with a flip rule (process/README 2.2) that knows the edge between the two points.
+#include "core/base/clones.h"
 #include "core/base/disjoint_sets.h"
 #include "core/base/radix_sort.h"
 #include "core/process/estimation/cloud_normals.h"
@@ -7,36 +8,57 @@
 #include "core/process/estimation/part_progress.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace process {
 
 namespace {
 
 /// Edges in classes of likeness: as fine as float normals of a scan mean anything, and sorted in one pass.
-constexpr std::size_t classes = 1 << 14;
+constexpr int classBits = 14;
+constexpr std::size_t classes = std::size_t(1) << classBits;
 
 constexpr const char* orienting = "Orienting normals";
 
+/// One point and its neighbours, or what else is beside it, in lanes.
+struct Beside {
+    static constexpr int most = 16;
+    base::Vec3f a, na;
+    float x[most], y[most], z[most], nx[most], ny[most], nz[most];
+};
+
+/// Of edges to a point's neighbours, in lanes.
 struct Likeness {
-    bool flip;
-    std::uint16_t unlike; ///< 0 certain to classes - 1
+    std::int32_t flip[Beside::most];   ///< 1 where the normal must be turned
+    std::int32_t unlike[Beside::most]; ///< 0 certain to classes - 1
 };
 
 /// Compares the normal at b with the one that a circular arc from a to b would carry there, the normal at a mirrored in
 /// the plane halfway: exact on spheres and cylinders, and right across sharp edges, where n_a . n_b is 0. An edge along
-/// the normals joins two layers or two sides of something thin, and nobody can tell which: it comes last.
-Likeness likeness(const base::Vec3f& a, const base::Vec3f& na, const base::Vec3f& b, const base::Vec3f& nb) {
-    const base::Vec3f e = base::normalized(b - a);
-    const float alongA = base::dot(na, e), alongB = base::dot(nb, e);
-    const float arc = base::dot(na, nb) - 2 * alongA * alongB;
-    const float steep = std::max(alongA * alongA, alongB * alongB);
-    const float unlike = std::clamp(1 - std::abs(arc) * (1 - steep), 0.0f, 1.0f);
-    return {arc < 0, static_cast<std::uint16_t>(unlike * (classes - 1))};
+/// the normals joins two layers or two sides of something thin, and nobody can tell which: it comes last. The same bits
+/// from a to b and from b to a.
+POINTCLAY_CLONES
+void likeness(const Beside& b, Likeness& out) {
+    for (int k = 0; k < Beside::most; ++k) {
+        const float ex = b.x[k] - b.a.x, ey = b.y[k] - b.a.y, ez = b.z[k] - b.a.z;
+        const float l = std::sqrt(ex * ex + ey * ey + ez * ez);
+        const bool far = l > 0 && l <= std::numeric_limits<float>::max();
+        const float ux = far ? ex / l : 0, uy = far ? ey / l : 0, uz = far ? ez / l : 0;
+        const float alongA = b.na.x * ux + b.na.y * uy + b.na.z * uz;
+        const float alongB = b.nx[k] * ux + b.ny[k] * uy + b.nz[k] * uz;
+        const float arc = b.na.x * b.nx[k] + b.na.y * b.ny[k] + b.na.z * b.nz[k] - 2 * alongA * alongB;
+        const float steepA = alongA * alongA, steepB = alongB * alongB;
+        const float unlike = 1 - std::abs(arc) * (1 - (steepA < steepB ? steepB : steepA));
+        const float clamped = unlike < 0 ? 0 : 1 < unlike ? 1 : unlike;
+        out.flip[k] = arc < 0;
+        out.unlike[k] = static_cast<std::int32_t>(clamped * (classes - 1));
+    }
 }
 
 /// Edges this unlike or less are certain: on two-sided scans, raw ones included, next to none of them contradicts the
 /// others (at most 0.07 sqrt(n) points, found on 30 models), while a Moebius strip's seam of them cannot vanish.
-constexpr std::size_t certain = classes / 20;
+constexpr std::int32_t certain = classes / 20;
 constexpr double seamLength = 0.3; ///< in sqrt(n) points, from which there is a seam
 constexpr std::size_t leastSeam = 4;
 
@@ -52,10 +74,12 @@ struct Edge {
 class SpanningTrees {
   public:
     SpanningTrees(const Cloud& cloud, const NeighbourTable& links, std::span<const base::Vec3f> normals)
-        : m_positions(cloud.positions()), m_links(links), m_normals(normals), m_trees(cloud.size()) {}
+        : m_positions(cloud.positions()), m_links(links), m_normals(normals), m_trees(cloud.size()),
+          m_joined(base::chunkCount(links.size(), grain), 0) {}
 
     void grow(const base::Progress& progress) {
-        const std::vector<std::size_t> before = countsBelow(part(progress, 0, 0.2));
+        progress.step(0, orienting);
+        const std::vector<std::size_t> before = countsBelow();
         std::size_t room = std::max<std::size_t>(m_links.size() / 4, 1), begin = 0;
         while (begin < classes) {
             // As many classes as make so many edges, at least one. The more points are joined, the fewer are left of
@@ -64,7 +88,7 @@ class SpanningTrees {
             while (end < classes && before[end + 1] - before[begin] <= room)
                 ++end;
             const double done = static_cast<double>(begin) / classes;
-            join(begin, end, part(progress, 0.2 + 0.6 * done, 0.2 + 0.6 * static_cast<double>(end) / classes));
+            join(begin, end, part(progress, done, static_cast<double>(end) / classes));
             begin = end;
             room *= 2;
         }
@@ -73,16 +97,17 @@ class SpanningTrees {
     /// Is there a seam, along which certain edges contradict the signs that the trees gave?
     bool hasSeam(const base::Progress& progress) const {
         std::vector<std::vector<std::uint32_t>> parts(base::chunkCount(m_links.size(), grain));
-        forSlabs(progress, [&](std::size_t i, std::size_t chunk) {
-            const NeighbourTable::Row row = m_links.row(i);
-            const auto a = m_trees.look(static_cast<std::uint32_t>(i));
-            for (std::size_t k = 0; k < m_links.count(); ++k) {
-                const auto b = m_trees.look(row[k]);
-                if (a.root != b.root)
-                    continue;
-                const Likeness along = likenessOf(i, row[k]);
-                if (along.unlike < certain && (a.opposite != b.opposite) != along.flip)
-                    parts[chunk].insert(parts[chunk].end(), {static_cast<std::uint32_t>(i), row[k]});
+        forSlabs(progress, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+            Row row;
+            for (std::size_t i = begin; i < end; ++i) {
+                const auto a = m_trees.look(static_cast<std::uint32_t>(i));
+                lookBeside(i, row);
+                for (std::size_t k = 0; k < m_links.count(); ++k) {
+                    const auto b = m_trees.look(row.neighbours[k]);
+                    if (a.root == b.root && row.along.unlike[k] < certain &&
+                        (a.opposite != b.opposite) != (row.along.flip[k] != 0))
+                        parts[chunk].insert(parts[chunk].end(), {static_cast<std::uint32_t>(i), row.neighbours[k]});
+                }
             }
         });
         std::vector<std::uint32_t> seam;
@@ -99,11 +124,24 @@ class SpanningTrees {
   private:
     static constexpr std::size_t grain = 8192, slab = 64 * grain;
 
-    Likeness likenessOf(std::size_t i, std::size_t j) const {
-        return likeness(m_positions[i], m_normals[i], m_positions[j], m_normals[j]);
+    struct Row {
+        NeighbourTable::Row neighbours;
+        Beside beside{};
+        Likeness along;
+    };
+
+    void lookBeside(std::size_t i, Row& row) const {
+        row.neighbours = m_links.row(i);
+        row.beside.a = m_positions[i], row.beside.na = m_normals[i];
+        for (std::size_t k = 0; k < m_links.count(); ++k) {
+            const base::Vec3f &p = m_positions[row.neighbours[k]], &n = m_normals[row.neighbours[k]];
+            row.beside.x[k] = p.x, row.beside.y[k] = p.y, row.beside.z[k] = p.z;
+            row.beside.nx[k] = n.x, row.beside.ny[k] = n.y, row.beside.nz[k] = n.z;
+        }
+        likeness(row.beside, row.along);
     }
 
-    /// body(i, chunk) for all points, in parallel.
+    /// body(begin, end, chunk) for all points, in parallel.
     template <class Body>
     void forSlabs(const base::Progress& progress, const Body& body) const {
         const std::size_t n = m_links.size();
@@ -111,51 +149,55 @@ class SpanningTrees {
             progress.step(static_cast<double>(from) / static_cast<double>(n), orienting);
             base::parallelChunks(std::min(slab, n - from), grain,
                                  [&](std::size_t begin, std::size_t end, std::size_t chunk) {
-                                     for (std::size_t i = from + begin; i < from + end; ++i)
-                                         body(i, from / grain + chunk);
+                                     body(from + begin, from + end, from / grain + chunk);
                                  });
         }
     }
 
-    /// Number of edges in the classes below each.
-    std::vector<std::size_t> countsBelow(const base::Progress& progress) const {
+    /// About how many edges are in the classes below each, from a sixteenth of the points.
+    std::vector<std::size_t> countsBelow() const {
+        constexpr std::size_t step = 16;
         std::vector<std::size_t> counts(classes + 1);
-        std::vector<std::vector<std::uint16_t>> found(slab / grain);
-        const std::size_t n = m_links.size(), k = m_links.count();
-        for (std::size_t from = 0; from < n; from += slab) {
-            progress.step(static_cast<double>(from) / static_cast<double>(n), orienting);
-            const std::size_t size = std::min(slab, n - from);
-            base::parallelChunks(size, grain, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
-                found[chunk].clear();
-                for (std::size_t i = from + begin; i < from + end; ++i) {
-                    const NeighbourTable::Row row = m_links.row(i);
-                    for (std::size_t e = 0; e < k; ++e)
-                        found[chunk].push_back(likenessOf(i, row[e]).unlike);
-                }
-            });
-            for (std::size_t chunk = 0; chunk < base::chunkCount(size, grain); ++chunk)
-                for (const std::uint16_t unlike : found[chunk])
-                    ++counts[unlike + 1u];
-        }
+        std::vector<std::vector<std::int32_t>> found(base::chunkCount(m_links.size(), slab));
+        base::parallelChunks(m_links.size(), slab, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+            Row row;
+            for (std::size_t i = begin; i < end; i += step) {
+                lookBeside(i, row);
+                found[chunk].insert(found[chunk].end(), row.along.unlike, row.along.unlike + m_links.count());
+            }
+        });
+        for (const auto& part : found)
+            for (const std::int32_t unlike : part)
+                counts[static_cast<std::size_t>(unlike) + 1] += step;
         for (std::size_t c = 0; c < classes; ++c)
             counts[c + 1] += counts[c];
         return counts;
     }
 
-    /// All edges of the classes that join something. That an edge may be found from both its ends does no harm: the
+    /// The edges of the classes that join something. That an edge may be found from both its ends does no harm: the
     /// second time it joins nothing.
-    void join(std::size_t begin, std::size_t end, const base::Progress& progress) {
+    std::vector<Edge> edgesOf(std::int32_t begin, std::int32_t end, const base::Progress& progress) {
         std::vector<std::vector<Edge>> parts(base::chunkCount(m_links.size(), grain));
-        forSlabs(part(progress, 0, 0.6), [&](std::size_t i, std::size_t chunk) {
-            const NeighbourTable::Row row = m_links.row(i);
-            const auto root = m_trees.look(static_cast<std::uint32_t>(i)).root;
-            for (std::size_t k = 0; k < m_links.count(); ++k) {
-                if (m_trees.look(row[k]).root == root)
+        forSlabs(progress, [&](std::size_t first, std::size_t last, std::size_t chunk) {
+            if (m_joined[chunk])
+                return;
+            Row row;
+            bool joined = true;
+            for (std::size_t i = first; i < last; ++i) {
+                const NeighbourTable::Row near = m_links.row(i);
+                const auto root = m_trees.look(static_cast<std::uint32_t>(i)).root;
+                const auto others = [&](std::uint32_t j) { return m_trees.look(j).root != root; };
+                if (std::none_of(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(m_links.count()), others))
                     continue;
-                const Likeness along = likenessOf(i, row[k]);
-                if (along.unlike >= begin && along.unlike < end)
-                    parts[chunk].push_back({static_cast<std::uint32_t>(i), row[k], along.unlike, along.flip});
+                joined = false;
+                lookBeside(i, row);
+                for (std::size_t k = 0; k < m_links.count(); ++k)
+                    if (row.along.unlike[k] >= begin && row.along.unlike[k] < end && others(near[k]))
+                        parts[chunk].push_back({static_cast<std::uint32_t>(i), near[k],
+                                                static_cast<std::uint16_t>(row.along.unlike[k]),
+                                                row.along.flip[k] != 0});
             }
+            m_joined[chunk] = joined;
         });
         std::size_t count = 0;
         for (const auto& each : parts)
@@ -166,20 +208,28 @@ class SpanningTrees {
             edges.insert(edges.end(), each.begin(), each.end());
             std::vector<Edge>().swap(each);
         }
-        base::radixSort(edges, 14, [](const Edge& edge) { return edge.unlike; });
+        return edges;
+    }
+
+    void join(std::size_t begin, std::size_t end, const base::Progress& progress) {
+        std::vector<Edge> edges =
+            edgesOf(static_cast<std::int32_t>(begin), static_cast<std::int32_t>(end), part(progress, 0, 0.6));
+        base::radixSort(edges, classBits, [](const Edge& edge) { return edge.unlike; });
         for (std::size_t e = 0; e < edges.size(); ++e) {
             if (e % 131072 == 0)
                 progress.step(0.7 + 0.3 * static_cast<double>(e) / static_cast<double>(edges.size()), orienting);
             m_trees.relate(edges[e].a, edges[e].b, edges[e].flip);
         }
-        base::parallelFor(m_links.size(), grain,
-                          [&](std::size_t i) { m_trees.shorten(static_cast<std::uint32_t>(i)); });
+        if (!edges.empty())
+            base::parallelFor(m_links.size(), grain,
+                              [&](std::size_t i) { m_trees.shorten(static_cast<std::uint32_t>(i)); });
     }
 
     std::span<const base::Vec3f> m_positions;
     const NeighbourTable& m_links;
     std::span<const base::Vec3f> m_normals;
     base::ParitySets m_trees;
+    std::vector<std::uint8_t> m_joined; ///< of chunks: all their points with all they are linked to
 };
 
 } // namespace
@@ -189,7 +239,6 @@ bool orient(const Cloud& cloud, const NeighbourTable& links, std::span<base::Vec
     const std::size_t n = cloud.size();
     if (n < 2)
         return true;
-    static_assert(classes == 1 << 14);
     SpanningTrees trees(cloud, links, normals);
     trees.grow(part(progress, 0, 0.7));
     const bool sided = !trees.hasSeam(part(progress, 0.7, 0.8));
