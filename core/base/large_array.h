@@ -1,14 +1,13 @@
 // An array of many plain values in large pages (large_memory.h) that nobody initialises: who makes it writes every
 // value before reading it, in parallel at best, so that no core waits for another to touch fresh memory.
 //
-// Owns its memory and moves like a vector; small ones come from the ordinary heap.
+// Owns its memory, moves like a vector and passes for a span; small ones come from the ordinary heap.
 #pragma once
 
 #include "core/base/large_memory.h"
 
 #include <cstdlib>
 #include <new>
-#include <span>
 #include <type_traits>
 #include <utility>
 
@@ -50,8 +49,6 @@ class LargeArray {
     T* end() { return m_data + m_size; }
     const T* begin() const { return m_data; }
     const T* end() const { return m_data + m_size; }
-    operator std::span<const T>() const { return {m_data, m_size}; }
-    operator std::span<T>() { return {m_data, m_size}; }
     /// Forgets what is behind the first `size`. REQUIRES: size <= size().
     void shrink(std::size_t size) { m_size = size; }
 

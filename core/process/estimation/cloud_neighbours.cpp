@@ -1,6 +1,7 @@
 #include "core/process/estimation/cloud_neighbours.h"
 
 #include "core/process/estimation/cloud_normals.h"
+#include "core/process/estimation/cloud_spacing.h"
 #include "core/process/estimation/duplicates.h"
 
 #include <limits>
@@ -11,6 +12,7 @@ CloudNeighbours neighboursOf(const Cloud& cloud, std::size_t normalNeighbours, c
     CloudNeighbours out;
     const std::size_t n = cloud.size(), count = std::min(NeighbourTable::most, n > 0 ? n - 1 : 0);
     out.table = NeighbourTable(n, count);
+    out.spacing = base::LargeArray<float>(n);
     out.doubles = base::LargeArray<std::uint8_t>(n);
     out.closestPile.assign(cloud.cells().count(), std::numeric_limits<float>::infinity());
     if (normalNeighbours > 0)
@@ -20,6 +22,7 @@ CloudNeighbours neighboursOf(const Cloud& cloud, std::size_t normalNeighbours, c
         std::fill(out.normals.begin(), out.normals.end(), base::Vec3f{0, 0, 1});
     if (count == 0) {
         std::fill(out.doubles.begin(), out.doubles.end(), std::uint8_t(0));
+        std::fill(out.spacing.begin(), out.spacing.end(), 0.0f);
         return out;
     }
     const char* const what = plane ? "Estimating normals" : "Looking at neighbours";
@@ -31,6 +34,7 @@ CloudNeighbours neighboursOf(const Cloud& cloud, std::size_t normalNeighbours, c
             const auto distanceSq = std::span(rows.distanceSq).subspan(r * rows.k, rows.k);
             out.table.set(i, index.first(count));
             out.doubles[i] = static_cast<std::uint8_t>(duplicatesBeside(distanceSq.first(count)));
+            out.spacing[i] = spacingOfRing(distanceSq.first(count));
             if (count >= leastPile - 1)
                 closest = std::min(closest, distanceSq[leastPile - 2]);
             if (plane) {

@@ -8,6 +8,7 @@ namespace process {
 
 struct CloudNeighbours {
     NeighbourTable table;
+    base::LargeArray<float> spacing;        ///< as spacingsOf, the distances rounded first
     base::LargeArray<std::uint8_t> doubles; ///< how many of the nearest are one place with each (duplicates.h)
     std::vector<float> closestPile;         ///< of each cell: least squared distance to a (leastPile - 1)th neighbour
     base::LargeArray<base::Vec3f> normals;  ///< as normalsOf; empty unless asked for

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace process {
 
@@ -41,7 +40,7 @@ class Places {
   public:
     explicit Places(std::span<const Vec3f> positions) : m_positions(positions), m_sets(positions.size()) {}
 
-    void joinPiles(const Cloud& cloud, std::span<const float> closestPile, const base::Progress& progress);
+    void joinPiles(const Cloud& cloud, std::vector<Pile> open, const base::Progress& progress);
     /// Those around `cloud`'s positions, which are the places `numbers`, or the same where there are none.
     void joinNeighbours(const CloudNeighbours& near, std::span<const std::uint32_t> numbers);
     /// One position of each set, and its number.
@@ -145,8 +144,7 @@ std::vector<Pile> Places::joinDeserving(const std::vector<Pile>& piles) {
     return out;
 }
 
-void Places::joinPiles(const Cloud& cloud, std::span<const float> closestPile, const base::Progress& progress) {
-    std::vector<Pile> open = findPiles(cloud, closestPile, progress);
+void Places::joinPiles(const Cloud& cloud, std::vector<Pile> open, const base::Progress& progress) {
     constexpr int mostRounds = 4; // each a thousand times finer than the one before
     for (int round = 0; round < mostRounds && !open.empty(); ++round) {
         if (mayDeserve(cloud, open))
@@ -202,8 +200,13 @@ std::size_t duplicatesBeside(std::span<const float> distanceSq) {
 
 std::vector<std::uint32_t> firstOfDuplicates(const Cloud& cloud, const CloudNeighbours& neighbours,
                                              const base::Progress& progress) {
+    std::vector<Pile> piles = findPiles(cloud, neighbours.closestPile, progress);
+    const bool none = std::all_of(neighbours.doubles.begin(), neighbours.doubles.end(),
+                                  [](std::uint8_t doubles) { return doubles == 0; });
+    if (piles.empty() && none && cloud.size() == cloud.places().size())
+        return {};
     Places places(cloud.positions());
-    places.joinPiles(cloud, neighbours.closestPile, part(progress, 0, 0.5));
+    places.joinPiles(cloud, std::move(piles), part(progress, 0, 0.5));
     if (places.joined()) {
         std::vector<std::uint32_t> left;
         const std::vector<surfel::Surfel> positions = places.reduced(left);
@@ -215,15 +218,9 @@ std::vector<std::uint32_t> firstOfDuplicates(const Cloud& cloud, const CloudNeig
     } else {
         places.joinNeighbours(neighbours, {});
     }
-    if (places.joined() || cloud.size() < cloud.places().size())
-        return firstIn(places, cloud.places(), cloud.size());
-    std::vector<std::uint32_t> out(cloud.places().size());
-    std::iota(out.begin(), out.end(), 0u);
-    return out;
-}
-
-std::vector<std::uint32_t> firstOfDuplicates(const Cloud& cloud, const base::Progress& progress) {
-    return firstOfDuplicates(cloud, neighboursOf(cloud, 0, part(progress, 0, 0.7)), part(progress, 0.7, 1));
+    if (!places.joined() && cloud.size() == cloud.places().size())
+        return {};
+    return firstIn(places, cloud.places(), cloud.size());
 }
 
 std::size_t mergeDuplicates(surfel::SurfelList& points, std::span<const std::uint32_t> first) {

@@ -1,5 +1,6 @@
 #include "core/process/estimation/neighbour_graph.h"
 
+#include "core/process/estimation/cloud_spacing.h"
 #include "core/process/estimation/part_progress.h"
 
 #include <algorithm>
@@ -40,7 +41,7 @@ class OwnSides {
     OwnSides(const Cloud& cloud, base::LargeArray<Vec3f> sides, NeighbourTable& table)
         : m_cloud(cloud), m_sides(std::move(sides)), m_table(table) {}
 
-    void run(const base::Progress& progress) {
+    void run(std::span<float> spacing, const base::Progress& progress) {
         constexpr std::size_t slab = 1024, grain = 16;
         const std::size_t cells = m_cloud.cells().count();
         for (std::size_t from = 0; from < cells; from += slab) {
@@ -53,8 +54,10 @@ class OwnSides {
                                          mend(cell, rows, mended[chunk]);
                                  });
             for (const std::vector<Mended>& part : mended)
-                for (const Mended& each : part)
+                for (const Mended& each : part) {
                     m_table.set(each.position, std::span(each.row).first(m_table.count()));
+                    spacing[each.position] = spacingAt(each);
+                }
         }
     }
 
@@ -64,6 +67,15 @@ class OwnSides {
         std::uint32_t position;
         NeighbourTable::Row row;
     };
+
+    float spacingAt(const Mended& each) const {
+        const auto positions = m_cloud.positions();
+        std::array<float, ringSize> distancesSq;
+        const std::size_t count = std::min(ringSize, m_table.count());
+        for (std::size_t k = 0; k < count; ++k)
+            distancesSq[k] = base::distanceSq(positions[each.position], positions[each.row[k]]);
+        return spacingOfRing(std::span(distancesSq).first(count));
+    }
 
     bool seesOther(std::size_t i) const {
         const NeighbourTable::Row row = m_table.row(i);
@@ -111,9 +123,9 @@ class OwnSides {
 } // namespace
 
 NeighbourGraph neighbourGraph(const Cloud& cloud, const surfel::SurfelList& points, NeighbourTable nearest,
-                              const base::Progress& progress) {
+                              std::span<float> spacing, const base::Progress& progress) {
     if (points.layout->normals && points.layout->oriented)
-        OwnSides(cloud, sidesOf(cloud, points), nearest).run(progress);
+        OwnSides(cloud, sidesOf(cloud, points), nearest).run(spacing, progress);
     return {std::move(nearest), cloud.positions()};
 }
 

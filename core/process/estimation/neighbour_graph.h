@@ -36,9 +36,9 @@ class NeighbourGraph {
 
 /// Where a wall is thin, the nearest may stand behind it, and their spacing would be the wall's thickness: where
 /// normals are oriented, those of the own side count. Too few of them: all count. Rows are filled up with the last one.
-/// `points` are the list that the cloud was made of, `nearest` its 12 nearest neighbours; `cloud` outlives the result.
-/// REQUIRES: two positions.
+/// `points` are the list that the cloud was made of, `nearest` its 12 nearest neighbours, `spacing` the spacing that
+/// they tell of, which is made anew where rows change; `cloud` outlives the result. REQUIRES: two positions.
 NeighbourGraph neighbourGraph(const Cloud& cloud, const surfel::SurfelList& points, NeighbourTable nearest,
-                              const base::Progress& progress);
+                              std::span<float> spacing, const base::Progress& progress);
 
 } // namespace process

@@ -75,12 +75,12 @@ class SpanningTrees {
   public:
     SpanningTrees(const Cloud& cloud, const NeighbourTable& links, std::span<const base::Vec3f> normals)
         : m_positions(cloud.positions()), m_links(links), m_normals(normals), m_trees(cloud.size()),
-          m_joined(base::chunkCount(links.size(), grain), 0) {}
+          m_along(links.size()) {}
 
     void grow(const base::Progress& progress) {
-        progress.step(0, orienting);
+        compare(part(progress, 0, 0.3));
         const std::vector<std::size_t> before = countsBelow();
-        std::size_t room = std::max<std::size_t>(m_links.size() / 4, 1), begin = 0;
+        std::size_t room = std::max<std::size_t>(m_links.size() / 8, 1), begin = 0;
         while (begin < classes) {
             // As many classes as make so many edges, at least one. The more points are joined, the fewer are left of
             // the edges that there are.
@@ -88,7 +88,7 @@ class SpanningTrees {
             while (end < classes && before[end + 1] - before[begin] <= room)
                 ++end;
             const double done = static_cast<double>(begin) / classes;
-            join(begin, end, part(progress, done, static_cast<double>(end) / classes));
+            join(begin, end, part(progress, 0.3 + 0.7 * done, 0.3 + 0.7 * static_cast<double>(end) / classes));
             begin = end;
             room *= 2;
         }
@@ -97,17 +97,15 @@ class SpanningTrees {
     /// Is there a seam, along which certain edges contradict the signs that the trees gave?
     bool hasSeam(const base::Progress& progress) const {
         std::vector<std::vector<std::uint32_t>> parts(base::chunkCount(m_links.size(), grain));
-        forSlabs(progress, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
-            Row row;
-            for (std::size_t i = begin; i < end; ++i) {
-                const auto a = m_trees.look(static_cast<std::uint32_t>(i));
-                lookBeside(i, row);
-                for (std::size_t k = 0; k < m_links.count(); ++k) {
-                    const auto b = m_trees.look(row.neighbours[k]);
-                    if (a.root == b.root && row.along.unlike[k] < certain &&
-                        (a.opposite != b.opposite) != (row.along.flip[k] != 0))
-                        parts[chunk].insert(parts[chunk].end(), {static_cast<std::uint32_t>(i), row.neighbours[k]});
-                }
+        forSlabs(progress, [&](std::size_t i, std::size_t chunk) {
+            const auto a = m_trees.look(static_cast<std::uint32_t>(i));
+            const NeighbourTable::Row row = m_links.row(i);
+            for (std::size_t k = 0; k < m_links.count(); ++k) {
+                if (unlikeOf(m_along[i][k]) >= certain)
+                    continue;
+                const auto b = m_trees.look(row[k]);
+                if (a.root == b.root && (a.opposite != b.opposite) != flipOf(m_along[i][k]))
+                    parts[chunk].insert(parts[chunk].end(), {static_cast<std::uint32_t>(i), row[k]});
             }
         });
         std::vector<std::uint32_t> seam;
@@ -124,24 +122,13 @@ class SpanningTrees {
   private:
     static constexpr std::size_t grain = 8192, slab = 64 * grain;
 
-    struct Row {
-        NeighbourTable::Row neighbours;
-        Beside beside{};
-        Likeness along;
-    };
+    /// An edge's class and its flip in one word.
+    using Along = std::array<std::uint16_t, NeighbourTable::most>;
+    static constexpr std::uint16_t flipBit = classes;
+    static std::int32_t unlikeOf(std::uint16_t along) { return along & (flipBit - 1); }
+    static bool flipOf(std::uint16_t along) { return (along & flipBit) != 0; }
 
-    void lookBeside(std::size_t i, Row& row) const {
-        row.neighbours = m_links.row(i);
-        row.beside.a = m_positions[i], row.beside.na = m_normals[i];
-        for (std::size_t k = 0; k < m_links.count(); ++k) {
-            const base::Vec3f &p = m_positions[row.neighbours[k]], &n = m_normals[row.neighbours[k]];
-            row.beside.x[k] = p.x, row.beside.y[k] = p.y, row.beside.z[k] = p.z;
-            row.beside.nx[k] = n.x, row.beside.ny[k] = n.y, row.beside.nz[k] = n.z;
-        }
-        likeness(row.beside, row.along);
-    }
-
-    /// body(begin, end, chunk) for all points, in parallel.
+    /// body(i, chunk) for all points, in parallel.
     template <class Body>
     void forSlabs(const base::Progress& progress, const Body& body) const {
         const std::size_t n = m_links.size();
@@ -149,26 +136,36 @@ class SpanningTrees {
             progress.step(static_cast<double>(from) / static_cast<double>(n), orienting);
             base::parallelChunks(std::min(slab, n - from), grain,
                                  [&](std::size_t begin, std::size_t end, std::size_t chunk) {
-                                     body(from + begin, from + end, from / grain + chunk);
+                                     for (std::size_t i = from + begin; i < from + end; ++i)
+                                         body(i, from / grain + chunk);
                                  });
         }
+    }
+
+    void compare(const base::Progress& progress) {
+        forSlabs(progress, [&](std::size_t i, std::size_t) {
+            const NeighbourTable::Row row = m_links.row(i);
+            Beside beside{};
+            Likeness found;
+            beside.a = m_positions[i], beside.na = m_normals[i];
+            for (std::size_t k = 0; k < m_links.count(); ++k) {
+                const base::Vec3f &p = m_positions[row[k]], &n = m_normals[row[k]];
+                beside.x[k] = p.x, beside.y[k] = p.y, beside.z[k] = p.z;
+                beside.nx[k] = n.x, beside.ny[k] = n.y, beside.nz[k] = n.z;
+            }
+            likeness(beside, found);
+            for (std::size_t k = 0; k < NeighbourTable::most; ++k)
+                m_along[i][k] = static_cast<std::uint16_t>(found.unlike[k] + found.flip[k] * flipBit);
+        });
     }
 
     /// About how many edges are in the classes below each, from a sixteenth of the points.
     std::vector<std::size_t> countsBelow() const {
         constexpr std::size_t step = 16;
         std::vector<std::size_t> counts(classes + 1);
-        std::vector<std::vector<std::int32_t>> found(base::chunkCount(m_links.size(), slab));
-        base::parallelChunks(m_links.size(), slab, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
-            Row row;
-            for (std::size_t i = begin; i < end; i += step) {
-                lookBeside(i, row);
-                found[chunk].insert(found[chunk].end(), row.along.unlike, row.along.unlike + m_links.count());
-            }
-        });
-        for (const auto& part : found)
-            for (const std::int32_t unlike : part)
-                counts[static_cast<std::size_t>(unlike) + 1] += step;
+        for (std::size_t i = 0; i < m_links.size(); i += step)
+            for (std::size_t k = 0; k < m_links.count(); ++k)
+                counts[static_cast<std::size_t>(unlikeOf(m_along[i][k])) + 1] += step;
         for (std::size_t c = 0; c < classes; ++c)
             counts[c + 1] += counts[c];
         return counts;
@@ -176,28 +173,22 @@ class SpanningTrees {
 
     /// The edges of the classes that join something. That an edge may be found from both its ends does no harm: the
     /// second time it joins nothing.
-    std::vector<Edge> edgesOf(std::int32_t begin, std::int32_t end, const base::Progress& progress) {
+    std::vector<Edge> edgesOf(std::int32_t begin, std::int32_t end, const base::Progress& progress) const {
         std::vector<std::vector<Edge>> parts(base::chunkCount(m_links.size(), grain));
-        forSlabs(progress, [&](std::size_t first, std::size_t last, std::size_t chunk) {
-            if (m_joined[chunk])
+        forSlabs(progress, [&](std::size_t i, std::size_t chunk) {
+            const Along& along = m_along[i];
+            const auto isMeant = [&](std::uint16_t edge) { return unlikeOf(edge) >= begin && unlikeOf(edge) < end; };
+            bool any = false;
+            for (std::size_t k = 0; k < m_links.count(); ++k)
+                any |= isMeant(along[k]);
+            if (!any)
                 return;
-            Row row;
-            bool joined = true;
-            for (std::size_t i = first; i < last; ++i) {
-                const NeighbourTable::Row near = m_links.row(i);
-                const auto root = m_trees.look(static_cast<std::uint32_t>(i)).root;
-                const auto others = [&](std::uint32_t j) { return m_trees.look(j).root != root; };
-                if (std::none_of(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(m_links.count()), others))
-                    continue;
-                joined = false;
-                lookBeside(i, row);
-                for (std::size_t k = 0; k < m_links.count(); ++k)
-                    if (row.along.unlike[k] >= begin && row.along.unlike[k] < end && others(near[k]))
-                        parts[chunk].push_back({static_cast<std::uint32_t>(i), near[k],
-                                                static_cast<std::uint16_t>(row.along.unlike[k]),
-                                                row.along.flip[k] != 0});
-            }
-            m_joined[chunk] = joined;
+            const NeighbourTable::Row row = m_links.row(i);
+            const auto root = m_trees.look(static_cast<std::uint32_t>(i)).root;
+            for (std::size_t k = 0; k < m_links.count(); ++k)
+                if (isMeant(along[k]) && m_trees.look(row[k]).root != root)
+                    parts[chunk].push_back({static_cast<std::uint32_t>(i), row[k],
+                                            static_cast<std::uint16_t>(unlikeOf(along[k])), flipOf(along[k])});
         });
         std::size_t count = 0;
         for (const auto& each : parts)
@@ -229,7 +220,7 @@ class SpanningTrees {
     const NeighbourTable& m_links;
     std::span<const base::Vec3f> m_normals;
     base::ParitySets m_trees;
-    std::vector<std::uint8_t> m_joined; ///< of chunks: all their points with all they are linked to
+    base::LargeArray<Along> m_along;
 };
 
 } // namespace

@@ -24,6 +24,7 @@ struct Bunch {
     std::uint32_t begin, end;
     Box3f box;
     float closestSq; ///< no larger than any squared distance to a (leastPile - 1)th neighbour
+    bool whole;      ///< a cell in its own order, of which nothing is written down
 };
 
 struct Range {
@@ -52,11 +53,13 @@ struct Range {
 
 class Search {
   public:
-    Search(std::span<const Vec3f> positions, std::vector<std::uint32_t> order, std::vector<Pile>& out)
-        : m_positions(positions), m_order(std::move(order)), m_out(out) {}
+    /// Room for so many.
+    Search(std::span<const Vec3f> positions, std::size_t count, std::vector<Pile>& out)
+        : m_positions(positions), m_order(count), m_out(out) {}
 
+    std::span<std::uint32_t> order() { return m_order; }
     Bunch bunch(std::uint32_t begin, std::uint32_t end, float closestSq) const {
-        Bunch out{begin, end, {}, closestSq};
+        Bunch out{begin, end, {}, closestSq, false};
         for (std::uint32_t i = begin; i < end; ++i)
             out.box.extend(m_positions[m_order[i]]);
         return out;
@@ -99,8 +102,15 @@ class Search {
     void keep(const Range& range, float extent) {
         Pile& pile = m_out.emplace_back();
         pile.extent = extent;
-        for (const Bunch& each : range.bunches)
+        for (const Bunch& each : range.bunches) {
+            writeDown(each);
             pile.members.insert(pile.members.end(), m_order.begin() + each.begin, m_order.begin() + each.end);
+        }
+    }
+
+    void writeDown(const Bunch& each) {
+        if (each.whole)
+            std::iota(m_order.begin() + each.begin, m_order.begin() + each.end, each.begin);
     }
 
     void divide(const Bunch& each, std::size_t axis, float at, Range& lower, Range& upper) {
@@ -108,6 +118,7 @@ class Search {
             return lower.bunches.push_back(each);
         if (each.box.lo[axis] > at)
             return upper.bunches.push_back(each);
+        writeDown(each);
         const auto middle = std::partition(m_order.begin() + each.begin, m_order.begin() + each.end,
                                            [&](std::uint32_t i) { return m_positions[i][axis] <= at; });
         const auto half = static_cast<std::uint32_t>(middle - m_order.begin());
@@ -116,16 +127,10 @@ class Search {
     }
 
     std::span<const Vec3f> m_positions;
-    std::vector<std::uint32_t> m_order;
+    base::LargeArray<std::uint32_t> m_order;
     std::vector<Pile>& m_out;
     std::vector<Range> m_open;
 };
-
-std::vector<std::uint32_t> inOrder(std::size_t n) {
-    std::vector<std::uint32_t> out(n);
-    std::iota(out.begin(), out.end(), 0u);
-    return out;
-}
 
 } // namespace
 
@@ -137,14 +142,15 @@ std::vector<Pile> findPiles(const Cloud& cloud, std::span<const float> closestPi
     for (const PointCells::Node& node : cells.nodes)
         if (node.cell != PointCells::inner)
             whole.bunches.push_back(
-                {cells.begin[node.cell], cells.begin[node.cell + 1], node.box, closestPile[node.cell]});
-    Search(cloud.positions(), inOrder(cloud.size()), out).run(std::move(whole), progress);
+                {cells.begin[node.cell], cells.begin[node.cell + 1], node.box, closestPile[node.cell], true});
+    Search(cloud.positions(), cloud.size(), out).run(std::move(whole), progress);
     return out;
 }
 
 void findPiles(std::span<const Vec3f> positions, const Pile& within, const base::Progress& progress,
                std::vector<Pile>& out) {
-    Search search(positions, within.members, out);
+    Search search(positions, within.members.size(), out);
+    std::copy(within.members.begin(), within.members.end(), search.order().begin());
     const Bunch all = search.bunch(0, static_cast<std::uint32_t>(within.members.size()), 0);
     search.run({{all}, within.extent}, progress);
 }

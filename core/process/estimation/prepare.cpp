@@ -97,8 +97,8 @@ class Surroundings {
         if (m_neighbours)
             m_neighbours->normals = {};
     }
-    NeighbourTable takeTable() {
-        NeighbourTable out = std::move(neighbours().table);
+    CloudNeighbours take() {
+        CloudNeighbours out = std::move(neighbours());
         m_neighbours.reset();
         return out;
     }
@@ -152,11 +152,11 @@ bool completeNormals(surfel::SurfelList& points, Surroundings& around, const bas
 
 /// Returns how many.
 std::size_t mergeThrough(surfel::SurfelList& points, Surroundings& around, const base::Progress& progress) {
-    const std::size_t merged =
-        mergeDuplicates(points, firstOfDuplicates(around.cloud(), around.neighbours(), progress));
-    if (merged > 0)
-        around.forget();
-    return merged;
+    const std::vector<std::uint32_t> first = firstOfDuplicates(around.cloud(), around.neighbours(), progress);
+    if (first.empty())
+        return 0;
+    around.forget();
+    return mergeDuplicates(points, first);
 }
 
 /// Distinct positions, counted up to 4.
@@ -194,7 +194,7 @@ void prepareSupports(surfel::SurfelList& points, Surroundings& around, const Pre
         return;
     const bool one = options.definition.support > 0;
     const std::vector<float> h =
-        supportsOf(around.cloud(), points, options.definition, one ? NeighbourTable() : around.takeTable(), progress);
+        supportsOf(around.cloud(), points, options.definition, one ? CloudNeighbours() : around.take(), progress);
     const auto places = around.cloud().places();
     base::parallelFor(points.size(), grain, [&](std::size_t i) {
         if (!keeps(points.items[i]))

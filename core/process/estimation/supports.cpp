@@ -1,7 +1,5 @@
 #include "core/process/estimation/supports.h"
 
-#include "core/process/estimation/cloud_neighbours.h"
-#include "core/process/estimation/cloud_spacing.h"
 #include "core/process/estimation/cloud_supports.h"
 #include "core/process/estimation/graded_field.h"
 #include "core/process/estimation/outliers.h"
@@ -13,28 +11,14 @@ namespace process {
 
 namespace {
 
-constexpr std::size_t ringSize = 6; ///< that spacing is made of
 /// Of radii over distance (process/README 1.3).
 constexpr float steepest = 0.5f;
 /// A position that stands this many times sparser than the median of its neighbours is an outlier and gets no more.
 constexpr float sparsest = 3.0f;
 constexpr std::size_t grain = 4096;
 
-std::vector<float> spacingsOf(const NeighbourGraph& g) {
-    std::vector<float> out(g.size());
-    const std::size_t k = std::min<std::size_t>(ringSize, g.count());
-    base::parallelFor(g.size(), grain, [&](std::size_t i) {
-        const NeighbourGraph::Row row = g.row(i);
-        double sum = 0;
-        for (std::size_t j = 0; j < k; ++j)
-            sum += static_cast<double>(g.distance(i, row[j]));
-        out[i] = static_cast<float>(spacingOverDistance * sum / static_cast<double>(k));
-    });
-    return out;
-}
-
 /// An outlier's reach would otherwise follow its distance from everything, and grading would carry that into the model.
-std::vector<float> withoutOutliers(const std::vector<float>& spacing, const NeighbourGraph& g) {
+std::vector<float> withoutOutliers(std::span<const float> spacing, const NeighbourGraph& g) {
     std::vector<float> out(spacing.size());
     base::parallelFor(spacing.size(), grain, [&](std::size_t i) {
         const NeighbourGraph::Row row = g.row(i);
@@ -53,7 +37,7 @@ std::vector<float> withoutOutliers(const std::vector<float>& spacing, const Neig
 } // namespace
 
 std::vector<float> supportsOf(const Cloud& cloud, const surfel::SurfelList& points,
-                              const surface::SurfaceDefinition& definition, NeighbourTable nearest,
+                              const surface::SurfaceDefinition& definition, CloudNeighbours near,
                               const base::Progress& progress) {
     const bool gaussian = definition.weight == surface::Weight::Gaussian;
     const float reach = gaussian ? surface::gaussianReach : 1.0f;
@@ -61,8 +45,9 @@ std::vector<float> supportsOf(const Cloud& cloud, const surfel::SurfelList& poin
         return std::vector<float>(cloud.size(), definition.support * reach);
     if (cloud.size() < 2)
         return std::vector<float>(cloud.size(), 1.0f); // a lone point has no scale; any will do
-    NeighbourGraph graph = neighbourGraph(cloud, points, std::move(nearest), part(progress, 0, 0.4));
-    std::vector<float> h = withoutOutliers(spacingsOf(graph), graph);
+    NeighbourGraph graph = neighbourGraph(cloud, points, std::move(near.table), near.spacing, part(progress, 0, 0.4));
+    std::vector<float> h = withoutOutliers(near.spacing, graph);
+    near = {};
     const float perSpacing = definition.unitInSpacings();
     for (float& value : h)
         value = std::max(value * perSpacing, 1e-18f); // denormal distances
@@ -83,10 +68,10 @@ void assignSupports(surfel::SurfelList& points, const surface::SurfaceDefinition
     if (points.items.empty())
         return;
     const Cloud cloud(points.items, part(progress, 0, 0.2));
-    NeighbourTable nearest;
+    CloudNeighbours near;
     if (!(definition.support > 0))
-        nearest = neighboursOf(cloud, 0, part(progress, 0.2, 0.6)).table;
-    const std::vector<float> h = supportsOf(cloud, points, definition, std::move(nearest), part(progress, 0.6, 1));
+        near = neighboursOf(cloud, 0, part(progress, 0.2, 0.6));
+    const std::vector<float> h = supportsOf(cloud, points, definition, std::move(near), part(progress, 0.6, 1));
     base::parallelFor(points.size(), grain, [&](std::size_t i) { points.items[i].support = h[cloud.places()[i]]; });
 }
 
