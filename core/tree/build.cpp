@@ -50,7 +50,7 @@ Children blocksOf(const surfel::SurfelList& surfels, const base::Progress& progr
     assert(surfels.extra.size() == surfels.size() * surfels.layout->words());
     if (surfels.items.empty())
         return {};
-    const std::vector<MortonKey> keys = sortedKeys(surfels.items, checkedBox(surfels, progress));
+    const base::LargeArray<MortonKey> keys = sortedKeys(surfels.items, checkedBox(surfels, progress));
     progress.step(0.25, "indexing");
     const std::vector<std::size_t> ends = cutRuns(keys, blocksPerRun * blockTarget);
     std::vector<Children> runs(ends.size());

@@ -43,7 +43,7 @@ class Runs {
     Runs(std::span<const Surfel> points, const CurveGrid& grid) : m_points(points), m_grid(grid) {}
 
     /// REQUIRES: whole runs.
-    void sortAll(std::span<std::uint64_t> keys) const {
+    void sortAll(std::span<std::uint64_t> keys) {
         for (std::size_t begin = 0, end = 0; begin < keys.size(); begin = end) {
             while (end < keys.size() && keys[end] >> 32 == keys[begin] >> 32)
                 ++end;
@@ -53,8 +53,9 @@ class Runs {
     }
 
   private:
-    void sort(std::span<std::uint64_t> keys) const {
-        std::vector<CodedPoint> coded(keys.size());
+    void sort(std::span<std::uint64_t> keys) {
+        std::vector<CodedPoint>& coded = m_coded;
+        coded.resize(keys.size());
         for (std::size_t i = 0; i < keys.size(); ++i) {
             const auto point = static_cast<std::uint32_t>(keys[i]);
             coded[i] = {m_grid.code(m_points[point].position), point};
@@ -83,6 +84,7 @@ class Runs {
 
     std::span<const Surfel> m_points;
     const CurveGrid& m_grid;
+    std::vector<CodedPoint> m_coded; ///< of one run
 };
 
 /// Cuts sorted keys into parts of whole runs, of about a grain each.

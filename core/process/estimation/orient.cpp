@@ -117,6 +117,7 @@ class SpanningTrees {
         return length >= leastSeam && static_cast<double>(length) >= least;
     }
 
+    void forgetEdges() { m_along = {}; }
     base::ParitySets::Member look(std::uint32_t i) const { return m_trees.look(i); }
 
   private:
@@ -233,6 +234,7 @@ bool orient(const Cloud& cloud, const NeighbourTable& links, std::span<base::Vec
     SpanningTrees trees(cloud, links, normals);
     trees.grow(part(progress, 0, 0.7));
     const bool sided = !trees.hasSeam(part(progress, 0.7, 0.8));
+    trees.forgetEdges();
     std::vector<std::uint32_t> start(n + 1), members(n);
     for (std::uint32_t i = 0; i < n; ++i) {
         const auto [root, flip] = trees.look(i);
