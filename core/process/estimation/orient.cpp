@@ -2,7 +2,7 @@
 // with a flip rule (process/README 2.2) that knows the edge between the two points.
 #include "core/base/clones.h"
 #include "core/base/disjoint_sets.h"
-#include "core/base/radix_sort.h"
+#include "core/base/large_array.h"
 #include "core/process/estimation/cloud_normals.h"
 #include "core/process/estimation/outside.h"
 #include "core/process/estimation/part_progress.h"
@@ -62,51 +62,61 @@ constexpr std::int32_t certain = classes / 20;
 constexpr double seamLength = 0.3; ///< in sqrt(n) points, from which there is a seam
 constexpr std::size_t leastSeam = 4;
 
-struct Edge {
-    std::uint32_t a, b;
-    std::uint16_t unlike;
-    bool flip;
+/// An edge as chunks hand it on, in one word: the point that it was found from, counted from the chunk's first, its
+/// class, whether it flips, and the other point.
+class Edge {
+  public:
+    Edge() = default;
+    Edge(std::uint32_t local, std::int32_t unlike, bool flip, std::uint32_t to)
+        : m_word(std::uint64_t(local) << 47 | std::uint64_t(unlike) << 33 | std::uint64_t(flip) << 32 | to) {}
+    std::uint32_t local() const { return static_cast<std::uint32_t>(m_word >> 47); }
+    std::uint32_t unlike() const { return static_cast<std::uint32_t>(m_word >> 33) & (classes - 1); }
+    bool flip() const { return (m_word >> 32 & 1) != 0; }
+    std::uint32_t to() const { return static_cast<std::uint32_t>(m_word); }
+
+  private:
+    std::uint64_t m_word;
 };
 
 /// Kruskal's minimum spanning trees of the neighbour graph, with the flips along their edges. Edges come by classes of
-/// likeness, those of a class in the order of the points along the curve. They are not kept: a band of classes at a
-/// time is taken from the graph, without what joins points that are joined already, which is nearly all of it soon.
+/// likeness, those of a class in the order of the points along the curve. Chunks of points first find the trees of what
+/// lies inside of them: an edge that closes a circle there is the last one of a circle, in the whole as well, and is in
+/// no tree. What is left, little more than an edge a point, is sorted and joined.
 class SpanningTrees {
   public:
     SpanningTrees(const Cloud& cloud, const NeighbourTable& links, std::span<const base::Vec3f> normals)
-        : m_positions(cloud.positions()), m_links(links), m_normals(normals), m_trees(cloud.size()),
-          m_along(links.size()) {}
+        : m_positions(cloud.positions()), m_links(links), m_normals(normals), m_trees(cloud.size()) {}
 
     void grow(const base::Progress& progress) {
-        compare(part(progress, 0, 0.3));
-        const std::vector<std::size_t> before = countsBelow();
-        std::size_t room = std::max<std::size_t>(m_links.size() / 8, 1), begin = 0;
-        while (begin < classes) {
-            // As many classes as make so many edges, at least one. The more points are joined, the fewer are left of
-            // the edges that there are.
-            std::size_t end = begin + 1;
-            while (end < classes && before[end + 1] - before[begin] <= room)
-                ++end;
-            const double done = static_cast<double>(begin) / classes;
-            join(begin, end, part(progress, 0.3 + 0.7 * done, 0.3 + 0.7 * static_cast<double>(end) / classes));
-            begin = end;
-            room *= 2;
+        std::vector<std::vector<Edge>> parts(base::chunkCount(m_links.size(), grain));
+        forChunks(part(progress, 0, 0.7), [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+            parts[chunk] = candidates(begin, end);
+        });
+        progress.step(0.7, orienting);
+        const base::LargeArray<Joint> joints = sorted(parts);
+        for (std::size_t k = 0; k < joints.size(); ++k) {
+            if (k % 131072 == 0)
+                progress.step(0.75 + 0.25 * static_cast<double>(k) / static_cast<double>(joints.size()), orienting);
+            m_trees.relate(joints[k].a, joints[k].b >> 1, (joints[k].b & 1) != 0);
         }
+        base::parallelFor(m_links.size(), grain,
+                          [&](std::size_t i) { m_trees.shorten(static_cast<std::uint32_t>(i)); });
     }
 
     /// Is there a seam, along which certain edges contradict the signs that the trees gave?
     bool hasSeam(const base::Progress& progress) const {
         std::vector<std::vector<std::uint32_t>> parts(base::chunkCount(m_links.size(), grain));
-        forSlabs(progress, [&](std::size_t i, std::size_t chunk) {
-            const auto a = m_trees.look(static_cast<std::uint32_t>(i));
-            const NeighbourTable::Row row = m_links.row(i);
-            for (std::size_t k = 0; k < m_links.count(); ++k) {
-                if (unlikeOf(m_along[i][k]) >= certain)
-                    continue;
-                const auto b = m_trees.look(row[k]);
-                if (a.root == b.root && (a.opposite != b.opposite) != flipOf(m_along[i][k]))
-                    parts[chunk].insert(parts[chunk].end(), {static_cast<std::uint32_t>(i), row[k]});
-            }
+        forChunks(progress, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+            forRows(begin, end, [&](std::uint32_t i, const NeighbourTable::Row& row, const Likeness& along) {
+                const auto a = m_trees.look(i);
+                for (std::size_t k = 0; k < m_links.count(); ++k) {
+                    if (along.unlike[k] >= certain)
+                        continue;
+                    const auto b = m_trees.look(row[k]);
+                    if (a.root == b.root && (a.opposite != b.opposite) != (along.flip[k] != 0))
+                        parts[chunk].insert(parts[chunk].end(), {i, row[k]});
+                }
+            });
         });
         std::vector<std::uint32_t> seam;
         for (const auto& each : parts)
@@ -117,111 +127,102 @@ class SpanningTrees {
         return length >= leastSeam && static_cast<double>(length) >= least;
     }
 
-    void forgetEdges() { m_along = {}; }
     base::ParitySets::Member look(std::uint32_t i) const { return m_trees.look(i); }
 
   private:
-    static constexpr std::size_t grain = 8192, slab = 64 * grain;
+    static constexpr std::size_t grain = 16384, slab = 16 * grain;
+    struct Joint {
+        std::uint32_t a, b; ///< b << 1 | flip
+    };
 
-    /// An edge's class and its flip in one word.
-    using Along = std::array<std::uint16_t, NeighbourTable::most>;
-    static constexpr std::uint16_t flipBit = classes;
-    static std::int32_t unlikeOf(std::uint16_t along) { return along & (flipBit - 1); }
-    static bool flipOf(std::uint16_t along) { return (along & flipBit) != 0; }
-
-    /// body(i, chunk) for all points, in parallel.
+    /// body(begin, end, chunk) for all points, in parallel.
     template <class Body>
-    void forSlabs(const base::Progress& progress, const Body& body) const {
+    void forChunks(const base::Progress& progress, const Body& body) const {
         const std::size_t n = m_links.size();
         for (std::size_t from = 0; from < n; from += slab) {
             progress.step(static_cast<double>(from) / static_cast<double>(n), orienting);
             base::parallelChunks(std::min(slab, n - from), grain,
                                  [&](std::size_t begin, std::size_t end, std::size_t chunk) {
-                                     for (std::size_t i = from + begin; i < from + end; ++i)
-                                         body(i, from / grain + chunk);
+                                     body(from + begin, from + end, from / grain + chunk);
                                  });
         }
     }
 
-    void compare(const base::Progress& progress) {
-        forSlabs(progress, [&](std::size_t i, std::size_t) {
+    /// body(i, neighbours, likeness) for a range of points.
+    template <class Body>
+    void forRows(std::size_t begin, std::size_t end, const Body& body) const {
+        Beside beside{};
+        Likeness along;
+        for (std::size_t i = begin; i < end; ++i) {
             const NeighbourTable::Row row = m_links.row(i);
-            Beside beside{};
-            Likeness found;
             beside.a = m_positions[i], beside.na = m_normals[i];
             for (std::size_t k = 0; k < m_links.count(); ++k) {
                 const base::Vec3f &p = m_positions[row[k]], &n = m_normals[row[k]];
                 beside.x[k] = p.x, beside.y[k] = p.y, beside.z[k] = p.z;
                 beside.nx[k] = n.x, beside.ny[k] = n.y, beside.nz[k] = n.z;
             }
-            likeness(beside, found);
-            for (std::size_t k = 0; k < NeighbourTable::most; ++k)
-                m_along[i][k] = static_cast<std::uint16_t>(found.unlike[k] + found.flip[k] * flipBit);
-        });
+            likeness(beside, along);
+            body(static_cast<std::uint32_t>(i), row, along);
+        }
     }
 
-    /// About how many edges are in the classes below each, from a sixteenth of the points.
-    std::vector<std::size_t> countsBelow() const {
-        constexpr std::size_t step = 16;
-        std::vector<std::size_t> counts(classes + 1);
-        for (std::size_t i = 0; i < m_links.size(); i += step)
-            for (std::size_t k = 0; k < m_links.count(); ++k)
-                counts[static_cast<std::size_t>(unlikeOf(m_along[i][k])) + 1] += step;
-        for (std::size_t c = 0; c < classes; ++c)
-            counts[c + 1] += counts[c];
-        return counts;
-    }
-
-    /// The edges of the classes that join something. That an edge may be found from both its ends does no harm: the
-    /// second time it joins nothing.
-    std::vector<Edge> edgesOf(std::int32_t begin, std::int32_t end, const base::Progress& progress) const {
-        std::vector<std::vector<Edge>> parts(base::chunkCount(m_links.size(), grain));
-        forSlabs(progress, [&](std::size_t i, std::size_t chunk) {
-            const Along& along = m_along[i];
-            const auto isMeant = [&](std::uint16_t edge) { return unlikeOf(edge) >= begin && unlikeOf(edge) < end; };
-            bool any = false;
-            for (std::size_t k = 0; k < m_links.count(); ++k)
-                any |= isMeant(along[k]);
-            if (!any)
-                return;
-            const NeighbourTable::Row row = m_links.row(i);
-            const auto root = m_trees.look(static_cast<std::uint32_t>(i)).root;
-            for (std::size_t k = 0; k < m_links.count(); ++k)
-                if (isMeant(along[k]) && m_trees.look(row[k]).root != root)
-                    parts[chunk].push_back({static_cast<std::uint32_t>(i), row[k],
-                                            static_cast<std::uint16_t>(unlikeOf(along[k])), flipOf(along[k])});
-        });
-        std::size_t count = 0;
-        for (const auto& each : parts)
-            count += each.size();
+    /// The chunk's edges that may be in a tree, in the order of its points. That an edge may be found from both its
+    /// ends does no harm: it has the same bits from both, and the second time it joins nothing.
+    std::vector<Edge> candidates(std::size_t begin, std::size_t end) const {
         std::vector<Edge> edges;
-        edges.reserve(count);
-        for (auto& each : parts) {
-            edges.insert(edges.end(), each.begin(), each.end());
-            std::vector<Edge>().swap(each);
+        edges.reserve((end - begin) * m_links.count());
+        std::vector<std::uint32_t> next(classes + 1);
+        forRows(begin, end, [&](std::uint32_t i, const NeighbourTable::Row& row, const Likeness& along) {
+            for (std::size_t k = 0; k < m_links.count(); ++k) {
+                edges.emplace_back(static_cast<std::uint32_t>(i - begin), along.unlike[k], along.flip[k] != 0, row[k]);
+                ++next[edges.back().unlike() + 1];
+            }
+        });
+        for (std::size_t c = 0; c < classes; ++c)
+            next[c + 1] += next[c];
+        std::vector<std::uint32_t> order(edges.size());
+        for (std::uint32_t e = 0; e < edges.size(); ++e)
+            order[next[edges[e].unlike()]++] = e;
+        base::DisjointSets inside(end - begin);
+        std::vector<std::uint8_t> mayJoin(edges.size());
+        for (const std::uint32_t e : order) {
+            const std::uint32_t to = edges[e].to();
+            mayJoin[e] =
+                to < begin || to >= end || inside.join(edges[e].local(), to - static_cast<std::uint32_t>(begin));
         }
-        return edges;
+        std::vector<Edge> out;
+        out.reserve(static_cast<std::size_t>(std::count(mayJoin.begin(), mayJoin.end(), 1)));
+        for (std::size_t e = 0; e < edges.size(); ++e)
+            if (mayJoin[e])
+                out.push_back(edges[e]);
+        return out;
     }
 
-    void join(std::size_t begin, std::size_t end, const base::Progress& progress) {
-        std::vector<Edge> edges =
-            edgesOf(static_cast<std::int32_t>(begin), static_cast<std::int32_t>(end), part(progress, 0, 0.6));
-        base::radixSort(edges, classBits, [](const Edge& edge) { return edge.unlike; });
-        for (std::size_t e = 0; e < edges.size(); ++e) {
-            if (e % 131072 == 0)
-                progress.step(0.7 + 0.3 * static_cast<double>(e) / static_cast<double>(edges.size()), orienting);
-            m_trees.relate(edges[e].a, edges[e].b, edges[e].flip);
+    /// By class, those of one in the order that they have. Empties the parts.
+    static base::LargeArray<Joint> sorted(std::vector<std::vector<Edge>>& parts) {
+        std::vector<std::size_t> next(classes + 1);
+        std::size_t count = 0;
+        for (const auto& part : parts) {
+            count += part.size();
+            for (const Edge& edge : part)
+                ++next[edge.unlike() + 1];
         }
-        if (!edges.empty())
-            base::parallelFor(m_links.size(), grain,
-                              [&](std::size_t i) { m_trees.shorten(static_cast<std::uint32_t>(i)); });
+        for (std::size_t c = 0; c < classes; ++c)
+            next[c + 1] += next[c];
+        base::LargeArray<Joint> out(count);
+        for (std::size_t chunk = 0; chunk < parts.size(); ++chunk) {
+            for (const Edge& edge : parts[chunk])
+                out[next[edge.unlike()]++] = {static_cast<std::uint32_t>(chunk * grain) + edge.local(),
+                                              edge.to() << 1 | (edge.flip() ? 1u : 0u)};
+            std::vector<Edge>().swap(parts[chunk]);
+        }
+        return out;
     }
 
     std::span<const base::Vec3f> m_positions;
     const NeighbourTable& m_links;
     std::span<const base::Vec3f> m_normals;
     base::ParitySets m_trees;
-    base::LargeArray<Along> m_along;
 };
 
 } // namespace
@@ -234,7 +235,6 @@ bool orient(const Cloud& cloud, const NeighbourTable& links, std::span<base::Vec
     SpanningTrees trees(cloud, links, normals);
     trees.grow(part(progress, 0, 0.7));
     const bool sided = !trees.hasSeam(part(progress, 0.7, 0.8));
-    trees.forgetEdges();
     std::vector<std::uint32_t> start(n + 1), members(n);
     for (std::uint32_t i = 0; i < n; ++i) {
         const auto [root, flip] = trees.look(i);
