@@ -10,6 +10,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <memory>
 
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
@@ -157,10 +158,14 @@ HWY_NOINLINE void searchOne(const Query& q, std::uint32_t self, std::uint32_t* i
 class Around {
   public:
     Around(const Query& query, std::size_t cell, NearestScratch& scratch)
-        : m_query(query), m_cell(cell), m_scratch(scratch) {}
+        : m_query(query), m_cell(cell), m_scratch(scratch) {
+        std::fill(std::begin(m_scratch.reach), std::end(m_scratch.reach), infinity);
+        for (auto& axis : m_scratch.recent)
+            std::fill(std::begin(axis), std::end(axis), 0.0f);
+    }
 
-    /// False where there is too much of it.
-    bool gather();
+    /// Of the cell's clusters `from` to `to` - 1. False where there is too much of it.
+    bool gather(std::size_t from, std::size_t to);
     /// REQUIRES: gathered; positions of the cell in their order.
     void nearest(std::uint32_t self, std::uint32_t* index, float* distanceSq);
 
@@ -181,20 +186,18 @@ class Around {
     std::array<float, PointCells::largest / PointCells::clusterSize> m_reachSq; ///< of the cell's own clusters
 };
 
-bool Around::gather() {
+bool Around::gather(std::size_t from, std::size_t to) {
     const PointCells& cells = m_query.cells;
     const std::size_t begin = cells.begin[m_cell], end = cells.begin[m_cell + 1], first = cells.firstCluster[m_cell];
     Box3f box;
     float most = 0;
-    for (std::size_t i = begin, c = 0; i < end; i += PointCells::clusterSize, ++c) {
+    for (std::size_t c = from; c < to; ++c) {
+        const std::size_t i = begin + c * PointCells::clusterSize;
         const Box3f& own = cells.clusterBoxes[first + c];
         box.extend(own);
         m_reachSq[c] = reachSq(m_query, i, std::min<std::size_t>(i + PointCells::clusterSize, end), own);
         most = std::max(most, m_reachSq[c]);
     }
-    std::fill(std::begin(m_scratch.reach), std::end(m_scratch.reach), infinity);
-    for (auto& axis : m_scratch.recent)
-        std::fill(std::begin(axis), std::end(axis), 0.0f);
     m_clusters = 0;
     for (std::uint32_t n = 0; n < cells.nodes.size();) {
         const PointCells::Node& node = cells.nodes[n];
@@ -373,18 +376,24 @@ void Around::nearest(std::uint32_t self, std::uint32_t* index, float* distanceSq
     remember(self, p, distanceSq[k - 1]);
 }
 
-void nearestInCell(const PointCells& cells, std::span<const Vec3f> positions, std::size_t cell, NearestRows& out) {
+void nearestInCell(const PointCells& cells, std::span<const Vec3f> positions, std::size_t cell, NearestScratch& scratch,
+                   NearestRows& out) {
     const Query query{cells, positions.data(), positions.size(), out.k};
-    Around around(query, cell, *out.scratch);
-    const bool together = around.gather();
-    for (std::size_t n = 0; n < out.count; ++n) {
-        const auto self = static_cast<std::uint32_t>(out.first + n);
-        std::uint32_t* const index = out.index.data() + n * query.k;
-        float* const distanceSq = out.distanceSq.data() + n * query.k;
-        if (together)
-            around.nearest(self, index, distanceSq);
-        else
-            searchOne(query, self, index, distanceSq);
+    Around around(query, cell, scratch);
+    const std::size_t clusters = (out.count + PointCells::clusterSize - 1) / PointCells::clusterSize;
+    const bool whole = around.gather(0, clusters);
+    for (std::size_t c = 0; c < clusters; ++c) {
+        const bool together = whole || (clusters > 1 && around.gather(c, c + 1));
+        const std::size_t end = std::min(out.count, (c + 1) * PointCells::clusterSize);
+        for (std::size_t n = c * PointCells::clusterSize; n < end; ++n) {
+            const auto self = static_cast<std::uint32_t>(out.first + n);
+            std::uint32_t* const index = out.index.data() + n * query.k;
+            float* const distanceSq = out.distanceSq.data() + n * query.k;
+            if (together)
+                around.nearest(self, index, distanceSq);
+            else
+                searchOne(query, self, index, distanceSq);
+        }
     }
 }
 
@@ -406,15 +415,14 @@ HWY_EXPORT(nearestAlone);
 void nearestOfCell(const PointCells& cells, std::span<const base::Vec3f> positions, std::size_t cell, std::size_t k,
                    NearestRows& out) {
     assert(k >= 1 && k < positions.size());
-    if (!out.scratch)
-        out.scratch = std::make_unique_for_overwrite<NearestScratch>();
+    thread_local const auto scratch = std::make_unique_for_overwrite<NearestScratch>();
     out.cell = cell;
     out.first = cells.begin[cell];
     out.count = cells.size(cell);
     out.k = k;
     out.index.resize(out.count * k);
     out.distanceSq.resize(out.count * k);
-    HWY_DYNAMIC_DISPATCH(nearestInCell)(cells, positions, cell, out);
+    HWY_DYNAMIC_DISPATCH(nearestInCell)(cells, positions, cell, *scratch, out);
 }
 
 void nearestOfOne(const PointCells& cells, std::span<const base::Vec3f> positions, std::uint32_t i, std::size_t k,

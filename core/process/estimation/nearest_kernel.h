@@ -7,14 +7,14 @@
 
 #include "core/process/estimation/point_cells.h"
 
-#include <memory>
+#include <vector>
 
 namespace process {
 
 /// Working memory of one thread.
 struct NearestScratch {
     /// Clusters that are gathered about a cell at most.
-    static constexpr std::size_t mostClusters = 192, mostPoints = mostClusters * PointCells::clusterSize;
+    static constexpr std::size_t mostClusters = 512, mostPoints = mostClusters * PointCells::clusterSize;
     static constexpr std::size_t widest = 16;  ///< lanes
     static constexpr std::size_t recents = 16; ///< positions whose answers bound the next one's
 
@@ -39,7 +39,6 @@ struct NearestRows {
     std::size_t cell = 0, first = 0, count = 0, k = 0; ///< of positions first to first + count - 1
     std::vector<std::uint32_t> index;
     std::vector<float> distanceSq;
-    std::unique_ptr<NearestScratch> scratch;
 };
 
 /// All positions of a cell. REQUIRES: 1 <= k < positions.size().
