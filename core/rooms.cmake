@@ -6,12 +6,16 @@ pointclay_link(base TBB::tbb Threads::Threads Eigen3::Eigen)
 pointclay_room(surfel core/surfel base)
 
 pointclay_room(tree core/tree surfel)
+pointclay_link(tree PkgConfig::HWY)
 
 pointclay_room(surface core/surface tree)
 pointclay_link(surface PkgConfig::HWY)
 
 pointclay_room(process core/process surface)
-pointclay_link(process nanoflann::nanoflann Eigen3::Eigen)
+pointclay_link(process nanoflann::nanoflann PkgConfig::HWY Eigen3::Eigen)
+# As for sculpt below.
+set_source_files_properties(core/process/estimation/normal_links.cpp PROPERTIES
+                            COMPILE_OPTIONS "-fno-math-errno;-fno-trapping-math")
 
 pointclay_room(cells core/cells surface)
 

@@ -29,15 +29,35 @@ Run naiveLoading(Scene& scene) {
 Run opening(Scene& scene) {
     return [file = std::make_shared<ScanFile>(scene)] {
         io::FileModel model = io::read((*file)->path);
-        const surface::Surface surface = process::prepare(std::move(model.points), {{}, false});
+        std::size_t merged = 0;
+        const surface::Surface surface = process::prepare(std::move(model.points), {{}, false, false, &merged});
         keep(surface);
-        return surface.tree().size();
+        return surface.tree().size() + merged;
     };
 }
 
 Run naiveOpening(Scene& scene) {
     return [file = std::make_shared<ScanFile>(scene)] {
         const std::vector<surfel::Surfel> points = naiveOpen(**file, surface::SurfaceDefinition().neighbours);
+        keep(points);
+        return points.size();
+    };
+}
+
+/// Without normals: estimated and oriented, duplicates merged, as a raw scan is opened.
+Run openingPoints(Scene& scene) {
+    return [file = std::make_shared<ScanFile>(scene, ScanFile::Normals::Without)] {
+        io::FileModel model = io::read((*file)->path);
+        std::size_t merged = 0;
+        const surface::Surface surface = process::prepare(std::move(model.points), {{}, false, false, &merged});
+        keep(surface);
+        return surface.tree().size() + merged;
+    };
+}
+
+Run naiveOpeningPoints(Scene& scene) {
+    return [file = std::make_shared<ScanFile>(scene, ScanFile::Normals::Without)] {
+        const std::vector<surfel::Surfel> points = naiveOpenRaw(**file, surface::SurfaceDefinition().neighbours);
         keep(points);
         return points.size();
     };
@@ -54,6 +74,9 @@ std::vector<Workload> fileWorkloads() {
          "supports "
          "not graded",
          opening, naiveOpening, true},
+        {"open-points", "point", "the same for a file without normals, which are estimated and oriented",
+         "the same, nanoflann for 18 nearest, principal components, a minimum spanning tree for the signs",
+         openingPoints, naiveOpeningPoints, true},
     };
 }
 

@@ -13,15 +13,17 @@ static std::filesystem::path freshPath() {
     return std::filesystem::temp_directory_path() / (name + ".ply");
 }
 
-ScanFile::ScanFile(Scene& scene) : m_file{freshPath(), 0, scene.size()} {
+ScanFile::ScanFile(Scene& scene, Normals normals) : m_file{freshPath(), 0, scene.size(), normals == Normals::With} {
     std::ofstream out(m_file.path, std::ios::binary);
     out << "ply\nformat binary_little_endian 1.0\nelement vertex " << scene.size()
-        << "\nproperty float x\nproperty float y\nproperty float z\nproperty float nx\nproperty float ny\n"
-           "property float nz\nproperty uchar red\nproperty uchar green\nproperty uchar blue\nend_header\n";
+        << "\nproperty float x\nproperty float y\nproperty float z\n"
+        << (m_file.normals ? "property float nx\nproperty float ny\nproperty float nz\n" : "")
+        << "property uchar red\nproperty uchar green\nproperty uchar blue\nend_header\n";
     m_file.header = static_cast<std::size_t>(out.tellp());
     for (const surfel::Surfel& s : scene.unsorted().items) {
         out.write(reinterpret_cast<const char*>(&s.position), 12);
-        out.write(reinterpret_cast<const char*>(&s.normal), 12);
+        if (m_file.normals)
+            out.write(reinterpret_cast<const char*>(&s.normal), 12);
         out.write(reinterpret_cast<const char*>(&s.colour), 3);
     }
     out.close();

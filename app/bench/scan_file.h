@@ -1,4 +1,4 @@
-// A scene's points as a file of 27 bytes each, as scanners' own programs write.
+// A scene's points as a file of 27 bytes each, as scanners' own programs write, or of 15 without normals.
 #pragma once
 
 #include "app/bench/naive_file.h"
@@ -9,8 +9,9 @@ namespace bench {
 /// In the folder for temporary files; goes away with its last user.
 class ScanFile {
   public:
+    enum class Normals { With, Without };
     /// Throws base::Error where it cannot be written.
-    explicit ScanFile(Scene& scene);
+    explicit ScanFile(Scene& scene, Normals normals = Normals::With);
     ~ScanFile();
     ScanFile(const ScanFile&) = delete;
     ScanFile& operator=(const ScanFile&) = delete;

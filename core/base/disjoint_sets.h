@@ -9,6 +9,7 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
 #include <numeric>
 #include <vector>
@@ -57,6 +58,22 @@ class ParitySets {
         }
         return {i, opposite != 0};
     }
+    /// The same for any number of threads, while nobody changes anything: paths stay as they are.
+    Member look(std::uint32_t i) const {
+        std::uint32_t opposite = 0;
+        while (m_link[i] >> 1 != i) {
+            opposite ^= m_link[i] & 1;
+            i = m_link[i] >> 1;
+        }
+        return {i, opposite != 0};
+    }
+    /// Shortens the path of i. Threads may do so at once, while nobody does anything else.
+    void shorten(std::uint32_t i) {
+        std::uint32_t root = i, opposite = 0;
+        for (std::uint32_t link; (link = linkOf(root)) >> 1 != root; root = link >> 1)
+            opposite ^= link & 1;
+        std::atomic_ref(m_link[i]).store(root << 1 | opposite, std::memory_order_relaxed);
+    }
     /// States that a and b are alike or opposite, and joins their sets. False where the contrary is known.
     bool relate(std::uint32_t a, std::uint32_t b, bool opposite) {
         const Member p = find(a), q = find(b);
@@ -68,6 +85,8 @@ class ParitySets {
     }
 
   private:
+    std::uint32_t linkOf(std::uint32_t i) { return std::atomic_ref(m_link[i]).load(std::memory_order_relaxed); }
+
     std::vector<std::uint32_t> m_link; ///< parent << 1 | opposite to it
 };
 

@@ -1,5 +1,6 @@
 #include "core/base/large_memory.h"
 
+#include <cstdint>
 #include <cstdlib>
 #include <new>
 
@@ -25,6 +26,18 @@ void* allocateLarge(std::size_t bytes) {
 
 void freeLarge(void* memory) {
     std::free(memory);
+}
+
+void preferLargePages(void* memory, std::size_t bytes) {
+#ifdef __linux__
+    const auto begin = reinterpret_cast<std::uintptr_t>(memory);
+    const std::uintptr_t first = (begin + largePage - 1) / largePage * largePage,
+                         last = (begin + bytes) / largePage * largePage;
+    if (first < last)
+        madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE);
+#else
+    (void)memory, (void)bytes;
+#endif
 }
 
 } // namespace base

@@ -10,4 +10,7 @@ namespace base {
 void* allocateLarge(std::size_t bytes);
 void freeLarge(void* memory);
 
+/// Wishes for large pages in memory that somebody else allocated and nobody has touched yet: what a vector reserved.
+void preferLargePages(void* memory, std::size_t bytes);
+
 } // namespace base

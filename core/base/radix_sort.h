@@ -5,20 +5,22 @@
 
 #include <array>
 #include <cstdint>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace base {
 
 /// Sorts by the lowest `bits` bits of keyOf(item) and keeps the order of equal ones. Digits that all items share cost
-/// one look. REQUIRES: fewer than 2^32 items.
-template <class Item, class KeyOf>
-void radixSort(std::vector<Item>& items, int bits, const KeyOf& keyOf) {
+/// one look. `Items`: std::vector, base::LargeArray. REQUIRES: fewer than 2^32 items.
+template <class Items, class KeyOf>
+void radixSort(Items& items, int bits, const KeyOf& keyOf) {
+    using Item = std::remove_cvref_t<decltype(items[0])>;
     constexpr int digitBits = 11;
     constexpr std::size_t digits = std::size_t(1) << digitBits, grain = std::size_t(1) << 16;
     using Counts = std::array<std::uint32_t, digits>;
     std::vector<Counts> counts(chunkCount(items.size(), grain));
-    std::vector<Item> other(items.size());
+    Items other(items.size());
     for (int shift = 0; shift < bits; shift += digitBits) {
         const auto digit = [&](const Item& item) {
             return static_cast<std::size_t>(static_cast<std::uint64_t>(keyOf(item)) >> shift & (digits - 1));
@@ -42,7 +44,7 @@ void radixSort(std::vector<Item>& items, int bits, const KeyOf& keyOf) {
             for (std::size_t i = begin; i < end; ++i)
                 other[counts[chunk][digit(items[i])]++] = items[i];
         });
-        items.swap(other);
+        std::swap(items, other);
     }
 }
 

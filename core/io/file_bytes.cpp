@@ -65,13 +65,13 @@ static std::size_t readAt(int descriptor, char* out, std::size_t size, std::size
 /// In pieces on all cores: most of the time goes into pages that are touched for the first time.
 void FileBytes::readFile(int descriptor, std::size_t size) {
     constexpr std::size_t piece = std::size_t(1) << 22;
-    m_file = std::make_unique_for_overwrite<char[]>(size);
+    m_file = base::LargeArray<char>(size);
     std::atomic<int> failed = 0;
     std::atomic<bool> whole = true;
     base::parallelFor((size + piece - 1) / piece, 1, [&](std::size_t k) {
         const std::size_t begin = k * piece, wanted = std::min(piece, size - begin);
         int code = 0;
-        if (readAt(descriptor, m_file.get() + begin, wanted, begin, code) < wanted)
+        if (readAt(descriptor, m_file.data() + begin, wanted, begin, code) < wanted)
             whole = false;
         if (code != 0)
             failed = code;
@@ -80,7 +80,7 @@ void FileBytes::readFile(int descriptor, std::size_t size) {
         failToRead(failed);
     if (!whole)
         fail("became shorter while it was read", "open it again when it is written");
-    m_bytes = {m_file.get(), size};
+    m_bytes = {m_file.data(), size};
 }
 
 void FileBytes::readStream(int descriptor) {

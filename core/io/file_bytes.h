@@ -5,8 +5,9 @@
 // or is no file and goes on for more than `longestStream`. Any number of threads may read.
 #pragma once
 
+#include "core/base/large_array.h"
+
 #include <filesystem>
-#include <memory>
 #include <string>
 #include <string_view>
 
@@ -42,8 +43,8 @@ class FileBytes {
     [[noreturn]] void failToRead(int code) const;
 
     std::filesystem::path m_path;
-    std::string m_stream;           ///< holds the bytes of what is no file
-    std::unique_ptr<char[]> m_file; ///< of a file
+    std::string m_stream;          ///< holds the bytes of what is no file
+    base::LargeArray<char> m_file; ///< of a file
     std::string_view m_bytes;
 };
 

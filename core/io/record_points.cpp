@@ -1,5 +1,6 @@
 #include "core/io/record_points.h"
 
+#include "core/base/large_memory.h"
 #include "core/base/parallel.h"
 #include "core/base/unit_normal.h"
 #include "core/io/origin_choice.h"
@@ -308,6 +309,8 @@ void PointMaker::run(const PointOptions& options, const ProgressSpan& progress) 
     if (m_roles.hasColours())
         chooseScales();
     m_bad.assign(base::chunkCount(m_table.count, grain), 0);
+    m_points.items.reserve(m_table.count);
+    base::preferLargePages(m_points.items.data(), m_table.count * sizeof(surfel::Surfel));
     m_points.items.resize(m_table.count);
     m_points.extra.resize(m_table.count * m_points.layout->words());
     runSlabs(m_table.count, progress, [&](std::size_t begin, std::size_t end, std::size_t chunk) {

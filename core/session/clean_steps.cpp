@@ -114,11 +114,12 @@ void commit(Context& context, Surface next, const std::string& label) {
 Surface duplicates(Context& context, const Surface& surface) {
     surfel::SurfelList points = surface.tree().surfels();
     const process::Cloud cloud(points.items, process::part(context.progress, 0, 0.3));
+    const process::CloudNeighbours near = process::neighboursOf(cloud, 0, process::part(context.progress, 0.3, 0.7));
     const std::vector<std::uint32_t> first =
-        process::firstOfDuplicates(cloud, process::part(context.progress, 0.3, 0.9));
+        process::firstOfDuplicates(cloud, near, process::part(context.progress, 0.7, 0.9));
     std::vector<std::uint8_t> removed(points.size());
     std::size_t count = 0;
-    for (std::size_t i = 0; i < removed.size(); ++i) {
+    for (std::size_t i = 0; i < first.size(); ++i) { // none where there is no duplicate
         removed[i] = first[i] != i;
         count += removed[i];
     }
@@ -212,6 +213,9 @@ Surface thin(Context& context, const Surface& surface, float spacing) {
                              process::part(context.progress, 0.5, 1));
 }
 
+/// That signs of normals are compared with.
+constexpr std::size_t orientNeighbours = 12;
+
 /// Towards the viewpoint, each by itself; how many of them see it at so flat an angle that noise decides.
 static std::size_t turnTo(const Vec3d& viewpoint, const process::Cloud& cloud, std::vector<Vec3f>& normals) {
     constexpr double flat = 0.1; // cosine
@@ -257,7 +261,9 @@ Surface normals(Context& context, const Surface& surface, const std::string& way
         for (std::size_t i = 0; i < fresh.size(); ++i)
             fresh[i] = dot(fresh[i], side[i]) < 0 ? -fresh[i] : fresh[i];
     } else {
-        oriented = process::orient(cloud, fresh, 12, process::part(context.progress, 0.7, 0.9));
+        const process::NeighbourTable links =
+            process::nearestTable(cloud, orientNeighbours, process::part(context.progress, 0.7, 0.8));
+        oriented = process::orient(cloud, links, fresh, process::part(context.progress, 0.8, 0.9));
     }
     process::ListChange change;
     double sum = 0;
@@ -284,14 +290,16 @@ Surface orient(Context& context, const Surface& surface, const std::string& way,
     bool oriented = true;
     const bool sided = points.layout->normals && points.layout->oriented;
     const auto given = sided ? process::Sides::Mostly : process::Sides::Unknown;
-    const base::Progress turning = process::part(context.progress, 0.1, 0.7);
+    const process::NeighbourTable links =
+        process::nearestTable(cloud, orientNeighbours, process::part(context.progress, 0.1, 0.3));
+    const base::Progress turning = process::part(context.progress, 0.3, 0.7);
     if (way == "viewpoint")
         flat = turnTo(viewpointOf(context, viewpoint), cloud, turned);
     else
-        oriented = way == "global" ? process::orientGlobally(cloud, turned, 12, turning, given)
-                                   : process::orient(cloud, turned, 12, turning, given);
+        oriented = way == "global" ? process::orientGlobally(cloud, links, turned, turning, given)
+                                   : process::orient(cloud, links, turned, turning, given);
     const std::vector<std::uint8_t> doubts =
-        process::doubtfulSigns(cloud, turned, process::part(context.progress, 0.7, 0.8));
+        process::doubtfulSigns(cloud, links, turned, process::part(context.progress, 0.7, 0.8));
     const auto contradicted = static_cast<std::size_t>(std::count(doubts.begin(), doubts.end(), 1));
     const double doubtful = static_cast<double>(std::max(contradicted, flat)) / static_cast<double>(cloud.size());
     process::ListChange change;

@@ -33,11 +33,14 @@ static base::Box3f checkedBox(const surfel::SurfelList& surfels, const base::Pro
 static Children cutRun(const surfel::SurfelList& surfels, std::span<const MortonKey> keys) {
     Pool pool;
     pool.list = &surfels;
-    pool.items.reserve(keys.size());
-    for (const MortonKey key : keys)
-        pool.addListed(indexOf(key));
+    CutLanes places(keys.size());
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        const base::Vec3f& p = surfels.items[indexOf(keys[i])].position;
+        places.axis(0)[i] = p.x, places.axis(1)[i] = p.y, places.axis(2)[i] = p.z;
+        places.sources()[i] = Pool::listBase + indexOf(keys[i]);
+    }
     Children out;
-    for (auto& block : cutIntoBlocks(pool, pool.items, blocksFor(keys.size()), surfels.layout->words()))
+    for (auto& block : cutIntoBlocks(pool, places, blocksFor(keys.size()), surfels.layout->words()))
         out.push_back(asChild(std::move(block)));
     return out;
 }
@@ -47,7 +50,7 @@ Children blocksOf(const surfel::SurfelList& surfels, const base::Progress& progr
     assert(surfels.extra.size() == surfels.size() * surfels.layout->words());
     if (surfels.items.empty())
         return {};
-    const std::vector<MortonKey> keys = sortedKeys(surfels.items, checkedBox(surfels, progress));
+    const base::LargeArray<MortonKey> keys = sortedKeys(surfels.items, checkedBox(surfels, progress));
     progress.step(0.25, "indexing");
     const std::vector<std::size_t> ends = cutRuns(keys, blocksPerRun * blockTarget);
     std::vector<Children> runs(ends.size());

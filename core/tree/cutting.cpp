@@ -1,13 +1,9 @@
 #include "core/tree/cutting.h"
 
-#include "core/tree/select.h"
-
+#include <bit>
 #include <cassert>
 
 namespace tree {
-
-/// Cuts into at most so many blocks try all three axes; above, three times the work would not show in the queries.
-constexpr std::size_t carefulBlocks = 16;
 
 using surfel::clusterSize;
 using surfel::SurfelBlock;
@@ -31,96 +27,84 @@ void Pool::addListed(std::uint32_t index) {
 
 namespace {
 
-base::Box3f boxOf(std::span<const CutItem> items) {
-    base::Box3f box;
-    for (const CutItem& item : items)
-        box.extend(base::Vec3f{item.position[0], item.position[1], item.position[2]});
-    return box;
+/// The words of a slot, one in each channel.
+std::uint32_t* wordsOf(SurfelBlock& block, int slot) {
+    return block.words(slot / clusterSize, 0) + slot % clusterSize;
 }
 
-std::size_t longestAxis(const base::Box3f& box) {
-    const base::Vec3f s = box.size();
-    return s.x >= s.y && s.x >= s.z ? 0 : s.y >= s.z ? 1 : 2;
+void copyListed(const surfel::SurfelList& list, std::size_t index, SurfelBlock& block, int slot) {
+    const surfel::Surfel& s = list.items[index];
+    const std::uint32_t words[surfel::Extra] = {
+        std::bit_cast<std::uint32_t>(s.position.x), std::bit_cast<std::uint32_t>(s.position.y),
+        std::bit_cast<std::uint32_t>(s.position.z), std::bit_cast<std::uint32_t>(s.normal.x),
+        std::bit_cast<std::uint32_t>(s.normal.y),   std::bit_cast<std::uint32_t>(s.normal.z),
+        std::bit_cast<std::uint32_t>(s.support),    s.colour,
+        std::bit_cast<std::uint32_t>(s.mask)};
+    std::uint32_t* const out = wordsOf(block, slot);
+    for (std::size_t c = 0; c < surfel::Extra; ++c)
+        out[c * clusterSize] = words[c];
+    if (block.extraWords() > 0)
+        block.setExtra(slot, list.extraOf(index));
 }
 
-/// Sum of the sides: of two cuts of a thin sheet it prefers the one into compact pieces, where area is blind.
-float cost(const base::Box3f& box) {
-    const base::Vec3f s = box.size();
-    return s.x + s.y + s.z;
-}
-
-/// Puts the `middle` smallest in front, along the axis that leaves the smaller boxes.
-void partitionWell(std::span<CutItem> items, std::size_t middle) {
-    std::size_t best = 0, last = 0;
-    float bestCost = std::numeric_limits<float>::infinity();
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        selectSmallest(items, middle, last = axis);
-        const float sum = cost(boxOf(items.first(middle))) + cost(boxOf(items.subspan(middle)));
-        if (sum < bestCost)
-            bestCost = sum, best = axis;
-    }
-    if (best != last)
-        selectSmallest(items, middle, best);
-}
-
-std::size_t clustersFor(std::size_t count) {
-    return (count + clusterSize - 1) / clusterSize;
-}
-
-void arrangeClusters(std::span<CutItem> items) {
-    if (items.size() <= clusterSize) {
-        std::sort(items.begin(), items.end(), [](const CutItem& a, const CutItem& b) { return a.source < b.source; });
-        return;
-    }
-    const std::size_t middle = clustersFor(items.size()) / 2 * clusterSize;
-    selectSmallest(items, middle, longestAxis(boxOf(items)));
-    arrangeClusters(items.first(middle));
-    arrangeClusters(items.subspan(middle));
-}
-
-void copySurfel(const Pool& pool, std::uint32_t source, SurfelBlock& block, int slot) {
-    if (source >= Pool::listBase) {
-        const std::size_t index = source - Pool::listBase;
-        block.set(slot, pool.list->items[index]);
-        block.setExtra(slot, pool.list->extraOf(index));
-        return;
-    }
-    const SurfelBlock& from = *pool.blocks[source / surfel::blockCapacity];
-    const int fromSlot = static_cast<int>(source % surfel::blockCapacity);
+void copySlot(const SurfelBlock& from, int fromSlot, SurfelBlock& block, int slot) {
     const std::uint32_t* in = from.words(fromSlot / clusterSize, 0) + fromSlot % clusterSize;
-    std::uint32_t* out = block.words(slot / clusterSize, 0) + slot % clusterSize;
+    std::uint32_t* out = wordsOf(block, slot);
     const std::size_t channels = surfel::Extra + block.extraWords();
     for (std::size_t c = 0; c < channels; ++c)
         out[c * clusterSize] = in[c * clusterSize];
 }
 
-surfel::BlockPtr makeBlock(const Pool& pool, std::span<const CutItem> items, std::size_t extraWords) {
-    const surfel::MutableBlockPtr block = SurfelBlock::create(static_cast<int>(items.size()), extraWords);
-    for (std::size_t slot = 0; slot < items.size(); ++slot)
-        copySurfel(pool, items[slot].source, *block, static_cast<int>(slot));
+/// Lists are in no order: what comes next is asked for while the present one is copied.
+void askFor(const Pool& pool, std::uint32_t source) {
+    if (source < Pool::listBase)
+        return;
+    const auto* const surfel = reinterpret_cast<const char*>(&pool.list->items[source - Pool::listBase]);
+    __builtin_prefetch(surfel);
+    __builtin_prefetch(surfel + sizeof(surfel::Surfel) - 1);
+}
+
+surfel::BlockPtr makeBlock(const Pool& pool, std::span<const std::uint32_t> sources, std::size_t extraWords) {
+    constexpr std::size_t ahead = 16;
+    const surfel::MutableBlockPtr block = SurfelBlock::create(static_cast<int>(sources.size()), extraWords);
+    for (std::size_t k = 0; k < sources.size(); ++k) {
+        if (k + ahead < sources.size())
+            askFor(pool, sources[k + ahead]);
+        const std::uint32_t source = sources[k];
+        const int slot = static_cast<int>(k);
+        if (source >= Pool::listBase)
+            copyListed(*pool.list, source - Pool::listBase, *block, slot);
+        else
+            copySlot(*pool.blocks[source / surfel::blockCapacity], static_cast<int>(source % surfel::blockCapacity),
+                     *block, slot);
+    }
     block->seal();
     return block;
 }
 
 } // namespace
 
-std::vector<surfel::BlockPtr> cutIntoBlocks(const Pool& pool, std::span<CutItem> items, std::size_t blockCount,
+std::vector<surfel::BlockPtr> cutIntoBlocks(const Pool& pool, CutLanes& places, std::size_t blockCount,
                                             std::size_t extraWords) {
-    if (blockCount == 1) {
-        assert(items.size() <= surfel::blockCapacity);
-        arrangeClusters(items);
-        return {makeBlock(pool, items, extraWords)};
+    std::vector<surfel::BlockPtr> out;
+    const std::uint32_t* next = places.sources();
+    for (const std::uint32_t size : places.cut(blockCount)) {
+        assert(size <= surfel::blockCapacity);
+        out.push_back(makeBlock(pool, {next, size}, extraWords));
+        next += size;
     }
-    const std::size_t left = blockCount / 2;
-    const std::size_t middle = (clustersFor(items.size()) * left + blockCount / 2) / blockCount * clusterSize;
-    if (blockCount <= carefulBlocks)
-        partitionWell(items, middle);
-    else
-        selectSmallest(items, middle, longestAxis(boxOf(items)));
-    std::vector<surfel::BlockPtr> out = cutIntoBlocks(pool, items.first(middle), left, extraWords);
-    for (auto& block : cutIntoBlocks(pool, items.subspan(middle), blockCount - left, extraWords))
-        out.push_back(std::move(block));
     return out;
+}
+
+std::vector<surfel::BlockPtr> cutIntoBlocks(const Pool& pool, std::span<const CutItem> items, std::size_t blockCount,
+                                            std::size_t extraWords) {
+    CutLanes places(items.size());
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        for (std::size_t k = 0; k < 3; ++k)
+            places.axis(k)[i] = items[i].position[k];
+        places.sources()[i] = items[i].source;
+    }
+    return cutIntoBlocks(pool, places, blockCount, extraWords);
 }
 
 } // namespace tree

@@ -1,11 +1,12 @@
 // Cutting surfels into blocks: kd cuts at multiples of the cluster size, so that all clusters but one are full.
 //
-// Internal to the tree. A `Pool` names surfels where they lie, in a list and in older blocks; cutting moves only the
-// 16-byte items, and each block is then filled from its run of them. Results do not depend on how the standard library
-// partitions: sets are cut by (coordinate, source), and within a cluster surfels follow their source.
+// Internal to the tree. A `Pool` names surfels where they lie, in a list and in older blocks; cutting moves only their
+// places and names (cut_lanes.h), and each block is then filled from its run of them. Sets are cut by (coordinate,
+// source), and within a cluster surfels follow their source: results depend on nothing else.
 #pragma once
 
 #include "core/surfel/surfel_block.h"
+#include "core/tree/cut_lanes.h"
 
 #include <bitset>
 #include <span>
@@ -42,7 +43,10 @@ inline std::size_t blocksFor(std::size_t count) {
 
 /// Cuts the items into `blockCount` blocks by kd cuts and fills them. REQUIRES: not empty; blockCount is at least
 /// count / 128 and at most the number of clusters.
-std::vector<surfel::BlockPtr> cutIntoBlocks(const Pool& pool, std::span<CutItem> items, std::size_t blockCount,
+std::vector<surfel::BlockPtr> cutIntoBlocks(const Pool& pool, std::span<const CutItem> items, std::size_t blockCount,
+                                            std::size_t extraWords);
+/// The same for places in lanes, which are left in the order of the blocks' slots.
+std::vector<surfel::BlockPtr> cutIntoBlocks(const Pool& pool, CutLanes& places, std::size_t blockCount,
                                             std::size_t extraWords);
 
 } // namespace tree

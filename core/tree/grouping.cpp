@@ -1,5 +1,7 @@
 #include "core/tree/grouping.h"
 
+#include "core/base/parallel.h"
+
 #include <array>
 #include <cassert>
 
@@ -80,11 +82,13 @@ struct Cut {
     float cost = std::numeric_limits<float>::infinity();
 };
 
-void sortAlong(std::span<Key> keys, std::size_t axis) {
-    std::sort(keys.begin(), keys.end(), [axis](const Key& a, const Key& b) {
+/// A total order.
+struct Before {
+    std::size_t axis;
+    bool operator()(const Key& a, const Key& b) const {
         return a.centre[axis] != b.centre[axis] ? a.centre[axis] < b.centre[axis] : a.index < b.index;
-    });
-}
+    }
+};
 
 /// Half the surface of the region in which a support query meets the box.
 float cost(const base::Box3f& box, float support) {
@@ -94,7 +98,7 @@ float cost(const base::Box3f& box, float support) {
 
 /// Tries the cuts along one axis that leave both sides room: surface area heuristic, each side weighed by its parents.
 void tryAxis(std::span<Key> keys, std::size_t parts, std::size_t axis, const Children& children, Cut& best) {
-    sortAlong(keys, axis);
+    std::sort(keys.begin(), keys.end(), Before{axis});
     std::array<float, fanOut * fanOut * 2> before;
     base::Box3f box;
     float support = 0;
@@ -136,7 +140,8 @@ void cut(std::span<Key> keys, std::size_t parts, const Children& children, const
         best.parts = parts / 2;
         best.middle = (keys.size() * best.parts + parts / 2) / parts;
     }
-    sortAlong(keys, best.axis);
+    const auto middle = keys.begin() + static_cast<std::ptrdiff_t>(best.middle);
+    std::nth_element(keys.begin(), middle, keys.end(), Before{best.axis});
     cut(keys.first(best.middle), best.parts, children, fn);
     cut(keys.subspan(best.middle), parts - best.parts, children, fn);
 }
@@ -161,13 +166,19 @@ NodePtr nodeAbove(int level, std::span<Key> keys, const Children& children, std:
     return makeNode(level, chosen);
 }
 
+/// Blocks above which threads share the work.
+constexpr std::size_t worthThreads = 1024;
+
 NodePtr subtree(int level, std::span<Key> keys, const Children& blocks) {
     if (level == 1)
         return nodeAbove(level, keys, blocks);
     const std::size_t capacity = std::size_t(1) << (3 * (level - 1));
-    Children children;
-    cut(keys, (keys.size() + capacity - 1) / capacity, blocks,
-        [&](std::span<Key> part) { children.push_back(asChild(subtree(level - 1, part, blocks))); });
+    std::vector<std::span<Key>> parts;
+    cut(keys, (keys.size() + capacity - 1) / capacity, blocks, [&](std::span<Key> part) { parts.push_back(part); });
+    Children children(parts.size());
+    const std::size_t grain = keys.size() < worthThreads ? parts.size() : 1;
+    base::parallelFor(parts.size(), grain,
+                      [&](std::size_t i) { children[i] = asChild(subtree(level - 1, parts[i], blocks)); });
     return makeNode(level, children);
 }
 

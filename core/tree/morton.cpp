@@ -28,9 +28,9 @@ std::uint32_t MortonGrid::code(const base::Vec3f& p) const {
 
 /// `positionOf(i)` for i in [0, count).
 template <class Fn>
-static std::vector<MortonKey> sortedBy(std::size_t count, const base::Box3f& box, const Fn& positionOf) {
+static base::LargeArray<MortonKey> sortedBy(std::size_t count, const base::Box3f& box, const Fn& positionOf) {
     const MortonGrid grid(box);
-    std::vector<MortonKey> keys(count);
+    base::LargeArray<MortonKey> keys(count);
     base::parallelFor(count, grain, [&](std::size_t i) {
         keys[i] = MortonKey(grid.code(positionOf(i))) << 32 | static_cast<std::uint32_t>(i);
     });
@@ -38,16 +38,16 @@ static std::vector<MortonKey> sortedBy(std::size_t count, const base::Box3f& box
     return keys;
 }
 
-std::vector<MortonKey> sortedKeys(std::span<const surfel::Surfel> surfels, const base::Box3f& box) {
+base::LargeArray<MortonKey> sortedKeys(std::span<const surfel::Surfel> surfels, const base::Box3f& box) {
     return sortedBy(surfels.size(), box, [&](std::size_t i) { return surfels[i].position; });
 }
 
-std::vector<MortonKey> sortedKeys(std::span<const base::Vec3f> positions, const base::Box3f& box) {
+base::LargeArray<MortonKey> sortedKeys(std::span<const base::Vec3f> positions, const base::Box3f& box) {
     return sortedBy(positions.size(), box, [&](std::size_t i) { return positions[i]; });
 }
 
 std::vector<std::uint32_t> sortedIndices(std::span<const base::Vec3f> positions, const base::Box3f& box) {
-    const std::vector<MortonKey> keys = sortedKeys(positions, box);
+    const base::LargeArray<MortonKey> keys = sortedKeys(positions, box);
     std::vector<std::uint32_t> out(keys.size());
     std::transform(keys.begin(), keys.end(), out.begin(), indexOf);
     return out;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/base/box.h"
+#include "core/base/large_array.h"
 #include "core/surfel/surfel.h"
 
 #include <cstdint>
@@ -34,8 +35,8 @@ class MortonGrid {
 };
 
 /// Keys of all surfels or positions, ascending. REQUIRES: `box` contains all positions.
-std::vector<MortonKey> sortedKeys(std::span<const surfel::Surfel> surfels, const base::Box3f& box);
-std::vector<MortonKey> sortedKeys(std::span<const base::Vec3f> positions, const base::Box3f& box);
+base::LargeArray<MortonKey> sortedKeys(std::span<const surfel::Surfel> surfels, const base::Box3f& box);
+base::LargeArray<MortonKey> sortedKeys(std::span<const base::Vec3f> positions, const base::Box3f& box);
 /// Indices of the positions in that order.
 std::vector<std::uint32_t> sortedIndices(std::span<const base::Vec3f> positions, const base::Box3f& box);
 

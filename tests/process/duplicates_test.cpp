@@ -8,6 +8,7 @@
 #include "support/registry.h"
 
 #include <array>
+#include <numeric>
 #include <QTest>
 
 using namespace process;
@@ -39,7 +40,13 @@ static std::vector<surfel::Surfel> surfelsAt(const Points& points) {
 }
 
 static std::vector<std::uint32_t> firsts(const Points& points) {
-    return firstOfDuplicates(Cloud(surfelsAt(points)));
+    const Cloud cloud(surfelsAt(points));
+    std::vector<std::uint32_t> out = firstOfDuplicates(cloud, neighboursOf(cloud, 0, {}));
+    if (out.empty()) {
+        out.resize(points.size());
+        std::iota(out.begin(), out.end(), 0u);
+    }
+    return out;
 }
 
 static std::size_t mergedOf(const Points& points) {

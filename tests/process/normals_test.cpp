@@ -1,7 +1,9 @@
 #include "core/process/estimation/normals.h"
 
+#include "core/base/disjoint_sets.h"
 #include "core/base/parallel.h"
 #include "core/base/random.h"
+#include "core/process/estimation/cloud_normals.h"
 #include "core/process/samples/samples.h"
 #include "support/registry.h"
 
@@ -25,6 +27,7 @@ class NormalsTest : public QObject {
     void patchesLookAwayFromTheRest();
     void simulatedScanAgreesWithItsNeighbours();
     void surfacesWithoutTwoSidesStayUnoriented();
+    void signsAreThoseOfKruskalOverAllEdges();
     void flagsSayWhatIsKnown();
     void sameBitsAtAnyThreadCount();
     void degenerateInputGivesUnitNormals();
@@ -243,6 +246,60 @@ void NormalsTest::surfacesWithoutTwoSidesStayUnoriented() {
         QVERIFY(orientNormals(strip));
         QVERIFY(strip.layout->oriented);
     }
+}
+
+/// Of an edge, as process/README 2.2 has it: its class and whether it flips.
+static std::pair<int, bool> comparedAlong(const base::Vec3f& a, const base::Vec3f& na, const base::Vec3f& b,
+                                          const base::Vec3f& nb) {
+    const base::Vec3f e = base::normalized(b - a);
+    const float alongA = dot(na, e), alongB = dot(nb, e), arc = dot(na, nb) - 2 * alongA * alongB;
+    const float steep = std::max(alongA * alongA, alongB * alongB);
+    return {static_cast<int>(std::clamp(1 - std::abs(arc) * (1 - steep), 0.0f, 1.0f) * 16383), arc < 0};
+}
+
+void NormalsTest::signsAreThoseOfKruskalOverAllEdges() {
+    base::Random random(test::seed());
+    surfel::SurfelList list = sample("torus").make(static_cast<std::size_t>(test::effort(40000)), 1);
+    for (surfel::Surfel& s : list.items) // so noisy that signs depend on which edges are in the trees
+        s.position += base::cast<float>(random.unitVector()) * 0.03f;
+    const Cloud cloud(list.items);
+    const std::size_t n = cloud.size();
+    NeighbourTable links(n, 12);
+    struct Edge {
+        int unlike;
+        std::uint32_t a, b;
+        bool flip;
+    };
+    std::vector<Edge> edges;
+    const std::vector<base::Vec3f> normals = normalsOf(cloud);
+    Neighbours near;
+    for (std::uint32_t i = 0; i < n; ++i) {
+        cloud.nearest(i, 12, near);
+        links.set(i, near.index);
+        for (const std::uint32_t j : near.index) {
+            const auto [unlike, flip] =
+                comparedAlong(cloud.positions()[i], normals[i], cloud.positions()[j], normals[j]);
+            edges.push_back({unlike, i, j, flip});
+        }
+    }
+    std::stable_sort(edges.begin(), edges.end(), [](const Edge& p, const Edge& q) { return p.unlike < q.unlike; });
+    base::ParitySets trees(n);
+    std::size_t against = 0;
+    for (const Edge& edge : edges)
+        against += trees.relate(edge.a, edge.b, edge.flip) ? 0 : 1;
+    QVERIFY(against > n / 50); // else any tree would do
+    for (const int threads : {1, 2}) {
+        base::setThreadCount(threads);
+        std::vector<base::Vec3f> oriented = normals;
+        orient(cloud, links, oriented);
+        for (std::uint32_t i = 0; i < n; ++i) {
+            const auto [root, opposite] = trees.find(i);
+            const bool turned = oriented[i] != normals[i], rootTurned = oriented[root] != normals[root];
+            QVERIFY2((turned != rootTurned) == opposite,
+                     qPrintable(QString("point %1, seed %2").arg(i).arg(test::seed())));
+        }
+    }
+    base::setThreadCount(0);
 }
 
 void NormalsTest::flagsSayWhatIsKnown() {

@@ -50,7 +50,7 @@ double outwardShare(const Body& body, base::Random& random) {
     std::vector<Vec3f> normals(cloud.size());
     for (std::size_t i = 0; i < list.size(); ++i)
         normals[cloud.places()[i]] = random.uniform() < 0.5 ? body.outwards[i] : -body.outwards[i];
-    if (!orientGlobally(cloud, normals))
+    if (!orientGlobally(cloud, nearestTable(cloud, 12), normals))
         return 0;
     double right = 0;
     for (std::size_t i = 0; i < list.size(); ++i)
@@ -120,7 +120,7 @@ void OrientationTest::flippedPatchesAreInDoubt() {
     const Cloud cloud(list.items);
     std::vector<Vec3f> normals(cloud.positions().begin(), cloud.positions().end());
     const auto doubts = [&] {
-        const auto found = doubtfulSigns(cloud, normals);
+        const auto found = doubtfulSigns(cloud, nearestTable(cloud, 12), normals);
         return std::count(found.begin(), found.end(), 1);
     };
     QCOMPARE(doubts(), std::ptrdiff_t(0));
@@ -138,9 +138,9 @@ void OrientationTest::threadsDoNotShow() {
     const Cloud cloud(list.items);
     std::vector<Vec3f> one = normalsOf(cloud), two = one;
     base::setThreadCount(1);
-    orientGlobally(cloud, one);
+    orientGlobally(cloud, nearestTable(cloud, 12), one);
     base::setThreadCount(2);
-    orientGlobally(cloud, two);
+    orientGlobally(cloud, nearestTable(cloud, 12), two);
     base::setThreadCount(0);
     QVERIFY(one == two);
 }

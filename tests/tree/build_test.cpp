@@ -176,7 +176,8 @@ void BuildTest::keysAreSortedAndComplete() {
     base::Box3f box;
     for (const surfel::Surfel& s : list.items)
         box.extend(s.position);
-    const std::vector<MortonKey> keys = sortedKeys(list.items, box);
+    const auto sorted = sortedKeys(list.items, box);
+    const std::vector<MortonKey> keys(sorted.begin(), sorted.end());
     const MortonGrid grid(box);
     std::vector<MortonKey> expected;
     for (std::uint32_t i = 0; i < list.size(); ++i)
@@ -186,7 +187,7 @@ void BuildTest::keysAreSortedAndComplete() {
     std::vector<base::Vec3f> positions;
     for (const surfel::Surfel& s : list.items)
         positions.push_back(s.position);
-    QVERIFY(sortedKeys(positions, box) == expected);
+    QVERIFY(std::ranges::equal(sortedKeys(positions, box), expected));
     // The corners of the grid: all bits of the longest axis at its end, none at the origin.
     QCOMPARE(grid.code(box.lo), 0u);
     QCOMPARE(MortonGrid({{0, 0, 0}, {1, 1, 1}}).code({1, 1, 1}), (1u << 30) - 1);

@@ -17,6 +17,7 @@ class NaiveFileTest : public QObject {
   private Q_SLOTS:
     void loadedPointsAreOurs();
     void openedSupportsAreOurs();
+    void estimatedNormalsAreOurs();
     void filesGoAway();
     void theProgramDrawsAFrame();
 };
@@ -47,6 +48,21 @@ void NaiveFileTest::openedSupportsAreOurs() {
         const float support = found[0].block->support(found[0].slot);
         QVERIFY2(std::abs(s.support - support) < 0.15f * support, // grading evens them out
                  qPrintable(QString("%1 %2").arg(s.support).arg(support)));
+    }
+}
+
+void NaiveFileTest::estimatedNormalsAreOurs() {
+    Scene scene({3000, 0.02});
+    const ScanFile file(scene, ScanFile::Normals::Without);
+    const std::vector<Surfel> naive = bench::naiveOpenRaw(*file, surface::SurfaceDefinition().neighbours);
+    const surface::Surface ours = process::prepare(io::read(file->path).points, {{}, false});
+    QCOMPARE(naive.size(), ours.tree().size());
+    std::vector<tree::Neighbour> found;
+    for (const Surfel& s : naive) {
+        ours.tree().nearest(s.position, 1, found);
+        QCOMPARE(found[0].distanceSq, 0.0f);
+        const base::Vec3f normal = found[0].block->normal(found[0].slot); // of weighted neighbours
+        QVERIFY2(dot(s.normal, normal) > 0.99f, qPrintable(QString::number(dot(s.normal, normal))));
     }
 }
 

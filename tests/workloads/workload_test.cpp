@@ -51,6 +51,7 @@ void WorkloadTest::theContractsNamesAreThere() {
                              "raycast-adaptive",
                              "load-ply",
                              "open-ply",
+                             "open-points",
                              "start"})
         QVERIFY2(names.contains(name), name);
     QVERIFY(names.contains("mesh-marching-cubes"));

@@ -21,7 +21,7 @@ using Flags = std::vector<std::uint8_t>;
 /// body(i, others): `others` are places in the row of i that it is compared with, the mutual neighbours, or all where
 /// there are none.
 template <class Body>
-void forCompared(const NeighbourGraph& graph, const Body& body) {
+void forCompared(const NearestGraph& graph, const Body& body) {
     base::parallelChunks(graph.size(), grain, [&](std::size_t begin, std::size_t end, std::size_t) {
         std::vector<std::uint32_t> others;
         for (std::size_t i = begin; i < end; ++i) {
@@ -37,7 +37,7 @@ void forCompared(const NeighbourGraph& graph, const Body& body) {
 /// Mean distances vary by a seventh in random samplings, by up to a half about corners of open sheets.
 Flags byDistance(const Cloud& cloud, double limit, const base::Progress& progress) {
     const double least = std::log(2.0);
-    const NeighbourGraph graph = nearestGraph(cloud, looked, progress);
+    const NearestGraph graph = nearestGraph(cloud, looked, progress);
     std::vector<double> level(cloud.size());
     base::parallelFor(cloud.size(), grain, [&](std::size_t i) {
         double sum = 0;
@@ -58,7 +58,7 @@ Flags byDistance(const Cloud& cloud, double limit, const base::Progress& progres
 
 Flags byCount(const Cloud& cloud, double limit, const base::Progress& progress) {
     constexpr float reach = 3; ///< of local spacings: 36 others in a hexagonal layout, 12 in its sharpest corner
-    const NeighbourGraph graph = nearestGraph(cloud, looked, progress);
+    const NearestGraph graph = nearestGraph(cloud, looked, progress);
     const std::vector<float> own = mutualSpacings(graph);
     Flags out(cloud.size());
     forCompared(graph, [&](std::size_t i, const std::vector<std::uint32_t>& others) {
@@ -78,7 +78,7 @@ Flags byCount(const Cloud& cloud, double limit, const base::Progress& progress) 
 /// with the dense one beside it, but a stray, which has no mutual neighbours, with nothing that is far.
 Flags byPieces(const Cloud& cloud, const std::optional<double>& limit, const base::Progress& progress) {
     constexpr float reach = 2;
-    const NeighbourGraph graph = nearestGraph(cloud, gradedNeighbours, progress);
+    const NearestGraph graph = nearestGraph(cloud, gradedNeighbours, progress);
     const std::vector<float> own = mutualSpacings(graph);
     base::DisjointSets pieces(cloud.size());
     for (std::uint32_t i = 0; i < cloud.size(); ++i) {
@@ -132,36 +132,38 @@ double residualWithout(std::span<const base::Vec3f> positions, std::size_t i, co
 
 /// Mean squared sine between the ways from a position to its neighbours and their tangent planes: next to nothing on a
 /// surface, a third in a swarm that fills space.
-double steepness(const Cloud& cloud, const NeighbourGraph& graph, std::span<const base::Vec3f> normals, std::size_t i) {
+double steepness(const Cloud& cloud, const Neighbours& near, std::span<const base::Vec3f> normals, std::size_t i) {
     double sum = 0;
-    for (std::size_t e = i * graph.count; e < (i + 1) * graph.count; ++e) {
-        const base::Vec3f way = base::normalized(cloud.positions()[graph.index[e]] - cloud.positions()[i]);
-        const double rise = static_cast<double>(dot(way, normals[graph.index[e]]));
+    for (const std::uint32_t j : near.index) {
+        const base::Vec3f way = base::normalized(cloud.positions()[j] - cloud.positions()[i]);
+        const double rise = static_cast<double>(dot(way, normals[j]));
         sum += rise * rise;
     }
-    return sum / static_cast<double>(graph.count);
+    return sum / static_cast<double>(near.size());
 }
 
 /// Swarms about the model: few sparse points that see it and that nothing of it sees, above it and not beside it, and
 /// that are no surface themselves.
 void addSwarms(const Cloud& cloud, Flags& found, const base::Progress& progress) {
     constexpr double fillsSpace = 0.17;
-    const NeighbourGraph graph = nearestGraph(cloud, gradedNeighbours, part(progress, 0, 0.3));
+    NeighbourGraph graph(nearestTable(cloud, gradedNeighbours, part(progress, 0, 0.3)), cloud.positions());
     const std::vector<float> spacing = spacingsOf(cloud, part(progress, 0.3, 0.5));
-    NeighbourGraph cut = graph;
-    const std::vector<std::uint32_t> members = cutOutliers(cut, cloud.positions(), spacing).members;
+    const std::vector<std::uint32_t> members = cutOutliers(graph, spacing).members;
     if (members.empty())
         return;
     const std::vector<base::Vec3f> normals = normalsOf(cloud, 18, part(progress, 0.5, 1));
+    std::vector<Neighbours> near(members.size()); // the graph has forgotten what lies beside the model
     std::vector<double> steep(cloud.size(), -1);
-    for (const std::uint32_t i : members)
-        steep[i] = steepness(cloud, graph, normals, i);
-    for (const std::uint32_t i : members) { // few directions tell little: those beside it count too
-        double sum = steep[i], count = 1;
-        for (std::size_t e = i * graph.count; e < (i + 1) * graph.count; ++e)
-            if (const double beside = steep[graph.index[e]]; beside >= 0)
+    base::parallelFor(members.size(), 256, [&](std::size_t m) {
+        cloud.nearest(members[m], gradedNeighbours, near[m]);
+        steep[members[m]] = steepness(cloud, near[m], normals, members[m]);
+    });
+    for (std::size_t m = 0; m < members.size(); ++m) { // few directions tell little: those beside it count too
+        double sum = steep[members[m]], count = 1;
+        for (const std::uint32_t j : near[m].index)
+            if (const double beside = steep[j]; beside >= 0)
                 sum += beside, ++count;
-        found[i] |= sum > fillsSpace * count;
+        found[members[m]] |= sum > fillsSpace * count;
     }
 }
 
@@ -172,7 +174,7 @@ Flags bySurface(const Cloud& cloud, double limit, const base::Progress& progress
     cloud.forEach(
         fitted, part(progress, 0, 0.7), "Comparing with the surface",
         [&](std::size_t i, const Neighbours& near) { residual[i] = residualWithout(cloud.positions(), i, near); });
-    const NeighbourGraph graph = nearestGraph(cloud, looked, part(progress, 0.7, 1));
+    const NearestGraph graph = nearestGraph(cloud, looked, part(progress, 0.7, 1));
     const std::vector<float> own = mutualSpacings(graph);
     Flags out(cloud.size());
     forCompared(graph, [&](std::size_t i, const std::vector<std::uint32_t>& others) {

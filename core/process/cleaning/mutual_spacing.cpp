@@ -2,8 +2,8 @@
 
 namespace process {
 
-NeighbourGraph nearestGraph(const Cloud& cloud, std::size_t count, const base::Progress& progress) {
-    NeighbourGraph out;
+NearestGraph nearestGraph(const Cloud& cloud, std::size_t count, const base::Progress& progress) {
+    NearestGraph out;
     out.count = std::min(count, cloud.size() - 1);
     out.index.resize(cloud.size() * out.count);
     out.distance.resize(out.index.size());
@@ -16,14 +16,14 @@ NeighbourGraph nearestGraph(const Cloud& cloud, std::size_t count, const base::P
     return out;
 }
 
-void mutualNeighbours(const NeighbourGraph& graph, std::size_t i, std::vector<std::uint32_t>& out) {
+void mutualNeighbours(const NearestGraph& graph, std::size_t i, std::vector<std::uint32_t>& out) {
     out.clear();
     for (std::uint32_t k = 0; k < graph.count; ++k)
-        if (graph.sees(graph.index[i * graph.count + k], static_cast<std::uint32_t>(i), graph.count))
+        if (graph.sees(graph.index[i * graph.count + k], static_cast<std::uint32_t>(i)))
             out.push_back(k);
 }
 
-std::vector<float> mutualSpacings(const NeighbourGraph& graph) {
+std::vector<float> mutualSpacings(const NearestGraph& graph) {
     constexpr std::size_t ring = 6, grain = 4096;
     std::vector<float> out(graph.size());
     base::parallelChunks(out.size(), grain, [&](std::size_t begin, std::size_t end, std::size_t) {

@@ -1,6 +1,7 @@
 #include "core/process/cleaning/take_out.h"
 
 #include "core/process/cleaning/list_change.h"
+#include "core/process/estimation/cloud_neighbours.h"
 #include "core/process/estimation/cloud_supports.h"
 #include "core/process/estimation/keep_points.h"
 #include "core/process/estimation/neighbour_graph.h"
@@ -45,7 +46,11 @@ surface::Surface takenOut(const surface::Surface& before, std::vector<std::uint8
         change.supports.push_back(s.support);
     keepPoints(points, [&](std::size_t i) { return removed[i] == 0; });
     const Cloud cloud(points.items, part(progress, 0.4, 0.5));
-    const std::vector<float> fresh = supportsOf(cloud, points, before.definition(), part(progress, 0.5, 0.9));
+    CloudNeighbours around;
+    if (!(before.definition().support > 0))
+        around = neighboursOf(cloud, 0, part(progress, 0.5, 0.7));
+    const std::vector<float> fresh =
+        supportsOf(cloud, points, before.definition(), std::move(around), part(progress, 0.7, 0.9));
     for (std::size_t i = 0, kept = 0; i < removed.size(); ++i) {
         if (removed[i])
             continue;

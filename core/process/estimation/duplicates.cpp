@@ -1,16 +1,14 @@
 #include "core/process/estimation/duplicates.h"
 
-#include "core/base/box.h"
 #include "core/base/disjoint_sets.h"
 #include "core/base/unit_normal.h"
 #include "core/process/estimation/keep_points.h"
 #include "core/process/estimation/part_progress.h"
+#include "core/process/estimation/piles.h"
 #include "core/process/estimation/spacing_sample.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <optional>
 
 namespace process {
 
@@ -22,95 +20,19 @@ using base::Vec3f;
 constexpr float duplicateReach = 1e-3f;
 /// Neighbours that are looked at, and those of them that the spacing around a pile is made of.
 constexpr std::size_t looked = 12, ring = 6;
-/// Piles of so many positions leave too few of those neighbours outside of themselves: they are sought as gaps.
-constexpr std::size_t leastPile = looked - ring;
+static_assert(leastPile == looked - ring && looked == NeighbourTable::most);
 /// Piles larger than this may be a small model among strays.
 constexpr std::size_t doubtfulPile = 64;
-/// A pile's box is at most this part of the box that holds it and something else: far less than it must be in the end.
-constexpr float suspicious = 1.0f / 64;
-/// Boxes are cut here rather than in their middle, where symmetric models have piles.
-constexpr float cutAt = 0.4375f;
+/// Larger ones are not judged by the neighbours that they have before anything is joined.
+constexpr std::size_t largestJudged = 256;
 /// As with outliers (supports.cpp): a place that much sparser than those around it tells of no spacing.
 constexpr float sparsest = 3;
 
-/// Positions of a range of some order, and how far they reach.
-struct Pile {
-    std::uint32_t begin = 0, end = 0;
-    float extent = 0;
-    std::size_t size() const { return end - begin; }
-};
-
-/// Positions in an order in which every pile is a range: halved again and again by the boxes that they fill.
-class Piles {
-  public:
-    explicit Piles(std::span<const Vec3f> positions) : m_positions(positions), m_order(positions.size()) {
-        std::iota(m_order.begin(), m_order.end(), 0u);
-    }
-    std::span<const std::uint32_t> members(const Pile& pile) const {
-        return std::span(m_order).subspan(pile.begin, pile.size());
-    }
-    /// Ranges inside this one that are small beside what is around them.
-    void find(const Pile& within, const base::Progress& progress, std::vector<Pile>& out) {
-        m_open = {within};
-        for (std::size_t step = 0; !m_open.empty(); ++step) {
-            if (step % 4096 == 0)
-                progress.step(0, "Looking for duplicates");
-            const Pile each = m_open.back();
-            m_open.pop_back();
-            cut(each, out);
-        }
-    }
-
-  private:
-    base::Box3f boxOf(const Pile& pile) const {
-        base::Box3f box;
-        for (const std::uint32_t i : members(pile))
-            box.extend(m_positions[i]);
-        return box;
-    }
-    /// `extent` of what comes in is that of the larger range.
-    void cut(Pile each, std::vector<Pile>& out) {
-        if (each.size() < leastPile)
-            return;
-        const base::Box3f box = boxOf(each);
-        const Vec3f size = box.size();
-        const float outer = std::exchange(each.extent, length(size));
-        if (each.extent <= suspicious * outer) {
-            out.push_back(each);
-            return;
-        }
-        const std::size_t axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-        const float at = box.lo[axis] + cutAt * size[axis];
-        const auto first = m_order.begin() + each.begin, last = m_order.begin() + each.end;
-        const auto middle = std::partition(first, last, [&](std::uint32_t i) { return m_positions[i][axis] <= at; });
-        const auto half = static_cast<std::uint32_t>(middle - m_order.begin());
-        if (half == each.begin || half == each.end)
-            return; // as close as floats can be
-        m_open.push_back({each.begin, half, each.extent});
-        m_open.push_back({half, each.end, each.extent});
-    }
-
-    std::span<const Vec3f> m_positions;
-    std::vector<std::uint32_t> m_order;
-    std::vector<Pile> m_open;
-};
-
 /// The spacing that the ring behind the nearest `skipped` neighbours tells of; 0 where there are too few.
-float spacingBehind(const Neighbours& near, std::size_t skipped) {
-    if (near.size() < skipped + ring)
+float spacingBehind(std::span<const float> distanceSq, std::size_t skipped) {
+    if (distanceSq.size() < skipped + ring)
         return 0;
-    return spacingFromRing(std::span(near.distanceSq).subspan(skipped, ring));
-}
-
-/// How many of its nearest are one place with a position: those that leave a gap to the ring behind them.
-std::size_t duplicatesBeside(const Neighbours& near) {
-    const float farthest = near.distanceSq.empty() ? 0 : near.distanceSq.back();
-    if (!(std::sqrt(near.distanceSq.front()) <= duplicateReach * std::sqrt(farthest)))
-        return 0;
-    for (std::size_t n = std::min(leastPile, near.size()); n > 0; --n)
-        if (std::sqrt(near.distanceSq[n - 1]) <= duplicateReach * spacingBehind(near, n))
-            return n;
-    return 0;
+    return spacingFromRing(distanceSq.subspan(skipped, ring));
 }
 
 /// What is one place with what.
@@ -118,9 +40,9 @@ class Places {
   public:
     explicit Places(std::span<const Vec3f> positions) : m_positions(positions), m_sets(positions.size()) {}
 
-    void joinPiles(const base::Progress& progress);
-    /// Those around `cloud`'s positions, which are the places `numbers`.
-    void joinNeighbours(const Cloud& cloud, std::span<const std::uint32_t> numbers, const base::Progress& progress);
+    void joinPiles(const Cloud& cloud, std::vector<Pile> open, const base::Progress& progress);
+    /// Those around `cloud`'s positions, which are the places `numbers`, or the same where there are none.
+    void joinNeighbours(const CloudNeighbours& near, std::span<const std::uint32_t> numbers);
     /// One position of each set, and its number.
     std::vector<surfel::Surfel> reduced(std::vector<std::uint32_t>& numbers);
     std::uint32_t find(std::uint32_t place) { return m_sets.find(place); }
@@ -131,7 +53,8 @@ class Places {
         for (const std::uint32_t i : members)
             m_joined |= m_sets.join(members.front(), i);
     }
-    std::vector<Pile> joinDeserving(const std::vector<Pile>& piles, const Piles& order);
+    bool mayDeserve(const Cloud& cloud, const std::vector<Pile>& piles) const;
+    std::vector<Pile> joinDeserving(const std::vector<Pile>& piles);
     bool standsAmong(const Cloud& around, std::uint32_t place, float extent) const;
 
     std::span<const Vec3f> m_positions;
@@ -156,23 +79,47 @@ bool Places::standsAmong(const Cloud& around, std::uint32_t place, float extent)
     std::size_t inside = 0;
     while (inside < near.size() && std::sqrt(near.distanceSq[inside]) <= extent)
         ++inside;
-    const float spacing = spacingBehind(near, inside);
+    const float spacing = spacingBehind(near.distanceSq, inside);
     if (!(extent <= duplicateReach * spacing))
         return false;
     std::vector<float> others;
     for (const std::uint32_t i : near.index) {
         around.nearest(i, ring, further);
-        others.push_back(spacingBehind(further, 0));
+        others.push_back(spacingBehind(further.distanceSq, 0));
     }
     std::nth_element(others.begin(), others.begin() + looked / 2, others.end());
     return spacing <= sparsest * others[looked / 2];
 }
 
+/// False where no pile can stand the trial: each has, outside of all piles, enough neighbours that stay what they are
+/// in it and are so near that the ring around the pile cannot be wide enough. Most models have a few groups of
+/// positions that boxes make look like piles; a trial costs a search among all positions.
+bool Places::mayDeserve(const Cloud& cloud, const std::vector<Pile>& piles) const {
+    if (m_joined)
+        return true;
+    std::vector<std::uint8_t> piled(m_positions.size(), 0);
+    for (const Pile& pile : piles)
+        for (const std::uint32_t i : pile.members)
+            piled[i] = 1;
+    Neighbours near;
+    return std::any_of(piles.begin(), piles.end(), [&](const Pile& pile) {
+        if (pile.members.size() > largestJudged)
+            return true;
+        const std::uint32_t stays = *std::min_element(pile.members.begin(), pile.members.end());
+        cloud.nearest(stays, 2 * (looked + pile.members.size()), near);
+        std::size_t outside = 0;
+        for (std::size_t k = 0; k < near.size(); ++k)
+            if (!piled[near.index[k]] && ++outside == looked)
+                return !(pile.extent > 1.001f * duplicateReach * std::sqrt(near.distanceSq[k]));
+        return true;
+    });
+}
+
 /// Makes one place of each pile that deserves it and returns the others.
-std::vector<Pile> Places::joinDeserving(const std::vector<Pile>& piles, const Piles& order) {
+std::vector<Pile> Places::joinDeserving(const std::vector<Pile>& piles) {
     Places trial = *this;
     for (const Pile& pile : piles)
-        trial.join(order.members(pile));
+        trial.join(pile.members);
     std::vector<std::uint32_t> numbers;
     const std::vector<surfel::Surfel> left = trial.reduced(numbers);
     const Cloud around(left);
@@ -181,49 +128,44 @@ std::vector<Pile> Places::joinDeserving(const std::vector<Pile>& piles, const Pi
     std::vector<Pile> out, wanted;
     std::size_t doubtful = 0, outside = m_positions.size();
     for (const Pile& pile : piles) {
-        const auto at = std::lower_bound(numbers.begin(), numbers.end(), trial.find(order.members(pile).front()));
+        const auto at = std::lower_bound(numbers.begin(), numbers.end(), trial.find(pile.members.front()));
         const std::uint32_t place = around.places()[static_cast<std::size_t>(at - numbers.begin())];
         const bool stands = standsAmong(around, place, pile.extent);
         (stands ? wanted : out).push_back(pile);
-        outside -= pile.size();
-        doubtful += stands && pile.size() > doubtfulPile ? pile.size() : 0;
+        outside -= pile.members.size();
+        doubtful += stands && pile.members.size() > doubtfulPile ? pile.members.size() : 0;
     }
     const bool trusted = doubtful <= outside; // else they are the model, and the rest strays
     for (const Pile& pile : wanted)
-        if (trusted || pile.size() <= doubtfulPile)
-            join(order.members(pile));
+        if (trusted || pile.members.size() <= doubtfulPile)
+            join(pile.members);
         else
             out.push_back(pile);
     return out;
 }
 
-void Places::joinPiles(const base::Progress& progress) {
-    Piles order(m_positions);
-    std::vector<Pile> open{{0, static_cast<std::uint32_t>(m_positions.size()), 0}};
+void Places::joinPiles(const Cloud& cloud, std::vector<Pile> open, const base::Progress& progress) {
     constexpr int mostRounds = 4; // each a thousand times finer than the one before
     for (int round = 0; round < mostRounds && !open.empty(); ++round) {
-        std::vector<Pile> found;
+        if (mayDeserve(cloud, open))
+            open = joinDeserving(open);
+        std::vector<Pile> inner;
         for (const Pile& each : open)
-            order.find(each, progress, found);
-        open = found.empty() ? found : joinDeserving(found, order);
+            findPiles(m_positions, each, progress, inner);
+        open = std::move(inner);
     }
 }
 
-void Places::joinNeighbours(const Cloud& cloud, std::span<const std::uint32_t> numbers,
-                            const base::Progress& progress) {
-    if (cloud.size() <= ring)
+void Places::joinNeighbours(const CloudNeighbours& near, std::span<const std::uint32_t> numbers) {
+    if (near.table.size() <= ring)
         return;
-    std::vector<std::uint8_t> count(cloud.size());
-    cloud.forEach(looked, progress, "Looking for duplicates", [&](std::size_t i, const Neighbours& near) {
-        count[i] = static_cast<std::uint8_t>(duplicatesBeside(near));
-    });
-    Neighbours near;
-    for (std::size_t i = 0; i < cloud.size(); ++i) {
-        if (count[i] == 0)
+    const auto number = [&](std::size_t i) { return numbers.empty() ? static_cast<std::uint32_t>(i) : numbers[i]; };
+    for (std::size_t i = 0; i < near.table.size(); ++i) {
+        if (near.doubles[i] == 0)
             continue;
-        cloud.nearest(i, count[i], near);
-        for (const std::uint32_t j : near.index)
-            m_joined |= m_sets.join(numbers[i], numbers[j]);
+        const NeighbourTable::Row row = near.table.row(i);
+        for (std::size_t k = 0; k < near.doubles[i]; ++k)
+            m_joined |= m_sets.join(number(i), number(row[k]));
     }
 }
 
@@ -233,30 +175,52 @@ Vec3f meanNormal(const Vec3f& first, const Vec3f& sum) {
     return length(sum) < 0.1f || dot(mean, first) > 1 - base::unitTolerance ? first : mean;
 }
 
-} // namespace
-
-std::vector<std::uint32_t> firstOfDuplicates(const Cloud& cloud, const base::Progress& progress) {
-    Places places(cloud.positions());
-    places.joinPiles(part(progress, 0, 0.3));
-    std::vector<std::uint32_t> left;
-    const std::vector<surfel::Surfel> positions = places.reduced(left);
-    if (places.joined()) {
-        const Cloud reduced(positions);
-        std::vector<std::uint32_t> numbers(left.size());
-        for (std::size_t k = 0; k < left.size(); ++k)
-            numbers[reduced.places()[k]] = left[k];
-        places.joinNeighbours(reduced, numbers, part(progress, 0.3, 1));
-    } else {
-        places.joinNeighbours(cloud, left, part(progress, 0.3, 1));
-    }
+/// The first point of the list in each place.
+std::vector<std::uint32_t> firstIn(Places& places, std::span<const std::uint32_t> placeOf, std::size_t count) {
     constexpr std::uint32_t none = ~std::uint32_t(0);
-    std::vector<std::uint32_t> firstAt(cloud.size(), none), out(cloud.places().size());
+    std::vector<std::uint32_t> firstAt(count, none), out(placeOf.size());
     for (std::uint32_t i = 0; i < out.size(); ++i) {
-        std::uint32_t& first = firstAt[places.find(cloud.places()[i])];
+        std::uint32_t& first = firstAt[places.find(placeOf[i])];
         first = std::min(first, i);
         out[i] = first;
     }
     return out;
+}
+
+} // namespace
+
+std::size_t duplicatesBeside(std::span<const float> distanceSq) {
+    if (distanceSq.empty() || !(std::sqrt(distanceSq.front()) <= duplicateReach * std::sqrt(distanceSq.back())))
+        return 0;
+    for (std::size_t n = std::min(leastPile, distanceSq.size()); n > 0; --n)
+        if (std::sqrt(distanceSq[n - 1]) <= duplicateReach * spacingBehind(distanceSq, n))
+            return n;
+    return 0;
+}
+
+std::vector<std::uint32_t> firstOfDuplicates(const Cloud& cloud, const CloudNeighbours& neighbours,
+                                             const base::Progress& progress) {
+    std::vector<Pile> piles = findPiles(cloud, neighbours.closestPile, progress);
+    const bool none = std::all_of(neighbours.doubles.begin(), neighbours.doubles.end(),
+                                  [](std::uint8_t doubles) { return doubles == 0; });
+    if (piles.empty() && none && cloud.size() == cloud.places().size())
+        return {};
+    Places places(cloud.positions());
+    places.joinPiles(cloud, std::move(piles), part(progress, 0, 0.5));
+    if (places.joined()) {
+        std::vector<std::uint32_t> left;
+        const std::vector<surfel::Surfel> positions = places.reduced(left);
+        const Cloud reduced(positions);
+        std::vector<std::uint32_t> numbers(left.size());
+        for (std::size_t k = 0; k < left.size(); ++k)
+            numbers[reduced.places()[k]] = left[k];
+        places.joinNeighbours(neighboursOf(reduced, 0, part(progress, 0.5, 1)), numbers);
+    } else {
+        places.joinNeighbours(neighbours, {});
+    }
+    if (!places.joined() && cloud.size() == cloud.places().size())
+        return {};
+    return firstIn(places, cloud.places(), cloud.size());
 }
 
 std::size_t mergeDuplicates(surfel::SurfelList& points, std::span<const std::uint32_t> first) {

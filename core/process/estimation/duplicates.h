@@ -5,12 +5,20 @@
 // neighbourhood. Time is linear in the points but for sorting; the result is the same at any thread count.
 #pragma once
 
-#include "core/process/estimation/knn.h"
+#include "core/process/estimation/cloud_neighbours.h"
 
 namespace process {
 
+/// Piles of so many positions leave too few of 12 neighbours outside of themselves: they are sought as gaps.
+inline constexpr std::size_t leastPile = 6;
+/// How many of its 12 nearest, at these ascending squared distances, are one place with a position: those that leave a
+/// gap to the ring behind them.
+std::size_t duplicatesBeside(std::span<const float> distanceSq);
+
 /// Of each point of the list that `cloud` was made of the first one that it is a duplicate of; itself where it is none.
-std::vector<std::uint32_t> firstOfDuplicates(const Cloud& cloud, const base::Progress& progress = {});
+/// Empty where no point is one.
+std::vector<std::uint32_t> firstOfDuplicates(const Cloud& cloud, const CloudNeighbours& neighbours,
+                                             const base::Progress& progress = {});
 
 /// Takes duplicates away and returns how many there were. The first of them stays as it is but for its normal, which
 /// becomes the mean of theirs unless they cancel. `first` as above.

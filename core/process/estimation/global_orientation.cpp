@@ -142,53 +142,45 @@ std::vector<Dipole> dipolesOf(const std::vector<std::vector<std::uint32_t>>& pie
 
 } // namespace
 
-bool orientGlobally(const Cloud& cloud, std::span<Vec3f> normals, int neighbours, const base::Progress& progress,
-                    Sides given) {
+bool orientGlobally(const Cloud& cloud, const NeighbourTable& links, std::span<Vec3f> normals,
+                    const base::Progress& progress, Sides given) {
     if (cloud.size() < 2)
         return true;
-    const NormalLinks links = normalLinks(cloud, normals, neighbours, part(progress, 0, 0.5));
-    const std::vector<float> spacing = spacingsOf(cloud, part(progress, 0.5, 0.6));
-    base::ParitySets trees(cloud.size());
-    std::size_t next = 0;
-    const auto joinBelow = [&](double unlike) {
-        for (; next < links.order.size(); ++next) {
-            const std::uint32_t e = links.order[next];
-            if (links.likenesses[e].unlike >= unlike * unlikeClasses)
-                break;
-            if (next % 131072 == 0)
-                progress.step(0.6, orienting);
-            trees.relate(links.edges[e].a, links.edges[e].b, links.likenesses[e].flip);
-        }
-    };
-    joinBelow(pieceUnlike);
-    const std::vector<std::vector<std::uint32_t>> pieces = largePieces(trees, cloud.size());
+    OrientationTrees trees(cloud, links, normals, part(progress, 0, 0.4));
+    const std::vector<float> spacing = spacingsOf(cloud, part(progress, 0.4, 0.6));
+    base::ParitySets& signs = trees.signs();
+    trees.joinBelow(pieceUnlike, part(progress, 0.6, 0.65));
+    const std::vector<std::vector<std::uint32_t>> pieces = largePieces(signs, cloud.size());
     if (pieces.size() > 1) {
-        Pieces judged(dipolesOf(pieces, trees, cloud, normals, spacing), pieces.size(), part(progress, 0.6, 0.8));
-        const std::vector<int>& sign = judged.solve(part(progress, 0.8, 0.9));
+        Pieces judged(dipolesOf(pieces, signs, cloud, normals, spacing), pieces.size(), part(progress, 0.65, 0.8));
+        const std::vector<int>& sign = judged.solve(part(progress, 0.8, 0.85));
         std::vector<std::uint8_t> turned; // told from roots, before these change
         for (std::size_t p = 0; p < pieces.size(); ++p)
-            turned.push_back(trees.find(pieces[p].front()).opposite != (sign[p] < 0));
+            turned.push_back(signs.find(pieces[p].front()).opposite != (sign[p] < 0));
         for (std::size_t p = 1; p < pieces.size(); ++p)
-            trees.relate(pieces[0].front(), pieces[p].front(), turned[0] != turned[p]);
+            signs.relate(pieces[0].front(), pieces[p].front(), turned[0] != turned[p]);
     }
-    joinBelow(2);
-    const bool sided = !hasSeam(trees, links, cloud.size());
-    takeSigns(trees, cloud, normals, given, part(progress, 0.9, 1));
+    trees.joinAll(part(progress, 0.85, 0.9));
+    const bool sided = !trees.hasSeam(part(progress, 0.9, 0.95));
+    trees.takeSigns(given, part(progress, 0.95, 1));
     return sided;
 }
 
-std::vector<std::uint8_t> doubtfulSigns(const Cloud& cloud, std::span<const Vec3f> normals,
+std::vector<std::uint8_t> doubtfulSigns(const Cloud& cloud, const NeighbourTable& links, std::span<const Vec3f> normals,
                                         const base::Progress& progress) {
     std::vector<std::uint8_t> out(cloud.size());
-    cloud.forEach(12, progress, "Judging the orientation", [&](std::size_t i, const Neighbours& near) {
-        double against = 0, all = 0;
-        for (const std::uint32_t j : near.index) {
-            const Likeness l = likeness(cloud.positions()[i], normals[i], cloud.positions()[j], normals[j]);
-            const double weight = 1 - l.unlike / static_cast<double>(unlikeClasses - 1);
-            all += weight;
-            against += l.flip ? weight : 0;
-        }
-        out[i] = against > doubtfulShare * all;
+    const NormalLinks edges(cloud.positions(), links, normals);
+    progress.step(0, "Judging the orientation");
+    base::parallelChunks(edges.size(), 4096, [&](std::size_t begin, std::size_t end, std::size_t) {
+        edges.forRows(begin, end, [&](std::uint32_t i, const NeighbourTable::Row&, const Likeness& along) {
+            double against = 0, all = 0;
+            for (std::size_t k = 0; k < edges.count(); ++k) {
+                const double weight = 1 - along.unlike[k] / static_cast<double>(unlikeClasses - 1);
+                all += weight;
+                against += along.flip[k] ? weight : 0;
+            }
+            out[i] = against > doubtfulShare * all;
+        });
     });
     return out;
 }

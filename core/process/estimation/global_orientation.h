@@ -10,12 +10,12 @@
 namespace process {
 
 /// As `orient` (cloud_normals.h): flips unit normals in place; false where the surface has no two sides.
-bool orientGlobally(const Cloud& cloud, std::span<base::Vec3f> normals, int neighbours = 12,
+bool orientGlobally(const Cloud& cloud, const NeighbourTable& links, std::span<base::Vec3f> normals,
                     const base::Progress& progress = {}, Sides given = Sides::Unknown);
 
-/// One per position, true where an orientation is in doubt: where more than a quarter of what 12 neighbours say,
-/// weighted by how certain they are, contradicts it.
-std::vector<std::uint8_t> doubtfulSigns(const Cloud& cloud, std::span<const base::Vec3f> normals,
-                                        const base::Progress& progress = {});
+/// One per position, true where an orientation is in doubt: where more than a quarter of what its neighbours
+/// say, weighted by how certain they are, contradicts it.
+std::vector<std::uint8_t> doubtfulSigns(const Cloud& cloud, const NeighbourTable& links,
+                                        std::span<const base::Vec3f> normals, const base::Progress& progress = {});
 
 } // namespace process

@@ -1,15 +1,16 @@
-// The k nearest of many points: nanoflann stays behind this header.
+// The k nearest of many points, exactly.
 //
 // A Cloud holds the distinct positions of a list in Morton order, so that neighbours in the list are neighbours in
 // space and coincident points do not eat each other's neighbourhoods. It does not refer to the list afterwards.
-// Const functions may run on any thread. Everything is the same bits at any thread count.
+// Neighbours are ordered by distance, those at one distance by their place in that order. Const functions may run on
+// any thread. Everything is the same bits at any thread count.
 #pragma once
 
+#include "core/base/large_array.h"
 #include "core/base/parallel.h"
 #include "core/base/progress.h"
+#include "core/process/estimation/nearest_kernel.h"
 #include "core/surfel/surfel.h"
-
-#include <memory>
 
 namespace process {
 
@@ -24,7 +25,6 @@ class Cloud {
   public:
     /// REQUIRES: finite positions.
     explicit Cloud(std::span<const surfel::Surfel> points, const base::Progress& progress = {});
-    ~Cloud();
 
     std::span<const base::Vec3f> positions() const { return m_positions; }
     std::size_t size() const { return m_positions.size(); }
@@ -32,33 +32,62 @@ class Cloud {
     std::span<const std::uint32_t> places() const { return m_places; }
     /// The k nearest other positions of position `i`; fewer where there are fewer.
     void nearest(std::size_t i, std::size_t k, Neighbours& out) const;
-    /// Distance from anywhere to the k-th nearest position, or the last where there are fewer.
+    /// Distance from anywhere to the k-th nearest position, or the last where there are fewer. REQUIRES: k >= 1, and a
+    /// position.
     float reach(const base::Vec3f& x, std::size_t k) const;
 
-    /// body(i, neighbours) for every position, in parallel; body writes only what belongs to i.
+    /// body(i, neighbours) for every position, in parallel; body writes only what belongs to i. Much faster than one
+    /// by one.
     template <class Body>
     void forEach(std::size_t k, const base::Progress& progress, const char* what, const Body& body) const;
+    /// The same for whole cells: body(rows), many consecutive positions with all their neighbours. REQUIRES: k >= 1 and
+    /// more than one position.
+    template <class Body>
+    void forEachCell(std::size_t k, const base::Progress& progress, const char* what, const Body& body) const;
+    /// The cells, for work that looks at some of them.
+    const PointCells& cells() const { return m_cells; }
 
   private:
-    struct Index;
-    std::vector<base::Vec3f> m_positions;
-    std::vector<std::uint32_t> m_places;
-    std::unique_ptr<Index> m_index;
+    base::LargeArray<base::Vec3f> m_positions;
+    base::LargeArray<std::uint32_t> m_places;
+    PointCells m_cells;
 };
 
 template <class Body>
-void Cloud::forEach(std::size_t k, const base::Progress& progress, const char* what, const Body& body) const {
-    constexpr std::size_t slab = 8192; // some 20 ms of work between two looks at `cancel`
-    for (std::size_t from = 0; from < size(); from += slab) {
-        progress.step(static_cast<double>(from) / static_cast<double>(size()), what);
-        base::parallelChunks(std::min(slab, size() - from), 256, [&](std::size_t begin, std::size_t end, std::size_t) {
-            Neighbours neighbours;
-            for (std::size_t i = from + begin; i < from + end; ++i) {
-                nearest(i, k, neighbours);
-                body(i, static_cast<const Neighbours&>(neighbours));
+void Cloud::forEachCell(std::size_t k, const base::Progress& progress, const char* what, const Body& body) const {
+    constexpr std::size_t slab = 128, grain = 4; // cells: a millisecond of work between two reports
+    k = std::min(k, size() - 1);
+    const std::size_t count = m_cells.count();
+    for (std::size_t from = 0; from < count; from += slab) {
+        progress.step(static_cast<double>(from) / static_cast<double>(count), what);
+        base::parallelChunks(std::min(slab, count - from), grain, [&](std::size_t begin, std::size_t end, std::size_t) {
+            if (progress.cancel && progress.cancel->load(std::memory_order_relaxed))
+                throw base::Cancelled();
+            NearestRows rows;
+            for (std::size_t cell = from + begin; cell < from + end; ++cell) {
+                nearestOfCell(m_cells, m_positions, cell, k, rows);
+                body(static_cast<const NearestRows&>(rows));
             }
         });
     }
+}
+
+template <class Body>
+void Cloud::forEach(std::size_t k, const base::Progress& progress, const char* what, const Body& body) const {
+    if (size() < 2 || k == 0) {
+        for (std::size_t i = 0; i < size(); ++i)
+            body(i, Neighbours());
+        return;
+    }
+    forEachCell(k, progress, what, [&](const NearestRows& rows) {
+        Neighbours neighbours;
+        for (std::size_t n = 0; n < rows.count; ++n) {
+            const auto row = static_cast<std::ptrdiff_t>(n * rows.k), end = row + static_cast<std::ptrdiff_t>(rows.k);
+            neighbours.index.assign(rows.index.begin() + row, rows.index.begin() + end);
+            neighbours.distanceSq.assign(rows.distanceSq.begin() + row, rows.distanceSq.begin() + end);
+            body(rows.first + n, static_cast<const Neighbours&>(neighbours));
+        }
+    });
 }
 
 } // namespace process

@@ -1,36 +1,62 @@
 // What neighbours' normals say of each other's signs (process/README 2.2): the edges that spanning trees, and
-// judgements of an orientation, are made of.
+// judgements of an orientation, are made of. Const functions may run on any thread.
 #pragma once
 
-#include "core/process/estimation/knn.h"
+#include "core/process/estimation/neighbour_table.h"
 
 namespace process {
 
-struct NormalEdge {
-    std::uint32_t a, b;
-};
-
 /// Classes of unlikeness: as fine as float normals of a scan mean anything, and sorted in one pass.
-inline constexpr std::size_t unlikeClasses = 1 << 14;
+inline constexpr int unlikeBits = 14;
+inline constexpr std::size_t unlikeClasses = std::size_t(1) << unlikeBits;
 
+/// Of a point's edges to its neighbours, in lanes.
 struct Likeness {
-    bool flip;            ///< one of the two has to be turned
-    std::uint16_t unlike; ///< 0 certain to unlikeClasses - 1
+    static constexpr int most = 16;
+    std::int32_t flip[most];   ///< 1 where one of the two has to be turned
+    std::int32_t unlike[most]; ///< 0 certain to unlikeClasses - 1
 };
 
-/// Compares the normal at b with the one that a circular arc from a to b would carry there, the normal at a mirrored in
-/// the plane halfway: exact on spheres and cylinders, and right across sharp edges, where n_a . n_b is 0. An edge along
-/// the normals joins two layers or two sides of something thin, and nobody can tell which: it comes last.
-Likeness likeness(const base::Vec3f& a, const base::Vec3f& na, const base::Vec3f& b, const base::Vec3f& nb);
+static_assert(NeighbourTable::most <= Likeness::most);
 
-struct NormalLinks {
-    std::vector<NormalEdge> edges; ///< every pair of neighbours once
-    std::vector<Likeness> likenesses;
-    std::vector<std::uint32_t> order; ///< of edges, the most certain first; ties in the order of edges
+/// One point and its neighbours, or what else is beside it, in lanes: working memory of one thread.
+struct Beside {
+    base::Vec3f a, na;
+    float x[Likeness::most], y[Likeness::most], z[Likeness::most];
+    float nx[Likeness::most], ny[Likeness::most], nz[Likeness::most];
 };
 
-/// In parallel, the same at any thread count. REQUIRES: two positions, unit normals.
-NormalLinks normalLinks(const Cloud& cloud, std::span<const base::Vec3f> normals, int neighbours,
-                        const base::Progress& progress);
+/// The edges of a neighbour graph, with the normals at their ends. Refers to all three.
+class NormalLinks {
+  public:
+    /// REQUIRES: unit normals, or some that are zero.
+    NormalLinks(std::span<const base::Vec3f> positions, const NeighbourTable& table,
+                std::span<const base::Vec3f> normals)
+        : m_positions(positions), m_table(table), m_normals(normals) {}
+
+    std::size_t size() const { return m_table.size(); }
+    /// Neighbours of each.
+    std::size_t count() const { return m_table.count(); }
+
+    /// body(i, neighbours, likeness) for a range of points; count() of both are valid. An edge that is found from both
+    /// its ends has the same bits from both.
+    template <class Body>
+    void forRows(std::size_t begin, std::size_t end, const Body& body) const {
+        Beside beside{};
+        Likeness likeness;
+        for (std::size_t i = begin; i < end; ++i) {
+            const NeighbourTable::Row row = m_table.row(i);
+            compare(i, row, beside, likeness);
+            body(static_cast<std::uint32_t>(i), row, static_cast<const Likeness&>(likeness));
+        }
+    }
+
+  private:
+    void compare(std::size_t i, const NeighbourTable::Row& row, Beside& beside, Likeness& out) const;
+
+    std::span<const base::Vec3f> m_positions;
+    const NeighbourTable& m_table;
+    std::span<const base::Vec3f> m_normals;
+};
 
 } // namespace process

@@ -11,14 +11,24 @@ namespace {
 /// Reach of the weight over the distance of the farthest neighbour: beyond 1, so that the farthest counts too.
 constexpr double reachOverFarthest = 1.4;
 
+void setFlags(surfel::SurfelList& points, bool oriented) {
+    auto layout = std::make_shared<surfel::AttributeLayout>(*points.layout);
+    layout->normals = true;
+    layout->oriented = oriented;
+    points.layout = std::move(layout);
+}
+
+} // namespace
+
 /// Least direction of the Wendland-weighted covariance about the weighted mean (process/README 2.1), relative to the
 /// position itself.
-base::Vec3f planeNormal(std::span<const base::Vec3f> positions, std::size_t i, const Neighbours& near) {
-    const double reachSq = reachOverFarthest * reachOverFarthest * static_cast<double>(near.distanceSq.back());
+base::Vec3f planeNormal(std::span<const base::Vec3f> positions, std::size_t i, std::span<const std::uint32_t> index,
+                        std::span<const float> distanceSq) {
+    const double reachSq = reachOverFarthest * reachOverFarthest * static_cast<double>(distanceSq.back());
     double w = 1, sum[3] = {}, xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0; // the position itself: weight 1 at 0
-    for (std::size_t k = 0; k < near.size(); ++k) {
-        const base::Vec3d q = base::cast<double>(positions[near.index[k]] - positions[i]);
-        const double r = std::sqrt(static_cast<double>(near.distanceSq[k]) / reachSq), u = 1 - r;
+    for (std::size_t k = 0; k < index.size(); ++k) {
+        const base::Vec3d q = base::cast<double>(positions[index[k]] - positions[i]);
+        const double r = std::sqrt(static_cast<double>(distanceSq[k]) / reachSq), u = 1 - r;
         const double weight = u * u * u * u * (4 * r + 1);
         const base::Vec3d v = q * weight;
         w += weight;
@@ -32,20 +42,13 @@ base::Vec3f planeNormal(std::span<const base::Vec3f> positions, std::size_t i, c
     return base::normalized(base::cast<float>(base::symmetricEigen(c).vector[0]), {0, 0, 1});
 }
 
-void setFlags(surfel::SurfelList& points, bool oriented) {
-    auto layout = std::make_shared<surfel::AttributeLayout>(*points.layout);
-    layout->normals = true;
-    layout->oriented = oriented;
-    points.layout = std::move(layout);
-}
-
-} // namespace
-
 std::vector<base::Vec3f> normalsOf(const Cloud& cloud, int neighbours, const base::Progress& progress) {
     std::vector<base::Vec3f> out(cloud.size(), {0, 0, 1});
     if (cloud.size() > 2)
         cloud.forEach(static_cast<std::size_t>(neighbours), progress, "Estimating normals",
-                      [&](std::size_t i, const Neighbours& near) { out[i] = planeNormal(cloud.positions(), i, near); });
+                      [&](std::size_t i, const Neighbours& near) {
+                          out[i] = planeNormal(cloud.positions(), i, near.index, near.distanceSq);
+                      });
     return out;
 }
 
@@ -62,7 +65,8 @@ bool orientNormals(surfel::SurfelList& points, int neighbours, const base::Progr
     std::vector<base::Vec3f> normals(cloud.size());
     for (std::size_t i = 0; i < points.size(); ++i)
         normals[cloud.places()[i]] = points.items[i].normal;
-    if (!orient(cloud, normals, neighbours, part(progress, 0.2, 1))) {
+    const NeighbourTable links = nearestTable(cloud, static_cast<std::size_t>(neighbours), part(progress, 0.2, 0.5));
+    if (!orient(cloud, links, normals, part(progress, 0.5, 1))) {
         setFlags(points, false);
         return false;
     }

@@ -6,26 +6,14 @@
 
 namespace process {
 
-/// Kruskal's minimum spanning trees of the neighbour graph, with the flips along their edges.
-static base::ParitySets spanningTrees(const NormalLinks& links, std::size_t points, const base::Progress& progress) {
-    base::ParitySets trees(points);
-    for (std::size_t k = 0; k < links.order.size(); ++k) {
-        if (k % 131072 == 0)
-            progress.step(static_cast<double>(k) / static_cast<double>(links.order.size()), "Orienting normals");
-        const std::uint32_t e = links.order[k];
-        trees.relate(links.edges[e].a, links.edges[e].b, links.likenesses[e].flip);
-    }
-    return trees;
-}
-
-bool orient(const Cloud& cloud, std::span<base::Vec3f> normals, int neighbours, const base::Progress& progress,
-            Sides given) {
+bool orient(const Cloud& cloud, const NeighbourTable& links, std::span<base::Vec3f> normals,
+            const base::Progress& progress, Sides given) {
     if (cloud.size() < 2)
         return true;
-    const NormalLinks links = normalLinks(cloud, normals, neighbours, part(progress, 0, 0.7));
-    base::ParitySets trees = spanningTrees(links, cloud.size(), part(progress, 0.7, 0.9));
-    const bool sided = !hasSeam(trees, links, cloud.size());
-    takeSigns(trees, cloud, normals, given, part(progress, 0.9, 1));
+    OrientationTrees trees(cloud, links, normals, part(progress, 0, 0.5));
+    trees.joinAll(part(progress, 0.5, 0.7));
+    const bool sided = !trees.hasSeam(part(progress, 0.7, 0.8));
+    trees.takeSigns(given, part(progress, 0.8, 1));
     return sided;
 }
 

@@ -3,59 +3,183 @@
 #include "core/process/estimation/outside.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace process {
 
+namespace {
+
+constexpr const char* orienting = "Orienting normals";
+constexpr std::size_t grain = 16384, slab = 16 * grain;
+
 /// Edges this unlike or less are certain: on two-sided scans, raw ones included, next to none of them contradicts the
 /// others (at most 0.07 sqrt(n) points, found on 30 models), while a Moebius strip's seam of them cannot vanish.
-constexpr std::size_t certain = unlikeClasses / 20;
+constexpr std::int32_t certain = unlikeClasses / 20;
 constexpr double seamLength = 0.3; ///< in sqrt(n) points, from which there is a seam
 constexpr std::size_t leastSeam = 4;
 
-bool hasSeam(base::ParitySets& trees, const NormalLinks& links, std::size_t points) {
-    std::vector<std::uint32_t> seam;
-    for (std::size_t e = 0; e < links.edges.size(); ++e) {
-        if (links.likenesses[e].unlike >= certain)
-            continue;
-        const auto a = trees.find(links.edges[e].a), b = trees.find(links.edges[e].b);
-        if (a.root == b.root && (a.opposite != b.opposite) != links.likenesses[e].flip)
-            seam.insert(seam.end(), {links.edges[e].a, links.edges[e].b});
+/// body(begin, end, chunk) for n points, in parallel.
+template <class Body>
+void forChunks(std::size_t n, const base::Progress& progress, const Body& body) {
+    for (std::size_t from = 0; from < n; from += slab) {
+        progress.step(static_cast<double>(from) / static_cast<double>(n), orienting);
+        base::parallelChunks(std::min(slab, n - from), grain,
+                             [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+                                 body(from + begin, from + end, from / grain + chunk);
+                             });
     }
-    std::sort(seam.begin(), seam.end());
-    const auto length = static_cast<std::size_t>(std::unique(seam.begin(), seam.end()) - seam.begin());
-    return length >= leastSeam && static_cast<double>(length) >= seamLength * std::sqrt(static_cast<double>(points));
 }
 
-void takeSigns(base::ParitySets& trees, const Cloud& cloud, std::span<base::Vec3f> normals, Sides given,
-               const base::Progress& progress) {
-    const std::size_t n = cloud.size();
-    std::vector<std::uint32_t> start(n + 1), members(n), rootOf(n);
-    std::vector<std::uint8_t> flipped(n);
+} // namespace
+
+/// An edge as chunks hand it on, in one word: the point that it was found from, counted from the chunk's first, its
+/// class, whether it flips, and the other point.
+class OrientationTrees::Edge {
+  public:
+    Edge() = default;
+    Edge(std::uint32_t local, std::int32_t unlike, bool flip, std::uint32_t to)
+        : m_word(std::uint64_t(local) << 47 | std::uint64_t(unlike) << 33 | std::uint64_t(flip) << 32 | to) {}
+    std::uint32_t local() const { return static_cast<std::uint32_t>(m_word >> 47); }
+    std::uint32_t unlike() const { return static_cast<std::uint32_t>(m_word >> 33) & (unlikeClasses - 1); }
+    bool flip() const { return (m_word >> 32 & 1) != 0; }
+    std::uint32_t to() const { return static_cast<std::uint32_t>(m_word); }
+
+  private:
+    std::uint64_t m_word;
+};
+
+OrientationTrees::OrientationTrees(const Cloud& cloud, const NeighbourTable& links, std::span<base::Vec3f> normals,
+                                   const base::Progress& progress)
+    : m_positions(cloud.positions()), m_normals(normals), m_links(m_positions, links, normals), m_signs(cloud.size()) {
+    std::vector<std::vector<Edge>> parts(base::chunkCount(m_links.size(), grain));
+    forChunks(m_links.size(), progress,
+              [&](std::size_t begin, std::size_t end, std::size_t chunk) { parts[chunk] = candidates(begin, end); });
+    progress.step(0.95, orienting);
+    sort(parts);
+}
+
+/// The chunk's edges that may be in a tree, in the order of its points. That an edge may be found from both its
+/// ends does no harm: it has the same bits from both, and the second time it joins nothing.
+std::vector<OrientationTrees::Edge> OrientationTrees::candidates(std::size_t begin, std::size_t end) const {
+    std::vector<Edge> edges;
+    edges.reserve((end - begin) * m_links.count());
+    std::vector<std::uint32_t> next(unlikeClasses + 1);
+    m_links.forRows(begin, end, [&](std::uint32_t i, const NeighbourTable::Row& row, const Likeness& along) {
+        for (std::size_t k = 0; k < m_links.count(); ++k) {
+            edges.emplace_back(static_cast<std::uint32_t>(i - begin), along.unlike[k], along.flip[k] != 0, row[k]);
+            ++next[edges.back().unlike() + 1];
+        }
+    });
+    for (std::size_t c = 0; c < unlikeClasses; ++c)
+        next[c + 1] += next[c];
+    std::vector<std::uint32_t> order(edges.size());
+    for (std::uint32_t e = 0; e < edges.size(); ++e)
+        order[next[edges[e].unlike()]++] = e;
+    base::DisjointSets inside(end - begin);
+    std::vector<std::uint8_t> mayJoin(edges.size());
+    for (const std::uint32_t e : order) {
+        const std::uint32_t to = edges[e].to();
+        mayJoin[e] = to < begin || to >= end || inside.join(edges[e].local(), to - static_cast<std::uint32_t>(begin));
+    }
+    std::vector<Edge> out;
+    out.reserve(static_cast<std::size_t>(std::count(mayJoin.begin(), mayJoin.end(), 1)));
+    for (std::size_t e = 0; e < edges.size(); ++e)
+        if (mayJoin[e])
+            out.push_back(edges[e]);
+    return out;
+}
+
+/// By class, those of one in the order that they have. Empties the parts.
+void OrientationTrees::sort(std::vector<std::vector<Edge>>& parts) {
+    std::vector<std::size_t> next(unlikeClasses + 1);
+    std::size_t count = 0;
+    for (const auto& part : parts) {
+        count += part.size();
+        for (const Edge& edge : part)
+            ++next[edge.unlike() + 1];
+    }
+    for (std::size_t c = 0; c < unlikeClasses; ++c)
+        next[c + 1] += next[c];
+    m_joints = base::LargeArray<Joint>(count);
+    for (std::size_t chunk = 0; chunk < parts.size(); ++chunk) {
+        for (const Edge& edge : parts[chunk])
+            m_joints[next[edge.unlike()]++] = {static_cast<std::uint32_t>(chunk * grain) + edge.local(),
+                                               edge.to() << 1 | (edge.flip() ? 1u : 0u)};
+        std::vector<Edge>().swap(parts[chunk]);
+    }
+    m_classEnd = std::move(next); // where each began, one by one moved to its end
+}
+
+void OrientationTrees::joinBelow(double unlike, const base::Progress& progress) {
+    const double wanted = std::ceil(unlike * static_cast<double>(unlikeClasses));
+    const auto below = static_cast<std::size_t>(std::clamp(wanted, 0.0, static_cast<double>(unlikeClasses)));
+    const std::size_t end = below > 0 ? m_classEnd[below - 1] : 0, begin = m_joined;
+    for (; m_joined < end; ++m_joined) {
+        if ((m_joined - begin) % 131072 == 0)
+            progress.step(static_cast<double>(m_joined - begin) / static_cast<double>(end - begin), orienting);
+        const Joint& joint = m_joints[m_joined];
+        m_signs.relate(joint.a, joint.b >> 1, (joint.b & 1) != 0);
+    }
+}
+
+/// What is asked next asks about every point.
+void OrientationTrees::shorten() {
+    base::parallelFor(m_links.size(), grain, [&](std::size_t i) { m_signs.shorten(static_cast<std::uint32_t>(i)); });
+}
+
+bool OrientationTrees::hasSeam(const base::Progress& progress) {
+    shorten();
+    std::vector<std::vector<std::uint32_t>> parts(base::chunkCount(m_links.size(), grain));
+    forChunks(m_links.size(), progress, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+        m_links.forRows(begin, end, [&](std::uint32_t i, const NeighbourTable::Row& row, const Likeness& along) {
+            const auto a = m_signs.look(i);
+            for (std::size_t k = 0; k < m_links.count(); ++k) {
+                if (along.unlike[k] >= certain)
+                    continue;
+                const auto b = m_signs.look(row[k]);
+                if (a.root == b.root && (a.opposite != b.opposite) != (along.flip[k] != 0))
+                    parts[chunk].insert(parts[chunk].end(), {i, row[k]});
+            }
+        });
+    });
+    std::vector<std::uint32_t> seam;
+    for (const auto& each : parts)
+        seam.insert(seam.end(), each.begin(), each.end());
+    std::sort(seam.begin(), seam.end());
+    const auto length = static_cast<std::size_t>(std::unique(seam.begin(), seam.end()) - seam.begin());
+    const double least = seamLength * std::sqrt(static_cast<double>(m_links.size()));
+    return length >= leastSeam && static_cast<double>(length) >= least;
+}
+
+void OrientationTrees::takeSigns(Sides given, const base::Progress& progress) {
+    shorten();
+    const std::size_t n = m_links.size();
+    std::vector<std::uint32_t> start(n + 1), members(n);
     for (std::uint32_t i = 0; i < n; ++i) {
-        const auto [root, flip] = trees.find(i);
-        flipped[i] = flip;
+        const auto [root, flip] = m_signs.look(i);
         if (flip)
-            normals[i] = -normals[i];
-        rootOf[i] = root;
-        ++start[root + 1];
+            m_normals[i] = -m_normals[i];
+        ++start[root];
     }
     for (std::size_t i = 0; i < n; ++i)
-        start[i + 1] += start[i];
-    std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
-    for (std::uint32_t i = 0; i < n; ++i)
-        members[next[rootOf[i]]++] = i;
-    const Outside outside(cloud.positions());
+        start[i + 1] += start[i]; // where each ends
+    for (auto i = static_cast<std::uint32_t>(n); i-- > 0;)
+        members[--start[m_signs.look(i).root]] = i; // and then begins
+    const Outside outside(m_positions);
+    const auto mostlyTurned = [&](std::span<const std::uint32_t> component) {
+        const auto turned = static_cast<std::size_t>(std::count_if(
+            component.begin(), component.end(), [&](std::uint32_t i) { return m_signs.look(i).opposite; }));
+        return 2 * turned > component.size();
+    };
     for (std::size_t root = 0; root < n; ++root) {
         const std::span<const std::uint32_t> component(members.data() + start[root], start[root + 1] - start[root]);
         if (component.empty())
             continue;
-        progress.step(static_cast<double>(root) / static_cast<double>(n), "Orienting normals");
-        const auto turned = static_cast<std::size_t>(
-            std::count_if(component.begin(), component.end(), [&](std::uint32_t i) { return flipped[i] != 0; }));
-        const bool unclear = given == Sides::Mostly && std::abs(outside.vote(normals, component)) < Outside::clear;
-        if (unclear ? 2 * turned > component.size() : outside.inward(normals, component))
+        progress.step(static_cast<double>(root) / static_cast<double>(n), orienting);
+        const bool unclear = given == Sides::Mostly && std::abs(outside.vote(m_normals, component)) < Outside::clear;
+        if (unclear ? mostlyTurned(component) : outside.inward(m_normals, component))
             for (const std::uint32_t i : component)
-                normals[i] = -normals[i];
+                m_normals[i] = -m_normals[i];
     }
 }
 

@@ -1,19 +1,53 @@
-// What the ways to orient normals share: signs that were found as sets of points with parities are judged, and taken.
-// Inside this folder.
+// Minimum spanning trees of unlikeness over the neighbour graph, with the flips along their edges (process/README 2.2),
+// and what the ways to orient normals make of them: signs are judged, and taken. Inside this folder.
 #pragma once
 
 #include "core/base/disjoint_sets.h"
+#include "core/base/large_array.h"
 #include "core/process/estimation/cloud_normals.h"
 #include "core/process/estimation/normal_links.h"
 
 namespace process {
 
-/// Is there a seam, along which certain edges contradict the signs that the trees gave? Then the surface has no two
-/// sides (process/README 2.2).
-bool hasSeam(base::ParitySets& trees, const NormalLinks& links, std::size_t points);
+/// Kruskal's. Edges come by classes of likeness, those of a class in the order of the points along the curve. Chunks of
+/// points first find the trees of what lies inside of them: an edge that closes a circle there is the last one of a
+/// circle, in the whole as well, and is in no tree. What is left, little more than an edge a point, is sorted, and
+/// joined on demand. In parallel, the same at any thread count.
+class OrientationTrees {
+  public:
+    /// Holds on to all three. REQUIRES: two positions.
+    OrientationTrees(const Cloud& cloud, const NeighbourTable& links, std::span<base::Vec3f> normals,
+                     const base::Progress& progress);
 
-/// Turns normals as the trees say, and each component so that it looks outwards (process/README 2.3).
-void takeSigns(base::ParitySets& trees, const Cloud& cloud, std::span<base::Vec3f> normals, Sides given,
-               const base::Progress& progress);
+    /// Joins along all edges that are less unlike, of 1, and were not asked for before.
+    void joinBelow(double unlike, const base::Progress& progress);
+    void joinAll(const base::Progress& progress) { joinBelow(2, progress); }
+    /// What is known by now; more may be added.
+    base::ParitySets& signs() { return m_signs; }
+
+    /// Is there a seam, along which certain edges contradict the signs that the trees gave? Then the surface has no two
+    /// sides.
+    bool hasSeam(const base::Progress& progress);
+    /// Turns normals as the trees say, and each component so that it looks outwards (process/README 2.3). The last
+    /// thing to be asked for.
+    void takeSigns(Sides given, const base::Progress& progress);
+
+  private:
+    class Edge;
+    struct Joint {
+        std::uint32_t a, b; ///< b << 1 | flip
+    };
+    std::vector<Edge> candidates(std::size_t begin, std::size_t end) const;
+    void sort(std::vector<std::vector<Edge>>& parts);
+    void shorten();
+
+    std::span<const base::Vec3f> m_positions;
+    std::span<base::Vec3f> m_normals;
+    NormalLinks m_links;
+    base::LargeArray<Joint> m_joints;
+    std::vector<std::size_t> m_classEnd; ///< of joints
+    std::size_t m_joined = 0;
+    base::ParitySets m_signs;
+};
 
 } // namespace process

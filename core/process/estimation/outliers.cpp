@@ -55,8 +55,9 @@ class Groups {
 
     /// False where the group belongs to the model.
     bool enqueueMutual(std::uint32_t i, std::vector<std::uint32_t>& group) {
-        for (std::size_t k = 0; k < std::min(m_graph.count, mutualNeighbours); ++k) {
-            const std::uint32_t j = m_graph.index[i * m_graph.count + k];
+        const NeighbourGraph::Row row = m_graph.row(i);
+        for (std::size_t k = 0; k < std::min(m_graph.count(), mutualNeighbours); ++k) {
+            const std::uint32_t j = row[k];
             if (m_kind[j] == Kind::Queued || !m_graph.sees(j, i, mutualNeighbours))
                 continue;
             if (m_kind[j] == Kind::Model)
@@ -72,86 +73,100 @@ class Groups {
     std::vector<Kind> m_kind;
 };
 
-bool isUnseen(const NeighbourGraph& g, std::span<const float> wanted, std::size_t i, std::size_t edge) {
-    const std::uint32_t j = g.index[edge];
+bool isUnseen(const NeighbourGraph& g, std::span<const float> wanted, std::size_t i, std::uint32_t j) {
     return wanted[i] > farWider * wanted[j] && !g.sees(j, static_cast<std::uint32_t>(i));
 }
 
+/// Whether i wants more than one of its neighbours that does not see it.
+bool isSuspect(const NeighbourGraph& g, std::span<const float> wanted, std::size_t i) {
+    const NeighbourGraph::Row row = g.row(i);
+    return std::any_of(row.begin(), row.begin() + static_cast<std::ptrdiff_t>(g.count()),
+                       [&](std::uint32_t j) { return isUnseen(g, wanted, i, j); });
+}
+
 /// The normal of the plane through i and its neighbours.
-Vec3d planeAt(const NeighbourGraph& g, std::span<const Vec3f> positions, std::size_t i) {
-    const Vec3d origin = base::cast<double>(positions[i]);
+Vec3d planeAt(const NeighbourGraph& g, std::size_t i) {
+    const Vec3d origin = base::cast<double>(g.positions()[i]);
+    const NeighbourGraph::Row row = g.row(i);
     Vec3d mean{};
     base::Mat3d square{};
-    for (std::size_t e = i * g.count; e < (i + 1) * g.count; ++e) {
-        const Vec3d d = base::cast<double>(positions[g.index[e]]) - origin;
+    for (std::size_t k = 0; k < g.count(); ++k) {
+        const Vec3d d = base::cast<double>(g.positions()[row[k]]) - origin;
         mean += d;
         square += base::outer(d, d);
     }
-    mean *= 1.0 / double(g.count + 1);
-    return base::symmetricEigen(square - base::outer(mean, mean) * double(g.count + 1)).vector[0];
+    mean *= 1.0 / double(g.count() + 1);
+    return base::symmetricEigen(square - base::outer(mean, mean) * double(g.count() + 1)).vector[0];
 }
 
 /// What the group sees beside itself. REQUIRES: a sorted group.
 std::vector<Outliers::Sight> sightsOf(const NeighbourGraph& g, const std::vector<std::uint32_t>& group) {
     std::vector<Outliers::Sight> out;
-    for (const std::uint32_t i : group)
-        for (std::size_t e = i * g.count; e < (i + 1) * g.count; ++e)
-            if (!std::binary_search(group.begin(), group.end(), g.index[e]))
-                out.push_back({i, g.index[e], g.distance[e], e});
+    for (const std::uint32_t i : group) {
+        const NeighbourGraph::Row row = g.row(i);
+        for (std::uint32_t k = 0; k < g.count(); ++k)
+            if (!std::binary_search(group.begin(), group.end(), row[k]))
+                out.push_back({i, row[k], k});
+    }
     return out;
 }
 
-bool standApart(const NeighbourGraph& g, std::span<const Vec3f> positions, std::span<const Outliers::Sight> sights,
-                Groups& groups) {
+bool standApart(const NeighbourGraph& g, std::span<const Outliers::Sight> sights, Groups& groups) {
     double sum = 0;
     std::size_t count = 0;
     for (const Outliers::Sight& sight : sights) {
         if (!groups.isModel(sight.seen))
             continue; // of other outliers' planes nothing follows
-        const Vec3d way = base::cast<double>(positions[sight.outlier] - positions[sight.seen]);
-        const double rise = dot(way, planeAt(g, positions, sight.seen));
+        const Vec3d way = base::cast<double>(g.positions()[sight.outlier] - g.positions()[sight.seen]);
+        const double rise = dot(way, planeAt(g, sight.seen));
         sum += rise * rise / std::max(dot(way, way), 1e-300);
         ++count;
     }
     return count == 0 || sum > steepestSight * double(count);
 }
 
+/// What a row sees in one place from now on.
+void redirect(NeighbourGraph& g, const Outliers::Sight& sight, std::uint32_t to) {
+    NeighbourGraph::Row row = g.row(sight.outlier);
+    row[sight.place] = to;
+    g.set(sight.outlier, row);
+}
+
 } // namespace
 
-Outliers cutOutliers(NeighbourGraph& graph, std::span<const Vec3f> positions, std::span<const float> wanted) {
+Outliers cutOutliers(NeighbourGraph& graph, std::span<const float> wanted) {
     std::vector<std::uint8_t> suspect(graph.size());
-    base::parallelFor(graph.size(), 4096, [&](std::size_t i) {
-        for (std::size_t e = i * graph.count; e < (i + 1) * graph.count; ++e)
-            suspect[i] |= std::uint8_t(isUnseen(graph, wanted, i, e));
-    });
+    base::parallelFor(graph.size(), 4096, [&](std::size_t i) { suspect[i] = isSuspect(graph, wanted, i); });
     Groups groups(graph);
     std::vector<std::vector<std::uint32_t>> small;
     for (std::uint32_t i = 0; i < suspect.size(); ++i)
         if (suspect[i])
-            small.push_back(groups.take(i));
+            if (std::vector<std::uint32_t> group = groups.take(i); !group.empty())
+                small.push_back(std::move(group));
     Outliers out;
     for (const std::vector<std::uint32_t>& group : small) {
         const std::vector<Outliers::Sight> sights = sightsOf(graph, group);
-        if (sights.empty() || !standApart(graph, positions, sights, groups))
+        if (sights.empty() || !standApart(graph, sights, groups))
             continue;
         out.members.insert(out.members.end(), group.begin(), group.end());
         out.sights.insert(out.sights.end(), sights.begin(), sights.end());
     }
     for (const Outliers::Sight& sight : out.sights)
-        graph.index[sight.edge] = sight.outlier, graph.distance[sight.edge] = 0;
+        redirect(graph, sight, sight.outlier);
     return out;
 }
 
 void lowerOutliers(std::vector<float>& h, NeighbourGraph& g, const Outliers& outliers, float slope) {
-    for (const auto& [i, seen, distance, edge] : outliers.sights)
-        g.index[edge] = seen, g.distance[edge] = distance;
+    for (const Outliers::Sight& sight : outliers.sights)
+        redirect(g, sight, sight.seen);
     std::vector<std::uint8_t> isOutlier(h.size(), 0);
     for (const std::uint32_t i : outliers.members)
         isOutlier[i] = 1;
     std::vector<float> least = h, floors(h.size(), 0);
-    for (const auto& [i, seen, distance, edge] : outliers.sights)
+    for (const auto& [i, seen, place] : outliers.sights)
         if (!isOutlier[seen])
-            least[i] = std::min(least[i], h[seen]), floors[i] = std::max(floors[i], h[seen] - slope * distance);
+            least[i] = std::min(least[i], h[seen]),
+            floors[i] = std::max(floors[i], h[seen] - slope * g.distance(i, seen));
     for (const std::uint32_t i : outliers.members)
         h[i] = std::max(least[i], floors[i]);
     bool changed = true;
@@ -162,9 +177,13 @@ void lowerOutliers(std::vector<float>& h, NeighbourGraph& g, const Outliers& out
     };
     while (changed) {
         changed = false;
-        for (const std::uint32_t i : outliers.members)
-            for (std::size_t e = i * g.count; e < (i + 1) * g.count; ++e)
-                lower(i, g.index[e], g.distance[e]), lower(g.index[e], i, g.distance[e]);
+        for (const std::uint32_t i : outliers.members) {
+            const NeighbourGraph::Row row = g.row(i);
+            for (std::size_t k = 0; k < g.count(); ++k) {
+                const float distance = g.distance(i, row[k]);
+                lower(i, row[k], distance), lower(row[k], i, distance);
+            }
+        }
     }
 }
 

@@ -11,8 +11,7 @@ struct Outliers {
     /// An outlier and what it sees beside its own group.
     struct Sight {
         std::uint32_t outlier, seen;
-        float distance;
-        std::size_t edge; ///< of the graph
+        std::uint32_t place; ///< in the outlier's row
     };
     std::vector<std::uint32_t> members;
     std::vector<Sight> sights;
@@ -21,7 +20,7 @@ struct Outliers {
 /// Finds the outliers by the radii that positions want, and cuts their edges to it: there they become their own
 /// neighbours, at no distance. Sparse parts of the model stay in it: they lie beside the dense ones, in their tangent
 /// planes. The same at any thread count.
-Outliers cutOutliers(NeighbourGraph& graph, std::span<const base::Vec3f> positions, std::span<const float> wanted);
+Outliers cutOutliers(NeighbourGraph& graph, std::span<const float> wanted);
 
 /// No outlier wider than the least that it sees of the model and `slope` allows, nor than another one plus `slope`
 /// times their distance.

@@ -1,8 +1,12 @@
 #include "core/process/estimation/outside.h"
 
+#include "core/base/parallel.h"
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace process {
 
@@ -44,8 +48,9 @@ Outside::Outside(std::span<const Vec3f> positions) : m_positions(positions) {
 }
 
 double Outside::vote(std::span<const Vec3f> normals, std::span<const std::uint32_t> members) const {
-    double sum = 0;
-    for (int d = 0; d < directions; ++d) {
+    std::array<double, directions> votes;
+    base::parallelFor(directions, members.size() < 1024 ? directions : 1, [&](std::size_t number) {
+        const auto d = static_cast<double>(number);
         const double z = 1 - (2 * d + 1.0) / directions, angle = d * std::numbers::pi * (3 - std::sqrt(5.0));
         const double r = std::sqrt(1 - z * z);
         const Vec3f direction = base::cast<float>(Vec3d{r * std::cos(angle), r * std::sin(angle), z});
@@ -54,9 +59,9 @@ double Outside::vote(std::span<const Vec3f> normals, std::span<const std::uint32
         for (const std::uint32_t i : members)
             if (height(i) > height(top))
                 top = i;
-        sum += static_cast<double>(dot(normals[top], direction));
-    }
-    return sum / directions;
+        votes[number] = static_cast<double>(dot(normals[top], direction));
+    });
+    return std::accumulate(votes.begin(), votes.end(), 0.0) / directions;
 }
 
 bool Outside::inward(std::span<const Vec3f> normals, std::span<const std::uint32_t> members) const {

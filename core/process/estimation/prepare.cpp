@@ -2,6 +2,7 @@
 
 #include "core/base/unit_normal.h"
 #include "core/process/estimation/boundary_limit.h"
+#include "core/process/estimation/cloud_neighbours.h"
 #include "core/process/estimation/cloud_normals.h"
 #include "core/process/estimation/cloud_supports.h"
 #include "core/process/estimation/duplicates.h"
@@ -11,6 +12,7 @@
 #include "core/process/estimation/supports.h"
 
 #include <algorithm>
+#include <atomic>
 #include <optional>
 
 namespace process {
@@ -21,17 +23,35 @@ using surface::Boundary;
 using surface::SurfaceDefinition;
 
 constexpr int orientNeighbours = 12;
+constexpr std::size_t normalNeighbours = 18;
 /// Of h: a curve ends at 3/14 h (process/README 3); uneven spacing alone stays below this.
 constexpr float curveLimit = 0.3f;
 
+constexpr std::size_t grain = 8192;
+
+/// Whether `holds(point)` for every point, in parallel.
+template <class Holds>
+bool allOf(const surfel::SurfelList& points, const Holds& holds) {
+    std::atomic<bool> all = true;
+    base::parallelChunks(points.size(), grain, [&](std::size_t begin, std::size_t end, std::size_t) {
+        for (std::size_t i = begin; i < end && all.load(std::memory_order_relaxed); ++i)
+            if (!holds(points.items[i]))
+                all.store(false, std::memory_order_relaxed);
+    });
+    return all;
+}
+
 void dropNonFinite(surfel::SurfelList& points) {
-    keepPoints(points, [&](std::size_t i) { return base::isFinite(points.items[i].position); });
+    if (!allOf(points, [](const surfel::Surfel& s) { return base::isFinite(s.position); }))
+        keepPoints(points, [&](std::size_t i) { return base::isFinite(points.items[i].position); });
 }
 
 /// Unit length where it is not; what was saved comes back bit for bit.
 void makeUnit(surfel::SurfelList& points) {
-    for (surfel::Surfel& s : points.items)
+    base::parallelFor(points.size(), grain, [&](std::size_t i) {
+        surfel::Surfel& s = points.items[i];
         s.normal = base::unitNormal(s.normal);
+    });
 }
 
 void setOriented(surfel::SurfelList& points, bool oriented) {
@@ -47,54 +67,96 @@ bool hasNormal(const surfel::Surfel& s) {
     return s.normal != base::Vec3f{};
 }
 
-/// Estimates the normals that are missing. Where others are known, the estimates take their side. False where the
-/// surface has no sides to take.
-bool completeNormals(surfel::SurfelList& points, const Cloud& cloud, const base::Progress& progress) {
-    std::vector<base::Vec3f> normals = normalsOf(cloud, 18, part(progress, 0, 0.5));
-    const bool some = std::any_of(points.items.begin(), points.items.end(), hasNormal);
-    const bool sided = some || orient(cloud, normals, orientNeighbours, part(progress, 0.5, 1));
-    std::vector<base::Vec3f> known(cloud.size());
-    for (std::size_t i = 0; i < points.size(); ++i)
-        known[cloud.places()[i]] += points.items[i].normal;
-    std::vector<base::Vec3f> side = known;
-    if (some)
-        cloud.forEach(18, part(progress, 0.5, 1), "Completing normals", [&](std::size_t i, const Neighbours& near) {
-            for (const std::uint32_t j : near.index)
-                side[i] += known[j];
-        });
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const std::uint32_t place = cloud.places()[i];
-        if (!hasNormal(points.items[i]))
-            points.items[i].normal = base::dot(normals[place], side[place]) < 0 ? -normals[place] : normals[place];
-    }
-    return sided;
-}
-
-/// Neighbourhoods are found where something must be estimated: a file that brings everything opens without them.
-class LazyCloud {
+/// What is known of the points' surroundings, found where something must be estimated: a file that brings everything
+/// opens without. One search serves all, because each step hands on what the next one needs.
+class Surroundings {
   public:
-    LazyCloud(const surfel::SurfelList& points, const base::Progress& progress)
-        : m_points(points), m_progress(progress) {}
-    const Cloud& operator*() {
+    Surroundings(const surfel::SurfelList& points, const base::Progress& progress)
+        : m_points(points), m_indexing(part(progress, 0, 0.3)), m_searching(part(progress, 0.3, 1)) {}
+
+    const Cloud& cloud() {
         if (!m_cloud)
-            m_cloud.emplace(m_points.items, m_progress);
+            m_cloud.emplace(m_points.items, m_indexing);
         return *m_cloud;
     }
+    CloudNeighbours& neighbours() {
+        if (!m_neighbours)
+            m_neighbours = neighboursOf(cloud(), m_wantNormals ? normalNeighbours : 0, m_searching);
+        return *m_neighbours;
+    }
+    /// From the next search on.
+    void wantNormals() { m_wantNormals = true; }
+    std::span<base::Vec3f> normals() {
+        m_wantNormals = true;
+        if (neighbours().normals.empty())
+            m_neighbours.reset();
+        return neighbours().normals;
+    }
+    void dropNormals() {
+        m_wantNormals = false;
+        if (m_neighbours)
+            m_neighbours->normals = {};
+    }
+    CloudNeighbours take() {
+        CloudNeighbours out = std::move(neighbours());
+        m_neighbours.reset();
+        return out;
+    }
     /// The points have become others.
-    void forget() { m_cloud.reset(); }
+    void forget() {
+        m_neighbours.reset();
+        m_cloud.reset();
+        m_indexing.report = m_searching.report = nullptr; // so far it was already
+    }
 
   private:
     const surfel::SurfelList& m_points;
-    base::Progress m_progress;
+    base::Progress m_indexing, m_searching;
+    bool m_wantNormals = false;
     std::optional<Cloud> m_cloud;
+    std::optional<CloudNeighbours> m_neighbours;
 };
 
+/// The estimates take the side of normals that are known.
+void takeKnownSides(const surfel::SurfelList& points, const Cloud& cloud, std::span<base::Vec3f> normals,
+                    const base::Progress& progress) {
+    std::vector<base::Vec3f> known(cloud.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+        known[cloud.places()[i]] += points.items[i].normal;
+    cloud.forEach(normalNeighbours, progress, "Completing normals", [&](std::size_t i, const Neighbours& near) {
+        base::Vec3f side = known[i];
+        for (const std::uint32_t j : near.index)
+            side += known[j];
+        if (base::dot(normals[i], side) < 0)
+            normals[i] = -normals[i];
+    });
+}
+
+/// Estimates the normals that are missing. Where others are known, the estimates take their side. False where the
+/// surface has no sides to take.
+bool completeNormals(surfel::SurfelList& points, Surroundings& around, const base::Progress& progress) {
+    const std::span<base::Vec3f> normals = around.normals();
+    bool sided = true;
+    if (!allOf(points, [](const surfel::Surfel& s) { return !hasNormal(s); }))
+        takeKnownSides(points, around.cloud(), normals, progress);
+    else
+        sided = orient(around.cloud(), around.neighbours().table, normals, progress);
+    const auto places = around.cloud().places();
+    base::parallelFor(points.size(), grain, [&](std::size_t i) {
+        if (!hasNormal(points.items[i]))
+            points.items[i].normal = normals[places[i]];
+    });
+    around.dropNormals();
+    return sided;
+}
+
 /// Returns how many.
-std::size_t mergeThrough(surfel::SurfelList& points, LazyCloud& cloud, const base::Progress& progress) {
-    const std::size_t merged = mergeDuplicates(points, firstOfDuplicates(*cloud, progress));
-    if (merged > 0)
-        cloud.forget();
-    return merged;
+std::size_t mergeThrough(surfel::SurfelList& points, Surroundings& around, const base::Progress& progress) {
+    const std::vector<std::uint32_t> first = firstOfDuplicates(around.cloud(), around.neighbours(), progress);
+    if (first.empty())
+        return 0;
+    around.forget();
+    return mergeDuplicates(points, first);
 }
 
 /// Distinct positions, counted up to 4.
@@ -106,35 +168,38 @@ std::size_t fewDistinct(const surfel::SurfelList& points) {
     return seen.size();
 }
 
-void prepareNormals(surfel::SurfelList& points, LazyCloud& cloud, const SurfaceDefinition& definition,
+void prepareNormals(surfel::SurfelList& points, Surroundings& around, const SurfaceDefinition& definition,
                     const base::Progress& progress) {
     const bool declared = points.layout->normals;
     if (!declared)
-        for (surfel::Surfel& s : points.items)
-            s.normal = {};
+        base::parallelFor(points.size(), grain, [&](std::size_t i) { points.items[i].normal = {}; });
     makeUnit(points);
     if (definition.manifold == surface::Manifold::Curve)
         return; // what there is are tangents, and curves do without
     bool oriented = points.layout->oriented || !declared;
-    if (!std::all_of(points.items.begin(), points.items.end(), hasNormal))
-        oriented &= completeNormals(points, *cloud, part(progress, 0, 0.7));
+    if (!allOf(points, hasNormal))
+        oriented &= completeNormals(points, around, part(progress, 0, 0.7));
     if (oriented || !declared)
         setOriented(points, oriented);
     else if (definition.frame == surface::Frame::Normals)
         orientNormals(points, orientNeighbours, part(progress, 0.7, 1));
 }
 
-void prepareSupports(surfel::SurfelList& points, LazyCloud& cloud, const PrepareOptions& options,
+void prepareSupports(surfel::SurfelList& points, Surroundings& around, const PrepareOptions& options,
                      const base::Progress& progress) {
     const auto keeps = [&](const surfel::Surfel& s) {
         return options.keepSupports && s.support > 0 && std::isfinite(s.support);
     };
-    if (std::all_of(points.items.begin(), points.items.end(), keeps))
+    if (allOf(points, keeps))
         return;
-    const std::vector<float> h = supportsOf(*cloud, points, options.definition, progress);
-    for (std::size_t i = 0; i < points.size(); ++i)
+    const bool one = options.definition.support > 0;
+    const std::vector<float> h =
+        supportsOf(around.cloud(), points, options.definition, one ? CloudNeighbours() : around.take(), progress);
+    const auto places = around.cloud().places();
+    base::parallelFor(points.size(), grain, [&](std::size_t i) {
         if (!keeps(points.items[i]))
-            points.items[i].support = h[(*cloud).places()[i]];
+            points.items[i].support = h[places[i]];
+    });
 }
 
 surface::Surface withLimit(tree::SurfelTree tree, SurfaceDefinition definition, const base::Progress& progress) {
@@ -181,14 +246,21 @@ surface::Surface prepare(surfel::SurfelList points, const PrepareOptions& option
     if (const std::size_t distinct = fewDistinct(points); distinct < 4)
         throw base::Error("a surface needs at least 4 distinct points, but there are only " + std::to_string(distinct),
                           "", "open a model with more points");
-    const base::Progress indexing = part(progress, 0, 0.1);
-    LazyCloud cloud(points, indexing);
-    if (options.merged)
-        *options.merged = mergeThrough(points, cloud, part(progress, 0.1, 0.2));
-    prepareNormals(points, cloud, options.definition, part(progress, 0.2, 0.6));
-    prepareSupports(points, cloud, options, part(progress, 0.6, 0.8));
-    tree::SurfelTree tree =
+    tree::SurfelTree tree;
+    {
+        const base::Progress looking = part(progress, 0, 0.3);
+        Surroundings around(points, looking);
+        if (options.definition.manifold == surface::Manifold::Surface &&
+            !(points.layout->normals && allOf(points, hasNormal)))
+            around.wantNormals();
+        if (options.merged)
+            *options.merged = mergeThrough(points, around, part(progress, 0.3, 0.4));
+        prepareNormals(points, around, options.definition, part(progress, 0.4, 0.6));
+        prepareSupports(points, around, options, part(progress, 0.6, 0.8));
+    }
+    tree =
         tree::SurfelTree::build(points, options.shape ? *options.shape : tree::TreeShape(), part(progress, 0.8, 0.9));
+    points = {}; // the tree has it all
     if (options.keepLimit)
         return {std::move(tree), options.definition};
     return withLimit(std::move(tree), options.definition, part(progress, 0.9, 1));

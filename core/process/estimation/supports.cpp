@@ -1,8 +1,7 @@
 #include "core/process/estimation/supports.h"
 
-#include "core/process/estimation/cloud_spacing.h"
 #include "core/process/estimation/cloud_supports.h"
-#include "core/process/estimation/neighbour_graph.h"
+#include "core/process/estimation/graded_field.h"
 #include "core/process/estimation/outliers.h"
 #include "core/process/estimation/part_progress.h"
 
@@ -12,63 +11,27 @@ namespace process {
 
 namespace {
 
-constexpr std::size_t ringSize = 6; ///< that spacing is made of
 /// Of radii over distance (process/README 1.3).
 constexpr float steepest = 0.5f;
 /// A position that stands this many times sparser than the median of its neighbours is an outlier and gets no more.
 constexpr float sparsest = 3.0f;
-
-std::vector<float> spacingsOf(const NeighbourGraph& g, std::size_t n) {
-    std::vector<float> out(n);
-    const std::size_t k = std::min<std::size_t>(ringSize, g.count);
-    base::parallelFor(n, 8192, [&](std::size_t i) {
-        double sum = 0;
-        for (std::size_t j = 0; j < k; ++j)
-            sum += static_cast<double>(g.distance[i * g.count + j]);
-        out[i] = static_cast<float>(spacingOverDistance * sum / static_cast<double>(k));
-    });
-    return out;
-}
+constexpr std::size_t grain = 4096;
 
 /// An outlier's reach would otherwise follow its distance from everything, and grading would carry that into the model.
-std::vector<float> withoutOutliers(const std::vector<float>& spacing, const NeighbourGraph& g) {
+std::vector<float> withoutOutliers(std::span<const float> spacing, const NeighbourGraph& g) {
     std::vector<float> out(spacing.size());
-    base::parallelFor(spacing.size(), 4096, [&](std::size_t i) {
-        float near[gradedNeighbours];
-        for (std::size_t k = 0; k < g.count; ++k)
-            near[k] = spacing[g.index[i * g.count + k]];
-        std::nth_element(near, near + g.count / 2, near + g.count);
-        out[i] = std::min(spacing[i], sparsest * near[g.count / 2]);
+    base::parallelFor(spacing.size(), grain, [&](std::size_t i) {
+        const NeighbourGraph::Row row = g.row(i);
+        float near[gradedNeighbours], least = spacing[row[0]];
+        for (std::size_t k = 0; k < g.count(); ++k)
+            least = std::min(least, near[k] = spacing[row[k]]);
+        out[i] = spacing[i];
+        if (spacing[i] <= sparsest * least)
+            return; // the median is no less
+        std::nth_element(near, near + g.count() / 2, near + g.count());
+        out[i] = std::min(spacing[i], sparsest * near[g.count() / 2]);
     });
     return out;
-}
-
-/// Raises what lies more than a slope below a neighbour until nothing does: the largest of all h_j - slope d_ij. That
-/// fixed point is unique, so that the order of the sweeps cannot show. Along a Morton curve two or three suffice.
-void raise(std::vector<float>& h, const NeighbourGraph& g, const base::Progress& progress) {
-    const auto relax = [&](std::size_t i) {
-        bool changed = false;
-        for (std::size_t e = i * g.count; e < (i + 1) * g.count; ++e) {
-            float &a = h[i], &b = h[g.index[e]];
-            const float drop = steepest * g.distance[e];
-            if (a < b - drop)
-                a = b - drop, changed = true;
-            else if (b < a - drop)
-                b = a - drop, changed = true;
-        }
-        return changed;
-    };
-    const std::size_t n = h.size();
-    bool changed = true;
-    for (int sweep = 0; changed; ++sweep) {
-        changed = false;
-        const double done = 1 - 1 / (1 + 0.2 * sweep); // nobody knows how many there will be
-        for (std::size_t i = 0; i < n; ++i) {
-            if (i % 65536 == 0)
-                progress.step(done, "Grading supports");
-            changed |= relax(sweep % 2 ? n - 1 - i : i);
-        }
-    }
 }
 
 /// What grading has made this many times as wide as its own place asks for, and so wide that it holds too many
@@ -78,7 +41,7 @@ constexpr std::size_t countedEach = 64, tooMany = 64, few = 4;
 
 /// A pile of points in a sparse surrounding would be raised until each of them holds all the others. `own`: what every
 /// place asks for by itself.
-void sparePiles(std::vector<float>& h, const std::vector<float>& own, std::span<const base::Vec3f> positions,
+void sparePiles(std::vector<float>& h, std::span<const float> own, std::span<const base::Vec3f> positions,
                 const base::Progress& progress) {
     const auto isRaised = [&](std::size_t i) { return h[i] > farRaised * own[i]; };
     bool any = false;
@@ -96,40 +59,31 @@ void sparePiles(std::vector<float>& h, const std::vector<float>& own, std::span<
     });
 }
 
-/// The mean of the smallest graded field above `h` and the largest below it: of all graded fields the one that departs
-/// least from `h` (McShane and Whitney's extensions), unbiased where spacing is only noisy, and nowhere under half of
-/// `h`, so that no place loses its cover.
-void grade(std::vector<float>& h, const NeighbourGraph& g, const base::Progress& progress) {
-    std::vector<float> above = h, below(h.size());
-    std::transform(h.begin(), h.end(), below.begin(), std::negate<>());
-    raise(above, g, part(progress, 0, 0.5));
-    raise(below, g, part(progress, 0.5, 1));
-    for (std::size_t i = 0; i < h.size(); ++i)
-        h[i] = 0.5f * (above[i] - below[i]);
-}
-
 } // namespace
 
 std::vector<float> supportsOf(const Cloud& cloud, const surfel::SurfelList& points,
-                              const surface::SurfaceDefinition& definition, const base::Progress& progress) {
+                              const surface::SurfaceDefinition& definition, CloudNeighbours near,
+                              const base::Progress& progress) {
     const bool gaussian = definition.weight == surface::Weight::Gaussian;
     const float reach = gaussian ? surface::gaussianReach : 1.0f;
     if (definition.support > 0)
         return std::vector<float>(cloud.size(), definition.support * reach);
     if (cloud.size() < 2)
         return std::vector<float>(cloud.size(), 1.0f); // a lone point has no scale; any will do
-    NeighbourGraph graph = neighbourGraph(cloud, points, part(progress, 0, 0.7));
-    std::vector<float> own = spacingsOf(graph, cloud.size());
+    NeighbourGraph graph = neighbourGraph(cloud, points, std::move(near.table), near.spacing, part(progress, 0, 0.4));
+    base::LargeArray<float> own = std::move(near.spacing);
+    near = {};
     std::vector<float> h = withoutOutliers(own, graph);
     const float perSpacing = definition.unitInSpacings();
-    for (auto* each : {&own, &h})
-        for (float& value : *each)
-            value = std::max(value * perSpacing, 1e-18f); // denormal distances
-    const Outliers outliers = cutOutliers(graph, cloud.positions(), h);
-    grade(h, graph, part(progress, 0.7, 1));
+    base::parallelFor(h.size(), grain, [&](std::size_t i) {
+        for (float* const value : {&own[i], &h[i]})
+            *value = std::max(*value * perSpacing, 1e-18f); // denormal distances
+    });
+    const Outliers outliers = cutOutliers(graph, h);
+    grade(h, graph, steepest, part(progress, 0.4, 0.9));
     if (!outliers.members.empty()) {
         lowerOutliers(h, graph, outliers, steepest);
-        raise(h, graph, progress); // what they see was graded without them
+        raise(h, graph, steepest, part(progress, 0.9, 1)); // what they see was graded without them
     }
     sparePiles(h, own, cloud.positions(), progress);
     if (gaussian)
@@ -142,10 +96,12 @@ void assignSupports(surfel::SurfelList& points, const surface::SurfaceDefinition
                     const base::Progress& progress) {
     if (points.items.empty())
         return;
-    const Cloud cloud(points.items, part(progress, 0, 0.3));
-    const std::vector<float> h = supportsOf(cloud, points, definition, part(progress, 0.3, 1));
-    for (std::size_t i = 0; i < points.size(); ++i)
-        points.items[i].support = h[cloud.places()[i]];
+    const Cloud cloud(points.items, part(progress, 0, 0.2));
+    CloudNeighbours near;
+    if (!(definition.support > 0))
+        near = neighboursOf(cloud, 0, part(progress, 0.2, 0.6));
+    const std::vector<float> h = supportsOf(cloud, points, definition, std::move(near), part(progress, 0.6, 1));
+    base::parallelFor(points.size(), grain, [&](std::size_t i) { points.items[i].support = h[cloud.places()[i]]; });
 }
 
 } // namespace process

@@ -40,7 +40,7 @@ std::vector<std::uint32_t> ordered(std::span<const base::Vec3f> x) {
     base::Box3f box;
     for (const base::Vec3f& each : x)
         box.extend(each);
-    const std::vector<tree::MortonKey> keys = tree::sortedKeys(x, box);
+    const base::LargeArray<tree::MortonKey> keys = tree::sortedKeys(x, box);
     std::vector<std::uint32_t> out(keys.size());
     std::transform(keys.begin(), keys.end(), out.begin(), tree::indexOf);
     std::vector<base::Vec3f> own;

@@ -1,0 +1,19 @@
+// The order of points along a Morton curve: by the code of their cell in a grid of 2^21 cells a side, within a cell by
+// position, coincident ones by number, so that these stand together. In parallel, the same at any thread count.
+#pragma once
+
+#include "core/base/large_array.h"
+#include "core/process/estimation/point_cells.h"
+#include "core/surfel/surfel.h"
+
+namespace process {
+
+struct CurveOrder {
+    /// REQUIRES: finite positions.
+    explicit CurveOrder(std::span<const surfel::Surfel> points);
+
+    CurveGrid grid;
+    base::LargeArray<std::uint32_t> order; ///< numbers of the points
+};
+
+} // namespace process
