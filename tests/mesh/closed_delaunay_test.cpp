@@ -9,7 +9,7 @@
 #include "core/process/estimation/spacing_sample.h"
 #include "mesh/meshes.h"
 #include "mesh/models.h"
-#include "mesh/solids.h"
+#include "mesh/solid_rows.h"
 #include "support/registry.h"
 #include "surface/scans.h"
 
@@ -32,15 +32,9 @@ class ClosedDelaunayTest : public QObject {
     void cancellingStops();
 };
 
+using solids::hows, solids::isClosed, solids::Row, solids::spacing, solids::topologyOf;
+
 namespace {
-
-constexpr double spacing = 0.06;
-
-struct Row {
-    const char* name;
-    solids::Solid solid;
-    bool resolved; ///< by the points, so that its topology comes out
-};
 
 std::vector<Row> rowsOf(base::Random& random) {
     const auto wedge = [](double degrees) {
@@ -64,29 +58,9 @@ std::vector<Row> rowsOf(base::Random& random) {
     return out;
 }
 
-struct How {
-    const char* name;
-    solids::Sampling sampling;
-    bool kind; ///< topology may be asked for
-};
-
-const How hows[] = {{"even", {spacing, 1, 0, 0, {}}, true},
-                    {"noisy", {spacing, 1, 0.1, 0, {}}, true},
-                    {"uneven", {0.5 * spacing, 4.47, 0, 0, {}}, false},
-                    {"strays", {spacing, 1, 0, 5, {}}, false},
-                    {"far", {spacing, 1, 0, 0, {2000, -1000, 500}}, true}};
-
 Mesh meshOf(const surface::Surface& surface, const DelaunayOptions& options = {}) {
     DelaunayReport report;
     return mesh::restrictedDelaunay(surface, options, report);
-}
-
-Topology topologyOf(const Mesh& m) {
-    return mesh::topologyOf(m.triangles, m.positions.size(), m.kinds);
-}
-
-bool isClosed(const Topology& t) {
-    return t.manifold() && t.boundaryEdges == 0 && t.opposedEdges == 0 && t.improper == 0;
 }
 
 } // namespace

@@ -4,7 +4,7 @@
 #include "core/mesh/check/check.h"
 #include "core/mesh/check/self_intersections.h"
 #include "core/mesh/marching/marching_cubes.h"
-#include "mesh/solids.h"
+#include "mesh/solid_rows.h"
 #include "support/registry.h"
 
 #include <QTest>
@@ -23,15 +23,9 @@ class SolidCubesTest : public QObject {
     void cancellingStops();
 };
 
+using solids::hows, solids::isClosed, solids::Row, solids::spacing, solids::topologyOf;
+
 namespace {
-
-constexpr double spacing = 0.06;
-
-struct Row {
-    const char* name;
-    solids::Solid solid;
-    bool resolved; ///< by the points, so that its topology comes out
-};
 
 std::vector<Row> rowsOf(base::Random& random) {
     std::vector<Row> out;
@@ -50,32 +44,12 @@ std::vector<Row> rowsOf(base::Random& random) {
     return out;
 }
 
-struct How {
-    const char* name;
-    solids::Sampling sampling;
-    bool kind; ///< topology may be asked for
-};
-
-const How hows[] = {{"even", {spacing, 1, 0, 0, {}}, true},
-                    {"noisy", {spacing, 1, 0.1, 0, {}}, true},
-                    {"uneven", {0.5 * spacing, 4.47, 0, 0, {}}, false},
-                    {"strays", {spacing, 1, 0, 5, {}}, false},
-                    {"far", {spacing, 1, 0, 0, {2000, -1000, 500}}, true}};
-
 Mesh meshOf(const surface::Surface& surface, double cell, double adaptive = 0) {
     MarchingOptions options;
     options.cell = cell;
     options.adaptive = adaptive;
     MarchingReport report;
     return mesh::marchingCubes(surface, options, report);
-}
-
-Topology topologyOf(const Mesh& m) {
-    return mesh::topologyOf(m.triangles, m.positions.size(), m.kinds);
-}
-
-bool isClosed(const Topology& t) {
-    return t.manifold() && t.boundaryEdges == 0 && t.opposedEdges == 0 && t.improper == 0;
 }
 
 } // namespace

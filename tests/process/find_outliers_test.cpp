@@ -2,6 +2,7 @@
 #include "core/base/random.h"
 #include "core/process/cleaning/find_outliers.h"
 #include "core/process/estimation/spacing.h"
+#include "process/uneven_sphere.h"
 #include "support/registry.h"
 
 #include <QTest>
@@ -25,22 +26,9 @@ class FindOutliersTest : public QObject {
     void tooFewPointsHaveNone();
 };
 
+using shapes::at, shapes::unevenSphere;
+
 namespace {
-
-surfel::Surfel at(const Vec3d& p) {
-    surfel::Surfel s;
-    s.position = base::cast<float>(p);
-    return s;
-}
-
-/// Random samples of the unit sphere, 20 times as far apart at the upper end as at the lower.
-surfel::SurfelList unevenSphere(std::size_t count, base::Random& random) {
-    surfel::SurfelList out;
-    while (out.size() < count)
-        if (const Vec3d d = random.unitVector(); random.uniform() < std::pow(20.0, -1 - d.z))
-            out.items.push_back(at(d));
-    return out;
-}
 
 /// A sheet with corners, random.
 surfel::SurfelList sheet(std::size_t count, base::Random& random) {

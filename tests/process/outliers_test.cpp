@@ -3,6 +3,7 @@
 #include "core/process/estimation/knn.h"
 #include "core/process/estimation/spacing.h"
 #include "core/process/estimation/supports.h"
+#include "process/uneven_sphere.h"
 #include "support/registry.h"
 
 #include <QTest>
@@ -18,22 +19,9 @@ class OutliersTest : public QObject {
     void sparsePartsAreNoOutliers();
 };
 
+using shapes::at, shapes::unevenSphere;
+
 namespace {
-
-surfel::Surfel at(const Vec3d& p) {
-    surfel::Surfel s;
-    s.position = base::cast<float>(p);
-    return s;
-}
-
-/// Random samples of the unit sphere, 20 times as far apart at the upper end as at the lower.
-surfel::SurfelList unevenSphere(std::size_t count, base::Random& random) {
-    surfel::SurfelList out;
-    while (out.size() < count)
-        if (const Vec3d d = random.unitVector(); random.uniform() < std::pow(20.0, -1 - d.z))
-            out.items.push_back(at(d));
-    return out;
-}
 
 /// Adds outliers anywhere about the sphere, near it by the spacing, and in clumps of five.
 void addOutliers(surfel::SurfelList& list, base::Random& random) {

@@ -1,6 +1,7 @@
 #include "core/mesh/delaunay/delaunay.h"
 
 #include "core/base/error.h"
+#include "core/mesh/check/self_intersections.h"
 #include "core/mesh/check/shape.h"
 #include "core/mesh/delaunay/delaunay_finish.h"
 #include "core/mesh/delaunay/delaunay_refine.h"
@@ -17,6 +18,7 @@
 #include "core/process/resampling/spacing_field.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace mesh {
 
@@ -106,14 +108,11 @@ Mesh trimmed(const surface::Surface& surface, const Mesh& mesh, const base::Prog
     return out;
 }
 
-Mesh guideOf(const surface::Surface& surface, double cell, const base::Progress& progress) {
+Mesh cubesOf(const surface::Surface& surface, double cell, const base::Progress& progress) {
     MarchingOptions options;
     options.cell = cell;
     MarchingReport report;
-    if (SurfaceTraits(surface).closed)
-        return marchingCubes(surface, options, report, progress);
-    return trimmed(surface, marchingCubes(surface, options, report, process::part(progress, 0, 0.8)),
-                   process::part(progress, 0.8, 1));
+    return marchingCubes(surface, options, report, progress);
 }
 
 /// Takes away what the demand, the surface or a request says, and fills in what the mesh has besides its triangles.
@@ -155,7 +154,7 @@ Mesh closedDelaunay(const surface::Surface& surface, const DelaunayOptions& opti
                     double cell, DelaunayReport& report, const base::Progress& progress) {
     constexpr double edges = 1.5; // of the guide, in a cube of the guard
     const Asking asking = SurfaceTraits(surface).continuous ? Asking::AsItIs : Asking::OwnSheet;
-    SurfaceTriangulation faces(surface, guideOf(surface, cell, process::part(progress, 0.05, 0.3)), asking);
+    SurfaceTriangulation faces(surface, cubesOf(surface, cell, process::part(progress, 0.05, 0.3)), asking);
     KeptClosed closed(faces, heldFaces(faces, process::part(progress, 0.3, 0.35)), edges * cell);
     coarsen(faces, demand.size, demand.distance, process::part(progress, 0.35, 0.4), &closed);
     DelaunayRefinement refinement(faces, demand, &closed);
@@ -168,6 +167,29 @@ Mesh closedDelaunay(const surface::Surface& surface, const DelaunayOptions& opti
     return out;
 }
 
+/// As the surface lies, with everything left out that is none. Nothing where that is not `all` and all was asked for.
+std::optional<Mesh> marchedDelaunay(const surface::Surface& surface, const DelaunayOptions& options,
+                                    const FaceDemand& demand, double unit, bool all, DelaunayReport& report,
+                                    const base::Progress& progress) {
+    const Mesh cubes = cubesOf(surface, guideCell(surface, unit), process::part(progress, 0.05, 0.3));
+    const Mesh guide = trimmed(surface, cubes, process::part(progress, 0.3, 0.35));
+    if (all && guide.triangles.size() < cubes.triangles.size())
+        return {};
+    SurfaceTriangulation faces(surface, guide);
+    coarsen(faces, demand.size, demand.distance, process::part(progress, 0.35, 0.4));
+    DelaunayRefinement refinement(faces, demand);
+    refinement.run(process::part(progress, 0.4, 0.9));
+    const std::vector<bool> failing = refinement.failing();
+    report.unrefined = static_cast<std::size_t>(std::count(failing.begin(), failing.end(), true));
+    progress.step(0.9, "Finishing");
+    Mesh out = faces.mesh(failing);
+    finish(surface, options, demand, unit, out, report);
+    const bool whole = report.unrefined + report.removed + report.trimmed + report.foldsClosed == 0;
+    if (all && !(whole && selfIntersections(out, process::part(progress, 0.95, 1)).empty()))
+        return {};
+    return out;
+}
+
 } // namespace
 
 Mesh restrictedDelaunay(const surface::Surface& surface, const DelaunayOptions& options, DelaunayReport& report,
@@ -177,19 +199,13 @@ Mesh restrictedDelaunay(const surface::Surface& surface, const DelaunayOptions& 
     const double unit = unitOf(surface);
     const FaceDemand demand = demandOf(surface, options, unit, process::part(progress, 0, 0.05));
     report = {};
-    if (SurfaceTraits(surface).closed)
-        return closedDelaunay(surface, options, demand, closedGuideCell(surface, unit), report, progress);
-    SurfaceTriangulation faces(surface,
-                               guideOf(surface, guideCell(surface, unit), process::part(progress, 0.05, 0.35)));
-    coarsen(faces, demand.size, demand.distance, process::part(progress, 0.35, 0.4));
-    DelaunayRefinement refinement(faces, demand);
-    refinement.run(process::part(progress, 0.4, 0.9));
-    const std::vector<bool> failing = refinement.failing();
-    report.unrefined = static_cast<std::size_t>(std::count(failing.begin(), failing.end(), true));
-    progress.step(0.9, "Finishing");
-    Mesh out = faces.mesh(failing);
-    finish(surface, options, demand, unit, out, report);
-    return out;
+    const bool closed = SurfaceTraits(surface).closed;
+    if (std::optional<Mesh> mesh = marchedDelaunay(surface, options, demand, unit, closed, report,
+                                                   closed ? process::part(progress, 0, 0.5) : progress))
+        return std::move(*mesh);
+    report = {};
+    return closedDelaunay(surface, options, demand, closedGuideCell(surface, unit), report,
+                          process::part(progress, 0.5, 1));
 }
 
 } // namespace mesh
