@@ -206,7 +206,7 @@ void CellRaysTest::anyCornerOfPlanesIsHitWhereItIs() {
         if (s.surfels.size() < 200)
             continue; // next to nothing of the ball
         const CellSurface surface = cellsOf(s.surfels);
-        const Errors e = shoot(s, surface, random, test::effort(150), 0.75);
+        const Errors e = shoot(s, surface, random, 150, 0.75);
         if (e.lost + e.wrong > 0)
             qInfo() << "solid" << k << told(e).constData();
         sum.rays += e.rays, sum.lost += e.lost, sum.wrong += e.wrong, sum.grazing += e.grazing;
