@@ -29,7 +29,7 @@ void ScansTest::aTenthIsNearlyTheSameSurface() {
     if (folder.empty())
         QSKIP("POINTCLAY_DATA is not set");
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-    QSKIP("figures of the optimised build");
+    QSKIP("minutes under a sanitizer");
 #endif
     const io::FileModel model = io::read(folder + "/" + file.toStdString());
     const surface::Surface dense = process::prepare(model.points, {});
