@@ -80,9 +80,8 @@ double guideCell(const surface::Surface& surface, double unit) {
 }
 
 /// The same for closed surfaces, but finer only where it must be: over gaps, small cubes make handles.
-double closedGuideCell(const surface::Surface& surface, double unit) {
+double closedGuideCell(double finer, double unit) {
     constexpr double much = 0.5;
-    const double finer = guideCell(surface, unit);
     return finer < much * unit ? finer : unit;
 }
 
@@ -151,10 +150,10 @@ void finishClosed(const surface::Surface& surface, const DelaunayOptions& option
 
 /// Without a boundary, whatever the points: of cubes that know inside and outside, by edits that keep it so.
 Mesh closedDelaunay(const surface::Surface& surface, const DelaunayOptions& options, const FaceDemand& demand,
-                    double cell, DelaunayReport& report, const base::Progress& progress) {
+                    double cell, const Mesh& cubes, DelaunayReport& report, const base::Progress& progress) {
     constexpr double edges = 1.5; // of the guide, in a cube of the guard
     const Asking asking = SurfaceTraits(surface).continuous ? Asking::AsItIs : Asking::OwnSheet;
-    SurfaceTriangulation faces(surface, cubesOf(surface, cell, process::part(progress, 0.05, 0.3)), asking);
+    SurfaceTriangulation faces(surface, cubes, asking);
     KeptClosed closed(faces, heldFaces(faces, process::part(progress, 0.3, 0.35)), edges * cell);
     coarsen(faces, demand.size, demand.distance, process::part(progress, 0.35, 0.4), &closed);
     DelaunayRefinement refinement(faces, demand, &closed);
@@ -169,9 +168,8 @@ Mesh closedDelaunay(const surface::Surface& surface, const DelaunayOptions& opti
 
 /// As the surface lies, with everything left out that is none. Nothing where that is not `all` and all was asked for.
 std::optional<Mesh> marchedDelaunay(const surface::Surface& surface, const DelaunayOptions& options,
-                                    const FaceDemand& demand, double unit, bool all, DelaunayReport& report,
-                                    const base::Progress& progress) {
-    const Mesh cubes = cubesOf(surface, guideCell(surface, unit), process::part(progress, 0.05, 0.3));
+                                    const FaceDemand& demand, double unit, const Mesh& cubes, bool all,
+                                    DelaunayReport& report, const base::Progress& progress) {
     const Mesh guide = trimmed(surface, cubes, process::part(progress, 0.3, 0.35));
     if (all && guide.triangles.size() < cubes.triangles.size())
         return {};
@@ -181,6 +179,8 @@ std::optional<Mesh> marchedDelaunay(const surface::Surface& surface, const Delau
     refinement.run(process::part(progress, 0.4, 0.9));
     const std::vector<bool> failing = refinement.failing();
     report.unrefined = static_cast<std::size_t>(std::count(failing.begin(), failing.end(), true));
+    if (all && report.unrefined > 0)
+        return {};
     progress.step(0.9, "Finishing");
     Mesh out = faces.mesh(failing);
     finish(surface, options, demand, unit, out, report);
@@ -200,12 +200,16 @@ Mesh restrictedDelaunay(const surface::Surface& surface, const DelaunayOptions& 
     const FaceDemand demand = demandOf(surface, options, unit, process::part(progress, 0, 0.05));
     report = {};
     const bool closed = SurfaceTraits(surface).closed;
-    if (std::optional<Mesh> mesh = marchedDelaunay(surface, options, demand, unit, closed, report,
-                                                   closed ? process::part(progress, 0, 0.5) : progress))
+    const base::Progress first = closed ? process::part(progress, 0, 0.5) : progress;
+    const double cell = guideCell(surface, unit), closedCell = closedGuideCell(cell, unit);
+    Mesh cubes = cubesOf(surface, cell, process::part(first, 0.05, 0.3));
+    if (std::optional<Mesh> mesh = marchedDelaunay(surface, options, demand, unit, cubes, closed, report, first))
         return std::move(*mesh);
     report = {};
-    return closedDelaunay(surface, options, demand, closedGuideCell(surface, unit), report,
-                          process::part(progress, 0.5, 1));
+    const base::Progress second = process::part(progress, 0.5, 1);
+    if (closedCell != cell)
+        cubes = cubesOf(surface, closedCell, process::part(second, 0, 0.3));
+    return closedDelaunay(surface, options, demand, closedCell, cubes, report, second);
 }
 
 } // namespace mesh
