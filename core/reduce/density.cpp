@@ -2,6 +2,7 @@
 
 #include "core/base/cancel_scope.h"
 #include "core/base/parallel.h"
+#include "core/process/cleaning/spread.h"
 
 #include <algorithm>
 #include <numbers>
@@ -73,14 +74,6 @@ Probe probeAt(const Places& places, const NumberedTree& tree, std::size_t j, dou
     return out;
 }
 
-double medianOf(std::vector<double> values) {
-    if (values.empty())
-        return 0;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
 /// Places that errors are measured at, with the logarithm of the area that a sample may have there.
 class Probes {
   public:
@@ -126,7 +119,7 @@ class Probes {
         for (const Probe& p : probes)
             if (p.error >= 0)
                 errors.push_back(p.error);
-        const double typical = medianOf(std::move(errors)), typicalUnit = medianOf(std::move(units));
+        const double typical = process::middleOf(errors), typicalUnit = process::middleOf(units);
         const double least = std::max(leastOfMedian * typical, leastOfSpacing / std::sqrt(ratio));
         const double reference = std::hypot(typical, least);
         m_log.resize(n);
