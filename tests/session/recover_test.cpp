@@ -17,6 +17,7 @@ class RecoverTest : public QObject {
   private Q_SLOTS:
     void recoveryGivesTheLastCommandsModel();
     void aTornLastLineIsLeftOut();
+    void aTornLastLineIsTold();
     void aLineThatIsNoCommandIsToldAndPassedOver();
     void aChangedFileIsNoticed();
     void savingOverTheSourceKeepsIt();
@@ -64,6 +65,19 @@ void RecoverTest::aTornLastLineIsLeftOut() {
     QVERIFY(told.context.messages[0].find("torn.jsonl:3: ") != std::string::npos);
     test::write(bench.path("torn.jsonl"), whole.substr(0, 10));
     QVERIFY_EXCEPTION_THROWN(recovered(bench.path("torn.jsonl")), base::Error);
+}
+
+void RecoverTest::aTornLastLineIsTold() {
+    const std::string first = test::newSphere().dump() + "\n", stroke = test::strokeAt(0).dump() + "\n";
+    for (const bool torn : {false, true}) {
+        Workbench bench;
+        const auto file = test::write(bench.path("j.jsonl"), first + stroke + (torn ? stroke.substr(0, 40) : ""));
+        const session::Recovery found = session::recover(file, bench.context);
+        QCOMPARE(found.commands, 2);
+        QCOMPARE(found.leftOut, 0);
+        QCOMPARE(bench.context.messages.size(), std::size_t(torn ? 1 : 0));
+        QVERIFY(!torn || bench.context.messages[0].find("j.jsonl:3: ") != std::string::npos);
+    }
 }
 
 void RecoverTest::aLineThatIsNoCommandIsToldAndPassedOver() {
