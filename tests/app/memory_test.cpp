@@ -123,14 +123,9 @@ void MemoryTest::theWindowNeverAborts() {
     int stayed = 0, ended = 0;
     for (long kib = 96 << 10; kib < (4 << 20) && stayed < 4; kib += kib / 5) {
         QProcess process;
-        program.prepare(process, {"-c", "ulimit -v " + QString::number(kib) + "; exec \"$0\" \"$@\"", window,
-                                  "--threads", "2", "sample:sphere:400000"});
+        program.prepareWindow(process, {"-c", "ulimit -v " + QString::number(kib) + "; exec \"$0\" \"$@\"", window,
+                                        "--threads", "2", "sample:sphere:400000"});
         process.setProgram("/bin/bash");
-        QProcessEnvironment environment = process.processEnvironment();
-        environment.insert("QT_QPA_PLATFORM", "offscreen");
-        environment.insert("HOME", program.dir().path());
-        environment.insert("XDG_CONFIG_HOME", program.dir().path());
-        process.setProcessEnvironment(environment);
         process.start();
         const bool open = !process.waitForFinished(3000);
         process.kill();

@@ -43,6 +43,15 @@ class Program {
         process.setProgram(qEnvironmentVariable("POINTCLAY_PROGRAM"));
         process.setArguments(arguments);
     }
+    /// The same for the window: without a display, and with settings of its own.
+    void prepareWindow(QProcess& process, const QStringList& arguments) const {
+        prepare(process, arguments);
+        QProcessEnvironment environment = process.processEnvironment();
+        environment.insert("QT_QPA_PLATFORM", "offscreen");
+        environment.insert("HOME", m_dir.path());
+        environment.insert("XDG_CONFIG_HOME", m_dir.path());
+        process.setProcessEnvironment(environment);
+    }
     Outcome run(const QStringList& arguments) const {
         QProcess process;
         prepare(process, arguments);

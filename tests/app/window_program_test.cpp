@@ -93,12 +93,7 @@ void WindowProgramTest::withoutADisplayItSaysSo() {
 void WindowProgramTest::theWindowOpensAndLeavesOnTheSameSignals() {
     const Program program;
     QProcess process;
-    program.prepare(process, {"sample:sphere:500"});
-    QProcessEnvironment environment = process.processEnvironment();
-    environment.insert("QT_QPA_PLATFORM", "offscreen");
-    environment.insert("HOME", program.dir().path());
-    environment.insert("XDG_CONFIG_HOME", program.dir().path());
-    process.setProcessEnvironment(environment);
+    program.prepareWindow(process, {"sample:sphere:500"});
     process.start();
     QVERIFY(process.waitForStarted());
     QVERIFY(!process.waitForFinished(1500)); // it stays open

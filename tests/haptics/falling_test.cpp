@@ -64,6 +64,25 @@ ToolShape anyTool(base::Random& random, double unit) {
     return {radii[random.below(5)] * unit, frictions[random.below(3)]};
 }
 
+/// Random tools walk about a solid of which `surface` is made, put down where `begin` says; none comes deeper into it
+/// than `most` of h.
+void walkAbout(
+    const Solid& s, const surface::Surface& surface, const char* name, int ticks, double most, base::Random& random,
+    const std::function<Vec3d(const Vec3d&)>& begin = [](const Vec3d& x) { return x; }) {
+    Proxy proxy;
+    Walk walk(random, s.outside, Vec3d{1, 1, 1} * s.size, s.unit);
+    for (int i = 0; i < ticks; ++i) {
+        const Vec3d x = walk.next();
+        if (i % 500 == 0) {
+            proxy = Proxy(anyTool(random, s.unit));
+            proxy.place(surface, begin(x));
+        }
+        proxy.move(surface, x);
+        const double in = (proxy.tool().radius - s.distance(proxy.position())) / s.unit;
+        QVERIFY2(in < most, told(name, i, in).c_str());
+    }
+}
+
 } // namespace
 
 void FallingTest::solidsKeepToolsOut_data() {
@@ -76,19 +95,7 @@ void FallingTest::solidsKeepToolsOut() {
     QFETCH(int, solid);
     const Solid s = solid == 1 ? sphere(1500) : torus(0.06);
     base::Random random(test::seed());
-    const int all = ticks(0.2);
-    Proxy proxy;
-    Walk walk(random, s.outside, Vec3d{1, 1, 1} * s.size, s.unit);
-    for (int i = 0; i < all; ++i) {
-        const Vec3d x = walk.next();
-        if (i % 500 == 0) {
-            proxy = Proxy(anyTool(random, s.unit));
-            proxy.place(s.surface, x);
-        }
-        proxy.move(s.surface, x);
-        const double in = (proxy.tool().radius - s.distance(proxy.position())) / s.unit;
-        QVERIFY2(in < 0.02, told(s.name.c_str(), i, in).c_str());
-    }
+    walkAbout(s, s.surface, s.name.c_str(), ticks(0.2), 0.02, random);
 }
 
 void FallingTest::thinWallsKeepToolsOnTheirSide_data() {
@@ -171,19 +178,7 @@ void FallingTest::noiseHolds() {
     const double noise = 0.1 * s.unit / 3.5;
     const surface::Surface surface = shapes::surfaceOf(shapes::jittered(shapes::sphere(1500, 1, s.unit), noise, 7));
     base::Random random(test::seed());
-    const int all = ticks(0.1);
-    Proxy proxy;
-    Walk walk(random, s.outside, Vec3d{1, 1, 1} * s.size, s.unit);
-    for (int i = 0; i < all; ++i) {
-        const Vec3d x = walk.next();
-        if (i % 500 == 0) {
-            proxy = Proxy(anyTool(random, s.unit));
-            proxy.place(surface, x);
-        }
-        proxy.move(surface, x);
-        const double in = (proxy.tool().radius - s.distance(proxy.position())) / s.unit;
-        QVERIFY2(in < 0.15, told("the noisy sphere", i, in).c_str());
-    }
+    walkAbout(s, surface, "the noisy sphere", ticks(0.1), 0.15, random);
 }
 
 void FallingTest::surfelsWithoutASignHold() {
@@ -194,19 +189,8 @@ void FallingTest::surfelsWithoutASignHold() {
         each.normal = random.below(2) == 0 ? each.normal : -each.normal;
     list.layout = shapes::layout(true, false);
     const surface::Surface surface = shapes::surfaceOf(list);
-    const int all = ticks(0.1);
-    Proxy proxy;
-    Walk walk(random, s.outside, Vec3d{1, 1, 1} * s.size, s.unit);
-    for (int i = 0; i < all; ++i) {
-        const Vec3d x = walk.next();
-        if (i % 500 == 0) {
-            proxy = Proxy(anyTool(random, s.unit));
-            proxy.place(surface, base::normalized(x) * 3.0);
-        }
-        proxy.move(surface, x);
-        const double in = (proxy.tool().radius - s.distance(proxy.position())) / s.unit;
-        QVERIFY2(in < 0.05, told("the sphere", i, in).c_str());
-    }
+    walkAbout(s, surface, "the sphere", ticks(0.1), 0.05, random,
+              [](const Vec3d& x) { return base::normalized(x) * 3.0; });
 }
 
 void FallingTest::versionsTakeToolsAlong_data() {

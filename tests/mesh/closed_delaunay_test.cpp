@@ -66,14 +66,10 @@ Mesh meshOf(const surface::Surface& surface, const DelaunayOptions& options = {}
 } // namespace
 
 void ClosedDelaunayTest::closedInClosedOut_data() {
-    QTest::addColumn<int>("row");
-    QTest::addColumn<int>("how");
     base::Random random(test::seed());
-    const std::vector<Row> rows = rowsOf(random);
-    for (std::size_t i = 0; i < rows.size(); ++i)
-        for (std::size_t k = 0; k < std::size(hows); ++k)
-            if (test::effort(5) == 5 ? k % 5 == i % 5 || k % 5 == (i + 2) % 5 : i < 3 && k == i)
-                QTest::addRow("%s, %s", rows[i].name, hows[k].name) << int(i) << int(k);
+    solids::addRows(rowsOf(random), [](std::size_t i, std::size_t k) {
+        return test::effort(5) == 5 ? k % 5 == i % 5 || k % 5 == (i + 2) % 5 : i < 3 && k == i;
+    });
 }
 
 /// At the default sizes, or at 0.5, 1 or 2 spacings, or by curvature: one of them for each, and another with each seed.

@@ -55,14 +55,9 @@ Mesh meshOf(const surface::Surface& surface, double cell, double adaptive = 0) {
 } // namespace
 
 void SolidCubesTest::solidsHaveNoBoundary_data() {
-    QTest::addColumn<int>("row");
-    QTest::addColumn<int>("how");
     base::Random random(test::seed());
-    const std::vector<Row> rows = rowsOf(random);
-    for (std::size_t i = 0; i < rows.size(); ++i)
-        for (std::size_t k = 0; k < std::size(hows); ++k)
-            if (test::effort(5) == 5 || k == i % std::size(hows))
-                QTest::addRow("%s, %s", rows[i].name, hows[k].name) << int(i) << int(k);
+    solids::addRows(rowsOf(random),
+                    [](std::size_t i, std::size_t k) { return test::effort(5) == 5 || k == i % std::size(hows); });
 }
 
 /// At cells of 0.5, 1 and 2 spacings, of one size and of several, with the second pass for near sheets and without.

@@ -36,6 +36,20 @@ Body sphere(std::size_t n, const Vec3f& centre = {}, float radius = 1) {
     return out;
 }
 
+/// Random points of a box's six faces, as far out along each as `half` of it.
+Body box(double half, base::Random& random) {
+    Body out;
+    for (int k = 0; k < 12000; ++k) {
+        Vec3d p{random.uniform(-half, half), random.uniform(-half, half), random.uniform(-half, half)}, n;
+        const std::size_t axis = random.below(3);
+        n[axis] = random.uniform() < 0.5 ? -1 : 1;
+        p[axis] = n[axis];
+        out.positions.push_back(base::cast<float>(p));
+        out.outwards.push_back(base::cast<float>(n));
+    }
+    return out;
+}
+
 surfel::SurfelList listOf(const Body& body) {
     surfel::SurfelList out;
     for (const Vec3f& p : body.positions)
@@ -63,32 +77,14 @@ double outwardShare(const Body& body, base::Random& random) {
 void OrientationTest::spheresAndBoxesLookOutwards() {
     base::Random random(test::seed());
     QCOMPARE(outwardShare(sphere(4000), random), 1.0);
-    Body box;
-    for (int k = 0; k < 12000; ++k) {
-        Vec3d p{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)}, n;
-        const std::size_t axis = random.below(3);
-        n[axis] = random.uniform() < 0.5 ? -1 : 1;
-        p[axis] = n[axis];
-        box.positions.push_back(base::cast<float>(p));
-        box.outwards.push_back(base::cast<float>(n));
-    }
-    const double share = outwardShare(box, random);
+    const double share = outwardShare(box(1, random), random);
     QVERIFY2(share > 0.999, qPrintable(QString("%1 seed %2").arg(share).arg(test::seed())));
 }
 
 /// The six faces of a box with gaps along its edges that no neighbour bridges: nothing but the whole tells their sides.
 void OrientationTest::piecesApartAgree() {
     base::Random random(test::seed());
-    Body box;
-    for (int k = 0; k < 12000; ++k) {
-        Vec3d p{random.uniform(-0.8, 0.8), random.uniform(-0.8, 0.8), random.uniform(-0.8, 0.8)}, n;
-        const std::size_t axis = random.below(3);
-        n[axis] = random.uniform() < 0.5 ? -1 : 1;
-        p[axis] = n[axis];
-        box.positions.push_back(base::cast<float>(p));
-        box.outwards.push_back(base::cast<float>(n));
-    }
-    const double share = outwardShare(box, random);
+    const double share = outwardShare(box(0.8, random), random);
     QVERIFY2(share > 0.999, qPrintable(QString("%1 seed %2").arg(share).arg(test::seed())));
 }
 
