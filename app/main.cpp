@@ -1,6 +1,7 @@
-// pointclay: one of the subcommands of subcommand_table.cpp, or the window, a program of its own beside this one.
+// pointclay: one of the subcommands of subcommands/subcommand_table.cpp, or the window, a program of its own beside
+// this one.
 #include "app/command_line.h"
-#include "app/subcommand.h"
+#include "app/subcommands/subcommand.h"
 #include "core/base/cancel_scope.h"
 #include "core/base/near_word.h"
 #include "core/base/parallel.h"

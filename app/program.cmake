@@ -9,7 +9,7 @@ function(pointclay_app_target name)
 endfunction()
 
 # All but the mains, so that tests can read the tables.
-file(GLOB sources CONFIGURE_DEPENDS app/*.cpp app/options/*.cpp)
+file(GLOB sources CONFIGURE_DEPENDS app/*.cpp app/subcommands/*.cpp app/options/*.cpp)
 list(FILTER sources EXCLUDE REGEX "/main\\.cpp$")
 add_library(pointclay_commands STATIC ${sources})
 target_include_directories(pointclay_commands PUBLIC ${CMAKE_SOURCE_DIR})

@@ -1,6 +1,6 @@
 #include "app/query_columns.h"
 
-#include "app/subcommand.h"
+#include "app/subcommands/subcommand.h"
 #include "core/base/near_word.h"
 #include "core/base/row_of_id.h"
 

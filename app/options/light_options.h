@@ -2,7 +2,7 @@
 // core/raycast.
 #pragma once
 
-#include "app/subcommand.h"
+#include "app/subcommands/subcommand.h"
 #include "core/render/picture.h"
 
 namespace app {

@@ -2,7 +2,7 @@
 
 #include "app/open_model.h"
 #include "app/options/option_checks.h"
-#include "app/subcommand.h"
+#include "app/subcommands/subcommand.h"
 
 #include <nlohmann/json.hpp>
 

@@ -4,7 +4,7 @@
 #include "app/options/number_list.h"
 #include "app/options/option_checks.h"
 #include "app/options/saved_views_file.h"
-#include "app/subcommand.h"
+#include "app/subcommands/subcommand.h"
 #include "core/base/error.h"
 #include "core/base/row_of_id.h"
 #include "core/render/framed_box.h"

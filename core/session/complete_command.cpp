@@ -2,7 +2,7 @@
 #include "core/base/error.h"
 #include "core/base/near_word.h"
 #include "core/base/row_of_id.h"
-#include "core/session/commands.h"
+#include "core/session/commands/commands.h"
 #include "core/session/json_text.h"
 #include "core/session/path_text.h"
 

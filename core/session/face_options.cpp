@@ -1,7 +1,7 @@
 #include "core/session/face_options.h"
 
 #include "core/base/error.h"
-#include "core/session/commands.h"
+#include "core/session/commands/commands.h"
 
 #include <cmath>
 #include <limits>

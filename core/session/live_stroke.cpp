@@ -3,7 +3,7 @@
 #include "core/base/cancel_scope.h"
 #include "core/base/error.h"
 #include "core/io/grey_image.h"
-#include "core/session/commands.h"
+#include "core/session/commands/commands.h"
 #include "core/session/journal.h"
 #include "core/session/stroke_json.h"
 

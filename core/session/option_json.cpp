@@ -1,7 +1,7 @@
 #include "core/session/option_json.h"
 
 #include "core/base/error.h"
-#include "core/session/commands.h"
+#include "core/session/commands/commands.h"
 #include "core/session/json_text.h"
 
 #include <cctype>

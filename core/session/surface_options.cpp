@@ -1,7 +1,7 @@
 #include "core/session/surface_options.h"
 
 #include "core/base/error.h"
-#include "core/session/commands.h"
+#include "core/session/commands/commands.h"
 #include "core/surface/definition_text.h"
 #include "core/surface/frames/frame_table.h"
 

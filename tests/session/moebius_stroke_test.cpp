@@ -1,6 +1,6 @@
 // Sculpting on a surface without two sides: no seam, nothing inside out.
 #include "core/base/random.h"
-#include "core/session/commands.h"
+#include "core/session/commands/commands.h"
 #include "core/session/document.h"
 #include "core/surface/projection/project.h"
 #include "support/registry.h"

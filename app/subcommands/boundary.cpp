@@ -1,0 +1,50 @@
+// pointclay boundary: the boundary loops of an open surface (surface/README 5.3) as polylines, in a CSV or OBJ file.
+#include "app/open_model.h"
+#include "app/options/polyline_options.h"
+#include "app/polyline_file.h"
+#include "app/subcommands/subcommand.h"
+#include "core/surface/curves/boundary_curves.h"
+
+#include <iostream>
+
+namespace app {
+
+using surface::BoundaryCurve, surface::BoundaryPoint;
+
+namespace {
+
+void tell(const std::vector<BoundaryCurve>& curves) {
+    if (curves.empty())
+        std::cout << "no boundary: the surface is closed, or its boundary limit is none\n";
+    for (std::size_t i = 0; i < curves.size(); ++i)
+        std::cout << "boundary curve " << i << ": length " << curves[i].length() << ", " << curves[i].points.size()
+                  << " points, " << (curves[i].closed ? "closed" : "open") << '\n';
+}
+
+void run(const PolylineOptions& options, Console& console) {
+    session::Document document;
+    const base::Progress progress = console.progress();
+    openForPolylines(options, document, progress, console, "a curve has ends, not a boundary");
+    std::vector<BoundaryCurve> curves = findBoundaryCurves(document.surface(), progress, options.tracing());
+    std::erase_if(curves, [&](const BoundaryCurve& curve) { return curve.length() < options.least; });
+    if (!options.out.empty())
+        writePolylines(options.out, curves, document.provenance().origin, "rim,closed,x,y,z,nx,ny,nz,ox,oy,oz\n",
+                       [](CsvWriter& csv, const BoundaryPoint& p) { csv.vector(p.outward); });
+    tell(curves);
+}
+
+} // namespace
+
+Action addBoundary(CLI::App& command) {
+    auto options = std::make_shared<PolylineOptions>();
+    command.add_option("MODEL", options->model, modelHelp)->required();
+    addPolylineOptions(
+        command, *options, "boundary curve",
+        "file to write: CSV rows rim,closed,x,y,z,nx,ny,nz,ox,oy,oz (curves counted from 0, longest first; "
+        "unit normal; unit direction away from the surface), or polylines in OBJ. Without it the curves are "
+        "only counted and measured",
+        "RIMS.csv|RIMS.obj");
+    return [options](Console& console) { run(*options, console); };
+}
+
+} // namespace app

@@ -1,0 +1,106 @@
+// pointclay clean: what is not the model taken out of a scan, by the session's own command, with its numbers.
+#include "app/open_model.h"
+#include "app/options/number_list.h"
+#include "app/options/surface_options.h"
+#include "app/subcommands/subcommand.h"
+#include "core/io/safe_file.h"
+
+#include <nlohmann/json.hpp>
+
+namespace app {
+
+using nlohmann::ordered_json;
+
+namespace {
+
+struct Options {
+    std::string in, out, report, viewpoint;
+    bool duplicates = false;
+    GivenParameters steps;
+    std::shared_ptr<SurfaceOptions> surface;
+};
+
+std::string viewpointFault(const std::string& text) {
+    double v[3];
+    return parseNumbers(text, ',', v) ? "" : "'" + text + "' is not a place; write x,y,z";
+}
+
+nlohmann::json commandOf(const Options& options) {
+    nlohmann::json out = parametersOf(options.steps);
+    out["op"] = "clean";
+    out["duplicates"] = options.duplicates;
+    if (!options.viewpoint.empty()) {
+        double v[3];
+        parseNumbers(options.viewpoint, ',', v);
+        out["viewpoint"] = {v[0], v[1], v[2]};
+    }
+    return out;
+}
+
+/// Of each step that was asked for what it counted and measured.
+ordered_json reportOf(const nlohmann::json& command, const session::Context& context, std::size_t before) {
+    const session::Document& document = context.document;
+    const auto figure = [&](const char* name) { return context.figures.at(name); };
+    const auto count = [&](const char* name) { return static_cast<std::size_t>(figure(name)); };
+    ordered_json out;
+    out["read"] = before + document.provenance().merged + document.provenance().dropped;
+    out["dropped"] = document.provenance().dropped;
+    out["merged"] = document.provenance().merged;
+    if (command.at("duplicates").get<bool>())
+        out["duplicates"] = {{"removed", count("duplicates")}};
+    if (command.contains("outliers"))
+        out["outliers"] = {{"method", command.at("outliers")}, {"removed", count("outliers")}};
+    if (command.contains("denoise"))
+        out["denoise"] = {
+            {"sigma", figure("sigma")}, {"moved_rms", figure("moved_rms")}, {"moved_max", figure("moved_max")}};
+    if (command.contains("thin"))
+        out["thin"] = {{"spacing", command.at("thin")}, {"removed", count("thinned")}};
+    if (command.contains("normals"))
+        out["normals"] = {{"method", command.at("normals")}, {"turned_deg", figure("turned_deg")}};
+    if (command.contains("orient"))
+        out["orient"] = {
+            {"method", command.at("orient")}, {"flipped", count("flipped")}, {"doubtful", figure("doubtful")}};
+    out["surfels"] = document.surface().tree().size();
+    return out;
+}
+
+void run(const Options& options, Console& console) {
+    if (!options.duplicates && options.steps.empty())
+        throw UsageError("nothing to do; name at least one of --duplicates, --outliers, --denoise, --thin, --normals "
+                         "and --orient");
+    session::Document document;
+    session::Context context{document, {}, console.progress(), {}, 0, {}, nullptr};
+    openModel(context, options.in, options.surface->parameters(), console);
+    const std::size_t before = document.surface().tree().size();
+    const nlohmann::json command = commandOf(options);
+    session::run(context, command);
+    console.tell(context.messages);
+    context.messages.clear();
+    session::run(context, {{"op", "save"}, {"path", options.out}});
+    console.tell(context.messages);
+    if (!options.report.empty())
+        io::writeFile(options.report, reportOf(command, context, before).dump(2) + "\n");
+}
+
+} // namespace
+
+Action addClean(CLI::App& command) {
+    auto options = std::make_shared<Options>();
+    command.add_option("IN", options->in, modelHelp)->required();
+    command.add_option("OUT", options->out, "model to write; .ply keeps everything")->required();
+    for (const session::CommandParameter& p : session::command("clean").parameters)
+        if (p.id == std::string_view("duplicates"))
+            command.add_flag("--duplicates", options->duplicates, p.tip);
+        else if (p.id == std::string_view("viewpoint"))
+            command.add_option("--viewpoint", options->viewpoint, p.tip)
+                ->type_name("x,y,z")
+                ->check(CLI::Validator(viewpointFault, ""));
+        else
+            addParameter(command, "clean", p, helpOf(p), options->steps);
+    command.add_option("--report", options->report, "JSON file to write the numbers of each step to")
+        ->type_name("OUT.json");
+    options->surface = addSurfaceOptions(command, false);
+    return [options](Console& console) { run(*options, console); };
+}
+
+} // namespace app

@@ -1,0 +1,168 @@
+// pointclay mesh: the surface as triangles, by marching cubes or by restricted Delaunay triangulation, in a file.
+#include "app/mesh_report.h"
+#include "app/open_model.h"
+#include "app/options/option_checks.h"
+#include "app/options/surface_options.h"
+#include "app/subcommands/subcommand.h"
+#include "core/io/mesh_formats.h"
+#include "core/io/safe_file.h"
+#include "core/mesh/delaunay/delaunay.h"
+#include "core/mesh/marching/marching_cubes.h"
+#include "core/process/curve_tube.h"
+#include "core/process/estimation/part_progress.h"
+#include "core/process/estimation/spacing_sample.h"
+
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+namespace app {
+
+namespace {
+
+struct Options {
+    std::string model, out, method = "marching-cubes", report;
+    mesh::MarchingOptions marching;
+    mesh::DelaunayOptions delaunay;
+    mesh::Finishing finishing;
+    double adaptive = 0;
+    bool check = false;
+    std::shared_ptr<SurfaceOptions> surface;
+
+    bool isDelaunay() const { return method == "delaunay"; }
+};
+
+void checkUsage(const Options& options, const CLI::App& command) {
+    if (!io::meshFormatOf(options.out))
+        throw UsageError("-o: the file's name must end in one of " + io::meshExtensions());
+    const auto onlyWith = [&](const char* method, std::initializer_list<const char*> names) {
+        for (const char* name : names)
+            if (command.count(name) > 0 && options.method != method)
+                throw UsageError(std::string(name) + " goes with --method " + method);
+    };
+    onlyWith("delaunay", {"--angle", "--size", "--distance"});
+    onlyWith("marching-cubes", {"--cell"});
+}
+
+void tellCount(Console& console, std::size_t count, const char* what) {
+    if (count > 0)
+        console.tell(std::to_string(count) + what);
+}
+
+mesh::Mesh makeByCubes(const Options& options, const surface::Surface& surface, Console& console,
+                       const base::Progress& progress) {
+    mesh::MarchingReport report;
+    mesh::Mesh out = marchingCubes(surface, options.marching, report, progress);
+    tellCount(console, report.foldsClosed, " loops at folds were closed.");
+    return out;
+}
+
+mesh::Mesh makeByDelaunay(const Options& options, const surface::Surface& surface, Console& console,
+                          const base::Progress& progress) {
+    mesh::DelaunayReport report;
+    mesh::Mesh out = restrictedDelaunay(surface, options.delaunay, report, progress);
+    tellCount(console, report.unrefined,
+              " triangles were left out: refinement could not bring them within the limits asked for, as at folds.");
+    tellCount(
+        console, report.missed,
+        " triangles miss the limits asked for: they close the mesh where points leave gaps or sheets run together.");
+    tellCount(console, report.removed, " triangles were left out where more than two met at an edge.");
+    tellCount(console, report.trimmed, " triangles were left out because they cut others at folds.");
+    tellCount(console, report.foldsClosed, " loops at folds were closed.");
+    return out;
+}
+
+void judge(const Options& options, const mesh::Mesh& mesh, const surface::Surface& surface,
+           const base::Progress& progress) {
+    const double spacing = double(process::typicalSpacing(surface.tree()));
+    const mesh::Report report = mesh::check(mesh, surface, progress);
+    if (!options.report.empty())
+        io::writeFile(options.report, reportJson(report, spacing).dump(2) + "\n");
+    if (options.check)
+        std::cout << reportTable(report, spacing);
+}
+
+void run(const Options& options, const CLI::App& command, Console& console) {
+    checkUsage(options, command);
+    session::Document document;
+    const base::Progress progress = console.progress();
+    session::Context context{document, {}, progress, {}, 0, {}, nullptr};
+    openModel(context, options.model, options.surface->parameters(), console);
+    const surface::Surface surface = process::shownAs(document.surface(), progress); // a curve's tube
+    const bool judged = options.check || !options.report.empty();
+    const base::Progress making = process::part(progress, 0, judged ? 0.7 : 1);
+    const mesh::Mesh mesh = options.isDelaunay() ? makeByDelaunay(options, surface, console, making)
+                                                 : makeByCubes(options, surface, console, making);
+    io::writeMesh(options.out, mesh, document.provenance().origin, progress);
+    if (judged)
+        judge(options, mesh, surface, process::part(progress, 0.7, 1));
+}
+
+void addDelaunayOptions(CLI::App& command, mesh::DelaunayOptions& options) {
+    command.add_option("--angle", options.angle, "smallest angle of a triangle, in degrees")
+        ->check(between(0, 30))
+        ->capture_default_str()
+        ->group("Delaunay");
+    command
+        .add_option("--size", options.size,
+                    "largest radius of the ball through a triangle's corners with its centre on the surface, in model "
+                    "units [the median spacing; with --adaptive 8 times that]")
+        ->check(above(0))
+        ->group("Delaunay");
+    command
+        .add_option("--distance", options.distance,
+                    "largest distance of a triangle from the surface, in model units [a tenth of the median spacing; "
+                    "with --adaptive its TOLERANCE]")
+        ->check(above(0))
+        ->group("Delaunay");
+}
+
+void addMarchingOptions(CLI::App& command, mesh::MarchingOptions& options) {
+    command.add_option("--cell", options.cell, "edge length of the cubes, in model units [the median spacing]")
+        ->check(above(0))
+        ->group("Marching cubes");
+}
+
+} // namespace
+
+Action addMesh(CLI::App& command) {
+    auto options = std::make_shared<Options>();
+    command.add_option("MODEL", options->model, modelHelp)->required();
+    std::string formats = "mesh file to write, in file coordinates; beside positions and triangles it keeps";
+    for (const io::MeshFormatRow& row : io::meshFormatTable())
+        formats += std::string("\n  .") + row.id + ": " + row.holds;
+    command.add_option("-o,--output", options->out, formats)->type_name("OUT")->required();
+    command
+        .add_option("--method", options->method,
+                    "marching-cubes: fast, follows a grid; delaunay: well-shaped triangles, as few as needed")
+        ->check(CLI::IsMember({"marching-cubes", "delaunay"}))
+        ->capture_default_str();
+    command
+        .add_option(
+            "--adaptive", options->adaptive,
+            "large triangles where the surface is flat: as large as they can be while their middles stay this close to "
+            "it, in model units; --cell is then the smallest cube, whose triangles are as far away as they are [all of "
+            "one size]")
+        ->type_name("TOLERANCE")
+        ->check(above(0));
+    addMarchingOptions(command, options->marching);
+    addDelaunayOptions(command, options->delaunay);
+    command.add_flag("--close-folds", options->finishing.closeFolds,
+                     "close all loops of up to " + std::to_string(options->finishing.longestFold) +
+                         " edges where the surface ends without a boundary of its own, as at folds [marching cubes: "
+                         "short ones, where the surface goes on]");
+    command.add_flag("--drop-small", options->finishing.dropSmall,
+                     "leave out pieces of fewer than " + std::to_string(options->finishing.smallPiece) + " triangles");
+    command.add_flag("--check", options->check,
+                     "print a report on the mesh: pieces, boundary loops, genus, angles, distances to the surface, "
+                     "self-intersections");
+    command.add_option("--report", options->report, "JSON file to write the same report to, lengths in model units")
+        ->type_name("OUT.json");
+    options->surface = addSurfaceOptions(command, false);
+    return [options, &command](Console& console) {
+        options->delaunay.finishing = options->marching.finishing = options->finishing;
+        options->delaunay.adaptive = options->marching.adaptive = options->adaptive;
+        run(*options, command, console);
+    };
+}
+
+} // namespace app

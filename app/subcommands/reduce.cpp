@@ -1,0 +1,84 @@
+// pointclay reduce: a model with fewer points on the same surface, written to a file, and how near it is.
+#include "app/open_model.h"
+#include "app/options/surface_options.h"
+#include "app/subcommands/subcommand.h"
+#include "app/writable_models.h"
+#include "core/io/formats.h"
+#include "core/io/safe_file.h"
+#include "core/process/estimation/part_progress.h"
+#include "core/session/commands/reduce_wish.h"
+
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+namespace app {
+
+using nlohmann::ordered_json;
+
+namespace {
+
+constexpr const char* wishes[] = {"count", "ratio", "error"};
+
+struct Options {
+    std::string model, out, report;
+    GivenParameters wish;
+    std::shared_ptr<SurfaceOptions> surface;
+};
+
+ordered_json reportJson(const reduce::Report& report) {
+    return {{"count", report.count},
+            {"rms", report.rms},
+            {"p999", report.p999},
+            {"max", report.max},
+            {"normals_deg", report.normalsDeg},
+            {"least_supports", report.leastSupports},
+            {"holes", report.holes},
+            {"shapes", "spheres"}};
+}
+
+void run(const Options& options, const CLI::App& command, Console& console) {
+    if (!isWritableModel(options.out))
+        throw UsageError("-o: the file's name must end in one of " + writableExtensions());
+    int asked = 0;
+    for (const char* wish : wishes)
+        asked += command.count(std::string("--") + wish) > 0;
+    if (asked != 1)
+        throw UsageError("reduce needs one of --count, --ratio and --error, and no other");
+    nlohmann::json wish = parametersOf(options.wish);
+    wish["op"] = "reduce";
+    const reduce::Wish what = session::reduceWish(session::complete(wish));
+    session::Document document;
+    const base::Progress progress = console.progress();
+    const base::Progress opening = process::part(progress, 0, 0.2), reducing = process::part(progress, 0.2, 0.95);
+    session::Context context{document, {}, opening, {}, 0, {}, nullptr};
+    openModel(context, options.model, options.surface->parameters(), console);
+    reduce::Reduced result = reduce::reduceBy(document.surface(), what, reducing);
+    document.commit(std::move(result.surface), "Reduce");
+    io::write(options.out, document.fileModel(), process::part(progress, 0.95, 1));
+    if (!options.report.empty())
+        io::writeFile(options.report, reportJson(result.report).dump(2) + "\n");
+    console.clear();
+    std::cout << reduce::summaryOf(result.report) << '\n';
+}
+
+} // namespace
+
+Action addReduce(CLI::App& command) {
+    auto options = std::make_shared<Options>();
+    command.add_option("MODEL", options->model, modelHelp)->required();
+    command.add_option("-o,--output", options->out, "model to write: " + writableExtensions())
+        ->type_name("OUT")
+        ->required();
+    for (const session::CommandParameter& p : session::command("reduce").parameters)
+        addParameter(command, "reduce", p, helpOf(p), options->wish);
+    command
+        .add_option("--report", options->report,
+                    "JSON file to write what was verified to, lengths in model units: count, rms, p999 and max of the "
+                    "model's points to the reduced surface, normals_deg between the two surfaces (rms), least_supports "
+                    "over a point, holes (points that miss the reduced surface alone), shapes")
+        ->type_name("OUT.json");
+    options->surface = addSurfaceOptions(command, false);
+    return [options, &command](Console& console) { run(*options, command, console); };
+}
+
+} // namespace app

@@ -1,0 +1,129 @@
+// pointclay render: a picture of a model, by splats or by rays.
+#include "app/open_model.h"
+#include "app/options/look_options.h"
+#include "app/options/option_checks.h"
+#include "app/options/surface_options.h"
+#include "app/options/view_options.h"
+#include "app/subcommands/subcommand.h"
+#include "core/io/safe_file.h"
+#include "core/process/curve_tube.h"
+#include "core/render/depth_exr.h"
+#include "core/render/image_io.h"
+#include "core/render/picture.h"
+#include "ui/gl/backends.h"
+
+#include <nlohmann/json.hpp>
+
+namespace app {
+
+namespace {
+
+struct Options {
+    std::string model, image, depth, stats, mode = "splats", backend = "cpu";
+    std::shared_ptr<ViewOptions> view;
+    render::PictureOptions picture;
+    std::shared_ptr<LookOptions> look;
+    std::shared_ptr<SurfaceOptions> surface;
+};
+
+void writeStats(const std::string& path, bool rayCast, const render::PictureStats& stats) {
+    nlohmann::ordered_json out{
+        {"rays", stats.rays}, {"pixels", stats.pixels}, {"seconds", stats.seconds}, {"evaluations", stats.evaluations}};
+    if (rayCast) {
+        out["antialias_rays"] = stats.edgeRays;
+        out["shadow_rays"] = stats.light.shadowRays;
+        out["occlusion_rays"] = stats.light.occlusionRays;
+        out["path_rays"] = stats.light.pathRays;
+    }
+    io::writeFile(path, out.dump(2) + "\n");
+}
+
+bool isExr(const std::filesystem::path& path) {
+    return path.extension() == ".exr" || path.extension() == ".EXR";
+}
+
+void saveDepth(const render::Image& image, const std::filesystem::path& path) {
+    if (isExr(path))
+        render::saveExr(image, path);
+    else
+        render::savePfm(image, path);
+}
+
+void run(Options options, Console& console) {
+    session::Document document;
+    const base::Progress progress = console.progress();
+    session::Context context{document, {}, progress, {}, 0, {}, nullptr};
+    options.picture.rayCast = options.mode == "raycast";
+    openModel(context, options.model, options.surface->parameters(), console);
+    const surface::Surface surface = process::shownAs(document.surface(), progress);
+    const auto cameras = camerasOf(*options.view, surface.tree(), document.provenance().origin, document.up());
+    const int count = static_cast<int>(cameras.size());
+    applyLook(*options.look, document, options.surface->parameters(), upwards(*options.view, document.up()), console,
+              options.picture);
+    options.picture.renderer = [&options] { return render::makeRenderer(options.backend); };
+    render::PictureMaker maker(surface, options.picture);
+    render::PictureStats stats;
+    for (int k = 0; k < count; ++k) {
+        render::PictureStats one;
+        const render::Image image = maker.draw(cameras[static_cast<std::size_t>(k)], one, progress);
+        stats += one;
+        render::savePng(image, numberedPath(options.image, k, count));
+        if (!options.depth.empty())
+            saveDepth(image, numberedPath(options.depth, k, count));
+    }
+    if (!options.stats.empty())
+        writeStats(options.stats, options.picture.rayCast, stats);
+}
+
+} // namespace
+
+Action addRender(CLI::App& command) {
+    auto options = std::make_shared<Options>();
+    command.add_option("MODEL", options->model, modelHelp)->required();
+    command.add_option("-o,--output", options->image, "picture to write")
+        ->type_name("IMAGE.png")
+        ->required()
+        ->check(pictureName());
+    command.add_option("--mode", options->mode, "blended splats, or rays to the true surface")
+        ->check(CLI::IsMember({"splats", "raycast"}))
+        ->capture_default_str();
+    options->view = addViewOptions(command);
+    options->look = addLookOptions(command);
+    command.add_option("--backend", options->backend, "renderer of splats; the machine may lack osmesa and egl")
+        ->check(idOf(render::backendTable()))
+        ->capture_default_str();
+    command
+        .add_option("--detail", options->picture.style.detailPx,
+                    "draw parts of the model by representatives whose splats have at most this radius; 0 draws every "
+                    "surfel, more than 1 is how a moving view looks")
+        ->type_name("PX")
+        ->check(between(0, 64))
+        ->capture_default_str();
+    command.add_flag("--closed", options->picture.style.closed,
+                     "the model has no openings: do not draw parts that face away");
+    command.add_flag("--section", options->picture.sections,
+                     "draw the curves where the planes of --clip meet the surface");
+    command
+        .add_option(
+            "--quality", options->picture.quality,
+            "with --mode raycast: 1 interpolates between rays where normals stay within 2 degrees and depths "
+            "within 0.2 spacings, outlines exact to the pixel; 2 within twice that; 0 casts a ray for every pixel")
+        ->type_name("PX")
+        ->check(atLeast(0))
+        ->capture_default_str();
+    command
+        .add_option("--depth", options->depth,
+                    "distance from the eye along each pixel's ray in model units, +inf where nothing is hit; rows from "
+                    "bottom to top; a name that ends in .exr writes OpenEXR, channel Z")
+        ->type_name("OUT.pfm|OUT.exr");
+    command
+        .add_option(
+            "--stats", options->stats,
+            "rays (of pixels), pixels, seconds and evaluations as JSON; with --mode raycast also counts of other "
+            "rays: antialias_rays, shadow_rays, occlusion_rays, path_rays (reflected and refracted)")
+        ->type_name("OUT.json");
+    options->surface = addSurfaceOptions(command, false);
+    return [options](Console& console) { run(*options, console); };
+}
+
+} // namespace app

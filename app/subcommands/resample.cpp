@@ -1,0 +1,77 @@
+// pointclay resample: the same surface with its points spaced anew, by the session's own command.
+#include "app/open_model.h"
+#include "app/options/option_checks.h"
+#include "app/options/surface_options.h"
+#include "app/subcommands/subcommand.h"
+#include "core/process/estimation/spacing_sample.h"
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace app {
+
+namespace {
+
+struct Options {
+    std::string model, out;
+    double spacing = 0, tolerance = 0;
+    std::size_t count = 0;
+    std::shared_ptr<SurfaceOptions> surface;
+};
+
+void run(const Options& options, Console& console) {
+    if ((options.spacing > 0) + (options.tolerance > 0) + (options.count > 0) != 1)
+        throw UsageError("give one of --spacing, --count and --adaptive");
+    session::Document document;
+    session::Context context{document, {}, console.progress(), {}, 0, {}, nullptr};
+    openModel(context, options.model, options.surface->parameters(), console);
+    nlohmann::json command{{"op", "resample"}};
+    if (options.spacing > 0)
+        command["spacing"] = options.spacing;
+    if (options.count > 0)
+        command["count"] = options.count;
+    if (options.tolerance > 0)
+        command["tolerance"] = options.tolerance;
+    const std::size_t before = document.surface().tree().size();
+    session::run(context, command);
+    console.tell(context.messages);
+    session::run(context, {{"op", "save"}, {"path", options.out}});
+    const tree::SurfelTree& tree = document.surface().tree();
+    std::ostringstream text;
+    text << before << " points became " << tree.size() << ", spaced by " << process::typicalSpacing(tree)
+         << " in the middle.";
+    console.tell(text.str());
+}
+
+} // namespace
+
+Action addResample(CLI::App& command) {
+    auto options = std::make_shared<Options>();
+    command.add_option("MODEL", options->model, modelHelp)->required();
+    command.add_option("-o,--output", options->out, "model to write; .ply keeps everything")
+        ->type_name("OUT")
+        ->required();
+    CLI::Option* spacing =
+        command
+            .add_option("--spacing", options->spacing, "distance between neighbouring points to reach, in model units")
+            ->type_name("S")
+            ->check(above(0));
+    CLI::Option* count =
+        command.add_option("--count", options->count, "number of points to reach, within a few percent")
+            ->type_name("N")
+            ->check(CLI::Range(std::size_t(4), std::size_t(1000000000)));
+    command
+        .add_option(
+            "--adaptive", options->tolerance,
+            "let the distance follow the curvature, so that facets as wide would stay about an eighth of this close "
+            "to the surface; from half to twice the present median, in model units")
+        ->type_name("TOLERANCE")
+        ->check(above(0))
+        ->excludes(spacing)
+        ->excludes(count);
+    spacing->excludes(count);
+    options->surface = addSurfaceOptions(command, false);
+    return [options](Console& console) { run(*options, console); };
+}
+
+} // namespace app

@@ -1,0 +1,175 @@
+// pointclay run: executes a session, with a journal beside it.
+#include "app/command_help.h"
+#include "app/framing.h"
+#include "app/open_model.h"
+#include "app/options/face_options.h"
+#include "app/options/option_checks.h"
+#include "app/subcommands/subcommand.h"
+#include "core/base/error.h"
+#include "core/io/safe_file.h"
+#include "core/process/curve_tube.h"
+#include "core/render/framed_box.h"
+#include "core/render/image_io.h"
+#include "core/render/picture.h"
+#include "core/render/shading/own_colours.h"
+#include "core/session/journal.h"
+#include "core/session/session_file.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+namespace app {
+
+using nlohmann::ordered_json;
+
+namespace {
+
+struct Options {
+    std::string session, model, out, image, timings, journal;
+    GivenParameters faces;
+    bool anyway = false;
+};
+
+/// The journal of one run: a named one stays, the default one goes with the process's normal end.
+class RunJournal {
+  public:
+    RunJournal(const std::string& path, Console& console) : m_named(!path.empty()) {
+        try {
+            m_journal = std::make_unique<session::Journal>(path);
+        } catch (const base::Error& error) {
+            if (m_named)
+                throw;
+            console.tell(error.message() + "; continuing without a journal");
+        }
+    }
+    ~RunJournal() {
+        if (m_journal && !m_named)
+            m_journal->discard();
+    }
+    /// Everything is written: a named journal may be replaced from now on.
+    void end(session::Context& context) {
+        if (m_journal && m_named)
+            m_journal->end(context);
+    }
+    session::Journal* get() { return m_journal.get(); }
+
+  private:
+    bool m_named;
+    std::unique_ptr<session::Journal> m_journal;
+};
+
+/// The value that a share `q` of the sorted ones does not exceed (nearest rank); 0 for none.
+double quantile(const std::vector<double>& sorted, double q) {
+    if (sorted.empty())
+        return 0;
+    const double rank = std::ceil(q * static_cast<double>(sorted.size()));
+    return sorted[static_cast<std::size_t>(std::max(rank, 1.0)) - 1];
+}
+
+ordered_json timingOf(const session::LineReport& report) {
+    std::vector<double> ms;
+    for (const double seconds : report.dabSeconds)
+        ms.push_back(1000 * seconds);
+    std::sort(ms.begin(), ms.end());
+    return {{"line", report.line},
+            {"op", report.op},
+            {"seconds", report.seconds},
+            {"surfels", report.surfels},
+            {"dabs", ms.size()},
+            {"dab_ms", {{"p50", quantile(ms, 0.5)}, {"p99", quantile(ms, 0.99)}, {"max", quantile(ms, 1)}}}};
+}
+
+void savePicture(const session::Document& document, const std::string& path, const base::Progress& progress) {
+    const surface::Surface surface = process::shownAs(document.surface(), progress);
+    if (surface.tree().empty())
+        throw base::Error("there is no model to draw", path, "open one in the session or with --model");
+    render::PictureStats stats;
+    render::PictureOptions look;
+    look.style.shading = render::usualShading(document.surface().tree());
+    const render::Camera camera =
+        closeUp(render::Camera::looking(render::framedBox(surface.tree()), 1280, 720, document.up()), surface.tree());
+    render::savePng(render::drawPicture(surface, camera, look, stats, progress), path);
+}
+
+/// Where a name leads, be there a file or not.
+std::filesystem::path placeOf(const std::string& name) {
+    std::error_code failed;
+    const std::filesystem::path place = std::filesystem::absolute(name, failed).lexically_normal();
+    const std::filesystem::path known = std::filesystem::weakly_canonical(place, failed);
+    return failed ? place : known;
+}
+
+/// The journal is a file of its own.
+void checkJournal(const Options& options) {
+    const std::pair<const std::string&, const char*> others[] = {{options.session, "the session itself"},
+                                                                 {options.out, "the model to be written (-o)"},
+                                                                 {options.image, "the picture (--render)"},
+                                                                 {options.timings, "the timings (--timings)"}};
+    for (const auto& [name, what] : others) {
+        std::error_code unequal;
+        if (!options.journal.empty() && !name.empty() &&
+            (std::filesystem::equivalent(name, options.journal, unequal) || placeOf(name) == placeOf(options.journal)))
+            throw UsageError(std::string("--journal names ") + what + "; the journal needs a name of its own");
+    }
+}
+
+void run(const Options& options, Console& console) {
+    checkJournal(options);
+    session::Document document;
+    const base::Progress progress = console.progress();
+    RunJournal journal(options.journal, console);
+    session::Context context{document, {}, progress, {}, 0, {}, journal.get(), options.anyway};
+    if (!options.model.empty())
+        openModel(context, options.model, parametersOf(options.faces), console);
+    ordered_json timings = ordered_json::array();
+    session::ReplayOptions replay;
+    replay.done = [&](const session::LineReport& report) {
+        timings.push_back(timingOf(report));
+        console.tell(context.messages);
+        context.messages.clear();
+    };
+    session::replay(options.session, context, replay);
+    context.folder.clear();
+    if (!options.out.empty())
+        session::run(context, {{"op", "save"}, {"path", options.out}});
+    if (!options.image.empty())
+        savePicture(document, options.image, progress);
+    if (!options.timings.empty())
+        io::writeFile(options.timings, timings.dump(1) + "\n");
+    journal.end(context);
+    console.tell(context.messages);
+}
+
+} // namespace
+
+Action addRun(CLI::App& command) {
+    auto options = std::make_shared<Options>();
+    command
+        .add_option("SESSION", options->session,
+                    "session file with one JSON command per line, such as {\"op\":\"undo\"}")
+        ->type_name("SESSION.jsonl")
+        ->required();
+    CLI::Option* model =
+        command.add_option("--model", options->model, std::string("model to open before the first line: ") + modelHelp)
+            ->type_name("MODEL");
+    command.add_option("-o,--output", options->out, "model to write at the end")->type_name("OUT");
+    command.add_option("--render", options->image, "picture of the result")
+        ->type_name("IMAGE.png")
+        ->check(pictureName());
+    command.add_option("--timings", options->timings, "seconds of each line and milliseconds of its dabs, as JSON")
+        ->type_name("OUT.json");
+    command
+        .add_option(
+            "--journal", options->journal,
+            "where to keep the journal for `recover`, no file or the journal of a session that came to its end; "
+            "default: in the XDG state folder, removed at the end")
+        ->type_name("FILE");
+    command.add_flag("--anyway", options->anyway,
+                     "take files as they are now that have changed since the session was recorded: strokes then meet "
+                     "another model than they were drawn on");
+    addFaceOptions(command, options->faces, model);
+    command.footer(command.get_footer() + "\n\n" + commandHelp());
+    return [options](Console& console) { run(*options, console); };
+}
+
+} // namespace app

@@ -1,0 +1,42 @@
+#include "app/subcommands/subcommand.h"
+
+namespace app {
+
+std::span<const SubcommandRow> subcommandTable() {
+    static constexpr SubcommandRow rows[] = {
+        {"info", "Show what a model contains", "pointclay info bunny.ply --json", addInfo},
+        {"convert", "Write a model in another format", "pointclay convert scan.xyz scan.ply", addConvert},
+        {"clean", "Take outliers, noise and duplicates out of a scan, and make its normals anew",
+         "pointclay clean scan.ply clean.ply --outliers surface --denoise auto --report clean.json", addClean},
+        {"resample", "Space the points of a model anew on the surface that they define",
+         "pointclay resample scan.ply -o even.ply --count 20000", addResample},
+        {"register", "Bring scans of one thing together",
+         "pointclay register side.ply back.ply --to front.ply -o all.ply --global", addRegister},
+        {"measure", "Measure area and volume, distances to another model, and shapes that fit",
+         "pointclay measure scan.ply area volume --to part.ply --fit cylinder", addMeasure},
+        {"query", "Evaluate, differentiate and project at positions, into a CSV file",
+         "pointclay query bunny.ply --at points.xyz --what value,normal,project-orthogonal -o out.csv", addQuery},
+        {"intersect", "Intersect rays with the surface, into a CSV file",
+         "pointclay intersect bunny.ply --rays rays.csv -o hits.csv", addIntersect},
+        {"boundary", "Trace the boundary of an open surface, into a CSV or OBJ file",
+         "pointclay boundary sample:moebius -o rims.obj", addBoundary},
+        {"section", "Trace the curves where a plane cuts the surface, into a CSV or OBJ file",
+         "pointclay section bunny.ply --plane 0,1,0,0.1 -o section.obj", addSection},
+        {"mesh", "Triangulate the surface, into a mesh file",
+         "pointclay mesh bunny.ply -o bunny.stl --method delaunay --check", addMesh},
+        {"haptic", "Play the way of a tool over the surface, and write what it feels, into a CSV file",
+         "pointclay haptic bunny.ply --trajectory tool.csv -o felt.csv --radius 0.002 --friction 0.3", addHaptic},
+        {"reduce", "Make the same surface with fewer points, and tell how near it is",
+         "pointclay reduce bunny.ply -o light.ply --ratio 0.1 --report light.json", addReduce},
+        {"render", "Draw a model into an image file, without a window",
+         "pointclay render bunny.ply -o bunny.png --size 800x600 --mode raycast", addRender},
+        {"run", "Execute a session file", "pointclay run session.jsonl --model bunny.ply -o out.ply", addRun},
+        {"recover", "Restore the model from the journal that a crash left behind",
+         "pointclay recover ~/.local/state/pointclay/journal-4711.jsonl -o rescued.ply", addRecover},
+        {"bench", "Measure how fast this machine is, each workload beside a naive baseline",
+         "pointclay bench evaluate rays-camera --threads 1 --json out.json", addBench},
+    };
+    return rows;
+}
+
+} // namespace app

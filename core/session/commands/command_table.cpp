@@ -1,0 +1,27 @@
+#include "core/base/error.h"
+#include "core/base/row_of_id.h"
+#include "core/session/commands/commands.h"
+
+#include <array>
+
+namespace session {
+
+std::span<const CommandRow> commandTable() {
+    static const std::array rows{openCommand(),   newCommand(),        saveCommand(),     surfaceCommand(),
+                                 strokeCommand(), resampleCommand(),   reduceCommand(),   refineCommand(),
+                                 cleanCommand(),  duplicatesCommand(), outliersCommand(), denoiseCommand(),
+                                 thinCommand(),   normalsCommand(),    orientCommand(),   upCommand(),
+                                 undoCommand(),   redoCommand(),       expectCommand()};
+    return rows;
+}
+
+const CommandRow& command(std::string_view op) {
+    return base::rowOf(commandTable(), op, {"unknown op \"%\"", "", "known are %"}, &CommandRow::op);
+}
+
+void requireModel(const Context& context) {
+    if (context.document.surface().tree().empty())
+        throw base::Error("there is no model to work on", {}, "open one first, or make one with \"new\"");
+}
+
+} // namespace session

@@ -1,0 +1,32 @@
+#include "core/session/commands/clean_steps.h"
+#include "core/session/commands/commands.h"
+
+#include <nlohmann/json.hpp>
+
+namespace session {
+
+static void runOutliers(Context& context, const nlohmann::json& complete) {
+    requireModel(context);
+    const surface::Surface surface = context.document.surface();
+    clean::commit(context,
+                  clean::outliers(context, surface, complete.at("method").get<std::string>(),
+                                  complete.value("limit", nlohmann::json())),
+                  "Remove outliers");
+}
+
+CommandRow outliersCommand() {
+    static const CommandParameter parameters[] = {
+        {"method", "choice", "", clean::outlierTip, "\"statistical\"", clean::outlierWays, 0, 0},
+        {"limit", "number", "", clean::limitTip, "null", "", 0, largest},
+    };
+    return {"outliers",
+            "Remove outliers",
+            "Takes out points that are not of the model; masked ones stay.",
+            parameters,
+            true,
+            false,
+            runOutliers,
+            nullptr};
+}
+
+} // namespace session

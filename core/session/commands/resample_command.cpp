@@ -1,0 +1,57 @@
+#include "core/base/error.h"
+#include "core/process/estimation/spacing_sample.h"
+#include "core/process/resampling/resample.h"
+#include "core/session/commands/commands.h"
+
+#include <nlohmann/json.hpp>
+
+namespace session {
+
+/// By the one of spacing, count and tolerance that was given; a tolerance may have a spacing beside it.
+static process::ResampleResult resampled(const Context& context, const nlohmann::json& complete) {
+    const surface::Surface& surface = context.document.surface();
+    const auto tolerance = complete.at("tolerance").get<float>();
+    const bool bySpacing = complete.contains("spacing"), byCount = complete.contains("count");
+    if (byCount && (bySpacing || tolerance > 0))
+        throw base::Error("\"count\" excludes \"spacing\" and \"tolerance\"", "resample", "give one of them");
+    if (byCount)
+        return process::resampleToCount(surface, complete.at("count").get<std::size_t>(), 12, context.progress);
+    if (!bySpacing && !(tolerance > 0))
+        throw base::Error("\"resample\" needs a \"spacing\", a \"count\" or a \"tolerance\"", {}, "give one of them");
+    const float spacing = bySpacing ? complete.at("spacing").get<float>() : process::typicalSpacing(surface.tree());
+    if (!(tolerance > 0))
+        return process::resampleAll(surface, spacing, 12, context.progress);
+    const process::CurvatureSpacing by{tolerance, spacing * complete.at("finest").get<float>(),
+                                       spacing * complete.at("coarsest").get<float>()};
+    return process::resampleByCurvature(surface, by, 12, context.progress);
+}
+
+static void resample(Context& context, const nlohmann::json& complete) {
+    requireModel(context);
+    process::ResampleResult result = resampled(context, complete);
+    if (!result.settled)
+        context.messages.push_back("resampling stopped after " + std::to_string(result.rounds) +
+                                   " rounds, before the last points came to rest");
+    context.document.commit(std::move(result.surface), "Resample");
+}
+
+CommandRow resampleCommand() {
+    static const CommandParameter parameters[] = {
+        {"spacing", "number", "model units",
+         "distance between neighbouring points to reach; with a tolerance alone: the median that there is", "null", "",
+         positive, largest},
+        {"count", "integer", "", "number of points to reach, within a few percent, instead of a spacing", "null", "", 4,
+         largestCount},
+        {"tolerance", "number", "model units",
+         "above 0 the distance follows the curvature: the square root of tolerance over curvature, within the two "
+         "limits; neighbouring distances differ by at most a tenth",
+         "0", "", 0, largest},
+        {"finest", "number", "spacings", "shortest distance, where it follows the curvature", "0.5", "", 0.01, 1},
+        {"coarsest", "number", "spacings", "longest distance, where it follows the curvature", "2", "", 1, 100},
+    };
+    return {"resample", "Resample", "Spaces the points evenly on the surface that they define now.",
+            parameters, true,       false,
+            resample,   nullptr};
+}
+
+} // namespace session
