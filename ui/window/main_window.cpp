@@ -6,6 +6,7 @@
 #include "ui/panels/tool_bar.h"
 #include "ui/window/dropped.h"
 #include "ui/window/file_dialogs.h"
+#include "ui/window/keys.h"
 #include "ui/window/menus.h"
 #include "ui/window/mesh_export.h"
 #include "ui/window/status_line.h"
@@ -15,6 +16,7 @@
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QMenu>
+#include <QMenuBar>
 #include <QMimeData>
 #include <QScreen>
 #include <QTimer>
@@ -196,6 +198,7 @@ void MainWindow::buildMenus() {
     addModelMenu(*this);
     addViewMenu(*this);
     addHelpMenu(*this);
+    applyKeys(paletteEntries(*menuBar()), m_settings.keys);
     addCornerBar(*this);
 }
 
