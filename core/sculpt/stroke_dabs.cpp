@@ -158,6 +158,30 @@ void Dabs::dabAt(const StrokeSample& sample, const Contact& own, const Form& for
     apply(all);
 }
 
+double Dabs::overlap(float spacing) const {
+    if (!m_accumulate || m_row.motion != Motion::Along || m_row.writes == Writes::Count)
+        return 1;
+    double sum = 1; // the centre's own
+    for (int k = 1; static_cast<float>(k) * spacing < 1; ++k) {
+        const float r[] = {static_cast<float>(k) * spacing};
+        float weight[1], slope[1];
+        weights(m_pattern.falloff, 0, r, weight, slope, m_pattern.curve.get());
+        sum += 2 * double(weight[0]);
+    }
+    return sum;
+}
+
+/// Each dab touches what the one before has left, as in a stroke.
+void Dabs::pile(const StrokeSample& sample, const Contact& own, Form form, double dabs) {
+    const double strongest = std::abs(double(m_pattern.strength) * double(form.strength));
+    const int count = std::max(1, static_cast<int>(std::ceil(dabs * strongest - 1e-6)));
+    form.strength *= static_cast<float>(dabs / count);
+    dabAt(sample, own, form);
+    for (int k = 1; k < count; ++k)
+        if (const auto touched = contact(sample.ray))
+            dabAt(sample, *touched, form);
+}
+
 void Dabs::checkCancelled() const {
     if (m_cancel && m_cancel->load(std::memory_order_relaxed))
         throw base::Cancelled();

@@ -45,6 +45,11 @@ class Dabs {
 
     /// Radius and strength at a sample, by its pressure and, where dabs add up, its stride.
     Form form(const StrokeSample& sample) const;
+    /// How many dabs at one place are as much as a stroke leaves there that goes over it, with dabs this part of the
+    /// radius apart: the weights of all that reach it. 1 where dabs do not add up, or make their own sampling.
+    double overlap(float spacing) const;
+    /// As much as `dabs` of this form in the same place, in as few as strength allows.
+    void pile(const StrokeSample& sample, const Contact& own, Form form, double dabs);
     /// One dab with its images. `own`: the contact of the sample's ray on the present version, found before; only the
     /// other images' rays are cast here.
     void dabAt(const StrokeSample& sample, const Contact& own, const Form& form);

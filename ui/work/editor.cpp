@@ -1,6 +1,5 @@
 #include "ui/work/editor.h"
 
-#include "core/session/recover.h"
 #include "ui/work/post.h"
 
 #include <future>
@@ -109,14 +108,14 @@ void Editor::run(nlohmann::json command, std::function<void(bool)> then) {
         push(std::move(task));
 }
 
-void Editor::recover(std::filesystem::path journal, std::function<void(bool, int)> then) {
-    const auto leftOut = std::make_shared<int>(0); // set by the worker before `then` is called
-    const auto work = [journal = std::move(journal), leftOut](session::Context& context) {
-        *leftOut = session::recover(journal, context).leftOut;
+void Editor::recover(std::filesystem::path journal, std::function<void(bool, const session::Recovery&)> then) {
+    const auto found = std::make_shared<session::Recovery>(); // set by the worker before `then` is called
+    const auto work = [journal = std::move(journal), found](session::Context& context) {
+        *found = session::recover(journal, context);
     };
-    replace({work, [then = std::move(then), leftOut](bool done) {
+    replace({work, [then = std::move(then), found](bool done) {
                  if (then)
-                     then(done, *leftOut);
+                     then(done, *found);
              }});
 }
 
