@@ -147,7 +147,7 @@ void relax(SampleSet& set) {
         const float least = notice * set.target[awake[k]];
         set.unmark(awake[k], Awake);
         if (distanceSq(set.position[awake[k]], start[k]) > least * least)
-            set.mark(awake[k], Moved);
+            set.mark(awake[k], Moved), set.refused[awake[k]] = 0;
         else if (!set.is(awake[k], New))
             set.position[awake[k]] = start[k];
     }
