@@ -20,7 +20,7 @@ set_source_files_properties(core/process/estimation/normal_links.cpp PROPERTIES
 
 pointclay_room(cells core/cells surface)
 
-pointclay_room(raycast core/raycast surface)
+pointclay_room(raycast core/raycast cells)
 
 pointclay_room(mesh core/mesh process cells)
 # CGAL is headers over these two. Its own target would set -frounding-math, which its predicates need, for all of the
@@ -31,7 +31,7 @@ set_source_files_properties(core/mesh/check/self_intersections.cpp PROPERTIES CO
 pointclay_room(reduce core/reduce process)
 pointclay_link(reduce Eigen3::Eigen)
 
-pointclay_room(sculpt core/sculpt process)
+pointclay_room(sculpt core/sculpt process cells)
 # Neither changes a bit; without them loops with square roots and selections stay scalar.
 target_compile_options(pointclay_sculpt PRIVATE -fno-math-errno -fno-trapping-math)
 
