@@ -20,7 +20,7 @@ set_source_files_properties(core/process/estimation/normal_links.cpp PROPERTIES
 
 pointclay_room(cells core/cells surface)
 
-pointclay_room(raycast core/raycast surface)
+pointclay_room(raycast core/raycast cells)
 
 pointclay_room(mesh core/mesh process cells)
 # CGAL is headers over these two. Its own target would set -frounding-math, which its predicates need, for all of the
@@ -31,7 +31,7 @@ set_source_files_properties(core/mesh/check/self_intersections.cpp PROPERTIES CO
 pointclay_room(reduce core/reduce process)
 pointclay_link(reduce Eigen3::Eigen)
 
-pointclay_room(sculpt core/sculpt process)
+pointclay_room(sculpt core/sculpt process cells)
 # Neither changes a bit; without them loops with square roots and selections stay scalar.
 target_compile_options(pointclay_sculpt PRIVATE -fno-math-errno -fno-trapping-math)
 
@@ -43,6 +43,8 @@ pointclay_link(io PNG::PNG JPEG::JPEG)
 pointclay_room(render core/render raycast io)
 pointclay_link(render PkgConfig::HWY PkgConfig::EXR)
 
-pointclay_room(session core/session sculpt reduce io)
+pointclay_room(selection core/selection sculpt render)
+
+pointclay_room(session core/session sculpt reduce io selection)
 pointclay_link(session nlohmann_json::nlohmann_json)
 pointclay_unhurried(pointclay_session)

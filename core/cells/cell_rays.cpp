@@ -30,18 +30,25 @@ class CellRay {
             return out;
         const double most = static_cast<double>(m_options.tMax);
         double nearest = most;
-        for (const Stretch& each : stretches(m_source.surface(), m_ray, from, most)) {
-            if (!all && each.begin > nearest)
-                break;
-            std::vector<double> roots;
-            m_roots.find(each, roots);
-            for (const double t : roots)
-                if (t >= from && t <= (all ? most : nearest))
-                    if (const auto hit = accept(each.cell, t)) {
-                        out.push_back(*hit);
-                        nearest = std::min(nearest, t);
-                    }
-        }
+        const std::vector<Stretch> found = stretches(m_source.surface(), m_ray, from, most);
+        // where there is one zero at most it costs little; the others are marched no farther than the nearest hit
+        for (const bool monotone : {true, false})
+            for (Stretch each : found) {
+                if (!all && each.begin > nearest)
+                    break;
+                if (each.monotone() != monotone)
+                    continue;
+                if (!all && !monotone)
+                    each.end = std::min(each.end, nearest);
+                std::vector<double> roots;
+                m_roots.find(each, roots);
+                for (const double t : roots)
+                    if (t >= from && t <= (all ? most : nearest))
+                        if (const auto hit = accept(each.cell, t)) {
+                            out.push_back(*hit);
+                            nearest = std::min(nearest, t);
+                        }
+            }
         std::stable_sort(out.begin(), out.end(), [](const CellHit& a, const CellHit& b) { return a.hit.t < b.hit.t; });
         if (!out.empty())
             out.front().hit.evaluations = m_roots.evaluations();

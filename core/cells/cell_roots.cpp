@@ -121,20 +121,24 @@ CellRoots::Sample CellRoots::sample(double t) {
 
 void CellRoots::march(const Stretch& stretch, std::vector<double>& out) {
     constexpr double stepOfUnit = 1.0 / 12, dip = 0.6; // of the support; of a step, below which zeros may be in pairs
-    constexpr int finer = 8;
+    constexpr int finer = 8, longest = 4;
+    constexpr double leastSpan = 1.5; // steps to a zero, at least: f over the step times this
     const double span = stretch.end - stretch.begin;
     const int steps = std::max(2, static_cast<int>(std::min(std::ceil(span / (stepOfUnit * stretch.unit)), 1e6)));
     const double step = span / steps;
     Sample before, last = sample(stretch.begin);
-    for (int k = 1; k <= steps; ++k) {
+    int stride = 1; // in steps, since the sample before
+    for (int k = 1; k <= steps; k += stride) {
+        const int passed = stride;
         const Sample next = sample(stretch.begin + k * step);
         if (last.valid && next.valid && (last.f > 0) != (next.f > 0)) {
             refine(last, next, stretch.unit, out);
-        } else if (k > 1 && before.valid && last.valid && next.valid && std::abs(last.f) < dip * step &&
+        } else if (k > 1 && passed == 1 && before.valid && last.valid && next.valid && std::abs(last.f) < dip * step &&
                    std::abs(last.f) <= std::abs(before.f) && std::abs(last.f) <= std::abs(next.f)) {
-            Sample a = before;
+            Sample a = last.t - before.t < 1.5 * step ? before : sample(last.t - step);
+            const double begin = a.t;
             for (int m = 1; m <= 2 * finer; ++m) {
-                const Sample b = sample(before.t + m * step / finer);
+                const Sample b = sample(begin + m * step / finer);
                 if (a.valid && b.valid && (a.f > 0) != (b.f > 0))
                     refine(a, b, stretch.unit, out);
                 a = b;
@@ -142,6 +146,10 @@ void CellRoots::march(const Stretch& stretch, std::vector<double>& out) {
         }
         before = last;
         last = next;
+        // f hardly falls faster than by the way: far from zero there is none within the next steps
+        stride = next.valid ? std::clamp(static_cast<int>(std::abs(next.f) / (leastSpan * step)), 1, longest) : 1;
+        if (k < steps && k + stride > steps)
+            stride = steps - k;
     }
     std::sort(out.begin(), out.end());
 }

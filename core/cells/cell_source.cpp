@@ -23,58 +23,80 @@ void CellSource::moveTo(const Vec3d& x) {
     m_x = x;
     m_beyond = -1;
     gather();
-    meet();
+    m_votes.clear();
 }
 
-void CellSource::gather() {
-    m_found.clear();
-    m_cells.clear();
+/// In tree order, whatever the box: sums over those that count have the same bits then.
+void CellSource::collect() {
     const surface::Surface& surface = m_surface->surface();
-    const auto scale = static_cast<double>(surface.supportScale());
+    const float scale = surface.supportScale();
     const base::Vec3f nearest = base::cast<float>(m_x);
     const float size = std::max({std::abs(nearest.x), std::abs(nearest.y), std::abs(nearest.z)});
-    const base::Box3f box = base::Box3f{nearest, nearest}.inflated(1e-6f * size);
+    const float rounding = 1e-6f * size;
+    m_box = base::Box3d{m_x, m_x}.inflated(m_slack);
+    m_around.clear();
     surface.tree().forClustersInSupport(
-        box,
+        base::Box3f{nearest, nearest}.inflated(static_cast<float>(m_slack) * 1.000001f + rounding),
         [&](const surfel::SurfelBlock& block, int cluster) {
             const int begin = cluster * surfel::clusterSize, end = std::min(begin + surfel::clusterSize, block.size());
             for (int slot = begin; slot < end; ++slot) {
-                const double h = scale * static_cast<double>(block.support(slot));
-                const double distanceSq = base::distanceSq(base::cast<double>(block.position(slot)), m_x);
-                if (!(distanceSq < h * h))
-                    continue;
-                const Label label = m_surface->labels().at(block, slot);
-                m_found.push_back({&block, slot, label.cell, label.partner, distanceSq});
-                auto at = std::lower_bound(m_cells.begin(), m_cells.end(), label.cell,
-                                           [](const Near& near, std::uint32_t cell) { return near.cell < cell; });
-                if (at == m_cells.end() || at->cell != label.cell) {
-                    at = m_cells.insert(at, Near());
-                    at->cell = label.cell;
-                    at->face = label.face;
-                }
-                ++at->samples;
-                at->beside |= label.meeting != Meeting::None;
+                const double h = static_cast<double>(scale) * static_cast<double>(block.support(slot));
+                const Vec3d p = base::cast<double>(block.position(slot));
+                if (m_box.distanceSq(p) < h * h)
+                    m_around.push_back(
+                        {p, h * h, block.normal(slot), block.support(slot), m_surface->labels().at(block, slot)});
             }
         },
-        surface::queryReach(surface::queryReach(surface.supportScale())));
+        surface::queryReach(surface::queryReach(scale)));
 }
 
-void CellSource::meet() {
+void CellSource::gather() {
+    constexpr double slackOfSupport = 0.4; // steps of rays and projections are mostly shorter
+    if (m_around.empty() || !m_box.contains(m_x))
+        collect();
+    m_found.clear();
+    m_cells.clear();
+    m_faded = false;
+    for (const Around& each : m_around) {
+        const double distanceSq = base::distanceSq(each.position, m_x);
+        if (!(distanceSq < each.supportSq))
+            continue;
+        const Label& label = each.label;
+        auto at = std::lower_bound(m_cells.begin(), m_cells.end(), label.cell,
+                                   [](const Near& near, std::uint32_t cell) { return near.cell < cell; });
+        if (at == m_cells.end() || at->cell != label.cell) {
+            const auto place = static_cast<std::uint32_t>(at - m_cells.begin());
+            at = m_cells.insert(at, Near());
+            at->cell = label.cell;
+            at->face = label.face;
+            for (Found& earlier : m_found)
+                earlier.cell += earlier.cell >= place ? 1 : 0;
+        }
+        m_found.push_back({&each, static_cast<std::uint32_t>(at - m_cells.begin()), distanceSq});
+        ++at->samples;
+        at->beside |= label.meeting != Meeting::None;
+        m_faded |= label.sharpness != 255;
+    }
+    if (!m_found.empty())
+        m_slack = slackOfSupport * std::sqrt(m_found.front().of->supportSq);
+}
+
+double CellSource::weightOf(const Found& found) const {
+    const surface::Surface& surface = m_surface->surface();
+    return static_cast<double>(surface::weightAt(surface.definition().weight, static_cast<float>(found.distanceSq),
+                                                 surface.supportScale() * found.of->support));
+}
+
+void CellSource::meet() const {
     m_votes.assign(m_cells.size() * m_cells.size(), 0);
-    if (m_cells.size() < 2)
-        return;
-    const surface::Weight weight = m_surface->surface().definition().weight;
-    const float scale = m_surface->surface().supportScale();
     for (const Found& each : m_found) {
-        if (each.partner == each.cell)
+        if (each.of->label.meeting == Meeting::None)
             continue;
-        const std::size_t j = find(each.partner);
-        const Meeting how = m_surface->labels().at(*each.block, each.slot).meeting;
-        if (j == none || how == Meeting::None)
+        const std::size_t j = find(each.of->label.partner);
+        if (j == none)
             continue;
-        const auto theta = static_cast<double>(
-            surface::weightAt(weight, static_cast<float>(each.distanceSq), scale * each.block->support(each.slot)));
-        vote(find(each.cell), j) += how == Meeting::Convex ? theta : -theta;
+        const double theta = weightOf(each);
+        vote(each.cell, j) += each.of->label.meeting == Meeting::Convex ? theta : -theta;
     }
 }
 
@@ -85,6 +107,8 @@ std::size_t CellSource::find(std::uint32_t cell) const {
 }
 
 Meeting CellSource::meeting(std::size_t i, std::size_t j) const {
+    if (m_votes.empty())
+        meet();
     if (vote(i, j) == 0 && !m_cells[i].beside)
         return Meeting::None;
     const double convex = vote(i, j) + vote(j, i);
@@ -106,16 +130,13 @@ CellSource::Tangent CellSource::tangent(std::size_t i) {
     const Evaluationd& known = at(i, Need::Value);
     if (valid(known))
         return {known.normal, known.centroid, known.value};
-    const surface::Weight weight = m_surface->surface().definition().weight;
-    const float scale = m_surface->surface().supportScale();
     double total = 0;
     Tangent out;
     for (const Found& each : m_found)
-        if (each.cell == m_cells[i].cell) {
-            const auto theta = static_cast<double>(
-                surface::weightAt(weight, static_cast<float>(each.distanceSq), scale * each.block->support(each.slot)));
-            const Vec3d p = base::cast<double>(each.block->position(each.slot));
-            const Vec3d n = base::cast<double>(each.block->normal(each.slot));
+        if (each.cell == i) {
+            const double theta = weightOf(each);
+            const Vec3d& p = each.of->position;
+            const Vec3d n = base::cast<double>(each.of->normal);
             total += theta;
             out.normal += n * theta;
             out.centroid += p * theta;
@@ -157,11 +178,11 @@ surface::ClusterSpan CellSource::pack(const Take& take) {
             std::fill_n(fresh + surfel::Support * lanes, lanes, 1.0f);
         }
         float* c = m_packed.data() + m_packed.size() - clusterFloats + count % lanes;
-        const base::Vec3f p = each.block->position(each.slot);
+        const base::Vec3f p = base::cast<float>(each.of->position);
         c[surfel::X * lanes] = p.x, c[surfel::Y * lanes] = p.y, c[surfel::Z * lanes] = p.z;
         c[surfel::NormalX * lanes] = normal->x, c[surfel::NormalY * lanes] = normal->y;
         c[surfel::NormalZ * lanes] = normal->z;
-        c[surfel::Support * lanes] = each.block->support(each.slot);
+        c[surfel::Support * lanes] = each.of->support;
         ++count;
     }
     for (std::size_t at = 0; at < m_packed.size(); at += clusterFloats)
@@ -183,24 +204,25 @@ Evaluationd CellSource::evaluate(surface::ClusterSpan clusters, Need need) const
 
 /// Of cells that meet in a crease what its sharpness leaves; without one, all of the same face and nothing of others.
 CellSource::Share CellSource::shareOf(std::size_t i, std::size_t j) {
+    if (!m_faded && m_cells[i].face != m_cells[j].face)
+        return {};
     if (meeting(i, j) == Meeting::None)
         return {m_cells[i].face == m_cells[j].face ? 1.0 : 0.0, {}};
-    if (!m_surface->labels().hasSharpness())
+    if (!m_faded)
         return {};
     // the mean of the sharpness is a quotient of sums, one of them with it in place of a normal
     const auto beside = [&](const Found& f, std::size_t own, std::size_t other) {
-        return f.cell == m_cells[own].cell && f.partner == m_cells[other].cell;
+        return f.cell == own && f.of->label.partner == m_cells[other].cell;
     };
     const bool faded = std::any_of(m_found.begin(), m_found.end(), [&](const Found& f) {
-        return (beside(f, i, j) || beside(f, j, i)) && m_surface->labels().at(*f.block, f.slot).sharpness != 255;
+        return (beside(f, i, j) || beside(f, j, i)) && f.of->label.sharpness != 255;
     });
     if (!faded)
         return {};
     const surface::ClusterSpan clusters = pack([&](const Found& f) -> std::optional<base::Vec3f> {
         if (!beside(f, i, j) && !beside(f, j, i))
             return std::nullopt;
-        const Label label = m_surface->labels().at(*f.block, f.slot);
-        return base::Vec3f{static_cast<float>(label.sharpness) / 255, 0, 0};
+        return base::Vec3f{static_cast<float>(f.of->label.sharpness) / 255, 0, 0};
     });
     surface::Moments<double, 1> m;
     surface::sum(clusters, m_x, plainSums(), m);
@@ -225,9 +247,9 @@ Evaluationd CellSource::sumOf(std::size_t i, Need need) {
     if (!whole)
         return layered(shares, need);
     const auto counts = [&](const Found& f) -> std::optional<base::Vec3f> {
-        if (!(shares[find(f.cell)].v > 0))
+        if (!(shares[f.cell].v > 0))
             return std::nullopt;
-        return f.block->normal(f.slot);
+        return f.of->normal;
     };
     return evaluate(pack(counts), need);
 }
@@ -246,9 +268,9 @@ Evaluationd CellSource::layered(const std::vector<Share>& shares, Need need) {
         if (!(share > 0))
             continue;
         const surface::ClusterSpan clusters = pack([&](const Found& f) -> std::optional<base::Vec3f> {
-            if (shares[find(f.cell)].v < steps[l].v)
+            if (shares[f.cell].v < steps[l].v)
                 return std::nullopt;
-            return f.block->normal(f.slot);
+            return f.of->normal;
         });
         const Evaluationd e = evaluate(clusters, need);
         if (!valid(e))

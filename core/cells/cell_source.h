@@ -4,7 +4,8 @@
 //     source.moveTo(x);                             finds the surfels in support, and by them the cells
 //     for (i < source.count()) source.at(i, need)   f, gradient and so on of cell i, each computed once
 //
-// Float64. One thread at a time.
+// Float64. Positions that come close to the one before find their surfels among those collected around it; the answers
+// are those of a fresh source, bit for bit. One thread at a time.
 #pragma once
 
 #include "core/cells/cell_surface.h"
@@ -58,15 +59,21 @@ class CellSource {
     template <class Fn>
     void forSurfels(const Fn& fn) const {
         for (const Found& each : m_found)
-            fn(base::cast<double>(each.block->position(each.slot)), m_surface->labels().at(*each.block, each.slot),
-               each.distanceSq);
+            fn(each.of->position, each.of->label, each.distanceSq);
     }
 
   private:
+    /// A surfel that has weight somewhere in the box that was collected for.
+    struct Around {
+        base::Vec3d position;
+        double supportSq; ///< of the scaled support
+        base::Vec3f normal;
+        float support; ///< as the surfel has it
+        Label label;
+    };
     struct Found {
-        const surfel::SurfelBlock* block;
-        int slot;
-        std::uint32_t cell, partner;
+        const Around* of;
+        std::uint32_t cell; ///< place among the cells
         double distanceSq;
     };
     struct Near {
@@ -83,8 +90,10 @@ class CellSource {
         base::Vec3d slope;
     };
 
+    void collect();
     void gather();
-    void meet();
+    void meet() const;
+    double weightOf(const Found& found) const;
     Share shareOf(std::size_t i, std::size_t j);
     surface::Evaluationd sumOf(std::size_t i, surface::Need need);
     surface::Evaluationd layered(const std::vector<Share>& shares, surface::Need need);
@@ -93,15 +102,18 @@ class CellSource {
     surface::ClusterSpan pack(const Take& take);
     surface::Evaluationd evaluate(surface::ClusterSpan clusters, surface::Need need) const;
     surface::SumOptions plainSums() const;
-    double& vote(std::size_t i, std::size_t j) { return m_votes[i * m_cells.size() + j]; }
-    double vote(std::size_t i, std::size_t j) const { return m_votes[i * m_cells.size() + j]; }
+    double& vote(std::size_t i, std::size_t j) const { return m_votes[i * m_cells.size() + j]; }
 
     const CellSurface* m_surface;
     surface::Source m_source;
     base::Vec3d m_x;
+    base::Box3d m_box; ///< positions in it need no other surfels than these
+    std::vector<Around> m_around;
+    double m_slack = 0; ///< how far around a position to collect; 0 before anything is known
     std::vector<Found> m_found;
     std::vector<Near> m_cells;
-    std::vector<double> m_votes; ///< convex > 0, concave < 0, by cell and partner
+    bool m_faded = false;                ///< are there creases near that are not quite sharp?
+    mutable std::vector<double> m_votes; ///< convex > 0, concave < 0, by cell and partner; empty before anyone asked
     std::vector<float> m_packed;
     std::vector<const float*> m_clusters;
     int m_beyond = -1; ///< not known yet, no, yes

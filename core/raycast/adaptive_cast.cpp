@@ -32,7 +32,7 @@ struct OwnRays {
 };
 
 struct AdaptiveCast::State {
-    surface::Surface surface;
+    cells::AnySurface surface;
     std::optional<OwnRays> view; ///< that the rest belongs to
     SplatGuard guard;
     Lattice lattice;
@@ -67,7 +67,7 @@ static int roundedUp(int n, int to) {
 void AdaptiveCast::State::lookFor(const ImageRays& rays, const base::Progress& progress) {
     // The guard tells how large start cells are, and they how far the lattice goes: it looks as far as any would.
     constexpr int margin = SplatGuard::largestSquare;
-    guard.look(surface, rays, roundedUp(rays.width, margin), roundedUp(rays.height, margin), progress);
+    guard.look(surface.surface(), rays, roundedUp(rays.width, margin), roundedUp(rays.height, margin), progress);
     guardIsOld = false;
 }
 
@@ -159,7 +159,7 @@ void AdaptiveCast::State::forgetNear(std::span<const base::Box3f> boxes) {
 CastView AdaptiveCast::State::castView(const ViewLens& lens) {
     const surfel::AttributeLayout& layout = *surface.tree().layout();
     PatchKind kind{layout.normals && layout.oriented, layout.colours || layout.masks};
-    if (surface.definition().weight == surface::Weight::Gaussian)
+    if (surface.surface().definition().weight == surface::Weight::Gaussian)
         kind.spacingOfUnit /= surface::gaussianScale;
     return {surface, view->rays, lens, guard, lattice, picture.samples(), kind, startCell};
 }
@@ -206,7 +206,7 @@ AdaptiveCast::AdaptiveCast(AdaptiveCast&&) noexcept = default;
 AdaptiveCast& AdaptiveCast::operator=(AdaptiveCast&&) noexcept = default;
 
 const surface::Surface& AdaptiveCast::surface() const {
-    return m_state->surface;
+    return m_state->surface.surface();
 }
 
 void AdaptiveCast::setSurface(surface::Surface next) {
@@ -214,7 +214,7 @@ void AdaptiveCast::setSurface(surface::Surface next) {
         const surfel::AttributeLayout& layout = *model.tree().layout();
         return std::tuple(layout.normals, layout.oriented, layout.colours, layout.masks, model.supportScale());
     };
-    const surface::Surface& now = m_state->surface;
+    const surface::Surface& now = m_state->surface.surface();
     if (next.definition() == now.definition() && meaning(next) == meaning(now))
         m_state->edit(std::move(next));
     else

@@ -12,7 +12,7 @@ using base::Vec3f;
 static void findBlockedCut(const LightScene& scene, std::span<const base::Rayf> rays, float reach,
                            std::span<std::uint8_t> out) {
     std::vector<surface::RayHit<float>> hits(rays.size());
-    surface::intersect(scene.surface, rays, {}, hits);
+    intersect(scene.surface, rays, {}, hits);
     for (std::size_t i = 0; i < rays.size(); ++i) {
         const base::Rayd ray{base::cast<double>(rays[i].origin), base::cast<double>(rays[i].direction)};
         const double end = std::min(double(reach), keptPart(ray, scene.clips).second);
@@ -25,7 +25,7 @@ void findBlocked(const LightScene& scene, std::span<const base::Rayf> rays, floa
         return findBlockedCut(scene, rays, reach, out);
     surface::IntersectOptions options;
     options.tMax = reach;
-    surface::intersectAny(scene.surface, rays, options, out);
+    intersectAny(scene.surface, rays, options, out);
 }
 
 RayPatterns rayPatternsOf(const SeenSamples& seen, std::size_t begin, std::size_t count) {

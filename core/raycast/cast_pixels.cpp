@@ -4,7 +4,7 @@
 
 namespace raycast {
 
-void castPixels(const surface::Surface& surface, const ImageRays& view, std::span<const Pixel> pixels,
+void castPixels(const cells::AnySurface& surface, const ImageRays& view, std::span<const Pixel> pixels,
                 std::span<Sample> out) {
     assert(pixels.size() == out.size());
     std::fill(out.begin(), out.end(), Sample{});

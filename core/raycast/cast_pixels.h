@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/parallel.h"
+#include "core/cells/any_surface.h"
 #include "core/raycast/full_cast.h"
 
 namespace raycast {
@@ -13,13 +14,13 @@ struct Pixel {
 };
 
 /// In parallel, best when neighbours in the list are neighbours in the image. REQUIRES: pixels.size() == out.size().
-void castPixels(const surface::Surface& surface, const ImageRays& view, std::span<const Pixel> pixels,
+void castPixels(const cells::AnySurface& surface, const ImageRays& view, std::span<const Pixel> pixels,
                 std::span<Sample> out);
 
 /// The same for samples that stand anywhere: of pixels[i] it is sampleAt(i), which is empty before and stays so where
 /// the planes leave nothing of the ray. Rays begin behind the planes, and hit nothing beyond the part that is kept.
 template <class SampleAt>
-void castEach(const surface::Surface& surface, const ImageRays& view, std::span<const Pixel> pixels,
+void castEach(const cells::AnySurface& surface, const ImageRays& view, std::span<const Pixel> pixels,
               const SampleAt& sampleAt) {
     std::vector<std::size_t> kept;
     std::vector<base::RayPart> parts;
@@ -34,7 +35,7 @@ void castEach(const surface::Surface& surface, const ImageRays& view, std::span<
         rays.push_back({base::cast<float>(ray.at(part.first)), base::cast<float>(ray.direction)});
     }
     std::vector<surface::RayHit<float>> hits(rays.size());
-    surface::intersect(surface, rays, {}, hits);
+    intersect(surface, rays, {}, hits);
     const surfel::AttributeLayout& layout = *surface.tree().layout();
     const bool attributes = layout.colours || layout.masks;
     base::parallelFor(kept.size(), 256, [&](std::size_t i) {
@@ -44,7 +45,7 @@ void castEach(const surface::Surface& surface, const ImageRays& view, std::span<
         sample.hit.t = static_cast<float>(t);
         sample.hit.hit = hits[i].hit && t <= parts[i].second;
         if (sample.hit.hit && attributes)
-            blendAttributes(surface, hits[i].position, sample);
+            blendAttributes(surface.surface(), hits[i].position, sample);
     });
 }
 

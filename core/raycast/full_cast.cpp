@@ -33,7 +33,7 @@ static std::vector<Pixel> tileOrder(int width, int firstRow, int rows) {
     return order;
 }
 
-static void castRows(const surface::Surface& surface, const ImageRays& view, int firstRow, int rows,
+static void castRows(const cells::AnySurface& surface, const ImageRays& view, int firstRow, int rows,
                      std::vector<Sample>& out) {
     const std::vector<Pixel> pixels = tileOrder(view.width, firstRow, rows);
     castEach(surface, view, pixels, [&](std::size_t i) -> Sample& {
@@ -42,7 +42,7 @@ static void castRows(const surface::Surface& surface, const ImageRays& view, int
     });
 }
 
-std::vector<Sample> fullCast(const surface::Surface& surface, const ImageRays& rays, CastCounts& counts,
+std::vector<Sample> fullCast(const cells::AnySurface& surface, const ImageRays& rays, CastCounts& counts,
                              const base::Progress& progress) {
     const auto start = std::chrono::steady_clock::now();
     std::vector<Sample> out(static_cast<std::size_t>(rays.width) * static_cast<std::size_t>(rays.height));

@@ -1,4 +1,5 @@
-// Full-image ray casting: the exact first hit of every pixel's ray on the surface (raycast/README 1.2).
+// Full-image ray casting: the exact first hit of every pixel's ray on the surface (raycast/README 1.2). Models with
+// cells show their sharp edges.
 //
 // All faster ways of drawing are compared with this picture. Rays of neighbouring pixels are intersected together, in
 // tiles, because they meet the same surfels; the result does not depend on that.
@@ -6,6 +7,7 @@
 
 #include "core/base/plane.h"
 #include "core/base/progress.h"
+#include "core/cells/any_surface.h"
 #include "core/surface/rays/intersect.h"
 #include "core/surfel/surfel.h"
 
@@ -38,7 +40,7 @@ struct CastCounts {
 };
 
 /// Samples row by row from the top. In parallel; the same bits at any thread count. Throws base::Cancelled.
-std::vector<Sample> fullCast(const surface::Surface& surface, const ImageRays& rays, CastCounts& counts,
+std::vector<Sample> fullCast(const cells::AnySurface& surface, const ImageRays& rays, CastCounts& counts,
                              const base::Progress& progress = {});
 
 /// Colour and mask at a point of the surface: means of the surfels', with the weights of the surface itself.

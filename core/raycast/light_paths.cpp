@@ -45,7 +45,7 @@ class LightPaths {
             for (const Path& path : m_now)
                 rays.push_back(path.ray);
             hits.resize(rays.size());
-            surface::intersect(m_scene.surface, rays, {}, hits);
+            intersect(m_scene.surface, rays, {}, hits);
             counts.pathRays += rays.size();
             for (std::size_t i = 0; i < m_now.size(); ++i)
                 advance(m_now[i], hits[i]);

@@ -1,13 +1,14 @@
 #include "core/raycast/light_points.h"
 
 #include "core/base/parallel.h"
+#include "core/cells/cell_value.h"
 
 namespace raycast {
 
 using base::Vec3d;
 using base::Vec3f;
 
-LightScene::LightScene(const surface::Surface& surface_, const Lighting& lighting_, const Viewer& viewer,
+LightScene::LightScene(const cells::AnySurface& surface_, const Lighting& lighting_, const Viewer& viewer,
                        std::span<const base::Plane> clips_)
     : surface(surface_), lighting(lighting_), environment(lighting_, viewer), clips(clips_) {
     const base::Box3f box = surface.tree().bounds();
@@ -45,12 +46,29 @@ static bool meetGround(const LightScene& scene, const base::Rayd& ray, LightPoin
     return out.fade > 0;
 }
 
+/// f with its gradient; of models with cells that of the local Boolean.
+static surface::Evaluationf evaluationAt(const cells::AnySurface& surface, const Vec3f& x) {
+    if (surface.cells()) {
+        const cells::CellValue sharp =
+            cells::evaluate(*surface.cells(), base::cast<double>(x), surface::Need::Gradient);
+        if (sharp.mixed) {
+            surface::Evaluationf out;
+            out.status = sharp.at.status;
+            out.value = static_cast<float>(sharp.at.value);
+            out.gradient = base::cast<float>(sharp.at.gradient);
+            out.unit = static_cast<float>(sharp.at.unit);
+            return out;
+        }
+    }
+    return surface.surface().evaluate(x);
+}
+
 /// Newton steps along the gradient: of a fifth of a spacing two of them leave far less than any epsilon.
-static void settle(const surface::Surface& surface, LightPoint& point) {
+static void settle(const cells::AnySurface& surface, LightPoint& point) {
     constexpr int steps = 2;
     constexpr float enough = 1e-4f, most = 0.5f; // of h
     for (int k = 0; k < steps; ++k) {
-        const surface::Evaluationf at = surface.evaluate(point.x);
+        const surface::Evaluationf at = evaluationAt(surface, point.x);
         if (!at.ok() && at.status != surface::Status::BeyondBoundary)
             return;
         point.unit = at.unit;

@@ -40,10 +40,10 @@ inline SeenSamples seenThrough(const ImageRays& rays, std::span<const Sample> sa
 /// All that light can meet: the model, the ground, planes that cut.
 struct LightScene {
     /// REQUIRES: `clips` outlive it.
-    LightScene(const surface::Surface& surface, const Lighting& lighting, const Viewer& viewer,
+    LightScene(const cells::AnySurface& surface, const Lighting& lighting, const Viewer& viewer,
                std::span<const base::Plane> clips = {});
 
-    surface::Surface surface;
+    cells::AnySurface surface;
     Lighting lighting;
     Environment environment;
     std::span<const base::Plane> clips;

@@ -14,7 +14,7 @@ namespace raycast {
 
 /// What the subdivision of a view works on; all outlive it.
 struct CastView {
-    const surface::Surface& surface;
+    const cells::AnySurface& surface;
     const ImageRays& rays;
     const ViewLens& lens;
     const SplatGuard& guard;

@@ -225,6 +225,7 @@ void Dabs::complete(Dab& dab, const surface::Surface& version) const {
 
 void Dabs::applyOne(Dab dab) {
     complete(dab, touched());
+    dab.memory = &m_memory;
     if (m_accumulate)
         pileUp(dab);
     else
@@ -248,6 +249,7 @@ tree::Edit Dabs::smoothing(const surface::Surface& version, Dab dab) const {
     static const ToolRow& smooth = tool("smooth");
     dab.strength = std::min(1.0f, m_smoothing * std::abs(dab.strength / m_pattern.strength));
     dab.parameters.clear();
+    dab.memory = nullptr;
     for (const ToolParameter& parameter : smooth.parameters)
         dab.parameters[parameter.id] = parameter.fallback;
     return smooth.apply(version, dab);
@@ -289,14 +291,16 @@ void Dabs::restart() {
     std::fill(m_anchors.begin(), m_anchors.end(), std::nullopt);
     std::fill(m_places.begin(), m_places.end(), std::nullopt);
     m_past.clear();
+    m_memory.reset();
     m_count = 0;
     m_seconds.clear();
 }
 
-void Dabs::finish() {
+bool Dabs::finishSlice() {
     checkCancelled();
     if (m_sampling.pending())
-        m_surface = m_base = m_sampling.resample(m_surface);
+        m_surface = m_base = m_sampling.resampleSlice(m_surface);
+    return !m_sampling.pending();
 }
 
 } // namespace sculpt

@@ -70,8 +70,8 @@ class Dabs {
 
     /// Back to the first version, as if no dab had been.
     void restart();
-    /// The last resampling.
-    void finish();
+    /// A slice of the last resampling; true when nothing is left of it.
+    bool finishSlice();
 
     int count() const { return m_count; }
     std::span<const double> seconds() const { return m_seconds; }
@@ -106,6 +106,7 @@ class Dabs {
     std::vector<std::optional<Anchor>> m_anchors;     ///< of each image's first dab
     std::vector<std::optional<base::Vec3f>> m_places; ///< of each image's last dab
     std::vector<PastDab> m_past;
+    std::unique_ptr<ToolMemory> m_memory;
     int m_count = 0;
     std::vector<double> m_seconds;
     const std::atomic<bool>* m_cancel;

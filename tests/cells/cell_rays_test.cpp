@@ -6,7 +6,7 @@
 
 #include <QTest>
 
-using namespace solids;
+using namespace plane_solids;
 using base::Random;
 using base::Rayd;
 using cells::CellSurface;
@@ -278,50 +278,7 @@ void CellRaysTest::anyHitAgreesWithTheFirst() {
 void CellRaysTest::octantsKeepTheirSeams() {
     Random random(test::seed());
     constexpr double spacing = 0.04;
-    surfel::SurfelList surfels;
-    auto layout = std::make_shared<surfel::AttributeLayout>();
-    layout->normals = layout->oriented = true;
-    surfels.layout = layout;
-    std::vector<std::uint32_t> cell;
-    const auto add = [&](const Vec3d& p, const Vec3d& n, std::uint32_t c) {
-        surfel::Surfel s;
-        s.position = base::cast<float>(p);
-        s.normal = base::cast<float>(n);
-        s.support = static_cast<float>(3.5 * spacing);
-        surfels.append(s, {});
-        cell.push_back(c);
-    };
-    const int half = static_cast<int>(1 / spacing) + 1;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-        for (int a = 0; a < half; ++a)
-            for (int b = 0; b < half; ++b) {
-                Vec3d p;
-                p[(axis + 1) % 3] = (a + 0.5 + random.uniform(-0.25, 0.25)) * spacing;
-                p[(axis + 2) % 3] = (b + 0.5 + random.uniform(-0.25, 0.25)) * spacing;
-                Vec3d n;
-                n[axis] = -1;
-                if (length(p) < 1)
-                    add(p, n, static_cast<std::uint32_t>(axis));
-            }
-    const auto count = static_cast<std::size_t>(4 * pi / (spacing * spacing));
-    for (std::size_t i = 0; i < count; ++i) { // golden-angle spiral
-        const double z = 1 - (2 * static_cast<double>(i) + 1) / static_cast<double>(count), r = std::sqrt(1 - z * z);
-        const double angle = static_cast<double>(i) * pi * (3 - std::sqrt(5.0));
-        const Vec3d n{r * std::cos(angle), r * std::sin(angle), z};
-        if (n.x > 0 && n.y > 0 && n.z > 0)
-            add(n, n, 3);
-    }
-    std::vector<cells::CreasePiece> pieces;
-    for (std::uint32_t axis = 0; axis < 3; ++axis) {
-        Vec3d u, v;
-        u[(axis + 1) % 3] = v[(axis + 2) % 3] = 1;
-        pieces.push_back({{}, u, axis, (axis + 2) % 3, cells::Meeting::Convex});
-        for (int k = 0; k < 64; ++k) {
-            const auto at = [&](int i) { return u * std::cos(i * pi / 128) + v * std::sin(i * pi / 128); };
-            pieces.push_back({at(k), at(k + 1), axis, 3, cells::Meeting::Convex});
-        }
-    }
-    cells::setLabels(surfels, cells::labelsByCreases(surfels.items, cell, pieces, spacing));
+    const surfel::SurfelList surfels = octant(spacing, random);
     const CellSurface surface = cellsOf(surfels);
     const auto value = [](const Vec3d& x) { return std::max({-x.x, -x.y, -x.z, length(x) - 1}); };
     int lost = 0, rays = 0;

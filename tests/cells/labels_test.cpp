@@ -6,7 +6,7 @@
 
 #include <QTest>
 
-using namespace solids;
+using namespace plane_solids;
 using base::Random;
 using cells::Label;
 using cells::LabelLayout;

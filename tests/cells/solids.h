@@ -8,7 +8,7 @@
 #include <array>
 #include <functional>
 
-namespace solids {
+namespace plane_solids {
 
 using base::Vec3d;
 
@@ -186,9 +186,58 @@ inline Solid pyramid(int sides, double radius, double height) {
     return intersection(std::move(planes));
 }
 
+/// An eighth of the unit ball: three quarters of discs and a part of a sphere.
+inline surfel::SurfelList octant(double spacing, base::Random& random) {
+    surfel::SurfelList surfels;
+    auto layout = std::make_shared<surfel::AttributeLayout>();
+    layout->normals = layout->oriented = true;
+    surfels.layout = layout;
+    std::vector<std::uint32_t> cell;
+    const auto add = [&](const Vec3d& p, const Vec3d& n, std::uint32_t c) {
+        surfel::Surfel s;
+        s.position = base::cast<float>(p);
+        s.normal = base::cast<float>(n);
+        s.support = static_cast<float>(3.5 * spacing);
+        surfels.append(s, {});
+        cell.push_back(c);
+    };
+    const int half = static_cast<int>(1 / spacing) + 1;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        for (int a = 0; a < half; ++a)
+            for (int b = 0; b < half; ++b) {
+                Vec3d p;
+                p[(axis + 1) % 3] = (a + 0.5 + random.uniform(-0.25, 0.25)) * spacing;
+                p[(axis + 2) % 3] = (b + 0.5 + random.uniform(-0.25, 0.25)) * spacing;
+                Vec3d n;
+                n[axis] = -1;
+                if (length(p) < 1)
+                    add(p, n, static_cast<std::uint32_t>(axis));
+            }
+    const auto count = static_cast<std::size_t>(4 * pi / (spacing * spacing));
+    for (std::size_t i = 0; i < count; ++i) { // golden-angle spiral
+        const double z = 1 - (2 * static_cast<double>(i) + 1) / static_cast<double>(count), r = std::sqrt(1 - z * z);
+        const double angle = static_cast<double>(i) * pi * (3 - std::sqrt(5.0));
+        const Vec3d n{r * std::cos(angle), r * std::sin(angle), z};
+        if (n.x > 0 && n.y > 0 && n.z > 0)
+            add(n, n, 3);
+    }
+    std::vector<cells::CreasePiece> pieces;
+    for (std::uint32_t axis = 0; axis < 3; ++axis) {
+        Vec3d u, v;
+        u[(axis + 1) % 3] = v[(axis + 2) % 3] = 1;
+        pieces.push_back({{}, u, axis, (axis + 2) % 3, cells::Meeting::Convex});
+        for (int k = 0; k < 64; ++k) {
+            const auto at = [&](int i) { return u * std::cos(i * pi / 128) + v * std::sin(i * pi / 128); };
+            pieces.push_back({at(k), at(k + 1), axis, 3, cells::Meeting::Convex});
+        }
+    }
+    cells::setLabels(surfels, cells::labelsByCreases(surfels.items, cell, pieces, spacing));
+    return surfels;
+}
+
 /// A ray to `target` from `far` away.
 inline base::Rayd towards(const Vec3d& target, const Vec3d& direction, double far) {
     return {target - direction * far, direction};
 }
 
-} // namespace solids
+} // namespace plane_solids

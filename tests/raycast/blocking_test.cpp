@@ -165,12 +165,12 @@ void BlockingTest::anyHitAgreesWithFirstHit() {
         std::vector<surface::RayHit<float>> first(rays.size());
         surface::IntersectOptions options;
         options.tMax = reach;
-        surface::intersect(scene.surface, rays, options, first);
+        intersect(scene.surface, rays, options, first);
         std::size_t apart = 0, hits = 0;
         for (std::size_t i = 0; i < rays.size(); ++i) {
             hits += first[i].hit;
             apart += (any[i] != 0) != first[i].hit ? 1 : 0;
-            QCOMPARE(any[i] != 0, intersectAny(scene.surface, rays[i], options));
+            QCOMPARE(any[i] != 0, intersectAny(scene.surface.surface(), rays[i], options));
         }
         QVERIFY2(
             hits > rays.size() / 400 && apart * 1000 <= rays.size(),
@@ -261,8 +261,8 @@ void BlockingTest::placesBesideTheSurfaceAreMovedOntoIt() {
     std::vector<LightPoint> points(samples.size());
     findLightPoints(scene, {samples, [](std::size_t) { return base::Rayd{}; }}, 0, points);
     for (const LightPoint& point : points) {
-        QVERIFY(std::abs(scene.surface.evaluate(point.x).value) < 2e-4f * point.unit);
-        const surface::Evaluationf at = scene.surface.evaluate(secondaryOrigin(point, point.n));
+        QVERIFY(std::abs(scene.surface.surface().evaluate(point.x).value) < 2e-4f * point.unit);
+        const surface::Evaluationf at = scene.surface.surface().evaluate(secondaryOrigin(point, point.n));
         QVERIFY2(at.value > 0 && at.value < 1e-3f * point.unit, "a start is not beside the surface");
     }
 }

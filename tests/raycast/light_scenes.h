@@ -35,8 +35,8 @@ inline LightPoint pointAt(const Vec3d& x, const Vec3d& n, float unit) {
 inline std::vector<LightPoint> met(const LightScene& scene, std::span<const base::Rayd> rays) {
     std::vector<raycast::Sample> samples(rays.size());
     for (std::size_t i = 0; i < rays.size(); ++i)
-        samples[i].hit =
-            intersect(scene.surface, {base::cast<float>(rays[i].origin), base::cast<float>(rays[i].direction)});
+        samples[i].hit = intersect(scene.surface.surface(),
+                                   {base::cast<float>(rays[i].origin), base::cast<float>(rays[i].direction)});
     std::vector<LightPoint> out(rays.size());
     findLightPoints(scene, {samples, [&](std::size_t i) { return rays[i]; }}, 0, out);
     return out;
@@ -46,8 +46,8 @@ inline std::vector<LightPoint> met(const LightScene& scene, std::span<const base
 inline std::vector<Vec3f> lightAlong(const LightScene& scene, std::span<const base::Rayd> rays) {
     std::vector<raycast::Sample> samples(rays.size());
     for (std::size_t i = 0; i < rays.size(); ++i)
-        samples[i].hit =
-            intersect(scene.surface, {base::cast<float>(rays[i].origin), base::cast<float>(rays[i].direction)});
+        samples[i].hit = intersect(scene.surface.surface(),
+                                   {base::cast<float>(rays[i].origin), base::cast<float>(rays[i].direction)});
     std::vector<raycast::Lit> lit(rays.size());
     raycast::LightCounts counts;
     illuminate(scene, {samples, [&](std::size_t i) { return rays[i]; }}, lit, counts);

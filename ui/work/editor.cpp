@@ -28,8 +28,14 @@ Editor::~Editor() {
 }
 
 void Editor::work() {
-    while (std::optional<Task> task = m_queue.pop())
+    for (;;) {
+        while (m_worker->settling() && m_queue.idle())
+            m_worker->settleSlice();
+        std::optional<Task> task = m_queue.pop();
+        if (!task)
+            return;
         m_worker->perform(*task);
+    }
 }
 
 /// Posts to the interface's thread what the worker tells.
@@ -100,8 +106,10 @@ void Editor::run(nlohmann::json command, std::function<void(bool)> then) {
     bool replaces = false;
     for (const auto& row : session::commandTable())
         replaces |= row.startsModel && command.value("op", "") == row.op;
-    const auto work = [command = std::move(command)](session::Context& context) { session::run(context, command); };
-    CommandTask task{work, std::move(then)};
+    const std::string op = command.value("op", "");
+    const auto kind = op == "undo" ? CommandKind::Undo : op == "redo" ? CommandKind::Redo : CommandKind::Other;
+    CommandTask task{[command = std::move(command)](session::Context& context) { session::run(context, command); },
+                     std::move(then), kind};
     if (replaces)
         replace(std::move(task));
     else

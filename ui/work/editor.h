@@ -4,7 +4,8 @@
 //     interface                              model thread
 //     run(command, then)  ---- TaskQueue -->  session::run            --> changed(), then(done)
 //     beginStroke, addSample... (merged)     session::LiveStroke::add --> changed() after each slice of dabs
-//     endStroke                              finish, commit, journal  --> changed()
+//     endStroke                              settle in slices while nothing else is asked for
+//                                            finish, commit, journal  --> changed()
 //     cancelStroke                           drops the LiveStroke     --> changed(), as if nothing had been
 //
 // Snapshots that arrive faster than they are shown replace each other.

@@ -104,7 +104,7 @@ class FineView {
         return {m_samples, [this](std::size_t i) { return m_rays.ray(m_places[i].column, m_places[i].row); }};
     }
 
-    const surface::Surface& m_surface;
+    cells::AnySurface m_surface;
     Camera m_camera;
     raycast::ImageRays m_rays;
     ViewFrame m_view;

@@ -2,6 +2,7 @@
 
 #include "core/base/parallel.h"
 #include "core/render/splats/boundary_cuts.h"
+#include "core/render/splats/label_cuts.h"
 #include "core/render/splats/sharp_cuts.h"
 
 #include <algorithm>
@@ -56,16 +57,20 @@ DiscCuts::Found DiscCuts::look(std::span<const SurfelBlock* const> blocks) const
     std::optional<BoundarySubject> bounded;
     if (std::isfinite(m_definition.boundaryLimit))
         bounded.emplace(m_model, m_definition, m_radiusOfSupport);
+    const auto labels = cells::LabelLayout::of(*m_model.layout());
     Found out(blocks.size());
     base::parallelChunks(blocks.size(), 4, [&](std::size_t begin, std::size_t end, std::size_t) {
         std::optional<BoundaryCuts> boundary;
         if (bounded)
             boundary.emplace(*bounded);
         SharpCuts sharp(m_model, m_radiusOfSupport);
+        std::optional<LabelCuts> creases;
+        if (labels)
+            creases.emplace(m_model, *labels, m_radiusOfSupport);
         for (std::size_t b = begin; b < end; ++b) {
             CutCodes codes{};
             bool any = boundary && boundary->cut(*blocks[b], codes);
-            any |= sharp.cut(*blocks[b], codes);
+            any |= creases ? creases->cut(*blocks[b], codes) : sharp.cut(*blocks[b], codes);
             if (any)
                 out[b] = std::make_unique<CutCodes>(codes);
         }

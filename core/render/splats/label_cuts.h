@@ -1,0 +1,44 @@
+// Where discs end at the creases of models with cells (render/README 3.2): on the plane of the patch across, at edges
+// that stand out and in grooves. The labels tell which patch that is, whatever the angle.
+#pragma once
+
+#include "core/cells/labels.h"
+#include "core/render/splats/disc_cuts.h"
+
+namespace render {
+
+/// Finds cuts block by block. A worker of one thread, which keeps its memory.
+class LabelCuts {
+  public:
+    /// `radiusOfSupport`: radius of a disc in supports.
+    LabelCuts(const tree::SurfelTree& model, const cells::LabelLayout& labels, float radiusOfSupport)
+        : m_model(model), m_labels(labels), m_radius(radiusOfSupport) {}
+
+    /// Cuts those discs of a block that are whole. True if it did.
+    bool cut(const surfel::SurfelBlock& block, CutCodes& codes);
+
+  private:
+    struct Disc {
+        base::Vec3f centre, normal;
+        float radius = 0;
+        cells::Label label;
+    };
+    /// The line in which the plane of a disc meets that of a patch.
+    struct Edge {
+        base::Vec3f direction;   ///< unit, along the disc and away from what is kept
+        float distance = 0;      ///< from the centre; negative where that lies beyond
+        base::Vec3f normal, way; ///< of the patch; from the centre to it
+    };
+
+    void gather(const surfel::SurfelBlock& block);
+    std::optional<Edge> edgeTo(std::uint32_t cell, cells::Meeting meeting, const Disc& disc) const;
+    static bool reflex(const Edge& a, const Edge& b, cells::Meeting meeting);
+    CutCode cutOf(const Disc& disc) const;
+
+    const tree::SurfelTree& m_model;
+    cells::LabelLayout m_labels;
+    float m_radius;
+    std::vector<Disc> m_near; ///< beside creases
+};
+
+} // namespace render
