@@ -80,17 +80,24 @@ void CommandDialogTest::everyLabelIsWordsWithAKey() {
         if (!ui::hasDialog(row))
             continue;
         ui::CommandDialog dialog(row, f.editor().snapshot());
-        QSet<QChar> keys;
+        QSet<QChar> keys{'o', 'c'}; // of the buttons
+        QStringList without;
         for (const QLabel* label : dialog.findChildren<QLabel*>()) {
             if (!label->buddy())
                 continue;
             const QString text = label->text();
-            const qsizetype at = text.indexOf('&');
-            QVERIFY2(at >= 0 && !keys.contains(text[at + 1].toLower()), qPrintable(row.op + (": " + text)));
-            keys.insert(text[at + 1].toLower());
             QVERIFY2(!text.contains('-') && QString(text).remove('&')[0].isUpper(), qPrintable(text));
+            const qsizetype at = text.indexOf('&');
+            if (at < 0) {
+                without << text.section(',', 0, 0); // the unit has no say
+                continue;
+            }
+            QVERIFY2(!keys.contains(text[at + 1].toLower()), qPrintable(row.op + (": " + text)));
+            keys.insert(text[at + 1].toLower());
         }
-        QCOMPARE(std::size_t(keys.size()), row.parameters.size());
+        for (const QString& text : without) // only where others have all of its letters
+            for (const QChar letter : text.toLower())
+                QVERIFY2(!letter.isLetter() || keys.contains(letter), qPrintable(row.op + (": " + text)));
     }
 }
 
