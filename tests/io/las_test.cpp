@@ -1,6 +1,6 @@
 // LAS and LAZ: headers and records byte by byte from the specification, every point format there and back, compressed
 // and not, damaged ones.
-#include "core/io/las_fields.h"
+#include "core/io/las/las_fields.h"
 
 #include "io/io_support.h"
 #include "support/registry.h"

@@ -1,5 +1,5 @@
 // PCD: every way of its data byte by byte from the specification, colours, grids, damaged bodies, and the way back.
-#include "core/io/lzf.h"
+#include "core/io/pcd/lzf.h"
 
 #include "io/io_support.h"
 #include "support/registry.h"

@@ -1,4 +1,4 @@
-// The arithmetic coder of LASzip (Said 2004, FastAC) in both directions. A decoder and an encoder have the same
+// The arithmetic coder of LASzip ([Said04]) in both directions. A decoder and an encoder have the same
 // methods, so that what is coded in which order stands in one place for both: the encoder takes values and returns
 // them, the decoder passes over what it is given and returns what the bytes say.
 //

@@ -1,4 +1,4 @@
-// Adaptive probabilities of the arithmetic coder that LASzip uses (Said 2004, FastAC): of two and of up to some hundred
+// Adaptive probabilities of the arithmetic coder that LASzip uses ([Said04]): of two and of up to some hundred
 // symbols. Coding and decoding share them, so that both sides learn the same.
 #pragma once
 

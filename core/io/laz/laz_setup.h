@@ -1,7 +1,7 @@
 // What a LAZ file says of its compression (the record of LASzip) and where its chunks lie (io/README 2.13).
 #pragma once
 
-#include "core/io/las_header.h"
+#include "core/io/las/las_header.h"
 #include "core/io/laz/layered_points.h"
 
 namespace io::laz {

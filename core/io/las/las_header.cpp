@@ -1,4 +1,4 @@
-#include "core/io/las_header.h"
+#include "core/io/las/las_header.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "core/io/pcd_header.h"
+#include "core/io/pcd/pcd_header.h"
 
 #include "core/io/number_text.h"
 #include "core/io/text_lines.h"

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/io/file_model.h"
-#include "core/io/las_fields.h"
+#include "core/io/las/las_fields.h"
 
 #include <functional>
 

@@ -1,7 +1,7 @@
 // PCD, the format of the Point Cloud Library: ascii, binary, and binary_compressed, which holds one field of all points
 // after the other (io/README 2.11).
-#include "core/io/lzf.h"
-#include "core/io/pcd_header.h"
+#include "core/io/pcd/lzf.h"
+#include "core/io/pcd/pcd_header.h"
 #include "core/io/readers.h"
 #include "core/io/record_points.h"
 #include "core/io/text_rows.h"

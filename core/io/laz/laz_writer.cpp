@@ -1,6 +1,6 @@
 // LAZ: the records of las_writer.h in chunks that LASzip can unpack each by itself (io/README 2.13).
 #include "core/base/parallel.h"
-#include "core/io/las_writer.h"
+#include "core/io/las/las_writer.h"
 #include "core/io/laz/laz_setup.h"
 #include "core/io/readers.h"
 #include "core/io/safe_file.h"

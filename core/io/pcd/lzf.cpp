@@ -1,4 +1,4 @@
-#include "core/io/lzf.h"
+#include "core/io/pcd/lzf.h"
 
 #include <cstring>
 

@@ -1,4 +1,4 @@
-#include "core/io/las_fields.h"
+#include "core/io/las/las_fields.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // LAS of ASPRS, versions 1.0 to 1.4, point formats 0 to 10 (io/README 2.12). The records are taken where they lie.
-#include "core/io/las_points.h"
+#include "core/io/las/las_points.h"
 #include "core/io/readers.h"
 
 namespace io {

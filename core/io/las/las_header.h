@@ -6,7 +6,7 @@
 
 #include "core/base/vec.h"
 #include "core/io/file_bytes.h"
-#include "core/io/las_fields.h"
+#include "core/io/las/las_fields.h"
 
 namespace io {
 

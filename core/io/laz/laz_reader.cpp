@@ -3,7 +3,7 @@
 #include "core/base/cancel_scope.h"
 #include "core/base/parallel.h"
 #include "core/io/growing_bytes.h"
-#include "core/io/las_points.h"
+#include "core/io/las/las_points.h"
 #include "core/io/laz/laz_setup.h"
 #include "core/io/readers.h"
 

@@ -1,14 +1,14 @@
 // LAS: 1.2 where that holds the points, else 1.4 (io/README 2.12). The coordinates lie on the grid of whole numbers
 // that they were read from, where the file came from LAS; else on one far finer than the floats inside. What the point
 // formats have no field for becomes extra bytes.
-#include "core/io/las_writer.h"
+#include "core/io/las/las_writer.h"
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/io/binary_output.h"
 #include "core/io/file_coordinates.h"
-#include "core/io/las_header.h"
-#include "core/io/las_points.h"
+#include "core/io/las/las_header.h"
+#include "core/io/las/las_points.h"
 #include "core/io/number_text.h"
 #include "core/io/readers.h"
 

@@ -1,7 +1,7 @@
 // From LAS records to points: what the readers of LAS and LAZ have in common once the records lie side by side.
 #pragma once
 
-#include "core/io/las_header.h"
+#include "core/io/las/las_header.h"
 #include "core/io/record_points.h"
 
 namespace io {

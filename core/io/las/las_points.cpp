@@ -1,4 +1,4 @@
-#include "core/io/las_points.h"
+#include "core/io/las/las_points.h"
 
 #include "core/base/parallel.h"
 #include "core/io/number_text.h"
