@@ -251,7 +251,7 @@ void LasTest::everythingComesBack() {
     QFETCH(unsigned, format);
     const test::Folder folder;
     base::Random random(test::seed() + format);
-    for (const std::size_t count : {std::size_t(1), std::size_t(2), std::size_t(2000)}) {
+    for (const std::size_t count : {std::size_t(1), std::size_t(2), std::size_t(700)}) {
         const io::FileModel model = lidarModel(format, count, random);
         for (const char* name : {"a.las", "a.laz"}) {
             const QByteArray what = QString("%1, format %2, %3 points, seed %4")
@@ -330,7 +330,7 @@ void LasTest::damagedChunksAreRefused() {
                  std::string("\xff\xff\xff\x7f", 4)); // of a file of 1.4 with extra bytes the count stands there, too
     QVERIFY(!test::refusal(folder.write("c.laz", many)).empty());
     int refused = 0;
-    for (int k = 0; k < 200; ++k) {
+    for (int k = 0; k < 80; ++k) {
         std::string bytes = whole;
         for (int wounds = 0; wounds < 3; ++wounds)
             bytes[random.below(bytes.size())] = static_cast<char>(random.next());
