@@ -277,6 +277,15 @@ void LasTest::coordinatesStayOnTheirGrid() {
     base::Random random(test::seed());
     for (int i = 0; i < 500; ++i)
         body += placed(20, int(random.below(2000000)), int(random.below(2000000)), int(random.below(20000))).bytes();
+    // Wider than what usually gets an origin, but too far from zero for floats to stay on the grid.
+    for (int i = 0; i < 500; ++i)
+        body += placed(20, int(random.below(9000000)), int(random.below(9000000)), 0).bytes();
+    Bytes wide = header(0, 20, 1000);
+    wide.put(155, 3e5).put(163, 3e5);
+    io::write(folder.path("d.las"), io::read(folder.write("w.las", wide.bytes() + body)));
+    const std::string far = test::contentOf(folder.path("d.las"));
+    QVERIFY(far.substr(far.size() - body.size()) == body);
+    body.resize(500 * 20);
     Bytes head = header(0, 20, 500);
     head.put(155, 6e5).put(163, 5.1e6);
     const auto path = folder.write("a.las", head.bytes() + body);

@@ -2,9 +2,11 @@
 
 #include "core/base/parallel.h"
 #include "core/io/number_text.h"
+#include "core/io/origin_choice.h"
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 
 namespace io {
 
@@ -131,6 +133,32 @@ void keepRecords(const LasHeader& header, FileModel& model) {
                                   std::move(body)});
 }
 
+/// Where the usual choice sees no need for an origin, but floats would leave the grid, the middle gets one.
+std::optional<base::Vec3d> originOf(const LasHeader& header, const RecordTable& table) {
+    std::vector<base::Vec3d> sample;
+    const std::size_t wanted = std::min<std::size_t>(table.count, 4096);
+    base::Vec3d low, high;
+    bool leaves = false;
+    for (std::size_t s = 0; s < wanted; ++s) {
+        const std::size_t i = table.count / wanted * s + (table.count % wanted) * s / wanted;
+        base::Vec3d p;
+        for (std::size_t k = 0; k < 3; ++k) {
+            p[k] = valueOf(table, table.fields[k], i);
+            low[k] = s == 0 ? p[k] : std::min(low[k], p[k]);
+            high[k] = s == 0 ? p[k] : std::max(high[k], p[k]);
+            leaves |= std::abs(p[k]) > 0x1p23 * std::abs(header.scale[k]);
+        }
+        sample.push_back(p);
+    }
+    const base::Vec3d usual = chooseOrigin(sample, table.count), middle = (low + high) * 0.5;
+    if (!(usual == base::Vec3d{}) || !leaves || !base::isFinite(middle))
+        return usual;
+    const double extent = std::max({high.x - low.x, high.y - low.y, high.z - low.z});
+    const double round = extent > 0 ? std::pow(10.0, std::floor(std::log10(extent))) : 1;
+    return base::Vec3d{std::round(middle.x / round) * round, std::round(middle.y / round) * round,
+                       std::round(middle.z / round) * round};
+}
+
 void LasPoints::tell(FileModel& model) const {
     std::string grid(lasGridComment);
     for (std::size_t k = 0; k < 3; ++k)
@@ -159,7 +187,8 @@ FileModel lasPoints(const FileBytes& file, const LasHeader& header, RecordTable&
     LasPoints points(header, table);
     points.addFields();
     points.tell(model);
-    makePoints(model, file, table, rolesOf(table.fields, false), {}, {progress.progress, progress.from, progress.to});
+    makePoints(model, file, table, rolesOf(table.fields, false), {originOf(header, table), true},
+               {progress.progress, progress.from, progress.to});
     return model;
 }
 
