@@ -173,7 +173,7 @@ void SelectionCommandTest::strokesCarryTheSelection() {
             const float v = selection::valueAt(block, channel, slot), y = block.position(slot).y;
             QVERIFY(v >= 0 && v <= 1);
             if (std::abs(y) > 0.2f)
-                QCOMPARE(v, y > 0 ? 1.0f : 0.0f);
+                QVERIFY(std::abs(v - (y > 0 ? 1.0f : 0.0f)) < 0.01f); // born there, of surfels within a support
         }
     });
 }
