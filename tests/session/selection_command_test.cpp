@@ -331,6 +331,8 @@ void SelectionCommandTest::nonsenseIsRefused_data() {
     row(R"({"op":"transform","of":"selection","move":[1,0,0]})", "nothing is selected");
     row(R"({"op":"transform","stretch":[1,0,1]})", "pressed flat");
     row(R"({"op":"transform","move":[1e9,0,0]})", "keep their places");
+    row(R"({"op":"inflate","length":1e9})", "keep their places");
+    row(R"({"op":"shell","thickness":100})", "thicker than");
     row(R"({"op":"transform","axis":[0,0,1]})", "belong together");
     row(R"({"op":"unit","from":[1,2,3],"to":[1,2,3],"length":1})", "same place");
     row(R"({"op":"transform","matrix":[1,2,3]})", "no list of 16 numbers");
