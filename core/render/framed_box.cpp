@@ -15,9 +15,9 @@ using base::Vec3f;
 constexpr std::size_t mostLookedAt = 65536;
 /// Of the surfels: one piece that may be left out, and all of them.
 constexpr double smallPiece = 0.001, leftOut = 0.005;
-constexpr float around = 0.15f; ///< of the diagonal: what reaches no farther beyond the rest belongs to it
-constexpr int side = 24;        ///< cells along the diagonal: pieces with an empty cell between them are apart
-constexpr int mostRounds = 32;  ///< outliers far beyond each other: each round takes away the farthest
+constexpr float around = 0.1f; ///< of the diagonal: what reaches no farther beyond the rest belongs to it
+constexpr int side = 24;       ///< cells along the diagonal: pieces with an empty cell between them are apart
+constexpr int mostRounds = 32; ///< outliers far beyond each other: each round takes away the farthest
 constexpr std::uint32_t none = ~0u;
 
 /// An even choice of the tree's order.
