@@ -1,5 +1,6 @@
 #include "core/sculpt/sampling.h"
 
+#include "core/cells/measured_labels.h"
 #include "core/process/resampling/resample.h"
 #include "core/sculpt/crumbs.h"
 
@@ -276,6 +277,15 @@ surface::Surface Sampling::withoutCrumbs(const surface::Surface& surface) const 
     return {surface.tree().apply(edit), surface.definition()};
 }
 
+/// Of models with cells: partners and signs as surfels lie now.
+surface::Surface Sampling::withLabels(const surface::Surface& surface) const {
+    std::vector<cells::EditedBall> balls;
+    for (const Ball& ball : m_balls)
+        balls.push_back({ball.centre, ball.radius});
+    const tree::Edit edit = cells::measuredLabels(surface, balls);
+    return edit.empty() ? surface : surface::Surface{surface.tree().apply(edit), surface.definition()};
+}
+
 surface::Surface Sampling::resample(const surface::Surface& surface) {
     surface::Surface out = surface;
     if (m_graded && !m_counts)
@@ -284,7 +294,7 @@ surface::Surface Sampling::resample(const surface::Surface& surface) {
         askAtTheEnd(surface);
         out = resampleAsked(surface);
     }
-    out = withoutCrumbs(out);
+    out = withLabels(withoutCrumbs(out));
     m_stretches.clear();
     m_range = {};
     m_balls.clear();
