@@ -43,6 +43,8 @@ pointclay_link(io PNG::PNG JPEG::JPEG)
 pointclay_room(render core/render raycast io)
 pointclay_link(render PkgConfig::HWY PkgConfig::EXR)
 
-pointclay_room(session core/session sculpt reduce io)
+pointclay_room(selection core/selection sculpt render)
+
+pointclay_room(session core/session sculpt reduce io selection)
 pointclay_link(session nlohmann_json::nlohmann_json)
 pointclay_unhurried(pointclay_session)

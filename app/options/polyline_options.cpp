@@ -2,6 +2,7 @@
 
 #include "app/open_model.h"
 #include "app/options/option_checks.h"
+#include "app/polyline_formats.h"
 #include "app/subcommands/subcommand.h"
 
 #include <nlohmann/json.hpp>
@@ -14,8 +15,16 @@ surface::TraceOptions PolylineOptions::tracing() const {
     return how;
 }
 
-void addPolylineOptions(CLI::App& command, PolylineOptions& options, const std::string& what, const std::string& tip,
-                        const char* type) {
+void addPolylineOptions(CLI::App& command, PolylineOptions& options, const std::string& what,
+                        const std::string& columns) {
+    std::string tip = "file to write; its ending tells as what. ", type;
+    for (const PolylineFormat& row : polylineFormats()) {
+        if (row.planar && !options.planar)
+            continue;
+        tip += std::string(row.ending) + ": " + row.tip + (row.text ? "; " : " " + columns + "; ");
+        type += (type.empty() ? "FILE" : "|FILE") + std::string(row.ending);
+    }
+    tip.replace(tip.size() - 2, 2, ". Without it the curves are only counted and measured");
     command.add_option("-o,--output", options.out, tip)->type_name(type);
     command.add_option("--turn", options.turn, "angle by which a " + what + " turns from point to point, in radians")
         ->check(between(0.001, 1))
@@ -28,8 +37,8 @@ void addPolylineOptions(CLI::App& command, PolylineOptions& options, const std::
 
 void openForPolylines(const PolylineOptions& options, session::Document& document, const base::Progress& progress,
                       Console& console, const char* fault) {
-    if (!options.out.empty() && !options.out.ends_with(".csv") && !options.out.ends_with(".obj"))
-        throw UsageError("-o: the file's name must end in .csv or .obj");
+    if (!options.out.empty() && !polylineFormatOf(options.out, options.planar))
+        throw UsageError("-o: the file's name must end in " + polylineEndings(options.planar));
     session::Context context{document, {}, progress, {}, 0, {}, nullptr};
     openModel(context, options.model, options.surface->parameters(), console);
     if (document.surface().definition().manifold == surface::Manifold::Curve)

@@ -14,17 +14,18 @@ namespace app {
 struct PolylineOptions {
     std::string model, out; ///< no `out`: only counted and measured
     double turn = 0.1, least = 0;
+    bool planar = false; ///< all in one plane: drawings serve, too
     std::shared_ptr<SurfaceOptions> surface;
 
     surface::TraceOptions tracing() const;
 };
 
-/// Adds -o, --turn, --least and the surface options. `what` is traced ("boundary curve"), `tip` and `type` tell of the
-/// file.
-void addPolylineOptions(CLI::App& command, PolylineOptions& options, const std::string& what, const std::string& tip,
-                        const char* type);
+/// Adds -o, --turn, --least and the surface options. `what` is traced ("boundary curve"), `columns` tells of CSV files.
+void addPolylineOptions(CLI::App& command, PolylineOptions& options, const std::string& what,
+                        const std::string& columns);
 
-/// Opens the model. Throws UsageError for a file of another kind than CSV and OBJ, base::Error with `fault` for curves.
+/// Opens the model. Throws UsageError for a file that no row of the table of formats writes, base::Error with `fault`
+/// for curves.
 void openForPolylines(const PolylineOptions& options, session::Document& document, const base::Progress& progress,
                       Console& console, const char* fault);
 

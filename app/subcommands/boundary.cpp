@@ -1,4 +1,4 @@
-// pointclay boundary: the boundary loops of an open surface (surface/README 5.3) as polylines, in a CSV or OBJ file.
+// pointclay boundary: the boundary loops of an open surface (surface/README 5.3) as polylines in a file.
 #include "app/open_model.h"
 #include "app/options/polyline_options.h"
 #include "app/polyline_file.h"
@@ -28,7 +28,7 @@ void run(const PolylineOptions& options, Console& console) {
     std::vector<BoundaryCurve> curves = findBoundaryCurves(document.surface(), progress, options.tracing());
     std::erase_if(curves, [&](const BoundaryCurve& curve) { return curve.length() < options.least; });
     if (!options.out.empty())
-        writePolylines(options.out, curves, document.provenance().origin, "rim,closed,x,y,z,nx,ny,nz,ox,oy,oz\n",
+        writePolylines(options.out, curves, document.provenance().origin, {}, "rim,closed,x,y,z,nx,ny,nz,ox,oy,oz\n",
                        [](CsvWriter& csv, const BoundaryPoint& p) { csv.vector(p.outward); });
     tell(curves);
 }
@@ -38,12 +38,9 @@ void run(const PolylineOptions& options, Console& console) {
 Action addBoundary(CLI::App& command) {
     auto options = std::make_shared<PolylineOptions>();
     command.add_option("MODEL", options->model, modelHelp)->required();
-    addPolylineOptions(
-        command, *options, "boundary curve",
-        "file to write: CSV rows rim,closed,x,y,z,nx,ny,nz,ox,oy,oz (curves counted from 0, longest first; "
-        "unit normal; unit direction away from the surface), or polylines in OBJ. Without it the curves are "
-        "only counted and measured",
-        "RIMS.csv|RIMS.obj");
+    addPolylineOptions(command, *options, "boundary curve",
+                       "rim,closed,x,y,z,nx,ny,nz,ox,oy,oz (curves counted from 0, longest first; unit normal; unit "
+                       "direction away from the surface)");
     return [options](Console& console) { run(*options, console); };
 }
 

@@ -1,4 +1,4 @@
-// pointclay section: where a plane cuts the surface, as polylines in a CSV or OBJ file.
+// pointclay section: where a plane cuts the surface, as polylines in a file.
 #include "core/surface/curves/section.h"
 
 #include "app/open_model.h"
@@ -42,8 +42,8 @@ void run(const Options& options, Console& console) {
     std::vector<SectionCurve> curves = findSection(document.surface(), plane, progress, options.tracing());
     std::erase_if(curves, [&](const SectionCurve& curve) { return curve.length() < options.least; });
     if (!options.out.empty())
-        writePolylines(options.out, curves, origin, "curve,closed,x,y,z,nx,ny,nz\n",
-                       [](CsvWriter&, const SectionPoint&) {});
+        writePolylines(options.out, curves, origin, drawingFrame(plane.normal, document.up()),
+                       "curve,closed,x,y,z,nx,ny,nz\n", [](CsvWriter&, const SectionPoint&) {});
     tell(curves, plane);
 }
 
@@ -56,12 +56,10 @@ Action addSection(CLI::App& command) {
         ->type_name("nx,ny,nz,d")
         ->check(CLI::Validator(planeFault, ""))
         ->required();
-    addPolylineOptions(
-        command, *options, "curve",
-        "file to write: CSV rows curve,closed,x,y,z,nx,ny,nz (curves counted from 0, longest first; unit "
-        "normal of the surface), or polylines in OBJ. They run counter-clockwise around the inside, seen from "
-        "the side that the plane's normal points to. Without it the curves are only counted and measured",
-        "SECTION.csv|SECTION.obj");
+    options->planar = true;
+    addPolylineOptions(command, *options, "curve",
+                       "curve,closed,x,y,z,nx,ny,nz (curves counted from 0, longest first; unit normal of the surface; "
+                       "counter-clockwise around the inside, seen from the side that the plane's normal points to)");
     return [options](Console& console) { run(*options, console); };
 }
 

@@ -1,57 +1,19 @@
 // Wavefront OBJ: its vertices and faces, these with pictures and colours of their materials (obj_materials.h); vertices
 // with colours where `v` carries them, and normals where `vn` can be told to belong to vertices: by the corners of
 // faces (corners of one vertex that disagree are averaged), else by equal counts.
-#include "core/io/number_text.h"
 #include "core/io/obj_materials.h"
+#include "core/io/obj_statements.h"
 #include "core/io/readers.h"
 #include "core/io/record_points.h"
 #include "core/io/text_lines.h"
 
 #include <algorithm>
-#include <charconv>
 
 namespace io {
 
 namespace {
 
 constexpr std::uint32_t noNormal = std::numeric_limits<std::uint32_t>::max();
-
-enum class Statement { Other, Vertex, Normal, Texture, Face, Material, Library };
-
-void skipBlanks(std::string_view& line) {
-    while (!line.empty() && isBlank(line.front()))
-        line.remove_prefix(1);
-}
-
-/// What a line says; `line` becomes what follows the word.
-Statement takeStatement(std::string_view& line) {
-    skipBlanks(line);
-    const auto follows = [&](std::string_view word) {
-        return line.starts_with(word) && line.size() > word.size() && isBlank(line[word.size()]);
-    };
-    static constexpr std::pair<std::string_view, Statement> words[] = {
-        {"v", Statement::Vertex},   {"f", Statement::Face},          {"vn", Statement::Normal},
-        {"vt", Statement::Texture}, {"usemtl", Statement::Material}, {"mtllib", Statement::Library}};
-    for (const auto& [word, statement] : words)
-        if (follows(word)) {
-            line.remove_prefix(word.size());
-            return statement;
-        }
-    return Statement::Other;
-}
-
-/// Up to `most` numbers; returns how many there were.
-std::size_t takeNumbers(std::string_view line, double* out, std::size_t most) {
-    std::size_t n = 0;
-    for (skipBlanks(line); n < most && !line.empty() && line.front() != '#'; skipBlanks(line)) {
-        const char* after = parseNumber(line.data(), line.data() + line.size(), out[n]);
-        if (!after)
-            break;
-        line.remove_prefix(static_cast<std::size_t>(after - line.data()));
-        ++n;
-    }
-    return n;
-}
 
 /// A vertex and a normal that a corner of a face brings together.
 struct Corner {
@@ -165,15 +127,6 @@ void ObjReader::findMaterials() {
 std::uint32_t ObjReader::materialOf(std::string_view name) const {
     const auto found = m_numbers.find(name);
     return found == m_numbers.end() ? mesh::Polygons::noPicture : found->second;
-}
-
-/// What a corner's number says of `total`: from 1, or back from the last one so far; false where it is none of them.
-static bool takeIndex(std::string_view text, std::size_t sofar, std::size_t total, std::uint32_t& to) {
-    std::int64_t value = 0;
-    const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
-    value += value < 0 ? static_cast<std::int64_t>(sofar) : -1;
-    to = static_cast<std::uint32_t>(value);
-    return code == std::errc() && value >= 0 && value < static_cast<std::int64_t>(total);
 }
 
 /// The corner "v", "v/t", "v//n" or "v/t/n": false where it does not bring a vertex and a normal together.
@@ -380,21 +333,6 @@ FileModel ObjReader::read() {
     joinFaces();
     makePoints(m_model, m_file, m_table, rolesOf(m_table.fields, false), {}, {m_progress, 0.7, 1});
     return std::move(m_model);
-}
-
-/// Lines that end in a backslash go on in the next: both characters become blanks. Empty where there are none.
-std::string joinedLines(std::string_view text) {
-    std::string out;
-    for (std::size_t at = text.find('\\'); at != std::string_view::npos; at = text.find('\\', at + 1)) {
-        const std::size_t end = at + (text.substr(at + 1, 1) == "\r" ? 2 : 1);
-        if (end >= text.size() || text[end] != '\n')
-            continue;
-        if (out.empty())
-            out = text;
-        std::fill(out.begin() + static_cast<std::ptrdiff_t>(at), out.begin() + static_cast<std::ptrdiff_t>(end + 1),
-                  ' ');
-    }
-    return out;
 }
 
 } // namespace

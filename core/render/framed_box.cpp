@@ -1,55 +1,157 @@
 #include "core/render/framed_box.h"
 
+#include "core/base/disjoint_sets.h"
+
 #include <array>
+#include <cmath>
 
 namespace render {
 
-constexpr std::size_t mostLookedAt = 65536;
-constexpr double leftOut = 0.0025; ///< at either end of an axis
-constexpr float farAway = 2;       ///< diagonals over each other
-constexpr float around = 0.25f;    ///< of the diagonal: what stands so near to the box belongs to the model
+namespace {
 
-template <class Fn>
-static void forPositions(const tree::SurfelTree& tree, std::size_t step, const Fn& fn) {
+using base::Box3f;
+using base::Vec3f;
+
+constexpr std::size_t mostLookedAt = 65536;
+/// Of the surfels: one piece that may be left out, and all of them.
+constexpr double smallPiece = 0.001, leftOut = 0.005;
+constexpr float around = 0.15f; ///< of the diagonal: what reaches no farther beyond the rest belongs to it
+constexpr int side = 24;        ///< cells along the diagonal: pieces with an empty cell between them are apart
+constexpr int mostRounds = 32;  ///< outliers far beyond each other: each round takes away the farthest
+constexpr std::uint32_t none = ~0u;
+
+/// An even choice of the tree's order.
+std::vector<Vec3f> chosen(const tree::SurfelTree& tree) {
+    const std::size_t step = tree.size() / mostLookedAt + 1;
+    std::vector<Vec3f> out;
     std::size_t at = 0;
     tree.forEachBlock([&](std::uint32_t, const surfel::SurfelBlock& block) {
         for (int slot = 0; slot < block.size(); ++slot)
             if (at++ % step == 0)
-                fn(block.position(slot));
+                out.push_back(block.position(slot));
     });
+    return out;
 }
 
-/// Between the quantiles of each axis.
-static base::Box3f inner(const tree::SurfelTree& tree) {
-    std::array<std::vector<float>, 3> values;
-    forPositions(tree, tree.size() / mostLookedAt + 1, [&](const base::Vec3f& p) {
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            values[axis].push_back(p[axis]);
-    });
-    base::Box3f out;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        std::vector<float>& v = values[axis];
-        const auto few = static_cast<std::ptrdiff_t>(leftOut * static_cast<double>(v.size()));
-        std::nth_element(v.begin(), v.begin() + few, v.end());
-        out.lo[axis] = v[static_cast<std::size_t>(few)];
-        std::nth_element(v.begin(), v.end() - 1 - few, v.end());
-        out.hi[axis] = *(v.end() - 1 - few);
+Box3f boxOf(std::span<const Vec3f> positions) {
+    Box3f out;
+    for (const Vec3f& p : positions)
+        out.extend(p);
+    return out;
+}
+
+struct Piece {
+    Box3f box;
+    std::size_t count = 0;
+};
+
+/// Which piece each position belongs to: cells that touch make one.
+std::vector<Piece> piecesOf(std::span<const Vec3f> positions, const Box3f& box, std::vector<std::uint32_t>& pieceOf) {
+    const float cell = box.diagonal() / side;
+    const auto cellOf = [&](const Vec3f& p) {
+        int out = 0;
+        for (std::size_t k = 0; k < 3; ++k)
+            out = out * (side + 1) + std::clamp(static_cast<int>((p[k] - box.lo[k]) / cell), 0, side);
+        return static_cast<std::uint32_t>(out);
+    };
+    constexpr int row = side + 1;
+    std::vector<std::uint8_t> full(row * row * row);
+    for (const Vec3f& p : positions)
+        full[cellOf(p)] = 1;
+    base::DisjointSets sets(full.size());
+    for (int i = 0; i < row * row * row; ++i)
+        for (int k = 0; full[static_cast<std::size_t>(i)] && k < 27; ++k) {
+            const int x = i / (row * row) + k / 9 - 1, y = i / row % row + k / 3 % 3 - 1, z = i % row + k % 3 - 1;
+            if (std::min({x, y, z}) < 0 || std::max({x, y, z}) >= row)
+                continue;
+            const auto other = static_cast<std::uint32_t>((x * row + y) * row + z);
+            if (full[other])
+                sets.join(static_cast<std::uint32_t>(i), other);
+        }
+    std::vector<std::uint32_t> number(full.size(), none);
+    std::vector<Piece> out;
+    pieceOf.clear();
+    for (const Vec3f& p : positions) {
+        std::uint32_t& piece = number[sets.find(cellOf(p))];
+        if (piece == none) {
+            piece = static_cast<std::uint32_t>(out.size());
+            out.emplace_back();
+        }
+        out[piece].box.extend(p);
+        ++out[piece].count;
+        pieceOf.push_back(piece);
     }
     return out;
 }
 
+bool holds(const Box3f& box, const Box3f& other) {
+    return box.contains(other.lo) && box.contains(other.hi);
+}
+
+/// Small pieces are kept one by one as long as they reach hardly beyond what is kept; false for the others.
+std::vector<std::uint8_t> keptOf(std::span<const Piece> pieces, double small) {
+    std::vector<std::uint8_t> out(pieces.size());
+    Box3f kept;
+    for (std::size_t p = 0; p < pieces.size(); ++p)
+        if (static_cast<double>(pieces[p].count) > small) {
+            out[p] = 1;
+            kept.extend(pieces[p].box);
+        }
+    if (kept.empty()) // crumbs all over
+        return std::vector<std::uint8_t>(pieces.size(), 1);
+    for (bool grown = true; grown;) {
+        grown = false;
+        const Box3f near = kept.inflated(around * kept.diagonal());
+        for (std::size_t p = 0; p < pieces.size(); ++p)
+            if (!out[p] && holds(near, pieces[p].box)) {
+                out[p] = 1;
+                kept.extend(pieces[p].box);
+                grown = true;
+            }
+    }
+    return out;
+}
+
+/// The positions without small pieces far from the others.
+std::vector<Vec3f> withoutOutliers(std::vector<Vec3f> positions) {
+    const auto all = static_cast<double>(positions.size());
+    const double small = std::max(1.0, smallPiece * all);
+    double left = std::max(2.0, leftOut * all);
+    for (int round = 0; round < mostRounds && smallPiece * all >= 0.5; ++round) {
+        const Box3f box = boxOf(positions);
+        if (!(box.diagonal() > 0))
+            break;
+        std::vector<std::uint32_t> pieceOf;
+        const std::vector<Piece> pieces = piecesOf(positions, box, pieceOf);
+        const std::vector<std::uint8_t> kept = keptOf(pieces, small);
+        std::vector<Vec3f> rest;
+        for (std::size_t i = 0; i < positions.size(); ++i)
+            if (kept[pieceOf[i]])
+                rest.push_back(positions[i]);
+        const auto gone = static_cast<double>(positions.size() - rest.size());
+        if (gone == 0 || gone > left) // more than a few: they are part of what there is to see
+            break;
+        left -= gone;
+        positions = std::move(rest);
+    }
+    return positions;
+}
+
+} // namespace
+
 base::Box3f framedBox(const tree::SurfelTree& tree) {
-    const base::Box3f all = tree.bounds();
+    const Box3f all = tree.bounds();
     if (tree.empty())
         return all;
-    const base::Box3f most = inner(tree);
-    if (!(most.diagonal() > 0) || all.diagonal() <= farAway * most.diagonal())
+    const Box3f most = boxOf(withoutOutliers(chosen(tree)));
+    const Box3f near = most.inflated(around * most.diagonal());
+    if (!(most.diagonal() > 0) || holds(near, all))
         return all;
-    const base::Box3f near = most.inflated(around * most.diagonal());
-    base::Box3f out;
-    forPositions(tree, 1, [&](const base::Vec3f& p) {
-        if (near.contains(p))
-            out.extend(p);
+    Box3f out;
+    tree.forEachBlock([&](std::uint32_t, const surfel::SurfelBlock& block) {
+        for (int slot = 0; slot < block.size(); ++slot)
+            if (near.contains(block.position(slot)))
+                out.extend(block.position(slot));
     });
     return out;
 }

@@ -16,6 +16,14 @@ static surfel::Colour mean(const surfel::Colour (&four)[4]) {
     return surfel::rgba(channel(0), channel(1), channel(2), (alpha + 2) / 4);
 }
 
+void shrink(const Image& fine, Image& out) {
+    const auto width = static_cast<std::size_t>(out.width);
+    for (std::size_t i = 0; i < out.colour.size(); ++i) {
+        const surfel::Colour* c = fine.colour.data() + i / width * 4 * width + i % width * 2;
+        out.colour[i] = mean({c[0], c[1], c[2 * width], c[2 * width + 1]});
+    }
+}
+
 void renderSmooth(const Camera& camera, const std::function<void(const Camera&, Image&)>& draw, Image& out) {
     Camera twice = camera;
     twice.width *= 2;
@@ -23,11 +31,7 @@ void renderSmooth(const Camera& camera, const std::function<void(const Camera&, 
     Image fine;
     draw(twice, fine);
     draw(camera, out);
-    const auto width = static_cast<std::size_t>(camera.width);
-    for (std::size_t i = 0; i < out.colour.size(); ++i) {
-        const surfel::Colour* c = fine.colour.data() + i / width * 4 * width + i % width * 2;
-        out.colour[i] = mean({c[0], c[1], c[2 * width], c[2 * width + 1]});
-    }
+    shrink(fine, out);
 }
 
 void renderSmooth(Renderer& renderer, const tree::SurfelTree& model, const Camera& camera, const RenderOptions& options,

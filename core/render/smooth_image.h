@@ -13,5 +13,7 @@ void renderSmooth(Renderer& renderer, const tree::SurfelTree& model, const Camer
                   Image& out);
 /// The same for any way to draw.
 void renderSmooth(const Camera& camera, const std::function<void(const Camera&, Image&)>& draw, Image& out);
+/// Colours alone: means of 2 x 2 pixels. REQUIRES: `fine` is twice as wide and as high as `out`.
+void shrink(const Image& fine, Image& out);
 
 } // namespace render

@@ -17,6 +17,19 @@ constexpr std::size_t asked = 16;
 /// A surface needs some surfels to be one.
 constexpr std::size_t fewest = 16;
 
+/// Are there enough neighbours in the surfel's own cluster? Of most it says at once that they are no crumbs.
+static bool borneByItsCluster(const surfel::SurfelBlock& block, int slot, float link) {
+    const Vec3f p = block.position(slot), n = block.normal(slot);
+    const int begin = slot / surfel::clusterSize * surfel::clusterSize;
+    std::size_t count = 0;
+    for (int k = begin; k < std::min(begin + surfel::clusterSize, block.size()); ++k) {
+        const Vec3f other = block.normal(k);
+        const bool alike = n == Vec3f{} || other == Vec3f{} || dot(n, other) > facing;
+        count += alike && distanceSq(block.position(k), p) < link * link ? 1 : 0;
+    }
+    return count >= enough;
+}
+
 /// How many surfels the sheet around x has, counted up to `enough`.
 static std::size_t sheetAround(const tree::SurfelTree& tree, const Vec3f& x, const Vec3f& normal, float link) {
     struct Member {
@@ -61,6 +74,8 @@ tree::Edit dropCrumbs(const tree::SurfelTree& now, const tree::SurfelTree& first
                 continue;
             const CrumbSource source = sourceOf(*block, slot);
             const float link = reach * source.spacing;
+            if (borneByItsCluster(*block, slot, link))
+                continue;
             gone[i].set(static_cast<std::size_t>(slot),
                         sheetAround(now, block->position(slot), block->normal(slot), link) < enough &&
                             sheetBefore(first, source.origin, link) >= enough);

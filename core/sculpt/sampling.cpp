@@ -14,6 +14,10 @@ namespace sculpt {
 
 /// Where resampling is due somewhere, surfels beyond these are done with it.
 constexpr StretchRange doneBeyond{0.75f, 1.2f};
+/// Where more surfels than are done at once are beyond these, it is time to begin.
+constexpr StretchRange nearlyDue{0.6f, 1.5f};
+/// Beyond these nothing may wait, however many there are.
+constexpr StretchRange mustBeyond{0.4f, 2.4f};
 /// At the end a surfel that a stroke has stretched by more than this counts with what strokes before have done.
 constexpr float stretched = 1.02f;
 /// Around a surfel that is asked for, what moved is done with it so far, in spacings: a tear along the rim of a brush.
@@ -47,6 +51,8 @@ void Sampling::note(const tree::SurfelTree& before, const tree::Edit& edit, cons
     if (move == 0 && !restructures(edit))
         return; // colours and masks ask for no other sampling
     m_range = m_stretches.range();
+    m_waiting = m_graded ? 0 : m_stretches.beyond(nearlyDue);
+    m_ending = Ending::Open;
     add({dab.centre + dab.move * 0.5f, dab.radius + move});
 }
 
@@ -54,6 +60,7 @@ void Sampling::noteCount(const tree::Edit& edit, const Dab& dab) {
     if (edit.empty() || !started())
         return;
     m_counts = true;
+    m_ending = Ending::Open;
     add({dab.centre, dab.radius});
 }
 
@@ -96,14 +103,40 @@ tree::Selection Sampling::touched(const tree::SurfelTree& tree, float margin) co
     return out;
 }
 
-/// All that was touched, with the targets of its supports.
-surface::Surface Sampling::evened(const surface::Surface& surface) const {
+/// All that was touched, with the targets of its supports: those of similar ones together, finest first.
+surface::Surface Sampling::evened(surface::Surface surface) const {
+    const float perSupport = process::spacingOf(surface.definition(), 1.0f);
     process::ResampleOptions options;
     options.sweeps = sweeps;
-    options.field =
-        std::make_shared<process::SpacingField>(surface.tree(), process::spacingOf(surface.definition(), 1.0f));
-    options.spacing = options.field->coarsest();
-    return {surface.tree().apply(process::resample(surface, touched(surface.tree()), options)), surface.definition()};
+    options.field = std::make_shared<process::SpacingField>(surface.tree(), perSupport);
+    for (float from = 0; from < std::numeric_limits<float>::infinity();) {
+        tree::Selection some = touched(surface.tree());
+        float least = std::numeric_limits<float>::infinity(), most = 0;
+        const auto forEach = [&](const auto& fn) {
+            for (tree::SelectedBlock& each : some) {
+                const surfel::BlockPtr block = surface.tree().block(each.block);
+                for (int slot = 0; slot < block->size(); ++slot)
+                    if (each.slots[static_cast<std::size_t>(slot)])
+                        fn(each, slot, perSupport * block->support(slot));
+            }
+        };
+        forEach([&](tree::SelectedBlock&, int, float target) {
+            if (target > from)
+                least = std::min(least, target);
+        });
+        const float upTo = least * classWidth;
+        forEach([&](tree::SelectedBlock& each, int slot, float target) {
+            const bool in = target > from && target <= upTo;
+            each.slots.set(static_cast<std::size_t>(slot), in);
+            most = in ? std::max(most, target) : most;
+        });
+        std::erase_if(some, [](const tree::SelectedBlock& each) { return each.slots.none(); });
+        options.spacing = most;
+        if (!some.empty())
+            surface = {surface.tree().apply(process::resample(surface, some, options)), surface.definition()};
+        from = upTo;
+    }
+    return surface;
 }
 
 LocalSpacing Sampling::measuredOf(const Stretches::Tracked& each, int slot) const {
@@ -152,27 +185,24 @@ void Sampling::measureAround(const tree::SurfelTree& tree) {
     m_kept.measure(resting);
 }
 
-/// The surfels asked for, those of similar targets together, finest first.
-surface::Surface Sampling::resampleAsked(surface::Surface surface) {
+/// About `count` of the surfels asked for, of similar targets, the finest first. False: none is left.
+bool Sampling::resampleSome(surface::Surface& surface, std::size_t count) {
     measureAround(surface.tree());
-    float least = std::numeric_limits<float>::infinity(), most = 0;
+    float least = std::numeric_limits<float>::infinity();
     m_stretches.forEach([&](const Stretches::Tracked& each) {
         for (int slot = 0; slot < each.now->size(); ++slot)
-            if (each.asked[static_cast<std::size_t>(slot)]) {
-                const float target = targetOf(each, slot);
-                least = std::min(least, target), most = std::max(most, target);
-            }
+            if (each.asked[static_cast<std::size_t>(slot)])
+                least = std::min(least, targetOf(each, slot));
     });
-    for (float upTo = least * classWidth; least <= most; least = upTo, upTo *= classWidth) {
-        const tree::Selection taken = m_stretches.take(
-            surface.tree(), [&](const Stretches::Tracked& each, int slot) { return targetOf(each, slot) <= upTo; });
-        if (taken.empty())
-            continue;
-        const surface::Surface next = resampleClass(surface, taken);
-        m_stretches.follow(surface.tree(), next.tree());
-        surface = next;
-    }
-    return surface;
+    const float upTo = least * classWidth;
+    const tree::Selection taken = m_stretches.take(
+        surface.tree(), [&](const Stretches::Tracked& each, int slot) { return targetOf(each, slot) <= upTo; }, count);
+    if (taken.empty())
+        return false;
+    const surface::Surface next = resampleClass(surface, taken);
+    m_stretches.follow(surface.tree(), next.tree());
+    surface = next;
+    return true;
 }
 
 surface::Surface Sampling::resampleClass(const surface::Surface& surface, const tree::Selection& taken) {
@@ -197,13 +227,18 @@ surface::Surface Sampling::resampleClass(const surface::Surface& surface, const 
 }
 
 surface::Surface Sampling::resampleDue(const surface::Surface& surface) {
-    m_stretches.ask(doneBeyond);
     surface::Surface out = surface;
-    if (m_graded)
-        m_stretches.take(surface.tree(), [](const Stretches::Tracked&, int) { return true; }), out = evened(surface);
-    else
-        out = resampleAsked(surface);
+    if (m_graded) {
+        m_stretches.ask(doneBeyond);
+        m_stretches.take(surface.tree(), [](const Stretches::Tracked&, int) { return true; });
+        out = evened(surface);
+    } else {
+        m_stretches.askMost(surface.tree(), doneBeyond, mustBeyond, atOnce);
+        while (resampleSome(out, std::numeric_limits<std::size_t>::max())) {
+        }
+    }
     m_range = m_stretches.range();
+    m_waiting = m_graded ? 0 : m_stretches.beyond(nearlyDue);
     return out;
 }
 
@@ -286,18 +321,34 @@ surface::Surface Sampling::withLabels(const surface::Surface& surface) const {
     return edit.empty() ? surface : surface::Surface{surface.tree().apply(edit), surface.definition()};
 }
 
-surface::Surface Sampling::resample(const surface::Surface& surface) {
+surface::Surface Sampling::resample(surface::Surface surface) {
+    while (pending())
+        surface = resampleSlice(surface);
+    return surface;
+}
+
+surface::Surface Sampling::resampleSlice(const surface::Surface& surface) {
     surface::Surface out = surface;
-    if (m_graded && !m_counts)
-        out = evened(surface);
-    else if (!m_counts) {
-        askAtTheEnd(surface);
-        out = resampleAsked(surface);
+    switch (m_ending) {
+    case Ending::Open:
+        m_ending = m_counts || m_graded ? Ending::Crumbs : Ending::Asked;
+        if (m_ending == Ending::Asked)
+            askAtTheEnd(surface);
+        else if (!m_counts)
+            out = evened(surface);
+        return out;
+    case Ending::Asked:
+        if (!resampleSome(out, atOnce))
+            m_ending = Ending::Crumbs;
+        return out;
+    case Ending::Crumbs:
+        out = withLabels(withoutCrumbs(surface));
+        m_stretches.clear();
+        m_range = {};
+        m_waiting = 0;
+        m_balls.clear();
+        m_ending = Ending::Open;
     }
-    out = withLabels(withoutCrumbs(out));
-    m_stretches.clear();
-    m_range = {};
-    m_balls.clear();
     return out;
 }
 

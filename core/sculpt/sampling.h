@@ -1,9 +1,10 @@
 // Keeps the sampling of a stroke: notes what each dab moved, says when that is enough to resample, and does it.
 //
 // What counts is how far the dabs have stretched or squeezed the sampling since it was last seen to (stretches.h):
-// where it is beyond 1.8 or 0.5 resampling is due, and done for all surfels beyond 1.2 or 0.75 (how these were found:
-// sculpt/README 7). At the end of the stroke those, and what was resampled before, are looked at once more. Others keep
-// every bit. The target is the spacing that was there before the stroke (kept_spacing.h).
+// where it is beyond 1.8 or 0.5 resampling is due, and done for surfels beyond 1.2 or 0.75 (how these were found:
+// sculpt/README 7), the most strained first where they are many. At the end of the stroke those, and what was resampled
+// before, are looked at once more. Others keep every bit. The target is the spacing that was there before the stroke
+// (kept_spacing.h).
 #pragma once
 
 #include "core/sculpt/kept_spacing.h"
@@ -31,13 +32,15 @@ class Sampling {
     void note(const tree::SurfelTree& before, const tree::Edit& edit, const Dab& dab);
     /// The same for tools that make the sampling that they want: of these only crumbs are taken away.
     void noteCount(const tree::Edit& edit, const Dab& dab);
-    bool due() const { return !m_range.within(dueBeyond); }
+    bool due() const { return !m_range.within(dueBeyond) || m_waiting > atOnce; }
     /// Resamples where it is due. REQUIRES: the surface after the last dab noted.
     surface::Surface resampleDue(const surface::Surface& surface);
     bool pending() const { return !m_balls.empty(); }
     /// Resamples what the noted dabs have stretched, takes crumbs away, measures creases anew (cells/README 1.5), and
-    /// forgets the dabs. REQUIRES: pending().
-    surface::Surface resample(const surface::Surface& surface);
+    /// forgets the dabs.
+    surface::Surface resample(surface::Surface surface);
+    /// A slice of that: until no more is pending(). REQUIRES: pending(); the surface after the last dab or slice.
+    surface::Surface resampleSlice(const surface::Surface& surface);
 
   private:
     struct Ball {
@@ -45,10 +48,14 @@ class Sampling {
         float radius;
     };
     static constexpr StretchRange dueBeyond{0.5f, 1.8f};
+    /// About so many surfels are resampled at once, the most strained first, so that no dab of a wide brush takes long.
+    static constexpr std::size_t atOnce = 6000;
+    /// Of an end: the order of its slices.
+    enum class Ending { Open, Asked, Crumbs };
     void add(Ball ball);
     tree::Selection touched(const tree::SurfelTree& tree, float margin = 0) const;
-    surface::Surface evened(const surface::Surface& surface) const;
-    surface::Surface resampleAsked(surface::Surface surface);
+    surface::Surface evened(surface::Surface surface) const;
+    bool resampleSome(surface::Surface& surface, std::size_t count);
     surface::Surface resampleClass(const surface::Surface& surface, const tree::Selection& taken);
     void askAtTheEnd(const surface::Surface& surface);
     using Which = std::function<bool(const Stretches::Tracked&, int slot)>;
@@ -67,6 +74,8 @@ class Sampling {
     KeptSpacing m_kept;
     Stretches m_stretches;
     StretchRange m_range;      ///< of the blocks
+    std::size_t m_waiting = 0; ///< surfels in blocks that are nearly due
+    Ending m_ending = Ending::Open;
     std::vector<Ball> m_balls; ///< that hold all that was touched
 };
 

@@ -2,11 +2,37 @@
 
 #include "core/base/clones.h"
 #include "core/base/parallel.h"
+#include "core/base/parallel_sort.h"
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace sculpt {
+
+/// Where surfels of a version come from on the one before: the same place, mostly, else the nearest.
+class Predecessors {
+  public:
+    struct Found {
+        const surfel::SurfelBlock* block = nullptr; ///< null: there is none
+        int slot = 0;
+        bool same = false; ///< has not moved
+    };
+
+    /// `gone`: blocks of `before` that the later version has not. Both outlive it.
+    Predecessors(const tree::SurfelTree& before, std::span<const surfel::BlockPtr> gone);
+    Found of(const base::Vec3f& x, std::vector<tree::Neighbour>& near) const;
+
+  private:
+    struct Place {
+        base::Vec3f position;
+        std::uint32_t order;
+        const surfel::SurfelBlock* block;
+        int slot;
+    };
+    const tree::SurfelTree& m_before;
+    std::vector<Place> m_places; ///< by coordinates
+};
 
 using surfel::clusterSize;
 using surfel::SurfelBlock;
@@ -148,6 +174,13 @@ StretchRange Stretches::range() const {
     return out;
 }
 
+std::size_t Stretches::beyond(const StretchRange& limits) const {
+    std::size_t out = 0;
+    for (const auto& [block, each] : m_tracked)
+        out += each.range.within(limits) ? 0 : static_cast<std::size_t>(each.now->size());
+    return out;
+}
+
 const Stretches::Tracked* Stretches::find(const SurfelBlock& block) const {
     const auto found = m_tracked.find(&block);
     return found == m_tracked.end() ? nullptr : &found->second;
@@ -161,21 +194,67 @@ static Stretches::Slots moved(const Stretches::Tracked& each) {
     return out;
 }
 
+/// Asks for all of a block that moved; from now on it counts as it is.
+void Stretches::askAll(Tracked& each, const StretchRange& limits) {
+    const Slots all = moved(each);
+    each.asked |= all, each.seen |= all;
+    if (each.range.most > limits.most)
+        each.drawn |= all;
+    each.then = each.now;
+    each.before.clear();
+    each.range = {};
+}
+
 void Stretches::ask(const StretchRange& limits) {
-    for (auto& [block, each] : m_tracked) {
-        if (each.range.within(limits))
-            continue;
-        const Slots all = moved(each);
-        each.asked |= all, each.seen |= all;
-        if (each.range.most > limits.most)
-            each.drawn |= all;
-        each.then = each.now;
-        each.before.clear();
-        each.range = {};
+    for (auto& [block, each] : m_tracked)
+        if (!each.range.within(limits))
+            askAll(each, limits);
+}
+
+void Stretches::askMost(const tree::SurfelTree& now, const StretchRange& limits, const StretchRange& must,
+                        std::size_t count) {
+    struct Candidate {
+        Tracked* tracked;
+        float strain;
+    };
+    std::vector<Candidate> all; // in the order of blocks
+    now.forEachBlock([&](std::uint32_t, const SurfelBlock& block) {
+        const auto found = m_tracked.find(&block);
+        if (found != m_tracked.end() && !found->second.range.within(limits))
+            all.push_back({&found->second, found->second.range.strain(must)});
+    });
+    std::stable_sort(all.begin(), all.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.strain > b.strain; });
+    std::size_t has = 0;
+    for (const Candidate& each : all) {
+        if (has >= count && each.strain <= 1)
+            break;
+        has += static_cast<std::size_t>(each.tracked->now->size());
+        askAll(*each.tracked, limits);
     }
 }
 
-Stretches::Tracked Stretches::followed(const tree::SurfelTree& before, const surfel::BlockPtr& block) const {
+Predecessors::Predecessors(const tree::SurfelTree& before, std::span<const surfel::BlockPtr> gone) : m_before(before) {
+    for (const surfel::BlockPtr& block : gone)
+        for (int slot = 0; slot < block->size(); ++slot)
+            m_places.push_back({block->position(slot), static_cast<std::uint32_t>(m_places.size()), block.get(), slot});
+    base::parallelSort(m_places, [](const Place& a, const Place& b) {
+        return std::tie(a.position.x, a.position.y, a.position.z, a.order) <
+               std::tie(b.position.x, b.position.y, b.position.z, b.order);
+    });
+}
+
+Predecessors::Found Predecessors::of(const base::Vec3f& x, std::vector<tree::Neighbour>& near) const {
+    const auto at = std::lower_bound(m_places.begin(), m_places.end(), x, [](const Place& a, const base::Vec3f& p) {
+        return std::tie(a.position.x, a.position.y, a.position.z) < std::tie(p.x, p.y, p.z);
+    });
+    if (at != m_places.end() && at->position == x)
+        return {at->block, at->slot, true};
+    m_before.nearest(x, 1, near);
+    return near.empty() ? Found{} : Found{near[0].block, near[0].slot, near[0].distanceSq == 0};
+}
+
+Stretches::Tracked Stretches::followed(const Predecessors& before, const surfel::BlockPtr& block) const {
     const surfel::MutableBlockPtr origin = block->clone();
     Tracked out;
     out.then = out.now = block;
@@ -185,18 +264,17 @@ Stretches::Tracked Stretches::followed(const tree::SurfelTree& before, const sur
     std::unordered_map<const Tracked*, std::vector<StretchRange>> ranges;
     for (int slot = 0; slot < block->size(); ++slot) {
         const auto s = static_cast<std::size_t>(slot);
-        before.nearest(block->position(slot), 1, near);
-        if (near.empty())
+        const Predecessors::Found found = before.of(block->position(slot), near);
+        if (!found.block)
             continue;
-        const auto from = static_cast<std::size_t>(near[0].slot);
-        const bool same = near[0].distanceSq == 0;
-        const Tracked* const known = find(*near[0].block);
-        out.seen.set(s, !same || (known && known->seen[from]));
+        const auto from = static_cast<std::size_t>(found.slot);
+        const Tracked* const known = find(*found.block);
+        out.seen.set(s, !found.same || (known && known->seen[from]));
         out.drawn.set(s, known && known->drawn[from]);
-        origin->setPosition(slot, (known ? *known->origin : *near[0].block).position(near[0].slot));
+        origin->setPosition(slot, (known ? *known->origin : *found.block).position(found.slot));
         if (known && !known->spacing.empty())
             out.spacing[s] = known->spacing[from];
-        if (!known || !same)
+        if (!known || !found.same)
             continue;
         out.asked.set(s, known->asked[from]);
         auto& of = ranges[known];
@@ -212,8 +290,9 @@ Stretches::Tracked Stretches::followed(const tree::SurfelTree& before, const sur
 
 void Stretches::follow(const tree::SurfelTree& before, const tree::SurfelTree& after) {
     const tree::Diff changes = diff(before, after);
+    const Predecessors predecessors(before, changes.removed);
     std::vector<Tracked> came(changes.added.size());
-    base::parallelFor(came.size(), 1, [&](std::size_t i) { came[i] = followed(before, changes.added[i]); });
+    base::parallelFor(came.size(), 1, [&](std::size_t i) { came[i] = followed(predecessors, changes.added[i]); });
     for (const surfel::BlockPtr& gone : changes.removed)
         m_tracked.erase(gone.get());
     for (Tracked& each : came)

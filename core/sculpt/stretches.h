@@ -16,6 +16,9 @@
 #include "core/tree/selection.h"
 #include "core/tree/surfel_tree.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <unordered_map>
 
 namespace sculpt {
@@ -34,7 +37,13 @@ struct StretchRange {
         most = o.most > most ? o.most : most;
     }
     bool within(const StretchRange& limits) const { return least >= limits.least && most <= limits.most; }
+    /// 1 at one of the limits, 0 where nothing is stretched; in between and beyond by logarithms.
+    float strain(const StretchRange& limits) const {
+        return std::max(std::log(most) / std::log(limits.most), std::log(least) / std::log(limits.least));
+    }
 };
+
+class Predecessors;
 
 class Stretches {
   public:
@@ -58,6 +67,8 @@ class Stretches {
     float note(const tree::SurfelTree& before, const tree::Edit& edit);
     /// Over all blocks.
     StretchRange range() const;
+    /// Surfels in the blocks that are not within `limits`.
+    std::size_t beyond(const StretchRange& limits) const;
     /// fn(tracked), in no particular order.
     template <class Fn>
     void forEach(const Fn& fn) const {
@@ -74,6 +85,8 @@ class Stretches {
     /// Asks for all that moved in blocks beyond the limits, and notes it as drawn apart where the upper one is passed;
     /// from now on they count as they are. (In one cluster of a thread that is drawn out all pairs may lie across it.)
     void ask(const StretchRange& limits);
+    /// The same for the most strained of them, up to about `count` surfels, and for all that are not within `must`.
+    void askMost(const tree::SurfelTree& now, const StretchRange& limits, const StretchRange& must, std::size_t count);
     /// Asks for those for which asks(tracked, slot, range) is true; beyond `drawn` they count as drawn apart.
     template <class Asks>
     void askWhere(const Asks& asks, float drawn);
@@ -81,17 +94,20 @@ class Stretches {
     /// alone.
     template <class Reach>
     void askAround(const tree::SurfelTree& now, const Reach& reach);
-    /// Those asked for that pass(tracked, slot), which are no longer asked for.
+    /// Those asked for that pass(tracked, slot), which are no longer asked for: in the order of blocks, and none of the
+    /// rest once there are `count`.
     template <class Pass>
-    tree::Selection take(const tree::SurfelTree& now, const Pass& pass);
+    tree::Selection take(const tree::SurfelTree& now, const Pass& pass,
+                         std::size_t count = std::numeric_limits<std::size_t>::max());
 
     /// After a resampling of what was taken: what is known goes over to the blocks that came.
     void follow(const tree::SurfelTree& before, const tree::SurfelTree& after);
     void clear() { m_tracked.clear(); }
 
   private:
+    static void askAll(Tracked& each, const StretchRange& limits);
     void track(Tracked each) { m_tracked.insert_or_assign(each.now.get(), std::move(each)); }
-    Tracked followed(const tree::SurfelTree& before, const surfel::BlockPtr& block) const;
+    Tracked followed(const Predecessors& before, const surfel::BlockPtr& block) const;
 
     std::unordered_map<const surfel::SurfelBlock*, Tracked> m_tracked; ///< by `now`
 };
@@ -149,9 +165,12 @@ void Stretches::askAround(const tree::SurfelTree& now, const Reach& reach) {
 }
 
 template <class Pass>
-tree::Selection Stretches::take(const tree::SurfelTree& now, const Pass& pass) {
+tree::Selection Stretches::take(const tree::SurfelTree& now, const Pass& pass, std::size_t count) {
     tree::Selection out;
+    std::size_t has = 0;
     now.forEachBlock([&](std::uint32_t number, const surfel::SurfelBlock& block) {
+        if (has >= count)
+            return;
         const auto found = m_tracked.find(&block);
         if (found == m_tracked.end() || found->second.asked.none())
             return;
@@ -161,7 +180,7 @@ tree::Selection Stretches::take(const tree::SurfelTree& now, const Pass& pass) {
                             found->second.asked[static_cast<std::size_t>(slot)] && pass(found->second, slot));
         found->second.asked &= ~taken.slots;
         if (taken.slots.any())
-            out.push_back(taken);
+            out.push_back(taken), has += taken.slots.count();
     });
     return out;
 }

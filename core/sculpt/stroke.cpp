@@ -60,9 +60,13 @@ bool Stroke::add(const StrokeSample& sample) {
     return dabs() != count || waited || m_state->method->waits() || !(m_state->dabs.surface().tree() == before);
 }
 void Stroke::finish() {
+    while (!finishSlice()) {
+    }
+}
+bool Stroke::finishSlice() {
     m_state->shown.reset();
-    m_state->method->finish();
-    m_state->dabs.finish();
+    m_state->method->finish(); // what waits is done in the first
+    return m_state->dabs.finishSlice();
 }
 
 const surface::Surface& Stroke::surface() const {

@@ -39,6 +39,8 @@ class Stroke {
     bool add(const StrokeSample& sample);
     /// The last resampling. Adding more samples afterwards is allowed and continues the stroke.
     void finish();
+    /// A slice of it, some thousand surfels; true when nothing is left. What comes out does not depend on who calls.
+    bool finishSlice();
 
     const surface::Surface& surface() const;
     /// Of the first contact along its ray, once there is one.

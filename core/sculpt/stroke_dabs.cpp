@@ -158,6 +158,30 @@ void Dabs::dabAt(const StrokeSample& sample, const Contact& own, const Form& for
     apply(all);
 }
 
+double Dabs::overlap(float spacing) const {
+    if (!m_accumulate || m_row.motion != Motion::Along || m_row.writes == Writes::Count)
+        return 1;
+    double sum = 1; // the centre's own
+    for (int k = 1; static_cast<float>(k) * spacing < 1; ++k) {
+        const float r[] = {static_cast<float>(k) * spacing};
+        float weight[1], slope[1];
+        weights(m_pattern.falloff, 0, r, weight, slope, m_pattern.curve.get());
+        sum += 2 * double(weight[0]);
+    }
+    return sum;
+}
+
+/// Each dab touches what the one before has left, as in a stroke.
+void Dabs::pile(const StrokeSample& sample, const Contact& own, Form form, double dabs) {
+    const double strongest = std::abs(double(m_pattern.strength) * double(form.strength));
+    const int count = std::max(1, static_cast<int>(std::ceil(dabs * strongest - 1e-6)));
+    form.strength *= static_cast<float>(dabs / count);
+    dabAt(sample, own, form);
+    for (int k = 1; k < count; ++k)
+        if (const auto touched = contact(sample.ray))
+            dabAt(sample, *touched, form);
+}
+
 void Dabs::checkCancelled() const {
     if (m_cancel && m_cancel->load(std::memory_order_relaxed))
         throw base::Cancelled();
@@ -201,6 +225,7 @@ void Dabs::complete(Dab& dab, const surface::Surface& version) const {
 
 void Dabs::applyOne(Dab dab) {
     complete(dab, touched());
+    dab.memory = &m_memory;
     if (m_accumulate)
         pileUp(dab);
     else
@@ -224,6 +249,7 @@ tree::Edit Dabs::smoothing(const surface::Surface& version, Dab dab) const {
     static const ToolRow& smooth = tool("smooth");
     dab.strength = std::min(1.0f, m_smoothing * std::abs(dab.strength / m_pattern.strength));
     dab.parameters.clear();
+    dab.memory = nullptr;
     for (const ToolParameter& parameter : smooth.parameters)
         dab.parameters[parameter.id] = parameter.fallback;
     return smooth.apply(version, dab);
@@ -265,14 +291,16 @@ void Dabs::restart() {
     std::fill(m_anchors.begin(), m_anchors.end(), std::nullopt);
     std::fill(m_places.begin(), m_places.end(), std::nullopt);
     m_past.clear();
+    m_memory.reset();
     m_count = 0;
     m_seconds.clear();
 }
 
-void Dabs::finish() {
+bool Dabs::finishSlice() {
     checkCancelled();
     if (m_sampling.pending())
-        m_surface = m_base = m_sampling.resample(m_surface);
+        m_surface = m_base = m_sampling.resampleSlice(m_surface);
+    return !m_sampling.pending();
 }
 
 } // namespace sculpt

@@ -45,6 +45,11 @@ class Dabs {
 
     /// Radius and strength at a sample, by its pressure and, where dabs add up, its stride.
     Form form(const StrokeSample& sample) const;
+    /// How many dabs at one place are as much as a stroke leaves there that goes over it, with dabs this part of the
+    /// radius apart: the weights of all that reach it. 1 where dabs do not add up, or make their own sampling.
+    double overlap(float spacing) const;
+    /// As much as `dabs` of this form in the same place, in as few as strength allows.
+    void pile(const StrokeSample& sample, const Contact& own, Form form, double dabs);
     /// One dab with its images. `own`: the contact of the sample's ray on the present version, found before; only the
     /// other images' rays are cast here.
     void dabAt(const StrokeSample& sample, const Contact& own, const Form& form);
@@ -65,8 +70,8 @@ class Dabs {
 
     /// Back to the first version, as if no dab had been.
     void restart();
-    /// The last resampling.
-    void finish();
+    /// A slice of the last resampling; true when nothing is left of it.
+    bool finishSlice();
 
     int count() const { return m_count; }
     std::span<const double> seconds() const { return m_seconds; }
@@ -101,6 +106,7 @@ class Dabs {
     std::vector<std::optional<Anchor>> m_anchors;     ///< of each image's first dab
     std::vector<std::optional<base::Vec3f>> m_places; ///< of each image's last dab
     std::vector<PastDab> m_past;
+    std::unique_ptr<ToolMemory> m_memory;
     int m_count = 0;
     std::vector<double> m_seconds;
     const std::atomic<bool>* m_cancel;

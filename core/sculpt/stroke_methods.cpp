@@ -89,7 +89,7 @@ void Anchored::add(const StrokeSample& sample, bool) {
     form.upwards = sample.ray.at(t) - m_anchor.position;
     form.radius = length(form.upwards);
     if (form.radius > 1e-3f * m_dabs.settings().radius)
-        m_dabs.dabAt(*m_first, m_anchor, form);
+        m_dabs.pile(*m_first, m_anchor, form, m_dabs.settings().fullTap ? m_dabs.overlap(usualSpacing) : 1);
 }
 
 /// Where a line meets the model.

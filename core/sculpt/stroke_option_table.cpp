@@ -19,6 +19,9 @@ static bool shapes(const ToolRow& tool, const StrokeSettings&) {
 static bool spaced(const ToolRow& tool, const StrokeSettings& settings) {
     return dabs(tool, settings) && (settings.method == StrokeMethod::Space || settings.method == StrokeMethod::Line);
 }
+static bool tapped(const ToolRow& tool, const StrokeSettings& settings) {
+    return spaced(tool, settings) || (dabs(tool, settings) && settings.method == StrokeMethod::Anchored);
+}
 static bool timed(const ToolRow& tool, const StrokeSettings& settings) {
     return dabs(tool, settings) && settings.method == StrokeMethod::Airbrush;
 }
@@ -203,6 +206,16 @@ std::span<const StrokeOption> strokeOptionTable() {
          Stamp,
          &S::stampUpright,
          stamped,
+         {},
+         Scope::Stroke},
+        {"full-tap",
+         "Full tap",
+         "",
+         "A tap, and an anchored stamp, are as strong as a stroke that goes over the place; the window asks for it.",
+         "",
+         Stroke,
+         &S::fullTap,
+         tapped,
          {},
          Scope::Stroke},
     };

@@ -97,6 +97,10 @@ struct StrokeSettings {
     bool stampFollows = false; ///< its upper edge leads along the stroke; else it stands upright as seen
     base::UpAxis stampUpright = base::UpAxis::Y; ///< the model's axis that is upright then
 
+    /// A stroke that stays in its place, and a stamp that is anchored, are as strong there as a stroke that goes over
+    /// it.
+    bool fullTap = false;
+
     bool operator==(const StrokeSettings&) const = default;
 };
 

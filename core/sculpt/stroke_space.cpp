@@ -2,6 +2,7 @@
 #include "core/sculpt/stroke_methods.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace sculpt {
 
@@ -37,6 +38,7 @@ class Space : public Method {
     void follow(const StrokeSample& to);
     void touch(const StrokeSample& sample, const Contact& at);
     void dab(const StrokeSample& sample, const Contact& at, const base::Vec3f& upwards);
+    void fill();
 
     Dabs& m_dabs;
     std::optional<StrokeSample> m_previous;
@@ -44,6 +46,9 @@ class Space : public Method {
     std::optional<Contact> m_last;
     float m_radius = 0;    ///< of the last dab
     float m_travelled = 0; ///< by the pointer since then, up to m_previous
+    std::optional<Contact> m_first;
+    float m_reach = 0; ///< of the dabs' contacts, from the first
+    int m_made = 0;
     /// A first dab whose stamp follows the stroke waits for its direction.
     std::optional<StrokeSample> m_waiting;
 };
@@ -141,12 +146,32 @@ void Space::dab(const StrokeSample& sample, const Contact& at, const base::Vec3f
     m_radius = form.radius;
     form.upwards = upwards;
     m_dabs.dabAt(sample, at, form);
+    if (!m_first)
+        m_first = at;
+    m_reach = std::max(m_reach, distance(m_first->position, at.position));
+    ++m_made;
+}
+
+/// What a tap lacks of the dabs that a stroke would have laid over its place. A hand that trembles is still a tap: what
+/// is added fades out over a quarter of the radius.
+void Space::fill() {
+    if (!m_dabs.settings().fullTap || !m_first || !m_previous)
+        return;
+    constexpr float tremble = 0.25f;
+    const double still = 1 - double(m_reach) / double(tremble * m_radius);
+    const double lacking = (m_dabs.overlap(m_dabs.settings().spacing) - m_made) * still;
+    if (!(lacking > 0))
+        return;
+    if (const auto touched = m_dabs.contact(m_previous->ray))
+        m_dabs.pile(*m_previous, *touched, m_dabs.form(*m_previous), lacking);
+    m_made += static_cast<int>(std::ceil(lacking));
 }
 
 void Space::finish() {
     if (m_waiting)
         dab(*m_waiting, *m_last, {});
     m_waiting.reset();
+    fill();
 }
 
 } // namespace

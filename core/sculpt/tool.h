@@ -25,6 +25,11 @@ struct PastDab {
     float radius, strength;
 };
 
+/// What a tool remembers from dab to dab of a stroke, for speed: its results follow from the dabs so far.
+struct ToolMemory {
+    virtual ~ToolMemory() = default;
+};
+
 /// One application of a tool at an exact contact. Lengths in model units; directions of unit length.
 struct Dab {
     base::Vec3f centre;       ///< on the surface of the version that the stroke works on
@@ -37,9 +42,10 @@ struct Dab {
     float angle = 0;          ///< by how much the pointer turned about the contact (Motion::Turn), about areaNormal
     base::Vec3f anchor;       ///< the stroke's first contact, of the same image as this dab
     base::Vec3f anchorNormal; ///< the area normal there
-    base::Mat3f image = base::Mat3f::identity(); ///< what symmetry did to directions
-    const surface::Surface* first = nullptr;     ///< the version that the stroke began on; null: the present one
-    std::span<const PastDab> past;               ///< the stroke's dabs so far, all images, oldest first
+    base::Mat3f image = base::Mat3f::identity();   ///< what symmetry did to directions
+    const surface::Surface* first = nullptr;       ///< the version that the stroke began on; null: the present one
+    std::span<const PastDab> past;                 ///< the stroke's dabs so far, all images, oldest first
+    std::unique_ptr<ToolMemory>* memory = nullptr; ///< the stroke's, empty at first; null: nothing is remembered
     float radius = 0;
     float strength = 0;      ///< 0 to 1, pressure and symmetry included; negative when inverted
     bool footprints = false; ///< supports follow the stretch: where no resampling ties them to the target spacing

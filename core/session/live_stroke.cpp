@@ -40,14 +40,23 @@ bool LiveStroke::add(const sculpt::StrokeSample& sample) {
     return m_stroke.add(m_samples.back());
 }
 
+const char* LiveStroke::label() const {
+    return sculpt::tool(m_settings.tool).label;
+}
+
+bool LiveStroke::settle() {
+    const base::CancelScope scope(m_context.progress.cancel);
+    return m_stroke.finishSlice();
+}
+
 bool LiveStroke::finish() {
     const base::CancelScope scope(m_context.progress.cancel);
     m_stroke.finish();
     m_context.dabs = m_stroke.dabs();
     m_context.dabSeconds.assign(m_stroke.dabSeconds().begin(), m_stroke.dabSeconds().end());
-    if (m_stroke.surface().tree() == m_context.document.surface().tree())
+    if (!changed())
         return false;
-    m_context.document.commit(m_stroke.surface(), sculpt::tool(m_settings.tool).label);
+    m_context.document.commit(m_stroke.surface(), label());
     if (m_context.journal)
         m_context.journal->record(complete(strokeLine(m_settings, m_samples, m_context.document.provenance().origin)),
                                   m_context);

@@ -3,7 +3,8 @@
 //
 //     press:    LiveStroke stroke(context, settings);
 //     move:     if (stroke.add(sample)) show(stroke.surface());
-//     release:  stroke.finish();
+//     release:  while (!stroke.settle()) {}     in slices, should something else be due
+//               stroke.finish();
 //
 // Dropping it without `finish` takes the stroke back. Where the context's progress is cancelled, base::Cancelled leaves
 // `add` and `finish` between two dabs, and dropping is all that is left. REQUIRES: the document stays as it is
@@ -22,8 +23,13 @@ class LiveStroke {
 
     /// Returns true where at least one dab was made: then `surface()` is a new version.
     bool add(const sculpt::StrokeSample& sample);
+    /// A slice of the last resampling, which `finish` does not do again; true when nothing is left of it.
+    bool settle();
     /// Last resampling, history, journal. A stroke that never met the model leaves no trace. Returns whether it did.
     bool finish();
+    /// Has it changed anything so far?
+    bool changed() const { return !(m_stroke.surface().tree() == m_context.document.surface().tree()); }
+    const char* label() const; ///< as history shows it
 
     const surface::Surface& surface() const { return m_stroke.surface(); }
     int dabs() const { return m_stroke.dabs(); }

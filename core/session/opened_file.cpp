@@ -34,11 +34,15 @@ OpenedFile opened(const std::string& name, io::FileModel model, const json& para
     return out;
 }
 
-static base::UpAxis upOf(const io::FileModel& model, const surface::Surface& surface) {
+static base::UpAxis upOf(const OpenedFile& file, const surface::Surface& surface) {
+    const io::FileModel& model = file.model;
     const bool curve = surface.definition().manifold == surface::Manifold::Curve;
     if (model.up || curve)
         return model.up.value_or(model.usualUp);
-    return process::guessedUp(process::upEvidence(surface.tree()), model.usualUp);
+    // Scanners see the side that they scan; faces wind as programs like.
+    const bool seen = file.ownNormals && model.faces == 0 && surface.tree().layout()->oriented;
+    const auto sides = seen ? process::KnownSides::Yes : process::KnownSides::No;
+    return process::guessedUp(process::upEvidence(surface.tree(), sides), model.usualUp);
 }
 
 static std::string mergedMessage(std::size_t merged) {
@@ -51,13 +55,21 @@ MadeModel made(OpenedFile& file, const base::Progress& progress) {
     const surface::SurfaceDefinition& definition = file.surface.definition;
     const bool kept = file.faces.sampled || (model.hasSupports && !file.surface.newSupports);
     std::size_t merged = 0;
-    const process::PrepareOptions options{definition, kept, model.limitDecided && definition == model.definition,
-                                          file.faces.sampled || model.hasSupports ? nullptr : &merged, &model.shape};
+    bool turned = false;
+    process::PrepareOptions options;
+    options.definition = definition;
+    options.keepSupports = kept;
+    options.keepLimit = model.limitDecided && definition == model.definition;
+    options.merged = file.faces.sampled || model.hasSupports ? nullptr : &merged;
+    options.turned = file.ownNormals && model.faces == 0 && !model.hasSupports ? &turned : nullptr;
+    options.shape = &model.shape;
     surface::Surface surface =
         inNameOf(file.name, [&] { return process::prepare(std::move(model.points), options, progress); });
     if (merged > 0)
         model.messages.push_back(mergedMessage(merged));
-    const base::UpAxis up = upOf(model, surface);
+    if (turned)
+        model.messages.push_back("The normals looked inwards, and were turned: the surface is closed.");
+    const base::UpAxis up = upOf(file, surface);
     return {std::move(surface), up, merged};
 }
 

@@ -66,6 +66,15 @@ std::vector<LeftJournal> findLeftJournals() {
     return findLeftJournals(stateFolder());
 }
 
+static void count(std::vector<std::pair<std::string, int>>& steps, const std::string& label) {
+    for (auto& [known, times] : steps)
+        if (known == label) {
+            ++times;
+            return;
+        }
+    steps.emplace_back(label, 1);
+}
+
 Recovery recover(const fs::path& journal, Context& context) {
     constexpr int told = 10;
     Recovery out;
@@ -78,6 +87,13 @@ Recovery recover(const fs::path& journal, Context& context) {
     options.passedOver = [&](const base::Error& error) {
         if (++out.leftOut <= told)
             context.messages.push_back(error.message() + "; this line was left out");
+    };
+    options.done = [&](const LineReport& report) {
+        const CommandRow& row = command(report.op);
+        const bool step = row.changesModel && !row.startsModel && row.op != std::string_view("undo") &&
+                          row.op != std::string_view("redo") && context.document.canUndo();
+        if (step)
+            count(out.steps, context.document.undoLabel());
     };
     out.commands = replay(journal, context, options);
     if (out.commands == 0)

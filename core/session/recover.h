@@ -22,6 +22,8 @@ std::vector<LeftJournal> findLeftJournals();
 struct Recovery {
     int commands = 0; ///< executed
     int leftOut = 0;  ///< failed and passed over
+    /// What the history calls the steps, and how many there were of each, in the order of their first.
+    std::vector<std::pair<std::string, int>> steps = {};
 };
 
 /// Brings the model of a journal back into `context`, whose own journal, if any, records it anew. The journal itself

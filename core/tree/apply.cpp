@@ -95,7 +95,8 @@ void collect(const Node& node, std::uint32_t first, Slice slice, std::vector<Lea
 class Application {
   public:
     Application(const SurfelTree& tree, const Edit& edit)
-        : m_tree(tree), m_inserted(edit.inserted), m_insertions(locate(*tree.root(), edit.inserted)) {
+        : m_tree(tree), m_inserted(edit.inserted), m_words((edit.layout ? edit.layout : tree.layout())->words()),
+          m_insertions(locate(*tree.root(), edit.inserted)) {
         collect(*tree.root(), 0, {edit.blocks, m_insertions}, m_tasks);
     }
 
@@ -114,6 +115,7 @@ class Application {
 
     const SurfelTree& m_tree;
     const surfel::SurfelList& m_inserted;
+    std::size_t m_words;
     std::vector<Insertion> m_insertions;
     std::vector<LeafTask> m_tasks;
     std::size_t m_next = 0; ///< the first task that assemble has not met yet
@@ -121,7 +123,7 @@ class Application {
 
 Rebuilt Application::recutLeaf(const Node& node, std::uint32_t firstBlock, Slice slice) const {
     Rebuilt out{true, false, {}};
-    BlockPool pool(m_inserted, m_tree.layout()->words());
+    BlockPool pool(m_inserted, m_words);
     for (int i = 0; i < node.childCount; ++i) {
         const Slice part = slice.takeBelow(firstBlock + node.firstBlock[i] + 1);
         Child child = childOf(node, i);
@@ -130,7 +132,7 @@ Rebuilt Application::recutLeaf(const Node& node, std::uint32_t firstBlock, Slice
             removed = edit.removed;
             if (edit.changed) {
                 assert(edit.changed->size() == child.block->size());
-                assert(edit.changed->extraWords() == child.block->extraWords());
+                assert(edit.changed->extraWords() == m_words);
                 child = asChild(edit.changed);
             }
         }
@@ -171,7 +173,8 @@ Rebuilt Application::assemble(const Node& node, std::uint32_t first) {
 SurfelTree SurfelTree::apply(const Edit& edit) const {
     if (edit.empty())
         return *this;
-    assert(!edit.layout || edit.layout->words() == m_layout->words());
+    assert(!edit.layout || edit.layout->words() == m_layout->words() ||
+           (edit.inserted.items.empty() && edit.blocks.size() == blockCount()));
     const std::size_t words = m_layout->words();
     if (!m_root) {
         assert(edit.blocks.empty());

@@ -41,7 +41,7 @@ struct BlockEdit {
 struct Edit {
     std::vector<BlockEdit> blocks; ///< ascending by block, no block twice
     surfel::SurfelList inserted;   ///< same words as the tree
-    /// The version's layout from now on, with the same words: what flags it gives meaning to. Null: as it was.
+    /// The layout from now on: same words, other flags; or other words, where each block is changed. Null: as it was.
     surfel::AttributeLayoutPtr layout;
     bool empty() const { return blocks.empty() && inserted.items.empty(); }
 };

@@ -16,6 +16,8 @@ class SectionCommandTest : public QObject {
   private Q_SLOTS:
     void aSphereIsCutInACircle();
     void polylinesCloseWhereCurvesDo();
+    void drawingsHoldTheSameCurves_data();
+    void drawingsHoldTheSameCurves();
     void wrongUsageIsRefused_data();
     void wrongUsageIsRefused();
     void turntablesAreNumbered();
@@ -65,6 +67,79 @@ void SectionCommandTest::polylinesCloseWhereCurvesDo() {
     QCOMPARE(static_cast<std::size_t>(vertices), lines[0].size() + lines[1].size() - 2);
 }
 
+void SectionCommandTest::drawingsHoldTheSameCurves_data() {
+    QTest::addColumn<QString>("plane");
+    QTest::addColumn<std::vector<double>>("right");
+    QTest::addColumn<std::vector<double>>("up");
+    const double half = std::sqrt(0.5);
+    QTest::newRow("front") << "0,0,1,0.05" << std::vector{1., 0., 0.} << std::vector{0., 1., 0.};
+    QTest::newRow("back") << "0,0,-1,0.05" << std::vector{-1., 0., 0.} << std::vector{0., 1., 0.};
+    QTest::newRow("top") << "0,2,0,0.1" << std::vector{1., 0., 0.} << std::vector{0., 0., -1.};
+    QTest::newRow("oblique") << "0,1,1,0.1" << std::vector{1., 0., 0.} << std::vector{0., half, -half};
+}
+
+/// Every point of the CSV file stands in the DXF file, and, seen from the normal's side, in the SVG file.
+void SectionCommandTest::drawingsHoldTheSameCurves() {
+    QFETCH(QString, plane);
+    QFETCH(std::vector<double>, right);
+    QFETCH(std::vector<double>, up);
+    const Program program;
+    for (const char* name : {"s.csv", "s.dxf", "s.svg"}) {
+        const Outcome outcome = program.run({"section", "sample:torus:6000", "--plane", plane, "-o", name});
+        QVERIFY2(outcome.code == 0, outcome.err.c_str());
+    }
+    const auto rows = rowsOf(program.read("s.csv"));
+    std::istringstream dxf(program.read("s.dxf"));
+    std::vector<double> inSpace;
+    int lines = 0, ends = 0;
+    bool vertex = false;
+    for (std::string code, value; std::getline(dxf, code) && std::getline(dxf, value);) {
+        lines += value == "POLYLINE" ? 1 : 0;
+        ends += value == "SEQEND" ? 1 : 0;
+        vertex = code == "0" ? value == "VERTEX" : vertex;
+        if (vertex && (code == "10" || code == "20" || code == "30"))
+            inSpace.push_back(std::stod(value));
+    }
+    std::string svg = program.read("s.svg");
+    int paths = 0, closed = 0;
+    std::vector<double> drawn;
+    for (std::size_t at = svg.find("d=\"M"); at != std::string::npos; at = svg.find("d=\"M", at + 1)) {
+        std::string path = svg.substr(at + 3, svg.find('"', at + 3) - at - 3);
+        ++paths;
+        closed += path.back() == 'Z' ? 1 : 0;
+        for (char& c : path)
+            c = c == 'M' || c == 'L' || c == 'Z' ? ' ' : c;
+        std::istringstream numbers(path);
+        for (double x; numbers >> x;)
+            drawn.push_back(x);
+    }
+    const std::size_t count = rows.size() - 1;
+    QCOMPARE(inSpace.size(), 3 * count);
+    QCOMPARE(drawn.size(), 2 * count);
+    QCOMPARE(lines, std::stoi(rows.back().at(0)) + 1);
+    QCOMPARE(ends, lines);
+    QCOMPARE(paths, lines);
+    QCOMPARE(closed, lines);
+    double least[2] = {1e9, 1e9}, left = 1e9, top = 1e9;
+    for (std::size_t i = 0; i < count; ++i) {
+        double across = 0, down = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double x = std::stod(rows[i + 1].at(2 + k));
+            QCOMPARE(inSpace[3 * i + k], x);
+            across += x * right[k];
+            down -= x * up[k];
+        }
+        if (i == 0) {
+            left = across - drawn[0];
+            top = down - drawn[1];
+        }
+        QVERIFY(std::abs(across - drawn[2 * i] - left) < 1e-12 && std::abs(down - drawn[2 * i + 1] - top) < 1e-12);
+        least[0] = std::min(least[0], drawn[2 * i]);
+        least[1] = std::min(least[1], drawn[2 * i + 1]);
+    }
+    QVERIFY(std::abs(least[0]) < 1e-12 && std::abs(least[1]) < 1e-12); // the corner is its zero
+}
+
 void SectionCommandTest::wrongUsageIsRefused_data() {
     QTest::addColumn<QStringList>("arguments");
     QTest::addColumn<int>("code");
@@ -73,6 +148,8 @@ void SectionCommandTest::wrongUsageIsRefused_data() {
     QTest::newRow("no plane") << section << 2 << "--plane";
     QTest::newRow("no normal") << section + QStringList{"--plane", "0,0,0,1"} << 2 << "0,0,0,1";
     QTest::newRow("no such ending") << section + QStringList{"--plane", "0,0,1,0", "-o", "a.stl"} << 2 << ".csv";
+    QTest::newRow("no drawing of boundaries")
+        << QStringList{"boundary", "sample:sphere:500", "-o", "a.svg"} << 2 << ".csv, .obj or .dxf";
     QTest::newRow("no model") << QStringList{"section", "nowhere.ply", "--plane", "0,0,1,0"} << 1 << "nowhere.ply";
     QTest::newRow("no height") << render + QStringList{"--ortho", "-3"} << 2 << "-3";
     QTest::newRow("two projections") << render + QStringList{"--ortho", "fit", "--fov", "30"} << 2 << "--fov";

@@ -1,5 +1,4 @@
-// Rays and the surface of cells: solids of planes keep their edges and corners, no ray is lost, and away from creases
-// nothing changes.
+// Rays and the surface of cells: solids of planes keep their edges and corners, and no ray is lost.
 #include "core/cells/cell_rays.h"
 
 #include "cells/solids.h"
@@ -24,9 +23,6 @@ class CellRaysTest : public QObject {
     void allHitsAlternate();
     void anyHitAgreesWithTheFirst();
     void octantsKeepTheirSeams();
-    void modelsOfOneCellGiveTheSameBits();
-    void awayFromCreasesBitsStay();
-    void batchesGiveTheBitsOfSingles();
     void raysInAFaceMiss();
 };
 
@@ -304,65 +300,6 @@ void CellRaysTest::octantsKeepTheirSeams() {
     QVERIFY(rays > 40);
     QCOMPARE(lost, 0);
     QVERIFY2(worst < 0.06, QByteArray::number(worst));
-}
-
-void CellRaysTest::modelsOfOneCellGiveTheSameBits() {
-    Random random(test::seed());
-    SampledSolid s = sampled(intersection({{{0, 0, 1}, 0.3}}), 1, 0.06, random);
-    const CellSurface surface = cellsOf(s.surfels);
-    std::vector<base::Rayf> rays;
-    for (int k = 0; k < 200; ++k) {
-        const Rayd ray = towards(random.unitVector() * random.uniform(), random.unitVector(), 3);
-        rays.push_back({base::cast<float>(ray.origin), base::cast<float>(ray.direction)});
-    }
-    std::vector<surface::RayHit<float>> plain(rays.size()), byCells(rays.size());
-    intersect(surface.surface(), rays, {}, plain);
-    intersect(surface, rays, {}, byCells);
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-        QCOMPARE(byCells[i].hit, plain[i].hit);
-        QVERIFY(byCells[i].t == plain[i].t && byCells[i].normal == plain[i].normal);
-    }
-}
-
-void CellRaysTest::awayFromCreasesBitsStay() {
-    Random random(test::seed());
-    const SampledSolid s = sampled(cube(1), 2, 0.06, random);
-    const CellSurface surface = cellsOf(s.surfels);
-    for (int k = 0; k < test::effort(200); ++k) {
-        const Vec3d target{random.uniform(-0.2, 0.2), random.uniform(-0.2, 0.2), 1};
-        const Rayd ray = towards(target, -base::normalized(random.unitVector() + Vec3d{0, 0, 2}), 1);
-        const surface::RayHit<double> plain = intersectReference(surface.surface(), ray);
-        const surface::RayHit<double> byCells = intersectReference(surface, ray);
-        if (std::abs(plain.position.x) < 0.2 && std::abs(plain.position.y) < 0.2 && std::abs(ray.direction.z) > 0.8) {
-            QCOMPARE(byCells.hit, plain.hit);
-            QVERIFY(byCells.t == plain.t && byCells.position == plain.position);
-        }
-    }
-}
-
-void CellRaysTest::batchesGiveTheBitsOfSingles() {
-    Random random(test::seed());
-    const SampledSolid s = sampled(lBlock(1), 2, 0.1, random);
-    const CellSurface surface = cellsOf(s.surfels);
-    std::vector<base::Rayf> rays;
-    for (int k = 0; k < 100; ++k) {
-        const Rayd ray = towards(random.unitVector() * 1.2 * random.uniform(), random.unitVector(), 4);
-        rays.push_back({base::cast<float>(ray.origin), base::cast<float>(ray.direction)});
-    }
-    std::vector<surface::RayHit<float>> all(rays.size()), one(1);
-    std::vector<std::uint8_t> any(rays.size());
-    std::vector<std::vector<surface::RayHit<float>>> every(rays.size());
-    intersect(surface, rays, {}, all);
-    intersectAny(surface, rays, {}, any);
-    intersectAll(surface, rays, {}, every);
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-        intersect(surface, {&rays[i], 1}, {}, one);
-        QVERIFY(one[0].hit == all[i].hit && one[0].t == all[i].t && one[0].normal == all[i].normal);
-        QCOMPARE(any[i] != 0, all[i].hit);
-        QCOMPARE(every[i].empty(), !all[i].hit);
-        if (all[i].hit)
-            QVERIFY(std::abs(every[i].front().t - all[i].t) < 1e-5f);
-    }
 }
 
 void CellRaysTest::raysInAFaceMiss() {

@@ -4,6 +4,7 @@
 #include "fuzz/fuzzed.h"
 #include "fuzz/mutations.h"
 #include "fuzz/seeds.h"
+#include "support/campaign_arguments.h"
 
 #include <algorithm>
 #include <atomic>
@@ -167,16 +168,14 @@ int main(int argc, char** argv) {
 #include "fuzz_targets.inc"
 #undef FUZZ_TARGET
     };
-    if (argc < 2) {
-        std::fputs("usage: pointclay_fuzz FOLDER [SECONDS [SEED [TARGET [NUMBER]]]]\n", stderr);
-        return 2;
-    }
-    const double seconds = argc > 2 ? std::atof(argv[2]) : 60;
-    const std::uint64_t seed = argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1;
-    if (argc > 4)
-        std::erase_if(targets, [&](const Target& target) { return target.name != argv[4]; });
+    const test::CampaignArguments arguments(argc, argv, "pointclay_fuzz FOLDER [SECONDS [SEED [TARGET [NUMBER]]]]", 1);
+    const char* const folder = arguments.word(1);
+    const double seconds = arguments.number(2, 60.0);
+    const std::uint64_t seed = arguments.number<std::uint64_t>(3, 1);
+    if (arguments.has(4))
+        std::erase_if(targets, [&](const Target& target) { return target.name != arguments.word(4); });
     if (targets.empty()) {
-        std::fprintf(stderr, "pointclay_fuzz: there is no target %s\n", argv[4]);
+        std::fprintf(stderr, "pointclay_fuzz: there is no target %s\n", arguments.word(4));
         return 2;
     }
     const fs::path memory = "/dev/shm"; // files of targets are synced, which no disk does often
@@ -190,13 +189,13 @@ int main(int argc, char** argv) {
     const fs::path made = fs::path(place) / "seeds";
     bool good =
         inProcess([&] { fuzz::writeSeeds(made); }, [] { return true; }) == 0; // its threads stay out of the others
-    if (argc > 5) {
+    if (arguments.has(5)) {
         LLVMFuzzerInitialize(nullptr, nullptr);
         execute(targets.front(),
-                mutationsFor(targets.front().name, argv[1], made, seed).input(std::strtoull(argv[5], nullptr, 10)));
+                mutationsFor(targets.front().name, folder, made, seed).input(arguments.number<std::uint64_t>(5, 0)));
     } else {
         const std::chrono::duration<double> each(seconds / static_cast<double>(targets.size()));
-        Runs runs(argv[1], made, seed, std::chrono::duration_cast<Clock::duration>(each));
+        Runs runs(folder, made, seed, std::chrono::duration_cast<Clock::duration>(each));
         for (const Target& target : targets)
             good &= runs.run(target);
         std::printf("%llu executions of %zu targets, seed %llu: %s\n",

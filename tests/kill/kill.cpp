@@ -2,6 +2,7 @@
 // existing file, conversions and meshes, and looks at what is left: every target is the old or the new file, whole; a
 // journal brings back all but the command in progress; what was begun goes with the next run.
 #include "core/base/random.h"
+#include "support/campaign_arguments.h"
 
 #include <chrono>
 #include <csignal>
@@ -205,11 +206,10 @@ class Campaign {
 } // namespace
 
 int main(int argc, char** argv) {
-    if (argc < 2)
-        fail("usage: pointclay_kill PROGRAM [COUNT [SEED]]");
-    const std::string program = fs::canonical(argv[1]);
-    const int count = argc > 2 ? std::atoi(argv[2]) : 1000;
-    const std::uint64_t seed = argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1;
+    const test::CampaignArguments arguments(argc, argv, "pointclay_kill PROGRAM [COUNT [SEED]]", 1);
+    const std::string program = fs::canonical(arguments.word(1));
+    const int count = arguments.number(2, 1000);
+    const std::uint64_t seed = arguments.number<std::uint64_t>(3, 1);
     std::string folder = (fs::temp_directory_path() / "pointclay-kill-XXXXXX").string();
     if (!::mkdtemp(folder.data()))
         fail("no place for files");

@@ -18,6 +18,7 @@ class FaceTopologyTest : public QObject {
     void repeatedFacesCountOnce();
     void coincidentCornersAreOneVertex();
     void roundOffDoesNotOpenSeams();
+    void cornersOnSidesOpenNothing();
     void aMoebiusStripIsOneSided();
     void cutPolygonsKeepTheirArea();
 };
@@ -99,6 +100,55 @@ void FaceTopologyTest::roundOffDoesNotOpenSeams() {
     QCOMPARE(stl.topology().patchCount, std::size_t(6));
     stl.positions[0].x += 0.01f; // a gap is a gap
     QVERIFY(!stl.topology().closed());
+}
+
+/// Triangles cut one by one, at random places of their sides, each with corners of its own and turned by chance.
+void FaceTopologyTest::cornersOnSidesOpenNothing() {
+    for (int round = 0; round < test::effort(20); ++round) {
+        const std::uint64_t seed = test::seed() + static_cast<std::uint64_t>(round);
+        base::Random random(seed);
+        Faces faces = round % 2 == 0 ? box({2, 1, 0.5f}) : band(20, 9, false);
+        const FaceTopology whole = faces.topology();
+        for (int times = 0; times < 4; ++times)
+            for (std::size_t t = 0, count = faces.triangles.size(); t < count; ++t) {
+                if (random.below(3) == 0)
+                    continue;
+                const std::size_t k = random.below(3);
+                const Triangle f = faces.triangles[t];
+                const auto p = [&](std::size_t i) { return base::cast<double>(faces.positions[f[i % 3]]); };
+                faces.positions.push_back(base::cast<float>(p(k) + (p(k + 1) - p(k)) * random.uniform(0.1, 0.9)));
+                const auto cut = static_cast<std::uint32_t>(faces.positions.size() - 1);
+                faces.triangles[t] = {f[k], cut, f[(k + 2) % 3]};
+                faces.triangles.push_back({cut, f[(k + 1) % 3], f[(k + 2) % 3]});
+            }
+        Faces apart;
+        for (Triangle t : faces.triangles) {
+            if (random.below(3) == 0)
+                std::swap(t[0], t[1]);
+            const auto first = static_cast<std::uint32_t>(apart.positions.size());
+            for (const std::uint32_t corner : t)
+                apart.positions.push_back(faces.positions[corner]);
+            apart.triangles.push_back({first, first + 1, first + 2});
+        }
+        const FaceTopology found = apart.topology();
+        const QByteArray told = QString("seed %1").arg(seed).toUtf8();
+        QVERIFY2(found.closed() && !found.oneSided, told);
+        QCOMPARE(found.patchCount, whole.patchCount);
+        Vec3d sum;
+        double volume = 0;
+        for (std::size_t t = 0; t < found.triangles.size(); ++t) {
+            sum += found.normals[t] * found.areas[t];
+            volume +=
+                dot(base::cast<double>(apart.positions[found.triangles[t][0]]), found.normals[t]) * found.areas[t] / 3;
+        }
+        QVERIFY2(length(sum) < 1e-4, told); // all turned alike
+        QVERIFY2(volume > 0.9, told);       // and outwards: 1 and 4.6
+    }
+    Faces open = box({2, 1, 0.5f}); // a gap is a gap
+    open.positions.push_back({1, 0, 0.01f});
+    open.triangles[4] = {0, 8, 5};
+    open.triangles.push_back({8, 1, 5});
+    QVERIFY(!open.topology().closed());
 }
 
 void FaceTopologyTest::aMoebiusStripIsOneSided() {

@@ -25,6 +25,7 @@ class PrepareTest : public QObject {
     void everySampleBecomesASurface();
     void whatCameWithThePointsIsKept();
     void missingNormalsTakeTheSideOfTheirNeighbours();
+    void closedCloudsThatLookInwardsAreTurned();
     void nonFinitePointsAreDroppedWithTheirAttributes();
     void fewerThanFourDistinctPointsAreRefused();
     void coincidentPointsAreFine();
@@ -106,6 +107,31 @@ void PrepareTest::missingNormalsTakeTheSideOfTheirNeighbours() {
     }
     for (const auto& s : prepare(list, {}).tree().surfels().items)
         QVERIFY(dot(s.normal, s.position) < -0.99f);
+}
+
+void PrepareTest::closedCloudsThatLookInwardsAreTurned() {
+    for (const char* shape : {"sphere", "torus", "knot"}) {
+        surfel::SurfelList given = sample(shape).make(6000, 1), inwards = given;
+        for (auto& s : inwards.items)
+            s.normal = -s.normal;
+        PrepareOptions options;
+        bool turned = false;
+        options.turned = &turned;
+        const auto expected = prepare(given, options).tree();
+        QVERIFY2(!turned, shape);
+        QVERIFY2(prepare(inwards, options).tree().contentHash() == expected.contentHash(), shape);
+        QVERIFY2(turned, shape);
+        options.turned = nullptr; // nobody asks
+        QVERIFY2(prepare(inwards, options).tree().contentHash() != expected.contentHash(), shape);
+    }
+    surfel::SurfelList bowl = halfSphere(0); // what is open may be seen from either side
+    for (auto& s : bowl.items)
+        s.normal = -s.normal;
+    PrepareOptions options;
+    bool turned = false;
+    options.turned = &turned;
+    const auto hash = prepare(bowl, {}).tree().contentHash();
+    QVERIFY(prepare(bowl, options).tree().contentHash() == hash && !turned);
 }
 
 void PrepareTest::nonFinitePointsAreDroppedWithTheirAttributes() {

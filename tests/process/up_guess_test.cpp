@@ -19,6 +19,7 @@ class UpGuessTest : public QObject {
     void statuesStandOnTheirBaseAlongEveryAxis();
     void whatIsCutOffStandsOnTheCut();
     void terrainsLie();
+    void scannedGroundIsSeenFromAbove();
     void roomsHaveTheirFloorBelow();
     void ballsTellNothing();
     void feetBearATable();
@@ -212,6 +213,21 @@ void UpGuessTest::terrainsLie() {
             for (const UpAxis usual : {UpAxis::Y, UpAxis::Z})
                 QVERIFY2(guess(tree, usual) == up,
                          qPrintable(QString("seed %1").arg(test::seed() + static_cast<unsigned>(k))));
+        }
+}
+
+/// Normals that somebody saw tell which end of a sheet is up, along any axis; of what is no sheet they tell nothing.
+void UpGuessTest::scannedGroundIsSeenFromAbove() {
+    for (int k = 0; k < test::effort(6); ++k)
+        for (const base::UpRow& row : base::upTable()) {
+            Random random(test::seed() + static_cast<unsigned>(k));
+            const auto tree = modelOf(Terrain(random, random.uniform(0.01, 0.12)), 6000, row.axis,
+                                      {k % 2 * 0.002, 0.001, 0, true}, random);
+            const auto seen = process::upEvidence(tree, process::KnownSides::Yes);
+            QVERIFY2(guessedUp(seen, UpAxis::Y) == row.axis,
+                     qPrintable(QString("seed %1 up %2").arg(test::seed() + static_cast<unsigned>(k)).arg(row.id)));
+            const auto statue = modelOf(Statue(random), 6000, row.axis, {}, random);
+            QVERIFY(guessedUp(process::upEvidence(statue, process::KnownSides::Yes), UpAxis::Y) == guess(statue));
         }
 }
 

@@ -12,6 +12,8 @@ class FramedBoxTest : public QObject {
     void evenModelsAreFramedWhole();
     void farOutliersAreLeftOut();
     void whatStandsNearBelongsToTheModel();
+    void patchesFarAwayAreLeftOut();
+    void thinPartsAreFramedWhole();
     void nothingIsFramedOfNothing();
 };
 
@@ -51,6 +53,38 @@ void FramedBoxTest::farOutliersAreLeftOut() {
 void FramedBoxTest::whatStandsNearBelongsToTheModel() {
     const tree::SurfelTree tree = ballAnd(10000, {{1.5f, 0, 0}, {500, 0, 0}});
     QCOMPARE(render::framedBox(tree).hi.x, 1.5f);
+}
+
+/// Photographs give patches of false matches beside the scene, too near to be called far and too far to belong to it.
+void FramedBoxTest::patchesFarAwayAreLeftOut() {
+    for (const std::size_t count : {5000ul, 70000ul}) {
+        const base::Box3f model = ballAnd(count, {}).bounds();
+        base::Random random(test::seed() + 1);
+        surfel::SurfelList list = ballAnd(count, {}).surfels();
+        for (int patch = 0; patch < 4; ++patch) {
+            const base::Vec3d centre = random.unitVector() * random.uniform(2.2, 6);
+            for (std::size_t i = 0; i < count / 1200; ++i) {
+                surfel::Surfel s;
+                s.support = 0.1f;
+                s.position = base::cast<float>(centre + random.unitVector() * 0.05);
+                list.append(s, {});
+            }
+        }
+        QVERIFY2(render::framedBox(tree::SurfelTree::build(list)) == model,
+                 qPrintable(QString("%1, seed %2").arg(count).arg(test::seed())));
+    }
+}
+
+/// A mast of 40 surfels of 50,000: few, but they hang together with the rest.
+void FramedBoxTest::thinPartsAreFramedWhole() {
+    surfel::SurfelList list = ballAnd(50000, {}).surfels();
+    for (int i = 0; i < 40; ++i) {
+        surfel::Surfel s;
+        s.support = 0.1f;
+        s.position = {0, 1 + 0.1f * static_cast<float>(i + 1), 0};
+        list.append(s, {});
+    }
+    QCOMPARE(render::framedBox(tree::SurfelTree::build(list)).hi.y, 5.0f);
 }
 
 void FramedBoxTest::nothingIsFramedOfNothing() {

@@ -19,6 +19,7 @@ class TrueViewTest : public QObject {
     void editForgetsOnlyWhatItTouches();
     void measuredNumbersColourTheSurface();
     void lightComesLastAndStays();
+    void outlinesAreSmoothAtLast();
     void cancelledRefinementGoesOn();
 };
 
@@ -67,6 +68,16 @@ std::size_t apart(const ShadedLayer& layer, const Image& cast, int step) {
         out += (layer.pixels[i].kind == PixelKind::Surface) != hit || (hit && most > step);
     }
     return out;
+}
+
+/// Mean over the pixels and channels, of 255.
+double difference(const ShadedLayer& a, const ShadedLayer& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.pixels.size(); ++i)
+        for (int k = 0; k < 24; k += 8)
+            sum += std::abs(static_cast<int>(a.pixels[i].colour >> k & 255u) -
+                            static_cast<int>(b.pixels[i].colour >> k & 255u));
+    return sum / (3 * static_cast<double>(a.pixels.size()));
 }
 
 /// One surfel of the front a little further out.
@@ -178,9 +189,18 @@ void TrueViewTest::lightComesLastAndStays() {
     subject.lighting.material = raycast::Material::Clay;
     subject.lighting.shadows = true;
     const auto levels = refined(view, subject);
-    QVERIFY(levels.size() >= 2 && !levels[levels.size() - 2].complete && levels.back().complete);
+    QVERIFY(levels.size() >= 4 && levels.back().complete);
     const auto lit = levels.back().layer;
-    QVERIFY(levels[levels.size() - 2].layer->pixels == unlit->pixels && lit->pixels != unlit->pixels);
+    // The surface without light, coarse light that comes nearer, the light itself.
+    QVERIFY(levels[levels.size() - 4].layer->pixels == unlit->pixels && lit->pixels != unlit->pixels);
+    double before = std::numeric_limits<double>::infinity();
+    for (std::size_t back = 4; back >= 1; --back) {
+        const TrueView::Level& level = levels[levels.size() - back];
+        QVERIFY(level.complete == (back == 1));
+        const double now = difference(*level.layer, *lit);
+        QVERIFY2(now < before, qPrintable(QString("%1, then %2").arg(before).arg(now)));
+        before = now;
+    }
     subject.surface = surface::Surface(edited(subject.surface.tree()), {});
     const auto known = view.known(subject);
     QVERIFY(known && unknown(*known) > 0);
@@ -189,6 +209,22 @@ void TrueViewTest::lightComesLastAndStays() {
             for (std::size_t i = 0; i < lit->pixels.size(); ++i)
                 if (known->pixels[i].kind != PixelKind::Unknown)
                     QVERIFY(level.layer->pixels[i] == lit->pixels[i]);
+}
+
+void TrueViewTest::outlinesAreSmoothAtLast() {
+    TrueView view;
+    auto subject = sphere();
+    const auto plain = refined(view, subject).back().layer;
+    subject.smooth = true;
+    const auto levels = refined(view, subject);
+    const auto& smooth = levels.back().layer->pixels;
+    QVERIFY(levels.back().complete && !levels[levels.size() - 2].complete);
+    std::size_t changed = 0, surface = 0;
+    for (std::size_t i = 0; i < smooth.size(); ++i) {
+        changed += smooth[i].colour != plain->pixels[i].colour ? 1 : 0;
+        surface += smooth[i].kind == PixelKind::Surface ? 1 : 0;
+    }
+    QVERIFY2(changed > 100 && changed < surface / 4, qPrintable(QString::number(changed)));
 }
 
 void TrueViewTest::cancelledRefinementGoesOn() {

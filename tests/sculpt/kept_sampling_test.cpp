@@ -21,6 +21,8 @@ class KeptSamplingTest : public QObject {
     void fineDetailStaysFine();
     void aSheetOfFiveThatWasLargerGoes();
     void eraseLeavesNoCrumbsAndKeepsStrays();
+    void aWideSurfelFarAwayChangesNoGradedStroke();
+    void slicesOfTheEndMakeWhatOneCallMakes();
     void aPathInOtherPiecesMakesTheSameShape_data();
     void aPathInOtherPiecesMakesTheSameShape();
 };
@@ -157,6 +159,53 @@ void KeptSamplingTest::eraseLeavesNoCrumbsAndKeepsStrays() {
     }
     QCOMPARE(strays, 1);
     QVERIFY(after.tree().size() < start.tree().size() - 300);
+}
+
+/// Nothing follows the largest support of the model: with one at the far end that is 30 times as wide the near end
+/// becomes what it became without.
+void KeptSamplingTest::aWideSurfelFarAwayChangesNoGradedStroke() {
+    surfel::SurfelList points = test::spherePoints(12000);
+    StrokeSettings settings;
+    settings.tool = "snake-hook";
+    settings.radius = 0.2f;
+    settings.graded = true;
+    const auto near = [&](const surface::Surface& surface) {
+        std::vector<Vec3f> out;
+        for (const surfel::Surfel& each : surface.tree().surfels().items)
+            if (each.position.x > 0)
+                out.push_back(each.position);
+        return out;
+    };
+    const std::vector<StrokeSample> pull = acrossTheFine(20, 0.3f);
+    const std::vector<Vec3f> even = near(test::stroked(test::surfaceOf(points), settings, pull));
+    for (surfel::Surfel& each : points.items)
+        if (each.position.x < -0.999f) {
+            each.support *= 30;
+            break;
+        }
+    const surface::Surface wide = test::surfaceOf(points);
+    QVERIFY(wide.tree().maxSupport() > 20 * points.items[0].support);
+    const std::vector<Vec3f> beside = near(test::stroked(wide, settings, pull));
+    QCOMPARE(beside.size(), even.size());
+    QVERIFY(beside == even);
+}
+
+void KeptSamplingTest::slicesOfTheEndMakeWhatOneCallMakes() {
+    const surface::Surface start = test::surfaceOf(test::spherePoints(std::size_t(test::effort(60000))));
+    StrokeSettings settings;
+    settings.tool = "snake-hook";
+    settings.radius = 0.5f;
+    Stroke once(start, settings), slices(start, settings);
+    for (const StrokeSample& sample : acrossTheFine(16, 0.4f))
+        once.add(sample), slices.add(sample);
+    once.finish();
+    int count = 1;
+    for (; !slices.finishSlice(); ++count)
+        QVERIFY(count < 1000);
+    QVERIFY2(count >= 3, qPrintable(QString::number(count)));
+    QVERIFY(once.surface().tree().contentHash() == slices.surface().tree().contentHash());
+    QVERIFY(slices.finishSlice()); // nothing is left
+    QVERIFY(once.surface().tree().contentHash() == slices.surface().tree().contentHash());
 }
 
 void KeptSamplingTest::aPathInOtherPiecesMakesTheSameShape_data() {

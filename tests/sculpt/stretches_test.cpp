@@ -5,6 +5,7 @@
 #include "support/registry.h"
 
 #include <QTest>
+#include <unordered_map>
 
 using namespace sculpt;
 using base::Vec3f;
@@ -16,6 +17,7 @@ class StretchesTest : public QObject {
     void stretchIsMeasuredSinceItWasTaken();
     void onlyWhatMovedAndIsBeyondTheLimitsIsTaken();
     void smoothingNoiseBringsNothingTogether();
+    void theMostStrainedGoFirstAndNothingWaitsTooLong();
 };
 
 constexpr double s = 0.02;
@@ -104,6 +106,37 @@ void StretchesTest::smoothingNoiseBringsNothingTogether() {
     const StretchRange range = stretches.range();
     QVERIFY2(range.least > 0.9f && range.most < 1.1f,
              qPrintable(QString("%1 to %2, seed %3").arg(range.least).arg(range.most).arg(test::seed())));
+}
+
+/// x drawn apart by 1 + |x|: more and more outwards.
+void StretchesTest::theMostStrainedGoFirstAndNothingWaitsTooLong() {
+    constexpr StretchRange limits{0.75f, 1.2f}, must{0.4f, 1.5f};
+    const tree::SurfelTree start = plane();
+    const tree::Edit edit = moved(start, [](Vec3f p) { return Vec3f{p.x * (1 + 0.5f * std::abs(p.x)), p.y, 0}; });
+    const tree::SurfelTree now = start.apply(edit);
+    for (const std::size_t count : {std::size_t(1), std::size_t(1000), std::size_t(100000)}) {
+        Stretches stretches;
+        stretches.note(start, edit);
+        const std::size_t waiting = stretches.beyond(limits), late = stretches.beyond(must);
+        QVERIFY(late > 200 && late + 200 < waiting && waiting < now.size());
+        // The least strained of those taken, the most of the others.
+        std::unordered_map<const surfel::SurfelBlock*, float> strain;
+        stretches.forEach([&](const Stretches::Tracked& each) { strain[each.now.get()] = each.range.strain(must); });
+        stretches.askMost(now, limits, must, count);
+        QVERIFY(stretches.range().within(must));
+        const tree::Selection taken = stretches.take(now, [](const Stretches::Tracked&, int) { return true; });
+        float least = 1e9f;
+        for (const tree::SelectedBlock& each : taken) {
+            const surfel::SurfelBlock* block = now.block(each.block).get();
+            least = std::min(least, strain.at(block));
+            strain.erase(block);
+        }
+        for (const auto& [block, of] : strain)
+            QVERIFY(of <= least || count > now.size());
+        const std::size_t left = stretches.beyond(limits), done = waiting - left;
+        QVERIFY(done >= std::min(std::max(count, late), waiting) && done < std::max(count, late) + 200);
+        QVERIFY(tree::sizeOf(taken) <= done && tree::sizeOf(taken) + 200 > done);
+    }
 }
 
 static const test::Registered<StretchesTest> registered;

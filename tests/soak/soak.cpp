@@ -7,6 +7,7 @@
 #include "core/session/journal.h"
 #include "core/session/recover.h"
 #include "session/random_strokes.h"
+#include "support/campaign_arguments.h"
 
 #include <algorithm>
 #include <chrono>
@@ -176,8 +177,9 @@ bool tell(const Counts& n, const std::vector<Rest>& rests, double minutes) {
 } // namespace
 
 int main(int argc, char** argv) {
-    const double minutes = argc > 1 ? std::atof(argv[1]) : 60;
-    const std::uint64_t seed = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 1;
+    const test::CampaignArguments arguments(argc, argv, "pointclay_soak [MINUTES [SEED]]", 0);
+    const double minutes = arguments.number(1, 60.0);
+    const std::uint64_t seed = arguments.number<std::uint64_t>(2, 1);
     std::string folder = (fs::temp_directory_path() / "pointclay-soak-XXXXXX").string();
     if (!::mkdtemp(folder.data()))
         fail("no place for files");

@@ -26,6 +26,7 @@ class PanelTest : public QObject {
     void panelGroupsStayAsTheyWereLeft();
     void toolsKeepTheirOwnOptions();
     void falloffIsDrawnByHand();
+    void otherButtonsLeaveAHeldPointAlone();
     void stampsAreChosenShownAndCleared();
 };
 
@@ -183,6 +184,21 @@ void PanelTest::falloffIsDrawnByHand() {
         drag(curve, QPointF(curve.width() * (k + 0.5) / 40, 40), QPointF(curve.width() * (k + 0.5) / 40, 40));
     QVERIFY(now().falloffCurve.size() <= sculpt::BrushCurve::maxPoints);
     sculpt::check(ui::strokeSettings(f.window->settings(), f.window->settings().toolRow(), 1, false));
+}
+
+void PanelTest::otherButtonsLeaveAHeldPointAlone() {
+    WindowFixture f;
+    auto& curve = *f.window->panel().findChild<ui::CurveEditor*>("falloff-curve");
+    curve.setShape({});
+    curve.setPoints({{0, 1}, {0.5f, 0.5f}, {1, 0}});
+    const QPointF last = curve.placeOf({1, 0});
+    test::sendMouse(curve, QEvent::MouseButtonPress, last, Qt::LeftButton);
+    test::sendMouse(curve, QEvent::MouseButtonPress, curve.placeOf({0.5f, 0.5f}), Qt::RightButton);
+    test::sendMouse(curve, QEvent::MouseMove, last - QPointF(0, 20), Qt::LeftButton);
+    test::sendMouse(curve, QEvent::MouseButtonRelease, last - QPointF(0, 20), Qt::LeftButton);
+    QCOMPARE(curve.points().size(), std::size_t(3));
+    QVERIFY(curve.points()[2].y > 0.05f && curve.points()[1].x == 0.5f);
+    sculpt::BrushCurve checked(curve.points());
 }
 
 void PanelTest::stampsAreChosenShownAndCleared() {

@@ -16,6 +16,8 @@ class PointerTest : public QObject {
     void bracketsAndFChangeTheRadius();
     void modelRadiusKeepsItsSizeOnTheModel();
     void shiftFChangesTheStrength();
+    void aTapOfFLastsUntilAClick();
+    void theUnitOfTheRadiusIsConverted();
 };
 
 void PointerTest::dragBesideTheModelTurnsTheView() {
@@ -96,13 +98,17 @@ void PointerTest::symmetryIsShownOverThePictureOnly() {
     for (const sculpt::Symmetry& symmetry :
          {sculpt::Symmetry{{true}}, sculpt::Symmetry{{false, true}}, sculpt::Symmetry{{}, 5, sculpt::Axis::Y}}) {
         f.window->settings().shared.symmetry = symmetry;
+        f.window->sculptView().refresh();
+        QTRY_VERIFY(seen() != shown.back()); // the curve is traced in the background
+        QTest::qWait(300);                   // and the picture comes to rest
         shown.push_back(seen());
         for (std::size_t i = 0; i + 1 < shown.size(); ++i)
             QVERIFY(shown[i] != shown.back());
     }
     QVERIFY(f.window->viewport().picture() == picture);
     f.window->settings().shared.symmetry = {};
-    QVERIFY(seen() == plain);
+    f.window->sculptView().refresh();
+    QTRY_VERIFY(seen() == plain);
 }
 
 void PointerTest::bracketsAndFChangeTheRadius() {
@@ -170,6 +176,54 @@ void PointerTest::shiftFChangesTheStrength() {
     QVERIFY(std::abs(strength() - start - 0.2f) < 1e-5f);
     QCOMPARE(f.window->settings().radiusPx, radius);
     QVERIFY(f.window->sculptView().cursor().label.isEmpty());
+}
+
+void PointerTest::aTapOfFLastsUntilAClick() {
+    WindowFixture f;
+    QVERIFY(f.make("sphere", 3000));
+    const double start = f.window->settings().radiusPx;
+    const base::Hash128 hash = f.hash();
+    const auto moveTo = [&](QPointF at) { test::sendMouse(f.view(), QEvent::MouseMove, at, Qt::NoButton); };
+    const ui::BrushCursor& cursor = f.window->sculptView().cursor();
+    for (const Qt::MouseButton button : {Qt::LeftButton, Qt::RightButton}) {
+        moveTo(f.centre());
+        QTest::keyClick(&f.view(), Qt::Key_F);
+        moveTo(f.centre() + QPointF(30, 0));
+        moveTo(f.centre() + QPointF(60, 0));
+        QVERIFY(cursor.pointer == f.centre() * f.view().devicePixelRatioF()); // the ring stays
+        QVERIFY(f.window->settings().radiusPx > start);
+        const double dragged = f.window->settings().radiusPx;
+        test::sendMouse(f.view(), QEvent::MouseButtonPress, f.centre() + QPointF(60, 0), button);
+        test::sendMouse(f.view(), QEvent::MouseButtonRelease, f.centre() + QPointF(60, 0), button);
+        QCOMPARE(f.window->settings().radiusPx, button == Qt::LeftButton ? dragged : start);
+        QVERIFY(!f.window->sculptView().sizing().dragging());
+        f.window->settings().radiusPx = start;
+        moveTo(f.centre() + QPointF(90, 0)); // free again
+        QCOMPARE(f.window->settings().radiusPx, start);
+    }
+    QVERIFY(f.hash() == hash); // the click was no stroke
+    // Strength, as a filled part of the ring.
+    moveTo(f.centre());
+    QVERIFY(!cursor.strength);
+    QTest::keyClick(&f.view(), Qt::Key_F, Qt::ShiftModifier);
+    moveTo(f.centre() + QPointF(30, 0));
+    const float strength = f.window->settings().choice(f.window->settings().toolRow()).strength;
+    QVERIFY(cursor.strength && std::abs(*cursor.strength - double(strength)) < 1e-6);
+    QTest::keyClick(&f.view(), Qt::Key_F, Qt::ShiftModifier); // a second tap ends it, too
+    QVERIFY(!f.window->sculptView().sizing().dragging() && !cursor.strength);
+}
+
+void PointerTest::theUnitOfTheRadiusIsConverted() {
+    WindowFixture f;
+    QVERIFY(f.make("sphere", 3000));
+    auto& scene = f.window->sculptView();
+    const double place = scene.motion().pixelsPerUnitAt(scene.motion().view().turningPoint());
+    const double before = f.window->settings().radiusPx;
+    scene.sizing().chooseUnit(ui::RadiusUnit::Model);
+    QVERIFY(std::abs(f.window->settings().radiusModel * place / f.view().devicePixelRatioF() / before - 1) < 1e-9);
+    f.window->settings().radiusModel *= 2;
+    scene.sizing().chooseUnit(ui::RadiusUnit::Pixels);
+    QVERIFY(std::abs(f.window->settings().radiusPx / before - 2) < 1e-9);
 }
 
 static const test::Registered<PointerTest> registered;

@@ -31,6 +31,7 @@ class SculptingTest : public QObject {
     void escapeEndsAStrokeThatWaits();
     void cloneCopiesFromWhereControlClicked();
     void killedSessionsAreRecovered();
+    void paintingIsSeen();
 };
 
 void SculptingTest::everyToolMovesPointsAndUndoBringsTheHashBack() {
@@ -289,6 +290,28 @@ void SculptingTest::cloneCopiesFromWhereControlClicked() {
     QVERIFY(!f.window->sculptView().source().place()); // another model, another place
 }
 
+void SculptingTest::paintingIsSeen() {
+    WindowFixture f;
+    QVERIFY(f.make("sphere", 4000));
+    QVERIFY(f.window->settings().shading == render::Shading::Matcap);
+    f.window->settings().tool = "draw";
+    f.drag(f.centre(), f.centre() + QPointF(30, 0));
+    QVERIFY(f.window->settings().shading == render::Shading::Matcap);
+    f.window->settings().tool = "paint";
+    f.drag(f.centre(), f.centre() + QPointF(60, 0));
+    QVERIFY(f.window->settings().shading == render::Shading::Colour);
+    // Whoever likes them without light keeps that.
+    for (QAction* action : f.window->menu("shading")->actions())
+        if (action->data().toString() == "unlit")
+            action->trigger();
+    f.drag(f.centre(), f.centre() + QPointF(60, 20));
+    QVERIFY(f.window->settings().shading == render::Shading::Unlit);
+    f.window->settings().shading = render::Shading::Spacing;
+    f.window->settings().tool = "mask";
+    f.drag(f.centre(), f.centre() + QPointF(60, 20));
+    QVERIFY(f.window->settings().shading == render::Shading::Mask);
+}
+
 void SculptingTest::killedSessionsAreRecovered() {
     WindowFixture f;
     QVERIFY(f.make("sphere", 4000));
@@ -306,7 +329,7 @@ void SculptingTest::killedSessionsAreRecovered() {
     QCOMPARE(journals.front().commands, 2);
     f.open();
     bool recovered = false;
-    f.editor().recover(left, [&](bool done, int) { recovered = done; });
+    f.editor().recover(left, [&](bool done, const session::Recovery&) { recovered = done; });
     QVERIFY(f.settle());
     QVERIFY(recovered);
     QVERIFY(f.hash() == lost);

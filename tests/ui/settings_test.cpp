@@ -45,6 +45,7 @@ static Settings unusual(base::Random& random, test::Part part = test::Part::With
     out.effects = render::Outline | render::Occlusion;
     out.annotated = render::ScaleBar;
     out.grid = true;
+    out.theme = "light";
     out.truth = {true, 2.5, {raycast::Material::Glass, raycast::LightRig::Sun, {}, true, true, true}};
     out.recentFiles = {"/a/b c.ply", "/ü.xyz"};
     out.geometry = QByteArray("\0\1\2geometry", 11);

@@ -278,16 +278,20 @@ void ViewTest::framingShowsTheWholeBox() {
         view.pivot = Vec3d{1, 2, 3};
         const Rotation turn = view.turn;
         view.frame(boxes, 800, 500);
-        QVERIFY(view.turn == turn && !view.pivot);
-        QVERIFY(view.target == (Vec3d{1.5, 1.5, 5}));
-        double farthest = 0; // from the middle, as a part of what fits
+        QVERIFY(view.turn == turn && !view.picked);
+        QVERIFY(view.turningPoint() == (Vec3d{1.5, 1.5, 5})); // the middle, wherever it is seen
+        double farthest = 0;                                  // from the middle, as a part of what fits
+        double left = 1, right = -1, top = 1, bottom = -1;
         for (const base::Box3f& box : boxes)
             for (int corner = 0; corner < 8; ++corner) {
                 const Vec3d p{corner & 1 ? box.hi.x : box.lo.x, corner & 2 ? box.hi.y : box.lo.y,
                               corner & 4 ? box.hi.z : box.lo.z};
                 const Vec3d at = view.camera(800, 500).project(p);
                 farthest = std::max({farthest, std::abs(at.x - 400) / 400, std::abs(at.y - 250) / 250});
+                left = std::min(left, at.x / 400 - 1), right = std::max(right, at.x / 400 - 1);
+                top = std::min(top, at.y / 250 - 1), bottom = std::max(bottom, at.y / 250 - 1);
             }
+        QVERIFY2(std::abs(left + right) < 3e-3 && std::abs(top + bottom) < 3e-3, seeded(k));
         QVERIFY2(std::abs(farthest - 0.92) < 1e-6, seeded(k));
     }
 }
@@ -296,8 +300,8 @@ void ViewTest::savedViewsComeBackBitForBit() {
     base::Random random(test::seed());
     for (int k = 0; k < 300; ++k) {
         SavedView saved{"left wing, from below", randomView(random), random.unitVector() * 1e6};
-        if (k % 2)
-            saved.view.pivot = random.unitVector();
+        if (k % 3)
+            saved.view.pivot = random.unitVector(), saved.view.picked = k % 3 == 1;
         const auto back = savedViewOf(textOf(saved));
         QVERIFY2(back && *back == saved, seeded(k));
         QVERIFY(back->forOrigin(saved.origin).camera(801, 603) == saved.view.camera(801, 603));

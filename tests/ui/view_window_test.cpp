@@ -91,7 +91,7 @@ void ViewWindowTest::pivotsArePickedOnTheSurface() {
     QVERIFY(std::hypot(place.x - at.x(), place.y - at.y()) < 0.1);
     QVERIFY(scene.motion().camera() != before);
     test::sendMouse(f.view(), QEvent::MouseButtonDblClick, {5, 5}, Qt::RightButton);
-    QVERIFY(!scene.motion().view().pivot);
+    QVERIFY(!scene.motion().view().picked);
 }
 
 void ViewWindowTest::strokesWorkBehindAPlane() {

@@ -85,7 +85,7 @@ void WindowTest::modelMenuIsTheCommandTable() {
     for (const auto& row : session::commandTable())
         if (ui::hasDialog(row)) {
             expected << row.op;
-            ui::CommandDialog dialog(row);
+            ui::CommandDialog dialog(row, f.editor().snapshot());
             for (const auto& p : row.parameters)
                 QVERIFY2(dialog.findChild<QWidget*>(p.id) || std::string_view(p.type) == "list", p.id);
         }

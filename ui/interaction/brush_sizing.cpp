@@ -31,6 +31,20 @@ void BrushSizing::scaleRadius(double factor) {
     Q_EMIT changed();
 }
 
+void BrushSizing::chooseUnit(RadiusUnit unit) {
+    if (unit == m_settings.radiusUnit)
+        return;
+    const double pixelsPerUnit =
+        m_motion.pixelsPerUnitAt(m_motion.view().turningPoint()) / m_canvas.devicePixelRatioF();
+    if (unit == RadiusUnit::Model)
+        m_settings.radiusModel = m_settings.radiusPx / pixelsPerUnit;
+    else
+        m_settings.radiusPx =
+            std::clamp(m_settings.radiusModel * pixelsPerUnit, Settings::minRadiusPx, Settings::maxRadiusPx);
+    m_settings.radiusUnit = unit;
+    Q_EMIT changed();
+}
+
 void BrushSizing::shiftStrength(double by) {
     sculpt::StrokeSettings& tool = m_settings.edit(m_settings.toolRow());
     tool.strength = static_cast<float>(std::clamp(double(tool.strength) + by, 0.0, 1.0));
@@ -57,6 +71,10 @@ void BrushSizing::endDrag(bool keep) {
     Q_EMIT changed();
 }
 
+std::optional<double> BrushSizing::draggedStrength() const {
+    return m_drag && m_drag->value == Value::Strength ? std::optional(double(strength())) : std::nullopt;
+}
+
 QString BrushSizing::label() const {
     if (!m_drag)
         return {};
@@ -74,7 +92,7 @@ double BrushSizing::radiusAt(const base::Vec3d& place) const {
 double BrushSizing::radiusPx() const {
     if (m_settings.radiusUnit == RadiusUnit::Pixels)
         return m_settings.radiusPx * m_canvas.devicePixelRatioF();
-    return m_settings.radiusModel * m_motion.pixelsPerUnitAt(m_motion.view().target);
+    return m_settings.radiusModel * m_motion.pixelsPerUnitAt(m_motion.view().turningPoint());
 }
 
 } // namespace ui

@@ -1,5 +1,5 @@
-// Radius and strength of the brush: changed in steps, or by moving the pointer while F or Shift+F is held. Writes to
-// the settings. Interface's thread only.
+// Radius and strength of the brush: changed in steps, or by moving the pointer after F or Shift+F. Writes to the
+// settings. Interface's thread only.
 #pragma once
 
 #include "ui/interaction/view_motion.h"
@@ -17,6 +17,8 @@ class BrushSizing : public QObject {
 
     /// Radius times `factor`, in whichever unit is chosen.
     void scaleRadius(double factor);
+    /// The same radius in the other unit, as it is in the middle of the view.
+    void chooseUnit(RadiusUnit unit);
     /// Strength of the chosen tool, `by` more.
     void shiftStrength(double by);
 
@@ -27,6 +29,8 @@ class BrushSizing : public QObject {
     void drag(double dxPx);
     /// Ends the drag; without `keep` the value is what it was before. REQUIRES: dragging.
     void endDrag(bool keep);
+    /// Where strength is dragged: how strong, 0 to 1.
+    std::optional<double> draggedStrength() const;
     /// What the drag is changing, for display beside the pointer; empty without a drag.
     QString label() const;
 

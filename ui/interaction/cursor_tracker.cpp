@@ -15,6 +15,7 @@ void CursorTracker::follow(const Pointer& pointer, bool shown) {
     m_cursor.pointer = pointer.pixel;
     m_cursor.inverted = m_settings.choice(m_settings.toolRow()).invert != flip;
     m_cursor.label = m_sizing.label();
+    m_cursor.strength = m_sizing.draggedStrength();
     m_cursor.contact.reset();
     m_cursor.radiusPx = 0;
     if (shown) {

@@ -68,7 +68,7 @@ void Navigator::setParallel(bool parallel) {
 }
 
 void Navigator::setPivot(const std::optional<base::Vec3d>& pivot) {
-    m_view.pivot = pivot;
+    m_view.pick(pivot);
 }
 
 // --- flying ---

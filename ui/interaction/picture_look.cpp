@@ -53,6 +53,7 @@ Frame PictureLook::frame(const render::Camera& camera, bool moving, std::uint64_
     out.options.definition = now.surface.definition();
     out.options.splatScale = now.splatScale;
     out.truth = truth();
+    out.smooth = true;
     out.input = std::max(now.input, input);
     return out;
 }

@@ -31,7 +31,7 @@ std::optional<BrushContact> PointerRouter::contactUnderPointer() const {
 void PointerRouter::followCursor() {
     const bool still = !m_parts.motion.navigator().inTransition() && !m_parts.flight.on();
     const bool brush = m_gesture == Gesture::None || m_gesture == Gesture::Sculpt;
-    m_parts.cursor.follow(m_pointer, m_inside && still && brush);
+    m_parts.cursor.follow(m_parts.sizing.dragging() ? m_sized : m_pointer, m_inside && still && brush);
 }
 
 bool PointerRouter::cancel() {
@@ -74,6 +74,8 @@ void PointerRouter::press(const Pointer& pointer) {
     if (m_gesture != Gesture::None)
         return;
     m_pointer = pointer;
+    if (m_parts.sizing.dragging())
+        return m_parts.sizing.endDrag(pointer.button != Qt::RightButton);
     if (m_parts.flight.on())
         return m_parts.flight.land();
     m_parts.motion.navigator().finish();
@@ -100,6 +102,8 @@ void PointerRouter::touch(const Pointer& pointer, const BrushContact& contact) {
     }
     m_gesture = Gesture::Sculpt;
     m_parts.strokes.begin(pointer, contact, m_inputs);
+    Q_EMIT touched(smoothing ? QString::fromStdString(m_parts.settings.shiftTool)
+                             : QString(m_parts.settings.toolRow().id));
 }
 
 void PointerRouter::move(const Pointer& pointer) {
@@ -114,8 +118,10 @@ void PointerRouter::move(const Pointer& pointer) {
         return m_parts.motion.orbit(from, pointer.pixel);
     if (m_gesture == Gesture::Pan)
         return m_parts.motion.pan(pointer.pixel - from);
-    if (m_parts.sizing.dragging() && m_gesture == Gesture::None)
+    if (m_parts.sizing.dragging() && m_gesture == Gesture::None) {
+        m_sizedByMove = true;
         return m_parts.sizing.drag(pointer.pixel.x() - from.x());
+    }
     if (m_gesture == Gesture::Sculpt)
         m_parts.strokes.add(pointer, m_inputs);
     followCursor();
@@ -236,12 +242,15 @@ bool PointerRouter::key(const QKeyEvent& event, bool pressed) {
     return false;
 }
 
+/// Held while the pointer moves, or tapped: then the pointer is free until a click or another tap.
 void PointerRouter::holdF(const QKeyEvent& event, bool pressed) {
     BrushSizing& sizing = m_parts.sizing;
-    if (sizing.dragging())
-        sizing.endDrag(true);
+    if (sizing.dragging() && (pressed || m_sizedByMove))
+        return sizing.endDrag(true);
     if (!pressed || m_gesture != Gesture::None)
         return;
+    m_sized = m_pointer;
+    m_sizedByMove = false;
     if (event.modifiers() == Qt::NoModifier)
         sizing.beginDrag(BrushSizing::Value::Radius);
     else if (event.modifiers() == Qt::ShiftModifier)

@@ -8,7 +8,9 @@
 //     middle                 pan
 //     wheel                  nearer and farther, towards what lies under the pointer
 //     while flying           keys and pointer move the eye, the wheel sets the speed, Esc or a click lands   Flight
-//     F, Shift+F and moving  radius, strength                                                     BrushSizing
+//     F, Shift+F and moving  radius, strength, until the key comes up; after a tap of the key until a click (right
+//     button
+//                            or Esc: as it was); the brush stays where it is meanwhile             BrushSizing
 //     Ctrl+left              with a tool that copies: where from                                  CloneSource
 //
 // Interface's thread only. Pixels here are device pixels.
@@ -60,6 +62,7 @@ class PointerRouter : public QObject {
 
   Q_SIGNALS:
     void pictureChanged(bool moving); ///< by the wheel, the end of a gesture, another size
+    void touched(QString tool);       ///< a stroke of it begins
     void hinted(QString what);        ///< what the person has to do first, or has just done
 
   protected:
@@ -86,6 +89,8 @@ class PointerRouter : public QObject {
     Gesture m_gesture = Gesture::None;
     Qt::MouseButton m_button = Qt::NoButton; ///< that began the gesture and ends it
     Pointer m_pointer;                       ///< where it was last
+    Pointer m_sized;                         ///< where it was when F went down: there the brush stays
+    bool m_sizedByMove = false;              ///< moved since then: the key's release ends it
     bool m_inside = false;                   ///< over the viewport
     std::uint64_t m_inputs = 0;
 };

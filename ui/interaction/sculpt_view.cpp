@@ -8,13 +8,14 @@
 namespace ui {
 
 SculptView::SculptView(Editor& editor, Settings& settings, Viewport& viewport, QObject* parent)
-    : QObject(parent), m_editor(editor), m_viewport(viewport), m_cuts(editor),
+    : QObject(parent), m_editor(editor), m_settings(settings), m_viewport(viewport), m_cuts(editor), m_symmetry(editor),
       m_motion(editor, m_cuts, *viewport.widget()), m_sizing(settings, m_motion, *viewport.widget()), m_source(editor),
       m_strokes(editor, settings, m_motion, m_sizing, m_source),
       m_flight(m_motion.navigator(), editor, *viewport.widget()), m_look(editor, settings, *viewport.widget()),
       m_cursor(editor, settings, m_motion, m_sizing, *viewport.widget()),
       m_pointer({editor, settings, m_motion, m_flight, m_sizing, m_source, m_strokes, m_cursor}, *viewport.widget()),
-      m_overlay({editor, settings, m_motion, m_cuts, m_source, m_strokes, m_look, m_pointer, m_cursor.cursor()}) {
+      m_overlay(
+          {editor, settings, m_motion, m_cuts, m_symmetry, m_source, m_strokes, m_look, m_pointer, m_cursor.cursor()}) {
     viewport.paintOverlay = [this](QPainter& painter) {
         m_overlay.paint(painter, m_viewport.widget()->devicePixelRatioF());
     };
@@ -34,12 +35,15 @@ void SculptView::connectParts() {
     connect(&m_sizing, &BrushSizing::changed, &m_pointer, &PointerRouter::followCursor);
     connect(&m_cuts, &CutPlanes::moved, this, [this] { refresh(true); });
     connect(&m_cuts, &CutPlanes::traced, this, [this] { m_viewport.widget()->update(); });
+    connect(&m_symmetry, &SymmetryCurves::traced, this, [this] { m_viewport.widget()->update(); });
     connect(&m_cuts, &CutPlanes::failed, this, &SculptView::hinted);
     connect(&m_flight, &Flight::hinted, this, &SculptView::hinted);
     connect(&m_pointer, &PointerRouter::hinted, this, &SculptView::hinted);
 }
 
 void SculptView::refresh(bool moving) {
+    if (!busy())
+        m_symmetry.trace(m_settings.shared.symmetry.planes);
     m_viewport.show(m_look.frame(m_motion.shownCamera(), moving, m_viewInput));
     m_pointer.followCursor();
 }
@@ -76,6 +80,13 @@ void SculptView::frameSelection() {
         m_motion.frameAll();
     else
         m_motion.frame(boxes);
+}
+
+void SculptView::setNotice(const Notice& notice) {
+    if (m_overlay.notice == notice)
+        return;
+    m_overlay.notice = notice;
+    m_viewport.widget()->update();
 }
 
 void SculptView::faceFreePlane() {

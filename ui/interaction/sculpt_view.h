@@ -34,6 +34,8 @@ class SculptView : public QObject {
     void frameSelection();
     /// Turns the free plane across the direction of view.
     void faceFreePlane();
+    /// Says what is working, over the picture; an empty text: nothing is.
+    void setNotice(const Notice& notice);
 
   Q_SIGNALS:
     void hinted(QString what); ///< by any of the parts, for the person
@@ -44,8 +46,10 @@ class SculptView : public QObject {
     bool busy() const { return m_pointer.gesture() != PointerRouter::Gesture::None; }
 
     const Editor& m_editor;
+    const Settings& m_settings;
     Viewport& m_viewport;
     CutPlanes m_cuts;
+    SymmetryCurves m_symmetry;
     ViewMotion m_motion;
     BrushSizing m_sizing;
     CloneSource m_source;

@@ -15,6 +15,7 @@ void StrokeInput::begin(const Pointer& pointer, const BrushContact& contact, std
     const auto radius = static_cast<float>(m_sizing.radiusAt(contact.position));
     sculpt::StrokeSettings settings = strokeSettings(m_settings, row, radius, flip);
     settings.stampUpright = m_editor.snapshot().up;
+    settings.fullTap = true;
     if (row.needs.source)
         m_source.addTo(settings, contact.position);
     m_start = contact.position;

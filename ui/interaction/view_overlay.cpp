@@ -23,20 +23,21 @@ void ViewOverlay::paint(QPainter& painter, double pixelRatio) const {
     if (m_parts.cuts.sections().size() == seen.clips.all().size())
         paintSections(painter, m_parts.cuts.sections(), seen, 1.6 * pixelRatio);
     const bool turning = m_parts.pointer.gesture() == Gesture::Orbit;
-    if (motion.view().pivot || turning)
+    if (motion.view().picked || turning)
         paintPivot(painter, motion.view().turningPoint(), seen, turning);
     const surface::Surface& surface = now.surface;
     if (settings.shared.symmetry != sculpt::Symmetry{} && !surface.tree().empty())
-        ui::paint(
-            painter,
-            SymmetryOverlay{settings.shared.symmetry, now.origin, surface.tree().bounds(), m_parts.cursor.contact},
-            seen);
+        ui::paint(painter,
+                  SymmetryOverlay{settings.shared.symmetry, now.origin, surface.tree().bounds(), m_parts.cursor.contact,
+                                  &m_parts.symmetry.curves(), 1.5 * pixelRatio},
+                  seen);
     paintSource(painter, seen);
     const render::RenderOptions look = m_parts.look.options();
     ui::paint(painter,
               render::annotate(settings.annotated, seen, m_parts.look.scale(), settings.backdrop, look.pixelScale));
     if (!motion.navigator().flying())
         ui::paint(painter, m_parts.cursor, seen);
+    ui::paint(painter, notice, seen.width, pixelRatio);
     painter.restore();
 }
 

@@ -1,9 +1,11 @@
-// All that is painted over the picture: section curves, the pivot, symmetry, the clone source, annotations, the brush.
-// Interface's thread only.
+// All that is painted over the picture: section curves, the pivot, symmetry, the clone source, annotations, the brush,
+// a notice of what is still working. Interface's thread only.
 #pragma once
 
 #include "ui/interaction/picture_look.h"
 #include "ui/interaction/pointer_router.h"
+#include "ui/interaction/symmetry_curves.h"
+#include "ui/overlay/notice_overlay.h"
 
 namespace ui {
 
@@ -15,6 +17,7 @@ class ViewOverlay {
         const Settings& settings;
         const ViewMotion& motion;
         const CutPlanes& cuts;
+        const SymmetryCurves& symmetry;
         const CloneSource& source;
         const StrokeInput& strokes;
         const PictureLook& look;
@@ -27,6 +30,7 @@ class ViewOverlay {
     void paint(QPainter& painter, double pixelRatio) const;
     /// Painted before all of that, in device pixels of the camera.
     std::function<void(QPainter&, const render::Camera&)> beneath;
+    Notice notice; ///< painted last
 
   private:
     void paintSource(QPainter& painter, const render::Camera& seen) const;

@@ -14,13 +14,13 @@ static QPointF pixelOf(const render::Camera& camera, const Vec3d& p) {
 }
 
 /// The circle's points before the eye; those behind it are left out.
-static QPolygonF tiltedCircle(const BrushCursor& cursor, const render::Camera& camera) {
+static QPolygonF tiltedCircle(const BrushCursor& cursor, const render::Camera& camera, double radius) {
     constexpr int corners = 72;
     const Vec3d u = base::perpendicular(cursor.contact->normal), v = base::cross(cursor.contact->normal, u);
     QPolygonF out;
     for (int k = 0; k <= corners; ++k) {
         const double angle = 2 * std::numbers::pi * k / corners;
-        const Vec3d p = cursor.contact->position + (u * std::cos(angle) + v * std::sin(angle)) * cursor.radius;
+        const Vec3d p = cursor.contact->position + (u * std::cos(angle) + v * std::sin(angle)) * radius;
         if (camera.project(p).z > 0)
             out << pixelOf(camera, p);
     }
@@ -40,8 +40,15 @@ void paint(QPainter& painter, const BrushCursor& cursor, const render::Camera& c
     painter.setBrush(Qt::NoBrush);
     const QColor colour = cursor.inverted ? QColor(120, 190, 255) : QColor(255, 205, 130);
     QPainterPath path;
+    QColor filling = colour;
+    filling.setAlpha(90);
     if (cursor.contact) {
-        path.addPolygon(tiltedCircle(cursor, camera));
+        if (cursor.strength) {
+            QPainterPath inner;
+            inner.addPolygon(tiltedCircle(cursor, camera, *cursor.strength * cursor.radius));
+            painter.fillPath(inner, filling);
+        }
+        path.addPolygon(tiltedCircle(cursor, camera, cursor.radius));
         strokeOnDark(painter, path, colour, 1.6);
         const Vec3d tip = cursor.contact->position + cursor.contact->normal * (0.4 * cursor.radius);
         QPainterPath stick(pixelOf(camera, cursor.contact->position));
@@ -52,6 +59,11 @@ void paint(QPainter& painter, const BrushCursor& cursor, const render::Camera& c
         painter.setBrush(colour);
         painter.drawEllipse(pixelOf(camera, cursor.contact->position), 2.5, 2.5);
     } else if (cursor.radiusPx > 0) {
+        if (cursor.strength) {
+            QPainterPath inner;
+            inner.addEllipse(cursor.pointer, *cursor.strength * cursor.radiusPx, *cursor.strength * cursor.radiusPx);
+            painter.fillPath(inner, filling);
+        }
         painter.setPen(QPen(QColor(255, 255, 255, 70), 1.2, Qt::DashLine));
         painter.drawEllipse(cursor.pointer, cursor.radiusPx, cursor.radiusPx);
     }

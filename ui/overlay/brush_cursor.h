@@ -25,7 +25,9 @@ struct BrushCursor {
     double radiusPx = 0;   ///< device pixels, where there is no contact
     QPointF pointer;       ///< device pixels
     bool inverted = false; ///< digs instead of builds: another colour
-    QString label;         ///< beside the pointer, while something is changed by moving it; may be empty
+    /// 0 to 1, while it is changed: the part of the ring's radius that is filled.
+    std::optional<double> strength;
+    QString label; ///< beside the pointer, while something is changed by moving it; may be empty
 };
 
 /// Light on dark, so that it is seen on any clay: for whatever is painted over the model.

@@ -2,7 +2,6 @@
 
 #include "core/sculpt/mirror.h"
 
-#include <array>
 #include <QPainter>
 #include <QPainterPath>
 
@@ -10,7 +9,7 @@ namespace ui {
 
 using base::Vec3d;
 
-/// By how much planes and axes reach beyond the model, as a part of its size.
+/// By how much an axis reaches beyond the model, as a part of its size.
 constexpr double overhang = 0.06;
 
 static QColor colourOf(int axis) {
@@ -43,33 +42,31 @@ static void stroke(QPainter& painter, const QPainterPath& path, QColor colour) {
     painter.drawPath(path);
 }
 
-/// The rectangle that the plane cuts out of the model's box, a little larger.
-static void paintPlane(QPainter& painter, const SymmetryOverlay& overlay, const render::Camera& camera, int axis) {
-    const auto n = static_cast<std::size_t>(axis), a = (n + 1) % 3, b = (n + 2) % 3;
-    const Vec3d low = base::cast<double>(overlay.bounds.lo), high = base::cast<double>(overlay.bounds.hi);
-    const double more = overhang * static_cast<double>(overlay.bounds.diagonal());
-    std::array<Vec3d, 4> corners;
-    for (std::size_t k = 0; k < 4; ++k) {
-        corners[k][n] = -overlay.origin[n];
-        corners[k][a] = k == 0 || k == 3 ? low[a] - more : high[a] + more;
-        corners[k][b] = k < 2 ? low[b] - more : high[b] + more;
+/// The curve where a plane meets the surface: clear where it faces the eye, faint behind the model. Runs of one kind,
+/// since a curve changes sides.
+static void paintCurves(QPainter& painter, const std::vector<surface::SectionCurve>& curves,
+                        const render::Camera& camera, int axis, double widthPx) {
+    QPainterPath near, far;
+    for (const surface::SectionCurve& curve : curves) {
+        const std::size_t n = curve.points.size(), ends = curve.closed ? n : n - std::min<std::size_t>(n, 1);
+        for (std::size_t k = 0; k < ends; ++k) {
+            const surface::SectionPoint &p = curve.points[k], &q = curve.points[(k + 1) % n];
+            if (!seen(camera, p.position) || !seen(camera, q.position) || !camera.clips.keeps(p.position))
+                continue;
+            const Vec3d towards = camera.parallel() ? -camera.forward() : camera.eye - p.position;
+            QPainterPath& path = dot(p.normal, towards) > 0 ? near : far;
+            const QPointF from = pixelOf(camera, p.position);
+            if (path.currentPosition() != from || path.elementCount() == 0)
+                path.moveTo(from);
+            path.lineTo(pixelOf(camera, q.position));
+        }
     }
-    QPainterPath frame;
-    QPolygonF area;
-    bool whole = true;
-    for (std::size_t k = 0; k < 4; ++k) {
-        addLine(frame, camera, corners[k], corners[(k + 1) % 4]);
-        whole = whole && seen(camera, corners[k]);
-        area << pixelOf(camera, corners[k]);
-    }
-    QColor veil = colourOf(axis);
-    veil.setAlpha(14);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(veil);
-    if (whole)
-        painter.drawPolygon(area);
-    painter.setBrush(Qt::NoBrush);
-    stroke(painter, frame, colourOf(axis));
+    QColor colour = colourOf(axis);
+    colour.setAlpha(45);
+    painter.setPen(QPen(colour, 0.7 * widthPx));
+    painter.drawPath(far);
+    colour.setAlpha(235);
+    strokeOnDark(painter, near, colour, widthPx);
 }
 
 static void paintAxis(QPainter& painter, const SymmetryOverlay& overlay, const render::Camera& camera) {
@@ -100,9 +97,10 @@ void paint(QPainter& painter, const SymmetryOverlay& overlay, const render::Came
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     const bool planes[] = {overlay.symmetry.planes.x, overlay.symmetry.planes.y, overlay.symmetry.planes.z};
+    painter.setBrush(Qt::NoBrush);
     for (int axis = 0; axis < 3; ++axis)
-        if (planes[axis])
-            paintPlane(painter, overlay, camera, axis);
+        if (planes[axis] && overlay.curves)
+            paintCurves(painter, (*overlay.curves)[static_cast<std::size_t>(axis)], camera, axis, overlay.widthPx);
     if (overlay.symmetry.copies > 1)
         paintAxis(painter, overlay, camera);
     if (overlay.contact)

@@ -85,6 +85,8 @@ void CurveEditor::changed() {
 }
 
 void CurveEditor::mousePressEvent(QMouseEvent* event) {
+    if (m_held >= 0)
+        return; // by another button: taking points away now would leave the hand with none
     adopt();
     const int under = nearest(event->position());
     if (event->button() == Qt::RightButton && under >= 0 && m_points.size() > 2) {
@@ -109,8 +111,9 @@ void CurveEditor::mouseMoveEvent(QMouseEvent* event) {
     const auto i = static_cast<std::size_t>(m_held);
     CurvePoint to = pointAt(event->position());
     constexpr float gap = 2 * BrushCurve::minGap; // more than rounding takes
-    to.x = std::clamp(to.x, i > 0 ? m_points[i - 1].x + gap : 0.0f,
-                      i + 1 < m_points.size() ? m_points[i + 1].x - gap : 1.0f);
+    const float least = i > 0 ? m_points[i - 1].x + gap : 0.0f;
+    const float most = i + 1 < m_points.size() ? m_points[i + 1].x - gap : 1.0f;
+    to.x = least <= most ? std::clamp(to.x, least, most) : m_points[i].x; // it may have been put into a gap of one
     m_points[i] = to;
     const QRectF kept = QRectF(rect()).adjusted(-away, -away, away, away);
     m_out = m_points.size() > 2 && !kept.contains(event->position());

@@ -39,7 +39,7 @@ void CutBar::build(std::size_t number, const QString& label, const QString& tip)
     row.place->setRange(0, sliderSteps);
     row.place->setFocusPolicy(Qt::NoFocus);
     row.place->setMinimumWidth(60);
-    row.place->setToolTip(tr("Position of the plane"));
+    row.place->setToolTip(tr("Position of the plane; moving it cuts"));
     row.flip = checkable(tr("⇄"), tr("Show the other side"), name + "-flip");
     for (QWidget* widget :
          {static_cast<QWidget*>(row.on), static_cast<QWidget*>(row.place), static_cast<QWidget*>(row.flip)})
@@ -53,8 +53,13 @@ void CutBar::build(std::size_t number, const QString& label, const QString& tip)
         change([this, number, flipped] { m_cuts.each[number].flipped = flipped; });
     });
     connect(row.place, &QSlider::valueChanged, this, [this, number](int value) {
+        if (m_quiet)
+            return;
+        if (number == Cuts::free && !m_cuts.each[number].on) // it wants its direction first, and shows that
+            Q_EMIT freeWanted();
         change([this, number, value] {
             Cut& cut = m_cuts.each[number];
+            cut.on = true; // a slider that moves and does nothing would be a riddle
             const OffsetRange range = offsetRange(m_bounds, cut.normal);
             cut.offset = range.low + (range.high - range.low) * value / sliderSteps;
         });
@@ -84,7 +89,6 @@ void CutBar::refresh() {
         m_rows[k].on->setChecked(cut.on);
         m_rows[k].flip->setChecked(cut.flipped);
         m_rows[k].flip->setEnabled(cut.on);
-        m_rows[k].place->setEnabled(cut.on);
         m_rows[k].place->setValue(static_cast<int>(std::lround(part * sliderSteps)));
     }
     m_section->setChecked(m_cuts.section);

@@ -1,5 +1,6 @@
 // The bar of clip planes: for each of the window's cuts a button, a slider for its position and a button to
-// show the other side; and a switch for section curves. It edits a Cuts and emits it; it knows no view.
+// show the other side; and a switch for section curves. Moving a slider switches its plane on. It edits a Cuts and
+// emits it; it knows no view.
 #pragma once
 
 #include "ui/view/cuts.h"

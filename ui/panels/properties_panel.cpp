@@ -1,7 +1,7 @@
 #include "ui/panels/properties_panel.h"
 
-#include "ui/panels/number_slider.h"
 #include "ui/panels/panel_group.h"
+#include "ui/panels/radius_range.h"
 #include "ui/theme/icon.h"
 
 #include <algorithm>
@@ -113,7 +113,7 @@ QWidget* PropertiesPanel::radiusRow() {
     auto* out = new QWidget;
     auto* row = rowOf(out, 4);
     m_radius =
-        new NumberSlider(tr("Radius"), tr("Radius of the brush. [ and ], or hold F and move, change it too."), {});
+        new NumberSlider(tr("Radius"), tr("Radius of the brush. [ and ] change it too, or F: move, then click."), {});
     connect(m_radius, &NumberSlider::edited, this, [this](double value) {
         (m_settings.radiusUnit == RadiusUnit::Pixels ? m_settings.radiusPx : m_settings.radiusModel) = value;
         Q_EMIT edited();
@@ -123,9 +123,7 @@ QWidget* PropertiesPanel::radiusRow() {
     m_unit->setFixedWidth(54);
     m_unit->setToolTip(tr("Screen: the brush keeps its size in pixels. Model: it keeps its size on the model."));
     connect(m_unit, &QToolButton::clicked, this, [this] {
-        m_settings.radiusUnit = m_settings.radiusUnit == RadiusUnit::Pixels ? RadiusUnit::Model : RadiusUnit::Pixels;
-        showRadius();
-        Q_EMIT edited();
+        Q_EMIT unitWanted(m_settings.radiusUnit == RadiusUnit::Pixels ? RadiusUnit::Model : RadiusUnit::Pixels);
     });
     row->addWidget(m_radius, 1);
     row->addWidget(m_unit);
@@ -171,16 +169,13 @@ void PropertiesPanel::showSource(const QString& place) {
 }
 
 void PropertiesPanel::showRadius() {
+    const NumberRange range = radiusRange(m_settings, m_diagonal);
     const bool pixels = m_settings.radiusUnit == RadiusUnit::Pixels;
     m_unit->setText(pixels ? tr("Screen") : tr("Model"));
-    if (pixels)
-        m_radius->setRange({Settings::minRadiusPx, Settings::maxRadiusPx, true, 0, tr("px")});
-    else {
-        const int digits = static_cast<int>(std::ceil(-std::log10(m_diagonal))) + 3;
-        m_radius->setRange({m_diagonal * 1e-3, m_diagonal * 0.5, true, std::clamp(digits, 0, 9), {}});
-        m_settings.radiusModel = std::clamp(m_settings.radiusModel, m_diagonal * 1e-3, m_diagonal * 0.5);
-    }
-    m_radius->setValue(pixels ? m_settings.radiusPx : m_settings.radiusModel);
+    m_radius->setRange(range);
+    if (!pixels)
+        m_settings.radiusModel = std::clamp(m_settings.radiusModel, range.min, range.max);
+    m_radius->setValue(radiusOf(m_settings));
 }
 
 void PropertiesPanel::showTool() {

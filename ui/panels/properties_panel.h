@@ -31,6 +31,7 @@ class PropertiesPanel : public QScrollArea {
 
   Q_SIGNALS:
     void edited(); ///< the settings have changed here
+    void unitWanted(ui::RadiusUnit unit);
 
   private:
     struct Shown {

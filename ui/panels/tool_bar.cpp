@@ -1,15 +1,11 @@
 #include "ui/panels/tool_bar.h"
 
+#include "ui/panels/tool_grid.h"
 #include "ui/theme/icon.h"
 
 #include <QActionGroup>
-#include <QGridLayout>
-#include <QToolButton>
 
 namespace ui {
-
-/// Two columns hold the whole table in a low window too.
-constexpr int columns = 2;
 
 static QString tipOf(const sculpt::ToolRow& row) {
     const QString shortcut = row.shortcut;
@@ -31,21 +27,12 @@ ToolBar::ToolBar(Settings& settings, QWidget* parent) : QToolBar(tr("Tools"), pa
     setObjectName("tools");
     setOrientation(Qt::Vertical);
     setMovable(false);
-    auto* grid = new QWidget;
-    auto* places = new QGridLayout(grid);
-    places->setContentsMargins(0, 0, 0, 0);
-    places->setSpacing(1);
+    auto* grid = new ToolGrid;
     for (const auto& row : sculpt::toolTable()) {
         QAction* action = actionOf(row, this);
         action->setChecked(&row == &settings.toolRow());
         m_tools->addAction(action);
-        auto* button = new QToolButton;
-        button->setDefaultAction(action);
-        button->setAutoRaise(true);
-        button->setIconSize({24, 24});
-        button->setFocusPolicy(Qt::NoFocus);
-        const int place = places->count();
-        places->addWidget(button, place / columns, place % columns);
+        grid->add(*action);
     }
     addWidget(grid);
     connect(m_tools, &QActionGroup::triggered, this, [this, &settings](QAction* action) {

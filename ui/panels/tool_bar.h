@@ -1,5 +1,5 @@
-// The tools down the left side: one button per row of sculpt::toolTable(), in two columns. Nothing else here knows a
-// tool.
+// The tools down the left side: one button per row of sculpt::toolTable(), in columns (tool_grid.h). Nothing else here
+// knows a tool.
 #pragma once
 
 #include "ui/settings/settings.h"

@@ -48,7 +48,9 @@ void ValueBar::paintEvent(QPaintEvent*) {
     painter.setPen(palette().color(isEnabled() ? QPalette::Active : QPalette::Disabled, QPalette::Text));
     painter.drawText(inside, Qt::AlignRight | Qt::AlignVCenter, m_text);
     const int room = inside.width() - fontMetrics().horizontalAdvance(m_text) - 6;
-    painter.setPen(QColor(0xb6, 0xbc, 0xc6));
+    QColor faint = palette().color(QPalette::Text);
+    faint.setAlphaF(0.8f);
+    painter.setPen(faint);
     painter.drawText(inside, Qt::AlignLeft | Qt::AlignVCenter, fontMetrics().elidedText(m_label, Qt::ElideRight, room));
 }
 

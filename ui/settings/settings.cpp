@@ -176,6 +176,7 @@ Settings readSettings(const QSettings& store) {
     for (const QString& key : store.allKeys())
         if (key.startsWith("panel/"))
             out.groups[key.mid(6).toStdString()] = store.value(key).toBool();
+    out.theme = store.value("window/theme", "dark").toString().toStdString();
     out.navigation = navigation(store.value("view/navigation").toString().toStdString()).id;
     for (const QString& text : store.value("view/saved").toStringList())
         if (const auto view = savedViewOf(text.toStdString()))
@@ -224,6 +225,7 @@ Entries entriesOf(const Settings& settings) {
     out["view/shadows"] = lighting.shadows;
     out["view/occlusion"] = lighting.occlusion;
     out["view/shadowGround"] = lighting.ground;
+    out["window/theme"] = QString::fromStdString(settings.theme);
     out["view/navigation"] = QString::fromStdString(settings.navigation);
     QStringList saved;
     for (const SavedView& view : settings.savedViews)

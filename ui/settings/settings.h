@@ -51,6 +51,7 @@ struct Settings {
     render::Annotated annotated = render::Legend;
     bool grid = false; ///< on the ground
     TruthSettings truth;
+    std::string theme = "dark";           ///< id of a row of ui::themeTable()
     std::string navigation = "turntable"; ///< id of the style in which dragging turns the view
     std::vector<SavedView> savedViews;    ///< names differ
     std::vector<std::string> recentFiles; ///< newest first, at most `recentLimit`

@@ -8,7 +8,7 @@ using base::Vec3d;
 
 Fly::Fly(const View& view, double speed) : m_view(view.upright()), m_speed(speed) {
     m_view.parallel = false;
-    m_view.pivot.reset();
+    m_view.pick({});
 }
 
 void Fly::accelerate(double steps) {

@@ -18,7 +18,7 @@ View SavedView::forOrigin(const Vec3d& of) const {
     return out;
 }
 
-/// target, distance, turn, angle of view, parallel, origin, has a pivot, pivot
+/// target, distance, turn, angle of view, parallel, origin, has a pivot (1: picked, 2: from framing), pivot
 using Numbers = std::array<double, 17>;
 
 std::string textOf(const SavedView& saved) {
@@ -30,7 +30,7 @@ std::string textOf(const SavedView& saved) {
                           v.turn.v.y,     v.turn.v.z,
                           v.fovDeg,       v.parallel ? 1.0 : 0.0,
                           saved.origin.x, saved.origin.y,
-                          saved.origin.z, v.pivot ? 1.0 : 0.0,
+                          saved.origin.z, !v.pivot ? 0.0 : v.picked ? 1.0 : 2.0,
                           pivot.x,        pivot.y,
                           pivot.z};
     std::string out;
@@ -60,7 +60,7 @@ std::optional<SavedView> savedViewOf(const std::string& text) {
     out.view.parallel = n[9] != 0;
     out.origin = {n[10], n[11], n[12]};
     if (n[13] != 0)
-        out.view.pivot = Vec3d{n[14], n[15], n[16]};
+        out.view.pivot = Vec3d{n[14], n[15], n[16]}, out.view.picked = n[13] == 1;
     const double size = out.view.turn.w * out.view.turn.w + lengthSq(out.view.turn.v);
     if (out.name.empty() || !(n[3] > 0) || !(n[8] > 0 && n[8] < 180) || std::abs(size - 1) > 1e-6)
         return {};

@@ -1,5 +1,7 @@
 #include "ui/view/view.h"
 
+#include "core/render/close_up.h"
+
 #include <algorithm>
 #include <numbers>
 
@@ -42,6 +44,8 @@ void View::turnTo(const Vec3d& toEye, const Vec3d& up) {
 
 void View::turnAbout(const Vec3d& place, const Rotation& by) {
     target = place + by(target - place);
+    if (pivot && !picked)
+        pivot = place + by(*pivot - place);
     turn = (by * turn).unit();
 }
 
@@ -67,45 +71,60 @@ View View::upright() const {
     const Vec3d right = cross({0, 1, 0}, base::normalized(heading, {0, 0, 1}));
     View out = *this;
     out.turn = frameOf(upAxis) * Rotation::toAxes(right, cross(back, right), back);
+    out.target = turningPoint() - out.turn(turn.inverse()(turningPoint() - target));
     return out;
 }
 
 void View::pan(double dx, double dy, int height) {
     const double unitsPerPixel = heightAtTarget() / std::max(height, 1);
-    target += turn({-dx * unitsPerPixel, dy * unitsPerPixel, 0});
+    const Vec3d by = turn({-dx * unitsPerPixel, dy * unitsPerPixel, 0});
+    target += by;
+    if (pivot && !picked)
+        *pivot += by;
 }
 
 void View::zoom(double steps, const Vec3d& about) {
     const double factor = std::pow(0.85, steps);
     target = about + (target - about) * factor;
+    if (pivot && !picked)
+        pivot = about + (*pivot - about) * factor;
     distance *= factor;
 }
 
-/// A corner at (x, y, z) right, above and behind the centre is inside where |x| <= k (distance + z), alike for y; k is
-/// the slope of the image's margin, and z does not matter where rays are parallel. The target is the centre, so that
-/// the model turns about its middle.
+/// The corners of boxes, as a walk for close_up.h.
+static auto cornersOf(std::span<const base::Box3f> boxes) {
+    return [boxes](const auto& fn) {
+        for (const base::Box3f& box : boxes)
+            for (int corner = 0; corner < 8; ++corner)
+                fn(base::cast<double>(base::Vec3f{corner & 1 ? box.hi.x : box.lo.x, corner & 2 ? box.hi.y : box.lo.y,
+                                                  corner & 4 ? box.hi.z : box.lo.z}),
+                   0.0);
+    };
+}
+
 void View::frame(std::span<const base::Box3f> boxes, int width, int height) {
-    constexpr double part = 0.92; // of the image that the boxes may fill
+    constexpr double filled = 0.92; // of the image
     base::Box3f whole;
     for (const base::Box3f& box : boxes)
         whole.extend(box);
     if (whole.empty())
         return;
-    target = base::cast<double>(whole.centre());
-    pivot.reset();
-    const double slope = std::tan(fovDeg * pi / 360), ky = part * slope, kx = ky * width / height;
-    const Vec3d r = turn({1, 0, 0}), u = turn({0, 1, 0}), back = turn({0, 0, 1});
-    double needed = 0;
-    for (const base::Box3f& box : boxes)
-        for (int corner = 0; corner < 8; ++corner) {
-            const base::Vec3f c{corner & 1 ? box.hi.x : box.lo.x, corner & 2 ? box.hi.y : box.lo.y,
-                                corner & 4 ? box.hi.z : box.lo.z};
-            const Vec3d v = base::cast<double>(c) - target;
-            const double nearer = parallel ? 0 : dot(v, back);
-            needed = std::max({needed, std::abs(dot(v, r)) / kx + nearer, std::abs(dot(v, u)) / ky + nearer});
-        }
-    if (needed > 0) // else a single point: any distance shows it
-        distance = needed;
+    const Vec3d centre = base::cast<double>(whole.centre());
+    target = centre;
+    pick({});
+    pivot = centre;
+    if (!(whole.diagonal() > 0)) // a single point: any distance shows it
+        return;
+    const render::Camera now = camera(width, height);
+    if (!parallel) {
+        const render::Camera near = render::closeUpOf(now, cornersOf(boxes), centre, filled);
+        target = near.target;
+        distance = length(near.eye - near.target);
+        return;
+    }
+    const render::framing::Extents extents(now, cornersOf(boxes));
+    target += extents.aside(now);
+    distance *= extents.height(now, filled) / heightAtTarget();
 }
 
 View View::threeQuarter(std::span<const base::Box3f> boxes, int width, int height, base::UpAxis up) {

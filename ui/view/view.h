@@ -5,8 +5,10 @@
 // In parallel projection the image is as high as perspective shows at the target, so that changing between the two
 // leaves the target's surroundings as large as they were.
 //
-// It turns about its pivot: a place of the model that a person has picked, or the target. A pivot is not part of the
-// picture: picking one moves no pixel.
+// It turns about its pivot: a place of the model that a person has picked, or the middle of what was framed, which goes
+// along where the view is panned; without one, about the target. A pivot is not part of the picture: picking one moves
+// no pixel. Pivot and target are two things: in perspective the middle of a model is not seen in the middle of its
+// picture.
 #pragma once
 
 #include "core/render/camera.h"
@@ -24,7 +26,8 @@ struct View {
     double fovDeg = 35;
     bool parallel = false;
     base::UpAxis upAxis = base::UpAxis::Y; ///< of the model: what turntables turn about
-    std::optional<base::Vec3d> pivot;      ///< what was picked to turn about
+    std::optional<base::Vec3d> pivot;      ///< what it turns about
+    bool picked = false;                   ///< a person has chosen the pivot: it stays where it is
 
     bool operator==(const View&) const = default;
 
@@ -34,6 +37,11 @@ struct View {
     /// From the front, a little from the right and above.
     static View threeQuarter(std::span<const base::Box3f> boxes, int width, int height, base::UpAxis up);
 
+    /// To turn about; nothing: the target.
+    void pick(const std::optional<base::Vec3d>& place) {
+        pivot = place;
+        picked = place.has_value();
+    }
     base::Vec3d turningPoint() const { return pivot.value_or(target); }
     /// Model units across the image's height, at the target.
     double heightAtTarget() const;
@@ -51,7 +59,8 @@ struct View {
     void pan(double dx, double dy, int height);
     /// Nearer for positive steps, `pivot` keeps its place in the image.
     void zoom(double steps, const base::Vec3d& pivot);
-    /// All of the boxes in the image, their centre in the middle, turning about it; the direction stays.
+    /// All of the boxes in the image, with as much room to the left as to the right and above as below, turning about
+    /// their centre; the direction stays.
     void frame(std::span<const base::Box3f> boxes, int width, int height);
 };
 

@@ -31,7 +31,7 @@ void ThreadPicture::receive(RenderThread::Result result) {
     m_picture.setDevicePixelRatio(m_widget.devicePixelRatioF());
     m_input = result.input;
     m_widget.update();
-    if (m_viewport.framePainted && !result.refinement)
+    if (m_viewport.framePainted && !result.refinement && !result.smooth)
         m_viewport.framePainted(result.seconds);
 }
 

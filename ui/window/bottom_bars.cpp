@@ -1,4 +1,4 @@
-// The bars below the picture that the View menu shows: the true surface's and the clip planes'.
+// The bars over the lower edge of the picture that the View menu shows: the true surface's and the clip planes'.
 #include "ui/panels/cut_bar.h"
 #include "ui/panels/truth_bar.h"
 #include "ui/window/main_window.h"
@@ -12,7 +12,7 @@ namespace ui {
 
 void addTruthBar(MainWindow& window, QMenu& view) {
     auto* bar = new TruthBar(window.settings().truth, &window);
-    window.addToolBar(Qt::BottomToolBarArea, bar);
+    window.bars().add(*bar);
     QAction* on = addEntry(view, "view", QObject::tr("&True Surface"), QKeySequence("F6"), [] {});
     on->setObjectName("true-surface-on");
     on->setCheckable(true);
@@ -27,8 +27,8 @@ void addTruthBar(MainWindow& window, QMenu& view) {
 
 void addCutBar(MainWindow& window, QMenu& view) {
     auto* bar = new CutBar(&window);
-    window.addToolBar(Qt::BottomToolBarArea, bar);
     bar->hide();
+    window.bars().add(*bar);
     QAction* shown = bar->toggleViewAction();
     shown->setText(QObject::tr("&Clipping"));
     shown->setShortcut(QKeySequence("Shift+B"));

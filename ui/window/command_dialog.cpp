@@ -1,18 +1,27 @@
 #include "ui/window/command_dialog.h"
 
+#include "core/base/error.h"
+#include "core/surface/definition_options.h"
+#include "ui/theme/theme.h"
+#include "ui/window/parameter_words.h"
+
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QLocale>
 #include <QPushButton>
 #include <QVBoxLayout>
 
 namespace ui {
 
 using nlohmann::json;
+using session::CommandParameter;
 
 bool hasDialog(const session::CommandRow& row) {
     constexpr std::array<std::string_view, 3> elsewhere{"undo", "redo", "stroke"};
@@ -20,7 +29,7 @@ bool hasDialog(const session::CommandRow& row) {
            std::find(elsewhere.begin(), elsewhere.end(), row.op) == elsewhere.end();
 }
 
-static QString rangeOf(const session::CommandParameter& p) {
+static QString rangeOf(const CommandParameter& p) {
     if (p.max <= p.min)
         return {};
     const QString low = p.min < 1e-30 ? QString(p.min < 0 ? "" : "0") : QString::number(p.min);
@@ -28,24 +37,46 @@ static QString rangeOf(const session::CommandParameter& p) {
     return high.isEmpty() ? QString() : QObject::tr(" (%1 to %2)").arg(low, high);
 }
 
-static QString fallbackOf(const session::CommandParameter& p) {
+static QString fallbackOf(const CommandParameter& p) {
     const QString text = QString(p.fallback).remove('"');
-    return text == "null" ? QObject::tr("unchanged") : text;
+    return text == "null" ? QString() : text;
 }
 
-CommandDialog::CommandDialog(const session::CommandRow& row, QWidget* parent) : QDialog(parent), m_row(row) {
+static bool optional(const CommandParameter& p) {
+    return std::string_view(p.fallback) == "null";
+}
+
+static QString counted(double count) {
+    return QLocale::c().toString(qulonglong(count));
+}
+
+static QString enteredIn(const QWidget* field) {
+    if (const auto* line = qobject_cast<const QLineEdit*>(field))
+        return line->text().trimmed();
+    if (const auto* box = qobject_cast<const QCheckBox*>(field))
+        return box->isChecked() ? "on" : "off";
+    const auto* list = qobject_cast<const QComboBox*>(field);
+    const int known = list->findText(list->currentText());
+    return known >= 0 ? list->itemData(known).toString() : list->currentText().trimmed();
+}
+
+CommandDialog::CommandDialog(const session::CommandRow& row, const Snapshot& model, QWidget* parent)
+    : QDialog(parent), m_row(row), m_model(model) {
     setWindowTitle(row.label);
     auto* layout = new QVBoxLayout(this);
     auto* tip = new QLabel(row.tip);
     tip->setWordWrap(true);
     layout->addWidget(tip);
     auto* form = new QFormLayout;
+    QString taken = "oc"; // of the buttons
     for (const auto& parameter : row.parameters)
-        if (std::string_view(parameter.type) != "list")
-            addParameter(*form, parameter);
+        add(*form, parameter, taken);
     layout->addLayout(form);
+    m_outcome = new QLabel;
+    m_outcome->setObjectName("outcome");
+    layout->addWidget(m_outcome);
     m_trouble = new QLabel;
-    m_trouble->setStyleSheet("color: #ff8a75;");
+    m_trouble->setStyleSheet(troubleStyle(palette()));
     m_trouble->setWordWrap(true);
     layout->addWidget(m_trouble);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
@@ -53,58 +84,153 @@ CommandDialog::CommandDialog(const session::CommandRow& row, QWidget* parent) : 
     connect(buttons, &QDialogButtonBox::accepted, this, &CommandDialog::checkAndAccept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     layout->addWidget(buttons);
-    setMinimumWidth(380);
+    setMinimumWidth(420);
+    follow();
 }
 
-/// A free text where anything fits; a list where there are choices, editable where numbers fit too.
-void CommandDialog::addParameter(QFormLayout& form, const session::CommandParameter& p) {
-    const QString type = p.type;
-    QStringList choices = QString(p.choices).split(' ', Qt::SkipEmptyParts);
-    if (type == "boolean")
-        choices = {"on", "off"};
-    QWidget* field = nullptr;
-    if (choices.isEmpty()) {
-        auto* line = new QLineEdit;
-        line->setPlaceholderText(fallbackOf(p));
-        field = line;
-    } else {
-        auto* box = new QComboBox;
-        box->setEditable(type.startsWith("number"));
-        box->addItem(*p.fallback ? tr("(%1)").arg(fallbackOf(p)) : QString());
-        box->addItems(choices);
-        field = box;
+QString CommandDialog::present(const CommandParameter& p) const {
+    const std::string_view id = p.id;
+    if (m_row.op == std::string_view("surface")) {
+        const surface::DefinitionOption& option = surface::definitionOption(id);
+        return QString::fromStdString(surface::textOf(option, m_model.surface.definition()));
     }
+    if (m_row.op == std::string_view("up") && id == "axis")
+        return base::upRow(m_model.up).id;
+    const auto spacing = static_cast<double>(m_model.spacing);
+    if (id == "spacing" && spacing > 0)
+        return QString::number(spacing, 'g', 4);
+    return {};
+}
+
+/// Words to choose from, of which each stands for its id; editable where numbers fit too.
+static QComboBox* listOf(const CommandParameter& p, const QString& present) {
+    auto* out = new QComboBox;
+    out->setEditable(QString(p.type).startsWith("number"));
+    const QString fallback = present.isEmpty() ? fallbackOf(p) : present;
+    if (fallback.isEmpty())
+        out->addItem(optional(p) ? QObject::tr("(none)") : QString(), QString());
+    for (const QString& id : QString(p.choices).split(' ', Qt::SkipEmptyParts))
+        out->addItem(choiceWords(id.toStdString()), id);
+    const int known = out->findData(fallback);
+    if (known >= 0)
+        out->setCurrentIndex(known);
+    else if (out->isEditable() && !fallback.isEmpty())
+        out->setEditText(fallback);
+    return out;
+}
+
+QWidget* CommandDialog::make(const CommandParameter& p) {
+    const QString now = present(p), shown = now.isEmpty() ? fallbackOf(p) : now;
+    const std::string_view type = p.type;
+    if (type == "boolean") {
+        auto* box = new QCheckBox;
+        box->setChecked(shown == "true" || shown == "on");
+        connect(box, &QCheckBox::toggled, this, &CommandDialog::follow);
+        return box;
+    }
+    if (*p.choices) {
+        QComboBox* list = listOf(p, now);
+        connect(list, &QComboBox::currentTextChanged, this, &CommandDialog::follow);
+        return list;
+    }
+    auto* line = new QLineEdit(shown);
+    if (type == "list")
+        line->setPlaceholderText("x, y, z");
+    else if (std::string_view(p.id) == "count" && m_model.surfels > 0)
+        line->setPlaceholderText(tr("now %1").arg(counted(static_cast<double>(m_model.surfels))));
+    connect(line, &QLineEdit::textChanged, this, &CommandDialog::follow);
+    if (optional(p) && shown.isEmpty())
+        connect(line, &QLineEdit::textEdited, this, [this, line] { giveWay(line); });
+    return line;
+}
+
+void CommandDialog::add(QFormLayout& form, const CommandParameter& p, QString& taken) {
+    QWidget* field = make(p);
     const QString unit = *p.unit ? QString(", %1").arg(p.unit) : QString();
     field->setToolTip(QString("%1%2%3").arg(p.tip, unit, rangeOf(p)));
     field->setObjectName(p.id);
-    QString label = p.id;
-    label[0] = label[0].toUpper();
-    form.addRow(label.replace('-', ' '), field);
-    m_fields[p.id] = field;
+    auto* label = new QLabel(withMnemonic(parameterWords(p.id), taken) + unit);
+    label->setToolTip(field->toolTip());
+    label->setBuddy(field);
+    form.addRow(label, field);
+    m_fields.push_back({&p, field, enteredIn(field)});
 }
 
-static QString enteredIn(const QWidget* field) {
-    if (const auto* line = qobject_cast<const QLineEdit*>(field))
-        return line->text().trimmed();
-    const auto* box = qobject_cast<const QComboBox*>(field);
-    const QString text = box->currentText().trimmed();
-    return text.startsWith('(') ? QString() : text; // the first entry stands for the default
+const CommandDialog::Field* CommandDialog::find(std::string_view id) const {
+    const auto at =
+        std::find_if(m_fields.begin(), m_fields.end(), [&](const Field& each) { return each.parameter->id == id; });
+    return at == m_fields.end() ? nullptr : &*at;
+}
+
+bool CommandDialog::edited(const Field& field) const {
+    return enteredIn(field.widget) != field.shown;
+}
+
+void CommandDialog::giveWay(const QWidget* by) {
+    const Field* spacing = find("spacing");
+    auto* line = spacing ? qobject_cast<QLineEdit*>(spacing->widget) : nullptr;
+    if (!line || line == by || !optional(*spacing->parameter) || line->text() != spacing->shown)
+        return;
+    line->setPlaceholderText(tr("now %1").arg(spacing->shown));
+    line->clear();
+}
+
+static json valueOf(const CommandParameter& p, const QString& text) {
+    if (std::string_view(p.type) == "list") {
+        json out = json::array();
+        for (const QString& part : text.split(',', Qt::SkipEmptyParts)) {
+            bool isNumber = false;
+            const double number = part.trimmed().toDouble(&isNumber);
+            if (!isNumber)
+                throw base::Error("\"" + part.trimmed().toStdString() + "\" is no number", p.id, "give x, y, z");
+            out.push_back(number);
+        }
+        return out;
+    }
+    bool isWhole = false, isNumber = false;
+    const long long whole = text.toLongLong(&isWhole);
+    const double number = text.toDouble(&isNumber);
+    return isWhole ? json(whole) : isNumber ? json(number) : json(text.toStdString());
 }
 
 json CommandDialog::command() const {
     json out{{"op", m_row.op}};
-    for (const auto& parameter : m_row.parameters) {
-        const auto field = m_fields.find(parameter.id);
-        const QString text = field == m_fields.end() ? QString() : enteredIn(field->second);
-        if (text.isEmpty())
-            continue;
-        bool isWhole = false, isNumber = false;
-        const long long whole = text.toLongLong(&isWhole);
-        const double number = text.toDouble(&isNumber);
-        out[parameter.id] = isWhole ? json(whole) : isNumber ? json(number) : json(text.toStdString());
+    for (const Field& field : m_fields) {
+        const QString text = enteredIn(field.widget);
+        // The definition says what it is already; a proposed spacing stands until something else is given.
+        const bool proposed = std::string_view(field.parameter->id) == "spacing";
+        const bool asNow =
+            optional(*field.parameter) && !edited(field) && !present(*field.parameter).isEmpty() && !proposed;
+        if (!text.isEmpty() && !asNow)
+            out[field.parameter->id] = valueOf(*field.parameter, text);
     }
     session::complete(out);
     return out;
+}
+
+QString CommandDialog::outcome() const {
+    const auto number = [this](const char* id) {
+        const Field* field = find(id);
+        return field ? enteredIn(field->widget).toDouble() : 0.0;
+    };
+    const std::string_view op = m_row.op;
+    const auto now = static_cast<double>(m_model.surfels), spacing = static_cast<double>(m_model.spacing);
+    double points = number("count");
+    if (!(points > 0) && number("spacing") > 0 && (op == "resample" || op == "refine" || op == "thin"))
+        points = now * std::pow(spacing / number("spacing"), 2);
+    if (!(points > 0) && op == "reduce")
+        points = now * number("ratio");
+    if (op == "thin")
+        points = std::min(points, now);
+    if (!(points >= 1) || !(points < 1e15))
+        return {};
+    const double unit = points >= 1000 ? std::pow(10, std::floor(std::log10(points)) - 2) : 1;
+    return tr("About %1 points; now there are %2.").arg(counted(std::round(points / unit) * unit), counted(now));
+}
+
+void CommandDialog::follow() {
+    if (!m_fields.empty() && m_fields.size() == m_row.parameters.size())
+        m_outcome->setText(outcome());
 }
 
 void CommandDialog::checkAndAccept() {

@@ -2,16 +2,13 @@
 
 #include "core/session/journal.h"
 #include "core/session/model_argument.h"
-#include "core/session/recover.h"
 #include "ui/theme/icon.h"
 #include "ui/window/file_dialogs.h"
+#include "ui/window/recovery_dialog.h"
 
-#include <chrono>
-#include <QDateTime>
 #include <QFileDialog>
 #include <QMainWindow>
 #include <QMessageBox>
-#include <QPushButton>
 
 namespace ui {
 
@@ -36,7 +33,11 @@ void FileActions::make(const std::string& sample) {
 }
 
 void FileActions::open() {
-    const QString file = QFileDialog::getOpenFileName(&m_window, tr("Open Model"), folder(), openFilter());
+    openIn(pathOf(folder()));
+}
+
+void FileActions::openIn(const fs::path& folder) {
+    const QString file = QFileDialog::getOpenFileName(&m_window, tr("Open Model"), textOf(folder), openFilter());
     if (!file.isEmpty())
         open(pathOf(file));
 }
@@ -51,7 +52,10 @@ void FileActions::openArgument(const std::string& model) {
     m_failure.clear();
     const QString title = tr("Could not make %1").arg(QString::fromStdString(model));
     try {
-        m_editor.run(session::modelCommand(model), [this, title](bool done) {
+        const nlohmann::json command = session::modelCommand(model);
+        Q_EMIT began(tr("Making %1").arg(QString::fromStdString(model)));
+        m_editor.run(command, [this, title](bool done) {
+            Q_EMIT ended();
             if (!done)
                 m_failure.show(title);
         });
@@ -63,7 +67,9 @@ void FileActions::openArgument(const std::string& model) {
 void FileActions::load(const fs::path& path) {
     m_failure.clear();
     const fs::path whole = fs::absolute(path);
+    Q_EMIT began(tr("Opening %1").arg(textOf(whole.filename())));
     m_editor.run({{"op", "open"}, {"path", whole.string()}}, [this, whole](bool done) {
+        Q_EMIT ended();
         if (done)
             remember(whole);
         else
@@ -131,50 +137,40 @@ void FileActions::unlessUnsaved(std::function<void()> next) {
     box->open();
 }
 
-static QString describe(const session::LeftJournal& journal) {
-    const auto when = std::chrono::file_clock::to_sys(journal.time);
-    const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(when.time_since_epoch()).count();
-    const QString name = journal.model.empty() ? QObject::tr("a new model") : textOf(journal.model.filename());
-    const QString steps = journal.commands == 1 ? QObject::tr("1 step") : QObject::tr("%1 steps").arg(journal.commands);
-    return QObject::tr("%1 (%2, last changed %3)")
-        .arg(name, steps, QDateTime::fromSecsSinceEpoch(seconds).toString("yyyy-MM-dd hh:mm"));
-}
-
 bool FileActions::offerRecovery() {
     for (const session::LeftJournal& journal : session::findLeftJournals()) {
         if (journal.commands == 0) { // nothing is lost
             session::removeJournal(journal.path);
             continue;
         }
-        QMessageBox box(QMessageBox::NoIcon, tr("Recover lost work?"),
-                        tr("The program ended without saving %1.").arg(describe(journal)), QMessageBox::NoButton,
-                        &m_window);
-        box.setIconPixmap(icon("recover").pixmap(32, 32));
-        const auto* recovered = box.addButton(tr("Recover"), QMessageBox::AcceptRole);
-        const auto* discarded = box.addButton(tr("Discard"), QMessageBox::DestructiveRole);
-        box.addButton(tr("Later"), QMessageBox::RejectRole);
-        box.exec();
-        if (box.clickedButton() == recovered) {
-            unlessUnsaved([this, path = journal.path] { recover(path); });
+        RecoveryDialog dialog(journal, &m_window);
+        const int answer = dialog.exec();
+        if (answer == RecoveryDialog::Recover) {
+            unlessUnsaved([this, journal] { recover(journal); });
             return true;
         }
-        if (box.clickedButton() == discarded)
+        if (answer == RecoveryDialog::Discard)
             session::removeJournal(journal.path);
     }
     return false;
 }
 
-void FileActions::recover(const fs::path& journal) {
+void FileActions::recover(const session::LeftJournal& journal) {
     m_failure.clear();
-    m_editor.recover(journal, [this, journal](bool done, int leftOut) {
+    const QString name = journal.model.empty() ? tr("a new model") : textOf(journal.model.filename());
+    Q_EMIT began(tr("Recovering %1").arg(name));
+    m_editor.recover(journal.path, [this, path = journal.path, name](bool done, const session::Recovery& found) {
+        Q_EMIT ended();
         if (!done)
             return m_failure.show(tr("Could not recover the lost work"));
-        if (leftOut > 0) // what is lost may be mended by hand
+        if (found.leftOut > 0) // what is lost may be mended by hand
             return m_editor.told(
-                tr("Recovered but for %n step(s), which %1 still holds. Save it to keep it.", "", leftOut)
-                    .arg(textOf(journal)));
-        session::removeJournal(journal); // this window's own journal holds it all now
-        Q_EMIT m_editor.told(tr("Recovered. Save it to keep it."));
+                tr("Recovered %1 but for %n step(s), which %2 still holds. Save it to keep it.", "", found.leftOut)
+                    .arg(name, textOf(path)));
+        session::removeJournal(path); // this window's own journal holds it all now
+        const QString steps = stepsText(found);
+        Q_EMIT m_editor.told(steps.isEmpty() ? tr("Recovered %1. Save it to keep it.").arg(name)
+                                             : tr("Recovered %1: %2. Save it to keep it.").arg(name, steps));
     });
 }
 

@@ -17,6 +17,8 @@ class FileActions : public QObject {
     void make(const std::string& sample);
     void open();
     void open(const std::filesystem::path& path);
+    /// Asks for a file, beginning in a folder.
+    void openIn(const std::filesystem::path& folder);
     /// A MODEL as the command line names it: a file, or sample:NAME[:COUNT[:SEED]].
     void openArgument(const std::string& model);
     void save(std::function<void()> then = {});
@@ -28,11 +30,14 @@ class FileActions : public QObject {
 
   Q_SIGNALS:
     void recentChanged();
+    /// Another model is on its way, "Opening bunny.ply"; it has come, or has not.
+    void began(QString what);
+    void ended();
 
   private:
     void load(const std::filesystem::path& path);
     void write(const std::filesystem::path& path, std::function<void()> then);
-    void recover(const std::filesystem::path& journal);
+    void recover(const session::LeftJournal& journal);
     void remember(const std::filesystem::path& path);
     QString folder() const;
 

@@ -1,11 +1,14 @@
 #include "ui/theme/icon.h"
+#include "ui/window/command_palette.h"
 #include "ui/window/main_window.h"
 #include "ui/window/menu_tools.h"
 #include "ui/window/menus.h"
 #include "ui/window/shortcuts_dialog.h"
 
+#include <QAction>
 #include <QCoreApplication>
 #include <QMenu>
+#include <QMenuBar>
 #include <QMessageBox>
 
 namespace ui {
@@ -31,6 +34,13 @@ static void showAbout(MainWindow& window) {
 
 void addHelpMenu(MainWindow& window) {
     QMenu* help = addMenu(window, "help", QObject::tr("&Help"));
+    QAction* find = addEntry(*help, "keyboard", QObject::tr("&Find an Action…"), QKeySequence("F3"), [&window] {
+        auto* palette = new CommandPalette(*window.menuBar(), &window);
+        palette->setAttribute(Qt::WA_DeleteOnClose);
+        palette->open();
+    });
+    find->setShortcuts({QKeySequence("F3"), QKeySequence("Ctrl+K")});
+    find->setToolTip(QObject::tr("Every action of every menu, by a few letters of its name"));
     addEntry(*help, "keyboard", QObject::tr("&Shortcuts…"), QKeySequence("F1"), [&window] { showShortcuts(window); });
     addEntry(*help, "about", QObject::tr("&About Pointclay…"), {}, [&window] { showAbout(window); });
 }

@@ -36,9 +36,9 @@ ImageDialog::ImageDialog(const ImageChoice& choice, QSize view, QWidget* parent)
     const bool shaped =
         std::abs(double(choice.size.width()) * view.height() / (double(choice.size.height()) * view.width()) - 1) <
         0.01;
-    m_keepShape = box(tr("Same shape as the view"), "keep-shape", shaped);
-    m_transparent = box(tr("Transparent background"), "transparent", choice.transparent);
-    m_smooth = box(tr("Smooth outlines"), "smooth", choice.smooth, tr("Antialiasing: draws four pixels for each"));
+    m_keepShape = box(tr("Same &shape as the view"), "keep-shape", shaped);
+    m_transparent = box(tr("&Transparent background"), "transparent", choice.transparent);
+    m_smooth = box(tr("Smooth &outlines"), "smooth", choice.smooth, tr("Antialiasing: draws four pixels for each"));
     m_how = new QComboBox;
     m_how->setObjectName("how");
     m_how->addItem(tr("Splats, as in the window"));
@@ -53,10 +53,10 @@ ImageDialog::ImageDialog(const ImageChoice& choice, QSize view, QWidget* parent)
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     auto* form = new QFormLayout(this);
-    form->addRow(tr("Width"), m_width);
-    form->addRow(tr("Height"), m_height);
+    form->addRow(tr("&Width"), m_width);
+    form->addRow(tr("&Height"), m_height);
     form->addRow(QString(), m_keepShape);
-    form->addRow(tr("Draw"), m_how);
+    form->addRow(tr("&Draw"), m_how);
     form->addRow(QString(), m_smooth);
     form->addRow(QString(), m_transparent);
     form->addRow(buttons);

@@ -45,12 +45,14 @@ static void addBit(MainWindow& window, QMenu& menu, const Row& row, std::uint32_
 
 static void addEffectsMenu(MainWindow& window, QMenu& view) {
     QMenu* menu = addMenu(window, "effects", QObject::tr("&Effects"), &view);
+    stayOpen(*menu);
     for (const auto& row : render::effectTable())
         addBit(window, *menu, row, std::uint32_t(row.effect), window.settings().effects);
 }
 
 static void addAroundMenu(MainWindow& window, QMenu& view) {
     QMenu* menu = addMenu(window, "around", QObject::tr("&Around the Model"), &view);
+    stayOpen(*menu);
     addSwitch(*menu, "grid", QObject::tr("Ground Grid"), QObject::tr("Lines at round coordinates below the model"),
               window.settings().grid, [&window](bool on) {
                   window.settings().grid = on;

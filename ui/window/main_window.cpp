@@ -1,8 +1,11 @@
 #include "ui/window/main_window.h"
 
 #include "core/render/shading/own_colours.h"
+#include "ui/panels/header_bar.h"
 #include "ui/panels/properties_panel.h"
 #include "ui/panels/tool_bar.h"
+#include "ui/window/dropped.h"
+#include "ui/window/file_dialogs.h"
 #include "ui/window/menus.h"
 #include "ui/window/mesh_export.h"
 #include "ui/window/status_line.h"
@@ -13,6 +16,7 @@
 #include <QDockWidget>
 #include <QMenu>
 #include <QMimeData>
+#include <QScreen>
 #include <QTimer>
 #include <QUrl>
 
@@ -41,9 +45,11 @@ MainWindow::MainWindow(const WindowOptions& options, QWidget* parent)
     buildTools();
     buildPanel();
     buildMenus();
+    buildHeader();
+    buildNotices();
     connectWork();
     showSnapshot();
-    resize(1280, 800);
+    resize(fitting(QSize(1280, 800)));
     restoreGeometry(m_settings.geometry);
     restoreState(m_settings.windowState);
     constexpr int pauseMs = 1000; // between a change and its being safe
@@ -54,12 +60,19 @@ MainWindow::MainWindow(const WindowOptions& options, QWidget* parent)
         tellFailure(trouble);
 }
 
+/// A window's size that a screen has room for, its frame included.
+QSize MainWindow::fitting(const QSize& wanted) const {
+    constexpr int frame = 40;
+    return screen() ? wanted.boundedTo(screen()->availableSize() - QSize(frame, frame)) : wanted;
+}
+
 /// In this order, since what goes later is used by what goes earlier; the base class would take the children after the
 /// members that they refer to.
 MainWindow::~MainWindow() {
     m_editor->disconnect();
     delete m_view;
     delete m_mesh; // waits for its threads
+    delete m_bars;
     delete takeCentralWidget();
     delete m_panel;
     delete m_measurer; // waits for its thread
@@ -71,13 +84,17 @@ MainWindow::~MainWindow() {
 void MainWindow::buildViewport() {
     m_viewport = makeViewport(this, &m_whyRenderer);
     setCentralWidget(m_viewport->widget());
-    m_viewport->widget()->setMinimumSize(320, 240);
+    m_viewport->widget()->setMinimumSize(200, 140);
     m_view = new SculptView(*m_editor, m_settings, *m_viewport, this);
     m_measurer = new Measurer(this);
-    m_mesh = new MeshExport(*this, *m_editor, *m_viewport->widget());
+    m_bars = new FloatingBars(*m_viewport->widget(), this);
+    m_mesh = new MeshExport(*this, *m_editor, *m_viewport->widget(), *m_bars);
     m_view->overlay().beneath = [this](QPainter& painter, const render::Camera& seen) { m_mesh->paint(painter, seen); };
     m_viewport->framePainted = [this](double seconds) { m_status->showFrame(seconds, m_viewport->rendererName()); };
-    m_viewport->refined = [this](const auto& refinement) { m_status->showRefinement(refinement); };
+    m_viewport->refined = [this](const auto& refinement) {
+        m_status->showRefinement(refinement);
+        notify(refinement);
+    };
     m_viewport->troubled = [this](const QString& trouble) { tellFailure(trouble); };
 }
 
@@ -88,13 +105,73 @@ void MainWindow::buildStatus() {
     connect(m_view, &SculptView::hinted, this, &MainWindow::tell);
 }
 
+/// What the viewport says of work that takes a while: nearest to the eye, which is on the model.
+void MainWindow::buildNotices() {
+    const auto show = [this] {
+        const QString doing = m_work.text;
+        const Notice coming{doing.isEmpty() ? m_coming + "…" : tr("%1: %2").arg(m_coming, doing), m_work.share};
+        m_view->setNotice(!m_coming.isEmpty() ? coming : !doing.isEmpty() ? m_work : m_refining);
+        showTitle();
+    };
+    connect(m_files, &FileActions::began, this, [this, show](const QString& what) {
+        m_coming = what;
+        show();
+    });
+    connect(m_files, &FileActions::ended, this, [this, show] {
+        m_coming.clear();
+        show();
+    });
+    connect(m_editor, &Editor::progressed, this, [this, show](double share, const QString& doing) {
+        if (m_coming.isEmpty()) // the bar has its patience; what is being opened is told at once
+            return;
+        m_work = {doing, share};
+        show();
+    });
+    connect(m_progress, &WorkProgress::shown, this, [this, show](double share, const QString& doing) {
+        QString what = doing;
+        if (m_coming.isEmpty() && !what.isEmpty())
+            what = tr("%1 – Esc stops it").arg(what.at(0).toUpper() + what.mid(1));
+        m_work = {what, share};
+        show();
+    });
+    connect(m_progress, &WorkProgress::rested, this, [this, show] {
+        m_work = {};
+        show();
+    });
+}
+
+/// Slow levels of the true surface, once it takes a hand's patience.
+void MainWindow::notify(const std::optional<Refinement>& refinement) {
+    constexpr double patience = 0.6; // seconds
+    Notice now;
+    if (refinement && !refinement->complete && refinement->seconds > patience)
+        now = refinement->light > 0
+                  ? Notice{tr("Light %1 %").arg(100 * refinement->light, 0, 'f', 0), refinement->light}
+                  : Notice{tr("Surface to %1 px…").arg(refinement->quality, 0, 'g', 2), -1};
+    m_refining = now;
+    if (m_coming.isEmpty() && m_work.text.isEmpty())
+        m_view->setNotice(m_refining);
+}
+
 void MainWindow::buildTools() {
     m_tools = new ToolBar(m_settings);
     addToolBar(Qt::LeftToolBarArea, m_tools);
     connect(m_tools, &ToolBar::chosen, this, [this] {
         m_panel->refresh();
         tell(m_settings.toolRow().tip);
+        showHint();
     });
+    showHint();
+}
+
+void MainWindow::showHint() {
+    const sculpt::ToolRow& row = m_settings.toolRow();
+    m_status->setHint(
+        row.needs.source
+            ? tr("Drag: %1; Ctrl+click: where to copy from; beside the model: turn the view.").arg(tr(row.label))
+            : tr("Drag: %1, with Ctrl the other way, with Shift %2; beside the model: turn "
+                 "the view.")
+                  .arg(tr(row.label), tr(sculpt::tool(m_settings.shiftTool).label)));
 }
 
 void MainWindow::buildPanel() {
@@ -107,6 +184,8 @@ void MainWindow::buildPanel() {
     addDockWidget(Qt::RightDockWidgetArea, dock);
     connect(m_panel, &PropertiesPanel::edited, m_view, [this] { m_view->refresh(); });
     connect(&m_view->sizing(), &BrushSizing::changed, m_panel, &PropertiesPanel::refresh);
+    connect(m_panel, &PropertiesPanel::unitWanted, &m_view->sizing(), &BrushSizing::chooseUnit);
+    connect(&m_view->pointer(), &PointerRouter::touched, this, &MainWindow::suitTool);
     connect(&m_view->source(), &CloneSource::changed, m_panel, &PropertiesPanel::showSource);
 }
 
@@ -118,6 +197,21 @@ void MainWindow::buildMenus() {
     addViewMenu(*this);
     addHelpMenu(*this);
     addCornerBar(*this);
+}
+
+void MainWindow::buildHeader() {
+    m_header = new HeaderBar(m_settings);
+    addToolBar(Qt::TopToolBarArea, m_header);
+    m_header->addPopOver(*menu("shading"), tr("Shading"));
+    m_header->addPopOver(*menu("effects"), tr("Effects"));
+    m_header->addPopOver(*menu("around"), tr("Overlays"));
+    connect(m_header, &HeaderBar::edited, this, [this] {
+        m_panel->refresh();
+        m_view->refresh();
+    });
+    connect(m_panel, &PropertiesPanel::edited, m_header, &HeaderBar::refresh);
+    connect(m_tools, &ToolBar::chosen, m_header, &HeaderBar::refresh);
+    connect(&m_view->sizing(), &BrushSizing::changed, m_header, &HeaderBar::refresh);
 }
 
 QMenu* MainWindow::menu(const QString& name) const {
@@ -137,29 +231,58 @@ void MainWindow::connectWork() {
 
 // --- showing ---
 
-void MainWindow::showSnapshot() {
+void MainWindow::showTitle() {
     const Snapshot& now = m_editor->snapshot();
+    if (!m_coming.isEmpty()) { // never "Untitled" while a file is on its way
+        setWindowModified(false);
+        return setWindowTitle(tr("%1…[*] – Pointclay").arg(m_coming));
+    }
     const QString name = now.path.empty() ? tr("Untitled") : QString::fromStdString(now.path.filename().string());
     setWindowTitle(tr("%1[*] – Pointclay").arg(name));
     setWindowModified(now.modified);
+}
+
+void MainWindow::showSnapshot() {
+    const Snapshot& now = m_editor->snapshot();
+    showTitle();
     m_status->showModel(now);
     measure();
     if (now.models != m_models) {
         m_models = now.models;
         suitShading();
         m_panel->setModelSize(static_cast<double>(now.surface.tree().bounds().diagonal()));
+        m_header->setModelSize(static_cast<double>(now.surface.tree().bounds().diagonal()));
     }
+}
+
+static void chooseShading(QMenu& menu, render::Shading shading) {
+    const char* wanted = render::shadingRow(shading).id;
+    for (QAction* action : menu.actions())
+        if (action->data().toString() == wanted)
+            action->trigger();
 }
 
 /// A model with colours is shown in them, and the next one without is not left in plain light.
 void MainWindow::suitShading() {
     const bool colours = render::hasOwnColours(m_editor->snapshot().surface.tree());
-    if (colours == (m_settings.shading == render::Shading::Colour))
-        return;
-    const char* wanted = render::shadingRow(colours ? render::Shading::Colour : render::Shading::Matcap).id;
-    for (QAction* action : menu("shading")->actions())
-        if (action->data().toString() == wanted)
-            action->trigger();
+    if (colours != render::shadingRow(m_settings.shading).surfelColours)
+        chooseShading(*menu("shading"), colours ? render::Shading::Colour : render::Shading::Matcap);
+}
+
+/// What a stroke writes is to be seen: colours are not under a material, nor masks among measured numbers.
+void MainWindow::suitTool(const QString& tool) {
+    const render::ShadingRow& shown = render::shadingRow(m_settings.shading);
+    const sculpt::Writes writes = sculpt::tool(tool.toStdString()).writes;
+    if (writes == sculpt::Writes::Colour && !shown.surfelColours) {
+        chooseShading(*menu("shading"), render::Shading::Colour);
+        tell(tr("Shown in its colours from now on. View > Shading has the others."));
+    } else if (writes == sculpt::Writes::Count && m_settings.shading != render::Shading::Spacing)
+        tell(tr("Points come and go without a trace in this shading; View > Shading > %1 shows how dense they are.")
+                 .arg(tr(render::shadingRow(render::Shading::Spacing).label)));
+    else if (writes == sculpt::Writes::Mask && shown.measure) {
+        chooseShading(*menu("shading"), render::Shading::Mask);
+        tell(tr("Shown with its mask from now on. View > Shading has the others."));
+    }
 }
 
 void MainWindow::measure() {
@@ -214,13 +337,67 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     event->accept();
 }
 
-void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-    if (event->mimeData()->hasUrls() && event->mimeData()->urls().front().isLocalFile())
-        event->acceptProposedAction();
+static std::vector<std::filesystem::path> localFiles(const QMimeData& data) {
+    std::vector<std::filesystem::path> out;
+    for (const QUrl& url : data.urls())
+        if (url.isLocalFile())
+            out.emplace_back(url.toLocalFile().toStdString());
+    return out;
 }
 
+/// Says before the button comes up what will happen.
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    const auto files = localFiles(*event->mimeData());
+    if (files.empty())
+        return;
+    const QString name = textOf(files.front().filename());
+    switch (droppedAs(files.front())) {
+    case Dropped::Model:
+        m_view->setNotice(
+            {files.size() > 1 ? tr("Drop to open %1 models").arg(files.size()) : tr("Drop to open %1").arg(name), -1});
+        break;
+    case Dropped::Image:
+        m_view->setNotice({tr("Drop to press %1 in with the brush").arg(name), -1});
+        break;
+    case Dropped::Folder:
+        m_view->setNotice({tr("Drop to choose a model in %1").arg(name), -1});
+        break;
+    case Dropped::Other:
+        m_view->setNotice({tr("%1 is neither a model nor an image").arg(name), -1});
+    }
+    event->acceptProposedAction();
+}
+
+void MainWindow::dragLeaveEvent(QDragLeaveEvent*) {
+    m_view->setNotice({});
+}
+
+/// The first model is opened here, each further one in a window of its own.
 void MainWindow::dropEvent(QDropEvent* event) {
-    m_files->open(std::filesystem::path(event->mimeData()->urls().front().toLocalFile().toStdString()));
+    m_view->setNotice({});
+    bool here = true;
+    for (const std::filesystem::path& file : localFiles(*event->mimeData()))
+        switch (droppedAs(file)) {
+        case Dropped::Model:
+            if (here || !openAnother)
+                m_files->open(file);
+            else
+                openAnother(file);
+            here = false;
+            break;
+        case Dropped::Image:
+            m_settings.edit(m_settings.toolRow()).stamp = file.string();
+            m_panel->refresh();
+            tell(tr("The brush presses %1 in from now on.").arg(textOf(file.filename())));
+            break;
+        case Dropped::Folder:
+            m_files->openIn(file);
+            break;
+        case Dropped::Other:
+            tellFailure(tr("%1 is neither a model nor an image; File > Open says what can be read.")
+                            .arg(textOf(file.filename())));
+        }
+    event->acceptProposedAction();
 }
 
 } // namespace ui

@@ -5,12 +5,14 @@
 #include "ui/interaction/sculpt_view.h"
 #include "ui/settings/settings_file.h"
 #include "ui/window/file_actions.h"
+#include "ui/window/floating_bars.h"
 #include "ui/window/image_export.h"
 
 #include <QMainWindow>
 
 namespace ui {
 
+class HeaderBar;
 class Measurer;
 class MeshExport;
 class PropertiesPanel;
@@ -40,6 +42,7 @@ class MainWindow : public QMainWindow {
     PropertiesPanel& panel() { return *m_panel; }
     Measurer& measurer() { return *m_measurer; }
     MeshExport& meshExport() { return *m_mesh; }
+    FloatingBars& bars() { return *m_bars; }
     /// By its object name (menus.h).
     QMenu* menu(const QString& name) const;
     /// One sentence about the choice of the renderer.
@@ -52,39 +55,53 @@ class MainWindow : public QMainWindow {
     /// In the status line.
     void tell(const QString& message);
     void tellFailure(const QString& message);
+    /// Opens a model in a window of its own; empty: there is only this one.
+    std::function<void(const std::filesystem::path&)> openAnother;
     /// What the shading shows, where it measures.
     void measure();
 
   protected:
     void closeEvent(QCloseEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
+    void dragLeaveEvent(QDragLeaveEvent* event) override;
     void dropEvent(QDropEvent* event) override;
 
   private:
     void buildViewport();
+    void buildNotices();
+    void notify(const std::optional<Refinement>& refinement);
+    void showTitle();
+    void suitTool(const QString& tool);
+    void showHint();
     void buildStatus();
     void buildTools();
     void buildPanel();
     void buildMenus();
+    void buildHeader();
     void connectWork();
     void showSnapshot();
     void suitShading();
     void keepSettings();
+    QSize fitting(const QSize& wanted) const;
 
     SettingsFile m_settingsFile;
     Settings m_settings;
     Editor* m_editor = nullptr;
     Measurer* m_measurer = nullptr;
     MeshExport* m_mesh = nullptr;
+    FloatingBars* m_bars = nullptr;
     Viewport* m_viewport = nullptr;
     SculptView* m_view = nullptr;
     FileActions* m_files = nullptr;
     ImageExport* m_images = nullptr;
     ToolBar* m_tools = nullptr;
+    HeaderBar* m_header = nullptr;
     PropertiesPanel* m_panel = nullptr;
     StatusLine* m_status = nullptr;
     WorkProgress* m_progress = nullptr;
     QString m_whyRenderer;
+    QString m_coming;           ///< "Opening bunny.ply", while that is under way
+    Notice m_work, m_refining;  ///< what works on the model, and on its picture
     std::uint64_t m_models = 0; ///< of the snapshot that the panel's ranges suit
     bool m_mayClose = false;
 };

@@ -3,6 +3,7 @@
 #include "ui/theme/icon.h"
 
 #include <QActionGroup>
+#include <QKeyEvent>
 #include <QMainWindow>
 #include <QMenu>
 #include <QMenuBar>
@@ -33,6 +34,31 @@ QAction* addChoice(QMenu& menu, QActionGroup& group, const char* id, const QStri
     out->setChecked(chosen);
     group.addAction(out);
     return out;
+}
+
+namespace {
+
+class StayOpen : public QObject {
+  public:
+    using QObject::QObject;
+    bool eventFilter(QObject* object, QEvent* event) override {
+        auto& menu = static_cast<QMenu&>(*object);
+        QAction* action = nullptr;
+        if (event->type() == QEvent::MouseButtonRelease)
+            action = menu.actionAt(static_cast<QMouseEvent*>(event)->position().toPoint());
+        else if (event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Space)
+            action = menu.activeAction();
+        if (!action || !action->isEnabled() || !action->isCheckable() || action->menu())
+            return false;
+        action->trigger();
+        return true;
+    }
+};
+
+} // namespace
+
+void stayOpen(QMenu& menu) {
+    menu.installEventFilter(new StayOpen(&menu));
 }
 
 QAction* addSwitch(QMenu& menu, const char* id, const QString& label, const QString& tip, bool on,

@@ -26,6 +26,8 @@ template <class Row>
 QAction* addChoice(QMenu& menu, QActionGroup& group, const Row& row, bool chosen, const std::function<void()>& choose) {
     return addChoice(menu, group, row.id, row.label, row.tip, chosen, choose);
 }
+/// From now on a click on one of its switches leaves the menu open: several are wanted at once.
+void stayOpen(QMenu& menu);
 /// On or off.
 QAction* addSwitch(QMenu& menu, const char* id, const QString& label, const QString& tip, bool on,
                    const std::function<void(bool)>& turn);

@@ -2,7 +2,7 @@
 // tables wherever there is one. Each makes its menu and connects it; what entries do is elsewhere.
 //
 // A menu is found by its object name: "file", "new", "recent", "edit", "brush", "model", "view", "shading",
-// "background", "effects", "around", "saved-views", "navigation", "help". Interface's thread only.
+// "background", "effects", "around", "saved-views", "navigation", "theme", "help". Interface's thread only.
 #pragma once
 
 class QMenu;
@@ -22,8 +22,9 @@ void addHelpMenu(MainWindow& window);
 void addLookMenus(MainWindow& window, QMenu& view);   ///< shading, background, effects, what stands around
 void addViewEntries(MainWindow& window, QMenu& view); ///< framing, named views, projection
 void addSavedViewsMenu(MainWindow& window, QMenu& view);
+void addThemeMenu(MainWindow& window, QMenu& view);
 void addNavigationMenu(MainWindow& window, QMenu& view); ///< styles, pivot, flight
-/// The bars below the picture, and the entries that show them.
+/// The bars over the picture, and the entries that show them.
 void addTruthBar(MainWindow& window, QMenu& view);
 void addCutBar(MainWindow& window, QMenu& view);
 

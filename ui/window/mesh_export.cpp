@@ -13,10 +13,10 @@ namespace ui {
 /// After a pause this long the person has chosen, or the stroke is over.
 constexpr int patienceMs = 300;
 
-MeshExport::MeshExport(QMainWindow& window, Editor& editor, QWidget& canvas)
+MeshExport::MeshExport(QMainWindow& window, Editor& editor, QWidget& canvas, FloatingBars& bars)
     : QObject(&window), m_window(window), m_editor(editor), m_canvas(canvas), m_bar(new MeshBar(&window)) {
-    window.addToolBar(Qt::BottomToolBarArea, m_bar);
     m_bar->hide();
+    bars.add(*m_bar);
     m_bar->toggleViewAction()->setVisible(false); // the menu's entry opens it
     m_soon.setSingleShot(true);
     m_soon.setInterval(patienceMs);

@@ -4,6 +4,7 @@
 
 #include "core/render/overlay/wireframe.h"
 #include "ui/panels/mesh_bar.h"
+#include "ui/window/floating_bars.h"
 #include "ui/work/mesher.h"
 
 #include <QImage>
@@ -20,7 +21,7 @@ class MeshExport : public QObject {
     Q_OBJECT
   public:
     /// `canvas` is what shows the lines; all outlive it.
-    MeshExport(QMainWindow& window, Editor& editor, QWidget& canvas);
+    MeshExport(QMainWindow& window, Editor& editor, QWidget& canvas, FloatingBars& bars);
     ~MeshExport() override;
 
     MeshBar& bar() { return *m_bar; }

@@ -9,7 +9,7 @@
 namespace ui {
 
 static void ask(MainWindow& window, const session::CommandRow& row) {
-    CommandDialog dialog(row, &window);
+    CommandDialog dialog(row, window.editor().snapshot(), &window);
     if (dialog.exec() == QDialog::Accepted)
         window.editor().run(dialog.command());
 }

@@ -1,6 +1,7 @@
 #include "ui/window/run_window.h"
 
 #include "core/process/samples/samples.h"
+#include "ui/settings/settings_file.h"
 #include "ui/theme/icon.h"
 #include "ui/theme/theme.h"
 #include "ui/window/guarded_application.h"
@@ -21,7 +22,7 @@ static void prepare(QApplication& application) {
     QApplication::setApplicationVersion(POINTCLAY_VERSION);
     QApplication::setDesktopFileName("pointclay");
     QApplication::setWindowIcon(icon("pointclay"));
-    applyTheme(application);
+    applyTheme(application, SettingsFile().read().theme);
 }
 
 /// Without any display Qt would abort instead of telling.
@@ -71,8 +72,9 @@ int runWindow(int argc, char** argv, const std::vector<std::filesystem::path>& m
     QLocale::setDefault(QLocale::c());
     prepare(application);
     std::vector<std::unique_ptr<MainWindow>> windows;
-    const auto addWindow = [&]() -> MainWindow& {
+    std::function<MainWindow&()> addWindow = [&]() -> MainWindow& {
         windows.push_back(std::make_unique<MainWindow>());
+        windows.back()->openAnother = [&](const std::filesystem::path& model) { addWindow().files().open(model); };
         windows.back()->show();
         return *windows.back();
     };

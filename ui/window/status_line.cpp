@@ -1,10 +1,12 @@
 #include "ui/window/status_line.h"
 
 #include "ui/theme/icon.h"
+#include "ui/theme/theme.h"
 
 #include <QLabel>
 #include <QLocale>
 #include <QProgressBar>
+#include <QRegularExpression>
 #include <QToolButton>
 
 namespace ui {
@@ -19,10 +21,23 @@ QString bytesText(std::size_t bytes) {
     return QString("%1 %2").arg(value, 0, 'f', decimals).arg(units[unit]);
 }
 
+QString sentenceOf(const QString& message) {
+    QString out = message.trimmed();
+    const QString first = out.section(' ', 0, 0);
+    // A name stays as it is written: "bunny.ply" is a file, "max" no sentence's beginning.
+    if (!out.isEmpty() && !first.contains(QRegularExpression("[./_0-9\"]")))
+        out[0] = out[0].toUpper();
+    const QString last = out.section(' ', -1);
+    if (!out.isEmpty() && out.back().isLetterOrNumber() && !last.contains(QRegularExpression("[./]")))
+        out += '.';
+    return out;
+}
+
 QLabel* StatusLine::cell(const QString& tip) {
     auto* label = new QLabel;
     label->setObjectName("cell");
     label->setToolTip(tip);
+    label->hide();
     addPermanentWidget(label);
     return label;
 }
@@ -46,58 +61,105 @@ StatusLine::StatusLine(QWidget* parent) : QStatusBar(parent), m_message(new QLab
     m_memory = cell(tr("Memory used by the model + by its history"));
     m_spacing = cell(tr("Typical distance between neighbouring surfels, in model units"));
     m_truth = cell(tr("The true surface: accuracy reached, and time since the view came to rest"));
-    m_truth->hide();
     m_frame = cell({});
     m_dab = cell(tr("Time taken by the last dab, resampling included"));
     hideProgress();
+    m_stale.setSingleShot(true);
+    connect(&m_stale, &QTimer::timeout, this, [this] {
+        m_message->setText(m_hint);
+        m_message->setToolTip(m_hint);
+        m_message->setStyleSheet("color: palette(placeholder-text);");
+    });
 }
 
+/// Frames that take less than this are told as "less than".
 static QString milliseconds(double seconds) {
+    constexpr double least = 1e-4;
+    if (seconds < least)
+        return QString("< %1 ms").arg(least * 1000);
     return QString("%1 ms").arg(seconds * 1000, 0, 'f', seconds < 0.01 ? 1 : 0);
 }
 
+void StatusLine::want(QLabel* cell, bool wanted, const QString& text) {
+    cell->setText(text);
+    if (wanted)
+        m_wanted.insert(cell);
+    else
+        m_wanted.remove(cell);
+    fit();
+}
+
+/// The most wanted first; the message keeps some room.
+void StatusLine::fit() {
+    constexpr int forMessage = 180, gap = 8;
+    int room = width() - forMessage - (m_progress->isHidden() ? 0 : m_progress->width() + m_stop->sizeHint().width());
+    for (QLabel* cell : {m_surfels, m_truth, m_dab, m_frame, m_spacing, m_memory}) {
+        const int needed = cell->sizeHint().width() + gap;
+        const bool shown = m_wanted.contains(cell) && needed <= room;
+        if (shown)
+            room -= needed;
+        cell->setVisible(shown);
+    }
+}
+
+void StatusLine::resizeEvent(QResizeEvent* event) {
+    QStatusBar::resizeEvent(event);
+    fit();
+}
+
 void StatusLine::showModel(const Snapshot& snapshot) {
-    for (QLabel* label : {m_surfels, m_memory, m_spacing})
-        label->setVisible(!snapshot.surface.tree().empty());
-    m_surfels->setText(tr("%1 surfels").arg(QLocale::c().toString(qulonglong(snapshot.surfels))));
-    m_memory->setText(tr("%1 + %2").arg(bytesText(snapshot.modelBytes), bytesText(snapshot.historyBytes)));
-    m_spacing->setText(tr("spacing %1").arg(static_cast<double>(snapshot.spacing), 0, 'g', 3));
-    m_dab->setVisible(snapshot.dabSeconds > 0);
-    m_dab->setText(tr("dab %1").arg(milliseconds(snapshot.dabSeconds)));
+    const bool model = !snapshot.surface.tree().empty();
+    want(m_surfels, model, tr("%1 surfels").arg(QLocale::c().toString(qulonglong(snapshot.surfels))));
+    want(m_memory, model, tr("%1 + %2").arg(bytesText(snapshot.modelBytes), bytesText(snapshot.historyBytes)));
+    want(m_spacing, model, tr("Spacing %1").arg(static_cast<double>(snapshot.spacing), 0, 'g', 3));
+    want(m_dab, snapshot.dabSeconds > 0, tr("Dab %1").arg(milliseconds(snapshot.dabSeconds)));
 }
 
 void StatusLine::showFrame(double seconds, const QString& renderer) {
-    m_frame->setText(tr("frame %1").arg(milliseconds(seconds)));
+    want(m_frame, true, tr("Frame %1").arg(milliseconds(seconds)));
     m_frame->setToolTip(tr("Time to draw the last picture; %1").arg(renderer));
 }
 
 void StatusLine::showRefinement(const std::optional<Refinement>& refinement) {
-    m_truth->setVisible(refinement.has_value());
     if (!refinement || refinement->quality <= 0)
-        return m_truth->setText(tr("surface …"));
+        return want(m_truth, refinement.has_value(), tr("Surface …"));
     QString text =
-        tr("surface to %1 px, %2").arg(refinement->quality, 0, 'g', 2).arg(milliseconds(refinement->seconds));
+        tr("Surface to %1 px, %2").arg(refinement->quality, 0, 'g', 2).arg(milliseconds(refinement->seconds));
     if (refinement->light > 0 && !refinement->complete)
         text += tr(", light %1 %").arg(100 * refinement->light, 0, 'f', 0);
-    m_truth->setText(refinement->complete ? text : text + " …");
+    want(m_truth, true, refinement->complete ? text : text + " …");
 }
 
 void StatusLine::showProgress(double share, const QString& doing) {
+    QString what = doing;
+    if (!what.isEmpty())
+        what[0] = what[0].toUpper();
     m_progress->setValue(static_cast<int>(share * 1000));
-    m_progress->setFormat(doing + "  %p%");
+    m_progress->setFormat(what + "  %p%");
     m_progress->show();
     m_stop->show();
+    fit();
 }
 
 void StatusLine::hideProgress() {
     m_progress->hide();
     m_stop->hide();
+    fit();
 }
 
 void StatusLine::tell(const QString& message, bool error) {
-    m_message->setText(message);
-    m_message->setToolTip(message);
-    m_message->setStyleSheet(error ? "color: #ff8a75;" : QString());
+    constexpr int toReadMs = 10000, toActMs = 60000;
+    const QString said = sentenceOf(message);
+    m_message->setText(said);
+    m_message->setToolTip(said);
+    m_message->setStyleSheet(error ? troubleStyle(palette()) : QString());
+    m_stale.start(error ? toActMs : toReadMs);
+}
+
+void StatusLine::setHint(const QString& hint) {
+    m_hint = hint;
+    if (m_message->text().isEmpty())
+        m_stale.start(0);
 }
 
 QString StatusLine::message() const {

@@ -1,10 +1,14 @@
 // The line at the bottom: messages left, the model's figures right, and the progress of long work when there is some.
+// Where it is narrow the least wanted figures give way. A message is a sentence; it goes after a while, and then the
+// line says what the pointer does now.
 #pragma once
 
 #include "ui/work/frame.h"
 #include "ui/work/snapshot.h"
 
+#include <QSet>
 #include <QStatusBar>
+#include <QTimer>
 
 class QLabel;
 class QProgressBar;
@@ -14,6 +18,8 @@ namespace ui {
 
 /// "512 B", "3.4 MB": powers of 1000, three digits.
 QString bytesText(std::size_t bytes);
+/// A capital letter first and a full stop at the end, whatever wrote it.
+QString sentenceOf(const QString& message);
 
 class StatusLine : public QStatusBar {
     Q_OBJECT
@@ -27,17 +33,27 @@ class StatusLine : public QStatusBar {
     /// `share` 0 to 1.
     void showProgress(double share, const QString& doing);
     void hideProgress();
-    /// Stays until the next one; an error is marked.
+    /// An error is marked and stays longer.
     void tell(const QString& message, bool error = false);
+    /// What stands here while there is no message.
+    void setHint(const QString& hint);
     QString message() const;
 
   Q_SIGNALS:
     void cancelled(); ///< the person asked the work to stop
 
+  protected:
+    void resizeEvent(QResizeEvent* event) override;
+
   private:
     QLabel* cell(const QString& tip);
+    void want(QLabel* cell, bool wanted, const QString& text);
+    void fit();
 
     QLabel *m_message, *m_surfels, *m_memory, *m_spacing, *m_frame, *m_truth, *m_dab;
+    QSet<QLabel*> m_wanted; ///< cells that have something to say
+    QString m_hint;
+    QTimer m_stale; ///< until the message has been read
     QProgressBar* m_progress;
     QToolButton* m_stop;
 };

@@ -1,9 +1,11 @@
+#include "ui/theme/theme.h"
 #include "ui/window/main_window.h"
 #include "ui/window/menu_tools.h"
 #include "ui/window/menus.h"
 
 #include <QAction>
 #include <QActionGroup>
+#include <QApplication>
 #include <QMenu>
 
 namespace ui {
@@ -52,6 +54,16 @@ void addNavigationMenu(MainWindow& window, QMenu& view) {
     fly->setToolTip(QObject::tr("Move with W A S D, Q and E, look with the pointer; Esc lands"));
 }
 
+void addThemeMenu(MainWindow& window, QMenu& view) {
+    QMenu* menu = addMenu(window, "theme", QObject::tr("T&heme"), &view);
+    auto* one = new QActionGroup(menu);
+    for (const ThemeRow& row : themeTable())
+        addChoice(*menu, *one, row, row.id == window.settings().theme, [&window, &row] {
+            window.settings().theme = row.id;
+            applyTheme(*qApp, row.id);
+        });
+}
+
 /// Which renderer draws, for information only.
 static void addRenderer(MainWindow& window, QMenu& view) {
     QAction* renderer = view.addAction(QString());
@@ -73,6 +85,7 @@ void addViewMenu(MainWindow& window) {
     addSavedViewsMenu(window, *view);
     addNavigationMenu(window, *view);
     addCutBar(window, *view);
+    addThemeMenu(window, *view);
     view->addSeparator();
     addRenderer(window, *view);
 }

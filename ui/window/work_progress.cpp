@@ -25,8 +25,10 @@ bool WorkProgress::working() const {
 void WorkProgress::show(double share, const QString& doing) {
     if (!m_since.isValid())
         m_since.start();
-    if (working() && m_since.elapsed() >= patienceMs)
+    if (working() && m_since.elapsed() >= patienceMs) {
         m_status.showProgress(share, doing);
+        Q_EMIT shown(share, doing);
+    }
 }
 
 void WorkProgress::rest() {
@@ -34,6 +36,7 @@ void WorkProgress::rest() {
         return;
     m_since.invalidate();
     m_status.hideProgress();
+    Q_EMIT rested();
 }
 
 /// A stroke is no work that may be stopped here: the cancel flag would end its dab.

@@ -23,6 +23,10 @@ class WorkProgress : public QObject {
     /// Asks all of it to stop; what it has not finished is as if it had not begun.
     void stop();
 
+  Q_SIGNALS:
+    void shown(double share, QString doing); ///< the bar is
+    void rested();                           ///< nothing works any more
+
   private:
     bool working() const; ///< on something that tells its progress
     void show(double share, const QString& doing);

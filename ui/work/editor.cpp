@@ -1,6 +1,5 @@
 #include "ui/work/editor.h"
 
-#include "core/session/recover.h"
 #include "ui/work/post.h"
 
 #include <future>
@@ -29,8 +28,14 @@ Editor::~Editor() {
 }
 
 void Editor::work() {
-    while (std::optional<Task> task = m_queue.pop())
+    for (;;) {
+        while (m_worker->settling() && m_queue.idle())
+            m_worker->settleSlice();
+        std::optional<Task> task = m_queue.pop();
+        if (!task)
+            return;
         m_worker->perform(*task);
+    }
 }
 
 /// Posts to the interface's thread what the worker tells.
@@ -101,22 +106,24 @@ void Editor::run(nlohmann::json command, std::function<void(bool)> then) {
     bool replaces = false;
     for (const auto& row : session::commandTable())
         replaces |= row.startsModel && command.value("op", "") == row.op;
-    const auto work = [command = std::move(command)](session::Context& context) { session::run(context, command); };
-    CommandTask task{work, std::move(then)};
+    const std::string op = command.value("op", "");
+    const auto kind = op == "undo" ? CommandKind::Undo : op == "redo" ? CommandKind::Redo : CommandKind::Other;
+    CommandTask task{[command = std::move(command)](session::Context& context) { session::run(context, command); },
+                     std::move(then), kind};
     if (replaces)
         replace(std::move(task));
     else
         push(std::move(task));
 }
 
-void Editor::recover(std::filesystem::path journal, std::function<void(bool, int)> then) {
-    const auto leftOut = std::make_shared<int>(0); // set by the worker before `then` is called
-    const auto work = [journal = std::move(journal), leftOut](session::Context& context) {
-        *leftOut = session::recover(journal, context).leftOut;
+void Editor::recover(std::filesystem::path journal, std::function<void(bool, const session::Recovery&)> then) {
+    const auto found = std::make_shared<session::Recovery>(); // set by the worker before `then` is called
+    const auto work = [journal = std::move(journal), found](session::Context& context) {
+        *found = session::recover(journal, context);
     };
-    replace({work, [then = std::move(then), leftOut](bool done) {
+    replace({work, [then = std::move(then), found](bool done) {
                  if (then)
-                     then(done, *leftOut);
+                     then(done, *found);
              }});
 }
 

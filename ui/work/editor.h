@@ -4,12 +4,14 @@
 //     interface                              model thread
 //     run(command, then)  ---- TaskQueue -->  session::run            --> changed(), then(done)
 //     beginStroke, addSample... (merged)     session::LiveStroke::add --> changed() after each slice of dabs
-//     endStroke                              finish, commit, journal  --> changed()
+//     endStroke                              settle in slices while nothing else is asked for
+//                                            finish, commit, journal  --> changed()
 //     cancelStroke                           drops the LiveStroke     --> changed(), as if nothing had been
 //
 // Snapshots that arrive faster than they are shown replace each other.
 #pragma once
 
+#include "core/session/recover.h"
 #include "ui/work/model_worker.h"
 
 #include <memory>
@@ -39,7 +41,8 @@ class Editor : public QObject {
     // All of these on the interface's thread; they return at once.
     void run(nlohmann::json command, std::function<void(bool done)> then = {});
     /// The model as a left journal's last command had it, recorded anew in this editor's own journal.
-    void recover(std::filesystem::path journal, std::function<void(bool done, int leftOut)> then = {});
+    void recover(std::filesystem::path journal,
+                 std::function<void(bool done, const session::Recovery& recovery)> then = {});
     void runAside(SideTask task);
     void beginStroke(const sculpt::StrokeSettings& settings);
     /// `input`: what Snapshot::input says once it is in the picture.

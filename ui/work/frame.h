@@ -33,6 +33,7 @@ struct Frame {
     render::RenderOptions options;
     bool moving = false;              ///< more follow at once: speed before quality
     std::optional<TrueSurface> truth; ///< without it, splats
+    bool smooth = false;              ///< at rest, outlines are to be smooth
     std::uint64_t input = 0;          ///< the last pointer event that it shows, as PointerRouter counts them
 };
 

@@ -3,6 +3,7 @@
 #include "ui/work/post.h"
 
 #include <chrono>
+#include <nlohmann/json.hpp>
 
 namespace ui {
 
@@ -74,20 +75,40 @@ void ModelWorker::publishDocument() {
     Snapshot out = snapshotOf(m_document);
     out.reference = out.modified ? m_shown.reference : out.surface;
     out.models = m_models;
+    if (m_undone) {
+        out.canRedo = true;
+        out.redoLabel = m_undone->stroke->label();
+    }
     publish(std::move(out));
 }
 
 void ModelWorker::publishStroke() {
     Snapshot out = m_shown;
-    out.surface = m_stroke->surface();
+    out.surface = m_stroke->stroke->surface();
     out.surfels = out.surface.tree().size();
+    publish(std::move(out));
+}
+
+/// The version that a settling stroke has made counts as a step of history already.
+void ModelWorker::publishSettling() {
+    Snapshot out = m_shown;
+    out.surface = m_settling->stroke->surface();
+    out.surfels = out.surface.tree().size();
+    if (m_settling->stroke->changed()) {
+        out.modified = out.canUndo = true;
+        out.undoLabel = m_settling->stroke->label();
+        out.canRedo = false;
+    }
     publish(std::move(out));
 }
 
 // --- commands ---
 
 void ModelWorker::perform(CommandTask& task) {
-    finishStroke(); // one that is still open: a command comes after it
+    const bool aside = (task.kind == CommandKind::Undo && layAside()) || (task.kind == CommandKind::Redo && takeUp());
+    if (aside)
+        return m_reports.finished(std::move(task.then), true, 1);
+    endAll(); // a command comes after them
     const tree::SurfelTree before = m_document.surface().tree();
     session::Context used = context();
     const bool done = guarded([&] { task.work(used); });
@@ -99,6 +120,7 @@ void ModelWorker::perform(CommandTask& task) {
 }
 
 void ModelWorker::perform(SideTask& task) {
+    endSettling();
     const bool done = guarded([&] {
         const base::Progress steps = progress();
         steps.report(0, task.what);
@@ -109,38 +131,79 @@ void ModelWorker::perform(SideTask& task) {
 
 // --- strokes ---
 
-void ModelWorker::dropStroke() {
-    m_stroke.reset();
-    m_strokeContext.reset();
-}
-
-bool ModelWorker::finishStroke() {
-    if (!m_stroke)
+bool ModelWorker::finish(std::unique_ptr<OpenStroke> open) {
+    if (!open)
         return false;
-    guarded([&] { m_stroke->finish(); });
-    tell(m_strokeContext->messages);
-    dropStroke();
+    guarded([&] { open->stroke->finish(); });
+    tell(open->context.messages);
     return true;
 }
 
+bool ModelWorker::layAside() {
+    if (!m_settling || !m_settling->stroke->changed())
+        return false;
+    m_undone = std::move(m_settling);
+    publishDocument();
+    m_reports.finished({}, true, 0); // its end
+    return true;
+}
+
+bool ModelWorker::takeUp() {
+    if (!m_undone)
+        return false;
+    finish(std::move(m_undone));
+    publishDocument();
+    return true;
+}
+
+void ModelWorker::endSettling() {
+    if (!finish(std::move(m_settling)))
+        return;
+    publishDocument();
+    m_reports.finished({}, true, 0);
+}
+
+void ModelWorker::endAll() {
+    endSettling();
+    if (finish(std::move(m_stroke)))
+        publishDocument();
+    if (finish(std::move(m_undone)))
+        guarded([&] {
+            session::Context used = context();
+            session::run(used, {{"op", "undo"}});
+        });
+}
+
+void ModelWorker::settleSlice() {
+    bool done = false;
+    if (guarded([&] { done = m_settling->stroke->settle(); }) && !done)
+        return;
+    if (done)
+        finish(std::move(m_settling));
+    m_settling.reset();
+    publishDocument();
+    m_reports.finished({}, true, 0);
+}
+
 void ModelWorker::perform(BeginStroke& task) {
-    dropStroke();
-    m_strokeContext.emplace(context());
-    m_strokeCancelled = task.cancelled;
-    m_strokeContext->progress = {{}, m_strokeCancelled.get()};
+    m_undone.reset(); // as a new step of history drops what could be done again
+    endAll();
+    auto open = std::make_unique<OpenStroke>(OpenStroke{context(), task.cancelled, {}});
+    open->context.progress = {{}, task.cancelled.get()};
     m_pacer = sculpt::StrokePacer(task.settings);
-    guarded([&] { m_stroke.emplace(*m_strokeContext, task.settings); });
+    if (guarded([&] { open->stroke.emplace(open->context, task.settings); }))
+        m_stroke = std::move(open);
     m_reports.finished({}, true, 0);
 }
 
 bool ModelWorker::strokeWanted() const {
-    return m_stroke && !*m_strokeCancelled && !m_signals.closing;
+    return m_stroke && !*m_stroke->cancelled && !m_signals.closing;
 }
 
 /// In slices: between them the picture is published and a cancelled stroke ends.
 void ModelWorker::perform(AddSamples& task) {
     if (strokeWanted()) {
-        const std::vector<sculpt::StrokeSample> samples = m_pacer.paced(task.samples, m_stroke->depth());
+        const std::vector<sculpt::StrokeSample> samples = m_pacer.paced(task.samples, m_stroke->stroke->depth());
         for (std::size_t i = 0; i < samples.size() && strokeWanted(); ++i)
             addSlice(samples[i], i + 1 == samples.size() ? task.input : 0);
         m_signals.takenInput = task.input;
@@ -150,13 +213,14 @@ void ModelWorker::perform(AddSamples& task) {
 
 void ModelWorker::addSlice(const sculpt::StrokeSample& sample, std::uint64_t last) {
     const auto start = Clock::now();
-    const int before = m_stroke->dabs();
+    session::LiveStroke& stroke = *m_stroke->stroke;
+    const int before = stroke.dabs();
     bool changed = false;
-    if (!guarded([&] { changed = m_stroke->add(sample); })) {
-        dropStroke();
+    if (!guarded([&] { changed = stroke.add(sample); })) {
+        m_stroke.reset();
         return publishDocument();
     }
-    m_pacer.took(secondsSince(start), m_stroke->dabs() - before);
+    m_pacer.took(secondsSince(start), stroke.dabs() - before);
     if (!changed)
         return;
     if (last != 0)
@@ -165,15 +229,17 @@ void ModelWorker::addSlice(const sculpt::StrokeSample& sample, std::uint64_t las
     publishStroke();
 }
 
+/// That its end is done is told when it is history.
 void ModelWorker::perform(EndStroke&) {
-    if (finishStroke())
-        publishDocument();
-    m_reports.finished({}, true, 0);
+    if (!m_stroke)
+        return m_reports.finished({}, true, 0);
+    m_settling = std::move(m_stroke);
+    publishSettling();
 }
 
 void ModelWorker::perform(CancelStroke&) {
     if (m_stroke) {
-        dropStroke();
+        m_stroke.reset();
         publishDocument();
     }
     m_reports.finished({}, true, 0);

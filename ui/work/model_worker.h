@@ -1,5 +1,9 @@
 // The document and what belongs to it, on the model thread: performs the editor's tasks one by one and publishes what
-// has become of the model. Made and ended on any thread; `perform` is the model thread's alone.
+// has become of the model. Made and ended on any thread; the rest is the model thread's alone.
+//
+// A stroke that has ended is *settling*: its last resampling is done in slices while nothing else is asked for, then it
+// becomes a step of history. Whatever else is asked for first does the rest at once, but undo, which lays the stroke
+// aside as it is: the model is as before at once, and redo goes on with it. So nothing of this shows in the record.
 #pragma once
 
 #include "core/sculpt/stroke_pacer.h"
@@ -36,12 +40,21 @@ class ModelWorker {
     ModelWorker(WorkerSignals& signals, WorkerReports reports, std::unique_ptr<session::Journal> journal);
 
     void perform(Task& task);
+    bool settling() const { return m_settling != nullptr; }
+    /// REQUIRES: settling().
+    void settleSlice();
     /// After the thread has ended.
     void discardJournal();
     /// On the model thread.
     const session::Document& document() const { return m_document; }
 
   private:
+    /// A stroke with what it refers to.
+    struct OpenStroke {
+        session::Context context;
+        std::shared_ptr<std::atomic<bool>> cancelled; ///< asked for by the interface's thread
+        std::optional<session::LiveStroke> stroke;
+    };
     void perform(CommandTask& task);
     void perform(SideTask& task);
     void perform(BeginStroke& task);
@@ -60,17 +73,21 @@ class ModelWorker {
     bool strokeWanted() const;
     /// `last`: the pointer event that brought the sample, if it is the last of it; else 0.
     void addSlice(const sculpt::StrokeSample& sample, std::uint64_t last);
-    bool finishStroke(); ///< false where there is none
-    void dropStroke();
+    bool layAside(); ///< the settling stroke, for redo; false where there is none to undo
+    bool takeUp();   ///< what was laid aside; false where nothing was
+    void endSettling();
+    void endAll(); ///< every stroke there is becomes history
+    bool finish(std::unique_ptr<OpenStroke> stroke);
+    void publishSettling();
     void tell(const std::vector<std::string>& messages);
 
     WorkerSignals& m_signals;
     WorkerReports m_reports;
     session::Document m_document;
     std::unique_ptr<session::Journal> m_journal;
-    std::optional<session::Context> m_strokeContext;      ///< what `m_stroke` refers to
-    std::shared_ptr<std::atomic<bool>> m_strokeCancelled; ///< asked for by the interface's thread
-    std::optional<session::LiveStroke> m_stroke;
+    std::unique_ptr<OpenStroke> m_stroke;   ///< being drawn
+    std::unique_ptr<OpenStroke> m_settling; ///< ended; none is drawn meanwhile
+    std::unique_ptr<OpenStroke> m_undone;   ///< laid aside; none is drawn or settles meanwhile
     sculpt::StrokePacer m_pacer;
     std::uint64_t m_models = 0; ///< as Snapshot::models
     double m_dabSeconds = 0;

@@ -1,5 +1,7 @@
 #include "ui/work/render_thread.h"
 
+#include "core/base/cancel_scope.h"
+#include "core/render/smooth_image.h"
 #include "ui/work/post.h"
 
 #include <chrono>
@@ -31,22 +33,30 @@ void RenderThread::request(const Frame& frame) {
     m_asked.notify_one();
 }
 
-std::optional<Frame> RenderThread::next() {
-    std::unique_lock lock(m_mutex);
-    const auto asked = [this] { return m_ending || m_request; };
-    if (!m_unrefined)
-        m_asked.wait(lock, asked);
-    else if (!m_asked.wait_for(lock, std::chrono::duration<double>(m_settling ? 0 : restSeconds), asked)) {
-        Frame finer = std::move(*m_unrefined);
+std::optional<RenderThread::Job> RenderThread::left() {
+    if (m_unrefined) {
+        Job finer{std::move(*m_unrefined)};
         m_unrefined.reset();
-        finer.moving = false;
+        finer.frame.moving = false;
         m_settling = true;
         return finer;
     }
+    Job smoother{std::move(*m_rough), true};
+    m_rough.reset();
+    return smoother;
+}
+
+std::optional<RenderThread::Job> RenderThread::next() {
+    std::unique_lock lock(m_mutex);
+    const auto asked = [this] { return m_ending || m_request; };
+    if (!m_unrefined && !m_rough)
+        m_asked.wait(lock, asked);
+    else if (!m_asked.wait_for(lock, std::chrono::duration<double>(m_unrefined && m_settling ? 0 : restSeconds), asked))
+        return left();
     if (m_ending)
         return {};
     m_settling = m_interrupt = false;
-    std::optional<Frame> out = std::move(m_request);
+    Job out{std::move(*m_request)};
     m_request.reset();
     return out;
 }
@@ -61,14 +71,18 @@ static bool samePlace(const Frame& a, const Frame& b) {
 }
 
 static render::TrueView::Subject subject(const Frame& frame) {
-    return {frame.truth->surface, frame.camera,          frame.options,
-            frame.truth->quality, frame.truth->lighting, frame.truth->measured};
+    return {frame.truth->surface,  frame.camera, frame.options,        frame.truth->quality,
+            frame.truth->lighting, frame.smooth, frame.truth->measured};
+}
+
+static QImage pictureOf(const render::Image& image) {
+    const QImage view(reinterpret_cast<const uchar*>(image.colour.data()), image.width, image.height,
+                      QImage::Format_RGBX8888);
+    return view.convertToFormat(QImage::Format_RGB32);
 }
 
 QImage RenderThread::picture() const {
-    const QImage view(reinterpret_cast<const uchar*>(m_image.colour.data()), m_image.width, m_image.height,
-                      QImage::Format_RGBX8888);
-    return view.convertToFormat(QImage::Format_RGB32);
+    return pictureOf(m_image);
 }
 
 RenderThread::Result RenderThread::draw(const Frame& frame) {
@@ -145,20 +159,70 @@ void RenderThread::refine(const Frame& frame) {
     }
 }
 
-void RenderThread::work() {
-    while (const std::optional<Frame> frame = next()) {
+bool RenderThread::isSmooth(const Frame& frame) const {
+    return m_smoothed && !frame.truth && frame.smooth && m_smoothed->model == frame.model &&
+           m_smoothed->camera == frame.camera && m_smoothed->options == frame.options;
+}
+
+void RenderThread::smooth(const Frame& frame) {
+    try {
+        const base::CancelScope scope(&m_interrupt);
+        if (!m_fine)
+            m_fine = std::make_unique<render::CpuSplatter>();
+        render::Camera camera = frame.camera;
+        camera.width *= 2, camera.height *= 2;
+        render::RenderOptions options = frame.options;
+        options.pixelScale *= 2;
+        render::Image fine, out;
+        m_fine->render(frame.model, camera, options, fine);
+        out.width = frame.camera.width, out.height = frame.camera.height;
+        out.colour.resize(static_cast<std::size_t>(out.width) * static_cast<std::size_t>(out.height));
+        render::shrink(fine, out);
         Result result;
+        result.input = frame.input;
+        result.picture = m_smoothPicture = pictureOf(out);
+        result.smooth = true;
+        m_smoothed = frame;
+        m_deliver(std::move(result));
+    } catch (const base::Cancelled&) {
+        m_fine.reset(); // stopped in the middle of anything
+    }
+}
+
+void RenderThread::serve(const Frame& frame) {
+    Result result;
+    m_rough.reset();
+    m_unrefined.reset();
+    if (isSmooth(frame)) { // nothing has changed but what is painted over it
+        result.input = frame.input;
+        result.picture = m_smoothPicture;
+        result.seconds = m_lastSeconds;
+        return m_deliver(std::move(result));
+    }
+    m_smoothed.reset();
+    result = draw(frame);
+    m_lastSeconds = result.seconds;
+    const bool coarse = result.reduced || result.detailPx > frame.options.detailPx;
+    if (coarse || (frame.truth && frame.moving))
+        m_unrefined = frame;
+    else if (frame.smooth && !frame.truth)
+        m_rough = frame;
+    m_deliver(std::move(result));
+    if (frame.truth && !m_unrefined)
+        refine(frame);
+}
+
+void RenderThread::work() {
+    while (const std::optional<Job> job = next()) {
         try {
-            result = draw(*frame);
-            const bool coarse = result.reduced || result.detailPx > frame->options.detailPx;
-            m_unrefined.reset();
-            if (coarse || (frame->truth && frame->moving))
-                m_unrefined = frame;
-            m_deliver(std::exchange(result, {}));
-            if (frame->truth && !m_unrefined)
-                refine(*frame);
+            if (job->smooth)
+                smooth(job->frame);
+            else
+                serve(job->frame);
         } catch (const std::exception& error) {
             m_unrefined.reset();
+            m_rough.reset();
+            Result result;
             result.trouble = textOf(error);
             m_deliver(std::move(result));
         }

@@ -44,6 +44,11 @@ std::optional<Task> TaskQueue::pop() {
     return out;
 }
 
+bool TaskQueue::idle() const {
+    const std::lock_guard lock(m_mutex);
+    return m_tasks.empty() && !m_closed;
+}
+
 void TaskQueue::close() {
     {
         const std::lock_guard lock(m_mutex);

@@ -19,10 +19,13 @@
 
 namespace ui {
 
+/// What a command means to a stroke that is still being resampled (model_worker.h).
+enum class CommandKind { Other, Undo, Redo };
 /// Work on the document through commands; `then` is called on the interface's thread with its success.
 struct CommandTask {
     std::function<void(session::Context&)> work;
     std::function<void(bool done)> then;
+    CommandKind kind = CommandKind::Other;
 };
 /// Work on the present version that does not change the model, such as exporting an image.
 struct SideTask {
@@ -54,10 +57,12 @@ class TaskQueue {
     std::size_t push(Task task);
     /// Waits for the next task; empty once the queue is closed, whatever is still in it.
     std::optional<Task> pop();
+    /// Nothing waits, and it is open: time for work that nobody waits for.
+    bool idle() const;
     void close();
 
   private:
-    std::mutex m_mutex;
+    mutable std::mutex m_mutex;
     std::condition_variable m_filled;
     std::deque<Task> m_tasks;
     bool m_closed = false;

@@ -22,15 +22,17 @@ constexpr double shrinking = 0.94; ///< of r from round to round
 /// The first r squared over the area of a point: so much denser than a hexagonal layout that rounds end when little
 /// room is left, at spacings of which 90 % lie within 15 % of their mean.
 constexpr double firstShare = 0.98;
-constexpr int mostRounds = 12;   ///< the last r is half of the first
-constexpr float tooClose = 0.7f; ///< of the first r: a candidate so near to a point taken is never wanted
-constexpr float flatness = 3;    ///< weight of heights over the tangent plane
+/// Of the first r, and the last r: a candidate so near to a point taken is never wanted.
+constexpr float tooClose = 0.7f;
+constexpr float flatness = 3; ///< weight of heights over the tangent plane
 constexpr double awayCosine = -0.5;
 constexpr int groups = 27;
 
 struct Candidate {
     Vec3f position;
     FacePoint point;
+    /// To the nearest point taken when that was last asked. It only shrinks: below r the candidate need not be asked.
+    float nearest = std::numeric_limits<float>::infinity();
 };
 
 /// Areas added up, for choosing triangles by area.
@@ -65,11 +67,13 @@ class DartThrower {
         progress.step(0.3, "Sampling faces");
         findCells();
         progress.step(0.4, "Sampling faces");
-        double r = static_cast<double>(m_side);
         std::size_t taken = 0;
-        for (int round = 0; round < mostRounds && taken < m_count; ++round, r *= shrinking) {
+        double share = 1; // of the first r
+        for (bool last = false; !last && taken < m_count; share *= shrinking) {
+            last = share <= static_cast<double>(tooClose);
+            const double r = std::max(share, static_cast<double>(tooClose)) * static_cast<double>(m_side);
             taken += throwAll(static_cast<float>(r), m_count - taken);
-            progress.step(0.4 + 0.6 * (round + 1) / mostRounds, "Sampling faces");
+            progress.step(0.4 + 0.6 * (1 - share) / (1 - static_cast<double>(tooClose)), "Sampling faces");
         }
         std::vector<FacePoint> out;
         out.reserve(taken);
@@ -94,7 +98,7 @@ class DartThrower {
     void findCells();
     std::size_t throwAll(float r, std::size_t most);
     std::uint32_t throwInto(std::size_t cell, float r);
-    float nearestTaken(std::size_t cell, const Candidate& candidate) const;
+    float nearestTaken(std::size_t cell, const Candidate& candidate, float enough) const;
     std::uint64_t keyOf(const Vec3f& p) const;
 
     const FaceTopology& m_topology;
@@ -103,7 +107,7 @@ class DartThrower {
     float m_side; ///< of a cell: the distance of neighbours in a hexagonal layout of so many points
     std::vector<Candidate> m_candidates;
     std::vector<Cell> m_cells;                      ///< by key
-    std::vector<std::uint32_t> m_nearFirst, m_near; ///< occupied cells around each, itself among them
+    std::vector<std::uint32_t> m_nearFirst, m_near; ///< occupied cells around each, itself first
     std::vector<std::uint32_t> m_groups[groups];    ///< cells of which no two are neighbours
 };
 
@@ -129,7 +133,10 @@ void DartThrower::draw() {
     std::vector<Key> keys(n);
     const auto candidate = [&](std::size_t i) {
         const FacePoint point = drawn(sums, i, n);
-        return Candidate{base::cast<float>(placeOf(point, m_topology, m_positions)), point};
+        Candidate out;
+        out.position = base::cast<float>(placeOf(point, m_topology, m_positions));
+        out.point = point;
+        return out;
     };
     base::parallelFor(n, 4096, [&](std::size_t i) {
         keys[i] = {keyOf(candidate(i).position), base::mix(i ^ ~seed), static_cast<std::uint32_t>(i)};
@@ -162,6 +169,7 @@ void DartThrower::findCells() {
     });
     m_nearFirst.assign(1, 0);
     for (std::uint32_t i = 0; i < m_cells.size(); ++i) {
+        std::swap(around[i][1], *std::find(around[i].begin() + 1, around[i].end(), i)); // what is nearest first
         m_near.insert(m_near.end(), around[i].begin() + 1, around[i].begin() + 1 + around[i][0]);
         m_nearFirst.push_back(static_cast<std::uint32_t>(m_near.size()));
         const std::uint64_t key = m_cells[i].key;
@@ -170,12 +178,14 @@ void DartThrower::findCells() {
     }
 }
 
-/// Distance in the metric of a sheet to the nearest point taken so far; infinity beyond the cells around.
-float DartThrower::nearestTaken(std::size_t cell, const Candidate& candidate) const {
+/// Distance in the metric of a sheet to the nearest point taken so far: infinity beyond the cells around, 0 where any
+/// is nearer than `enough`, which most candidates learn from their own cell.
+float DartThrower::nearestTaken(std::size_t cell, const Candidate& candidate, float enough) const {
     const Vec3d& n = m_topology.normals[candidate.point.triangle];
     const Vec3f normal = base::cast<float>(n);
     float best = std::numeric_limits<float>::infinity();
-    for (std::uint32_t e = m_nearFirst[cell]; e < m_nearFirst[cell + 1]; ++e) {
+    const float enoughSq = enough * enough;
+    for (std::uint32_t e = m_nearFirst[cell]; e < m_nearFirst[cell + 1] && best >= enoughSq; ++e) {
         const Cell& near = m_cells[m_near[e]];
         for (std::uint32_t i = near.first; i < near.taken; ++i) {
             const Vec3f offset = m_candidates[i].position - candidate.position;
@@ -184,7 +194,7 @@ float DartThrower::nearestTaken(std::size_t cell, const Candidate& candidate) co
                 best = d;
         }
     }
-    return std::sqrt(best);
+    return best < enoughSq ? 0 : std::sqrt(best);
 }
 
 std::uint32_t DartThrower::throwInto(std::size_t index, float r) {
@@ -192,7 +202,9 @@ std::uint32_t DartThrower::throwInto(std::size_t index, float r) {
     const std::uint32_t before = cell.taken, end = cell.end;
     std::uint32_t open = before; // those to be asked again, closed up behind the ones taken
     for (std::uint32_t i = before; i < end; ++i) {
-        const float distance = nearestTaken(index, m_candidates[i]);
+        float& distance = m_candidates[i].nearest;
+        if (distance >= r)
+            distance = nearestTaken(index, m_candidates[i], tooClose * m_side);
         if (distance >= r) {
             std::swap(m_candidates[cell.taken], m_candidates[i]);
             if (open > cell.taken) // what stood there was open

@@ -2,12 +2,13 @@
 // are sharp, whether the whole is closed.
 //
 // Any faces will do. Corners at the same place count as one vertex, whatever their numbers (STL repeats every corner,
-// OBJ and PLY those along seams); along the boundary also those that differ by round-off alone. Faces listed twice
-// count once. Edges of one, three or more faces hold nothing together; faces without area belong to the patch beside
-// them, and have no direction of their own.
+// OBJ and PLY those along seams); along the boundary also those that differ by round-off alone, and corners that lie on
+// sides of others cut these (tee_joints.h). Faces listed twice count once. Edges of one, three or more faces hold
+// nothing together; faces without area belong to the patch beside them, and have no direction of their own.
 //
 //     patch      faces connected over edges of exactly two faces whose dihedral angle is at most `sharp`
 //     fan        the corners of one patch around a vertex: they share a normal
+//     turned out a closed piece that was inside out looks outwards now (turn_outwards.h)
 //     reversed   the face runs the other way round than most (by area) of the piece it belongs to
 //     closed     every edge has an even number of faces, as given or without repetitions: there is no boundary
 #pragma once
@@ -28,16 +29,21 @@ struct SharpEdge {
     double turn = 0;                   ///< between the normals, radians
 };
 
+constexpr std::uint32_t noBody = ~0u; ///< faces that enclose nothing
+
 struct FaceTopology {
-    std::vector<Triangle> triangles;    ///< those of the file without repetitions, turned alike; corners as in the file
+    std::vector<Triangle>
+        triangles; ///< those of the file without repetitions, turned alike and outwards; corners as in the file
     std::vector<std::uint32_t> sources; ///< of each triangle: its number among those given
     std::vector<base::Vec3d> normals;   ///< unit normal of each triangle; zero where it has no area
     std::vector<double> areas;          ///< of each triangle
     std::vector<std::uint32_t> patches; ///< of each triangle, numbered from 0 in the order of their first triangles
+    std::vector<std::uint32_t> bodies;  ///< of each triangle: the closed piece of faces it belongs to, or noBody
     std::vector<std::uint32_t> fans;    ///< of each corner (3 t + k), numbered from 0
     std::size_t patchCount = 0, fanCount = 0;
     std::size_t repeated = 0;     ///< triangles left out because another one has the same corners
     std::size_t reversed = 0;     ///< triangles that were turned round
+    std::size_t turnedOut = 0;    ///< closed pieces that were inside out
     std::size_t borders = 0;      ///< edges with an odd number of faces
     std::size_t bordersGiven = 0; ///< the same with repeated triangles counted as often as they come
     std::size_t nonManifold = 0;  ///< edges with more than two faces

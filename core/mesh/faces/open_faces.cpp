@@ -142,10 +142,31 @@ class FaceSampler {
     surfel::AttributeLayoutPtr m_layout;
 };
 
-/// The vertices as they are, with what the faces tell of them.
-void completeVertices(SurfelList& vertices, const FaceTopology& topology, std::span<const Vec3f> positions) {
+/// Turns the vertices' own normals where those of a closed piece look inwards, by most of its area; false where none
+/// does.
+bool turnOwnNormals(SurfelList& vertices, const FaceTopology& topology) {
+    std::vector<double> balance(topology.triangles.size()); // of bodies
+    const auto forCorners = [&](const auto& fn) {
+        for (std::size_t t = 0; t < topology.triangles.size(); ++t)
+            for (std::size_t k = 0; k < 3 && topology.bodies[t] != noBody; ++k)
+                fn(topology.bodies[t], t, topology.triangles[t][k]);
+    };
+    forCorners([&](std::uint32_t body, std::size_t t, std::uint32_t v) {
+        const double along = dot(base::cast<double>(vertices.items[v].normal), topology.normals[t]);
+        balance[body] += along < 0 ? -topology.areas[t] : along > 0 ? topology.areas[t] : 0;
+    });
+    std::vector<std::uint8_t> turned(vertices.size());
+    forCorners([&](std::uint32_t body, std::size_t, std::uint32_t v) { turned[v] |= balance[body] < 0; });
+    for (std::size_t v = 0; v < turned.size(); ++v)
+        if (turned[v])
+            vertices.items[v].normal = -vertices.items[v].normal;
+    return std::find(turned.begin(), turned.end(), 1) != turned.end();
+}
+
+/// The vertices as they are, with what the faces tell of them. True where own normals had to be turned.
+bool completeVertices(SurfelList& vertices, const FaceTopology& topology, std::span<const Vec3f> positions) {
     const std::vector<Vec3f> normals = vertexNormals(topology, positions);
-    const bool own = vertices.layout->normals;
+    const bool own = vertices.layout->normals, turned = own && turnOwnNormals(vertices, topology);
     for (std::size_t i = 0; i < vertices.size(); ++i) {
         surfel::Surfel& s = vertices.items[i];
         if (!own || lengthSq(s.normal) == 0)
@@ -155,6 +176,7 @@ void completeVertices(SurfelList& vertices, const FaceTopology& topology, std::s
     layout->normals = true;
     layout->oriented = own ? vertices.layout->oriented : !topology.oneSided;
     vertices.layout = std::move(layout);
+    return turned;
 }
 
 void paintVertices(SurfelList& vertices, const FacePaint& paint) {
@@ -178,6 +200,9 @@ std::string mended(const FaceTopology& topology) {
         add("left out " + counted(topology.repeated, "repeated triangle", "repeated triangles"));
     if (topology.reversed > 0)
         add("reversed " + counted(topology.reversed, "triangle", "triangles") + " that faced the other way");
+    if (topology.turnedOut > 0)
+        add("turned " + counted(topology.turnedOut, "closed piece that was", "closed pieces that were") +
+            " inside out");
     if (topology.nonManifold > 0)
         add("found " + counted(topology.nonManifold, "edge", "edges") + " with more than two faces");
     if (!out.empty())
@@ -223,8 +248,8 @@ OpenedFaces openFaces(SurfelList vertices, std::span<const Triangle> triangles,
                                              options.spacing <= 0 && sampleWell(topology, positions))) {
         if (broken(topology))
             out.messages.push_back("The faces are too broken to take normals from.");
-        else
-            completeVertices(vertices, topology, positions);
+        else if (completeVertices(vertices, topology, positions) && topology.turnedOut == 0)
+            out.messages.push_back("Turned normals of closed faces that looked inwards.");
         if (paint)
             paintVertices(vertices, *paint);
         if (options.creases)

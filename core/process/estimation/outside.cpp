@@ -77,4 +77,21 @@ bool Outside::inward(std::span<const Vec3f> normals, std::span<const std::uint32
     return largestComponent(facing) < 0;
 }
 
+bool looksInwards(const tree::SurfelTree& tree) {
+    constexpr std::size_t mostLookedAt = 65536;
+    const std::size_t step = tree.size() / mostLookedAt + 1;
+    std::vector<Vec3f> positions, normals;
+    std::size_t at = 0;
+    tree.forEachBlock([&](std::uint32_t, const surfel::SurfelBlock& block) {
+        for (int slot = 0; slot < block.size(); ++slot)
+            if (at++ % step == 0) {
+                positions.push_back(block.position(slot));
+                normals.push_back(block.normal(slot));
+            }
+    });
+    std::vector<std::uint32_t> members(positions.size());
+    std::iota(members.begin(), members.end(), 0u);
+    return !members.empty() && Outside(positions).vote(normals, members) <= -Outside::clear;
+}
+
 } // namespace process

@@ -1,7 +1,7 @@
 // Which of the two sides of points that agree among themselves is the outer one (process/README 2.3).
 #pragma once
 
-#include "core/base/vec.h"
+#include "core/tree/surfel_tree.h"
 
 #include <cstdint>
 #include <span>
@@ -27,5 +27,9 @@ class Outside {
     base::Vec3d m_centre;
     double m_radius = 0; ///< root mean square of the distances from the centre
 };
+
+/// Do the outermost surfels of a model clearly look inwards? Where nothing is open, they are those of a body that is
+/// inside out. From up to 65,536 surfels.
+bool looksInwards(const tree::SurfelTree& tree);
 
 } // namespace process

@@ -8,6 +8,7 @@
 #include "core/process/estimation/duplicates.h"
 #include "core/process/estimation/keep_points.h"
 #include "core/process/estimation/normals.h"
+#include "core/process/estimation/outside.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/process/estimation/supports.h"
 
@@ -214,6 +215,19 @@ surface::Surface withLimit(tree::SurfelTree tree, SurfaceDefinition definition, 
     return {out.tree(), definition};
 }
 
+/// The same tree, all normals turned round.
+tree::SurfelTree turned(const tree::SurfelTree& tree) {
+    tree::Edit edit;
+    tree.forEachBlock([&](std::uint32_t number, const surfel::SurfelBlock& block) {
+        surfel::MutableBlockPtr changed = block.clone();
+        for (int slot = 0; slot < block.size(); ++slot)
+            changed->setNormal(slot, -block.normal(slot));
+        changed->seal();
+        edit.blocks.push_back({number, changed, {}});
+    });
+    return tree.apply(edit);
+}
+
 /// The same tree with the surfels' supports made anew; blocks in which none differs stay shared.
 tree::SurfelTree withSupports(const tree::SurfelTree& tree, const SurfaceDefinition& definition,
                               const base::Progress& progress) {
@@ -247,6 +261,8 @@ surface::Surface prepare(surfel::SurfelList points, const PrepareOptions& option
         throw base::Error("a surface needs at least 4 distinct points, but there are only " + std::to_string(distinct),
                           "", "open a model with more points");
     tree::SurfelTree tree;
+    const bool sided = options.turned && points.layout->normals && points.layout->oriented &&
+                       options.definition.manifold == surface::Manifold::Surface && allOf(points, hasNormal);
     {
         const base::Progress looking = part(progress, 0, 0.3);
         Surroundings around(points, looking);
@@ -263,7 +279,12 @@ surface::Surface prepare(surfel::SurfelList points, const PrepareOptions& option
     points = {}; // the tree has it all
     if (options.keepLimit)
         return {std::move(tree), options.definition};
-    return withLimit(std::move(tree), options.definition, part(progress, 0.9, 1));
+    surface::Surface out = withLimit(std::move(tree), options.definition, part(progress, 0.9, 1));
+    const bool closed = options.definition.boundary == Boundary::Auto && std::isinf(out.definition().boundaryLimit);
+    if (!sided || !closed || !looksInwards(out.tree()))
+        return out;
+    *options.turned = true;
+    return {turned(out.tree()), out.definition()};
 }
 
 surface::Surface redefine(const surface::Surface& surface, const SurfaceDefinition& definition,

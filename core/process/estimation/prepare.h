@@ -5,6 +5,7 @@
 //                               (surfaces without two sides stay unoriented)
 //     supports absent or asked  from neighbours or one radius, by the definition           supports.h
 //     Boundary::Auto            limit from the model's own off-centre values, once         boundary_limit.h
+//     normals given, inwards    turned, where asked and the surface is closed               outside.h
 //     tree                      built                                                      tree/surfel_tree.h
 #pragma once
 
@@ -19,6 +20,9 @@ struct PrepareOptions {
     bool keepLimit = false;   ///< Boundary::Auto was resolved for this very model: definition.boundaryLimit stands
     /// Where not null, points that are duplicates of others are merged with them, and their number comes here.
     std::size_t* merged = nullptr;
+    /// Where not null: oriented normals that came with the points are turned where these turn out to be a closed
+    /// surface that is inside out, and whether they were comes here.
+    bool* turned = nullptr;
     /// Where not null, of a tree that these very points may come from: then it is that tree again.
     const tree::TreeShape* shape = nullptr;
 };

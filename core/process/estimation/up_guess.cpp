@@ -180,7 +180,7 @@ class Standing {
 
 } // namespace
 
-UpEvidence upEvidence(const tree::SurfelTree& tree) {
+UpEvidence upEvidence(const tree::SurfelTree& tree, KnownSides sides) {
     UpEvidence out;
     if (tree.empty())
         return out;
@@ -193,6 +193,7 @@ UpEvidence upEvidence(const tree::SurfelTree& tree) {
         out.extent[k] = static_cast<double>(box.size()[k]);
         for (const Sample& s : samples) {
             out.facing[k] += s.weight * std::abs(static_cast<double>(s.normal[k])) / total;
+            out.looks[k] += sides == KnownSides::Yes ? s.weight * static_cast<double>(s.normal[k]) / total : 0;
             out.exact[k] += std::abs(s.normal[k]) >= exactly ? s.weight / total : 0;
         }
     }
@@ -266,7 +267,9 @@ static std::optional<UpAxis> standing(const UpEvidence& evidence) {
 
 /// By the shape alone.
 static UpAxis shapedUp(const UpEvidence& evidence, UpAxis usual) {
-    if (const auto thin = thinSide(evidence))
+    if (const auto thin = thinSide(evidence); thin && std::abs(evidence.looks[*thin]) >= facingOfSheets)
+        return along(*thin, evidence.looks[*thin] > 0);
+    else if (thin)
         return *thin == axisOf(usual) ? usual : along(*thin, true);
     std::array<double, 3> plane{};
     for (std::size_t k = 0; k < 3; ++k)

@@ -50,6 +50,7 @@ static void mergeAndFill(SampleSet& set, ScanResult& found, float distance, std:
     std::merge(found.gaps.begin(), found.gaps.end(), more.begin(), more.end(), std::back_inserter(gaps),
                [](const Gap& a, const Gap& b) { return std::tie(a.from, a.k) < std::tie(b.from, b.k); });
     dropOld(set, gaps);
+    std::erase_if(gaps, [&](const Gap& gap) { return set.hasRefused(gap); });
     firstNew = fill(set, std::move(gaps));
 }
 

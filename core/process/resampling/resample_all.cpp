@@ -14,12 +14,13 @@ namespace process {
 
 /// The spacing changes by at most this factor at a time: fill looks for room one spacing away, not ten.
 constexpr float largestChange = 1.5f;
-/// Pairs closer than this part of the spacing lose one to begin with.
-constexpr float thinning = 1.3f;
-/// An even sampling passes as good enough though it is finer, or up to a quarter coarser; then it has to be thinned
-/// before it is filled. What has the spacing already stays.
+/// Pairs closer than this part of the spacing lose one to begin with: as far as a scan sees them.
+constexpr float thinning = 1.38f;
+/// An even sampling passes as good enough though it is finer, or up to two fifths coarser: a few of the holes of a
+/// lattice that is 1.3 times too wide are filled, and what they push together leaves no room in the others. Then it has
+/// to be thinned before it is filled. What has the spacing already stays.
 static bool passesUnseen(float ratio) {
-    return ratio < 1.25f && std::abs(ratio - 1) > 0.05f;
+    return ratio < 1.42f && std::abs(ratio - 1) > 0.05f;
 }
 
 /// More surfels than this are asked for by mistake.

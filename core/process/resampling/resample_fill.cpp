@@ -13,7 +13,9 @@ namespace {
 
 /// Landings for a gap are for its place only; settling makes them exact.
 constexpr int steps = 6;
-constexpr float tolerance = 1e-3f; ///< in spacings
+constexpr float tolerance = 0.02f; ///< in spacings; a step ends nearer to the surface than by its square
+/// Off-centre values along the surface hardly change on the way down: what begins so far beyond the limit ends beyond.
+constexpr float hopeless = 1.3f;
 /// In units of h: they come down within it.
 constexpr float packetSlack = 0.2f;
 /// Sum of the normals over the sum of the weights below which sheets mix: what grows there grows inside out.
@@ -44,6 +46,41 @@ bool acceptable(const SampleSet& set, const Gap& gap, const Landing& y) {
     const float stray = fillStray * set.target[gap.from];
     return y.ok && distanceSq(y.place, gap.place) <= stray * stray && y.at.agreement >= leastAgreement &&
            set.facing.same(n, y.gradient) && y.at.offCentre <= set.grown * y.at.unit;
+}
+
+/// Is it clear after a step that nothing will grow there: beyond an open border?
+bool beyondBorder(const SampleSet& set, const Landing& y, const base::Vec3f& evaluated) {
+    const float down = dot(y.gradient, evaluated - y.at.centroid), limit = hopeless * set.grown * y.at.unit;
+    return y.at.offCentre * y.at.offCentre - down * down > limit * limit;
+}
+
+/// What became of a gap.
+enum class Fate : std::uint8_t {
+    Landed,
+    Taken,  ///< something stands in the way, or it would be a crumb
+    Refused ///< the frozen surface has nothing to offer there
+};
+
+/// Gives up as soon as the end is clear: on raw scans nine in ten gaps lie at borders, or beside what stands above
+/// them.
+Fate landIn(const SampleSet& set, surface::Source& source, const Gap& gap, Landing& y) {
+    const float target = set.target[gap.from];
+    const base::Vec3f n = set.normal[gap.from];
+    y.place = gap.place;
+    for (int k = 0; k < steps; ++k) {
+        const base::Vec3f evaluated = y.place;
+        if (!landStep(source, gap.place, n, y))
+            break;
+        if (beyondBorder(set, y, evaluated))
+            return Fate::Refused;
+        if (y.step <= tolerance * target)
+            break;
+        if (y.step < fillApart * target && occupied(set, set.grid, y.place, n, fillApart * target - y.step))
+            return Fate::Taken;
+    }
+    if (!acceptable(set, gap, y))
+        return Fate::Refused;
+    return stray(set, y.place, y.gradient, fillReach * target) ? Fate::Taken : Fate::Landed;
 }
 
 /// Takes out what something stands in by now, or whose surfel is gone.
@@ -90,22 +127,23 @@ std::size_t fill(SampleSet& set, std::vector<Gap> gaps) {
         dropClosed(set, gaps);
         const std::vector<Gap> asked = takeApart(set, gaps);
         std::vector<Landing> found(asked.size());
+        std::vector<Fate> fate(asked.size());
         std::vector<base::Vec3f> places(asked.size());
         for (std::size_t i = 0; i < asked.size(); ++i)
             places[i] = asked[i].place;
         surface::forPackets(set.frozen, places, packetSlack, [&](surface::Source& source, std::size_t i) {
-            const float target = set.target[asked[i].from];
-            found[i] = land(source, places[i], set.normal[asked[i].from], steps, tolerance * target);
-            found[i].ok = found[i].ok && !stray(set, found[i].place, found[i].gradient, fillReach * target);
+            fate[i] = landIn(set, source, asked[i], found[i]);
         });
         for (std::size_t i = 0; i < asked.size(); ++i) {
             base::CancelScope::check();
-            if (!acceptable(set, asked[i], found[i]))
-                continue;
-            const base::Vec3f n = set.normal[asked[i].from];
-            if (!occupied(set, set.grid, found[i].place, n, fillApart * set.target[asked[i].from]))
+            const Gap& gap = asked[i];
+            if (fate[i] == Fate::Refused)
+                set.refuse(gap);
+            const base::Vec3f n = set.normal[gap.from];
+            if (fate[i] == Fate::Landed &&
+                !occupied(set, set.grid, found[i].place, n, fillApart * set.target[gap.from]))
                 set.bear(found[i].place, dot(found[i].gradient, n) < 0 ? -found[i].gradient : found[i].gradient,
-                         asked[i].from);
+                         gap.from);
         }
     }
     return first;

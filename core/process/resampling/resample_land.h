@@ -13,6 +13,7 @@ namespace process {
 
 struct Landing {
     bool ok = false;
+    float step = 0; ///< length of the last
     base::Vec3f place;
     base::Vec3f gradient; ///< unit, at the last place evaluated
     surface::Evaluationf at;
@@ -20,6 +21,9 @@ struct Landing {
 
 /// f_c of an evaluation at x with gradient.
 float centredValue(const surface::Surface& surface, const base::Vec3f& x, const surface::Evaluationf& e);
+
+/// One step more from x0, where `out.place` is the last one's end, or x0 to begin with. False: no surface there.
+bool landStep(surface::Source& source, const base::Vec3f& x0, const base::Vec3f& hint, Landing& out);
 
 /// At most `steps` steps from x0, until one is shorter than `tolerance` (model units). Not ok: no surface there.
 /// REQUIRES: steps >= 1.

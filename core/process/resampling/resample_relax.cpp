@@ -6,10 +6,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace process {
 
-/// A displacement shorter than this part of the spacing is taken back: not worth a changed surfel.
+/// A displacement shorter than this part of the spacing is taken back: not worth a changed surfel. What is pushed by
+/// less is at rest, and need not be asked where the surface is.
 constexpr float notice = 0.01f;
 
 static void wakeAround(SampleSet& set, std::size_t i) {
@@ -22,31 +24,6 @@ static void wakeAround(SampleSet& set, std::size_t i) {
     });
 }
 
-static std::vector<base::Vec3f> positionsOf(const SampleSet& set, const std::vector<std::uint32_t>& which) {
-    std::vector<base::Vec3f> out(which.size());
-    for (std::size_t k = 0; k < which.size(); ++k)
-        out[k] = set.position[which[k]];
-    return out;
-}
-
-/// Where the awake lie on the frozen surface (step 0, for those that need it); border surfels stay put.
-static void pin(SampleSet& set) {
-    std::vector<std::uint32_t> awake;
-    for (std::uint32_t i = 0; i < set.size(); ++i)
-        if (set.is(i, Awake))
-            awake.push_back(i);
-    const std::vector<base::Vec3f> places = positionsOf(set, awake);
-    surface::forPackets(set.frozen, places, 0, [&](surface::Source& source, std::size_t k) {
-        const std::uint32_t i = awake[k];
-        const surface::Evaluationf e = source.evaluate(places[k], surface::Need::Gradient, {set.normal[i]});
-        const base::Vec3f g = normalized(e.gradient);
-        if (!e.ok() || g == base::Vec3f{} || e.offCentre > set.pinned * e.unit)
-            set.unmark(i, Awake);
-        if (i < set.oldCount())
-            set.oldGradient[i] = g;
-    });
-}
-
 void wake(SampleSet& set, const std::vector<ClosePair>& pairs, std::size_t firstNew) {
     for (const ClosePair& pair : pairs)
         if (!set.is(pair.a, Gone) && !set.is(pair.b, Gone))
@@ -56,7 +33,6 @@ void wake(SampleSet& set, const std::vector<ClosePair>& pairs, std::size_t first
     for (std::size_t i = 0; set.options.relaxAll && i < set.size(); ++i)
         if (set.free(i) && !set.is(i, Gone))
             set.mark(i, Awake);
-    pin(set);
 }
 
 namespace {
@@ -116,40 +92,110 @@ base::Vec3f repulsion(const SampleSet& set, std::uint32_t i, std::span<const std
     return l > most ? sum * (most / l) : sum;
 }
 
-/// One sweep of Jacobi's kind: all of the awake from where they are to where they are pushed.
-void sweepOnce(SampleSet& set, const std::vector<std::uint32_t>& awake, const Neighbours& neighbours) {
-    std::vector<base::Vec3f> target(awake.size()), next(awake.size());
-    base::parallelFor(awake.size(), Neighbours::grain, [&](std::size_t k) {
-        target[k] = set.position[awake[k]] + repulsion(set, awake[k], neighbours.of(k));
+/// Those that take part in relaxation, and whom each of them sees.
+struct Relaxing {
+    SampleSet& set;
+    std::vector<std::uint32_t> awake;
+    Neighbours neighbours;
+    std::vector<std::size_t> rank; ///< of each of the awake among those that `neighbours` was made for
+    std::vector<base::Vec3f> push; ///< of each, now
+
+    explicit Relaxing(SampleSet& of) : set(of), awake(marked(of)), neighbours(of, awake), rank(awake.size()) {
+        std::iota(rank.begin(), rank.end(), std::size_t(0));
+        measure();
+    }
+    void measure() {
+        push.resize(awake.size());
+        base::parallelFor(awake.size(), Neighbours::grain,
+                          [&](std::size_t k) { push[k] = repulsion(set, awake[k], neighbours.of(rank[k])); });
+    }
+    /// Leaves those of which keeps(k) is true.
+    template <class Keeps>
+    void keep(const Keeps& keeps) {
+        std::size_t kept = 0;
+        for (std::size_t k = 0; k < awake.size(); ++k)
+            if (keeps(k))
+                awake[kept] = awake[k], rank[kept] = rank[k], push[kept++] = push[k];
+        awake.resize(kept), rank.resize(kept), push.resize(kept);
+    }
+    /// Where they are, moved by `share` of the push.
+    std::vector<base::Vec3f> places(float share) const {
+        std::vector<base::Vec3f> out(awake.size());
+        for (std::size_t k = 0; k < awake.size(); ++k)
+            out[k] = set.position[awake[k]] + push[k] * share;
+        return out;
+    }
+
+  private:
+    static std::vector<std::uint32_t> marked(SampleSet& of) {
+        std::vector<std::uint32_t> out;
+        for (std::uint32_t i = 0; i < of.size(); ++i)
+            if (of.is(i, Awake)) {
+                of.unmark(i, Awake);
+                if (!of.is(i, Gone))
+                    out.push_back(i);
+            }
+        return out;
+    }
+};
+
+void dropResting(Relaxing& those) {
+    those.keep([&](std::size_t k) {
+        const float least = notice * those.set.target[those.awake[k]];
+        return dot(those.push[k], those.push[k]) > least * least;
     });
+}
+
+/// Notes where they lie on the frozen surface (step 0, for those that need it); border surfels stay put.
+void pin(Relaxing& those) {
+    SampleSet& set = those.set;
+    const std::vector<base::Vec3f> places = those.places(0);
+    std::vector<std::uint8_t> free(places.size());
+    surface::forPackets(set.frozen, places, 0, [&](surface::Source& source, std::size_t k) {
+        const std::uint32_t i = those.awake[k];
+        const surface::Evaluationf e = source.evaluate(places[k], surface::Need::Gradient, {set.normal[i]});
+        const base::Vec3f g = normalized(e.gradient);
+        free[k] = e.ok() && g != base::Vec3f{} && e.offCentre <= set.pinned * e.unit ? 1 : 0;
+        if (i < set.oldCount())
+            set.oldGradient[i] = g;
+    });
+    those.keep([&](std::size_t k) { return free[k] != 0; });
+}
+
+/// One sweep of Jacobi's kind: all of the awake from where they are to where they are pushed.
+void sweepOnce(Relaxing& those) {
+    SampleSet& set = those.set;
+    const std::vector<base::Vec3f> target = those.places(1);
+    std::vector<base::Vec3f> next(target.size());
     surface::forPackets(set.frozen, target, 0, [&](surface::Source& source, std::size_t k) {
-        const std::uint32_t i = awake[k];
+        const std::uint32_t i = those.awake[k];
         const Landing y = land(source, target[k], set.normal[i], 1, 0);
         const bool kept = y.ok && y.at.offCentre <= set.grown * y.at.unit && set.facing.same(set.normal[i], y.gradient);
         next[k] = kept ? y.place : set.position[i];
     });
-    for (std::size_t k = 0; k < awake.size(); ++k)
-        set.position[awake[k]] = next[k];
+    for (std::size_t k = 0; k < next.size(); ++k)
+        set.position[those.awake[k]] = next[k];
 }
 
 } // namespace
 
 void relax(SampleSet& set) {
-    std::vector<std::uint32_t> awake;
-    for (std::uint32_t i = 0; i < set.size(); ++i)
-        if (set.is(i, Awake) && !set.is(i, Gone))
-            awake.push_back(i);
-    const std::vector<base::Vec3f> start = positionsOf(set, awake);
-    const Neighbours neighbours(set, awake);
-    for (int sweep = 0; sweep < set.options.sweeps; ++sweep)
-        sweepOnce(set, awake, neighbours);
-    for (std::size_t k = 0; k < awake.size(); ++k) {
-        const float least = notice * set.target[awake[k]];
-        set.unmark(awake[k], Awake);
-        if (distanceSq(set.position[awake[k]], start[k]) > least * least)
-            set.mark(awake[k], Moved);
-        else if (!set.is(awake[k], New))
-            set.position[awake[k]] = start[k];
+    Relaxing those(set);
+    dropResting(those);
+    pin(those);
+    const std::vector<base::Vec3f> start = those.places(0);
+    for (int sweep = 0; sweep < set.options.sweeps; ++sweep) {
+        if (sweep > 0)
+            those.measure();
+        sweepOnce(those);
+    }
+    for (std::size_t k = 0; k < start.size(); ++k) {
+        const std::uint32_t i = those.awake[k];
+        const float least = notice * set.target[i];
+        if (distanceSq(set.position[i], start[k]) > least * least)
+            set.mark(i, Moved), set.refused[i] = 0;
+        else if (!set.is(i, New))
+            set.position[i] = start[k];
     }
 }
 

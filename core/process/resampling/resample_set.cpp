@@ -79,6 +79,7 @@ SampleSet::SampleSet(const surface::Surface& v, const tree::Selection& touched, 
         options.support = supportOf(v.definition(), spacing);
     collect(options.relaxAll ? touched : nearTo(v.tree(), restless, touched, farReach * spacing), restless);
     oldGradient.resize(size());
+    refused.resize(size());
     target.resize(size());
     base::parallelFor(size(), 256, [&](std::size_t i) {
         target[i] = options.targetOf ? std::min(spacing, options.targetOf(*block[source[i].block], source[i].slot))
@@ -142,6 +143,7 @@ std::uint32_t SampleSet::bear(const base::Vec3f& place, const base::Vec3f& direc
     position.push_back(place);
     normal.push_back(direction);
     flags.push_back(Touched | New | Moved);
+    refused.push_back(0);
     target.push_back(options.targetOf ? targetBeside(place, from) : targetAt(place));
     grid.insert({place, index});
     return index;

@@ -45,6 +45,13 @@ enum SampleFlag : std::uint8_t {
 /// sampling.
 constexpr float unlike = 1.25f;
 
+/// A place that may have room: direction `k` of eight around sample `from`.
+struct Gap {
+    std::uint32_t from;
+    std::uint32_t k;
+    base::Vec3f place;
+};
+
 struct SampleSet {
     const surface::Surface& version;
     const surface::Surface& frozen;
@@ -57,6 +64,7 @@ struct SampleSet {
     std::vector<base::Vec3f> position, normal;
     std::vector<float> target; ///< of each its own target spacing; `spacing` is the largest
     std::vector<std::uint8_t> flags;
+    std::vector<std::uint8_t> refused; ///< by bits, in which directions the frozen surface had no place for another
 
     /// Of the samples that the version has: where they come from.
     struct Source {
@@ -82,12 +90,16 @@ struct SampleSet {
     /// May it move or vanish?
     bool free(std::size_t i) const { return is(i, Touched) && !is(i, Masked); }
 
-    float targetAt(const base::Vec3f& x) const { return options.field ? options.field->at(x) : spacing; }
+    float targetAt(const base::Vec3f& x) const {
+        return options.field ? std::min(spacing, options.field->at(x)) : spacing;
+    }
     /// Of two samples what their distance is measured in: the mean, unless one is far coarser.
     float between(std::size_t i, std::size_t j) const {
         const float a = target[i], b = target[j];
         return std::min(0.5f * (a + b), unlike * std::min(a, b));
     }
+    void refuse(const Gap& gap) { refused[gap.from] = static_cast<std::uint8_t>(refused[gap.from] | 1u << gap.k); }
+    bool hasRefused(const Gap& gap) const { return (refused[gap.from] >> gap.k & 1) != 0; }
     std::uint32_t bear(const base::Vec3f& place, const base::Vec3f& direction, std::uint32_t from);
     void rebuildGrid();
     /// Marks Scan on the touched within `radius` of a sample.
@@ -136,12 +148,6 @@ inline float lookedAt(const ResampleOptions& options) {
 struct ClosePair {
     float distanceSq;   ///< in units of SampleSet::between
     std::uint32_t a, b; ///< a < b
-};
-/// A place that may have room: direction `k` of eight around sample `from`.
-struct Gap {
-    std::uint32_t from;
-    std::uint32_t k;
-    base::Vec3f place;
 };
 struct ScanResult {
     std::vector<std::uint32_t> strays; ///< free samples that no sheet bears; ascending

@@ -70,7 +70,7 @@ float supportAt(const SampleSet& set, std::uint32_t i, const base::Vec3f& place,
         return set.block[set.source[i].block]->support(set.source[i].slot);
     if (set.options.targetOf && blend.support > 0)
         return blend.support;
-    return set.options.field ? supportOf(set.version.definition(), set.targetAt(place)) : set.options.support;
+    return set.options.field ? supportOf(set.version.definition(), set.options.field->at(place)) : set.options.support;
 }
 
 Settled settled(const SampleSet& set, std::uint32_t i, const Landing& y, const Blender& blender, Blender::Near& near) {

@@ -15,4 +15,11 @@ raycast::Viewer viewerOf(const Camera& camera, const RenderOptions& options);
 void lightPixels(const raycast::LightScene& scene, const raycast::SeenSamples& seen,
                  std::span<ShadedLayer::Pixel> pixels, raycast::LightCounts& counts, const base::Progress& progress);
 
+/// A first look at slow light: one pixel of each square of `stride` pixels is lit, and those of the square that show
+/// the same side of the same part of the surface take its light; the others stay as they are. Costs about 1 / stride^2
+/// of lighting all. `layer` is as large as the image of `rays`. Throws base::Cancelled.
+void lightCoarsely(const raycast::LightScene& scene, const raycast::ImageRays& rays,
+                   std::span<const raycast::Sample> samples, int stride, ShadedLayer& layer,
+                   const base::Progress& progress);
+
 } // namespace render

@@ -2,6 +2,7 @@
 
 #include "core/render/cast/lit_layer.h"
 #include "core/render/cast/raycast_image.h"
+#include "core/render/cast/smooth_edges.h"
 #include "core/render/shading/measured_hits.h"
 #include "core/render/tile_mask.h"
 
@@ -85,17 +86,57 @@ TrueView::Level TrueView::shaded(const raycast::AdaptiveImage& image, const base
     lay(m_lit.get(), *layer);
     m_layer = std::move(layer);
     const bool last = image.complete && image.quality <= m_subject.quality;
-    return {m_layer, image.quality, last && !m_subject.lighting.wanted()};
+    return {m_layer, image.quality, last && !m_subject.lighting.wanted() && !m_subject.smooth};
 }
 
-TrueView::Level TrueView::lit(const raycast::AdaptiveImage& image, const base::Progress& progress) {
+static raycast::LightScene sceneOf(const TrueView::Subject& subject, const raycast::ImageRays& rays) {
+    return {subject.surface, subject.lighting, viewerOf(subject.camera, subject.options), rays.clips};
+}
+
+/// A part of the work, as the whole sees it.
+static base::Progress partOf(const base::Progress& whole, double from, double to) {
+    base::Progress out;
+    out.cancel = whole.cancel;
+    if (whole.report)
+        out.report = [&whole, from, to](double share, std::string_view what) {
+            whole.report(from + (to - from) * share, what);
+        };
+    return out;
+}
+
+/// Coarse light first: slow light has a picture on the way that says what it is going to be.
+void TrueView::light(const raycast::AdaptiveImage& image, const OnLevel& onLevel, const base::Progress& progress) {
     const raycast::ImageRays rays = imageRays(m_subject.camera);
-    const raycast::LightScene scene(m_subject.surface, m_subject.lighting,
-                                    viewerOf(m_subject.camera, m_subject.options), rays.clips);
+    const raycast::LightScene scene = sceneOf(m_subject, rays);
     const std::span<const raycast::Sample> samples = m_subject.measured ? m_coloured : image.samples;
+    constexpr int strides[] = {8, 3}; // together an eighth of the work
+    constexpr double shares[] = {0, 0.015, 0.125};
+    for (std::size_t k = 0; k < std::size(strides); ++k) {
+        auto coarse = std::make_shared<ShadedLayer>(m_unlit);
+        lightCoarsely(scene, rays, samples, strides[k], *coarse, partOf(progress, shares[k], shares[k + 1]));
+        lay(m_lit.get(), *coarse); // what is lit already stays as it is
+        m_layer = std::move(coarse);
+        onLevel({m_layer, image.quality, false});
+    }
     raycast::LightCounts counts;
-    lightPixels(scene, seenThrough(rays, samples), m_unlit.pixels, counts, progress);
+    lightPixels(scene, seenThrough(rays, samples), m_unlit.pixels, counts, partOf(progress, shares[2], 1));
     m_lit = m_layer = std::make_shared<ShadedLayer>(std::move(m_unlit));
+    onLevel({m_layer, image.quality, !m_subject.smooth});
+}
+
+TrueView::Level TrueView::smoothed(const raycast::AdaptiveImage& image, const base::Progress& progress) {
+    const raycast::ImageRays rays = imageRays(m_subject.camera);
+    std::optional<raycast::LightScene> light;
+    if (m_subject.lighting.wanted())
+        light.emplace(sceneOf(m_subject, rays));
+    auto layer = std::make_shared<ShadedLayer>(*m_layer);
+    EdgeCounts counts;
+    smoothEdges(m_subject.surface, m_subject.camera,
+                {m_subject.options.shading, m_subject.measured.get(), light ? &*light : nullptr}, *layer, counts,
+                partOf(progress, 1, 1));
+    m_layer = std::move(layer);
+    if (light)
+        m_lit = m_layer;
     return {m_layer, image.quality, true};
 }
 
@@ -111,7 +152,9 @@ void TrueView::refine(const Subject& subject, const OnLevel& onLevel, const base
     const auto tell = [&](const raycast::AdaptiveImage& image) { onLevel(shaded(image, progress)); };
     const auto image = m_cast->cast(imageRays(m_subject.camera), {subject.quality}, counts, tell, progress);
     if (subject.lighting.wanted())
-        onLevel(lit(image, progress));
+        light(image, onLevel, progress);
+    if (subject.smooth)
+        onLevel(smoothed(image, progress));
 }
 
 } // namespace render

@@ -21,7 +21,8 @@ class TrueView {
         Camera camera;
         RenderOptions options;                    ///< shading and backdrop count
         double quality = 1;                       ///< in pixels (adaptive_cast.h)
-        raycast::Lighting lighting;               ///< comes as the last level, where it is wanted
+        raycast::Lighting lighting;               ///< comes after the surface, where it is wanted: coarsely at first
+        bool smooth = false;                      ///< the last level has smooth outlines (smooth_edges.h)
         std::shared_ptr<const Measured> measured; ///< what a shading of numbers asks; else null
     };
     struct Level {
@@ -38,7 +39,8 @@ class TrueView {
 
   private:
     Level shaded(const raycast::AdaptiveImage& image, const base::Progress& progress);
-    Level lit(const raycast::AdaptiveImage& image, const base::Progress& progress);
+    void light(const raycast::AdaptiveImage& image, const OnLevel& onLevel, const base::Progress& progress);
+    Level smoothed(const raycast::AdaptiveImage& image, const base::Progress& progress);
 
     std::optional<raycast::AdaptiveCast> m_cast;
     Subject m_subject;                          ///< of the layer

@@ -98,6 +98,10 @@ Vec3f plainLight(const Vec3f& n) {
     return encode(Vec3f{1.02f, 1, 0.98f} * (light * 1.22f));
 }
 
+Vec3f noLight(const Vec3f&) {
+    return {1, 1, 1};
+}
+
 Vec3f measureLight(const Vec3f& n) {
     static const Vec3f key = normalized(Vec3f{-0.4f, 0.6f, 0.75f});
     const float facing = std::max(0.0f, n.z), light = 0.4f * facing + 0.48f * wrapped(n, key, 0.6f) + 0.18f;

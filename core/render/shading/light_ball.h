@@ -25,6 +25,8 @@ base::Vec3f zebraLight(const base::Vec3f& normal);
 base::Vec3f studioLight(const base::Vec3f& normal);
 /// Nearly colourless light that leaves surfel colours as they are where the surface faces the eye.
 base::Vec3f plainLight(const base::Vec3f& normal);
+/// None: colours stay as they are.
+base::Vec3f noLight(const base::Vec3f& normal);
 /// The same for colours that mean numbers: flatter, and without any tint.
 base::Vec3f measureLight(const base::Vec3f& normal);
 /// The normal itself as a colour: (n + 1) / 2.

@@ -23,6 +23,7 @@ enum class Shading {
     Studio,
     Normal,
     Colour,
+    Unlit,
     Mask,
     Curvature,
     CurvatureGaussian,

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_map>
 
 namespace sculpt {
 
@@ -16,85 +17,156 @@ constexpr ToolParameter parameters[] = {
 
 namespace {
 
-using Foot = surface::Projection<float>;
+/// 1 - P over the dabs so far, and its gradient.
+struct Left {
+    float value = 1;
+    base::Vec3f slope;
+};
 
-std::vector<Foot> feetOf(const surface::Surface& first, const std::vector<base::Vec3f>& places) {
+/// What the stroke has found out about a surfel. Moved along its normal, it keeps its foot.
+struct Footing {
+    enum class State : std::uint8_t { Unknown, Found, None } state = State::Unknown;
+    base::Vec3f foot, normal; ///< on the version that the stroke began on; its unit gradient
+    base::Mat3f bend;         ///< the gradient of the model's normal there, turned as `normal` is
+    Left left;
+    std::size_t dabs = 0; ///< of the past that `left` knows
+};
+
+/// Of all surfels that have been under the brush.
+struct Memory : ToolMemory {
+    struct Known {
+        surfel::BlockPtr block; ///< held, so that no other has its address
+        std::vector<Footing> of;
+    };
+    std::unordered_map<const surfel::SurfelBlock*, Known> blocks;
+    std::vector<PastDab> past; ///< with centres on the first version
+
+    std::vector<Footing>& around(const surfel::BlockPtr& block) {
+        Known& known = blocks[block.get()];
+        if (!known.block)
+            known = {block, std::vector<Footing>(static_cast<std::size_t>(block->size()))};
+        return known.of;
+    }
+};
+
+std::vector<surface::Projection<float>> feetOf(const surface::Surface& first, std::span<const base::Vec3f> places) {
     surface::ProjectOptions options;
     options.tolerance = 1e-5;
     options.checkBoundary = false;
-    std::vector<Foot> out(places.size());
+    std::vector<surface::Projection<float>> out(places.size());
     surface::project(first, places, options, out);
     return out;
 }
 
-/// 1 - P and its gradient after the dabs named.
-struct Left {
-    float value = 1;
-    base::Vec3f gradient;
-};
+PastDab onFirst(const surface::Surface& first, PastDab dab) {
+    const auto foot = feetOf(first, {&dab.centre, 1});
+    dab.centre = foot[0].ok() ? foot[0].foot : dab.centre;
+    dab.strength = std::min(1.0f, std::abs(dab.strength));
+    return dab;
+}
 
+/// What a dab leaves of 1 - P at q.
+void multiply(const Brush& brush, const PastDab& dab, const base::Vec3f& q, Left& out) {
+    const base::Vec3f d = q - dab.centre;
+    const float l = length(d), r = l / dab.radius;
+    if (r >= 1)
+        return;
+    float w = 0, slope = 0;
+    weights(brush.falloff, 0, {&r, 1}, {&w, 1}, {&slope, 1}, brush.curve.get());
+    const float factor = 1 - dab.strength * w;
+    const float k = l > 1e-12f ? -dab.strength * slope / (dab.radius * l) : 0.0f; // grad factor = k d
+    out.slope = out.slope * factor + d * (k * out.value);
+    out.value *= factor;
+}
+
+Footing footingOf(const surface::Projection<float>& foot) {
+    Footing out;
+    out.normal = normalized(foot.at.gradient);
+    out.state = foot.ok() && out.normal != base::Vec3f{} ? Footing::State::Found : Footing::State::None;
+    if (out.state == Footing::State::None)
+        return out;
+    out.foot = foot.foot;
+    const base::Mat3f flat = base::Mat3f::identity() - outer(out.normal, out.normal);
+    out.bend =
+        flat * (dot(foot.at.normal, out.normal) < 0 ? foot.at.normalGradient * -1.0f : foot.at.normalGradient) * flat;
+    return out;
+}
+
+/// The dab, with what is known of each surfel in the list brought up to date.
 class Layering {
   public:
-    Layering(const surface::Surface& first, const Dab& dab) : m_brush(dab) {
-        std::vector<base::Vec3f> centres{dab.centre};
-        m_dabs.push_back({dab.centre, dab.radius, std::abs(dab.strength)});
-        for (const PastDab& past : dab.past)
-            if (distance(past.centre, dab.centre) < 2 * (past.radius + dab.radius))
-                m_dabs.push_back(past), centres.push_back(past.centre);
-        const std::vector<Foot> feet = feetOf(first, centres);
-        for (std::size_t j = 0; j < feet.size(); ++j)
-            m_dabs[j].centre = feet[j].ok() ? feet[j].foot : centres[j];
+    Layering(const surface::Surface& version, const Dab& dab, const std::vector<BrushBlock>& blocks,
+             const Gathered& list, Memory& memory)
+        : m_brush(dab), m_memory(memory), m_footings(list.places.size()) {
+        const surface::Surface& first = dab.first ? *dab.first : version;
+        for (std::size_t k = memory.past.size(); k < dab.past.size(); ++k)
+            memory.past.push_back(onFirst(first, dab.past[k]));
+        m_now = onFirst(first, {dab.centre, dab.radius, dab.strength});
+        for (std::size_t b = 0; b < blocks.size(); ++b) {
+            if (list.first[b] == list.first[b + 1])
+                continue;
+            std::vector<Footing>& of = memory.around(version.tree().block(blocks[b].number));
+            for (std::size_t i = list.first[b]; i < list.first[b + 1]; ++i)
+                m_footings[i] = &of[static_cast<std::size_t>(list.slots[i])];
+        }
+        find(first, list);
+        base::parallelFor(m_footings.size(), 64, [&](std::size_t i) { bringUpToDate(*m_footings[i]); });
     }
 
-    /// P_k - P_{k-1} at q, and its gradient over q.
-    void step(const base::Vec3f& q, float& value, base::Vec3f& gradient) const {
-        const Left past = left(q, 1, m_dabs.size()), now = left(q, 0, 1);
-        value = past.value * (1 - now.value);
-        gradient = past.gradient * (1 - now.value) - now.gradient * past.value;
+    /// D of a surfel and its gradient; false where it has no foot.
+    bool shiftOf(std::size_t i, const base::Vec3f& p, const base::Vec3f& outwards, float height, base::Vec3f& shift,
+                 base::Mat3f& gradient) const {
+        const Footing& of = *m_footings[i];
+        if (of.state != Footing::State::Found)
+            return false;
+        const float side = dot(of.normal, outwards) < 0 ? -1.0f : 1.0f;
+        const base::Vec3f n = of.normal * side;
+        const base::Mat3f bend = of.bend * side;
+        const base::Mat3f flat = base::Mat3f::identity() - outer(n, n);
+        const base::Mat3f toFoot = inverse(base::Mat3f::identity() + bend * dot(n, p - of.foot)) * flat;
+        // P_k - P_{k-1} at the foot, and its gradient.
+        Left now;
+        multiply(m_brush, m_now, of.foot, now);
+        const float step = of.left.value * (1 - now.value);
+        const base::Vec3f slope = of.left.slope * (1 - now.value) - now.slope * of.left.value;
+        shift = n * (height * step);
+        gradient = outer(n, transposed(toFoot) * (slope * height)) + bend * toFoot * (height * step);
+        return true;
     }
 
   private:
-    Left left(const base::Vec3f& q, std::size_t begin, std::size_t end) const {
-        Left out;
-        for (std::size_t j = begin; j < end && out.value > 0; ++j) {
-            const base::Vec3f d = q - m_dabs[j].centre;
-            const float l = length(d), r = l / m_dabs[j].radius;
-            if (r >= 1)
-                continue;
-            float w = 0, slope = 0;
-            weights(m_brush.falloff, 0, {&r, 1}, {&w, 1}, {&slope, 1}, m_brush.curve.get());
-            const float s = std::min(1.0f, std::abs(m_dabs[j].strength)), factor = 1 - s * w;
-            const float k = l > 1e-12f ? -s * slope / (m_dabs[j].radius * l) : 0.0f; // grad factor = k d
-            out.gradient = out.gradient * factor + d * (k * out.value);
-            out.value *= factor;
-        }
-        return out;
+    void find(const surface::Surface& first, const Gathered& list) {
+        std::vector<std::size_t> fresh;
+        std::vector<base::Vec3f> places;
+        for (std::size_t i = 0; i < m_footings.size(); ++i)
+            if (m_footings[i]->state == Footing::State::Unknown)
+                fresh.push_back(i), places.push_back(list.places[i]);
+        const auto feet = feetOf(first, places);
+        for (std::size_t k = 0; k < fresh.size(); ++k)
+            *m_footings[fresh[k]] = footingOf(feet[k]);
+    }
+    void bringUpToDate(Footing& of) const {
+        for (; of.dabs < m_memory.past.size(); ++of.dabs)
+            if (of.state == Footing::State::Found)
+                multiply(m_brush, m_memory.past[of.dabs], of.foot, of.left);
     }
 
     const Brush m_brush;
-    std::vector<PastDab> m_dabs; ///< the present one first; centres on the first version
+    const Memory& m_memory;
+    PastDab m_now;
+    std::vector<Footing*> m_footings; ///< of the list
 };
 
-/// D of one surfel and its gradient; false where it has no foot.
-bool shiftOf(const Layering& layering, const base::Vec3f& p, const base::Vec3f& outwards, const Foot& foot,
-             float height, base::Vec3f& shift, base::Mat3f& gradient) {
-    base::Vec3f n = normalized(foot.at.gradient);
-    if (!foot.ok() || n == base::Vec3f{})
-        return false;
-    base::Mat3f bend = foot.at.normalGradient;
-    if (dot(foot.at.normal, n) < 0)
-        bend *= -1;
-    if (dot(n, outwards) < 0)
-        n = -n, bend *= -1;
-    const base::Mat3f flat = base::Mat3f::identity() - outer(n, n);
-    bend = flat * bend * flat;
-    const base::Mat3f toFoot = inverse(base::Mat3f::identity() + bend * dot(n, p - foot.foot)) * flat;
-    float step = 0;
-    base::Vec3f slope;
-    layering.step(foot.foot, step, slope);
-    shift = n * (height * step);
-    gradient = outer(n, transposed(toFoot) * (slope * height)) + bend * toFoot * (height * step);
-    return true;
+/// Surfels that have moved are known in their new blocks.
+void follow(Memory& memory, const tree::SurfelTree& tree, const tree::Edit& edit) {
+    for (const tree::BlockEdit& each : edit.blocks) {
+        const auto known = memory.blocks.find(tree.block(each.block).get());
+        if (!each.changed || known == memory.blocks.end())
+            continue;
+        Memory::Known moved{each.changed, std::move(known->second.of)};
+        memory.blocks.erase(known);
+        memory.blocks.insert_or_assign(each.changed.get(), std::move(moved));
+    }
 }
 
 } // namespace
@@ -103,22 +175,29 @@ static tree::Edit layer(const surface::Surface& version, const Dab& dab) {
     const Brush brush(dab);
     if (dab.strength == 0)
         return {};
-    const surface::Surface& first = dab.first ? *dab.first : version;
+    Memory once;
+    if (dab.memory && !*dab.memory)
+        *dab.memory = std::make_unique<Memory>();
+    Memory& memory = dab.memory ? static_cast<Memory&>(**dab.memory) : once;
     const float height = std::copysign(dab.parameter("height") * dab.radius, dab.strength);
     const std::vector<BrushBlock> blocks = blocksUnder(version.tree(), brush.centre, brush.radius);
     const Gathered list = gather(blocks, brush);
-    const std::vector<Foot> feet = feetOf(first, list.places);
-    const Layering layering(first, dab);
-    return deform(version.tree(), blocks, brush, [&](const LanePlace& where, const BrushLanes&, ShiftLanes& out) {
+    const Layering layering(version, dab, blocks, list, memory);
+    const auto field = [&](const LanePlace& where, const BrushLanes&, ShiftLanes& out) {
         out.clear();
         list.forCluster(where.index, where.cluster, [&](std::size_t i, std::size_t lane) {
             const base::Vec3f outwards = dab.oriented ? where.in.block->normal(list.slots[i]) : dab.areaNormal;
             base::Vec3f shift;
             base::Mat3f gradient;
-            if (shiftOf(layering, list.places[i], outwards, feet[i], height, shift, gradient))
+            if (layering.shiftOf(i, list.places[i], outwards, height, shift, gradient))
                 out.set(lane, shift, gradient);
         });
-    });
+    };
+    tree::Edit edit = deform(version.tree(), blocks, brush, field);
+    const bool onFirst = dab.first && version.tree() == dab.first->tree(); // where dabs do not add up, always
+    if (dab.memory && !onFirst)
+        follow(memory, version.tree(), edit);
+    return edit;
 }
 
 const ToolRow layerTool{"layer",

@@ -1,7 +1,10 @@
 #include "core/base/error.h"
 #include "core/io/formats.h"
 #include "core/io/safe_file.h"
+#include "core/process/estimation/boundary_limit.h"
+#include "core/selection/parts.h"
 #include "core/session/commands/commands.h"
+#include "core/session/commands/selected/limits.h"
 #include "core/session/journal.h"
 
 #include <nlohmann/json.hpp>
@@ -18,6 +21,22 @@ static bool isNative(const std::filesystem::path& path) {
     return extension == ".ply";
 }
 
+/// What is selected, or all else, as a model of its own.
+static void savePart(Context& context, const std::filesystem::path& path, bool selected) {
+    requireSelection(context);
+    io::FileModel model = context.document.fileModel();
+    model.points = selection::partOf(context.document.surface().tree(), selected);
+    if (model.points.items.empty())
+        throw base::Error("everything is selected, so that there is no rest", {}, "select less");
+    model.shape = {};
+    if (model.definition->boundary == surface::Boundary::Auto) // the part has rims that the whole has not
+        model.definition->boundaryLimit = process::automaticBoundaryLimit(
+            {tree::SurfelTree::build(model.points), *model.definition}, context.progress);
+    model.faces = model.dropped = 0;
+    model.elements.clear(); // they tell of surfels by number
+    io::write(path, model, context.progress);
+}
+
 static void save(Context& context, const json& complete) {
     requireModel(context);
     const std::filesystem::path path = complete.at("path").get<std::string>();
@@ -27,18 +46,22 @@ static void save(Context& context, const json& complete) {
                           "choose another name");
     if (context.journal)
         context.journal->keepSource(path, context);
-    const bool linked = io::hasOtherNames(path);
-    io::write(path, context.document.fileModel(), context.progress);
+    const bool linked = io::hasOtherNames(path), whole = complete.at("part") == "all";
+    if (whole)
+        io::write(path, context.document.fileModel(), context.progress);
+    else
+        savePart(context, path, complete.at("part") == "selection");
     if (linked)
         context.messages.push_back(path.string() +
                                    ": other names of this file (hard links) still hold what it held before");
-    if (isNative(path))
+    if (whole && isNative(path))
         context.document.saved(path);
 }
 
 CommandRow saveCommand() {
     static const CommandParameter parameters[] = {
         {"path", "path", "", "file to write; its extension selects the format, .ply keeps everything", "", "", 0, 0},
+        {"part", "choice", "", "selection, rest: that part of the model alone", "\"all\"", "all selection rest", 0, 0},
     };
     return {"save", "Save", "Writes the model to a file.", parameters, false, false, save, nullptr};
 }

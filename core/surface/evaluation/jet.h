@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/mat3.h"
+#include "core/surface/evaluation/jet_lanes.h"
 
 #include <algorithm>
 #include <array>
@@ -29,16 +30,34 @@ constexpr void forTriples(const Fn& fn) {
                 fn(j, k, l);
 }
 
+/// What a jet has of the derivatives beyond its order: takes no room, where each is a type of its own.
+template <class T, int which>
+struct NoNumbers {
+    static constexpr std::size_t size() { return 0; }
+    T* begin() { return nullptr; }
+    T* end() { return nullptr; }
+    const T* begin() const { return nullptr; }
+    const T* end() const { return nullptr; }
+    T& operator[](std::size_t) { return *begin(); }
+    const T& operator[](std::size_t) const { return *begin(); }
+};
+template <class T, int which, std::size_t n>
+using Numbers = std::conditional_t<n == 0, NoNumbers<T, which>, std::array<T, n>>;
+
 /// Orders up to 3. Third derivatives are there for frames that read one derivative of the weights themselves.
 template <class T, int Order>
-struct Jet {
+struct alignas(inRegisters<T, Order> ? 16 : alignof(T)) Jet {
     static_assert(Order >= 0 && Order <= 3);
     T v{};
-    std::array<T, Order >= 1 ? 3 : 0> d{};    ///< first derivatives
-    std::array<T, Order >= 2 ? 6 : 0> dd{};   ///< second derivatives, by `sym`
-    std::array<T, Order >= 3 ? 10 : 0> ddd{}; ///< third derivatives, by `sym`
+    [[no_unique_address]] Numbers<T, 1, Order >= 1 ? 3 : 0> d{};    ///< first derivatives
+    [[no_unique_address]] Numbers<T, 2, Order >= 2 ? 6 : 0> dd{};   ///< second derivatives, by `sym`
+    [[no_unique_address]] Numbers<T, 3, Order >= 3 ? 10 : 0> ddd{}; ///< third derivatives, by `sym`
+    /// Fills the registers, with zeros.
+    [[no_unique_address]] Numbers<T, 0, inRegisters<T, Order> && Order == 2 ? 2 : 0> unused{};
 
     Jet& operator+=(const Jet& o) {
+        if constexpr (inRegisters<T, Order>)
+            return *this = jet_lanes::add(*this, o);
         v += o.v;
         for (std::size_t k = 0; k < d.size(); ++k)
             d[k] += o.d[k];
@@ -49,6 +68,8 @@ struct Jet {
         return *this;
     }
     Jet& operator*=(T s) {
+        if constexpr (inRegisters<T, Order>)
+            return *this = jet_lanes::scale(*this, s);
         v *= s;
         for (auto& each : d)
             each *= s;
@@ -74,6 +95,8 @@ Jet<T, O> operator-(const Jet<T, O>& a) {
 }
 template <class T, int O>
 Jet<T, O> operator-(const Jet<T, O>& a, const Jet<T, O>& b) {
+    if constexpr (inRegisters<T, O>)
+        return jet_lanes::subtract(a, b);
     Jet<T, O> out = a;
     out.v -= b.v;
     for (std::size_t k = 0; k < out.d.size(); ++k)
@@ -87,6 +110,8 @@ Jet<T, O> operator-(const Jet<T, O>& a, const Jet<T, O>& b) {
 
 template <class T, int O>
 Jet<T, O> operator*(const Jet<T, O>& a, const Jet<T, O>& b) {
+    if constexpr (inRegisters<T, O>)
+        return jet_lanes::multiply(a, b);
     Jet<T, O> out;
     out.v = a.v * b.v;
     if constexpr (O >= 1)
@@ -108,6 +133,8 @@ Jet<T, O> operator*(const Jet<T, O>& a, const Jet<T, O>& b) {
 /// A function of a jet by its value and derivatives at a.v.
 template <class T, int O>
 Jet<T, O> chain(const Jet<T, O>& a, T f0, [[maybe_unused]] T f1, [[maybe_unused]] T f2, [[maybe_unused]] T f3) {
+    if constexpr (inRegisters<T, O>)
+        return jet_lanes::chain(a, f0, f1, f2);
     Jet<T, O> out;
     out.v = f0;
     if constexpr (O >= 1)
@@ -171,6 +198,8 @@ Jet<T, P> truncated(const Jet<T, O>& a) {
 /// a times the coordinate x_axis - x0_axis, at x = x0: the value is zero, the derivatives are not.
 template <class T, int O>
 Jet<T, O> timesCoordinate(int axis, [[maybe_unused]] const Jet<T, O>& a) {
+    if constexpr (inRegisters<T, O>)
+        return jet_lanes::timesCoordinate(axis, a);
     Jet<T, O> out;
     if constexpr (O >= 1)
         out.d[axis] = a.v;
@@ -179,6 +208,21 @@ Jet<T, O> timesCoordinate(int axis, [[maybe_unused]] const Jet<T, O>& a) {
             out.dd[sym(axis, k)] += a.d[k] * T(k == axis ? 2 : 1);
     static_assert(O <= 2);
     return out;
+}
+
+/// A number that stays as it is while x moves.
+template <class T, int O>
+Jet<T, O> constantJet(std::type_identity_t<T> value) {
+    if constexpr (inRegisters<T, O>)
+        return jet_lanes::jet<O>(Four{value, 0, 0, 0});
+    Jet<T, O> out;
+    out.v = value;
+    return out;
+}
+/// The coordinate x_axis - x0_axis itself, at x = x0.
+template <class T, int O>
+Jet<T, O> coordinate(int axis) {
+    return timesCoordinate(axis, constantJet<T, O>(1));
 }
 
 template <class T, int O>

@@ -6,17 +6,20 @@ namespace surface {
 template <int O>
 static Jet<float, O> jetOf(const float* sums, int monomial) {
     const float* s = sums + monomial * factorCount(O);
-    Jet<float, O> out;
-    out.v = s[ThetaFactor];
-    if constexpr (O >= 1)
-        for (std::size_t k = 0; k < 3; ++k)
-            out.d[k] = s[SlopeFactor + k];
-    if constexpr (O >= 2)
-        for (int k = 0; k < 3; ++k)
-            for (int l = k; l < 3; ++l)
-                out.dd[static_cast<std::size_t>(sym(k, l))] =
-                    s[BendFactor + sym(k, l)] - (k == l ? s[PlainSlopeFactor] : 0.0f);
-    return out;
+    if constexpr (O == 0) {
+        Jet<float, O> out;
+        out.v = s[ThetaFactor];
+        return out;
+    } else {
+        static_assert(ThetaFactor == 0 && SlopeFactor == 1);
+        const Four first{s[0], s[1], s[2], s[3]};
+        if constexpr (O == 1)
+            return jet_lanes::jet<O>(first);
+        const float plain = s[PlainSlopeFactor];
+        const float* b = s + BendFactor; // 00 01 02 11 12 22
+        return jet_lanes::jet<O>(first, Four{b[0], b[1], b[2], b[3]} - Four{plain, 0, 0, plain},
+                                 Four{b[4], b[5], 0, 0} - Four{0, plain, 0, 0});
+    }
 }
 
 KernelInput kernelInput(ClusterSpan clusters, const base::Vec3f& x, const SumOptions& options) {

@@ -54,7 +54,7 @@ struct Neighbourhood {
         for (std::size_t a = 0; a < 3; ++a) {
             d[a] = -centroid[a];
             if constexpr (O >= 1)
-                d[a].d[a] += T(1);
+                d[a] += coordinate<T, O>(int(a));
         }
     }
 };

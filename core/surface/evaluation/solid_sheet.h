@@ -25,10 +25,9 @@ struct SolidSheet {
 
     /// f = plain n.(x - c) + (1 - plain) sum theta n_i.(x - p_i) / w
     void mixPlane(const Jet<T, O>& plain) {
-        JetVec<T, O> d = c * T(-1);
-        if constexpr (O >= 1)
-            for (std::size_t a = 0; a < 3; ++a)
-                d[a].d[a] += T(1);
+        JetVec<T, O> d; // x - c
+        for (std::size_t a = 0; a < 3; ++a)
+            d[a] = coordinate<T, O>(int(a)) - c[a];
         height += plain * (dot(n, d) - height);
     }
 
@@ -45,10 +44,9 @@ struct SolidSheet {
     /// The centroid on supports `wider` times as wide: its way from x along the sheet, as at a boundary, is as much
     /// longer.
     JetVec<T, O> centroidOn(T wider) const {
-        JetVec<T, O> way = c, out = c;
-        if constexpr (O >= 1)
-            for (std::size_t k = 0; k < 3; ++k)
-                way[k].d[k] -= T(1); // x moves
+        JetVec<T, O> way, out = c;
+        for (std::size_t k = 0; k < 3; ++k)
+            way[k] = c[k] - coordinate<T, O>(int(k));
         const Jet<T, O> across = dot(n, way);
         for (std::size_t k = 0; k < 3; ++k)
             out[k] += (way[k] - n[k] * across) * (wider - T(1));

@@ -79,8 +79,6 @@ bool SummedNormals::values(ClusterSpan clusters, const Vec3f& x, Evaluationf& ou
 
 /// A jet of order 1 in four lanes: value, derivatives. As the kernel leaves its sums.
 struct alignas(16) JetLanes {
-    // The compiler's own vectors: single floats in one register, on every machine.
-    using Four = float __attribute__((vector_size(16)));
     Four lanes;
 
     static JetLanes of(const float* sums) { return {Four{sums[0], sums[1], sums[2], sums[3]}}; }
@@ -137,7 +135,7 @@ bool SummedNormals::gradients(ClusterSpan clusters, const Vec3f& x, Evaluationf&
     }
     f = f * (1.0f - m_mu);
     if (m_mu > 0) { // sum theta n_i.(x - p_i), x moving
-        const JetLanes moving{JetLanes::Four{0, normals.x, normals.y, normals.z}};
+        const JetLanes moving{Four{0, normals.x, normals.y, normals.z}};
         f = f + (moving - jet(HeightTerm)) * inverseWeight * m_mu;
     }
     out.value = f.value();

@@ -75,11 +75,7 @@ class TwoSolids {
     }
 
   private:
-    static Jet<T, O> one() {
-        Jet<T, O> out;
-        out.v = T(1);
-        return out;
-    }
+    static Jet<T, O> one() { return constantJet<T, O>(1); }
     /// a + share (b - a)
     static Jet<T, O> between(const Jet<T, O>& a, const Jet<T, O>& b, const Jet<T, O>& share) {
         return a + share * (b - a);
@@ -156,9 +152,7 @@ class TwoSolids {
     void take(SolidSheet<T, O>& sheet, const Moments<T, O>& m, const Jet<T, O>& there, T plain) {
         sheet = SolidSheet<T, O>(m);
         m_share = m_share * between(one(), two_solids::agreement.squared().of(sheet.agreementSq), there);
-        Jet<T, O> share;
-        share.v = plain;
-        sheet.mixPlane(share);
+        sheet.mixPlane(constantJet<T, O>(plain));
     }
 
     static Axis axisOf(const JetVec<T, O>& e) {
@@ -205,8 +199,7 @@ class TwoSolids {
         const Jet<T, O> solid = pair * limits::side.of(apart), gap = pair * limits::side.of(-apart);
 
         const Jet<T, O> higher = (m_a.height - m_b.height) * perLength;
-        Jet<T, O> square = higher * higher;
-        square.v += T(limits::rounded * limits::rounded);
+        const Jet<T, O> square = higher * higher + constantJet<T, O>(T(limits::rounded * limits::rounded));
         const Jet<T, O> a = trusted(m_a.weight, offA), b = trusted(m_b.weight, offB);
         const Jet<T, O> heavier = (a - b) * inverse(a + b);
         const Jet<T, O> coincident = pair - solid - gap;

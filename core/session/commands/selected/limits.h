@@ -1,0 +1,21 @@
+// What a command changes: what is selected, where anything is, or the whole model. Inside this room.
+#pragma once
+
+#include "core/selection/parts.h"
+#include "core/session/command.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace session {
+
+constexpr const char* limits = "auto selection all";
+constexpr const char* limitTip = "what is changed; auto: what is selected, all where nothing is";
+constexpr const char* limitFallback = "\"auto\"";
+
+/// By the parameter "of". Throws base::Error where it asks for a selection and there is none.
+selection::Limit limitOf(const Context& context, const nlohmann::json& complete);
+
+/// Throws base::Error where nothing is selected.
+void requireSelection(const Context& context);
+
+} // namespace session

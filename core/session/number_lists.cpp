@@ -1,0 +1,55 @@
+#include "core/session/number_lists.h"
+
+#include "core/base/error.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace session {
+
+using base::Vec3d;
+using nlohmann::json;
+
+std::vector<double> numbersOf(const json& complete, const char* id, std::size_t count, const char* wish) {
+    const json& list = complete.at(id);
+    std::vector<double> out;
+    for (std::size_t i = 0; list.is_array() && i < list.size(); ++i)
+        if (list[i].is_number() && std::abs(list[i].get<double>()) <= CommandParameter::largest)
+            out.push_back(list[i].get<double>());
+    if (out.size() != count || out.size() != list.size())
+        throw base::Error("\"" + std::string(id) + "\" of \"" + complete.at("op").get<std::string>() +
+                              "\" is no list of " + std::to_string(count) + " numbers",
+                          {}, std::string("write ") + wish);
+    return out;
+}
+
+std::optional<Vec3d> vectorOf(const json& complete, const char* id) {
+    if (!complete.contains(id))
+        return {};
+    const std::vector<double> v = numbersOf(complete, id, 3, "[x,y,z]");
+    return Vec3d{v[0], v[1], v[2]};
+}
+
+std::optional<Vec3d> placeOf(const Context& context, const json& complete, const char* id) {
+    const std::optional<Vec3d> out = vectorOf(complete, id);
+    return out ? std::optional(*out - context.document.provenance().origin) : out;
+}
+
+base::Plane planeOf(const Context& context, const json& complete, const char* id) {
+    const std::vector<double> v = numbersOf(complete, id, 4, "[nx,ny,nz,d]");
+    const Vec3d n{v[0], v[1], v[2]};
+    if (!(length(n) > 0))
+        throw base::Error("\"" + std::string(id) + "\" has no direction", {}, "give it a normal that is not zero");
+    return base::Plane{n / length(n), v[3] / length(n)}.relativeTo(context.document.provenance().origin);
+}
+
+surfel::Colour colourOf(const json& complete, const char* id) {
+    const std::vector<double> c = numbersOf(complete, id, 3, "[red,green,blue] from 0 to 255");
+    for (const double part : c)
+        if (part < 0 || part > 255)
+            throw base::Error("\"" + std::string(id) + "\" is no colour", {}, "write [red,green,blue] from 0 to 255");
+    const auto byte = [&](std::size_t k) { return static_cast<unsigned>(std::lround(c[k])); };
+    return surfel::rgba(byte(0), byte(1), byte(2));
+}
+
+} // namespace session

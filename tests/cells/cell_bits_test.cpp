@@ -1,0 +1,83 @@
+// Rays and the surface of cells: where there is no crease the bits are those of the surface itself, and batches give
+// the bits of single rays.
+#include "core/cells/cell_rays.h"
+
+#include "cells/solids.h"
+#include "support/registry.h"
+
+#include <QTest>
+
+using namespace plane_solids;
+using base::Random;
+using base::Rayd;
+using cells::CellSurface;
+
+class CellBitsTest : public QObject {
+    Q_OBJECT
+  private Q_SLOTS:
+    void modelsOfOneCellGiveTheSameBits();
+    void awayFromCreasesBitsStay();
+    void batchesGiveTheBitsOfSingles();
+};
+
+void CellBitsTest::modelsOfOneCellGiveTheSameBits() {
+    Random random(test::seed());
+    SampledSolid s = sampled(intersection({{{0, 0, 1}, 0.3}}), 1, 0.06, random);
+    const CellSurface surface = cellsOf(s.surfels);
+    std::vector<base::Rayf> rays;
+    for (int k = 0; k < 200; ++k) {
+        const Rayd ray = towards(random.unitVector() * random.uniform(), random.unitVector(), 3);
+        rays.push_back({base::cast<float>(ray.origin), base::cast<float>(ray.direction)});
+    }
+    std::vector<surface::RayHit<float>> plain(rays.size()), byCells(rays.size());
+    intersect(surface.surface(), rays, {}, plain);
+    intersect(surface, rays, {}, byCells);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        QCOMPARE(byCells[i].hit, plain[i].hit);
+        QVERIFY(byCells[i].t == plain[i].t && byCells[i].normal == plain[i].normal);
+    }
+}
+
+void CellBitsTest::awayFromCreasesBitsStay() {
+    Random random(test::seed());
+    const SampledSolid s = sampled(cube(1), 2, 0.06, random);
+    const CellSurface surface = cellsOf(s.surfels);
+    for (int k = 0; k < test::effort(200); ++k) {
+        const Vec3d target{random.uniform(-0.2, 0.2), random.uniform(-0.2, 0.2), 1};
+        const Rayd ray = towards(target, -base::normalized(random.unitVector() + Vec3d{0, 0, 2}), 1);
+        const surface::RayHit<double> plain = intersectReference(surface.surface(), ray);
+        const surface::RayHit<double> byCells = intersectReference(surface, ray);
+        if (std::abs(plain.position.x) < 0.2 && std::abs(plain.position.y) < 0.2 && std::abs(ray.direction.z) > 0.8) {
+            QCOMPARE(byCells.hit, plain.hit);
+            QVERIFY(byCells.t == plain.t && byCells.position == plain.position);
+        }
+    }
+}
+
+void CellBitsTest::batchesGiveTheBitsOfSingles() {
+    Random random(test::seed());
+    const SampledSolid s = sampled(lBlock(1), 2, 0.1, random);
+    const CellSurface surface = cellsOf(s.surfels);
+    std::vector<base::Rayf> rays;
+    for (int k = 0; k < 100; ++k) {
+        const Rayd ray = towards(random.unitVector() * 1.2 * random.uniform(), random.unitVector(), 4);
+        rays.push_back({base::cast<float>(ray.origin), base::cast<float>(ray.direction)});
+    }
+    std::vector<surface::RayHit<float>> all(rays.size()), one(1);
+    std::vector<std::uint8_t> any(rays.size());
+    std::vector<std::vector<surface::RayHit<float>>> every(rays.size());
+    intersect(surface, rays, {}, all);
+    intersectAny(surface, rays, {}, any);
+    intersectAll(surface, rays, {}, every);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        intersect(surface, {&rays[i], 1}, {}, one);
+        QVERIFY(one[0].hit == all[i].hit && one[0].t == all[i].t && one[0].normal == all[i].normal);
+        QCOMPARE(any[i] != 0, all[i].hit);
+        QCOMPARE(every[i].empty(), !all[i].hit);
+        if (all[i].hit)
+            QVERIFY(std::abs(every[i].front().t - all[i].t) < 1e-5f);
+    }
+}
+
+static const test::Registered<CellBitsTest> registered;
+#include "cell_bits_test.moc"

@@ -1,0 +1,108 @@
+// Dialogs of commands: what the model has now stands in them, in words and units, and what will become of it below.
+#include "core/base/error.h"
+#include "support/registry.h"
+#include "ui/window/command_dialog.h"
+#include "ui/window/parameter_words.h"
+#include "ui/window_fixture.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QSignalSpy>
+
+using test::WindowFixture;
+
+class CommandDialogTest : public QObject {
+    Q_OBJECT
+  private Q_SLOTS:
+    void resampleProposesThePresentSpacing();
+    void anotherWishTakesThePlaceOfTheProposal();
+    void surfaceShowsWhatTheModelHas();
+    void everyLabelIsWordsWithAKey();
+    void scannersStandAtThreeNumbers();
+};
+
+static QLineEdit& line(ui::CommandDialog& dialog, const char* name) {
+    return *dialog.findChild<QLineEdit*>(name);
+}
+
+void CommandDialogTest::resampleProposesThePresentSpacing() {
+    WindowFixture f;
+    QVERIFY(f.make("sphere", 4000));
+    const double spacing = static_cast<double>(f.editor().snapshot().spacing);
+    ui::CommandDialog dialog(session::command("resample"), f.editor().snapshot());
+    QVERIFY(std::abs(line(dialog, "spacing").text().toDouble() / spacing - 1) < 1e-3);
+    QVERIFY(std::abs(dialog.command()["spacing"].get<double>() / spacing - 1) < 1e-3);
+    QVERIFY(!dialog.outcome().isEmpty());
+    // What it says is what comes.
+    line(dialog, "spacing").setText(QString::number(1.5 * spacing));
+    const double said = dialog.outcome().section(' ', 1, 1).remove(',').toDouble();
+    QCOMPARE(dialog.findChild<QLabel*>("outcome")->text(), dialog.outcome());
+    f.editor().run(dialog.command());
+    QVERIFY(f.settle());
+    QVERIFY2(std::abs(said / static_cast<double>(f.surfels()) - 1) < 0.15,
+             qPrintable(QString("%1 said, %2 came").arg(said).arg(f.surfels())));
+}
+
+void CommandDialogTest::anotherWishTakesThePlaceOfTheProposal() {
+    WindowFixture f;
+    QVERIFY(f.make("sphere", 3000));
+    ui::CommandDialog dialog(session::command("resample"), f.editor().snapshot());
+    QVERIFY(line(dialog, "count").placeholderText().contains("now"));
+    QTest::keyClicks(&line(dialog, "count"), "500");
+    const nlohmann::json command = dialog.command();
+    QVERIFY(command["count"] == 500 && !command.contains("spacing"));
+    f.editor().run(command);
+    QVERIFY(f.settle());
+    QVERIFY(f.surfels() > 400 && f.surfels() < 600);
+}
+
+void CommandDialogTest::surfaceShowsWhatTheModelHas() {
+    WindowFixture f;
+    QVERIFY(f.make("sphere", 2000));
+    f.editor().run({{"op", "surface"}, {"frame", "apss"}, {"one-sheet", "on"}});
+    QVERIFY(f.settle());
+    ui::CommandDialog dialog(session::command("surface"), f.editor().snapshot());
+    auto& frame = *dialog.findChild<QComboBox*>("frame");
+    QCOMPARE(frame.currentData().toString(), QString("apss"));
+    QVERIFY(frame.currentText().contains("APSS") && dialog.findChild<QCheckBox*>("one-sheet")->isChecked());
+    QCOMPARE(dialog.command().size(), std::size_t(1)); // nothing edited, nothing asked
+    dialog.findChild<QCheckBox*>("one-sheet")->setChecked(false);
+    const nlohmann::json command = dialog.command();
+    QVERIFY(command.size() == 2 && command["one-sheet"] == "off");
+}
+
+void CommandDialogTest::everyLabelIsWordsWithAKey() {
+    WindowFixture f;
+    QVERIFY(f.make("sphere", 1000));
+    for (const auto& row : session::commandTable()) {
+        if (!ui::hasDialog(row))
+            continue;
+        ui::CommandDialog dialog(row, f.editor().snapshot());
+        QSet<QChar> keys;
+        for (const QLabel* label : dialog.findChildren<QLabel*>()) {
+            if (!label->buddy())
+                continue;
+            const QString text = label->text();
+            const qsizetype at = text.indexOf('&');
+            QVERIFY2(at >= 0 && !keys.contains(text[at + 1].toLower()), qPrintable(row.op + (": " + text)));
+            keys.insert(text[at + 1].toLower());
+            QVERIFY2(!text.contains('-') && QString(text).remove('&')[0].isUpper(), qPrintable(text));
+        }
+        QCOMPARE(std::size_t(keys.size()), row.parameters.size());
+    }
+}
+
+void CommandDialogTest::scannersStandAtThreeNumbers() {
+    WindowFixture f;
+    QVERIFY(f.make("sphere", 1000));
+    ui::CommandDialog dialog(session::command("normals"), f.editor().snapshot());
+    line(dialog, "viewpoint").setText("1, 2.5, -3");
+    QVERIFY(dialog.command()["viewpoint"] == (nlohmann::json{1.0, 2.5, -3.0}));
+    line(dialog, "viewpoint").setText("1, here");
+    QVERIFY_THROWS_EXCEPTION(base::Error, dialog.command());
+}
+
+static const test::Registered<CommandDialogTest> registered;
+#include "command_dialog_test.moc"

@@ -1,0 +1,128 @@
+// The window on small screens, and whether what it says can be read.
+#include "support/registry.h"
+#include "ui/panels/properties_panel.h"
+#include "ui/panels/tool_bar.h"
+#include "ui/panels/tool_grid.h"
+#include "ui/theme/theme.h"
+#include "ui/window/status_line.h"
+#include "ui/window_fixture.h"
+
+#include <QAbstractItemView>
+#include <QComboBox>
+#include <QLabel>
+#include <QScreen>
+#include <QToolButton>
+
+using test::WindowFixture;
+
+class FittingTest : public QObject {
+    Q_OBJECT
+  private Q_SLOTS:
+    void initTestCase() {
+        m_palette = qApp->palette();
+        ui::applyTheme(*qApp); // as people see it
+    }
+    void cleanupTestCase() {
+        qApp->setStyleSheet({});
+        qApp->setPalette(m_palette);
+    }
+    void everyToolIsThereInALowWindow();
+    void theWindowOpensOnItsScreen();
+    void narrowStatusLinesKeepTheirMessage();
+    void pullDownsAreLegible();
+
+  private:
+    QPalette m_palette;
+};
+
+void FittingTest::everyToolIsThereInALowWindow() {
+    WindowFixture f;
+    // 1280 x 720 at scale 1, 1.5 and 2, less a panel of the desktop.
+    for (const QSize size : {QSize(1280, 690), QSize(853, 450), QSize(640, 345)}) {
+        f.window->resize(size);
+        QCoreApplication::processEvents();
+        QVERIFY2(f.window->size() == size,
+                 qPrintable(QString("%1 x %2").arg(f.window->width()).arg(f.window->height())));
+        QVERIFY(f.view().width() >= 200 && f.view().height() >= 140);
+        const QRect all = f.window->rect();
+        std::size_t seen = 0;
+        for (const QToolButton* button : f.window->toolBar().findChild<ui::ToolGrid*>()->findChildren<QToolButton*>()) {
+            const QRect place(button->mapTo(f.window.get(), QPoint(0, 0)), button->size());
+            QVERIFY2(all.contains(place) && button->isVisible(), qPrintable(button->text()));
+            QVERIFY(!button->visibleRegion().isEmpty() &&
+                    button->visibleRegion().boundingRect().size() == place.size());
+            ++seen;
+        }
+        QCOMPARE(seen, sculpt::toolTable().size());
+        QVERIFY(all.contains(f.window->statusLine().geometry()) && f.window->statusLine().height() > 10);
+    }
+}
+
+void FittingTest::theWindowOpensOnItsScreen() {
+    const QTemporaryDir folder;
+    ui::WindowOptions options;
+    options.settingsFile = folder.filePath("settings.ini");
+    options.editor.journal = folder.filePath("journal.jsonl").toStdString();
+    const ui::MainWindow window(options);
+    const QSize room = window.screen()->availableSize();
+    QVERIFY(window.width() <= room.width() && window.height() <= room.height());
+}
+
+void FittingTest::narrowStatusLinesKeepTheirMessage() {
+    WindowFixture f;
+    QVERIFY(f.make("sphere", 3000));
+    f.drag(f.centre(), f.centre() + QPointF(40, 0));
+    for (const int width : {1400, 1000, 700}) {
+        f.window->resize(width, 600);
+        f.window->tell("a word to the person");
+        QCoreApplication::processEvents();
+        QCOMPARE(f.window->statusLine().message(), QString("A word to the person."));
+        int cells = 0;
+        for (const QLabel* label : f.window->statusLine().findChildren<QLabel*>("cell")) {
+            cells += label->isVisible() ? 1 : 0;
+            QVERIFY(!label->isVisible() || label->width() >= label->sizeHint().width());
+        }
+        QVERIFY(cells >= 1 && (width < 1000 || cells >= 3));
+    }
+}
+
+static double luminance(QRgb c) {
+    const auto linear = [](int byte) {
+        const double v = byte / 255.0;
+        return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+    };
+    return 0.2126 * linear(qRed(c)) + 0.7152 * linear(qGreen(c)) + 0.0722 * linear(qBlue(c));
+}
+
+/// Of the lightest and the darkest pixel, as readers of small print are promised 4.5.
+static double contrast(const QImage& picture) {
+    double low = 1, high = 0;
+    for (int y = 0; y < picture.height(); ++y)
+        for (int x = 0; x < picture.width(); ++x) {
+            const double now = luminance(picture.pixel(x, y));
+            low = std::min(low, now), high = std::max(high, now);
+        }
+    return (high + 0.05) / (low + 0.05);
+}
+
+void FittingTest::pullDownsAreLegible() {
+    WindowFixture f;
+    QComboBox list(f.window.get());
+    list.addItems({"Marching cubes", "Delaunay", "Another"});
+    list.setGeometry(10, 10, 200, 24);
+    list.show();
+    list.showPopup();
+    QCoreApplication::processEvents();
+    QAbstractItemView& view = *list.view();
+    for (int row = 0; row < list.count(); ++row) {
+        view.setCurrentIndex(list.model()->index(row, 0));
+        QCoreApplication::processEvents();
+        const QRect place = view.visualRect(list.model()->index(row, 0)).adjusted(6, 2, -40, -2);
+        const QImage picture = view.viewport()->grab(place).toImage();
+        QVERIFY2(contrast(picture) > 4.5, qPrintable(QString("%1: %2").arg(row).arg(contrast(picture))));
+    }
+    list.hidePopup();
+}
+
+static const test::Registered<FittingTest> registered;
+#include "fitting_test.moc"

@@ -1,0 +1,37 @@
+// The tool buttons in as few columns as the height allows: two where there is room, more in a low window, so that none
+// is ever cut off. Interface's thread only.
+#pragma once
+
+#include <QWidget>
+#include <vector>
+
+class QAction;
+class QToolButton;
+
+namespace ui {
+
+class ToolGrid : public QWidget {
+    Q_OBJECT
+  public:
+    explicit ToolGrid(QWidget* parent = nullptr);
+    void add(QAction& action);
+    int columns() const { return m_columns; }
+
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
+
+  protected:
+    void resizeEvent(QResizeEvent* event) override;
+
+  private:
+    static constexpr int fewest = 2, most = 5, gap = 1;
+    int rowsOf(int columns) const;
+    int heightOf(int columns) const;
+    void arrange();
+
+    std::vector<QToolButton*> m_buttons;
+    QSize m_cell;
+    int m_columns = fewest;
+};
+
+} // namespace ui
