@@ -26,7 +26,7 @@ bool movable(const Mesh& mesh, std::size_t v) {
 /// Newton's method along the gradient of whichever cell is surface there.
 void land(cells::CellSource& source, const Vec3d& start, CreaseVertex& out) {
     Vec3d x = start;
-    for (int i = 0; i < 12; ++i) {
+    for (int k = 0; k < 12; ++k) {
         const cells::CellValue here = cells::evaluate(source, x, Need::Gradient);
         if (here.cell == cells::noCell || !cells::valid(here.at) || !(lengthSq(here.at.gradient) > 1e-2))
             return;
@@ -34,9 +34,13 @@ void land(cells::CellSource& source, const Vec3d& start, CreaseVertex& out) {
         x += step;
         if (!(base::distance(x, start) < farthest * here.at.unit))
             return;
-        if (length(step) > settled * here.at.unit && i < 11)
+        if (length(step) > settled * here.at.unit && k < 11)
             continue;
         if (length(step) > loose * here.at.unit) // to and fro between two faces
+            return;
+        source.moveTo(x);
+        const std::size_t i = source.find(here.cell);
+        if (i == cells::CellSource::none || cutOff(source, i, loose * here.at.unit)) // f is zero, but nothing is there
             return;
         out.cells = {here.cell};
         out.own = here.cell;
