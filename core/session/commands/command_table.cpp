@@ -7,11 +7,12 @@
 namespace session {
 
 std::span<const CommandRow> commandTable() {
-    static const std::array rows{openCommand(),   newCommand(),        saveCommand(),     surfaceCommand(),
-                                 strokeCommand(), resampleCommand(),   reduceCommand(),   refineCommand(),
-                                 cleanCommand(),  duplicatesCommand(), outliersCommand(), denoiseCommand(),
-                                 thinCommand(),   normalsCommand(),    orientCommand(),   upCommand(),
-                                 undoCommand(),   redoCommand(),       expectCommand()};
+    static const std::array rows{
+        openCommand(),    newCommand(),    saveCommand(),    surfaceCommand(), strokeCommand(),     resampleCommand(),
+        reduceCommand(),  refineCommand(), fillCommand(),    cutCommand(),     solidCommand(),      primitiveCommand(),
+        drillCommand(),   mirrorCommand(), hollowCommand(),  cleanCommand(),   duplicatesCommand(), outliersCommand(),
+        denoiseCommand(), thinCommand(),   normalsCommand(), orientCommand(),  upCommand(),         undoCommand(),
+        redoCommand(),    expectCommand()};
     return rows;
 }
 
