@@ -38,7 +38,7 @@ Action addCut(CLI::App& command) {
         ->type_name("OUT")
         ->required();
     for (const session::CommandParameter& p : session::command("cut").parameters)
-        if (p.id != std::string_view("cap"))
+        if (p.id != std::string_view("cap") && p.id != std::string_view("creases")) // which is of opening
             addParameter(command, "cut", p, helpOf(p), options->wish)->required(p.id == std::string_view("plane"));
     command.add_flag("--cap", options->cap, "close what was cut, as dense as the model is beside it");
     options->surface = addSurfaceOptions(command, false);

@@ -33,7 +33,7 @@ void run(const Options& options, Console& console) {
 }
 
 bool isOwn(std::string_view id) {
-    return id == "path" || id == "sample" || id == "hash" || id == "operation";
+    return id == "path" || id == "sample" || id == "hash" || id == "operation" || id == "creases"; // of opening
 }
 
 } // namespace

@@ -25,9 +25,10 @@ struct Ringed {
 
 constexpr int rings = 2;
 
-/// How far one ring lies from the next, in spacings: a tenth of the hole's radius where that is more, up to this many,
-/// so that noise of the scan does not swing up to the middle.
-constexpr double widestStep = 3;
+/// How far one ring lies from the next, in spacings: a part of the hole's radius where that is more, up to this many.
+/// Beside the loop surfels are on one side only, and the surface leans by some hundredths: narrow rings would carry
+/// that, and the noise of a scan, up to the middle.
+constexpr double widestStep = 3, stepOfRadius = 0.3;
 
 Ringed ringed(const surface::Surface& surface, const Loop& loop, const Patch& patch) {
     Ringed out{patch.positions, patch.triangles, {}};
@@ -39,7 +40,7 @@ Ringed ringed(const surface::Surface& surface, const Loop& loop, const Patch& pa
     out.free.resize(out.positions.size(), 0);
     base::parallelFor(n, 4, [&](std::size_t i) {
         const LoopPoint& p = loop.points[i];
-        const double step = std::clamp(0.1 * radius, p.spacing, widestStep * p.spacing);
+        const double step = std::clamp(stepOfRadius * radius, p.spacing, widestStep * p.spacing);
         for (int ring = 1; ring <= rings; ++ring) {
             Vec3d place = p.position - p.outward * (step * ring);
             const auto foot =
@@ -137,7 +138,7 @@ bool staysNear(const Loop& loop, const std::vector<Vec3d>& positions) {
 
 bool shapePatch(const surface::Surface& surface, const Loop& loop, Shape shape, Patch& patch,
                 const base::Progress& progress) {
-    constexpr int passes = 3; // areas and angles are those of the last shape
+    constexpr int passes = 10; // areas and angles are those of the last shape
     const double unit = loop.meanSpacing();
     Ringed all = ringed(surface, loop, patch);
     Columns values(static_cast<Eigen::Index>(all.positions.size()), 3);

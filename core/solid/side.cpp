@@ -1,6 +1,7 @@
 #include "core/solid/side.h"
 
 #include "core/base/parallel.h"
+#include "core/cells/cell_value.h"
 #include "core/surface/rays/intersect.h"
 
 namespace solid {
@@ -30,13 +31,41 @@ static bool inside(const surface::Surface& surface, const Vec3f& x) {
     return 2 * votes > asked;
 }
 
+/// Is there any crease? Labels alone, as those of one cell, change nothing.
+static bool hasCreases(const tree::SurfelTree& tree) {
+    const std::optional<cells::LabelLayout> layout = cells::LabelLayout::of(*tree.layout());
+    bool any = false;
+    if (layout)
+        tree.forEachBlock([&](std::uint32_t, const surfel::SurfelBlock& block) {
+            for (int slot = 0; !any && slot < block.size(); ++slot) {
+                const cells::Label label = layout->at(block, slot);
+                any = label.partner != label.cell;
+            }
+        });
+    return any;
+}
+
+SurfaceSide::SurfaceSide(surface::Surface surface) : m_surface(std::move(surface)) {
+    if (hasCreases(m_surface.tree()))
+        m_cells = cells::CellSurface::of(m_surface);
+}
+
+template <class T>
+static SideValue nearValue(const surface::Evaluation<T>& at) {
+    const auto slope = static_cast<double>(length(at.gradient));
+    return {static_cast<double>(at.value) / slope, base::cast<double>(at.gradient) / slope, true};
+}
+
 SideValue SurfaceSide::at(const Vec3d& x) const {
     const Vec3f place = base::cast<float>(x);
-    const surface::Evaluationf at = m_surface.evaluate(place, surface::Need::Gradient);
-    if (at.ok() && surface::isSurface(at)) {
-        const double slope = static_cast<double>(length(at.gradient));
-        return {static_cast<double>(at.value) / slope, base::cast<double>(at.gradient) / slope, true};
+    if (m_cells) {
+        const cells::CellValue value = cells::evaluate(*m_cells, x, surface::Need::Gradient);
+        if (value.mixed && value.at.ok())
+            return nearValue(value.at);
     }
+    const surface::Evaluationf at = m_surface.evaluate(place, surface::Need::Gradient);
+    if (surface::isSurface(at))
+        return nearValue(at);
     return {inside(m_surface, place) ? -1.0 : 1.0, {}, false};
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/box.h"
-#include "core/surface/surface.h"
+#include "core/cells/cell_surface.h"
 
 namespace solid {
 
@@ -22,15 +22,17 @@ class Side {
     virtual bool meets(const base::Box3d& box) const = 0;
 };
 
-/// Of oriented surfels. Near their surface f tells; elsewhere the first hits of some rays, from which side they come.
+/// Of oriented surfels. Near their surface f tells, with creases that of the local Boolean; elsewhere the first hits of
+/// some rays, from which side they come.
 class SurfaceSide : public Side {
   public:
-    explicit SurfaceSide(surface::Surface surface) : m_surface(std::move(surface)) {}
+    explicit SurfaceSide(surface::Surface surface);
     SideValue at(const base::Vec3d& x) const override;
     bool meets(const base::Box3d& box) const override;
 
   private:
     surface::Surface m_surface;
+    std::optional<cells::CellSurface> m_cells; ///< where the model has creases
 };
 
 /// For each surfel of a version, in tree order, whether it is outside (1), inside (-1), or on the surface within a

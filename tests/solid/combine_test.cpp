@@ -69,6 +69,22 @@ double lens(double r, double d) { // of two balls of one radius
     return pi / 12 * (4 * r + d) * (2 * r - d) * (2 * r - d);
 }
 
+/// By counting places.
+double volumeOnGrid(const solid::Side& a, const solid::Side& b, Operation operation) {
+    constexpr int steps = 48;
+    constexpr double extent = 1.9, step = 2 * extent / steps;
+    int count = 0;
+    for (int i = 0; i < steps * steps * steps; ++i) {
+        const Vec3d x{(i % steps + 0.5) * step - extent, (i / steps % steps + 0.5) * step - extent,
+                      (i / steps / steps + 0.5) * step - extent};
+        const bool inA = a.at(x).value < 0, inB = b.at(x).value < 0;
+        count += operation == Operation::Union        ? inA || inB
+                 : operation == Operation::Difference ? inA && !inB
+                                                      : inA && inB;
+    }
+    return count * step * step * step;
+}
+
 solid::Pose randomPose(base::Random& random, double reach) {
     return solid::poseAlong(random.unitVector() * (reach * random.uniform()), random.unitVector());
 }
@@ -129,7 +145,7 @@ void CombineTest::ballsHaveTheVolumeOfTheirLens() {
 }
 
 void CombineTest::nothingIsOpenWhateverThePose() {
-    const int poses = test::sanitized ? 3 : 24;
+    const int poses = test::sanitized ? 2 : 8;
     constexpr std::uint64_t seed = 20;
     base::Random random(seed);
     const char* const shapes[] = {"ball", "box", "torus"};
@@ -146,18 +162,24 @@ void CombineTest::nothingIsOpenWhateverThePose() {
         } catch (const base::Error&) {
             continue; // the one within the other
         }
-        mesh::MarchingOptions open;
-        open.solid = false; // else gaps would be closed
         mesh::MarchingReport report;
-        const mesh::Mesh mesh = mesh::marchingCubes(result.surface, open, report);
-        const QByteArray told = QString("seed %1, pose %2: %3 and %4, operation %5")
+        const mesh::Mesh mesh = mesh::marchingCubes(result.surface, {}, report);
+        const mesh::Topology topology = mesh::topologyOf(mesh.triangles, mesh.positions.size());
+        const double wanted =
+                         volumeOnGrid(solid::PrimitiveSide(solid::primitive(shapes[i]), sizes[i], {}),
+                                      solid::PrimitiveSide(solid::primitive(shapes[j]), sizes[j], pose), operation),
+                     whole = solid::primitive(shapes[i]).volume(sizes[i]), found = mesh::volumeOf(mesh);
+        const QByteArray told = QString("seed %1, pose %2: %3 and %4, operation %5: volume %6 for %7")
                                     .arg(seed)
                                     .arg(k)
                                     .arg(shapes[i])
                                     .arg(shapes[j])
                                     .arg(int(operation))
+                                    .arg(found)
+                                    .arg(wanted)
                                     .toUtf8();
-        QVERIFY2(mesh::topologyOf(mesh.triangles, mesh.positions.size()).boundaryEdges == 0, told);
+        QVERIFY2(topology.boundaryLoops == 0 && topology.manifold(), told);
+        QVERIFY2(std::abs(found - wanted) < 0.06 * whole, told); // seams are round to what cells are not looked at by
     }
 }
 
