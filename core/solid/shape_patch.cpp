@@ -138,7 +138,7 @@ bool staysNear(const Loop& loop, const std::vector<Vec3d>& positions) {
 
 bool shapePatch(const surface::Surface& surface, const Loop& loop, Shape shape, Patch& patch,
                 const base::Progress& progress) {
-    constexpr int passes = 10; // areas and angles are those of the last shape
+    constexpr int passes = 3; // areas and angles are those of the last shape
     const double unit = loop.meanSpacing();
     Ringed all = ringed(surface, loop, patch);
     Columns values(static_cast<Eigen::Index>(all.positions.size()), 3);
