@@ -28,6 +28,9 @@ pointclay_room(mesh core/mesh process cells)
 pointclay_link(mesh gmp mpfr)
 set_source_files_properties(core/mesh/check/self_intersections.cpp PROPERTIES COMPILE_OPTIONS "-frounding-math")
 
+pointclay_room(solid core/solid mesh)
+pointclay_link(solid Eigen3::Eigen)
+
 pointclay_room(reduce core/reduce process)
 pointclay_link(reduce Eigen3::Eigen)
 
@@ -45,6 +48,6 @@ pointclay_link(render PkgConfig::HWY PkgConfig::EXR)
 
 pointclay_room(selection core/selection sculpt render)
 
-pointclay_room(session core/session sculpt reduce io selection)
+pointclay_room(session core/session sculpt reduce solid io selection)
 pointclay_link(session nlohmann_json::nlohmann_json)
 pointclay_unhurried(pointclay_session)
