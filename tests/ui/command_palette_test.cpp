@@ -4,6 +4,7 @@
 #include "ui/panels/number_slider.h"
 #include "ui/window/command_palette.h"
 #include "ui/window/dropped.h"
+#include "ui/window/keys_dialog.h"
 #include "ui/window/status_line.h"
 #include "ui/window_fixture.h"
 
@@ -23,6 +24,7 @@ class CommandPaletteTest : public QObject {
     void everyActionOfEveryMenuIsFound();
     void theBestComesFirst();
     void enterRunsWhatIsChosen();
+    void keysAreChosenTakenAndKept();
     void droppedFilesAreWhatTheyAre();
     void droppedModelsOpenAndImagesArePressedIn();
     void theHeaderAndThePanelSayTheSame();
@@ -73,6 +75,30 @@ void CommandPaletteTest::enterRunsWhatIsChosen() {
     typed.setText("zebra");
     QTest::keyClick(&typed, Qt::Key_Return);
     QTRY_VERIFY(f.window->settings().shading == render::Shading::Zebra);
+}
+
+void CommandPaletteTest::keysAreChosenTakenAndKept() {
+    WindowFixture f;
+    QAction* frame = f.window->findChild<QAction*>("frame-all");
+    QAction* undo = f.window->findChild<QAction*>("undo");
+    {
+        ui::KeysDialog dialog(*f.window->menuBar(), f.window->settings().keys);
+        QVERIFY(dialog.choose("View > frame-all"));
+        dialog.give(QKeySequence("Ctrl+Z")); // undo's
+        QCOMPARE(frame->shortcut(), QKeySequence("Ctrl+Z"));
+        QVERIFY(undo->shortcut().isEmpty());
+        QVERIFY(!dialog.choose("no such action"));
+    }
+    f.window->close();
+    f.open();
+    frame = f.window->findChild<QAction*>("frame-all"), undo = f.window->findChild<QAction*>("undo");
+    QCOMPARE(frame->shortcut(), QKeySequence("Ctrl+Z"));
+    QVERIFY(undo->shortcut().isEmpty());
+    ui::KeysDialog dialog(*f.window->menuBar(), f.window->settings().keys);
+    dialog.reset();
+    QVERIFY(f.window->settings().keys.empty());
+    QCOMPARE(frame->shortcut(), QKeySequence("Home"));
+    QCOMPARE(undo->shortcut(), QKeySequence("Ctrl+Z"));
 }
 
 void CommandPaletteTest::droppedFilesAreWhatTheyAre() {

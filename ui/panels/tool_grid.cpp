@@ -16,8 +16,14 @@ void ToolGrid::add(QAction& action) {
     button->setIconSize({24, 24});
     button->setFocusPolicy(Qt::NoFocus);
     m_buttons.push_back(button);
-    m_cell = m_cell.expandedTo(button->sizeHint());
     arrange();
+}
+
+QSize ToolGrid::cell() const {
+    QSize out;
+    for (const QToolButton* button : m_buttons)
+        out = out.expandedTo(button->sizeHint());
+    return out;
 }
 
 int ToolGrid::rowsOf(int columns) const {
@@ -25,15 +31,15 @@ int ToolGrid::rowsOf(int columns) const {
 }
 
 int ToolGrid::heightOf(int columns) const {
-    return std::max(0, rowsOf(columns) * (m_cell.height() + gap) - gap);
+    return std::max(0, rowsOf(columns) * (cell().height() + gap) - gap);
 }
 
 QSize ToolGrid::sizeHint() const {
-    return {m_columns * (m_cell.width() + gap) - gap, heightOf(fewest)};
+    return {m_columns * (cell().width() + gap) - gap, heightOf(fewest)};
 }
 
 QSize ToolGrid::minimumSizeHint() const {
-    return {m_columns * (m_cell.width() + gap) - gap, heightOf(most)};
+    return {m_columns * (cell().width() + gap) - gap, heightOf(most)};
 }
 
 void ToolGrid::resizeEvent(QResizeEvent*) {
@@ -44,10 +50,11 @@ void ToolGrid::arrange() {
     int columns = fewest;
     while (columns < most && heightOf(columns) > height())
         ++columns;
+    const QSize size = cell();
     for (std::size_t i = 0; i < m_buttons.size(); ++i) {
         const int place = static_cast<int>(i);
-        const QPoint at(place % columns * (m_cell.width() + gap), place / columns * (m_cell.height() + gap));
-        m_buttons[i]->setGeometry(QRect(at, m_cell));
+        const QPoint at(place % columns * (size.width() + gap), place / columns * (size.height() + gap));
+        m_buttons[i]->setGeometry(QRect(at, size));
     }
     if (columns != m_columns) {
         m_columns = columns;

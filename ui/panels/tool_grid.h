@@ -25,12 +25,12 @@ class ToolGrid : public QWidget {
 
   private:
     static constexpr int fewest = 2, most = 5, gap = 1;
+    QSize cell() const; ///< as the style has it where the grid is now
     int rowsOf(int columns) const;
     int heightOf(int columns) const;
     void arrange();
 
     std::vector<QToolButton*> m_buttons;
-    QSize m_cell;
     int m_columns = fewest;
 };
 

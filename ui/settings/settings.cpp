@@ -178,6 +178,9 @@ Settings readSettings(const QSettings& store) {
             out.groups[key.mid(6).toStdString()] = store.value(key).toBool();
     out.theme = store.value("window/theme", "dark").toString().toStdString();
     out.navigation = navigation(store.value("view/navigation").toString().toStdString()).id;
+    for (const QString& line : store.value("window/keys").toStringList())
+        if (const qsizetype at = line.indexOf('\t'); at > 0)
+            out.keys[line.left(at).toStdString()] = line.mid(at + 1).toStdString();
     for (const QString& text : store.value("view/saved").toStringList())
         if (const auto view = savedViewOf(text.toStdString()))
             keep(out.savedViews, *view);
@@ -227,6 +230,10 @@ Entries entriesOf(const Settings& settings) {
     out["view/shadowGround"] = lighting.ground;
     out["window/theme"] = QString::fromStdString(settings.theme);
     out["view/navigation"] = QString::fromStdString(settings.navigation);
+    QStringList keys;
+    for (const auto& [id, key] : settings.keys)
+        keys << QString::fromStdString(id + '\t' + key);
+    out["window/keys"] = keys;
     QStringList saved;
     for (const SavedView& view : settings.savedViews)
         saved << QString::fromStdString(textOf(view));

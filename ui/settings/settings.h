@@ -51,11 +51,12 @@ struct Settings {
     render::Annotated annotated = render::Legend;
     bool grid = false; ///< on the ground
     TruthSettings truth;
-    std::string theme = "dark";           ///< id of a row of ui::themeTable()
-    std::string navigation = "turntable"; ///< id of the style in which dragging turns the view
-    std::vector<SavedView> savedViews;    ///< names differ
-    std::vector<std::string> recentFiles; ///< newest first, at most `recentLimit`
-    QByteArray geometry, windowState;     ///< as QMainWindow saves them
+    std::map<std::string, std::string> keys; ///< of actions, by id, where a person has chosen others (window/keys.h)
+    std::string theme = "dark";              ///< id of a row of ui::themeTable()
+    std::string navigation = "turntable";    ///< id of the style in which dragging turns the view
+    std::vector<SavedView> savedViews;       ///< names differ
+    std::vector<std::string> recentFiles;    ///< newest first, at most `recentLimit`
+    QByteArray geometry, windowState;        ///< as QMainWindow saves them
 
     static constexpr std::size_t recentLimit = 10;
     static constexpr double minRadiusPx = 2, maxRadiusPx = 500;

@@ -124,7 +124,8 @@ void View::frame(std::span<const base::Box3f> boxes, int width, int height) {
     }
     const render::framing::Extents extents(now, cornersOf(boxes));
     target += extents.aside(now);
-    distance *= extents.height(now, filled) / heightAtTarget();
+    if (const double tall = extents.height(now, filled); tall > 0) // else a point, as seen from here
+        distance *= tall / heightAtTarget();
 }
 
 View View::threeQuarter(std::span<const base::Box3f> boxes, int width, int height, base::UpAxis up) {

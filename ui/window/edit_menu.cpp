@@ -22,6 +22,8 @@ void addEditMenu(MainWindow& window) {
     QAction* redo =
         addEntry(*edit, "redo", QObject::tr("Redo"), QKeySequence("Ctrl+Shift+Z"), [&window] { window.redo(); });
     redo->setShortcuts({QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")});
+    undo->setObjectName("undo");
+    redo->setObjectName("redo");
     const auto show = [&editor = window.editor(), undo, redo] { showSteps(editor.snapshot(), *undo, *redo); };
     QObject::connect(&window.editor(), &Editor::changed, edit, show);
     show();

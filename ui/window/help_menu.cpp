@@ -1,5 +1,6 @@
 #include "ui/theme/icon.h"
 #include "ui/window/command_palette.h"
+#include "ui/window/keys_dialog.h"
 #include "ui/window/main_window.h"
 #include "ui/window/menu_tools.h"
 #include "ui/window/menus.h"
@@ -42,6 +43,11 @@ void addHelpMenu(MainWindow& window) {
     find->setShortcuts({QKeySequence("F3"), QKeySequence("Ctrl+K")});
     find->setToolTip(QObject::tr("Every action of every menu, by a few letters of its name"));
     addEntry(*help, "keyboard", QObject::tr("&Shortcuts…"), QKeySequence("F1"), [&window] { showShortcuts(window); });
+    addEntry(*help, "keyboard", QObject::tr("Edit &Keys…"), {}, [&window] {
+        auto* dialog = new KeysDialog(*window.menuBar(), window.settings().keys, &window);
+        dialog->setAttribute(Qt::WA_DeleteOnClose);
+        dialog->open();
+    })->setToolTip(QObject::tr("Another key for any action of the menus"));
     addEntry(*help, "about", QObject::tr("&About Pointclay…"), {}, [&window] { showAbout(window); });
 }
 

@@ -6,8 +6,10 @@
 #include "ui/panels/tool_bar.h"
 #include "ui/window/dropped.h"
 #include "ui/window/file_dialogs.h"
+#include "ui/window/keys.h"
 #include "ui/window/menus.h"
 #include "ui/window/mesh_export.h"
+#include "ui/window/notices.h"
 #include "ui/window/status_line.h"
 #include "ui/window/work_progress.h"
 #include "ui/work/measurer.h"
@@ -15,6 +17,7 @@
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QMenu>
+#include <QMenuBar>
 #include <QMimeData>
 #include <QScreen>
 #include <QTimer>
@@ -46,7 +49,8 @@ MainWindow::MainWindow(const WindowOptions& options, QWidget* parent)
     buildPanel();
     buildMenus();
     buildHeader();
-    buildNotices();
+    m_notices = new Notices(*m_view, *m_editor, *m_files, *m_progress, this);
+    connect(m_notices, &Notices::comingChanged, this, &MainWindow::showTitle);
     connectWork();
     showSnapshot();
     resize(fitting(QSize(1280, 800)));
@@ -70,6 +74,7 @@ QSize MainWindow::fitting(const QSize& wanted) const {
 /// members that they refer to.
 MainWindow::~MainWindow() {
     m_editor->disconnect();
+    delete m_notices;
     delete m_view;
     delete m_mesh; // waits for its threads
     delete m_bars;
@@ -93,7 +98,7 @@ void MainWindow::buildViewport() {
     m_viewport->framePainted = [this](double seconds) { m_status->showFrame(seconds, m_viewport->rendererName()); };
     m_viewport->refined = [this](const auto& refinement) {
         m_status->showRefinement(refinement);
-        notify(refinement);
+        m_notices->refine(refinement);
     };
     m_viewport->troubled = [this](const QString& trouble) { tellFailure(trouble); };
 }
@@ -103,54 +108,6 @@ void MainWindow::buildStatus() {
     setStatusBar(m_status);
     m_progress = new WorkProgress(*m_editor, *m_measurer, m_mesh->mesher(), *m_status, this);
     connect(m_view, &SculptView::hinted, this, &MainWindow::tell);
-}
-
-/// What the viewport says of work that takes a while: nearest to the eye, which is on the model.
-void MainWindow::buildNotices() {
-    const auto show = [this] {
-        const QString doing = m_work.text;
-        const Notice coming{doing.isEmpty() ? m_coming + "…" : tr("%1: %2").arg(m_coming, doing), m_work.share};
-        m_view->setNotice(!m_coming.isEmpty() ? coming : !doing.isEmpty() ? m_work : m_refining);
-        showTitle();
-    };
-    connect(m_files, &FileActions::began, this, [this, show](const QString& what) {
-        m_coming = what;
-        show();
-    });
-    connect(m_files, &FileActions::ended, this, [this, show] {
-        m_coming.clear();
-        show();
-    });
-    connect(m_editor, &Editor::progressed, this, [this, show](double share, const QString& doing) {
-        if (m_coming.isEmpty()) // the bar has its patience; what is being opened is told at once
-            return;
-        m_work = {doing, share};
-        show();
-    });
-    connect(m_progress, &WorkProgress::shown, this, [this, show](double share, const QString& doing) {
-        QString what = doing;
-        if (m_coming.isEmpty() && !what.isEmpty())
-            what = tr("%1 – Esc stops it").arg(what.at(0).toUpper() + what.mid(1));
-        m_work = {what, share};
-        show();
-    });
-    connect(m_progress, &WorkProgress::rested, this, [this, show] {
-        m_work = {};
-        show();
-    });
-}
-
-/// Slow levels of the true surface, once it takes a hand's patience.
-void MainWindow::notify(const std::optional<Refinement>& refinement) {
-    constexpr double patience = 0.6; // seconds
-    Notice now;
-    if (refinement && !refinement->complete && refinement->seconds > patience)
-        now = refinement->light > 0
-                  ? Notice{tr("Light %1 %").arg(100 * refinement->light, 0, 'f', 0), refinement->light}
-                  : Notice{tr("Surface to %1 px…").arg(refinement->quality, 0, 'g', 2), -1};
-    m_refining = now;
-    if (m_coming.isEmpty() && m_work.text.isEmpty())
-        m_view->setNotice(m_refining);
 }
 
 void MainWindow::buildTools() {
@@ -196,6 +153,7 @@ void MainWindow::buildMenus() {
     addModelMenu(*this);
     addViewMenu(*this);
     addHelpMenu(*this);
+    applyKeys(paletteEntries(*menuBar()), m_settings.keys);
     addCornerBar(*this);
 }
 
@@ -233,9 +191,9 @@ void MainWindow::connectWork() {
 
 void MainWindow::showTitle() {
     const Snapshot& now = m_editor->snapshot();
-    if (!m_coming.isEmpty()) { // never "Untitled" while a file is on its way
+    if (const QString& coming = m_notices->coming(); !coming.isEmpty()) { // never "Untitled" while a file is on its way
         setWindowModified(false);
-        return setWindowTitle(tr("%1…[*] – Pointclay").arg(m_coming));
+        return setWindowTitle(tr("%1…[*] – Pointclay").arg(coming));
     }
     const QString name = now.path.empty() ? tr("Untitled") : QString::fromStdString(now.path.filename().string());
     setWindowTitle(tr("%1[*] – Pointclay").arg(name));

@@ -14,6 +14,7 @@ namespace ui {
 
 class HeaderBar;
 class Measurer;
+class Notices;
 class MeshExport;
 class PropertiesPanel;
 class StatusLine;
@@ -68,8 +69,6 @@ class MainWindow : public QMainWindow {
 
   private:
     void buildViewport();
-    void buildNotices();
-    void notify(const std::optional<Refinement>& refinement);
     void showTitle();
     void suitTool(const QString& tool);
     void showHint();
@@ -99,9 +98,8 @@ class MainWindow : public QMainWindow {
     PropertiesPanel* m_panel = nullptr;
     StatusLine* m_status = nullptr;
     WorkProgress* m_progress = nullptr;
+    Notices* m_notices = nullptr;
     QString m_whyRenderer;
-    QString m_coming;           ///< "Opening bunny.ply", while that is under way
-    Notice m_work, m_refining;  ///< what works on the model, and on its picture
     std::uint64_t m_models = 0; ///< of the snapshot that the panel's ranges suit
     bool m_mayClose = false;
 };
