@@ -76,10 +76,17 @@ Measures measuresOf(const std::vector<Vec3d>& x, const std::vector<mesh::Triangl
             const auto a = static_cast<int>(t[k]), b = static_cast<int>(t[(k + 1) % 3]);
             const Vec3d c = x[t[(k + 2) % 3]], u = (x[t[k]] - c) / unit, v = (x[t[(k + 1) % 3]] - c) / unit;
             const double twice = length(cross(u, v));
-            const double weight = std::clamp(0.5 * dot(u, v) / std::max(twice, 1e-12), 0.01, 10.0);
-            entries.emplace_back(a, b, -weight), entries.emplace_back(b, a, -weight);
-            entries.emplace_back(a, a, weight), entries.emplace_back(b, b, weight);
+            const double weight = 0.5 * dot(u, v) / std::max(twice, 1e-12);
+            entries.emplace_back(a, b, weight), entries.emplace_back(b, a, weight);
             out.areas[a] += twice / 6;
+        }
+    Matrix sums(n, n);
+    sums.setFromTriplets(entries.begin(), entries.end());
+    entries.clear();
+    for (int column = 0; column < sums.outerSize(); ++column)
+        for (Matrix::InnerIterator it(sums, column); it; ++it) {
+            const double weight = std::clamp(it.value(), 0.01, 10.0);
+            entries.emplace_back(it.row(), column, -weight), entries.emplace_back(column, column, weight);
         }
     out.stiffness.setFromTriplets(entries.begin(), entries.end());
     return out;
@@ -138,7 +145,7 @@ bool staysNear(const Loop& loop, const std::vector<Vec3d>& positions) {
 
 bool shapePatch(const surface::Surface& surface, const Loop& loop, Shape shape, Patch& patch,
                 const base::Progress& progress) {
-    constexpr int passes = 3; // areas and angles are those of the last shape
+    constexpr int passes = 10; // areas and angles are those of the last shape
     const double unit = loop.meanSpacing();
     Ringed all = ringed(surface, loop, patch);
     Columns values(static_cast<Eigen::Index>(all.positions.size()), 3);

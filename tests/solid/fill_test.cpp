@@ -76,12 +76,12 @@ void FillTest::aSphereWithoutACapBecomesTheSphereAgain() {
             QVERIFY(dot(base::cast<double>(each.normal), p) > 0);
         }
         const QByteArray told = QString("%1 degrees: %2, normals %3").arg(degrees).arg(most).arg(turned).toUtf8();
-        QVERIFY2(most < (degrees > 20 ? 0.02 : 0.01), told); // solid/README 1.3 has the figures
+        QVERIFY2(most < (degrees > 20 ? 0.012 : 0.01), told); // solid/README 1.3 has the figures
         QVERIFY2(turned < 0.1, told);
         QVERIFY2(surface::findBoundaryCurves(result.surface).empty(), told);
         const process::Summary spacing = test::spacingOver(result.surface, s);
         const QByteArray spaced = QString("%1: %2 to %3").arg(degrees).arg(spacing.min).arg(spacing.max).toUtf8();
-        QVERIFY2(spacing.min > 0.6F && spacing.max < 1.45F, spaced);
+        QVERIFY2(spacing.min > 0.6F && spacing.max < 1.6F, spaced);
     }
 }
 
