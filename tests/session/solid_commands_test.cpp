@@ -24,7 +24,7 @@ const char* const lines[] = {
     R"({"op":"cut","plane":"0.2,1,0,0.3"})",
     R"({"op":"cut","plane":"0,1,0,0.3","keep":"below","cap":false})",
     R"({"op":"solid","sample":"sphere:1500","operation":"difference","position":"0.9,0,0","scale":0.6})",
-    R"({"op":"solid","sample":"torus:2000","operation":"union","rotation":"90,0,30","creases":false})",
+    R"({"op":"solid","sample":"torus:2000","operation":"union","position":"0.7,0,0","rotation":"90,0,30","creases":false})",
     R"({"op":"primitive","shape":"box","size":"0.5,0.6,3","rotation":"10,20,30"})",
     R"({"op":"primitive","shape":"cone","size":"0.5,1.5","position":"0,0,1","operation":"intersection"})",
     R"({"op":"drill","from":"0,0,3","direction":"0.1,0,-1","radius":0.3})",
