@@ -3,7 +3,6 @@
 #include "core/mesh/check/check.h"
 #include "core/mesh/check/self_intersections.h"
 #include "core/mesh/connectivity/triangulation.h"
-#include "core/mesh/delaunay/delaunay.h"
 #include "core/mesh/marching/marching_cubes.h"
 
 #include "cells/solids.h"
@@ -38,13 +37,7 @@ plane_solids::Solid polyhedron(Random& random) {
     return plane_solids::intersection(std::move(planes));
 }
 
-Mesh meshOf(const surface::Surface& surface, bool delaunay, double cell) {
-    if (delaunay) {
-        mesh::DelaunayOptions options;
-        options.size = cell;
-        mesh::DelaunayReport report;
-        return mesh::restrictedDelaunay(surface, options, report);
-    }
+Mesh meshOf(const surface::Surface& surface, double cell) {
     mesh::MarchingOptions options;
     options.cell = cell;
     mesh::MarchingReport report;
@@ -98,20 +91,17 @@ QString told(const mesh::Topology& t, const Creases& c, std::size_t cuts) {
 
 void CreaseMeshTest::solidsKeepTheirEdges_data() {
     QTest::addColumn<int>("kind");
-    QTest::addColumn<bool>("delaunay");
     QTest::addColumn<double>("cell"); // in spacings
-    for (const bool delaunay : {false, true})
-        for (const double cell : {1.0, 1.7}) {
-            const QByteArray how = (delaunay ? " delaunay " : " cubes ") + QByteArray::number(cell);
-            QTest::newRow("cube" + how) << 0 << delaunay << cell;
-            QTest::newRow("L-block" + how) << 1 << delaunay << cell;
-            QTest::newRow("random polyhedron" + how) << 2 << delaunay << cell;
-        }
+    for (const double cell : {1.0, 1.7}) {
+        const QByteArray how = " " + QByteArray::number(cell);
+        QTest::newRow("cube" + how) << 0 << cell;
+        QTest::newRow("L-block" + how) << 1 << cell;
+        QTest::newRow("random polyhedron" + how) << 2 << cell;
+    }
 }
 
 void CreaseMeshTest::solidsKeepTheirEdges() {
     QFETCH(int, kind);
-    QFETCH(bool, delaunay);
     QFETCH(double, cell);
     if (test::sanitized && (kind != 0 || cell != 1))
         return;
@@ -121,7 +111,7 @@ void CreaseMeshTest::solidsKeepTheirEdges() {
                                                   : polyhedron(random);
     const SampledSolid s = plane_solids::sampled(solid, 2.4, spacing, random);
     const surface::Surface surface = plane_solids::surfaceOf(s.surfels);
-    const Mesh mesh = meshOf(surface, delaunay, cell * spacing);
+    const Mesh mesh = meshOf(surface, cell * spacing);
     const mesh::Topology topology = mesh::topologyOf(mesh.triangles, mesh.positions.size());
     const std::size_t cuts = mesh::selfIntersections(mesh).size();
     const Creases creases = creasesOf(mesh, solid);
@@ -145,20 +135,16 @@ void CreaseMeshTest::octantsKeepTheirEdges() {
     Random random(test::seed());
     const surface::Surface surface = plane_solids::surfaceOf(plane_solids::octant(octantSpacing, random));
     const plane_solids::Solid planes = plane_solids::intersection({{{-1, 0, 0}, 0}, {{0, -1, 0}, 0}, {{0, 0, -1}, 0}});
-    for (const bool delaunay : {false, true}) {
-        if (delaunay && test::sanitized)
-            continue;
-        const Mesh mesh = meshOf(surface, delaunay, octantSpacing);
-        const mesh::Topology topology = mesh::topologyOf(mesh.triangles, mesh.positions.size());
-        const std::size_t cuts = mesh::selfIntersections(mesh).size();
-        const Creases creases = creasesOf(mesh, planes);
-        const QByteArray all = told(topology, creases, cuts).toUtf8();
-        QVERIFY2(topology.manifold() && topology.boundaryLoops == 0 && topology.genus() == 0 && cuts == 0, all);
-        constexpr double whole = 3 + 3 * plane_solids::pi / 2;
-        QVERIFY2(std::abs(creases.length - whole) < 0.02 * whole, all);
-        for (const Vec3d& x : mesh.positions)
-            QVERIFY2(std::abs(std::max(planes.value(x), length(x) - 1)) < 0.1 * octantSpacing, all);
-    }
+    const Mesh mesh = meshOf(surface, octantSpacing);
+    const mesh::Topology topology = mesh::topologyOf(mesh.triangles, mesh.positions.size());
+    const std::size_t cuts = mesh::selfIntersections(mesh).size();
+    const Creases creases = creasesOf(mesh, planes);
+    const QByteArray all = told(topology, creases, cuts).toUtf8();
+    QVERIFY2(topology.manifold() && topology.boundaryLoops == 0 && topology.genus() == 0 && cuts == 0, all);
+    constexpr double whole = 3 + 3 * plane_solids::pi / 2;
+    QVERIFY2(std::abs(creases.length - whole) < 0.02 * whole, all);
+    for (const Vec3d& x : mesh.positions)
+        QVERIFY2(std::abs(std::max(planes.value(x), length(x) - 1)) < 0.1 * octantSpacing, all);
 }
 
 void CreaseMeshTest::threadsDoNotShow() {
@@ -167,7 +153,7 @@ void CreaseMeshTest::threadsDoNotShow() {
     const surface::Surface surface = plane_solids::surfaceOf(s.surfels);
     const auto with = [&](int threads) {
         base::setThreadCount(threads);
-        return meshOf(surface, false, spacing);
+        return meshOf(surface, spacing);
     };
     const int before = base::threadCount();
     const Mesh one = with(1), two = with(2);

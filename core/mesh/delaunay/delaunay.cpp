@@ -13,7 +13,6 @@
 #include "core/mesh/finish/trim_folds.h"
 #include "core/mesh/finish/untangle.h"
 #include "core/mesh/marching/marching_cubes.h"
-#include "core/mesh/seams/keep_creases.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/process/estimation/spacing_sample.h"
 #include "core/process/resampling/spacing_field.h"
@@ -192,9 +191,10 @@ std::optional<Mesh> marchedDelaunay(const surface::Surface& surface, const Delau
     return out;
 }
 
-/// Of the smooth surface, whatever cells it has.
-Mesh smoothDelaunay(const surface::Surface& surface, const DelaunayOptions& options, DelaunayReport& report,
-                    const base::Progress& progress) {
+} // namespace
+
+Mesh restrictedDelaunay(const surface::Surface& surface, const DelaunayOptions& options, DelaunayReport& report,
+                        const base::Progress& progress) {
     if (surface.tree().empty() || surface.definition().manifold == surface::Manifold::Curve)
         throw base::Error("only a surface can be meshed", "", "choose a model with points of a surface");
     const double unit = unitOf(surface);
@@ -211,15 +211,6 @@ Mesh smoothDelaunay(const surface::Surface& surface, const DelaunayOptions& opti
     if (closedCell != cell)
         cubes = cubesOf(surface, closedCell, process::part(second, 0, 0.3));
     return closedDelaunay(surface, options, demand, closedCell, cubes, report, second);
-}
-
-} // namespace
-
-Mesh restrictedDelaunay(const surface::Surface& surface, const DelaunayOptions& options, DelaunayReport& report,
-                        const base::Progress& progress) {
-    Mesh out = smoothDelaunay(surface, options, report, process::part(progress, 0, 0.95));
-    keepCreases(out, surface, process::part(progress, 0.95, 1));
-    return out;
 }
 
 } // namespace mesh

@@ -1,4 +1,4 @@
-// Meshes of models with cells keep their creases (mesh/README 10): what the meshers made of the smooth surface is
+// Meshes of models with cells keep their creases (mesh/README 10): what marching cubes made of the smooth surface is
 // brought onto the faces of cells and cut along the seams between them.
 //
 //     crease_vertices.h    which cell a vertex lies on, where an edge crosses a seam
