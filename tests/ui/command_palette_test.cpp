@@ -118,6 +118,9 @@ static void drop(ui::MainWindow& window, const QStringList& files) {
     for (const QString& file : files)
         urls << QUrl::fromLocalFile(file);
     data.setUrls(urls);
+    QDragEnterEvent enter(QPoint(200, 200), Qt::CopyAction, &data, Qt::LeftButton, {}); // finds who takes the drop
+    QApplication::sendEvent(&window, &enter);
+    QVERIFY(enter.isAccepted() && !window.sculptView().overlay().notice.text.isEmpty());
     QDropEvent event(QPointF(200, 200), Qt::CopyAction, &data, Qt::LeftButton, {});
     QApplication::sendEvent(&window, &event);
 }

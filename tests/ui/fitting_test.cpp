@@ -43,7 +43,7 @@ void FittingTest::everyToolIsThereInALowWindow() {
         QCoreApplication::processEvents();
         QVERIFY2(f.window->size() == size,
                  qPrintable(QString("%1 x %2").arg(f.window->width()).arg(f.window->height())));
-        QVERIFY(f.view().width() >= 200 && f.view().height() >= 140);
+        QVERIFY(f.view().width() >= 160 && f.view().height() >= 120);
         const QRect all = f.window->rect();
         std::size_t seen = 0;
         for (const QToolButton* button : f.window->toolBar().findChild<ui::ToolGrid*>()->findChildren<QToolButton*>()) {

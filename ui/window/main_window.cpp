@@ -89,7 +89,7 @@ MainWindow::~MainWindow() {
 void MainWindow::buildViewport() {
     m_viewport = makeViewport(this, &m_whyRenderer);
     setCentralWidget(m_viewport->widget());
-    m_viewport->widget()->setMinimumSize(200, 140);
+    m_viewport->widget()->setMinimumSize(160, 120);
     m_view = new SculptView(*m_editor, m_settings, *m_viewport, this);
     m_measurer = new Measurer(this);
     m_bars = new FloatingBars(*m_viewport->widget(), this);
