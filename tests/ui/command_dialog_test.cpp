@@ -81,16 +81,26 @@ void CommandDialogTest::everyLabelIsWordsWithAKey() {
             continue;
         ui::CommandDialog dialog(row, f.editor().snapshot());
         QSet<QChar> keys;
+        const QString buttons = "oc"; // OK and Cancel have these where a desktop draws keys
+        QStringList without;          // long lists run out of letters
         for (const QLabel* label : dialog.findChildren<QLabel*>()) {
             if (!label->buddy())
                 continue;
             const QString text = label->text();
-            const qsizetype at = text.indexOf('&');
-            QVERIFY2(at >= 0 && !keys.contains(text[at + 1].toLower()), qPrintable(row.op + (": " + text)));
-            keys.insert(text[at + 1].toLower());
             QVERIFY2(!text.contains('-') && QString(text).remove('&')[0].isUpper(), qPrintable(text));
+            const qsizetype at = text.indexOf('&');
+            if (at < 0) {
+                without << text;
+                continue;
+            }
+            QVERIFY2(!keys.contains(text[at + 1].toLower()), qPrintable(row.op + (": " + text)));
+            keys.insert(text[at + 1].toLower());
         }
-        QCOMPARE(std::size_t(keys.size()), row.parameters.size());
+        for (const QString& text : without)
+            for (const QChar c : text)
+                QVERIFY2(!c.isLetter() || keys.contains(c.toLower()) || buttons.contains(c.toLower()),
+                         qPrintable(row.op + (": " + text)));
+        QCOMPARE(std::size_t(keys.size() + without.size()), row.parameters.size());
     }
 }
 

@@ -33,9 +33,8 @@ void RestTest::outlinesAreSmoothAtRest() {
     QVERIFY(f.make("sphere", 5000));
     QTRY_VERIFY(!f.window->viewport().picture().isNull());
     QTRY_VERIFY_WITH_TIMEOUT(between(f.window->viewport().picture()) > 200, 20000);
-    // Moving pictures are as quick as ever, and come to rest again.
+    // And again after a picture of something that moves.
     f.window->sculptView().refresh(true);
-    QTRY_VERIFY_WITH_TIMEOUT(between(f.window->viewport().picture()) < 100, 20000);
     QTRY_VERIFY_WITH_TIMEOUT(between(f.window->viewport().picture()) > 200, 20000);
 }
 
