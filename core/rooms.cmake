@@ -28,6 +28,9 @@ pointclay_room(mesh core/mesh process cells)
 pointclay_link(mesh gmp mpfr)
 set_source_files_properties(core/mesh/check/self_intersections.cpp PROPERTIES COMPILE_OPTIONS "-frounding-math")
 
+pointclay_room(solid core/solid mesh)
+pointclay_link(solid Eigen3::Eigen)
+
 pointclay_room(reduce core/reduce process)
 pointclay_link(reduce Eigen3::Eigen)
 
@@ -38,13 +41,13 @@ target_compile_options(pointclay_sculpt PRIVATE -fno-math-errno -fno-trapping-ma
 pointclay_room(haptics core/haptics surface)
 
 pointclay_room(io core/io process mesh)
-pointclay_link(io PNG::PNG JPEG::JPEG)
+pointclay_link(io PNG::PNG JPEG::JPEG pugixml::pugixml)
 
 pointclay_room(render core/render raycast io)
 pointclay_link(render PkgConfig::HWY PkgConfig::EXR)
 
 pointclay_room(selection core/selection sculpt render)
 
-pointclay_room(session core/session sculpt reduce io selection)
+pointclay_room(session core/session sculpt reduce solid io selection)
 pointclay_link(session nlohmann_json::nlohmann_json)
 pointclay_unhurried(pointclay_session)

@@ -59,6 +59,8 @@ Action addConvert(CLI::App& command) {
         std::error_code unequal;
         const bool replaces = std::filesystem::equivalent(options->in, options->out, unequal);
         io::write(options->out, model, process::part(progress, 0.5, 1));
+        if (const std::string loss = io::lossOf(options->out, model); !loss.empty())
+            console.tell(loss);
         console.tell(report(options->out, model, replaces));
     };
 }

@@ -6,7 +6,8 @@
 
 namespace io {
 
-static const char* const readable = "convert it to one of PLY, XYZ, TXT, CSV, PTS, PWN, OBJ, OFF or STL";
+static const char* const readable =
+    "convert it to one of PLY, XYZ, TXT, CSV, PTS, PWN, OBJ, OFF, STL, PCD, LAS, LAZ or E57";
 
 namespace {
 
@@ -15,11 +16,7 @@ struct Unreadable {
     const char* start;     ///< "" where only the extension tells
     const char* name;
 };
-constexpr Unreadable unreadables[] = {{"las", "LASF", "LAS or LAZ"},
-                                      {"laz", "", "LAZ"},
-                                      {"e57", "ASTM-E57", "E57"},
-                                      {"pcd", "# .PCD", "PCD"},
-                                      {"gz", "\x1f\x8b", "gzip"},
+constexpr Unreadable unreadables[] = {{"gz", "\x1f\x8b", "gzip"},
                                       {"zip", "PK\x03\x04", "ZIP"},
                                       {"bz2", "BZh", "bzip2"},
                                       {"glb", "glTF", "binary glTF"},
@@ -71,6 +68,12 @@ std::string contentKind(const FileBytes& file) {
     for (const Unreadable& row : unreadables)
         if (*row.start && bytes.starts_with(row.start))
             refuse(file, row.name);
+    if (bytes.starts_with("# .PCD"))
+        return "pcd";
+    if (bytes.starts_with("LASF"))
+        return "las";
+    if (bytes.starts_with("ASTM-E57"))
+        return "e57";
     const std::string_view word = bytes.substr(0, std::min<std::size_t>(bytes.find_first_of(" \t\r\n"), 16));
     if (word == "ply")
         return "ply";

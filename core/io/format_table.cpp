@@ -5,16 +5,46 @@
 #include "core/io/mesh_formats.h"
 #include "core/io/readers.h"
 
+#include <algorithm>
+#include <sstream>
+
 namespace io {
 
 using base::UpAxis;
 
+static const char* everything(std::string_view) {
+    return "normals colours alpha supports masks definition elements attributes";
+}
+
+static const char* allOfPoints(std::string_view) {
+    return "normals colours alpha supports masks attributes";
+}
+
+static const char* heldByLas(std::string_view) {
+    return "normals colours supports masks attributes las_records";
+}
+
+static const char* normalsAndColours(std::string_view) {
+    return "normals colours";
+}
+
+static const char* heldByText(std::string_view extension) {
+    return extension == "xyz"   ? "normals colours"
+           : extension == "pwn" ? "normals"
+           : extension == "pts" ? "colours intensity"
+                                : allOfPoints(extension);
+}
+
 static constexpr FormatRow table[] = {
-    {"ply", "Polygon file", "ply", UpAxis::Y, readPly, writePly},
-    {"xyz", "Points as text", "xyz txt csv pts asc pwn", UpAxis::Y, readText, writeText},
-    {"obj", "Wavefront OBJ", "obj", UpAxis::Y, readObj, writeObj},
-    {"off", "Object file", "off coff noff cnoff", UpAxis::Y, readOff, nullptr},
-    {"stl", "Stereolithography", "stl", UpAxis::Z, readStl, nullptr},
+    {"ply", "Polygon file", "ply", UpAxis::Y, readPly, writePly, everything},
+    {"xyz", "Points as text", "xyz txt csv pts asc pwn", UpAxis::Y, readText, writeText, heldByText},
+    {"obj", "Wavefront OBJ", "obj", UpAxis::Y, readObj, writeObj, normalsAndColours},
+    {"off", "Object file", "off coff noff cnoff", UpAxis::Y, readOff, nullptr, nullptr},
+    {"stl", "Stereolithography", "stl", UpAxis::Z, readStl, nullptr, nullptr},
+    {"pcd", "Point Cloud Library", "pcd", UpAxis::Z, readPcd, writePcd, allOfPoints},
+    {"las", "ASPRS LAS", "las", UpAxis::Z, readLas, writeLas, heldByLas},
+    {"laz", "LASzip LAZ", "laz", UpAxis::Z, readLas, writeLaz, heldByLas},
+    {"e57", "ASTM E57", "e57", UpAxis::Z, readE57, nullptr, nullptr},
 };
 
 std::span<const FormatRow> formatTable() {
@@ -79,6 +109,56 @@ void write(const path& path, const FileModel& model, const base::Progress& progr
         throw base::Error("cannot be written in this format", path.string(),
                           "choose one of the extensions " + knownExtensions(true));
     row->write(path, model, progress);
+}
+
+namespace {
+
+/// "a", "a and b", "a, b and c".
+std::string listed(const std::vector<std::string>& names) {
+    std::string out;
+    for (std::size_t k = 0; k < names.size(); ++k)
+        out += (k == 0 ? "" : k + 1 == names.size() ? " and " : ", ") + names[k];
+    return out;
+}
+
+} // namespace
+
+/// "other" of "element other 2\n...".
+static std::string nameOf(const OpaqueElement& element) {
+    std::istringstream words(element.declaration);
+    std::string name;
+    words >> name >> name;
+    return name;
+}
+
+std::string lossOf(const path& path, const FileModel& model) {
+    const std::string extension = extensionOf(path);
+    const FormatRow* row = rowOfExtension(table, extension);
+    if (!row || !row->holds)
+        return {};
+    const std::string_view holds = row->holds(extension);
+    const surfel::AttributeLayout& layout = *model.points.layout;
+    std::vector<std::string> lost;
+    const auto ask = [&](bool has, std::string_view word, const std::string& name) {
+        if (has && !isAmong(word, holds))
+            lost.push_back(name);
+    };
+    ask(layout.normals, "normals", "the normals");
+    ask(layout.colours, "colours", "the colours");
+    ask(layout.colours && isAmong("colours", holds) &&
+            std::any_of(model.points.items.begin(), model.points.items.end(),
+                        [](const surfel::Surfel& s) { return s.colour >> 24 != 255; }),
+        "alpha", "the transparency");
+    ask(model.hasSupports, "supports", "the support radii");
+    ask(layout.masks, "masks", "the masks");
+    if (!isAmong("attributes", holds))
+        for (const surfel::Attribute& attribute : layout.attributes())
+            ask(true, attribute.name, inQuotes(attribute.name));
+    ask(model.definition.has_value(), "definition", "the options of its surface");
+    for (const OpaqueElement& element : model.elements)
+        if (const std::string name = nameOf(element); !isAmong(name, holds))
+            ask(true, "elements", "the element " + name);
+    return lost.empty() ? std::string() : std::string(row->label) + " cannot hold " + listed(lost) + " of the model.";
 }
 
 } // namespace io

@@ -8,6 +8,8 @@
 #include "core/io/file_model.h"
 
 #include <filesystem>
+#include <span>
+#include <string>
 
 namespace io {
 
@@ -21,6 +23,9 @@ struct FormatRow {
     /// Null: cannot be read. `folder`: where pictures that the file names are looked for.
     FileModel (*read)(const FileBytes& file, const base::Progress&, const std::filesystem::path& folder);
     void (*write)(const std::filesystem::path&, const FileModel&, const base::Progress&); ///< null: cannot be written
+    /// What files of that extension hold beside positions, in words: normals, colours, alpha, supports, masks,
+    /// definition, elements, names of attributes, or attributes for any. Null where nothing is written.
+    const char* (*holds)(std::string_view extension);
 };
 
 std::span<const FormatRow> formatTable();
@@ -32,5 +37,7 @@ FileModel read(const std::filesystem::path& path, const base::Progress& progress
 /// The same for bytes that are there already, under the name that they have. The folder is as given.
 FileModel read(const FileBytes& file, const base::Progress& progress, const std::filesystem::path& folder);
 void write(const std::filesystem::path& path, const FileModel& model, const base::Progress& progress = {});
+/// One sentence with all that the model has and a file of that name cannot hold; empty where it holds everything.
+std::string lossOf(const std::filesystem::path& path, const FileModel& model);
 
 } // namespace io

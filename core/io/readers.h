@@ -13,9 +13,15 @@ FileModel readText(const FileBytes& file, const base::Progress& progress, const 
 FileModel readObj(const FileBytes& file, const base::Progress& progress, const path& folder);
 FileModel readOff(const FileBytes& file, const base::Progress& progress, const path& folder);
 FileModel readStl(const FileBytes& file, const base::Progress& progress, const path& folder);
+FileModel readPcd(const FileBytes& file, const base::Progress& progress, const path& folder);
+FileModel readLas(const FileBytes& file, const base::Progress& progress, const path& folder);
+FileModel readE57(const FileBytes& file, const base::Progress& progress, const path& folder);
 
 void writePly(const path& file, const FileModel& model, const base::Progress& progress);
 void writeText(const path& file, const FileModel& model, const base::Progress& progress);
 void writeObj(const path& file, const FileModel& model, const base::Progress& progress);
+void writePcd(const path& file, const FileModel& model, const base::Progress& progress);
+void writeLas(const path& file, const FileModel& model, const base::Progress& progress);
+void writeLaz(const path& file, const FileModel& model, const base::Progress& progress);
 
 } // namespace io

@@ -27,6 +27,11 @@ struct Rows {
 /// Calls `sink(row, value)` with the typed values of one column.
 template <class Sink>
 void forColumn(const Rows& rows, const Field& field, const Sink& sink) {
+    if (field.made || field.isScaled()) {
+        for (std::size_t i = rows.begin; i < rows.end; ++i)
+            sink(i, valueOf(rows.table, field, i));
+        return;
+    }
     withType(field.stored, [&]<class T>() {
         const char* bytes = rows.table.record(rows.begin) + field.offset;
         const std::size_t stride = rows.table.stride;

@@ -8,6 +8,7 @@
 
 #include <bit>
 #include <cstring>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -40,6 +41,13 @@ struct Field {
     ScalarType stored = ScalarType::Float64;   ///< type of the bytes in the record
     ScalarType declared = ScalarType::Float64; ///< type that the file gives it; an attribute keeps this one
     std::size_t offset = 0;                    ///< bytes from the start of the record
+    /// The value is bytes times scale plus shift. REQUIRES, unless they are 1 and 0: declared differs from stored.
+    double scale = 1, shift = 0;
+    /// Null, or the value of a record that no bytes hold as they are (bits of a byte, the row of a grid); called from
+    /// many threads. REQUIRES: stored is Float64.
+    std::function<double(std::size_t record)> made = nullptr;
+
+    bool isScaled() const { return scale != 1 || shift != 0; }
 };
 
 struct RecordTable {
@@ -104,10 +112,13 @@ decltype(auto) withType(ScalarType type, const Body& body) {
 
 /// One value as a double; exact for every type.
 inline double valueOf(const RecordTable& table, const Field& field, std::size_t record) {
+    if (field.made)
+        return field.made(record);
     const char* bytes = table.record(record) + field.offset;
-    return withType(field.stored, [&]<class T>() {
+    const double value = withType(field.stored, [&]<class T>() {
         return static_cast<double>(table.bigEndian ? load<T, true>(bytes) : load<T, false>(bytes));
     });
+    return field.isScaled() ? value * field.scale + field.shift : value;
 }
 
 } // namespace io

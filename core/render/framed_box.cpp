@@ -15,7 +15,7 @@ using base::Vec3f;
 constexpr std::size_t mostLookedAt = 65536;
 /// Of the surfels: one piece that may be left out, and all of them.
 constexpr double smallPiece = 0.001, leftOut = 0.005;
-constexpr float around = 0.15f; ///< of the diagonal: what reaches no farther beyond the rest belongs to it
+constexpr float around = 0.05f; ///< of the diagonal: what reaches no farther beyond the rest belongs to it
 constexpr int side = 24;        ///< cells along the diagonal: pieces with an empty cell between them are apart
 constexpr int mostRounds = 32;  ///< outliers far beyond each other: each round takes away the farthest
 constexpr std::uint32_t none = ~0u;
@@ -88,7 +88,7 @@ bool holds(const Box3f& box, const Box3f& other) {
     return box.contains(other.lo) && box.contains(other.hi);
 }
 
-/// Small pieces are kept one by one as long as they reach hardly beyond what is kept; false for the others.
+/// Large pieces, and small ones that reach hardly beyond these.
 std::vector<std::uint8_t> keptOf(std::span<const Piece> pieces, double small) {
     std::vector<std::uint8_t> out(pieces.size());
     Box3f kept;
@@ -99,16 +99,9 @@ std::vector<std::uint8_t> keptOf(std::span<const Piece> pieces, double small) {
         }
     if (kept.empty()) // crumbs all over
         return std::vector<std::uint8_t>(pieces.size(), 1);
-    for (bool grown = true; grown;) {
-        grown = false;
-        const Box3f near = kept.inflated(around * kept.diagonal());
-        for (std::size_t p = 0; p < pieces.size(); ++p)
-            if (!out[p] && holds(near, pieces[p].box)) {
-                out[p] = 1;
-                kept.extend(pieces[p].box);
-                grown = true;
-            }
-    }
+    const Box3f near = kept.inflated(around * kept.diagonal());
+    for (std::size_t p = 0; p < pieces.size(); ++p)
+        out[p] |= holds(near, pieces[p].box);
     return out;
 }
 

@@ -8,8 +8,8 @@ namespace render {
 
 /// The model's bounds without what stands apart in small pieces: surfels in cells of 1/24 of the diagonal that touch
 /// are one piece; pieces of at most a thousandth of the surfels, together at most half a percent, are left out where
-/// they reach beyond the rest by more than 15 % of its diagonal. Cost: a look at up to 65,536 surfels, and a pass over
-/// all where there are outliers.
+/// they reach beyond the rest by more than a twentieth of its diagonal. Cost: a look at up to 65,536 surfels, and a
+/// pass over all where there are outliers.
 base::Box3f framedBox(const tree::SurfelTree& tree);
 
 } // namespace render

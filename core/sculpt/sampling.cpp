@@ -1,5 +1,6 @@
 #include "core/sculpt/sampling.h"
 
+#include "core/cells/measured_labels.h"
 #include "core/process/resampling/resample.h"
 #include "core/sculpt/crumbs.h"
 
@@ -311,6 +312,15 @@ surface::Surface Sampling::withoutCrumbs(const surface::Surface& surface) const 
     return {surface.tree().apply(edit), surface.definition()};
 }
 
+/// Of models with cells: partners and signs as surfels lie now.
+surface::Surface Sampling::withLabels(const surface::Surface& surface) const {
+    std::vector<cells::EditedBall> balls;
+    for (const Ball& ball : m_balls)
+        balls.push_back({ball.centre, ball.radius});
+    const tree::Edit edit = cells::measuredLabels(surface, balls);
+    return edit.empty() ? surface : surface::Surface{surface.tree().apply(edit), surface.definition()};
+}
+
 surface::Surface Sampling::resample(surface::Surface surface) {
     while (pending())
         surface = resampleSlice(surface);
@@ -332,7 +342,7 @@ surface::Surface Sampling::resampleSlice(const surface::Surface& surface) {
             m_ending = Ending::Crumbs;
         return out;
     case Ending::Crumbs:
-        out = withoutCrumbs(surface);
+        out = withLabels(withoutCrumbs(surface));
         m_stretches.clear();
         m_range = {};
         m_waiting = 0;

@@ -36,7 +36,8 @@ class Sampling {
     /// Resamples where it is due. REQUIRES: the surface after the last dab noted.
     surface::Surface resampleDue(const surface::Surface& surface);
     bool pending() const { return !m_balls.empty(); }
-    /// Resamples what the noted dabs have stretched, takes crumbs away, and forgets the dabs.
+    /// Resamples what the noted dabs have stretched, takes crumbs away, measures creases anew (cells/README 1.5), and
+    /// forgets the dabs.
     surface::Surface resample(surface::Surface surface);
     /// A slice of that: until no more is pending(). REQUIRES: pending(); the surface after the last dab or slice.
     surface::Surface resampleSlice(const surface::Surface& surface);
@@ -62,6 +63,7 @@ class Sampling {
     void askForDrift(const surface::Surface& surface);
     void measureAround(const tree::SurfelTree& tree);
     surface::Surface withoutCrumbs(const surface::Surface& surface) const;
+    surface::Surface withLabels(const surface::Surface& surface) const;
     tree::Selection mayBeCrumbs(const tree::SurfelTree& tree) const;
     LocalSpacing measuredOf(const Stretches::Tracked& each, int slot) const;
     float targetOf(const Stretches::Tracked& each, int slot) const;

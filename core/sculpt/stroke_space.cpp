@@ -158,7 +158,7 @@ void Space::fill() {
     if (!m_dabs.settings().fullTap || !m_first || !m_previous)
         return;
     constexpr float tremble = 0.25f;
-    const double still = 1 - double(m_reach) / double(tremble * m_radius);
+    const double still = std::max(0.0, 1 - double(m_reach) / double(tremble * m_radius));
     const double lacking = (m_dabs.overlap(m_dabs.settings().spacing) - m_made) * still;
     if (!(lacking > 0))
         return;

@@ -42,21 +42,21 @@ namespace {
 constexpr double roundingPart = 0.01;
 
 /// False where the surfel would lose its place or its support.
-bool moveSurfel(SurfelBlock& block, int slot, const Affine& map, double weight, const Vec3d& slope) {
+bool moveSurfel(SurfelBlock& block, int slot, const Affine& map, double weight, const Vec3d& slope, bool curve) {
     const Vec3d x = base::cast<double>(block.position(slot)), n = base::cast<double>(block.normal(slot));
     const Vec3d by = map(x) - x, next = x + by * weight;
     const Mat3d f = Mat3d::identity() + (map.linear - Mat3d::identity()) * weight + base::outer(by, slope);
-    const Vec3d m = base::cofactor(f) * n;
+    const Vec3d m = curve ? f * n : base::cofactor(f) * n; // of a curve, n is the tangent
     const double stretch = lengthSq(n) > 0 ? length(m) : std::cbrt(std::pow(base::determinant(f), 2));
     const double h = static_cast<double>(block.support(slot));
-    const double support = std::abs(stretch - 1) < 1e-6 ? h : h * std::sqrt(stretch);
+    const double support = std::abs(stretch - 1) < 1e-6 ? h : h * (curve ? stretch : std::sqrt(stretch));
     block.setPosition(slot, base::cast<float>(next));
     if (length(m) > 0 && lengthSq(n) > 0 && m != n)
-        block.setNormal(slot, base::cast<float>(normalized(base::determinant(f) < 0 ? -m : m)));
+        block.setNormal(slot, base::cast<float>(normalized(!curve && base::determinant(f) < 0 ? -m : m)));
     block.channel(slot / surfel::clusterSize, surfel::Support)[slot % surfel::clusterSize] =
         static_cast<float>(support);
     const double reach = std::max({std::abs(next.x), std::abs(next.y), std::abs(next.z)});
-    return support >= 1e-30 && reach < 1e15 && reach * 0x1p-24 <= roundingPart * support;
+    return support >= 1e-30 && support < 1e15 && reach < 1e15 && reach * 0x1p-24 <= roundingPart * support;
 }
 
 void requireRegular(const Affine& map) {
@@ -86,6 +86,7 @@ surface::Surface transformed(const surface::Surface& surface, const Affine& map,
     const std::vector<const SurfelBlock*> blocks = blocksOf(tree);
     std::vector<surfel::BlockPtr> changed(blocks.size());
     std::atomic<bool> kept = true;
+    const bool curve = surface.definition().manifold == surface::Manifold::Curve;
     base::parallelFor(blocks.size(), 8, [&](std::size_t b) {
         const SurfelBlock& block = *blocks[b];
         surfel::MutableBlockPtr copy;
@@ -96,7 +97,7 @@ surface::Surface transformed(const surface::Surface& surface, const Affine& map,
             if (!copy)
                 copy = block.clone();
             const Vec3d slope = weight < 1 ? slopeAt(tree, channel, block, slot) : Vec3d();
-            if (!moveSurfel(*copy, slot, map, weight, slope))
+            if (!moveSurfel(*copy, slot, map, weight, slope, curve))
                 kept = false;
         }
         if (copy) {
@@ -127,12 +128,13 @@ surface::Surface duplicated(const surface::Surface& surface, const Affine& map) 
     edit.inserted.layout = tree.layout();
     std::vector<std::uint32_t> words(tree.layout()->words());
     bool kept = true;
+    const bool curve = surface.definition().manifold == surface::Manifold::Curve;
     for (const tree::SelectedBlock& each : part) {
         const surfel::MutableBlockPtr moved = blocks[each.block]->clone(), left = blocks[each.block]->clone();
         for (int slot = 0; slot < moved->size(); ++slot) {
             if (!each.slots[static_cast<std::size_t>(slot)])
                 continue;
-            kept &= moveSurfel(*moved, slot, map, 1, {});
+            kept &= moveSurfel(*moved, slot, map, 1, {}, curve);
             moved->extra(slot, words);
             edit.inserted.append(moved->surfel(slot), words);
             left->channel(slot / surfel::clusterSize, channel)[slot % surfel::clusterSize] = 0;

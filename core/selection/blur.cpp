@@ -92,19 +92,21 @@ tree::SurfelTree mixedWithMean(const surface::Surface& surface, Field field, dou
         return tree;
     progress.step(0, "Averaging");
     const Around around(surface, radius);
-    return rewritten(tree, field, varying(tree, around, channel),
-                     [&](std::uint32_t, const SurfelBlock& block, BlockValues& values) {
-                         for (int slot = 0; slot < block.size(); ++slot) {
-                             const double own = static_cast<double>(valueAt(block, channel, slot));
-                             double sum = 0, weights = 0; // of differences, so that what does not vary keeps its bits
-                             around.forEach(block, slot, [&](const SurfelBlock& other, int k, double weight) {
-                                 sum += weight * (static_cast<double>(valueAt(other, channel, k)) - own);
-                                 weights += weight;
-                             });
-                             values[static_cast<std::size_t>(slot)] =
-                                 static_cast<float>(std::clamp(own + step * (sum / weights), 0.0, 1.0));
-                         }
-                     });
+    return rewritten(
+        tree, field, varying(tree, around, channel),
+        [&](std::uint32_t, const SurfelBlock& block, BlockValues& values) {
+            for (int slot = 0; slot < block.size(); ++slot) {
+                const double own = static_cast<double>(valueAt(block, channel, slot));
+                double sum = 0, weights = 0; // of differences, so that what does not vary keeps its bits
+                around.forEach(block, slot, [&](const SurfelBlock& other, int k, double weight) {
+                    sum += weight * (static_cast<double>(valueAt(other, channel, k)) - own);
+                    weights += weight;
+                });
+                values[static_cast<std::size_t>(slot)] =
+                    static_cast<float>(std::clamp(own + step * (sum / weights), 0.0, 1.0));
+            }
+        },
+        1);
 }
 
 } // namespace
@@ -124,39 +126,46 @@ tree::SurfelTree fromCavity(const surface::Surface& surface, Field field, double
         throw base::Error("the normals have no sides, which tell hollows from ridges", {}, "orient them first");
     progress.step(0, "Looking for hollows");
     const Around around(surface, radius);
-    return rewritten(surface.tree(), field, [&](std::uint32_t, const SurfelBlock& block, BlockValues& values) {
-        for (int slot = 0; slot < block.size(); ++slot) {
-            const Vec3f p = block.position(slot);
-            base::Vec3d sum;
-            double weights = 0;
-            around.forEach(block, slot, [&](const SurfelBlock& other, int k, double weight) {
-                sum += base::cast<double>(other.position(k) - p) * weight;
-                weights += weight;
-            });
-            // A paraboloid of mean curvature H stands H secondMoment r^2 / 2 off its tangent plane, in the mean.
-            const double height = dot(sum, base::cast<double>(block.normal(slot))) / weights;
-            const auto r = static_cast<double>(around.radiusAt(block, slot));
-            const double curvature = 2 * height / (secondMoment * r * r);
-            values[static_cast<std::size_t>(slot)] = static_cast<float>(std::clamp(strength * curvature * r, 0.0, 1.0));
-        }
-    });
+    return rewritten(
+        surface.tree(), field,
+        [&](std::uint32_t, const SurfelBlock& block, BlockValues& values) {
+            for (int slot = 0; slot < block.size(); ++slot) {
+                const Vec3f p = block.position(slot);
+                base::Vec3d sum;
+                double weights = 0;
+                around.forEach(block, slot, [&](const SurfelBlock& other, int k, double weight) {
+                    sum += base::cast<double>(other.position(k) - p) * weight;
+                    weights += weight;
+                });
+                // A paraboloid of mean curvature H stands H secondMoment r^2 / 2 off its tangent plane, in the mean.
+                const double height = dot(sum, base::cast<double>(block.normal(slot))) / weights;
+                const auto r = static_cast<double>(around.radiusAt(block, slot));
+                const double curvature = 2 * height / (secondMoment * r * r);
+                values[static_cast<std::size_t>(slot)] =
+                    static_cast<float>(std::clamp(strength * curvature * r, 0.0, 1.0));
+            }
+        },
+        1);
 }
 
 tree::SurfelTree fromCurvature(const surface::Surface& surface, Field field, double low, double high,
                                const base::Progress& progress) {
     progress.step(0, "Measuring curvature");
-    return rewritten(surface.tree(), field, [&](std::uint32_t, const SurfelBlock& block, BlockValues& values) {
-        std::array<Vec3f, surfel::blockCapacity> x;
-        std::array<surface::Curvature, surfel::blockCapacity> at;
-        const auto n = static_cast<std::size_t>(block.size());
-        for (std::size_t i = 0; i < n; ++i)
-            x[i] = block.position(static_cast<int>(i));
-        surface::curvature(surface, std::span(x).first(n), std::span(at).first(n));
-        for (std::size_t i = 0; i < n; ++i) {
-            const double k = at[i].ok() ? std::max(std::abs(at[i].k1), std::abs(at[i].k2)) : 0;
-            values[i] = static_cast<float>(std::clamp((k - low) / (high - low), 0.0, 1.0));
-        }
-    });
+    return rewritten(
+        surface.tree(), field,
+        [&](std::uint32_t, const SurfelBlock& block, BlockValues& values) {
+            std::array<Vec3f, surfel::blockCapacity> x;
+            std::array<surface::Curvature, surfel::blockCapacity> at;
+            const auto n = static_cast<std::size_t>(block.size());
+            for (std::size_t i = 0; i < n; ++i)
+                x[i] = block.position(static_cast<int>(i));
+            surface::curvature(surface, std::span(x).first(n), std::span(at).first(n));
+            for (std::size_t i = 0; i < n; ++i) {
+                const double k = at[i].ok() ? std::max(std::abs(at[i].k1), std::abs(at[i].k2)) : 0;
+                values[i] = static_cast<float>(std::clamp((k - low) / (high - low), 0.0, 1.0));
+            }
+        },
+        1);
 }
 
 } // namespace selection

@@ -12,7 +12,7 @@ using surfel::BlockPtr, surfel::clusterSize, surfel::SurfelBlock;
 using tree::SurfelTree;
 
 /// Blocks on one thread in a row.
-constexpr std::size_t grain = 16;
+constexpr std::size_t copied = 16;
 
 int channelOf(const surfel::AttributeLayout& layout, Field field) {
     if (field == Field::Mask)
@@ -62,7 +62,7 @@ static SurfelTree widenedTree(const SurfelTree& tree, const std::vector<const Su
     std::vector<const BlockValues*> of(blocks.size(), nullptr);
     for (std::size_t i = 0; i < numbers.size(); ++i)
         of[numbers[i]] = &values[i];
-    base::parallelFor(blocks.size(), grain, [&](std::size_t b) {
+    base::parallelFor(blocks.size(), copied, [&](std::size_t b) {
         edit.blocks[b].block = static_cast<std::uint32_t>(b);
         edit.blocks[b].changed = widened(*blocks[b], of[b] ? *of[b] : BlockValues{});
     });
@@ -73,8 +73,8 @@ static SurfelTree widenedTree(const SurfelTree& tree, const std::vector<const Su
 }
 
 /// What is selected for the first time: nothing is made anew where that is nothing.
-static SurfelTree firstSelected(const SurfelTree& tree, std::span<const std::uint32_t> numbers,
-                                const Rewrite& rewrite) {
+static SurfelTree firstSelected(const SurfelTree& tree, std::span<const std::uint32_t> numbers, const Rewrite& rewrite,
+                                std::size_t grain) {
     const std::vector<const SurfelBlock*> blocks = blocksOf(tree);
     std::vector<BlockValues> values(numbers.size());
     base::parallelFor(numbers.size(), grain, [&](std::size_t i) {
@@ -88,10 +88,10 @@ static SurfelTree firstSelected(const SurfelTree& tree, std::span<const std::uin
 }
 
 SurfelTree rewritten(const SurfelTree& tree, Field field, std::span<const std::uint32_t> numbers,
-                     const Rewrite& rewrite) {
+                     const Rewrite& rewrite, std::size_t grain) {
     const int channel = channelOf(*tree.layout(), field);
     if (channel < 0)
-        return firstSelected(tree, numbers, rewrite);
+        return firstSelected(tree, numbers, rewrite, grain);
     const std::vector<const SurfelBlock*> blocks = blocksOf(tree);
     std::vector<BlockPtr> changed(numbers.size());
     base::parallelFor(numbers.size(), grain, [&](std::size_t i) {
@@ -119,10 +119,10 @@ SurfelTree rewritten(const SurfelTree& tree, Field field, std::span<const std::u
     return tree.apply(edit);
 }
 
-SurfelTree rewritten(const SurfelTree& tree, Field field, const Rewrite& rewrite) {
+SurfelTree rewritten(const SurfelTree& tree, Field field, const Rewrite& rewrite, std::size_t grain) {
     std::vector<std::uint32_t> all(tree.blockCount());
     std::iota(all.begin(), all.end(), 0u);
-    return rewritten(tree, field, all, rewrite);
+    return rewritten(tree, field, all, rewrite, grain);
 }
 
 tree::Selection selectedIn(const SurfelTree& tree, Field field) {
@@ -132,7 +132,7 @@ tree::Selection selectedIn(const SurfelTree& tree, Field field) {
         return out;
     const std::vector<const SurfelBlock*> blocks = blocksOf(tree);
     tree::Selection all(blocks.size());
-    base::parallelFor(blocks.size(), grain, [&](std::size_t b) {
+    base::parallelFor(blocks.size(), copied, [&](std::size_t b) {
         all[b].block = static_cast<std::uint32_t>(b);
         for (int slot = 0; slot < blocks[b]->size(); ++slot)
             all[b].slots[static_cast<std::size_t>(slot)] = valueAt(*blocks[b], channel, slot) >= half;

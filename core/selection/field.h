@@ -36,9 +36,10 @@ inline float valueAt(const surfel::SurfelBlock& block, int channel, int slot) {
 /// Changes the values of one block in place; called on any thread, once for each block.
 using Rewrite = std::function<void(std::uint32_t number, const surfel::SurfelBlock& block, BlockValues& values)>;
 /// The version in which `rewrite` has changed the field: in all blocks, or in those named, ascending.
-tree::SurfelTree rewritten(const tree::SurfelTree& tree, Field field, const Rewrite& rewrite);
+/// `grain` blocks in a row on one thread: few where a block is much work, so that it can be cancelled.
+tree::SurfelTree rewritten(const tree::SurfelTree& tree, Field field, const Rewrite& rewrite, std::size_t grain = 16);
 tree::SurfelTree rewritten(const tree::SurfelTree& tree, Field field, std::span<const std::uint32_t> numbers,
-                           const Rewrite& rewrite);
+                           const Rewrite& rewrite, std::size_t grain = 16);
 
 /// All blocks by their numbers; the version keeps them alive.
 std::vector<const surfel::SurfelBlock*> blocksOf(const tree::SurfelTree& tree);

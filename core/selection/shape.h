@@ -17,7 +17,8 @@ struct Height {
     double value = 0;
     base::Vec3d slope;
 };
-/// p' = p + w height(p) n, normals and supports by the exact Jacobian. Model units.
+/// p' = p + w height(p) n, normals and supports by the exact Jacobian. Model units. Throws base::Error where normals
+/// have no sides, or surfels would come too far from the model's origin to keep their places.
 surface::Surface raised(const surface::Surface& surface, const std::function<Height(const base::Vec3d&)>& height,
                         Limit limit, const base::Progress& progress = {});
 

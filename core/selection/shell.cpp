@@ -53,7 +53,7 @@ void addWall(const surface::Surface& part, const surface::BoundaryCurve& curve, 
             part.tree().nearest(base::cast<float>(p), 1, near);
             surfel::Surfel s = near[0].block->surfel(near[0].slot);
             near[0].block->extra(near[0].slot, words);
-            const double spacing = static_cast<double>(s.support * perSupport);
+            const double spacing = std::max(static_cast<double>(s.support * perSupport), 0.01 * a.unit);
             const int rows = std::max(1, static_cast<int>(std::lround(std::abs(by) / spacing)));
             for (int row = 0; row < rows; ++row) {
                 s.position = base::cast<float>(p + up * (by * (row + 0.5) / rows));
@@ -73,6 +73,8 @@ surface::Surface shellOf(const surface::Surface& surface, double thickness, Shel
     if (!surface.tree().layout()->oriented)
         throw base::Error("the normals have no sides, which tell outwards from inwards", {}, "orient them first");
     const surface::Surface part = aloneOf(surface, limit, progress);
+    if (thickness > static_cast<double>(part.tree().bounds().diagonal()))
+        throw base::Error("the shell would be thicker than what it is made of is large", {}, "ask for less");
     const double by = side == ShellSide::In ? -thickness : thickness;
     const surface::Surface other = raised(
         part,

@@ -75,7 +75,8 @@ tree::Selection visibleOf(const surface::Surface& surface, const render::Camera&
         for (std::size_t i = 0; i < hits.size(); ++i) {
             const double support = static_cast<double>(block.support(slots[i]));
             const double before = hits[i].hit ? depths[i] - static_cast<double>(hits[i].t) : 0;
-            const bool alike = !oriented || dot(hits[i].outward, block.normal(slots[i])) > 0;
+            const base::Vec3f n = block.normal(slots[i]);
+            const bool alike = !oriented || (dot(hits[i].outward, n) > 0 && dot(rays[i].direction, n) < 0);
             if (before > (alike ? support : 10 * sameSurface * support))
                 out[b].slots.reset(static_cast<std::size_t>(slots[i]));
         }

@@ -26,7 +26,7 @@ struct ViewRegion {
 };
 
 /// Of what was found, the surfels that the camera sees: a ray to the surfel meets no surface before it. The first hit
-/// may lie before the surfel by less than its support if it is of the same side: noise stands off the surface.
+/// may lie before a surfel that faces the eye by less than its support: noise stands off the surface.
 /// In parallel, a ray a surfel.
 tree::Selection visibleOf(const surface::Surface& surface, const render::Camera& camera, const tree::Selection& found);
 

@@ -7,7 +7,7 @@
 
 #include <QTest>
 
-using namespace solids;
+using namespace plane_solids;
 using base::Random;
 using base::Rayd;
 using cells::CellSurface;

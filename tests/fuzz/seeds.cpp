@@ -2,6 +2,7 @@
 
 #include "core/base/random.h"
 #include "core/io/colour_png.h"
+#include "core/io/e57/paged_bytes.h"
 #include "core/io/formats.h"
 #include "core/session/command.h"
 
@@ -44,6 +45,55 @@ static io::FileModel fullModel() {
         model.points.append(s, words);
     }
     return model;
+}
+
+/// Points with a scanner channel, and so of a format that LASzip keeps in layers.
+static io::FileModel lidarModel() {
+    io::FileModel model;
+    auto layout = std::make_shared<surfel::AttributeLayout>();
+    layout->colours = true;
+    for (const char* name : {"return_number", "number_of_returns", "scanner_channel"})
+        layout->add(name, surfel::ScalarType::UInt8);
+    layout->add("gps_time", surfel::ScalarType::Float64);
+    model.points.layout = layout;
+    base::Random random(2);
+    for (std::uint32_t i = 0; i < 20; ++i) {
+        surfel::Surfel s;
+        s.position = base::cast<float>(random.unitVector());
+        s.colour = surfel::rgba(i, 7, 2 * i);
+        const std::uint32_t words[] = {1 + i % 2, 2, i / 4 % 3, i / 3, 0x40000000u};
+        model.points.append(s, words);
+    }
+    return model;
+}
+
+/// Three points of 10, 10 and 4 bits a coordinate on pages of 64 bytes, with their checksums.
+static std::string packedE57() {
+    const std::string xml = "<e57Root><data3D><vectorChild><points type=\"CompressedVector\" fileOffset=\"48\" "
+                            "recordCount=\"3\"><prototype>"
+                            "<cartesianX type=\"Integer\" minimum=\"0\" maximum=\"1023\"/>"
+                            "<cartesianY type=\"ScaledInteger\" minimum=\"0\" maximum=\"1023\" scale=\"0.1\"/>"
+                            "<cartesianZ type=\"Integer\" minimum=\"-3\" "
+                            "maximum=\"12\"/></prototype></points></vectorChild></data3D></e57Root>";
+    const auto number = [](std::uint64_t value, int size) {
+        return std::string(reinterpret_cast<const char*>(&value), static_cast<std::size_t>(size));
+    };
+    const auto physical = [](std::uint64_t logical) { return logical / 60 * 64 + logical % 60; };
+    const std::string packet = std::string("\1\0\x17\0\3\0\4\0\4\0\2\0", 12) + "abcdefghij" + std::string(2, '\0');
+    std::string body = std::string("\1\0\0\0\0\0\0\0", 8) + number(32 + packet.size(), 8) + number(physical(80), 8) +
+                       number(0, 8) + packet + xml;
+    std::string out = "ASTM-E57" + number(1, 4) + number(0, 4) + number(0, 8) +
+                      number(physical(80 + packet.size()), 8) + number(xml.size(), 8) + number(64, 8) + body,
+                paged;
+    out.resize((out.size() + 59) / 60 * 60);
+    for (std::size_t at = 0; at < out.size(); at += 60) {
+        const std::string page = out.substr(at, 60);
+        const std::uint32_t sum = io::e57::checksum(page);
+        paged += page;
+        for (int shift = 24; shift >= 0; shift -= 8)
+            paged += static_cast<char>(sum >> shift);
+    }
+    return paged;
 }
 
 static std::string triangleStl() {
@@ -118,6 +168,13 @@ void fuzz::writeSeeds(const fs::path& out) {
     fs::create_directories(out / "ply");
     io::write(out / "ply/native.ply", fullModel());
     put(out / "ply/big", bigEndianPly());
+    for (const char* name : {"pcd/all.pcd", "las/extra.las", "laz/extra.laz"}) {
+        fs::create_directories((out / name).parent_path());
+        io::write(out / name, fullModel());
+    }
+    for (const char* name : {"las/modern.las", "laz/layered.laz"})
+        io::write(out / name, lidarModel());
+    put(out / "e57/packed", packedE57());
     put(out / "stl/binary", triangleStl());
     const std::uint32_t pixels[] = {0xff0000ffu, 0x8000ff00u, 0xffff0000u, 0xffffffffu, 0u, 0xff808080u};
     put(out / "picture/colour.png", io::encodePng(pixels, 3, 2, "colour.png"));

@@ -246,10 +246,10 @@ void MeshFormatsTest::damagedMeshesAreRefusedInOneSentence_data() {
     row("stl ascii short", "a.stl", "solid\nvertex 1 2\nendsolid\n", "line 2: a vertex needs three");
     row("gzip", "a.obj", "\x1f\x8b\x08", "gzip");
     row("unknown", "a.xyzzy", "\1\2\3", "no known format");
-    row("las", "a.las", "whatever", "LAS");
-    row("pcd", "a.pcd", "VERSION 0.7\n", "PCD");
-    row("laz", "a.laz", "1 2 3\n", "LAZ");
-    row("e57", "a.E57", "1 2 3\n", "E57");
+    row("las", "a.las", "whatever", "no LAS or LAZ file");
+    row("pcd", "a.pcd", "VERSION 0.7\n", "DATA");
+    row("laz", "a.laz", "1 2 3\n", "no LAS or LAZ file");
+    row("e57", "a.E57", "1 2 3\n", "no E57 file");
 }
 
 void MeshFormatsTest::damagedMeshesAreRefusedInOneSentence() {

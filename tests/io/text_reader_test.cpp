@@ -246,7 +246,6 @@ void TextReaderTest::damagedFilesAreRefusedInOneSentence_data() {
     QTest::newRow("wide names")
         << QByteArray("x y z ").append(QByteArray(900, 'a').replace("a", "a ")).append("\n1 2 3\n") << "values";
     QTest::newRow("only nan") << QByteArray("nan nan nan\ninf 0 0\n") << "no finite points";
-    QTest::newRow("PCD") << QByteArray("# .PCD v0.7\nVERSION 0.7\n") << "PCD";
     QTest::newRow("thousands") << QByteArray("1,234.5;2,000.0;3\n") << "'1,234.5' holds separators of thousands";
     QTest::newRow("thousands of millions") << QByteArray("1,234,567;2;3\n") << "'1,234,567' holds separators";
     QTest::newRow("points for thousands") << QByteArray("x;y;z\n1.234,5;2,0;3,0\n") << "line 2: '1.234,5' holds";

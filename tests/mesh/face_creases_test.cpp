@@ -103,7 +103,7 @@ void FaceCreasesTest::ofBentPairsTheSignIsThatOfTheNormals() {
 void FaceCreasesTest::smallPatchesJoinTheirFlattestNeighbour() {
     // a box with one edge cut off, so narrowly that hardly a sample lies there
     Faces f;
-    const float e = 0.002f;
+    const float e = 0.0005f;
     const Vec3f profile[] = {{0, 0, 0}, {1, 0, 0}, {1, 0, 1 - 2 * e}, {1 - e, 0, 1}, {0, 0, 1}};
     for (const float y : {0.0f, 1.0f})
         for (const Vec3f& p : profile)

@@ -43,7 +43,9 @@ void FullTapTest::tapsAreAsHighAsStrokes() {
                 const float stroke = heightOf(test::stroked(m_plane, settings, {down(-0.5f, 0), down(0.5f, 0, 1)}));
                 const float tap = heightOf(test::stroked(m_plane, settings, {down(0, 0)}));
                 const QString told = QString("%1: %2 for %3").arg(row(falloff).id).arg(tap).arg(stroke);
-                QVERIFY2(stroke > 0 && std::abs(tap / stroke - 1) < 0.12f, qPrintable(told));
+                // Half a radius high, a stroke climbs its own front and comes out higher.
+                const float most = strength > 0.5f ? 0.25f : 0.12f;
+                QVERIFY2(stroke > 0 && std::abs(tap / stroke - 1) < most, qPrintable(told));
             }
 }
 

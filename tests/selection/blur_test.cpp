@@ -100,7 +100,7 @@ void BlurTest::sharpeningIsTheOppositeStep() {
 }
 
 void BlurTest::cavityOfABallIsItsCurvature() {
-    const surface::Surface ball = test::surfaceOf(test::spherePoints(20000));
+    const surface::Surface ball = test::surfaceOf(test::spherePoints(8000));
     const double radius = 0.3;
     const tree::SurfelTree hollow = fromCavity(inwards(ball), Field::Mask, radius, 1);
     test::forSurfels(hollow, [&](const Place&, const surfel::Surfel& s) {
@@ -114,7 +114,7 @@ void BlurTest::cavityOfABallIsItsCurvature() {
 
 void BlurTest::curvatureOfABallIsOnTheRamp() {
     for (const surface::Surface& ball :
-         {test::surfaceOf(test::spherePoints(8000)), inwards(test::surfaceOf(test::spherePoints(8000)))}) {
+         {test::surfaceOf(test::spherePoints(3000)), inwards(test::surfaceOf(test::spherePoints(3000)))}) {
         const tree::SurfelTree masked = fromCurvature(ball, Field::Mask, 0.5, 1.5);
         test::forSurfels(masked,
                          [](const Place&, const surfel::Surfel& s) { QVERIFY(std::abs(s.mask - 0.5f) < 0.05f); });

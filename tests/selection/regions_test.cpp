@@ -35,7 +35,7 @@ void RegionsTest::regionsHoldWhatBruteForceFinds() {
     for (const double offset : {0.0, 1000.0}) {
         const Vec3d centre{offset, -offset, 0.5 * offset};
         const surface::Surface ball = test::unevenBall(test::seed(), 3000, 0.05, centre);
-        for (int round = 0; round < test::effort(50); ++round) {
+        for (int round = 0; round < test::effort(20); ++round) {
             const Vec3d at = centre + around(random, 1.5), other = at + around(random, 2);
             base::Box3d box;
             box.extend(at), box.extend(other);
@@ -72,7 +72,7 @@ static std::vector<Point2> randomLasso(base::Random& random, std::size_t corners
 
 void RegionsTest::outlinesAreEvenOdd() {
     base::Random random(test::seed());
-    for (int round = 0; round < test::effort(60); ++round) {
+    for (int round = 0; round < test::effort(30); ++round) {
         const std::vector<Point2> corners = randomLasso(random, 3 + random.below(60), round % 2 == 0);
         const Outline outline(corners);
         for (int k = 0; k < 300; ++k) {
@@ -108,7 +108,7 @@ void RegionsTest::lassosHoldWhatBruteForceFinds() {
     QFETCH(double, distance);
     base::Random random(test::seed());
     const surface::Surface ball = test::unevenBall(test::seed(), 4000, 0.02);
-    for (int round = 0; round < test::effort(40); ++round) {
+    for (int round = 0; round < test::effort(15); ++round) {
         render::Camera camera;
         camera.width = 400, camera.height = 300;
         camera.eye = random.unitVector() * distance;
@@ -141,7 +141,7 @@ void RegionsTest::visibleIsWhatFacesTheEyeOfABall() {
     for (const bool parallel : {false, true}) {
         render::Camera camera = facingBall(4);
         camera.orthoHeight = parallel ? 3 : 0;
-        const surface::Surface ball = test::surfaceOf(test::spherePoints(5000));
+        const surface::Surface ball = test::surfaceOf(test::spherePoints(2000));
         const auto through = within(ball.tree(), ViewRegion(camera, Outline(wholePicture)));
         QCOMPARE(tree::sizeOf(through), ball.tree().size());
         const auto seen = test::placesOf(visibleOf(ball, camera, through));
@@ -155,8 +155,8 @@ void RegionsTest::visibleIsWhatFacesTheEyeOfABall() {
 }
 
 void RegionsTest::whatStandsBehindIsNotVisible() {
-    surfel::SurfelList points = test::spherePoints(4000);
-    for (const surfel::Surfel& s : test::spherePoints(4000).items) {
+    surfel::SurfelList points = test::spherePoints(1500);
+    for (const surfel::Surfel& s : test::spherePoints(1500).items) {
         surfel::Surfel behind = s;
         behind.position = behind.position * 0.7f + base::Vec3f{0, 0, -3};
         behind.support *= 0.7f;
@@ -165,7 +165,7 @@ void RegionsTest::whatStandsBehindIsNotVisible() {
     const surface::Surface both = test::surfaceOf(points);
     const render::Camera camera = facingBall(6);
     const auto seen = visibleOf(both, camera, within(both.tree(), ViewRegion(camera, Outline(wholePicture))));
-    QVERIFY(tree::sizeOf(seen) > 1000);
+    QVERIFY(tree::sizeOf(seen) > 400);
     for (const auto& [block, slot] : test::placesOf(seen))
         QVERIFY(both.tree().block(block)->position(slot).z > -1.1f);
 }

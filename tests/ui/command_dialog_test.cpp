@@ -80,8 +80,9 @@ void CommandDialogTest::everyLabelIsWordsWithAKey() {
         if (!ui::hasDialog(row))
             continue;
         ui::CommandDialog dialog(row, f.editor().snapshot());
-        QSet<QChar> keys{'o', 'c'}; // of the buttons
-        QStringList without;
+        QSet<QChar> keys;
+        const QString buttons = "oc"; // OK and Cancel have these where a desktop draws keys
+        QStringList without;          // long lists run out of letters
         for (const QLabel* label : dialog.findChildren<QLabel*>()) {
             if (!label->buddy())
                 continue;
@@ -89,15 +90,17 @@ void CommandDialogTest::everyLabelIsWordsWithAKey() {
             QVERIFY2(!text.contains('-') && QString(text).remove('&')[0].isUpper(), qPrintable(text));
             const qsizetype at = text.indexOf('&');
             if (at < 0) {
-                without << text.section(',', 0, 0); // the unit has no say
+                without << text;
                 continue;
             }
             QVERIFY2(!keys.contains(text[at + 1].toLower()), qPrintable(row.op + (": " + text)));
             keys.insert(text[at + 1].toLower());
         }
-        for (const QString& text : without) // only where others have all of its letters
-            for (const QChar letter : text.toLower())
-                QVERIFY2(!letter.isLetter() || keys.contains(letter), qPrintable(row.op + (": " + text)));
+        for (const QString& text : without)
+            for (const QChar c : text)
+                QVERIFY2(!c.isLetter() || keys.contains(c.toLower()) || buttons.contains(c.toLower()),
+                         qPrintable(row.op + (": " + text)));
+        QCOMPARE(std::size_t(keys.size() + without.size()), row.parameters.size());
     }
 }
 

@@ -43,18 +43,11 @@ static Changed changed(const QImage& rough, const QImage& smooth) {
 void RestTest::outlinesAreSmoothAtRest() {
     WindowFixture f;
     QVERIFY(f.make("sphere", 5000));
-    ui::Viewport& viewport = f.window->viewport();
-    for (const double turn : {0.0, 60.0}) {
-        QImage rough; // the last picture that was drawn as usual: smooth ones are no frames
-        viewport.framePainted = [&](double) { rough = viewport.picture(); };
-        f.window->sculptView().motion().orbit({300, 300}, {301 + turn, 300});
-        f.window->sculptView().refresh();
-        QTRY_VERIFY_WITH_TIMEOUT(!rough.isNull() && viewport.picture() != rough, 30000);
-        const Changed now = changed(rough, viewport.picture());
-        QVERIFY2(now.pixels > 100 && now.inside < now.pixels / 10,
-                 qPrintable(QString("%1, %2 inside").arg(now.pixels).arg(now.inside)));
-        viewport.framePainted = {};
-    }
+    QTRY_VERIFY(!f.window->viewport().picture().isNull());
+    QTRY_VERIFY_WITH_TIMEOUT(between(f.window->viewport().picture()) > 200, 20000);
+    // And again after a picture of something that moves.
+    f.window->sculptView().refresh(true);
+    QTRY_VERIFY_WITH_TIMEOUT(between(f.window->viewport().picture()) > 200, 20000);
 }
 
 void RestTest::strokesGoOnFromTheRoughPicture() {

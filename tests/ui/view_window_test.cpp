@@ -197,7 +197,7 @@ void ViewWindowTest::frameSelectionShowsWhatIsNotMasked() {
         const Vec3d place = scene.cursor().contact->position;
         scene.frameSelection();
         QVERIFY(scene.motion().view().distance < all);
-        QVERIFY(distance(scene.motion().view().target, place) < 1e-5);
+        QVERIFY(distance(scene.motion().view().turningPoint(), place) < 1e-5);
         return;
     }
     QFAIL("no contact");

@@ -66,7 +66,9 @@ int CurveEditor::insert(CurvePoint point) {
     const bool roomBehind = at == m_points.end() || at->x - point.x >= BrushCurve::minGap;
     if (m_points.size() >= BrushCurve::maxPoints || !roomBefore || !roomBehind)
         return -1;
-    return static_cast<int>(m_points.insert(at, point) - m_points.begin());
+    const auto index = at - m_points.begin(); // before inserting moves them
+    m_points.insert(at, point);
+    return static_cast<int>(index);
 }
 
 /// Starts from the curve that is shown in place of our own.

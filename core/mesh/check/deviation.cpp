@@ -1,6 +1,7 @@
 #include "core/mesh/check/deviation.h"
 
 #include "core/base/parallel.h"
+#include "core/cells/cell_projection.h"
 #include "core/surface/curves/boundary.h"
 #include "core/surface/projection/project.h"
 
@@ -27,6 +28,29 @@ double byOneEvaluation(const surface::Surface& surface, const Vec3d& x, const su
         return none;
     return std::abs(e.value) / slope;
 }
+
+/// Of models with cells: to the local Boolean, where several of them are near.
+class DistanceTo {
+  public:
+    explicit DistanceTo(const surface::Surface& surface)
+        : m_surface(surface), m_cells(cells::CellSurface::of(surface)) {}
+
+    double operator()(const Vec3d& x, const surface::OrientationHint& hint) const {
+        if (m_cells) {
+            cells::CellSource source(*m_cells);
+            source.moveTo(x);
+            if (source.count() > 1) {
+                const cells::CellFoot found = cells::project(*m_cells, x);
+                return found.projection.ok() ? distance(x, found.projection.foot) : none;
+            }
+        }
+        return distanceTo(m_surface, x, hint);
+    }
+
+  private:
+    const surface::Surface& m_surface;
+    std::optional<cells::CellSurface> m_cells;
+};
 
 /// `each(i)` tells the distance of the i-th place.
 template <class Each>
@@ -76,18 +100,20 @@ Deviation vertexDeviation(const Mesh& mesh, const surface::Surface& surface, con
     for (std::uint32_t v = 0; v < used.size(); ++v)
         if (used[v])
             which.push_back(v);
+    const DistanceTo far(surface);
     return collect(which.size(), progress, "Measuring vertices", [&](std::size_t i) {
         const std::uint32_t v = which[i];
-        return distanceTo(surface, mesh.positions[v], {mesh.normals.empty() ? base::Vec3f{} : mesh.normals[v]});
+        return far(mesh.positions[v], {mesh.normals.empty() ? base::Vec3f{} : mesh.normals[v]});
     });
 }
 
 Deviation faceDeviation(const Mesh& mesh, const surface::Surface& surface, const base::Progress& progress) {
+    const DistanceTo far(surface);
     return collect(mesh.triangles.size(), progress, "Measuring faces", [&](std::size_t f) {
         const auto at = [&](std::size_t k) { return mesh.positions[mesh.triangles[f][k]]; };
         const Vec3d centre = (at(0) + at(1) + at(2)) / 3;
         const Vec3d across = base::normalized(cross(at(1) - at(0), at(2) - at(0)));
-        return distanceTo(surface, centre, {base::cast<float>(across)});
+        return far(centre, {base::cast<float>(across)});
     });
 }
 

@@ -110,6 +110,7 @@ Mesh trimmed(const surface::Surface& surface, const Mesh& mesh, const base::Prog
 Mesh cubesOf(const surface::Surface& surface, double cell, const base::Progress& progress) {
     MarchingOptions options;
     options.cell = cell;
+    options.creases = false;
     MarchingReport report;
     return marchingCubes(surface, options, report, progress);
 }

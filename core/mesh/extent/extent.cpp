@@ -160,6 +160,7 @@ static Mesh halved(const surface::Surface& surface, const Mesh& mesh, std::size_
 Extent extentOf(const surface::Surface& surface, double cell, const base::Progress& progress) {
     MarchingOptions options;
     options.cell = cell;
+    options.creases = false;
     MarchingReport report;
     Mesh coarse = marchingCubes(surface, options, report, process::part(progress, 0, 0.6));
     std::erase_if(coarse.triangles, [](const Triangle& t) { return !isProper(t); });

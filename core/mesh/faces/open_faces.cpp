@@ -6,6 +6,7 @@
 #include "core/mesh/faces/face_normals.h"
 #include "core/mesh/faces/face_points.h"
 #include "core/mesh/faces/face_spacing.h"
+#include "core/mesh/faces/large_faces.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/process/resampling/resample.h"
 
@@ -68,9 +69,9 @@ surfel::Colour blended(const surfel::Colour (&c)[3], const float (&w)[3]) {
 class FaceSampler {
   public:
     FaceSampler(const SurfelList& vertices, const FaceTopology& topology, std::span<const Vec3f> positions,
-                const FacePaint* paint)
+                const FacePaint* paint, surfel::AttributeLayoutPtr layout)
         : m_vertices(vertices), m_topology(topology), m_positions(positions), m_paint(paint),
-          m_normals(fanNormals(topology, positions)), m_layout(layoutFor(vertices.layout, topology, paint)) {}
+          m_normals(fanNormals(topology, positions)), m_layout(std::move(layout)) {}
 
     SurfelList run(std::span<const FacePoint> points, float support, double spacing) const {
         SurfelList out;
@@ -186,6 +187,18 @@ void paintVertices(SurfelList& vertices, const FacePaint& paint) {
     vertices.layout = std::move(layout);
 }
 
+/// Vertices that are kept leave large faces empty: points on these join them. Returns how many.
+std::size_t fillLargeFaces(SurfelList& vertices, const FaceTopology& topology, std::span<const Vec3f> positions,
+                           const FacePaint* paint, const base::Progress& progress) {
+    const std::vector<FacePoint> points = pointsOnLargeFaces(topology, positions, progress);
+    if (points.empty())
+        return 0;
+    const SurfelList more = FaceSampler(vertices, topology, positions, paint, vertices.layout).run(points, 0, 0);
+    for (std::size_t i = 0; i < more.size(); ++i)
+        vertices.append(more.items[i], more.extraOf(i));
+    return more.size();
+}
+
 /// Whether faces are so broken (repeated, or three and more at an edge, at more than one of 500 edges) that their sides
 /// mean less than what the points tell: merged scans whose small pieces face any way.
 bool broken(const FaceTopology& topology) {
@@ -252,6 +265,11 @@ OpenedFaces openFaces(SurfelList vertices, std::span<const Triangle> triangles,
             out.messages.push_back("Turned normals of closed faces that looked inwards.");
         if (paint)
             paintVertices(vertices, *paint);
+        if (options.use == FaceUse::Auto && !broken(topology))
+            if (const std::size_t more = fillLargeFaces(vertices, topology, positions, paint, progress); more > 0)
+                out.messages.push_back("Large faces, which the vertices leave empty, got " +
+                                       counted(more, "surfel", "surfels") +
+                                       "; --faces vertices keeps the vertices alone.");
         if (options.creases)
             out.messages.push_back("The vertices are kept, without creases; --faces sample makes them.");
         out.points = std::move(vertices);
@@ -261,7 +279,7 @@ OpenedFaces openFaces(SurfelList vertices, std::span<const Triangle> triangles,
     const std::size_t count = samplesFor(topology, wall, options);
     const auto points = spreadPoints(topology, positions, count, process::part(progress, 0.3, 0.9));
     const double spacing = std::sqrt(topology.area / static_cast<double>(points.size()));
-    out.points = FaceSampler(vertices, topology, positions, paint)
+    out.points = FaceSampler(vertices, topology, positions, paint, layoutFor(vertices.layout, topology, paint))
                      .run(points, process::supportOf(definition, static_cast<float>(spacing)), spacing);
     out.sampled = true;
     if (options.creases)

@@ -10,6 +10,7 @@
 #include "core/mesh/marching/cube_tree.h"
 #include "core/mesh/marching/hold_tolerance.h"
 #include "core/mesh/marching/relax_mesh.h"
+#include "core/mesh/seams/keep_creases.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/process/estimation/spacing_sample.h"
 
@@ -291,7 +292,8 @@ Mesh marchingCubes(const surface::Surface& surface, const MarchingOptions& optio
         dropSmallPieces(out, orientation, options.finishing.smallPiece);
     shape(out, surface, options, report, process::part(progress, 0.75, 0.93));
     finishFolds(out, surface, options, report, process::part(progress, 0.93, 0.95));
-    takeAttributes(out, surface);
+    if (!options.creases || !keepCreases(out, surface, process::part(progress, 0.95, 1)))
+        takeAttributes(out, surface);
     progress.step(1, "shaping triangles");
     return out;
 }

@@ -42,6 +42,8 @@ struct MarchingOptions {
     /// meshed as open ones are.
     bool solid = true;
     bool relax = true; ///< shape triangles; otherwise vertices stay on the grid's edges
+    /// Of models with cells seams are chains of edges (seams/keep_creases.h).
+    bool creases = true;
     Finishing finishing;
 };
 

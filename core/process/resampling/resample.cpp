@@ -1,5 +1,6 @@
 #include "core/process/resampling/resample.h"
 
+#include "core/process/resampling/resample_cells.h"
 #include "core/process/resampling/resample_set.h"
 
 #include <algorithm>
@@ -88,6 +89,8 @@ tree::Edit resample(const surface::Surface& version, const tree::Selection& touc
 }
 
 tree::Edit resample(const surface::Surface& version, const tree::Selection& touched, const ResampleOptions& options) {
+    if (std::optional<tree::Edit> byCells = resampleByCells(version, touched, options))
+        return std::move(*byCells);
     return resample(version, touched, options, version);
 }
 

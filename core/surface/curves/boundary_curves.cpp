@@ -59,10 +59,7 @@ std::vector<BoundaryCurve> findBoundaryCurves(const Surface& surface, const base
     if (!std::isfinite(surface.definition().boundaryLimit) || surface.tree().empty())
         return out;
     const std::vector<BoundaryPoint> seeds = findSeeds(surface, progress);
-    double longest = 0;
-    for (const BoundaryPoint& seed : seeds)
-        longest = std::max(longest, seed.unit);
-    TracedLines traced((1.5 * options.longestStep + sameCurve) * std::max(longest, 1e-300));
+    TracedLines traced;
     for (std::size_t i = 0; i < seeds.size(); ++i) {
         if (i % 64 == 0)
             progress.step(0.7 + 0.3 * static_cast<double>(i) / static_cast<double>(seeds.size()),

@@ -178,10 +178,7 @@ std::vector<SectionCurve> findSection(const Surface& surface, const Plane& plane
                                       const TraceOptions& options) {
     std::vector<SectionCurve> out;
     const std::vector<Candidate> seeds = findSeeds(surface, plane, progress);
-    double longest = 0;
-    for (const Candidate& seed : seeds)
-        longest = std::max(longest, seed.unit);
-    TracedLines traced((1.5 * options.longestStep + sameCurve) * std::max(longest, 1e-300));
+    TracedLines traced;
     std::size_t lines = 0;
     for (std::size_t i = 0; i < seeds.size(); ++i) {
         if (i % 64 == 0)

@@ -41,6 +41,7 @@ constexpr Ramp agreement{0.2, 0.4};        ///< |m|/w of each part
 constexpr Ramp opposite{0.3, 0.7};         ///< -n_A.n_B
 constexpr Ramp plane{0.05, 0.25};          ///< |m|/w of all, of the plane's share in the height over all
 constexpr Ramp hinted{-0.6, 0.6};          ///< hint.(n_A - n_B)
+constexpr double farther = 2;              ///< ways from x to the centroids, to where K is taken
 constexpr Ramp side{0.03, 0.2};            ///< K, in spacings
 constexpr Ramp several{0.15, 0.6};         ///< variances of heights, in spacings squared: another sheet among them
 constexpr double trust = 0.2;              ///< variance that halves a part's weight
@@ -193,7 +194,8 @@ class TwoSolids {
         Jet<T, O> apart;
         for (std::size_t k = 0; k < 3; ++k)
             apart += (m_a.n[k] - m_b.n[k]) * (m_a.c[k] - m_b.c[k]);
-        apart = apart * perLength;
+        // from what K tells at the centroids and both heights at x, on to where the walls are farther from x
+        apart = (apart * T(limits::farther) + (m_a.height + m_b.height) * T(2 * (limits::farther - 1))) * perLength;
         const Jet<T, O> offA = thickA * perSquare, offB = thickB * perSquare;
         const Jet<T, O> pair = one() - limits::several.of(offA + offB);
         const Jet<T, O> solid = pair * limits::side.of(apart), gap = pair * limits::side.of(-apart);

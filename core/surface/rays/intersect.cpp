@@ -40,8 +40,12 @@ class RayPacket {
         std::size_t count = 0;
         for (std::size_t i = 0; i < rays.size(); ++i) {
             double from = 0;
-            const bool blocked =
-                !(lengthSq(rays[i].direction) > 0) || RayPolicy<float>(m_setting, m_sources, rays[i]).blockedNear(from);
+            RayPolicy<float> start(m_setting, m_sources, rays[i]);
+            if (start.far()) {
+                fn(i, start.any());
+                continue;
+            }
+            const bool blocked = !(lengthSq(rays[i].direction) > 0) || start.blockedNear(from);
             if (blocked || !(from <= double(m_setting.options.tMax))) {
                 fn(i, blocked && lengthSq(rays[i].direction) > 0);
                 continue;

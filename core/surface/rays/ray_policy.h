@@ -1,6 +1,7 @@
 // One ray by either policy: from surface bounds or discs to hits (surface/README 4). Internal to the room.
 #pragma once
 
+#include "core/surface/rays/far_ray.h"
 #include "core/surface/rays/ray_march.h"
 #include "core/surface/rays/surface_intervals.h"
 
@@ -11,26 +12,33 @@ class RayPolicy {
   public:
     /// `known` may hold the discs met from tMin on, of a ray that starts outside the setting's bounds.
     RayPolicy(const RaySetting& setting, RaySources& sources, const base::Ray<T>& ray, const DiscHit* known = nullptr)
-        : m_setting(setting), m_probe(setting, sources, ray), m_known(known), m_march(m_probe) {}
+        : m_far(farRay(setting, ray)), m_setting(m_far ? m_far->setting : setting),
+          m_probe(m_setting, sources, m_far ? m_far->ray : ray), m_known(m_far ? nullptr : known), m_march(m_probe) {}
 
     void first(RayHit<T>& out) {
         if (!valid() || !next(double(m_setting.options.tMin), false, out)) {
             out = {};
             out.evaluations = m_probe.takeEvaluations();
         }
+        count(out);
     }
     std::vector<RayHit<T>> all() {
         std::vector<RayHit<T>> out;
         RayHit<T> hit;
         bool more = valid() && next(double(m_setting.options.tMin), false, hit);
-        for (; more; more = next(past(hit), true, hit))
+        for (; more; more = next(past(hit), true, hit)) {
             out.push_back(hit);
+            count(out.back());
+        }
         return out;
     }
     bool any() {
         RayHit<T> hit;
         return valid() && next(double(m_setting.options.tMin), true, hit);
     }
+
+    /// Does it begin anew? Then nothing that packets look for together is of use.
+    bool far() const { return m_far.has_value(); }
 
     /// any() about the start, for packets that look for discs together afterwards: is something in the way until the
     /// ray has left what lies about its start? Else `from` is where it has. REQUIRES: discs, and `from` is tMin.
@@ -40,6 +48,11 @@ class RayPolicy {
     }
 
   private:
+    /// Distances from where the ray began.
+    void count(RayHit<T>& hit) const {
+        if (m_far && hit.hit)
+            hit.t = static_cast<T>(double(hit.t) + m_far->skipped);
+    }
     bool valid() const { return m_setting.any && lengthSq(m_probe.direction()) > 0; }
     /// Far enough behind a hit to find the next.
     double past(const RayHit<T>& hit) const {
@@ -147,7 +160,8 @@ class RayPolicy {
         return (at.ok() || at.status == Status::BeyondBoundary) && double(at.agreement) >= alike;
     }
 
-    const RaySetting& m_setting;
+    const std::optional<FarRay<T>> m_far;
+    const RaySetting& m_setting; ///< m_far's own, or that of all
     RayProbe<T> m_probe;
     const DiscHit* m_known;
     RayMarch<T> m_march;

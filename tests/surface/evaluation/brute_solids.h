@@ -121,7 +121,8 @@ inline TwoSolids twoSolids(const Model& model, const Vec3d& x, const Vec3d& hint
     if (two > 0) {
         const double s = std::sqrt((all.square / all.w - lengthSq(all.centroid())) / 1.7014);
         const double offA = a.thickness() / (s * s), offB = b.thickness() / (s * s);
-        const double k = dot(turn, a.centroid() - b.centroid()) / s, pair = 1 - step(offA + offB, 0.15, 0.6);
+        const double k = 2 * (dot(turn, a.centroid() - b.centroid()) + a.f(plain) + b.f(plain)) / s;
+        const double pair = 1 - step(offA + offB, 0.15, 0.6);
         const double solid = pair * step(k, 0.03, 0.2), gap = pair * step(-k, 0.03, 0.2);
         const double higher = (a.f(plain) - b.f(plain)) / s;
         const double weightA = a.w * a.w / (1 + offA / 0.2), weightB = b.w * b.w / (1 + offB / 0.2);

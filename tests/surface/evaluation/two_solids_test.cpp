@@ -20,6 +20,7 @@ class TwoSolidsTest : public QObject {
     void wallsStayWhereTheyAre_data();
     void wallsStayWhereTheyAre();
     void nothingIsBeyondTheEdgesOfBladesAndGrooves();
+    void noisyBladesAndGroovesEndAtTheirEdges();
     void fHasNoJumps();
     void derivativesAreThoseOfTheValue();
     void agreesWithBruteForce();
@@ -152,28 +153,57 @@ void TwoSolidsTest::wallsStayWhereTheyAre() {
     }
 }
 
-/// The sign of f is right where a zero could be surface, from a quarter of a spacing away on.
+namespace {
+
+/// Places about the edge of a wedge, a quarter of a spacing and more away from it, where f says on which side they are.
+struct Sides {
+    int wrong = 0, judged = 0;
+
+    void judge(const Scene& scene, int places, base::Random& random) {
+        const Surface surface = scene.surface();
+        for (int i = 0; i < places; ++i) {
+            const Vec3d along{0, random.uniform(-7, 7), 0}, off = random.unitVector() * random.uniform(0, 4);
+            const Vec3d x = scene.turn * (along + off);
+            const Evaluationd e = surface.evaluateReference(x, Need::Value);
+            const double distance = scene.distance(x);
+            if (!e.ok() || std::abs(distance) < 0.25 || e.offCentre > 0.5 * e.unit)
+                continue;
+            ++judged;
+            wrong += (e.value < 0) != (distance < 0);
+        }
+    }
+    QString text() const { return QString("%1 of %2 wrong, seed %3").arg(wrong).arg(judged).arg(test::seed()); }
+};
+
+} // namespace
+
+/// The sign of f is right where a zero could be surface, from a quarter of a spacing away on, however jagged the edge.
 void TwoSolidsTest::nothingIsBeyondTheEdgesOfBladesAndGrooves() {
     base::Random random(test::seed());
     for (const double degrees : {10, 15, 20, 30, 45})
         for (const bool groove : {false, true}) {
-            const Scene scene = near_sheets::wedge(degrees * shapes::pi / 180, 0, groove, random);
-            const Surface surface = scene.surface();
-            int wrong = 0, judged = 0;
-            for (int i = 0; i < 100 * test::effort(10); ++i) {
-                const Vec3d along{0, random.uniform(-7, 7), 0}, off = random.unitVector() * random.uniform(0, 2.5);
-                const Vec3d x = scene.turn * (along + off);
-                const Evaluationd e = surface.evaluateReference(x, Need::Value);
-                const double distance = scene.distance(x);
-                const bool decides = std::abs(distance) >= 0.25 && std::abs(distance) <= 1.2;
-                if (!e.ok() || !decides || e.offCentre > 0.5 * e.unit)
-                    continue;
-                ++judged;
-                wrong += (e.value < 0) != (distance < 0);
-            }
-            const QString told = QString("%1 degrees, %2: %3 of %4 wrong").arg(degrees).arg(seedText());
-            QVERIFY2(judged > 50 && wrong == 0, qPrintable(told.arg(wrong).arg(judged)));
+            Sides sides;
+            for (const double jitter : {0.3, 0.5})
+                sides.judge(
+                    near_sheets::wedge(degrees * shapes::pi / 180, 0, groove, random, {.jitter = jitter, .noise = 0}),
+                    50 * test::effort(10), random);
+            QVERIFY2(sides.judged > 50 && sides.wrong == 0,
+                     qPrintable(QString("%1 degrees, %2").arg(degrees).arg(sides.text())));
         }
+}
+
+/// Noise as large as the distance of the flanks: whether there is a solid between them shows farther from their edge.
+void TwoSolidsTest::noisyBladesAndGroovesEndAtTheirEdges() {
+    base::Random random(test::seed());
+    for (const double degrees : {10, 20}) {
+        Sides sides;
+        for (int scene = 0; scene < 12; ++scene)
+            sides.judge(
+                near_sheets::wedge(degrees * shapes::pi / 180, 0, scene % 2, random, {.jitter = 0.3, .noise = 0.1}),
+                15 * test::effort(10), random);
+        QVERIFY2(sides.judged > 100 && sides.wrong <= 0.025 * sides.judged,
+                 qPrintable(QString("%1 degrees, %2").arg(degrees).arg(sides.text())));
+    }
 }
 
 void TwoSolidsTest::fHasNoJumps() {

@@ -29,6 +29,8 @@ class IntersectTest : public QObject {
     void unorientedSurfacesAreHitFromBothSides();
     void batchGivesTheBitsOfSingles();
     void nearZeroDirectionsAndEmptyModelsMiss();
+    void raysEndFromAnyDistance_data();
+    void raysEndFromAnyDistance();
 };
 
 static base::Rayd towards(const Vec3d& target, const Vec3d& direction, double from) {
@@ -300,6 +302,39 @@ void IntersectTest::nearZeroDirectionsAndEmptyModelsMiss() {
     QVERIFY(!intersect(Surface(), {{0, 0, 0}, {0, 0, 1}}).hit);
     const Surface surface = shapes::surfaceOf(shapes::sphere(500, 1, 0.4));
     QVERIFY(!intersect(surface, {{0, 0, 0}, {0, 0, 0}}).hit);
+}
+
+void IntersectTest::raysEndFromAnyDistance_data() {
+    QTest::addColumn<bool>("robust");
+    QTest::addColumn<bool>("oriented");
+    for (const bool robust : {false, true})
+        for (const bool oriented : {false, true})
+            QTest::addRow("robust=%d oriented=%d", robust, oriented) << robust << oriented;
+}
+
+/// From where floats cannot tell the model's front from its back, and doubles cannot, either. Every search comes to an
+/// end; as long as doubles can, the first hit is that of a start near by.
+void IntersectTest::raysEndFromAnyDistance() {
+    QFETCH(bool, robust);
+    QFETCH(bool, oriented);
+    surfel::SurfelList list = shapes::sphere(500, 1, 0.4);
+    if (!oriented)
+        list.layout = shapes::layout(true, false);
+    const Surface surface = shapes::surfaceOf(list);
+    IntersectOptions options;
+    options.robust = robust;
+    for (const float from : {1e2f, 1e5f, 1e7f, 1e8f, 1e9f, 1e12f, 1e15f, 1e17f, 1.8446744e19f, 1e30f}) {
+        const base::Rayf ray{{0.3f, 0.1f, from}, {0, 0, -1}};
+        const RayHit<float> hit = intersect(surface, ray, options);
+        const auto all = intersectAll(surface, ray, options);
+        const bool any = intersectAny(surface, ray, options);
+        const QByteArray where = QByteArray::number(from);
+        if (from <= 1e9f) {
+            QVERIFY2(hit.hit && any && std::abs(hit.position.z - std::sqrt(0.9f)) < 0.01f, where.constData());
+        }
+        for (const RayHit<float>& each : all)
+            QVERIFY2(std::abs(length(each.position) - 1) < 0.01f, where.constData());
+    }
 }
 
 static const test::Registered<IntersectTest> registered;

@@ -6,6 +6,11 @@
 
 namespace session {
 
+void requireSurface(const Context& context) {
+    if (context.document.surface().definition().manifold == surface::Manifold::Curve)
+        throw base::Error("a curve has no such thing", {}, "use it on surfaces");
+}
+
 void requireSelection(const Context& context) {
     if (selection::selectedIn(context.document.surface().tree()).empty())
         throw base::Error("nothing is selected", {}, "select something first");

@@ -15,6 +15,8 @@ constexpr const char* limitFallback = "\"auto\"";
 /// By the parameter "of". Throws base::Error where it asks for a selection and there is none.
 selection::Limit limitOf(const Context& context, const nlohmann::json& complete);
 
+/// Throws base::Error where the model is a curve, which has no sides and no areas.
+void requireSurface(const Context& context);
 /// Throws base::Error where nothing is selected.
 void requireSelection(const Context& context);
 

@@ -3,6 +3,7 @@
 #include "core/session/commands/clean_steps.h"
 #include "core/session/commands/commands.h"
 #include "core/session/commands/selected/field_steps.h"
+#include "core/session/commands/selected/limits.h"
 
 #include <nlohmann/json.hpp>
 
@@ -13,6 +14,8 @@ using selection::Field;
 static tree::SurfelTree masked(Context& context, const nlohmann::json& complete) {
     const surface::Surface& surface = context.document.surface();
     const auto what = complete.at("do").get<std::string>();
+    if (what == "cavity" || what == "curvature")
+        requireSurface(context);
     if (what == "cavity")
         return selection::fromCavity(surface, Field::Mask, neededNumber(complete, "length"), complete.at("strength"),
                                      context.progress);

@@ -9,6 +9,7 @@
 #include "core/selection/rims.h"
 #include "core/selection/view_region.h"
 #include "core/session/commands/commands.h"
+#include "core/session/commands/selected/limits.h"
 #include "core/session/number_lists.h"
 
 #include <nlohmann/json.hpp>
@@ -101,12 +102,16 @@ Selection inView(Context& context, const json& complete) {
         const std::vector<double> depth = numbersOf(complete, "depth", 2, "[from,to]");
         region.nearest = depth[0], region.farthest = depth[1];
     }
+    if (complete.value("visible", false))
+        requireSurface(context);
     const Selection through = selection::within(surfaceOf(context).tree(), region);
     return complete.value("visible", false) ? selection::visibleOf(surfaceOf(context), region.camera, through)
                                             : through;
 }
 
 Selection inRange(Context& context, const json& complete) {
+    if (complete.at("of").get<std::string>().starts_with("curvature-"))
+        requireSurface(context);
     return selection::inRange(surfaceOf(context), complete.at("of").get<std::string>(),
                               complete.value("from", -largest), complete.value("to", largest),
                               context.document.provenance().origin, context.progress);
@@ -132,12 +137,15 @@ Selection ofPiece(Context& context, const json& complete) {
     if (seeds.empty())
         throw base::Error("there is nothing selected to begin with", {}, "say where to begin: \"at\":[x,y,z]");
     selection::FloodLimits limits;
+    if (complete.contains("curvature"))
+        requireSurface(context);
     limits.angleRad = complete.value("angle", 180.0) * radians;
     limits.curvature = complete.value("curvature", std::numeric_limits<double>::infinity());
     return selection::flooded(surface, seeds, limits, context.progress);
 }
 
 Selection onRims(Context& context, const json& complete) {
+    requireSurface(context);
     selection::RimQuestion question;
     question.at = placeOf(context, complete, "at");
     question.longest = complete.value("longest", std::numeric_limits<double>::infinity());

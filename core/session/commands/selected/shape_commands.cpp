@@ -11,6 +11,7 @@ using nlohmann::json;
 
 static void blend(Context& context, const json& complete, double sign, const char* label) {
     requireModel(context);
+    requireSurface(context);
     clean::commit(context,
                   selection::smoothed(context.document.surface(), complete.at("scale").get<double>(),
                                       sign * complete.at("strength").get<double>(), limitOf(context, complete),
@@ -58,6 +59,7 @@ CommandRow sharpenCommand() {
 
 static void inflate(Context& context, const json& complete) {
     requireModel(context);
+    requireSurface(context);
     const double length = complete.at("length").get<double>();
     const auto height = [length](const base::Vec3d&) { return selection::Height{length, {}}; };
     clean::commit(context,
@@ -77,6 +79,7 @@ CommandRow inflateCommand() {
 
 static void roughen(Context& context, const json& complete) {
     requireModel(context);
+    requireSurface(context);
     const double amplitude = complete.at("amplitude").get<double>(), size = complete.at("size").get<double>();
     const auto seed = complete.at("seed").get<std::uint64_t>();
     const auto height = [=](const base::Vec3d& x) {

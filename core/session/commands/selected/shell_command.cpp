@@ -8,6 +8,7 @@ namespace session {
 
 static void shell(Context& context, const nlohmann::json& complete) {
     requireModel(context);
+    requireSurface(context);
     const auto side = complete.at("side") == "out" ? selection::ShellSide::Out : selection::ShellSide::In;
     surface::Surface next = selection::shellOf(context.document.surface(), complete.at("thickness").get<double>(), side,
                                                limitOf(context, complete), context.progress);

@@ -1,0 +1,159 @@
+#include "core/cells/measured_labels.h"
+
+#include "core/base/parallel.h"
+#include "core/cells/crease_labels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace cells {
+
+using base::Vec3f;
+using surfel::SurfelBlock;
+
+namespace {
+
+constexpr float reach = 4.5f;        ///< spacings: how far off a patch may be that ends another one
+constexpr float aboutNearest = 1.2f; ///< spacings: surfels so much farther than the nearest tell of the patch's plane
+constexpr float leastSine = 0.14f;   ///< 8 degrees: flatter than that nothing ends
+
+struct Near {
+    Vec3f position, normal;
+    Label label;
+};
+
+class LabelMeter {
+  public:
+    LabelMeter(const surface::Surface& surface, const LabelLayout& labels)
+        : m_surface(surface), m_labels(labels),
+          m_spacing(static_cast<float>(surface::spacingOfUnit) * surface.supportScale()) {}
+
+    /// The block with its labels as they are now; null where they stay. `asked` tells which surfels are meant.
+    template <class Asked>
+    surfel::MutableBlockPtr measured(const SurfelBlock& block, const Asked& asked) {
+        surfel::MutableBlockPtr out;
+        m_near.clear();
+        const surfel::AttributeLayout& layout = *m_surface.tree().layout();
+        for (int slot = 0; slot < block.size(); ++slot) {
+            if (!asked(block.position(slot)))
+                continue;
+            if (m_near.empty())
+                gather(block);
+            const Label before = m_labels.at(block, slot), now = labelOf(block, slot, before);
+            if (now == before)
+                continue;
+            if (!out)
+                out = block.clone();
+            std::vector<std::uint32_t> words(block.extraWords());
+            block.extra(slot, words);
+            surfel::write(*layout.find("partner"), words, now.partner);
+            surfel::write(*layout.find("sign"), words, static_cast<std::uint32_t>(now.meeting));
+            out->setExtra(slot, words);
+        }
+        if (out)
+            out->seal();
+        return out;
+    }
+
+  private:
+    void gather(const SurfelBlock& block) {
+        const base::Box3f box = block.box().inflated(reach * m_spacing * block.maxSupport());
+        m_surface.tree().forBlocksInSupport(
+            box,
+            [&](std::uint32_t, const SurfelBlock& each) {
+                for (int slot = 0; slot < each.size(); ++slot)
+                    if (box.contains(each.position(slot)))
+                        m_near.push_back({each.position(slot), each.normal(slot), m_labels.at(each, slot)});
+            },
+            m_surface.supportScale());
+    }
+
+    Label labelOf(const SurfelBlock& block, int slot, const Label& before) const {
+        const Vec3f p = block.position(slot), n = block.normal(slot);
+        const float s = m_spacing * block.support(slot);
+        // cells that this one is known to meet hereabouts, with how far off they are
+        std::map<std::uint32_t, float> others;
+        for (const Near& each : m_near) {
+            const bool meets = each.label.meeting != Meeting::None &&
+                               (each.label.cell == before.cell || each.label.partner == before.cell);
+            if (meets && distanceSq(each.position, p) < reach * reach * s * s)
+                others.emplace(each.label.cell == before.cell ? each.label.partner : each.label.cell,
+                               std::numeric_limits<float>::infinity());
+        }
+        for (const Near& each : m_near)
+            if (const auto other = others.find(each.label.cell); other != others.end())
+                other->second = std::min(other->second, distanceSq(each.position, p));
+        Label out = before;
+        out.partner = before.cell;
+        out.meeting = Meeting::None;
+        float nearest = static_cast<float>(partnerReach) * s;
+        for (const auto& [cell, farSq] : others) {
+            if (!(farSq < reach * reach * s * s))
+                continue;
+            const float within = std::sqrt(farSq) + aboutNearest * s;
+            Vec3f normal, way;
+            float total = 0;
+            for (const Near& each : m_near) {
+                const float part = distanceSq(each.position, p) / (within * within);
+                if (each.label.cell != cell || !(part < 1))
+                    continue;
+                const float weight = (1 - part) * (1 - part);
+                normal += each.normal * weight, way += (each.position - p) * weight, total += weight;
+            }
+            normal = normalized(normal), way = way / std::max(total, 1e-30f);
+            const float sine = length(normal - n * dot(n, normal));
+            if (!(sine > leastSine))
+                continue;
+            const float distance = std::abs(dot(way, normal)) / sine;
+            if (!(distance < nearest))
+                continue;
+            nearest = distance;
+            out.partner = cell;
+            out.meeting = dot(n - normal, way) < 0 ? Meeting::Convex : Meeting::Concave;
+        }
+        return out;
+    }
+
+    const surface::Surface& m_surface;
+    LabelLayout m_labels;
+    float m_spacing; ///< of a surfel's support
+    std::vector<Near> m_near;
+};
+
+} // namespace
+
+tree::Edit measuredLabels(const surface::Surface& surface, std::span<const EditedBall> balls) {
+    tree::Edit out;
+    const tree::SurfelTree& tree = surface.tree();
+    const auto labels = tree.empty() ? std::nullopt : LabelLayout::of(*tree.layout());
+    if (!labels)
+        return out;
+    std::set<std::uint32_t> numbers;
+    const float margin = surface.supportScale() * tree.maxSupport();
+    for (const EditedBall& ball : balls)
+        tree.forBlocksInBall(ball.centre, ball.radius + margin,
+                             [&](std::uint32_t number, const SurfelBlock&) { numbers.insert(number); });
+    const std::vector<std::uint32_t> all(numbers.begin(), numbers.end());
+    std::vector<surfel::MutableBlockPtr> changed(all.size());
+    base::parallelChunks(all.size(), 4, [&](std::size_t begin, std::size_t end, std::size_t) {
+        LabelMeter meter(surface, *labels);
+        for (std::size_t i = begin; i < end; ++i) {
+            const surfel::BlockPtr block = tree.block(all[i]);
+            const float around = surface.supportScale() * block->maxSupport();
+            changed[i] = meter.measured(*block, [&](const Vec3f& p) {
+                return std::any_of(balls.begin(), balls.end(), [&](const EditedBall& ball) {
+                    return base::distance(p, ball.centre) < ball.radius + around;
+                });
+            });
+        }
+    });
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (changed[i])
+            out.blocks.push_back({all[i], changed[i], {}});
+    out.inserted.layout = tree.layout();
+    return out;
+}
+
+} // namespace cells

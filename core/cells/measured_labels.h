@@ -1,0 +1,23 @@
+// Labels after an edit (cells/README 1.5): which cell is across the nearest crease, and how both meet, follows from
+// where surfels are now.
+#pragma once
+
+#include "core/cells/labels.h"
+#include "core/surface/surface.h"
+
+#include <span>
+
+namespace cells {
+
+/// Where something has changed.
+struct EditedBall {
+    base::Vec3f centre;
+    float radius = 0;
+};
+
+/// New partners and signs of the surfels in any of the balls and within their supports of them, as an edit of the
+/// version; empty where nothing is other than it was, and for models without cells. Cells, sharpness and faces stay.
+/// In parallel, the same at any thread count.
+tree::Edit measuredLabels(const surface::Surface& surface, std::span<const EditedBall> balls);
+
+} // namespace cells

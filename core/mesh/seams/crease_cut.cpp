@@ -1,0 +1,313 @@
+#include "core/mesh/seams/crease_cut.h"
+
+#include "core/base/parallel.h"
+#include "core/mesh/connectivity/triangulation.h"
+#include "core/process/estimation/part_progress.h"
+
+#include <unordered_map>
+
+namespace mesh {
+
+using base::Vec3d, base::Vec3f;
+
+namespace {
+
+constexpr std::size_t grain = 128;
+constexpr double seamSnap = 0.3, cornerSnap = 0.5; ///< of the edges about a vertex: how near it moves to a crease
+constexpr double reach = 3;                        ///< of an edge: how far from its middle a seam may be
+constexpr std::uint32_t none = Triangulation::none;
+
+class CreaseCutter {
+  public:
+    CreaseCutter(const cells::CellSurface& surface, Mesh mesh)
+        : m_surface(surface), m_mesh(std::move(mesh)),
+          m_triangulation(m_mesh), m_before{m_mesh.positions, m_mesh.normals} {}
+
+    CutMesh run(const base::Progress& progress) {
+        progress.step(0, "finding creases");
+        m_vertices = ontoFaces(m_surface, m_mesh);
+        m_faces = m_vertices;
+        progress.step(0.4, "finding creases");
+        snap();
+        progress.step(0.7, "finding creases");
+        for (std::size_t v = 0; v < m_vertices.size(); ++v)
+            if (m_vertices[v].mixed) {
+                m_mesh.positions[v] = m_vertices[v].position;
+                m_mesh.normals[v] = m_vertices[v].normal;
+            }
+        splitEdges();
+        return cut();
+    }
+
+  private:
+    struct Snap {
+        std::optional<CreasePlace> corner, seam;
+    };
+
+    bool known(std::uint32_t v) const { return m_vertices[v].cells.count() > 0; }
+    Vec3d place(std::uint32_t v) const { return m_vertices[v].position; }
+    bool movable(std::uint32_t v) const { return m_mesh.kinds.empty() || m_mesh.kinds[v] == VertexKind::Inner; }
+
+    /// What a vertex beside other cells could move to.
+    Snap snapOf(CreaseFinder& finder, std::uint32_t v, std::vector<std::uint32_t>& ring) const {
+        Snap out;
+        if (!m_vertices[v].mixed || !known(v) || !movable(v))
+            return out;
+        m_triangulation.neighbours(v, ring);
+        double size = 0;
+        CellsAt others;
+        for (const std::uint32_t w : ring) {
+            size += base::distance(place(v), place(w)) / static_cast<double>(ring.size());
+            if (known(w) && !m_vertices[w].cells.has(m_vertices[v].own))
+                for (const std::uint32_t cell : m_vertices[w].cells)
+                    others.add(cell);
+        }
+        if (others.count() == 0)
+            return out;
+        const CellsAt own{m_vertices[v].own};
+        out.seam = finder.between(own, others, place(v), cornerSnap * size);
+        CellsAt all = own;
+        for (const std::uint32_t cell : others)
+            all.add(cell);
+        if (all.count() >= 3)
+            out.corner = finder.corner(all, place(v), cornerSnap * size);
+        if (!out.corner && out.seam && out.seam->cells.count() >= 3)
+            out.corner = out.seam;
+        if (out.seam &&
+            (out.seam->cells.count() != 2 || !(base::distance(out.seam->position, place(v)) < seamSnap * size)))
+            out.seam.reset();
+        return out;
+    }
+
+    void snap() {
+        std::vector<Snap> found(m_vertices.size());
+        base::parallelChunks(found.size(), grain, [&](std::size_t begin, std::size_t end, std::size_t) {
+            CreaseFinder finder(m_surface);
+            std::vector<std::uint32_t> ring;
+            for (std::size_t v = begin; v < end; ++v)
+                found[v] = snapOf(finder, static_cast<std::uint32_t>(v), ring);
+        });
+        // a corner takes the nearest vertex about it
+        std::vector<std::uint32_t> order;
+        for (std::uint32_t v = 0; v < found.size(); ++v)
+            if (found[v].corner)
+                order.push_back(v);
+        const auto far = [&](std::uint32_t v) {
+            return base::distance(found[v].corner->position, m_faces[v].position);
+        };
+        std::sort(order.begin(), order.end(),
+                  [&](std::uint32_t a, std::uint32_t b) { return far(a) != far(b) ? far(a) < far(b) : a < b; });
+        std::vector<std::uint32_t> ring, second;
+        for (const std::uint32_t v : order) {
+            const CreasePlace& corner = *found[v].corner;
+            const auto taken = [&](std::uint32_t w) {
+                return m_vertices[w].cells.count() >= 3 &&
+                       base::distance(m_vertices[w].position, corner.position) < 1e-3 * (far(v) + 1e-9);
+            };
+            const auto same = [&](std::uint32_t w) {
+                return m_vertices[w].cells.count() >= 3 && m_vertices[w].cells.sameAs(corner.cells);
+            };
+            m_triangulation.neighbours(v, ring);
+            bool free = true;
+            for (const std::uint32_t w : ring) {
+                free = free && !taken(w) && !same(w);
+                m_triangulation.neighbours(w, second);
+                for (const std::uint32_t u : second)
+                    free = free && (u == v || (!taken(u) && !same(u)));
+            }
+            if (free)
+                moveTo(v, corner);
+        }
+        for (std::uint32_t v = 0; v < found.size(); ++v)
+            if (found[v].seam && m_vertices[v].cells.count() == 1 && !flattens(v, found[v].seam->cells))
+                moveTo(v, *found[v].seam);
+    }
+    void moveTo(std::uint32_t v, const CreasePlace& to) {
+        m_vertices[v].cells = to.cells;
+        m_vertices[v].position = to.position;
+        m_vertices[v].normal = to.normal;
+    }
+    /// Would all corners of a triangle be on the same seam?
+    bool flattens(std::uint32_t v, const CellsAt& cells) const {
+        std::vector<std::uint32_t> faces;
+        m_triangulation.oneRing(v, faces);
+        return std::any_of(faces.begin(), faces.end(), [&](std::uint32_t f) {
+            const Triangle& t = m_triangulation.corners(f);
+            return std::all_of(t.begin(), t.end(), [&](std::uint32_t w) {
+                return w == v || std::all_of(cells.begin(), cells.end(),
+                                             [&](std::uint32_t cell) { return m_vertices[w].cells.has(cell); });
+            });
+        });
+    }
+
+    static std::uint64_t nameOf(std::uint32_t a, std::uint32_t b) {
+        return std::uint64_t(std::min(a, b)) << 32 | std::max(a, b);
+    }
+
+    void splitEdges() {
+        std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+        m_triangulation.forEdges([&](const Side& s) {
+            const std::uint32_t a = m_triangulation.from(s), b = m_triangulation.to(s);
+            if (known(a) && known(b) && (m_vertices[a].mixed || m_vertices[b].mixed) &&
+                !m_vertices[a].cells.shares(m_vertices[b].cells))
+                edges.emplace_back(a, b);
+        });
+        std::vector<std::optional<CreasePlace>> found(edges.size());
+        base::parallelChunks(found.size(), grain, [&](std::size_t begin, std::size_t end, std::size_t) {
+            CreaseFinder finder(m_surface);
+            for (std::size_t i = begin; i < end; ++i) {
+                const auto [a, b] = edges[i];
+                found[i] = finder.between(m_vertices[a].cells, m_vertices[b].cells, (place(a) + place(b)) / 2,
+                                          reach * base::distance(place(a), place(b)));
+            }
+        });
+        for (std::size_t i = 0; i < found.size(); ++i)
+            if (found[i])
+                m_split.emplace(nameOf(edges[i].first, edges[i].second),
+                                addVertex(*found[i], {edges[i].first, edges[i].second}));
+    }
+    /// In the middle of some vertices before.
+    std::uint32_t addVertex(const CreasePlace& at, std::initializer_list<std::uint32_t> of) {
+        Vec3d middle, normal;
+        for (const std::uint32_t v : of) {
+            middle += m_before.positions[v] / static_cast<double>(of.size());
+            normal += base::cast<double>(m_before.normals[v]);
+        }
+        m_before.positions.push_back(middle);
+        m_before.normals.push_back(base::cast<float>(base::normalized(normal)));
+        m_mesh.positions.push_back(at.position);
+        m_mesh.normals.push_back(at.normal);
+        if (!m_mesh.kinds.empty())
+            m_mesh.kinds.push_back(VertexKind::Inner);
+        m_vertices.push_back({at.cells, *at.cells.begin(), at.position, at.normal, true});
+        return static_cast<std::uint32_t>(m_mesh.positions.size() - 1);
+    }
+    std::uint32_t splitOf(std::uint32_t a, std::uint32_t b) const {
+        const auto found = m_split.find(nameOf(a, b));
+        return found == m_split.end() ? none : found->second;
+    }
+
+    CutMesh cut() {
+        const std::vector<Triangle> before = std::move(m_mesh.triangles);
+        m_mesh.triangles.clear();
+        for (const Triangle& t : before)
+            if (isProper(t))
+                cut(t);
+        return {std::move(m_mesh), std::move(m_vertices), std::move(m_facing), std::move(m_cells), std::move(m_before)};
+    }
+    void cut(Triangle t) {
+        std::array<std::uint32_t, 3> m; // m[k] between corners k and k + 1
+        int count = 0;
+        const auto find = [&] {
+            count = 0;
+            for (std::size_t k = 0; k < 3; ++k) {
+                m[k] = splitOf(t[k], t[(k + 1) % 3]);
+                count += m[k] != none ? 1 : 0;
+            }
+        };
+        const auto turn = [&](const auto& enough) {
+            find();
+            for (int k = 0; k < 3 && !enough(); ++k) {
+                t = {t[1], t[2], t[0]};
+                find();
+            }
+        };
+        find();
+        switch (count) {
+        case 0:
+            return add(t, t);
+        case 1:
+            turn([&] { return m[0] != none; });
+            add({t[0], m[0], t[2]}, {t[0], t[2], t[2]});
+            return add({m[0], t[1], t[2]}, {t[1], t[2], t[2]});
+        case 2: {
+            turn([&] { return m[2] == none; }); // the tip is corner 1
+            add({m[0], t[1], m[1]}, {t[1], t[1], t[1]});
+            const bool across = base::distance(place(t[0]), place(m[1])) < base::distance(place(m[0]), place(t[2]));
+            if (across) {
+                add({t[0], m[0], m[1]}, {t[0], t[2], t[0]});
+                return add({t[0], m[1], t[2]}, {t[0], t[2], t[0]});
+            }
+            add({t[0], m[0], t[2]}, {t[0], t[2], t[0]});
+            return add({m[0], m[1], t[2]}, {t[2], t[0], t[2]});
+        }
+        default:
+            break;
+        }
+        const Vec3d middle = (place(m[0]) + place(m[1]) + place(m[2])) / 3;
+        CellsAt all;
+        for (const std::uint32_t v : t)
+            for (const std::uint32_t cell : m_vertices[v].cells)
+                all.add(cell);
+        const double size = base::distance(place(t[0]), place(t[1])) + base::distance(place(t[1]), place(t[2]));
+        CreasePlace centre{all, middle, m_mesh.normals[m[0]]};
+        if (const auto corner = m_finder.corner(all, middle, reach * size))
+            centre = *corner;
+        const std::uint32_t c = addVertex(centre, {t[0], t[1], t[2]});
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint32_t v = t[(k + 1) % 3];
+            add({m[k], v, c}, {v, v, v});
+            add({v, m[(k + 1) % 3], c}, {v, v, v});
+        }
+    }
+
+    /// A cell that all three are of.
+    std::optional<std::uint32_t> commonCell(const Triangle& t) const {
+        for (const std::uint32_t candidate : m_vertices[t[0]].cells)
+            if (m_vertices[t[1]].cells.has(candidate) && m_vertices[t[2]].cells.has(candidate))
+                return candidate;
+        return std::nullopt;
+    }
+
+    /// A triangle that faces as those of `from` do that are of its cell. Between three seams it has a corner.
+    void add(const Triangle& t, const Triangle& from) {
+        const auto common = commonCell(t);
+        if (!common && known(t[0]) && known(t[1]) && known(t[2])) {
+            CellsAt all;
+            for (const std::uint32_t v : t)
+                for (const std::uint32_t each : m_vertices[v].cells)
+                    all.add(each);
+            const double size = base::distance(place(t[0]), place(t[1])) + base::distance(place(t[1]), place(t[2]));
+            const Vec3d middle = (place(t[0]) + place(t[1]) + place(t[2])) / 3;
+            if (const auto corner = all.count() < 3 ? std::nullopt : m_finder.corner(all, middle, reach * size)) {
+                const std::uint32_t c = addVertex(*corner, {t[0], t[1], t[2]});
+                for (std::size_t k = 0; k < 3; ++k)
+                    put({t[k], t[(k + 1) % 3], c}, from);
+                return;
+            }
+        }
+        put(t, from);
+    }
+    void put(const Triangle& t, const Triangle& from) {
+        const std::uint32_t cell = commonCell(t).value_or(m_vertices[from[0]].own);
+        Vec3d facing, any;
+        for (const std::uint32_t v : from) {
+            const CreaseVertex& vertex = v < m_faces.size() ? m_faces[v] : m_vertices[v];
+            any += base::cast<double>(vertex.normal);
+            if (vertex.own == cell)
+                facing += base::cast<double>(vertex.normal);
+        }
+        m_mesh.triangles.push_back(t);
+        m_facing.push_back(base::normalized(lengthSq(facing) > 0 ? facing : any));
+        m_cells.push_back(cell);
+    }
+
+    const cells::CellSurface& m_surface;
+    Mesh m_mesh;
+    Triangulation m_triangulation;
+    std::vector<CreaseVertex> m_vertices; ///< as they are now
+    std::vector<CreaseVertex> m_faces;    ///< as they came to rest on their faces
+    std::unordered_map<std::uint64_t, std::uint32_t> m_split;
+    std::vector<Vec3d> m_facing;
+    std::vector<std::uint32_t> m_cells;
+    VertexPlaces m_before; ///< of vertices, new ones too, on the triangles as they were
+    CreaseFinder m_finder{m_surface};
+};
+
+} // namespace
+
+CutMesh cutAtCreases(const cells::CellSurface& surface, Mesh mesh, const base::Progress& progress) {
+    return CreaseCutter(surface, std::move(mesh)).run(progress);
+}
+
+} // namespace mesh

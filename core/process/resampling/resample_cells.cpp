@@ -1,0 +1,251 @@
+#include "core/process/resampling/resample_cells.h"
+
+#include "core/base/cancel_scope.h"
+#include "core/base/cells.h"
+#include "core/process/resampling/resample_set.h"
+
+#include <map>
+#include <set>
+
+namespace process {
+
+using base::Vec3f;
+
+namespace {
+
+constexpr float openLimit = 0.3f; ///< off-centre limit at which a cell by itself ends, in h
+constexpr float acrossReach =
+    2.5f; ///< how far from the partner's nearest surfel its plane still ends a cell, in spacings
+
+/// Where labels are among the words of a surfel.
+struct LabelWords {
+    std::size_t cell = 0, partner = 0, sign = 0;
+
+    static std::optional<LabelWords> of(const surfel::AttributeLayout& layout) {
+        LabelWords out;
+        for (const auto& [name, word] :
+             {std::pair{"cell", &out.cell}, std::pair{"partner", &out.partner}, std::pair{"sign", &out.sign}}) {
+            const surfel::Attribute* attribute = layout.find(name);
+            if (!attribute || surfel::isReal(attribute->type))
+                return std::nullopt;
+            *word = attribute->firstWord;
+        }
+        return layout.normals && layout.oriented ? std::optional(out) : std::nullopt;
+    }
+};
+
+std::uint32_t wordOf(const surfel::SurfelBlock& block, int slot, std::size_t word) {
+    return block.words(slot / surfel::clusterSize, surfel::Extra + static_cast<int>(word))[slot % surfel::clusterSize];
+}
+
+/// A surfel of the version.
+struct Origin {
+    std::uint32_t number = 0; ///< of its block
+    surfel::BlockPtr block;
+    int slot = 0;
+    bool touched = false;
+};
+
+class CellResampler {
+  public:
+    CellResampler(const surface::Surface& version, const tree::Selection& touched, const ResampleOptions& options,
+                  const LabelWords& words)
+        : m_version(version), m_options(options), m_words(words), m_count(version.tree().layout()->words()) {
+        auto layout = std::make_shared<surfel::AttributeLayout>(*version.tree().layout());
+        layout->add(" origin", surfel::ScalarType::UInt32);
+        m_layout = std::move(layout);
+        collect(touched);
+    }
+
+    bool severalCells() const { return m_byCell.size() > 1; }
+
+    tree::Edit run() {
+        m_edit.inserted.layout = m_version.tree().layout();
+        for (const auto& [cell, members] : m_byCell) {
+            base::CancelScope::check();
+            if (std::any_of(members.begin(), members.end(), [&](std::size_t i) { return m_all[i].touched; }))
+                resampleCell(cell, members);
+        }
+        for (auto& [number, change] : m_changes) {
+            if (change.content) {
+                change.content->seal();
+                change.edit.changed = change.content;
+            }
+            m_edit.blocks.push_back(std::move(change.edit));
+        }
+        return std::move(m_edit);
+    }
+
+  private:
+    struct Change {
+        tree::BlockEdit edit;
+        surfel::MutableBlockPtr content;
+    };
+
+    void collect(const tree::Selection& touched) {
+        const tree::SurfelTree& tree = m_version.tree();
+        std::map<std::uint32_t, std::bitset<surfel::blockCapacity>> slots;
+        std::set<std::uint32_t> numbers;
+        for (const tree::SelectedBlock& each : touched) {
+            slots[each.block] = each.slots;
+            const surfel::BlockPtr block = tree.block(each.block);
+            base::Box3f box;
+            for (int slot = 0; slot < block->size(); ++slot)
+                if (each.slots[static_cast<std::size_t>(slot)])
+                    box.extend(block->position(slot));
+            tree.forBlocksInSupport(
+                box.inflated(farReach * m_options.spacing + block->maxSupport()),
+                [&](std::uint32_t number, const surfel::SurfelBlock&) { numbers.insert(number); },
+                m_version.supportScale());
+        }
+        for (const std::uint32_t number : numbers) {
+            const surfel::BlockPtr block = tree.block(number);
+            const auto asked = slots.find(number);
+            for (int slot = 0; slot < block->size(); ++slot) {
+                const std::uint32_t cell = wordOf(*block, slot, m_words.cell);
+                m_byCell[cell].push_back(m_all.size());
+                if (wordOf(*block, slot, m_words.partner) != cell)
+                    m_beside.at(placeOf(block->position(slot))).push_back(static_cast<std::uint32_t>(m_all.size()));
+                m_all.push_back(
+                    {number, block, slot, asked != slots.end() && asked->second[static_cast<std::size_t>(slot)]});
+            }
+        }
+    }
+
+    float reach() const { return acrossReach * m_options.spacing; }
+    base::Cell placeOf(const Vec3f& x) const {
+        return base::cellOf(base::cast<double>(x), base::Vec3d(), 1 / static_cast<double>(reach()));
+    }
+
+    const Origin& originOf(const surfel::SurfelBlock& block, int slot) const {
+        return m_all[wordOf(block, slot, m_count)];
+    }
+
+    void resampleCell(std::uint32_t cell, const std::vector<std::size_t>& members) {
+        surfel::SurfelList list;
+        list.layout = m_layout;
+        std::vector<std::uint32_t> words(m_count + 1);
+        for (const std::size_t i : members) {
+            m_all[i].block->extra(m_all[i].slot, std::span(words).first(m_count));
+            words[m_count] = static_cast<std::uint32_t>(i);
+            list.append(m_all[i].block->surfel(m_all[i].slot), words);
+        }
+        surface::SurfaceDefinition definition = m_version.definition();
+        definition.boundaryLimit = std::min(definition.boundaryLimit, openLimit);
+        const surface::Surface alone(tree::SurfelTree::build(list), definition);
+        ResampleOptions options = m_options;
+        if (m_options.targetOf)
+            options.targetOf = [&](const surfel::SurfelBlock& block, int slot) {
+                const Origin& origin = originOf(block, slot);
+                return m_options.targetOf(*origin.block, origin.slot);
+            };
+        if (m_options.drawnApart)
+            options.drawnApart = [&](const surfel::SurfelBlock& block, int slot) {
+                const Origin& origin = originOf(block, slot);
+                return m_options.drawnApart(*origin.block, origin.slot);
+            };
+        take(cell, alone, resample(alone, touchedOf(alone.tree()), options, alone));
+    }
+
+    tree::Selection touchedOf(const tree::SurfelTree& tree) const {
+        tree::Selection out;
+        tree.forEachBlock([&](std::uint32_t number, const surfel::SurfelBlock& block) {
+            tree::SelectedBlock some{number, {}};
+            for (int slot = 0; slot < block.size(); ++slot)
+                some.slots.set(static_cast<std::size_t>(slot), originOf(block, slot).touched);
+            if (some.slots.any())
+                out.push_back(some);
+        });
+        return out;
+    }
+
+    /// What happens to the cell by itself, as edits of the version.
+    void take(std::uint32_t cell, const surface::Surface& alone, const tree::Edit& edit) {
+        std::vector<std::uint32_t> words(m_count + 1);
+        for (const tree::BlockEdit& each : edit.blocks) {
+            const surfel::BlockPtr before = alone.tree().block(each.block);
+            for (int slot = 0; slot < before->size(); ++slot) {
+                const Origin& origin = originOf(*before, slot);
+                if (each.removed[static_cast<std::size_t>(slot)]) {
+                    changeOf(origin).edit.removed.set(static_cast<std::size_t>(origin.slot));
+                } else if (each.changed && !(each.changed->surfel(slot) == before->surfel(slot)) &&
+                           !across(cell, each.changed->position(slot))) {
+                    Change& change = changeOf(origin);
+                    if (!change.content)
+                        change.content = origin.block->clone();
+                    change.content->set(origin.slot, each.changed->surfel(slot));
+                    each.changed->extra(slot, words);
+                    change.content->setExtra(origin.slot, std::span(words).first(m_count));
+                }
+            }
+        }
+        for (std::size_t i = 0; i < edit.inserted.size(); ++i)
+            if (!across(cell, edit.inserted.items[i].position))
+                m_edit.inserted.append(edit.inserted.items[i], edit.inserted.extraOf(i).first(m_count));
+    }
+    Change& changeOf(const Origin& origin) {
+        Change& out = m_changes[origin.number];
+        out.edit.block = origin.number;
+        return out;
+    }
+
+    /// Is a place of a cell beyond a crease of it: on the wrong side of the plane of a cell that it meets nearby?
+    bool across(std::uint32_t cell, const Vec3f& x) const {
+        std::map<std::uint32_t, std::pair<float, const Origin*>> nearest; // by other cell
+        std::map<std::uint32_t, int> signs;                               // convex > 0
+        base::forCellsAround(placeOf(x), [&](const base::Cell& around) {
+            const std::vector<std::uint32_t>* there = m_beside.find(around);
+            if (!there)
+                return;
+            for (const std::uint32_t i : *there) {
+                const Origin& each = m_all[i];
+                const float farSq = distanceSq(each.block->position(each.slot), x);
+                const std::uint32_t own = wordOf(*each.block, each.slot, m_words.cell);
+                const std::uint32_t partner = wordOf(*each.block, each.slot, m_words.partner);
+                const std::uint32_t sign = wordOf(*each.block, each.slot, m_words.sign);
+                if (!(farSq < reach() * reach()) || (own != cell && partner != cell))
+                    continue;
+                signs[own == cell ? partner : own] += sign == 1 ? 1 : sign == 2 ? -1 : 0;
+                if (own == cell)
+                    continue;
+                auto& best = nearest[own];
+                if (!best.second || farSq < best.first)
+                    best = {farSq, &each};
+            }
+        });
+        return std::any_of(nearest.begin(), nearest.end(), [&](const auto& each) {
+            const auto sign = signs.find(each.first);
+            if (sign == signs.end() || sign->second == 0)
+                return false;
+            const Origin& other = *each.second.second;
+            const float above = dot(x - other.block->position(other.slot), other.block->normal(other.slot));
+            return sign->second > 0 ? above > 0 : above < 0;
+        });
+    }
+
+    const surface::Surface& m_version;
+    const ResampleOptions& m_options;
+    LabelWords m_words;
+    std::size_t m_count;                 ///< words of a surfel
+    surfel::AttributeLayoutPtr m_layout; ///< with where a surfel comes from
+    std::vector<Origin> m_all;
+    base::CellMap<std::vector<std::uint32_t>> m_beside; ///< creases, by place
+    std::map<std::uint32_t, std::vector<std::size_t>> m_byCell;
+    std::map<std::uint32_t, Change> m_changes;
+    tree::Edit m_edit;
+};
+
+} // namespace
+
+std::optional<tree::Edit> resampleByCells(const surface::Surface& version, const tree::Selection& touched,
+                                          const ResampleOptions& options) {
+    const auto words = LabelWords::of(*version.tree().layout());
+    if (!words || touched.empty() || !(options.spacing > 0))
+        return std::nullopt;
+    CellResampler resampler(version, touched, options, *words);
+    if (!resampler.severalCells())
+        return std::nullopt;
+    return resampler.run();
+}
+
+} // namespace process

@@ -1,0 +1,41 @@
+#include "core/session/commands/combined_model.h"
+
+#include "core/session/number_text_list.h"
+
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+namespace session {
+
+void take(Context& context, solid::Combined result, const char* label) {
+    context.messages.push_back(std::to_string(result.removed) + " points went, " + std::to_string(result.inserted) +
+                               " came");
+    context.figures["removed"] = static_cast<double>(result.removed);
+    context.figures["inserted"] = static_cast<double>(result.inserted);
+    context.figures["at_seam"] = static_cast<double>(result.atSeam);
+    if (result.removed + result.inserted > 0)
+        context.document.commit(std::move(result.surface), label);
+}
+
+CommandParameter creasesParameter() {
+    return {"creases", "boolean", "", "label the points on both sides of seams as cells, so that seams are sharp",
+            "true",    "",        0,  0};
+}
+
+/// About the axis of that number.
+static base::Mat3d turnAbout(std::size_t axis, double degrees) {
+    const double angle = degrees * std::numbers::pi / 180, c = std::cos(angle), s = std::sin(angle);
+    const int i = static_cast<int>((axis + 1) % 3), j = static_cast<int>((axis + 2) % 3);
+    base::Mat3d out = base::Mat3d::identity();
+    out[i][i] = out[j][j] = c;
+    out[i][j] = -s, out[j][i] = s;
+    return out;
+}
+
+solid::Pose poseOf(const nlohmann::json& complete, const base::Vec3d& origin) {
+    const base::Vec3d degrees = vectorOf(complete.at("rotation").get<std::string>(), "rotation");
+    return {turnAbout(2, degrees.z) * turnAbout(1, degrees.y) * turnAbout(0, degrees.x),
+            vectorOf(complete.at("position").get<std::string>(), "position") - origin};
+}
+
+} // namespace session

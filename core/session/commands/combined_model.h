@@ -1,0 +1,23 @@
+// What the commands share that put a model and a solid together. Inside this room only.
+#pragma once
+
+#include "core/base/plane.h"
+#include "core/session/command.h"
+#include "core/solid/combine.h"
+#include "core/solid/primitive.h"
+
+namespace session {
+
+/// The result becomes the document's, with a message and figures of what came and went.
+void take(Context& context, solid::Combined result, const char* label);
+
+/// "creases": are seams sharp?
+CommandParameter creasesParameter();
+
+/// "nx,ny,nz,d" in coordinates of the file, relative to the model's origin. Throws base::Error.
+base::Plane planeOf(const std::string& text, const base::Vec3d& origin);
+
+/// "position" and "rotation" of a command, relative to the model's origin.
+solid::Pose poseOf(const nlohmann::json& complete, const base::Vec3d& origin);
+
+} // namespace session

@@ -1,0 +1,81 @@
+#include "core/session/commands/commands.h"
+#include "core/solid/fill.h"
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace session {
+
+static solid::FillOptions fillOptions(const nlohmann::json& complete) {
+    solid::FillOptions out;
+    out.shape = complete.at("method") == "flat" ? solid::Shape::Flat : solid::Shape::Smooth;
+    if (const nlohmann::json& holes = complete.at("holes"); holes.is_number())
+        out.only = holes.get<std::size_t>();
+    else
+        out.keepLargest = holes == "largest-kept";
+    if (const auto longest = complete.find("up_to"); longest != complete.end())
+        out.longest = longest->get<double>();
+    return out;
+}
+
+static std::string placeText(const base::Vec3d& place) {
+    std::ostringstream out;
+    out.precision(4);
+    out << place.x << ' ' << place.y << ' ' << place.z;
+    return out.str();
+}
+
+static std::string told(const solid::LoopFate& fate, const base::Vec3d& origin) {
+    std::ostringstream out;
+    out.precision(4);
+    out << "boundary loop " << fate.number << " of length " << fate.length << " about "
+        << placeText(fate.middle + origin);
+    if (*fate.why)
+        out << " was left: " << fate.why;
+    else
+        out << " is filled flat: no smooth surface stayed near it";
+    return out.str();
+}
+
+static void fill(Context& context, const nlohmann::json& complete) {
+    requireModel(context);
+    const base::Vec3d origin = context.document.provenance().origin;
+    solid::Filled result = solid::fillHoles(context.document.surface(), fillOptions(complete), context.progress);
+    std::size_t filled = 0, left = 0, surfels = 0;
+    for (const solid::LoopFate& fate : result.loops) {
+        if (fate.asked && (*fate.why || fate.flattened))
+            context.messages.push_back(told(fate, origin));
+        (fate.asked && !*fate.why ? filled : left) += 1;
+        surfels += fate.surfels;
+    }
+    context.messages.push_back(std::to_string(filled) + " of " + std::to_string(filled + left) +
+                               " boundary loops filled with " + std::to_string(surfels) + " points");
+    context.figures["filled"] = static_cast<double>(filled);
+    context.figures["left"] = static_cast<double>(left);
+    context.figures["surfels"] = static_cast<double>(surfels);
+    if (surfels > 0)
+        context.document.commit(std::move(result.surface), "Fill holes");
+}
+
+CommandRow fillCommand() {
+    static const CommandParameter parameters[] = {
+        {"holes", "number or choice", "",
+         "which boundary loops: all, all but the longest, or one by its number (longest first, from 0)", "\"all\"",
+         "all largest-kept", 0, largestCount},
+        {"method", "choice", "",
+         "flat: as little surface as there can be; smooth: tangent planes and curvature around go on into the hole",
+         "\"smooth\"", "flat smooth", 0, 0},
+        {"up_to", "number", "model units", "loops longer than this stay open", "null", "", positive, largest},
+    };
+    return {"fill",
+            "Fill holes",
+            "Closes the holes of an open surface with points as dense as those around; loops that touch "
+            "themselves are named and stay.",
+            parameters,
+            true,
+            false,
+            fill,
+            nullptr};
+}
+
+} // namespace session

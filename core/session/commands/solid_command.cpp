@@ -1,0 +1,89 @@
+#include "core/base/error.h"
+#include "core/base/unit_normal.h"
+#include "core/session/commands/combined_model.h"
+#include "core/session/commands/commands.h"
+#include "core/session/model_argument.h"
+#include "core/session/number_text_list.h"
+
+#include <nlohmann/json.hpp>
+
+namespace session {
+
+using nlohmann::json;
+
+/// The other model, opened or made as `open` and `new` do it.
+static Document otherModel(const Context& context, const json& complete) {
+    const bool file = complete.contains("path");
+    if (file == complete.contains("sample"))
+        throw base::Error("\"solid\" needs a \"path\" or a \"sample\"", {}, "give one of them");
+    json open = file ? json{{"op", "open"}, {"path", complete.at("path")}}
+                     : modelCommand("sample:" + complete.at("sample").get<std::string>());
+    Document out;
+    Context inner{out, context.folder, context.progress, {}, 0, {}, nullptr};
+    run(inner, open);
+    if (const auto wanted = complete.find("hash"); wanted != complete.end() && *wanted != out.hash().text())
+        throw base::Error("the file is not the one that was recorded", complete.at("path").get<std::string>(),
+                          "restore that file, or leave out the hash");
+    return out;
+}
+
+/// Where its surfels are in the model's coordinates.
+static surfel::SurfelList placed(const Document& other, const solid::Pose& pose, double scale) {
+    surfel::SurfelList out = other.surface().tree().surfels();
+    if (!out.layout->normals || !out.layout->oriented)
+        throw base::Error("the other model has no normals that tell inside from outside", "solid",
+                          "open it by itself, orient its normals and save it as PLY");
+    const base::Vec3d origin = other.provenance().origin;
+    for (surfel::Surfel& s : out.items) {
+        s.position = base::cast<float>(pose.place((base::cast<double>(s.position) + origin) * scale));
+        s.normal = base::unitNormal(base::cast<float>(pose.turn * base::cast<double>(s.normal)));
+        s.support *= static_cast<float>(scale);
+    }
+    return out;
+}
+
+static void solidWith(Context& context, const json& complete) {
+    requireModel(context);
+    const Document other = otherModel(context, complete);
+    const surface::Surface& model = context.document.surface();
+    surfel::SurfelList surfels =
+        placed(other, poseOf(complete, context.document.provenance().origin), complete.at("scale").get<double>());
+    const solid::SurfaceSide side({tree::SurfelTree::build(surfels), other.surface().definition()});
+    for (const surface::Surface* each : {&model, &other.surface()})
+        if (std::isfinite(each->definition().boundaryLimit))
+            context.messages.push_back(std::string(each == &model ? "the model" : "the other model") +
+                                       " has a boundary: where it is open, inside and outside are a guess");
+    take(context,
+         solid::combine(model, {side, std::move(surfels)},
+                        solid::operation(complete.at("operation").get<std::string>()),
+                        {complete.at("creases").get<bool>()}, context.progress),
+         "Combine");
+}
+
+CommandRow solidCommand() {
+    static const std::string operations = idsOf(solid::operationTable());
+    static const CommandParameter parameters[] = {
+        {"path", "path", "", "the other model: a file; give this or sample", "null", "", 0, 0},
+        {"sample", "text", "", "the other model: a sample, NAME[:COUNT[:SEED]]", "null", "", 0, 0},
+        {"hash", "text", "", "content hash that the other model must have", "null", "", 0, 0},
+        {"operation", "choice", "",
+         "union: what is in either; difference: in this one and not in the other; intersection: in both", "\"union\"",
+         operations.c_str(), 0, 0},
+        {"position", "text", "model units", "where the other one's origin comes to stand, as x,y,z", "\"0,0,0\"", "", 0,
+         0},
+        {"rotation", "text", "degrees", "by which it is turned before, about x, then y, then z, as x,y,z", "\"0,0,0\"",
+         "", 0, 0},
+        {"scale", "number", "", "by which it is enlarged first", "1", "", positive, largest},
+        creasesParameter(),
+    };
+    return {"solid",
+            "Combine solids",
+            "Puts the model and another one together as solids: union, difference or intersection.",
+            parameters,
+            true,
+            false,
+            solidWith,
+            nullptr};
+}
+
+} // namespace session

@@ -1,0 +1,45 @@
+// A model and a solid put together: union, difference, intersection (solid/README 2). What is outside or inside of the
+// other one stays; the seam is a crease between cells of its two sides (cells/README).
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/solid/side.h"
+
+#include <string_view>
+
+namespace solid {
+
+enum class Operation { Union, Difference, Intersection };
+
+struct OperationRow {
+    const char* id;
+    const char* label;
+    Operation operation;
+};
+std::span<const OperationRow> operationTable();
+/// Throws base::Error naming the known ones.
+Operation operation(std::string_view id);
+
+/// The second solid: a side, and surfels on it. REQUIRES of the surfels: oriented normals, supports.
+struct Operand {
+    const Side& side;
+    surfel::SurfelList surfels;
+};
+
+struct CombineOptions {
+    bool creases = true; ///< label both sides of the seam, so that it stays sharp
+};
+
+struct Combined {
+    surface::Surface surface;
+    std::size_t removed = 0;  ///< surfels of the model that went
+    std::size_t inserted = 0; ///< of the operand that came
+    std::size_t atSeam = 0;   ///< surfels beside the seam, where it is a crease
+};
+
+/// The model's surfels that stay keep every bit but their labels. Throws base::Error where the model has no oriented
+/// normals or is a curve, and where nothing would be left; base::Cancelled.
+Combined combine(const surface::Surface& model, const Operand& operand, Operation operation,
+                 const CombineOptions& options = {}, const base::Progress& progress = {});
+
+} // namespace solid

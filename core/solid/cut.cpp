@@ -1,0 +1,165 @@
+#include "core/solid/cut.h"
+
+#include "core/base/cancel_scope.h"
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/process/estimation/boundary_limit.h"
+#include "core/process/estimation/part_progress.h"
+#include "core/process/estimation/spacing_sample.h"
+#include "core/process/resampling/resample.h"
+#include "core/solid/primitive.h"
+
+namespace solid {
+
+using base::Vec3d;
+
+namespace {
+
+/// The surfels about the plane; each one's support is the spacing there.
+surfel::SurfelList besidePlane(const tree::SurfelTree& tree, const base::Plane& plane) {
+    surfel::SurfelList out;
+    tree.forEachBlock([&](std::uint32_t, const surfel::SurfelBlock& block) {
+        for (int slot = 0; slot < block.size(); ++slot) {
+            surfel::Surfel s = block.surfel(slot);
+            if (std::abs(plane.distance(base::cast<double>(s.position))) < static_cast<double>(s.support))
+                out.append(s, {});
+        }
+    });
+    base::parallelFor(out.items.size(), 16, [&](std::size_t i) {
+        surfel::Surfel& s = out.items[i];
+        if (const float spacing = process::spacingAround(tree, s.position); spacing > 0)
+            s.support = spacing;
+    });
+    return out;
+}
+
+/// Places in the plane about the model's edge there, as far apart as its surfels are at the nearest place.
+class CapSampler {
+  public:
+    CapSampler(const surface::Surface& model, const base::Plane& plane)
+        : m_definition(model.definition()), m_pose(poseAlong(plane.normal * plane.offset, plane.normal)) {
+        const surfel::SurfelList beside = besidePlane(model.tree(), plane);
+        if (beside.size() == 0)
+            return;
+        for (const surfel::Surfel& s : beside.items)
+            m_box.extend(m_pose.local(base::cast<double>(s.position)));
+        m_beside = tree::SurfelTree::build(beside);
+        auto layout = std::make_shared<surfel::AttributeLayout>();
+        layout->normals = layout->oriented = true;
+        m_out.layout = layout;
+        m_normal = base::cast<float>(plane.normal);
+        sample();
+    }
+    surfel::SurfelList result() { return std::move(m_out); }
+
+  private:
+    static constexpr double mostPlaces = 2e7;
+
+    double spacingAt(double u, double v) const {
+        constexpr std::size_t around = 5; // the middle one: a stray has no say
+        std::vector<tree::Neighbour> near;
+        m_beside.nearest(base::cast<float>(m_pose.place({u, v, 0})), around, near);
+        std::vector<double> spacings;
+        for (const tree::Neighbour& each : near)
+            spacings.push_back(static_cast<double>(each.block->support(each.slot)));
+        std::sort(spacings.begin(), spacings.end());
+        return spacings[spacings.size() / 2];
+    }
+    void sample() {
+        double least = std::numeric_limits<double>::infinity(), most = 0;
+        constexpr int looks = 32;
+        for (int i = 0; i < looks; ++i)
+            for (int j = 0; j < looks; ++j) {
+                const double spacing = spacingAt(m_box.lo.x + (i + 0.5) / looks * m_box.size().x,
+                                                 m_box.lo.y + (j + 0.5) / looks * m_box.size().y);
+                least = std::min(least, spacing), most = std::max(most, spacing);
+            }
+        if (!(m_box.size().x * m_box.size().y < mostPlaces * least * least))
+            throw base::Error("a cap as dense as the model is there would have too many points", "cut",
+                              "resample the model with a larger spacing");
+        if (most < 1.25 * least)
+            rows(std::sqrt(least * most));
+        else
+            squares();
+    }
+    /// A hexagonal layout.
+    void rows(double spacing) {
+        const double row = 0.9306 * spacing, along = spacing / 0.9306;
+        const auto count = [](double length, double step) { return static_cast<int>(std::ceil(length / step)) + 1; };
+        for (int i = 0; i < count(m_box.size().y, row); ++i) {
+            base::CancelScope::check();
+            for (int j = 0; j < count(m_box.size().x, along); ++j)
+                add(m_box.lo.x + (j + 0.5 * (i & 1)) * along, m_box.lo.y + i * row, spacing);
+        }
+    }
+    /// Squares, halved until none is larger than the spacing about it; a place in the middle of each.
+    void squares() {
+        struct Square {
+            double u, v, side;
+        };
+        const double side = std::max(m_box.size().x, m_box.size().y);
+        std::vector<Square> open{{m_box.centre().x, m_box.centre().y, side}};
+        while (!open.empty()) {
+            const Square at = open.back();
+            open.pop_back();
+            base::CancelScope::check();
+            const double spacing = spacingAt(at.u, at.v);
+            // what is a square of 1.4 at most is one of 0.7 at least: as dense in the mean
+            if (at.side <= 1.4 * spacing) {
+                add(at.u, at.v, spacing);
+                continue;
+            }
+            for (const double i : {-0.25, 0.25})
+                for (const double j : {-0.25, 0.25})
+                    open.push_back({at.u + i * at.side, at.v + j * at.side, 0.5 * at.side});
+        }
+    }
+    void add(double u, double v, double spacing) {
+        surfel::Surfel s;
+        s.position = base::cast<float>(m_pose.place({u, v, 0}));
+        s.normal = m_normal;
+        s.support = process::supportOf(m_definition, static_cast<float>(spacing));
+        m_out.append(s, {});
+    }
+
+    surface::SurfaceDefinition m_definition;
+    Pose m_pose;
+    base::Box3d m_box;
+    tree::SurfelTree m_beside;
+    base::Vec3f m_normal;
+    surfel::SurfelList m_out;
+};
+
+} // namespace
+
+Combined cutByPlane(const surface::Surface& model, const base::Plane& plane, const CutOptions& options,
+                    const base::Progress& progress) {
+    const HalfSpaceSide side(plane.normal, plane.offset);
+    if (options.cap)
+        return combine(model, {side, CapSampler(model, plane).result()}, Operation::Difference, {options.creases},
+                       progress);
+    const std::vector<std::int8_t> sides = sidesOf(model.tree(), side);
+    tree::Edit edit;
+    edit.inserted.layout = model.tree().layout();
+    Combined out;
+    std::size_t next = 0;
+    for (std::uint32_t b = 0; b < model.tree().blockCount(); ++b) {
+        tree::BlockEdit change{b, {}, {}};
+        for (int slot = 0; slot < model.tree().block(b)->size(); ++slot)
+            change.removed[static_cast<std::size_t>(slot)] = sides[next++] < 0;
+        out.removed += change.removed.count();
+        if (change.removed.any())
+            edit.blocks.push_back(std::move(change));
+    }
+    if (model.tree().size() < out.removed + 4)
+        throw base::Error("nothing would be left", "cut", "move the plane, or keep the other side");
+    surface::SurfaceDefinition definition = model.definition();
+    out.surface = {model.tree().apply(edit), definition};
+    if (out.removed > 0 && definition.boundary == surface::Boundary::Auto) {
+        definition.boundaryLimit = process::automaticBoundaryLimit(out.surface, process::part(progress, 0.5, 1));
+        out.surface = {out.surface.tree(), definition};
+    }
+    return out;
+}
+
+} // namespace solid

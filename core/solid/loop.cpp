@@ -1,0 +1,121 @@
+#include "core/solid/loop.h"
+
+#include "core/base/cancel_scope.h"
+#include "core/base/parallel.h"
+#include "core/process/estimation/spacing_sample.h"
+#include "core/process/resampling/point_grid.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace solid {
+
+using base::Vec3d;
+
+double Loop::meanSpacing() const {
+    double sum = 0;
+    for (const LoopPoint& p : points)
+        sum += p.spacing;
+    return sum / static_cast<double>(points.size());
+}
+
+/// What the sampling is about a place: medians over the nearest surfels, so that a stray one has no say.
+static void measure(const surface::Surface& surface, LoopPoint& at) {
+    constexpr std::size_t around = 5;
+    std::vector<tree::Neighbour> near;
+    surface.tree().nearest(base::cast<float>(at.position), around, near);
+    std::vector<float> spacings, supports;
+    for (const tree::Neighbour& each : near) {
+        spacings.push_back(process::spacingAround(surface.tree(), each.block->position(each.slot)));
+        supports.push_back(each.block->support(each.slot));
+    }
+    std::sort(spacings.begin(), spacings.end());
+    std::sort(supports.begin(), supports.end());
+    at.spacing = static_cast<double>(spacings[spacings.size() / 2]);
+    at.support = static_cast<double>(supports[supports.size() / 2]);
+    if (!(at.spacing > 0))
+        at.spacing = at.support * surface::spacingOfUnit;
+}
+
+Loop evenLoop(const surface::Surface& surface, const surface::BoundaryCurve& curve, double coarser) {
+    std::vector<LoopPoint> all(curve.points.size());
+    double along = 0;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const surface::BoundaryPoint& p = curve.points[i];
+        all[i] = {p.position, p.normal, p.outward, 0, 0};
+        along += dot(p.tangent(), curve.points[(i + 1) % all.size()].position - p.position);
+    }
+    if (along > 0) // the surface is to the left of its tangents
+        std::reverse(all.begin(), all.end());
+    base::parallelFor(all.size(), 16, [&](std::size_t i) { measure(surface, all[i]); });
+
+    // in units of the spacing, so that steps follow it
+    std::vector<double> at(all.size() + 1, 0);
+    Loop out;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const LoopPoint &a = all[i], &b = all[(i + 1) % all.size()];
+        const double step = distance(a.position, b.position);
+        out.length += step;
+        at[i + 1] = at[i] + step / (0.5 * (a.spacing + b.spacing));
+    }
+    const auto count = static_cast<std::size_t>(std::max(6.0, std::round(at.back() / coarser)));
+    for (std::size_t k = 0, i = 0; k < count; ++k) {
+        const double wanted = at.back() * static_cast<double>(k) / static_cast<double>(count);
+        while (i + 1 < all.size() && at[i + 1] <= wanted)
+            ++i;
+        const double t = at[i + 1] > at[i] ? (wanted - at[i]) / (at[i + 1] - at[i]) : 0;
+        const LoopPoint &a = all[i], &b = all[(i + 1) % all.size()];
+        out.points.push_back({a.position + (b.position - a.position) * t,
+                              normalized(a.normal * (1 - t) + b.normal * t, a.normal),
+                              normalized(a.outward * (1 - t) + b.outward * t, a.outward),
+                              a.spacing + (b.spacing - a.spacing) * t, a.support + (b.support - a.support) * t});
+        out.middle += out.points.back().position / static_cast<double>(count);
+    }
+    return out;
+}
+
+std::vector<std::uint8_t> touching(const std::vector<Loop>& loops) {
+    constexpr double near = 0.5, apart = 3; // in spacings: of places, and along the loop
+    struct Place {
+        std::uint32_t loop, point;
+    };
+    std::vector<Place> places;
+    std::vector<process::PointGrid::Entry> entries;
+    base::Box3d box;
+    double widest = 0;
+    for (std::uint32_t l = 0; l < loops.size(); ++l)
+        for (std::uint32_t i = 0; i < loops[l].size(); ++i) {
+            const LoopPoint& p = loops[l].points[i];
+            entries.push_back({base::cast<float>(p.position), static_cast<std::uint32_t>(places.size())});
+            places.push_back({l, i});
+            box.extend(p.position);
+            widest = std::max(widest, near * p.spacing);
+        }
+    std::vector<std::uint8_t> out(loops.size(), 0);
+    if (places.empty())
+        return out;
+    const double cell = std::max({widest, 1e-5 * box.diagonal(), 1e-30});
+    process::PointGrid grid(base::cast<float>(box.lo), static_cast<float>(cell));
+    grid.build(entries);
+    for (std::uint32_t number = 0; number < places.size(); ++number) {
+        const Place here = places[number];
+        const Loop& loop = loops[here.loop];
+        const LoopPoint& p = loop.points[here.point];
+        base::CancelScope::check();
+        grid.forNear(base::cast<float>(p.position), static_cast<float>(near * p.spacing), [&](const auto& entry) {
+            const Place there = places[entry.index];
+            const LoopPoint& q = loops[there.loop].points[there.point];
+            if (distance(p.position, q.position) >= near * std::min(p.spacing, q.spacing))
+                return;
+            const auto between =
+                static_cast<double>(here.point > there.point ? here.point - there.point : there.point - here.point);
+            const bool beside =
+                here.loop == there.loop && std::min(between, static_cast<double>(loop.size()) - between) < apart;
+            if (!beside)
+                out[here.loop] = out[there.loop] = 1;
+        });
+    }
+    return out;
+}
+
+} // namespace solid

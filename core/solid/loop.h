@@ -1,0 +1,37 @@
+// A boundary loop as the edge of a patch that is to fill it: places one spacing apart, with what the surface is there.
+//
+// Model coordinates, float64. Immutable values.
+#pragma once
+
+#include "core/surface/curves/boundary.h"
+
+#include <string>
+
+namespace solid {
+
+struct LoopPoint {
+    base::Vec3d position;
+    base::Vec3d normal;  ///< unit, of the surface
+    base::Vec3d outward; ///< unit, along the surface into the hole
+    double spacing = 0;  ///< between surfels around
+    double support = 0;  ///< of theirs
+};
+
+/// Counter-clockwise about the hole as seen from where the normals point: the surface is to the right.
+struct Loop {
+    std::vector<LoopPoint> points;
+    double length = 0;
+    base::Vec3d middle;
+
+    std::size_t size() const { return points.size(); }
+    double meanSpacing() const;
+};
+
+/// The loop's points about `coarser` spacings apart, 6 at least, where spacings are those of the surfels around.
+/// REQUIRES: a closed curve.
+Loop evenLoop(const surface::Surface& surface, const surface::BoundaryCurve& curve, double coarser = 1);
+
+/// Which loops come nearer than half a spacing to themselves, other than along themselves, or to another one.
+std::vector<std::uint8_t> touching(const std::vector<Loop>& loops);
+
+} // namespace solid

@@ -1,0 +1,33 @@
+// A patch over a boundary loop as triangles of the loop's spacing (solid/README 1.2): where it lies is shaped
+// afterwards (shape_patch.h).
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/mesh/mesh.h"
+#include "core/solid/loop.h"
+
+namespace solid {
+
+struct Patch {
+    std::vector<base::Vec3d> positions;    ///< the loop's points, then those inside
+    std::vector<double> spacings;          ///< wanted at each
+    std::vector<mesh::Triangle> triangles; ///< a disc, counter-clockwise seen from where the loop's normals point
+    std::size_t loopSize = 0;
+
+    bool inside(std::size_t vertex) const { return vertex >= loopSize; }
+};
+
+/// Corners of the polygon that stands for the loop at first.
+constexpr std::size_t mostCorners = 160;
+
+/// Area of the least triangulation of some of the loop's points: what a patch will have at least.
+double areaOver(const Loop& loop);
+
+/// An even triangulation of the loop, about the surface of least area. Throws base::Cancelled.
+Patch patchOver(const Loop& loop, const base::Progress& progress = {});
+
+/// Every edge halved `times`, new vertices on the cubics that the normals at its ends make of it [Vlachos01]; `normals`
+/// becomes theirs. The loop's points are no longer the first ones: loopSize becomes 0.
+void halveEdges(Patch& patch, std::vector<base::Vec3d>& normals, int times);
+
+} // namespace solid

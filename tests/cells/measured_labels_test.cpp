@@ -1,0 +1,150 @@
+// Labels after an edit: nothing new where nothing moved; what was bent the other way is concave; flat is no crease.
+#include "core/cells/measured_labels.h"
+
+#include "cells/solids.h"
+#include "support/registry.h"
+
+#include <QTest>
+
+using namespace plane_solids;
+using base::Random;
+using cells::Label;
+using cells::LabelLayout;
+using cells::Meeting;
+
+class MeasuredLabelsTest : public QObject {
+    Q_OBJECT
+  private Q_SLOTS:
+    void creasesAreFoundWhereTheyWere_data();
+    void creasesAreFoundWhereTheyWere();
+    void bentTheOtherWayTheSignTurns_data();
+    void bentTheOtherWayTheSignTurns();
+    void nothingChangesElsewhere();
+};
+
+namespace {
+
+constexpr double spacing = 0.1;
+
+std::vector<cells::EditedBall> everywhere() {
+    return {{{}, 10.0f}};
+}
+
+/// Labels by position, of all surfels of a version.
+template <class Fn>
+void forLabels(const tree::SurfelTree& tree, const Fn& fn) {
+    const LabelLayout labels = *LabelLayout::of(*tree.layout());
+    tree.forEachBlock([&](std::uint32_t number, const surfel::SurfelBlock& block) {
+        for (int slot = 0; slot < block.size(); ++slot)
+            fn(number, slot, base::cast<double>(block.position(slot)), labels.at(block, slot));
+    });
+}
+
+/// Two planes through the y axis, rising by so many degrees to both sides of it, normals up.
+SampledSolid roof(double degrees, Random& random) {
+    const double a = degrees * pi / 180;
+    std::vector<Plane> planes{{{-std::sin(a), 0, std::cos(a)}, 0}, {{std::sin(a), 0, std::cos(a)}, 0}};
+    if (degrees < 0)
+        return sampled(intersection(planes), 1, spacing, random);
+    return sampled({planes, [](const std::vector<double>& f) { return std::min(f[0], f[1]); },
+                    [](std::size_t, std::size_t) { return false; }},
+                   1, spacing, random);
+}
+
+} // namespace
+
+void MeasuredLabelsTest::creasesAreFoundWhereTheyWere_data() {
+    QTest::addColumn<int>("kind");
+    QTest::newRow("cube") << 0;
+    QTest::newRow("L-block") << 1;
+    QTest::newRow("pyramid") << 2;
+}
+
+void MeasuredLabelsTest::creasesAreFoundWhereTheyWere() {
+    QFETCH(int, kind);
+    Random random(test::seed());
+    const Solid solid = kind == 0 ? cube(0.7) : kind == 1 ? lBlock(0.8) : pyramid(5, 0.8, 0.8);
+    const SampledSolid s = sampled(solid, 2.4, spacing, random);
+    const surface::Surface before = surfaceOf(s.surfels);
+    const tree::Edit edit = cells::measuredLabels(before, everywhere());
+    const tree::SurfelTree after = edit.empty() ? before.tree() : before.tree().apply(edit);
+    QCOMPARE(after.size(), before.tree().size());
+    std::vector<Label> old;
+    forLabels(before.tree(), [&](auto, auto, auto&&, const Label& label) { old.push_back(label); });
+    std::size_t i = 0, partners = 0, signs = 0, beside = 0;
+    forLabels(after, [&](auto, auto, auto&&, const Label& label) {
+        const Label& was = old[i++];
+        QCOMPARE(label.cell, was.cell);
+        beside += was.meeting != Meeting::None ? 1 : 0;
+        partners += label.partner != was.partner ? 1 : 0;
+        signs += label.partner == was.partner && label.meeting != was.meeting ? 1 : 0;
+    });
+    // at corners two creases may be as near, and the end of their reach lies between surfels
+    const QByteArray told = QString("seed %1: %2 beside, partners %3, signs %4")
+                                .arg(test::seed())
+                                .arg(beside)
+                                .arg(partners)
+                                .arg(signs)
+                                .toUtf8();
+    QVERIFY2(beside > 100 && partners <= beside / 12 && signs == 0, told);
+}
+
+void MeasuredLabelsTest::bentTheOtherWayTheSignTurns_data() {
+    QTest::addColumn<double>("from");
+    QTest::addColumn<double>("to");
+    QTest::newRow("ridge to valley") << -30.0 << 25.0;
+    QTest::newRow("valley to ridge") << 30.0 << -20.0;
+    QTest::newRow("to flat") << -30.0 << 1.0;
+}
+
+void MeasuredLabelsTest::bentTheOtherWayTheSignTurns() {
+    QFETCH(double, from);
+    QFETCH(double, to);
+    Random random(test::seed());
+    SampledSolid s = roof(from, random);
+    const double a = to * pi / 180;
+    for (surfel::Surfel& each : s.surfels.items) {
+        const double side = each.position.x < 0 ? -1 : 1;
+        each.position.z = static_cast<float>(std::abs(double(each.position.x)) * std::tan(a));
+        each.normal = base::cast<float>(Vec3d{-side * std::sin(a), 0, std::cos(a)});
+    }
+    const surface::Surface before = surfaceOf(s.surfels);
+    const tree::SurfelTree after = before.tree().apply(cells::measuredLabels(before, everywhere()));
+    const Meeting expected = std::abs(to) < 2 ? Meeting::None : to > 0 ? Meeting::Concave : Meeting::Convex;
+    std::size_t beside = 0, wrong = 0;
+    forLabels(after, [&](auto, auto, const Vec3d& p, const Label& label) {
+        if (std::abs(p.x) > 1.2 * spacing || std::abs(p.y) > 0.7)
+            return;
+        ++beside;
+        wrong += label.meeting != expected ? 1 : 0;
+    });
+    QVERIFY2(beside > 20 && wrong == 0,
+             qPrintable(QString("%1 of %2, seed %3").arg(wrong).arg(beside).arg(test::seed())));
+}
+
+void MeasuredLabelsTest::nothingChangesElsewhere() {
+    Random random(test::seed());
+    SampledSolid s = sampled(cube(0.7), 2.4, spacing, random);
+    std::vector<Label> none(s.surfels.size());
+    const LabelLayout labels = *LabelLayout::of(*s.surfels.layout);
+    for (std::size_t i = 0; i < none.size(); ++i) {
+        none[i] = labels.at(s.surfels.extraOf(i));
+        none[i].meeting = none[i].meeting == Meeting::None ? Meeting::None : cells::opposite(none[i].meeting);
+    }
+    cells::setLabels(s.surfels, none); // all signs wrong
+    const surface::Surface before = surfaceOf(s.surfels);
+    const base::Vec3f corner{0.7f, 0.7f, 0.7f};
+    const cells::EditedBall ball{corner, 0.3f};
+    const tree::SurfelTree after = before.tree().apply(cells::measuredLabels(before, {&ball, 1}));
+    std::size_t turned = 0, touched = 0;
+    forLabels(after, [&](auto, auto, const Vec3d& p, const Label& label) {
+        const double far = base::distance(p, base::cast<double>(corner));
+        turned += far < 0.3 && label.meeting == Meeting::Convex ? 1 : 0;
+        touched += far > 0.3 + 3.6 * spacing && label.meeting == Meeting::Convex ? 1 : 0;
+    });
+    QVERIFY(turned > 10);
+    QCOMPARE(touched, std::size_t(0));
+}
+
+static const test::Registered<MeasuredLabelsTest> registered;
+#include "measured_labels_test.moc"

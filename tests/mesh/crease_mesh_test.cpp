@@ -1,0 +1,184 @@
+// Meshes of models with cells: vertices on faces, seams and corners, every seam a chain of edges, nothing torn.
+#include "core/base/parallel.h"
+#include "core/mesh/check/check.h"
+#include "core/mesh/check/self_intersections.h"
+#include "core/mesh/connectivity/triangulation.h"
+#include "core/mesh/marching/marching_cubes.h"
+
+#include "cells/solids.h"
+#include "support/registry.h"
+#include "support/sanitized.h"
+
+#include <QTest>
+
+using base::Random, base::Vec3d, mesh::Mesh;
+using plane_solids::SampledSolid;
+
+class CreaseMeshTest : public QObject {
+    Q_OBJECT
+  private Q_SLOTS:
+    void solidsKeepTheirEdges_data();
+    void solidsKeepTheirEdges();
+    void octantsKeepTheirEdges();
+    void threadsDoNotShow();
+    void withoutLabelsNothingChanges();
+};
+
+namespace {
+
+constexpr double spacing = 0.1;
+
+plane_solids::Solid polyhedron(Random& random) {
+    std::vector<plane_solids::Plane> planes;
+    for (int i = 0; i < 7; ++i) {
+        const double z = 1 - 2 * (i + 0.5) / 7, a = i * 2.4 + random.uniform(-0.2, 0.2), r = std::sqrt(1 - z * z);
+        planes.push_back({{r * std::cos(a), r * std::sin(a), z}, random.uniform(0.7, 0.9)});
+    }
+    return plane_solids::intersection(std::move(planes));
+}
+
+Mesh meshOf(const surface::Surface& surface, double cell) {
+    mesh::MarchingOptions options;
+    options.cell = cell;
+    mesh::MarchingReport report;
+    return mesh::marchingCubes(surface, options, report);
+}
+
+/// Edges whose triangles differ by more than 25 degrees.
+struct Creases {
+    double length = 0;
+    int ends = 0, strays = 0; ///< ends of them; those that are not on two planes of the solid
+};
+
+Creases creasesOf(const Mesh& mesh, const plane_solids::Solid& solid) {
+    const mesh::Triangulation t(mesh);
+    const auto normal = [&](std::uint32_t f) {
+        const auto& c = t.corners(f);
+        return base::normalized(
+            cross(mesh.positions[c[1]] - mesh.positions[c[0]], mesh.positions[c[2]] - mesh.positions[c[0]]));
+    };
+    Creases out;
+    t.forEdges([&](const mesh::Side& s) {
+        const mesh::Side other = t.across(s);
+        if (!other.exists() || dot(normal(s.face), normal(other.face)) > 0.906)
+            return;
+        out.length += base::distance(mesh.positions[t.from(s)], mesh.positions[t.to(s)]);
+        for (const std::uint32_t v : {t.from(s), t.to(s)}) {
+            const auto on =
+                std::count_if(solid.planes.begin(), solid.planes.end(), [&](const plane_solids::Plane& plane) {
+                    return std::abs(plane.f(mesh.positions[v])) < 1e-3 * spacing;
+                });
+            ++out.ends;
+            out.strays += on < 2 ? 1 : 0;
+        }
+    });
+    return out;
+}
+
+QString told(const mesh::Topology& t, const Creases& c, std::size_t cuts) {
+    return QString("seed %1: loops %2, manifold %3, genus %4, cuts %5, creases %6 long, %7 of %8 ends stray")
+        .arg(test::seed())
+        .arg(t.boundaryLoops)
+        .arg(t.manifold())
+        .arg(t.genus().value_or(-1))
+        .arg(cuts)
+        .arg(c.length)
+        .arg(c.strays)
+        .arg(c.ends);
+}
+
+} // namespace
+
+void CreaseMeshTest::solidsKeepTheirEdges_data() {
+    QTest::addColumn<int>("kind");
+    QTest::addColumn<double>("cell"); // in spacings
+    for (const double cell : {1.0, 1.7}) {
+        const QByteArray how = " " + QByteArray::number(cell);
+        QTest::newRow("cube" + how) << 0 << cell;
+        QTest::newRow("L-block" + how) << 1 << cell;
+        QTest::newRow("random polyhedron" + how) << 2 << cell;
+    }
+}
+
+void CreaseMeshTest::solidsKeepTheirEdges() {
+    QFETCH(int, kind);
+    QFETCH(double, cell);
+    if (test::sanitized && (kind != 0 || cell != 1))
+        return;
+    Random random(test::seed());
+    const plane_solids::Solid solid = kind == 0   ? plane_solids::cube(0.8)
+                                      : kind == 1 ? plane_solids::lBlock(0.9)
+                                                  : polyhedron(random);
+    const SampledSolid s = plane_solids::sampled(solid, 2.4, spacing, random);
+    const surface::Surface surface = plane_solids::surfaceOf(s.surfels);
+    const Mesh mesh = meshOf(surface, cell * spacing);
+    const mesh::Topology topology = mesh::topologyOf(mesh.triangles, mesh.positions.size());
+    const std::size_t cuts = mesh::selfIntersections(mesh).size();
+    const Creases creases = creasesOf(mesh, solid);
+    const QByteArray all = told(topology, creases, cuts).toUtf8();
+    QVERIFY2(topology.manifold() && topology.boundaryLoops == 0 && topology.genus() == 0, all);
+    QCOMPARE(cuts, std::size_t(0));
+    QVERIFY2(creases.ends > 100 && creases.strays <= creases.ends / 200, all);
+    if (kind != 2) {
+        const double whole = kind == 0 ? 12 * 1.6 : 22 * 0.9;
+        QVERIFY2(std::abs(creases.length - whole) < 0.01 * whole, all);
+    }
+    double worst = 0;
+    for (const Vec3d& each : mesh.positions)
+        worst = std::max(worst, std::abs(solid.value(each)));
+    QVERIFY2(worst < 0.02 * spacing, QByteArray::number(worst / spacing) + " spacings off; " + all);
+}
+
+/// Three planes and a ball: seams that are bent.
+void CreaseMeshTest::octantsKeepTheirEdges() {
+    constexpr double octantSpacing = 0.06;
+    Random random(test::seed());
+    const surface::Surface surface = plane_solids::surfaceOf(plane_solids::octant(octantSpacing, random));
+    const plane_solids::Solid planes = plane_solids::intersection({{{-1, 0, 0}, 0}, {{0, -1, 0}, 0}, {{0, 0, -1}, 0}});
+    const Mesh mesh = meshOf(surface, octantSpacing);
+    const mesh::Topology topology = mesh::topologyOf(mesh.triangles, mesh.positions.size());
+    const std::size_t cuts = mesh::selfIntersections(mesh).size();
+    const Creases creases = creasesOf(mesh, planes);
+    const QByteArray all = told(topology, creases, cuts).toUtf8();
+    QVERIFY2(topology.manifold() && topology.boundaryLoops == 0 && topology.genus() == 0 && cuts == 0, all);
+    constexpr double whole = 3 + 3 * plane_solids::pi / 2;
+    QVERIFY2(std::abs(creases.length - whole) < 0.02 * whole, all);
+    for (const Vec3d& x : mesh.positions)
+        QVERIFY2(std::abs(std::max(planes.value(x), length(x) - 1)) < 0.1 * octantSpacing, all);
+}
+
+void CreaseMeshTest::threadsDoNotShow() {
+    Random random(3);
+    const SampledSolid s = plane_solids::sampled(plane_solids::cube(0.5), 1, spacing, random);
+    const surface::Surface surface = plane_solids::surfaceOf(s.surfels);
+    const auto with = [&](int threads) {
+        base::setThreadCount(threads);
+        return meshOf(surface, spacing);
+    };
+    const int before = base::threadCount();
+    const Mesh one = with(1), two = with(2);
+    base::setThreadCount(before);
+    QVERIFY(one.positions == two.positions && one.triangles == two.triangles);
+}
+
+void CreaseMeshTest::withoutLabelsNothingChanges() {
+    Random random(3);
+    const SampledSolid s = plane_solids::sampled(plane_solids::cube(0.5), 1, spacing, random);
+    auto layout = std::make_shared<surfel::AttributeLayout>();
+    layout->normals = layout->oriented = true;
+    surfel::SurfelList bare;
+    bare.layout = layout;
+    for (const surfel::Surfel& each : s.surfels.items)
+        bare.append(each, {});
+    mesh::MarchingOptions options;
+    mesh::MarchingReport report;
+    const Mesh with = mesh::marchingCubes(plane_solids::surfaceOf(bare), options, report);
+    options.creases = false;
+    const Mesh without = mesh::marchingCubes(plane_solids::surfaceOf(bare), options, report);
+    const Mesh smooth = mesh::marchingCubes(plane_solids::surfaceOf(s.surfels), options, report);
+    QVERIFY(with.positions == without.positions && with.triangles == without.triangles);
+    QVERIFY(with.positions == smooth.positions && with.triangles == smooth.triangles);
+}
+
+static const test::Registered<CreaseMeshTest> registered;
+#include "crease_mesh_test.moc"

@@ -1,0 +1,115 @@
+// Commands that add and take away matter: each is one step, replays to the same bits, and refuses in a sentence.
+#include "core/base/parallel.h"
+#include "support/registry.h"
+#include "workbench.h"
+
+#include <QTest>
+
+using nlohmann::json;
+using test::Workbench;
+
+class SolidCommandsTest : public QObject {
+    Q_OBJECT
+  private Q_SLOTS:
+    void eachIsAStepThatUndoAndReplayBringBack_data();
+    void eachIsAStepThatUndoAndReplayBringBack();
+    void journalsBringThemBack();
+    void savedOperandsAreOpenedAsModelsAre();
+    void wrongNumbersAreRefused();
+};
+
+namespace {
+
+const char* const lines[] = {
+    R"({"op":"cut","plane":"0.2,1,0,0.3"})",
+    R"({"op":"cut","plane":"0,1,0,0.3","keep":"below","cap":false})",
+    R"({"op":"solid","sample":"sphere:1500","operation":"difference","position":"0.9,0,0","scale":0.6})",
+    R"({"op":"solid","sample":"torus:2000","operation":"union","position":"0.7,0,0","rotation":"90,0,30","creases":false})",
+    R"({"op":"primitive","shape":"box","size":"0.5,0.6,3","rotation":"10,20,30"})",
+    R"({"op":"primitive","shape":"cone","size":"0.5,1.5","position":"0,0,1","operation":"intersection"})",
+    R"({"op":"drill","from":"0,0,3","direction":"0.1,0,-1","radius":0.3})",
+    R"({"op":"drill","from":"0,0,3","direction":"0,0,-1","radius":0.3,"depth":0.5})",
+    R"({"op":"mirror","plane":"1,0.2,0,0.1"})",
+    R"({"op":"hollow","thickness":0.3})",
+};
+
+} // namespace
+
+void SolidCommandsTest::eachIsAStepThatUndoAndReplayBringBack_data() {
+    QTest::addColumn<QString>("line");
+    for (const char* line : lines)
+        QTest::newRow(line) << QString(line);
+}
+
+void SolidCommandsTest::eachIsAStepThatUndoAndReplayBringBack() {
+    QFETCH(QString, line);
+    const json command = json::parse(line.toStdString());
+    Workbench bench;
+    bench.run(test::newSphere(2500));
+    const std::string before = bench.hash();
+    bench.run(command);
+    bench.document.surface().tree().validate();
+    const std::string after = bench.hash();
+    QVERIFY(after != before);
+    bench.run({{"op", "undo"}});
+    QCOMPARE(bench.hash(), before);
+    bench.run({{"op", "redo"}});
+    QCOMPARE(bench.hash(), after);
+    base::setThreadCount(1);
+    Workbench again;
+    again.run(test::newSphere(2500));
+    again.run(command);
+    base::setThreadCount(0);
+    QCOMPARE(again.hash(), after);
+}
+
+void SolidCommandsTest::journalsBringThemBack() {
+    Workbench bench;
+    session::Journal journal(bench.path("journal.jsonl"));
+    bench.context.journal = &journal;
+    bench.run(test::newSphere(2500));
+    for (const int line : {6, 0, 9})
+        bench.run(json::parse(lines[line]));
+    Workbench again;
+    session::replay(bench.path("journal.jsonl"), again.context);
+    QCOMPARE(again.hash(), bench.hash());
+}
+
+void SolidCommandsTest::savedOperandsAreOpenedAsModelsAre() {
+    Workbench tool;
+    tool.run(test::newSphere(1500));
+    const std::string file = tool.path("ball.ply").string();
+    tool.run({{"op", "save"}, {"path", file}});
+    Workbench one, other;
+    for (Workbench* bench : {&one, &other})
+        bench->run(test::newSphere(2500));
+    json command{{"op", "solid"}, {"operation", "difference"}, {"position", "0.9,0.3,0"}};
+    command["path"] = file;
+    command["hash"] = tool.hash();
+    one.run(command);
+    command.erase("path");
+    command.erase("hash");
+    command["sample"] = "sphere:1500";
+    other.run(command);
+    QCOMPARE(one.size(), other.size());
+}
+
+void SolidCommandsTest::wrongNumbersAreRefused() {
+    Workbench bench;
+    bench.run(test::newSphere(1500));
+    const std::string before = bench.hash();
+    for (const char* line :
+         {R"({"op":"cut","plane":"0,0,0,1"})", R"({"op":"cut","plane":"0,1,0"})", R"({"op":"cut","plane":"0,1,0,x"})",
+          R"({"op":"cut","plane":"0,1,0,7"})", R"({"op":"solid"})", R"({"op":"solid","sample":"teapot"})",
+          R"({"op":"solid","sample":"sphere","path":"a.ply"})", R"({"op":"primitive","size":"1,2"})",
+          R"({"op":"primitive","size":"-1"})", R"({"op":"primitive","size":"1e9","spacing":1e-3})",
+          R"({"op":"drill","from":"5,5,5","direction":"0,0,1","radius":0.1})",
+          R"({"op":"drill","from":"0,0,3","direction":"0,0,0","radius":0.1})", R"({"op":"hollow","thickness":2})",
+          R"({"op":"mirror","plane":"1,0,0,9"})", R"({"op":"fill"})"}) {
+        QVERIFY2(!bench.refusal(json::parse(line)).empty(), line);
+        QCOMPARE(bench.hash(), before);
+    }
+}
+
+static const test::Registered<SolidCommandsTest> registered;
+#include "solid_commands_test.moc"
