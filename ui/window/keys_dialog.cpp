@@ -44,7 +44,7 @@ void KeysDialog::build() {
                           static_cast<QWidget*>(m_conflict), static_cast<QWidget*>(buttons)})
         layout->addWidget(each);
     connect(m_typed, &QLineEdit::textChanged, this, &KeysDialog::list);
-    connect(m_list, &QTreeWidget::currentItemChanged, this, &KeysDialog::show);
+    connect(m_list, &QTreeWidget::currentItemChanged, this, &KeysDialog::showChosen);
     connect(m_key, &QKeySequenceEdit::editingFinished, this, [this] {
         if (!m_key->keySequence().isEmpty())
             give(m_key->keySequence());
@@ -71,7 +71,7 @@ void KeysDialog::list() {
         if (&entry == before)
             m_list->setCurrentItem(item);
     }
-    show();
+    showChosen();
 }
 
 const PaletteEntry* KeysDialog::chosen() const {
@@ -79,7 +79,7 @@ const PaletteEntry* KeysDialog::chosen() const {
     return item ? &m_entries[item->data(0, Qt::UserRole).toULongLong()] : nullptr;
 }
 
-void KeysDialog::show() {
+void KeysDialog::showChosen() {
     const PaletteEntry* entry = chosen();
     const QSignalBlocker quiet(m_key);
     m_key->setEnabled(entry);

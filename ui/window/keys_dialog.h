@@ -30,7 +30,7 @@ class KeysDialog : public QDialog {
   private:
     void build();
     void list();
-    void show();
+    void showChosen();
     const PaletteEntry* chosen() const;
     void keep(const PaletteEntry& entry, const QKeySequence& key);
 

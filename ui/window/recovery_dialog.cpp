@@ -49,7 +49,7 @@ RecoveryDialog::RecoveryDialog(const session::LeftJournal& journal, QWidget* par
     connect(discard, &QPushButton::clicked, this, [this] { done(Discard); });
     connect(later, &QPushButton::clicked, this, [this] { done(Later); });
     layout->addWidget(buttons);
-    connect(&m_preview, &RecoveryPreview::shown, this, &RecoveryDialog::show);
+    connect(&m_preview, &RecoveryPreview::shown, this, &RecoveryDialog::showPicture);
     connect(&m_preview, &RecoveryPreview::failed, this, [this](const QString& why) {
         m_picture->setText(tr("There is no picture of it."));
         m_steps->setText(why);
@@ -61,7 +61,7 @@ RecoveryDialog::RecoveryDialog(const session::LeftJournal& journal, QWidget* par
     m_preview.want(journal.path, size * devicePixelRatioF());
 }
 
-void RecoveryDialog::show(const QImage& picture, const QString& steps) {
+void RecoveryDialog::showPicture(const QImage& picture, const QString& steps) {
     m_shown = picture;
     m_shown.setDevicePixelRatio(devicePixelRatioF());
     m_picture->setPixmap(QPixmap::fromImage(m_shown));

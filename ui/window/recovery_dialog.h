@@ -20,7 +20,7 @@ class RecoveryDialog : public QDialog {
     QImage picture() const { return m_shown; }
 
   private:
-    void show(const QImage& picture, const QString& steps);
+    void showPicture(const QImage& picture, const QString& steps);
 
     QLabel *m_picture, *m_steps;
     QImage m_shown;
