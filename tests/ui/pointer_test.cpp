@@ -86,7 +86,16 @@ void PointerTest::symmetryIsShownOverThePictureOnly() {
     WindowFixture f;
     QVERIFY(f.make("sphere", 4000));
     QTRY_VERIFY(!f.window->viewport().picture().isNull());
-    QTest::qWait(300); // the picture at rest
+    const auto rest = [&] { // the last picture is the one with smooth outlines, which takes its time
+        QImage last;
+        for (int same = 0, waits = 0; same < 5 && waits < 100; ++waits) {
+            QTest::qWait(300);
+            const QImage now = f.window->viewport().picture();
+            same = now == last ? same + 1 : 0;
+            last = now;
+        }
+    };
+    rest();
     const auto seen = [&] {
         f.view().update();
         QCoreApplication::processEvents();
@@ -100,7 +109,7 @@ void PointerTest::symmetryIsShownOverThePictureOnly() {
         f.window->settings().shared.symmetry = symmetry;
         f.window->sculptView().refresh();
         QTRY_VERIFY(seen() != shown.back()); // the curve is traced in the background
-        QTest::qWait(300);                   // and the picture comes to rest
+        rest();
         shown.push_back(seen());
         for (std::size_t i = 0; i + 1 < shown.size(); ++i)
             QVERIFY(shown[i] != shown.back());
