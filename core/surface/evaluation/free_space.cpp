@@ -26,9 +26,13 @@ unsigned FreeSpaceFinder::look(const surfel::SurfelBlock& block, int cluster) {
     const base::Box3f box = block.bounds(cluster).box;
     const float reach = queryReach(0.5f * box.diagonal() + m_query.ring + m_query.clear);
     m_near.clear();
-    for (const surfel::SurfelBlock* near : m_blocks)
-        for (unsigned left = near->boundsLanes().within(box.centre(), reach * reach); left != 0; left &= left - 1)
+    for (const surfel::SurfelBlock* near : m_blocks) {
+        const unsigned filled =
+            (1u << near->clusterCount()) - 1; // a reach beyond floats lets lanes without a cluster in
+        for (unsigned left = near->boundsLanes().within(box.centre(), reach * reach) & filled; left != 0;
+             left &= left - 1)
             m_near.push_back(near->channel(std::countr_zero(left), surfel::X));
+    }
     float* scratch = m_scratch.rows(freeSpaceRows, m_near.size());
     return freeSpaceKernel({block.channel(cluster, surfel::X), box, m_near.span(), m_query}, scratch);
 }
