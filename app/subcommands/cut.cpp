@@ -1,8 +1,5 @@
 // pointclay cut: a model cut by a plane, by the session's own command.
-#include "app/open_model.h"
-#include "app/options/command_options.h"
-#include "app/options/surface_options.h"
-#include "app/subcommands/subcommand.h"
+#include "app/options/model_command.h"
 
 #include <nlohmann/json.hpp>
 
@@ -10,39 +7,21 @@ namespace app {
 
 namespace {
 
-struct Options {
-    std::string model, out;
+struct Options : ModelCommand {
     bool cap = false;
-    GivenParameters wish;
-    std::shared_ptr<SurfaceOptions> surface;
 };
-
-void run(const Options& options, Console& console) {
-    nlohmann::json command = parametersOf(options.wish);
-    command["op"] = "cut";
-    command["cap"] = options.cap;
-    session::Document document;
-    session::Context context{document, {}, console.progress(), {}, 0, {}, nullptr};
-    openModel(context, options.model, options.surface->parameters(), console);
-    session::run(context, command);
-    session::run(context, {{"op", "save"}, {"path", options.out}});
-    console.tell(context.messages);
-}
 
 } // namespace
 
 Action addCut(CLI::App& command) {
     auto options = std::make_shared<Options>();
-    command.add_option("MODEL", options->model, modelHelp)->required();
-    command.add_option("-o,--output", options->out, "model to write; .ply keeps everything")
-        ->type_name("OUT")
-        ->required();
+    addModelAndOutput(command, *options);
     for (const session::CommandParameter& p : session::command("cut").parameters)
         if (p.id != std::string_view("cap") && p.id != std::string_view("creases")) // which is of opening
             addParameter(command, "cut", p, helpOf(p), options->wish)->required(p.id == std::string_view("plane"));
     command.add_flag("--cap", options->cap, "close what was cut, as dense as the model is beside it");
     options->surface = addSurfaceOptions(command, false);
-    return [options](Console& console) { run(*options, console); };
+    return [options](Console& console) { runModelCommand(*options, "cut", {{"cap", options->cap}}, console); };
 }
 
 } // namespace app

@@ -1,8 +1,6 @@
 // pointclay solid: two models put together as solids, by the session's own command.
 #include "app/open_model.h"
-#include "app/options/command_options.h"
-#include "app/options/surface_options.h"
-#include "app/subcommands/subcommand.h"
+#include "app/options/model_command.h"
 
 #include <nlohmann/json.hpp>
 
@@ -10,26 +8,15 @@ namespace app {
 
 namespace {
 
-struct Options {
-    std::string model, other, out;
-    GivenParameters wish;
-    std::shared_ptr<SurfaceOptions> surface;
+struct Options : ModelCommand {
+    std::string other;
 };
 
 void run(const Options& options, Console& console) {
     constexpr std::string_view sample = "sample:";
-    nlohmann::json command = parametersOf(options.wish);
-    command["op"] = "solid";
-    if (options.other.starts_with(sample))
-        command["sample"] = options.other.substr(sample.size());
-    else
-        command["path"] = options.other;
-    session::Document document;
-    session::Context context{document, {}, console.progress(), {}, 0, {}, nullptr};
-    openModel(context, options.model, options.surface->parameters(), console);
-    session::run(context, command);
-    session::run(context, {{"op", "save"}, {"path", options.out}});
-    console.tell(context.messages);
+    const bool made = options.other.starts_with(sample);
+    const std::string what = made ? options.other.substr(sample.size()) : options.other;
+    runModelCommand(options, "solid", {{made ? "sample" : "path", what}}, console);
 }
 
 bool isOwn(std::string_view id) {
@@ -40,11 +27,8 @@ bool isOwn(std::string_view id) {
 
 Action addSolid(CLI::App& command) {
     auto options = std::make_shared<Options>();
-    command.add_option("A", options->model, modelHelp)->required();
+    addModelAndOutput(command, *options, "A");
     command.add_option("B", options->other, std::string("the other one: ") + modelHelp)->required();
-    command.add_option("-o,--output", options->out, "model to write; .ply keeps everything")
-        ->type_name("OUT")
-        ->required();
     for (const session::CommandParameter& p : session::command("solid").parameters) {
         if (p.id == std::string_view("operation")) {
             auto given = [options](const std::string& value) { options->wish.emplace_back("operation", value); };

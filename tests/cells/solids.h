@@ -73,6 +73,16 @@ inline Solid mixedCorner(std::vector<Plane> planes, bool cut) {
             [cut](std::size_t a, std::size_t b) { return (a == 0 || b == 0) == cut; }};
 }
 
+/// Planes around the origin, a few directions each of random length: a polyhedron with all kinds of edges and corners.
+inline Solid polyhedron(base::Random& random) {
+    std::vector<Plane> planes;
+    for (int i = 0; i < 7; ++i) {
+        const double z = 1 - 2 * (i + 0.5) / 7, a = i * 2.4 + random.uniform(-0.2, 0.2), r = std::sqrt(1 - z * z);
+        planes.push_back({{r * std::cos(a), r * std::sin(a), z}, random.uniform(0.7, 0.9)});
+    }
+    return intersection(std::move(planes));
+}
+
 struct SampledSolid {
     Solid solid;
     surfel::SurfelList surfels;

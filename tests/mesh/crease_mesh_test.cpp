@@ -28,15 +28,6 @@ namespace {
 
 constexpr double spacing = 0.1;
 
-plane_solids::Solid polyhedron(Random& random) {
-    std::vector<plane_solids::Plane> planes;
-    for (int i = 0; i < 7; ++i) {
-        const double z = 1 - 2 * (i + 0.5) / 7, a = i * 2.4 + random.uniform(-0.2, 0.2), r = std::sqrt(1 - z * z);
-        planes.push_back({{r * std::cos(a), r * std::sin(a), z}, random.uniform(0.7, 0.9)});
-    }
-    return plane_solids::intersection(std::move(planes));
-}
-
 Mesh meshOf(const surface::Surface& surface, double cell) {
     mesh::MarchingOptions options;
     options.cell = cell;
@@ -108,7 +99,7 @@ void CreaseMeshTest::solidsKeepTheirEdges() {
     Random random(test::seed());
     const plane_solids::Solid solid = kind == 0   ? plane_solids::cube(0.8)
                                       : kind == 1 ? plane_solids::lBlock(0.9)
-                                                  : polyhedron(random);
+                                                  : plane_solids::polyhedron(random);
     const SampledSolid s = plane_solids::sampled(solid, 2.4, spacing, random);
     const surface::Surface surface = plane_solids::surfaceOf(s.surfels);
     const Mesh mesh = meshOf(surface, cell * spacing);

@@ -29,16 +29,6 @@ namespace {
 
 constexpr double spacing = 0.1;
 
-/// Planes around the origin, a few directions each of random length: a polyhedron with all kinds of edges and corners.
-plane_solids::Solid polyhedron(Random& random) {
-    std::vector<plane_solids::Plane> planes;
-    for (int i = 0; i < 7; ++i) {
-        const double z = 1 - 2 * (i + 0.5) / 7, a = i * 2.4 + random.uniform(-0.2, 0.2), r = std::sqrt(1 - z * z);
-        planes.push_back({{r * std::cos(a), r * std::sin(a), z}, random.uniform(0.7, 0.9)});
-    }
-    return plane_solids::intersection(std::move(planes));
-}
-
 SampledSolid sampledSolid(const plane_solids::Solid& solid, Random& random) {
     return plane_solids::sampled(solid, 2.4, spacing, random);
 }
@@ -91,7 +81,7 @@ void SharpCastTest::solidsHaveTheirEdges() {
     Random random(seed);
     const plane_solids::Solid solid = kind == 0   ? plane_solids::cube(0.8)
                                       : kind == 1 ? plane_solids::lBlock(0.9)
-                                                  : polyhedron(random);
+                                                  : plane_solids::polyhedron(random);
     const SampledSolid s = sampledSolid(solid, random);
     const ImageRays view = filling({}, 1.5, random.unitVector(), test::sanitized ? 40 : 120, kind == 1);
     const Errors errors = against(solid, view, full(plane_solids::surfaceOf(s.surfels), view));

@@ -27,9 +27,8 @@ unsigned FreeSpaceFinder::look(const surfel::SurfelBlock& block, int cluster) {
     const float reach = queryReach(0.5f * box.diagonal() + m_query.ring + m_query.clear);
     m_near.clear();
     for (const surfel::SurfelBlock* near : m_blocks) {
-        const unsigned filled =
-            (1u << near->clusterCount()) - 1; // a reach beyond floats lets lanes without a cluster in
-        for (unsigned left = near->boundsLanes().within(box.centre(), reach * reach) & filled; left != 0;
+        // a reach beyond floats lets lanes without a cluster in
+        for (unsigned left = near->boundsLanes().within(box.centre(), reach * reach) & near->clusterMask(); left != 0;
              left &= left - 1)
             m_near.push_back(near->channel(std::countr_zero(left), surfel::X));
     }

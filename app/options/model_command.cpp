@@ -1,0 +1,28 @@
+#include "app/options/model_command.h"
+
+#include "app/open_model.h"
+
+#include <nlohmann/json.hpp>
+
+namespace app {
+
+void addModelAndOutput(CLI::App& command, ModelCommand& options, const char* name) {
+    command.add_option(name, options.model, modelHelp)->required();
+    command.add_option("-o,--output", options.out, "model to write; .ply keeps everything")
+        ->type_name("OUT")
+        ->required();
+}
+
+void runModelCommand(const ModelCommand& options, const char* op, const nlohmann::json& given, Console& console) {
+    nlohmann::json command = parametersOf(options.wish);
+    command["op"] = op;
+    command.update(given);
+    session::Document document;
+    session::Context context{document, {}, console.progress(), {}, 0, {}, nullptr};
+    openModel(context, options.model, options.surface->parameters(), console);
+    session::run(context, command);
+    session::run(context, {{"op", "save"}, {"path", options.out}});
+    console.tell(context.messages);
+}
+
+} // namespace app

@@ -1,0 +1,22 @@
+// Subcommands that are one command of a session: a model is opened, the command changes it, and it is saved.
+#pragma once
+
+#include "app/options/command_options.h"
+#include "app/options/surface_options.h"
+#include "app/subcommands/subcommand.h"
+
+namespace app {
+
+struct ModelCommand {
+    std::string model, out;
+    GivenParameters wish;
+    std::shared_ptr<SurfaceOptions> surface;
+};
+
+/// Adds the model, called `name` in help, and -o.
+void addModelAndOutput(CLI::App& command, ModelCommand& options, const char* name = "MODEL");
+
+/// `given` are parameters beside those wished for. Tells what the commands tell once the model is saved.
+void runModelCommand(const ModelCommand& options, const char* op, const nlohmann::json& given, Console& console);
+
+} // namespace app
