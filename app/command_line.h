@@ -3,6 +3,8 @@
 // 2 wrong usage.
 #pragma once
 
+#include "app/usage_error.h"
+
 #include <CLI/CLI.hpp>
 #include <functional>
 #include <optional>
@@ -11,11 +13,6 @@
 #include <vector>
 
 namespace app {
-
-/// Options that do not go together: wrong usage, exit code 2.
-struct UsageError : std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
 
 struct CommonOptions {
     int threads = 0;

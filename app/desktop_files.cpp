@@ -1,5 +1,6 @@
 #include "app/desktop_files.h"
 
+#include "app/command_line.h"
 #include "app/subcommands/subcommand.h"
 #include "core/io/formats.h"
 

@@ -3,7 +3,7 @@
 function(pointclay_app_target name)
     target_compile_definitions(${name} PRIVATE POINTCLAY_VERSION="${PROJECT_VERSION}")
     if(NOT CMAKE_BUILD_TYPE STREQUAL Debug)
-        target_compile_options(${name} PRIVATE -Og) # most of what -O3 compiles are CLI11's inline functions
+        target_compile_options(${name} PRIVATE -Og) # nothing here is hot
     endif()
     pointclay_unhurried(${name})
 endfunction()
@@ -16,7 +16,7 @@ target_include_directories(pointclay_commands PUBLIC ${CMAKE_SOURCE_DIR})
 target_link_libraries(pointclay_commands PUBLIC pointclay_view pointclay_workloads CLI11::CLI11
                                                 nlohmann_json::nlohmann_json)
 pointclay_app_target(pointclay_commands)
-pointclay_heavy(pointclay_commands <CLI/CLI.hpp> <nlohmann/json.hpp>)
+pointclay_heavy(pointclay_commands <nlohmann/json.hpp>)
 
 add_executable(pointclay app/main.cpp)
 target_link_libraries(pointclay PRIVATE pointclay_commands)

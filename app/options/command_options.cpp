@@ -41,14 +41,14 @@ static std::string fault(const std::string& op, const std::string& id, const std
     }
 }
 
-CLI::Option* addParameter(CLI::App& command, const std::string& op, const session::CommandParameter& parameter,
-                          const std::string& help, GivenParameters& given) {
+Option addParameter(OptionSet command, const std::string& op, const session::CommandParameter& parameter,
+                    const std::string& help, GivenParameters& given) {
     const std::string id = parameter.id;
     std::string name = "--" + id;
     std::replace(name.begin(), name.end(), '_', '-');
-    CLI::Option* option = command.add_option_function<std::string>(
+    Option option = command.addTo(
         name, [&given, id](const std::string& value) { given.emplace_back(id, value); }, help);
-    return option->check([op, id](const std::string& value) { return fault(op, id, value); });
+    return option.check({[op, id](const std::string& value) { return fault(op, id, value); }});
 }
 
 std::string helpOf(const session::CommandParameter& p) {

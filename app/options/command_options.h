@@ -1,9 +1,9 @@
 // Options of a subcommand that are parameters of a session's command: the same names, ranges and sentences.
 #pragma once
 
+#include "app/options/option_set.h"
 #include "core/session/command.h"
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,8 +18,8 @@ nlohmann::json parametersOf(const GivenParameters& given);
 
 /// `--sample-count` for `sample_count`. Values are checked as `op` would check them. REQUIRES: `given` outlives the
 /// command.
-CLI::Option* addParameter(CLI::App& command, const std::string& op, const session::CommandParameter& parameter,
-                          const std::string& help, GivenParameters& given);
+Option addParameter(OptionSet command, const std::string& op, const session::CommandParameter& parameter,
+                    const std::string& help, GivenParameters& given);
 
 /// What a parameter takes, for help: its tip, its unit, its choices.
 std::string helpOf(const session::CommandParameter& parameter);

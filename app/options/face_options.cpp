@@ -4,14 +4,14 @@
 
 namespace app {
 
-void addFaceOptions(CLI::App& command, GivenParameters& given, CLI::Option* model) {
-    std::map<std::string, CLI::Option*> added;
+void addFaceOptions(OptionSet command, GivenParameters& given, std::optional<Option> model) {
+    std::map<std::string, Option> added;
     for (const session::CommandParameter& p : session::faceParameters())
-        added[p.id] = addParameter(command, "open", p, helpOf(p), given)->group("Faces");
-    for (const auto& [id, option] : added)
+        added.emplace(p.id, addParameter(command, "open", p, helpOf(p), given).group("Faces"));
+    for (auto& [id, option] : added)
         if (model)
-            option->needs(model);
-    added.at("sample_count")->excludes(added.at("sample_spacing"));
+            option.needs(*model);
+    added.at("sample_count").excludes(added.at("sample_spacing"));
 }
 
 } // namespace app

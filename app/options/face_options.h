@@ -3,9 +3,11 @@
 
 #include "app/options/command_options.h"
 
+#include <optional>
+
 namespace app {
 
 /// REQUIRES: `given` outlives the command. `model`: the option that they belong to, where it is not required.
-void addFaceOptions(CLI::App& command, GivenParameters& given, CLI::Option* model = nullptr);
+void addFaceOptions(OptionSet command, GivenParameters& given, std::optional<Option> model = {});
 
 } // namespace app

@@ -64,26 +64,25 @@ void checkTogether(const LightOptions& options, bool occlusion, const render::Pi
 
 } // namespace
 
-std::shared_ptr<LightOptions> addLightOptions(CLI::App& command) {
+std::shared_ptr<LightOptions> addLightOptions(OptionSet command) {
     auto options = std::make_shared<LightOptions>();
     command
-        .add_option("--material", options->material,
-                    helpOf("material of the surface with --mode raycast", raycast::materialTable()))
-        ->check(idOf(raycast::materialTable()))
-        ->option_text("NAME [matcap]");
+        .add("--material", options->material,
+             helpOf("material of the surface with --mode raycast", raycast::materialTable()))
+        .check(idOf(raycast::materialTable()))
+        .text("NAME [matcap]");
     command
-        .add_option(
-            "--lights", options->lights,
-            helpOf("lamps for --mode raycast: a name, whose lamps stand around the viewer, or directions towards "
-                   "lamps in model coordinates, as in 0,1,0;1,0,0.5",
-                   raycast::lightRigTable()))
-        ->check(CLI::Validator(lightsFault, ""))
-        ->option_text("NAME|x,y,z;... [studio]");
-    command.add_flag("--shadows", options->shadows, "the model casts shadows on itself (--mode raycast)");
-    command.add_flag("--ground", options->ground,
-                     "shadows and occlusion also fall on the ground below the model (--mode raycast)");
-    command.add_flag("--antialias", options->smooth,
-                     "nine rays per pixel at edges (--mode raycast; splats always have smooth edges)");
+        .add("--lights", options->lights,
+             helpOf("lamps for --mode raycast: a name, whose lamps stand around the viewer, or directions towards "
+                    "lamps in model coordinates, as in 0,1,0;1,0,0.5",
+                    raycast::lightRigTable()))
+        .check({lightsFault})
+        .text("NAME|x,y,z;... [studio]");
+    command.addFlag("--shadows", options->shadows, "the model casts shadows on itself (--mode raycast)");
+    command.addFlag("--ground", options->ground,
+                    "shadows and occlusion also fall on the ground below the model (--mode raycast)");
+    command.addFlag("--antialias", options->smooth,
+                    "nine rays per pixel at edges (--mode raycast; splats always have smooth edges)");
     return options;
 }
 

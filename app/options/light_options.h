@@ -12,7 +12,7 @@ struct LightOptions {
     bool shadows = false, ground = false, smooth = false;
 };
 
-std::shared_ptr<LightOptions> addLightOptions(CLI::App& command);
+std::shared_ptr<LightOptions> addLightOptions(OptionSet command);
 
 /// Sets the light of `out`, whose rayCast and style are set already; `occlusion`: --ao was given. Throws UsageError for
 /// what does not go together.

@@ -60,47 +60,46 @@ surface::Surface referenceOf(const std::string& path, const session::Document& d
 
 } // namespace
 
-std::shared_ptr<LookOptions> addLookOptions(CLI::App& command) {
+std::shared_ptr<LookOptions> addLookOptions(OptionSet command) {
     auto options = std::make_shared<LookOptions>();
-    command.add_option("--shading", options->shading, helpOf("how the surface is coloured", render::shadingTable()))
-        ->check(idOf(render::shadingTable()))
-        ->option_text("NAME [colour for a model with colours, else matcap]");
+    command.add("--shading", options->shading, helpOf("how the surface is coloured", render::shadingTable()))
+        .check(idOf(render::shadingTable()))
+        .text("NAME [colour for a model with colours, else matcap]");
     command
-        .add_option("--range", options->range,
-                    "values at the ends of the colour scale, for shadings that measure (write --range=-1,1 where the "
-                    "first is negative); default: those that cover most of the model")
-        ->type_name("LOW,HIGH")
-        ->check(CLI::Validator(rangeFault, ""));
+        .add("--range", options->range,
+             "values at the ends of the colour scale, for shadings that measure (write --range=-1,1 where the "
+             "first is negative); default: those that cover most of the model")
+        .typeName("LOW,HIGH")
+        .check({rangeFault});
     command
-        .add_option("--reference", options->reference,
-                    "model that --shading deviation measures distances from, positive on the side of its normals")
-        ->type_name("MODEL");
-    command.add_option("--background", options->backdrop, helpOf("background of the picture", render::backdropTable()))
-        ->check(idOf(render::backdropTable()))
-        ->option_text("NAME [studio]");
+        .add("--reference", options->reference,
+             "model that --shading deviation measures distances from, positive on the side of its normals")
+        .typeName("MODEL");
+    command.add("--background", options->backdrop, helpOf("background of the picture", render::backdropTable()))
+        .check(idOf(render::backdropTable()))
+        .text("NAME [studio]");
     command
-        .add_option("--effects", options->effects,
-                    helpOf("comma-separated list of effects, drawn from depths and normals over the shaded picture",
-                           render::effectTable()))
-        ->type_name("LIST")
-        ->check(CLI::Validator(effectsFault, ""));
+        .add("--effects", options->effects,
+             helpOf("comma-separated list of effects, drawn from depths and normals over the shaded picture",
+                    render::effectTable()))
+        .typeName("LIST")
+        .check({effectsFault});
     options->light = addLightOptions(command);
-    command.add_flag(
+    command.addFlag(
         "--ao", options->occlusion,
         "ambient occlusion: by rays with --mode raycast, otherwise the same as --effects ambient-occlusion");
-    command.add_flag("--grid", options->grid, "a grid on the ground below the model, with lines at round coordinates");
+    command.addFlag("--grid", options->grid, "a grid on the ground below the model, with lines at round coordinates");
     for (const render::AnnotationRow& row : render::annotationTable()) {
         const bool usual = options->annotated & row.annotation;
         const std::string name = usual ? "--" + std::string(row.id) + ",!--no-" + row.id : "--" + std::string(row.id);
-        command.add_flag_function(
+        command.addFlag(
             name,
-            [options, bit = row.annotation](std::int64_t count) {
-                options->annotated =
-                    count > 0 ? options->annotated | bit : options->annotated & ~render::Annotated(bit);
+            [options, bit = row.annotation](bool on) {
+                options->annotated = on ? options->annotated | bit : options->annotated & ~render::Annotated(bit);
             },
             std::string(row.tip) + (usual ? " (drawn unless --no-" + std::string(row.id) + ")" : ""));
     }
-    command.add_flag("--transparent", options->transparent, "leave out the background");
+    command.addFlag("--transparent", options->transparent, "leave out the background");
     return options;
 }
 

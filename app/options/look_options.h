@@ -18,7 +18,7 @@ struct LookOptions {
     std::shared_ptr<LightOptions> light;
 };
 
-std::shared_ptr<LookOptions> addLookOptions(CLI::App& command);
+std::shared_ptr<LookOptions> addLookOptions(OptionSet command);
 
 /// Sets everything of `out` that the options say, whose rayCast is set already; opens the reference with the same
 /// surface options as `document`'s model, and in its coordinates. Throws base::Error, UsageError. `up`: of the view,

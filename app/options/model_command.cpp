@@ -6,11 +6,9 @@
 
 namespace app {
 
-void addModelAndOutput(CLI::App& command, ModelCommand& options, const char* name) {
-    command.add_option(name, options.model, modelHelp)->required();
-    command.add_option("-o,--output", options.out, "model to write; .ply keeps everything")
-        ->type_name("OUT")
-        ->required();
+void addModelAndOutput(OptionSet command, ModelCommand& options, const char* name) {
+    command.add(name, options.model, modelHelp).required();
+    command.add("-o,--output", options.out, "model to write; .ply keeps everything").typeName("OUT").required();
 }
 
 void runModelCommand(const ModelCommand& options, const char* op, const nlohmann::json& given, Console& console) {

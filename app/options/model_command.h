@@ -14,7 +14,7 @@ struct ModelCommand {
 };
 
 /// Adds the model, called `name` in help, and -o.
-void addModelAndOutput(CLI::App& command, ModelCommand& options, const char* name = "MODEL");
+void addModelAndOutput(OptionSet command, ModelCommand& options, const char* name = "MODEL");
 
 /// `given` are parameters beside those wished for. Tells what the commands tell once the model is saved.
 void runModelCommand(const ModelCommand& options, const char* op, const nlohmann::json& given, Console& console);

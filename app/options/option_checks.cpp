@@ -1,5 +1,7 @@
 #include "app/options/option_checks.h"
 
+#include "core/io/number_text.h"
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -13,29 +15,39 @@ static std::string textOf(double value) {
 }
 
 template <class Fits>
-static CLI::Validator number(const std::string& wanted, Fits fits) {
+static Check number(const std::string& wanted, Fits fits) {
     const auto fault = [wanted, fits](const std::string& text) -> std::string {
-        double value = 0;
-        const bool good = CLI::detail::lexical_cast(text, value) && std::isfinite(value) && fits(value);
-        return good ? "" : "'" + text + "' is not a number " + wanted;
+        const std::optional<double> value = io::numberOf(text);
+        return value && std::isfinite(*value) && fits(*value) ? "" : "'" + text + "' is not a number " + wanted;
     };
     return {fault, wanted};
 }
 
-CLI::Validator between(double least, double most) {
+Check between(double least, double most) {
     return number("from " + textOf(least) + " to " + textOf(most),
                   [least, most](double value) { return value >= least && value <= most; });
 }
 
-CLI::Validator above(double least) {
+Check above(double least) {
     return number("above " + textOf(least), [least](double value) { return value > least; });
 }
 
-CLI::Validator atLeast(double least) {
+Check atLeast(double least) {
     return number("from " + textOf(least) + " up", [least](double value) { return value >= least; });
 }
 
-CLI::Validator pictureName() {
+Check oneOf(const std::vector<std::string>& words) {
+    std::string known;
+    for (const std::string& word : words)
+        known += (known.empty() ? "" : ",") + word;
+    const auto fault = [words, known](const std::string& text) -> std::string {
+        const bool good = std::find(words.begin(), words.end(), text) != words.end();
+        return good ? "" : "'" + text + "' is none of {" + known + "}";
+    };
+    return {fault, "{" + known + "}"};
+}
+
+Check pictureName() {
     const auto fault = [](const std::string& name) -> std::string {
         std::string end = name.substr(name.size() - std::min<std::size_t>(name.size(), 4));
         std::transform(end.begin(), end.end(), end.begin(), [](unsigned char c) { return std::tolower(c); });

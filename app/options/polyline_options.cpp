@@ -15,7 +15,7 @@ surface::TraceOptions PolylineOptions::tracing() const {
     return how;
 }
 
-void addPolylineOptions(CLI::App& command, PolylineOptions& options, const std::string& what,
+void addPolylineOptions(OptionSet command, PolylineOptions& options, const std::string& what,
                         const std::string& columns) {
     std::string tip = "file to write; its ending tells as what. ", type;
     for (const PolylineFormat& row : polylineFormats()) {
@@ -25,13 +25,13 @@ void addPolylineOptions(CLI::App& command, PolylineOptions& options, const std::
         type += (type.empty() ? "FILE" : "|FILE") + std::string(row.ending);
     }
     tip.replace(tip.size() - 2, 2, ". Without it the curves are only counted and measured");
-    command.add_option("-o,--output", options.out, tip)->type_name(type);
-    command.add_option("--turn", options.turn, "angle by which a " + what + " turns from point to point, in radians")
-        ->check(between(0.001, 1))
-        ->capture_default_str();
-    command.add_option("--least", options.least, "leave out " + what + "s shorter than this, in model units")
-        ->check(atLeast(0))
-        ->capture_default_str();
+    command.add("-o,--output", options.out, tip).typeName(type);
+    command.add("--turn", options.turn, "angle by which a " + what + " turns from point to point, in radians")
+        .check(between(0.001, 1))
+        .showDefault();
+    command.add("--least", options.least, "leave out " + what + "s shorter than this, in model units")
+        .check(atLeast(0))
+        .showDefault();
     options.surface = addSurfaceOptions(command, false);
 }
 

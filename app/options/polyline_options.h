@@ -2,11 +2,11 @@
 #pragma once
 
 #include "app/console.h"
+#include "app/options/option_set.h"
 #include "app/options/surface_options.h"
 #include "core/session/document.h"
 #include "core/surface/curves/boundary.h"
 
-#include <CLI/CLI.hpp>
 #include <string>
 
 namespace app {
@@ -21,7 +21,7 @@ struct PolylineOptions {
 };
 
 /// Adds -o, --turn, --least and the surface options. `what` is traced ("boundary curve"), `columns` tells of CSV files.
-void addPolylineOptions(CLI::App& command, PolylineOptions& options, const std::string& what,
+void addPolylineOptions(OptionSet command, PolylineOptions& options, const std::string& what,
                         const std::string& columns);
 
 /// Opens the model. Throws UsageError for a file that no row of the table of formats writes, base::Error with `fault`

@@ -1,4 +1,5 @@
 #include "app/options/surface_options.h"
+#include "app/options/option_checks.h"
 
 #include "app/options/face_options.h"
 #include "core/session/surface_options.h"
@@ -26,25 +27,24 @@ static std::string exceptionOf(const CommandParameter& p) {
                                                  : "";
 }
 
-std::shared_ptr<SurfaceOptions> addSurfaceOptions(CLI::App& command, bool withPrecision) {
+std::shared_ptr<SurfaceOptions> addSurfaceOptions(OptionSet command, bool withPrecision) {
     auto options = std::make_shared<SurfaceOptions>();
-    std::map<std::string, CLI::Option*> added;
+    std::map<std::string, Option> added;
     for (const CommandParameter& p : session::surfaceParameters()) {
         const std::string fallback = fallbackOf(p);
         const std::string help =
             helpOf(p) + (fallback.empty() ? "" : " [" + fallback + ", or what the file says" + exceptionOf(p) + "]");
-        CLI::Option* option = addParameter(command, "surface", p, help, options->given);
-        option->group("Surface");
-        added[p.id] = option;
+        Option option = addParameter(command, "surface", p, help, options->given);
+        option.group("Surface");
+        added.emplace(p.id, option);
         if (const char* other = surface::definitionOption(p.id).excludes)
-            option->excludes(added.at(other));
+            option.excludes(added.at(other));
     }
     if (withPrecision)
-        command
-            .add_option("--precision", options->precision, "arithmetic, and digits written: 9 for float, 17 for double")
-            ->group("Surface")
-            ->check(CLI::IsMember({"float", "double"}))
-            ->capture_default_str();
+        command.add("--precision", options->precision, "arithmetic, and digits written: 9 for float, 17 for double")
+            .group("Surface")
+            .check(oneOf({"float", "double"}))
+            .showDefault();
     addFaceOptions(command, options->given);
     return options;
 }

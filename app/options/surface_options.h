@@ -18,6 +18,6 @@ struct SurfaceOptions {
 };
 
 /// `withPrecision`: where the subcommand can answer in float64, too.
-std::shared_ptr<SurfaceOptions> addSurfaceOptions(CLI::App& command, bool withPrecision);
+std::shared_ptr<SurfaceOptions> addSurfaceOptions(OptionSet command, bool withPrecision);
 
 } // namespace app

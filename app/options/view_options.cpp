@@ -90,55 +90,55 @@ static std::string heightFault(const std::string& text) {
     return parseHeight(text, height) || text == "fit" ? "" : "'" + text + "' is neither a height above zero nor 'fit'";
 }
 
-static CLI::Option* addVector(CLI::App& command, const char* name, std::string& value, const char* tip) {
-    return command.add_option(name, value, tip)->type_name("x,y,z")->check(CLI::Validator(vectorFault, ""));
+static Option addVector(OptionSet command, const char* name, std::string& value, const char* tip) {
+    return command.add(name, value, tip).typeName("x,y,z").check({vectorFault});
 }
 
 static std::string viewNames() {
     return base::joinedIds(render::namedViews());
 }
 
-std::shared_ptr<ViewOptions> addViewOptions(CLI::App& command) {
+std::shared_ptr<ViewOptions> addViewOptions(OptionSet command) {
     auto options = std::make_shared<ViewOptions>();
-    command.add_option("--size", options->size, "size of the picture in pixels")
-        ->type_name("WxH")
-        ->check(CLI::Validator(sizeFault, ""))
-        ->capture_default_str();
+    command.add("--size", options->size, "size of the picture in pixels")
+        .typeName("WxH")
+        .check({sizeFault})
+        .showDefault();
     command
-        .add_option("--view", options->view,
-                    "look from this side, with the whole model in the picture: " + viewNames() +
-                        "; or the name of a view saved in the window")
-        ->type_name("NAME");
+        .add("--view", options->view,
+             "look from this side, with the whole model in the picture: " + viewNames() +
+                 "; or the name of a view saved in the window")
+        .typeName("NAME");
     addVector(command, "--eye", options->eye,
               "position of the eye, in model units; default: where the whole model is in view");
     addVector(command, "--target", options->target, "point that the eye looks at; default: the centre of the model");
     command
-        .add_option("--up", options->up,
-                    "the axis that is upwards in the model, for all views, or a direction x,y,z that is up in the "
-                    "picture; default: the model's own (see info)")
-        ->type_name("AXIS|x,y,z")
-        ->check(CLI::Validator(upFault, ""));
-    auto* fov = command.add_option("--fov", options->fovDeg, "vertical angle of view in degrees; default: 35")
-                    ->type_name("DEG")
-                    ->check(between(1, 170));
+        .add("--up", options->up,
+             "the axis that is upwards in the model, for all views, or a direction x,y,z that is up in the "
+             "picture; default: the model's own (see info)")
+        .typeName("AXIS|x,y,z")
+        .check({upFault});
+    Option fov = command.add("--fov", options->fovDeg, "vertical angle of view in degrees; default: 35")
+                     .typeName("DEG")
+                     .check(between(1, 170));
     command
-        .add_option("--ortho", options->ortho,
-                    "parallel projection: height of the picture in model units, or fit for the whole model")
-        ->type_name("HEIGHT|fit")
-        ->check(CLI::Validator(heightFault, ""))
-        ->excludes(fov);
+        .add("--ortho", options->ortho,
+             "parallel projection: height of the picture in model units, or fit for the whole model")
+        .typeName("HEIGHT|fit")
+        .check({heightFault})
+        .excludes(fov);
     command
-        .add_option("--clip", options->clips,
-                    "show only what lies where nx*x + ny*y + nz*z >= d, in model units; up to 6 times")
-        ->type_name("nx,ny,nz,d")
-        ->check(CLI::Validator(planeFault, ""))
-        ->allow_extra_args(false);
+        .add("--clip", options->clips,
+             "show only what lies where nx*x + ny*y + nz*z >= d, in model units; up to 6 times")
+        .typeName("nx,ny,nz,d")
+        .check({planeFault})
+        .oneAtATime();
     command
-        .add_option("--turntable", options->turntable,
-                    "this many pictures from all around the model, turning about the up direction: IMAGE-000.png, "
-                    "IMAGE-001.png and so on, likewise for --depth; the eye moves to the right")
-        ->type_name("N")
-        ->check(CLI::Range(1, 100000));
+        .add("--turntable", options->turntable,
+             "this many pictures from all around the model, turning about the up direction: IMAGE-000.png, "
+             "IMAGE-001.png and so on, likewise for --depth; the eye moves to the right")
+        .typeName("N")
+        .check(between(1, 100000));
     return options;
 }
 

@@ -2,10 +2,10 @@
 // model. In the file's coordinates.
 #pragma once
 
+#include "app/options/option_set.h"
 #include "core/render/camera.h"
 #include "core/tree/surfel_tree.h"
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
 #include <vector>
@@ -21,7 +21,7 @@ struct ViewOptions {
 
 /// Adds --size, --view, --eye, --target, --up, --fov, --ortho, --clip, --turntable, checked. The result is filled in
 /// when the command is parsed.
-std::shared_ptr<ViewOptions> addViewOptions(CLI::App& command);
+std::shared_ptr<ViewOptions> addViewOptions(OptionSet command);
 
 /// "nx,ny,nz,d" as the half of space n.x >= d, in coordinates relative to `origin`. REQUIRES: planeFault is empty.
 base::Plane planeOf(const std::string& text, const base::Vec3d& origin);

@@ -172,32 +172,29 @@ std::string namesHelp() {
 
 } // namespace
 
-Action addBench(CLI::App& command) {
+Action addBench(OptionSet command) {
     auto options = std::make_shared<Options>();
-    command.add_option("WORKLOAD", options->names, namesHelp());
-    CLI::Option* model =
-        command
-            .add_option("--model", options->model, std::string(modelHelp) + "; queries are placed around its surfels")
-            ->type_name("MODEL");
+    command.add("WORKLOAD", options->names, namesHelp());
+    Option model =
+        command.add("--model", options->model, std::string(modelHelp) + "; queries are placed around its surfels")
+            .typeName("MODEL");
     command
-        .add_option("--points", options->scene.points,
-                    "number of surfels on a bumpy closed surface, 20 neighbours in each support")
-        ->type_name("N")
-        ->check(CLI::Range(std::size_t(100), std::size_t(200'000'000)))
-        ->capture_default_str()
-        ->excludes(model);
-    command
-        .add_option("--noise", options->scene.noisePercent,
-                    "noise of the positions, in percent of the surface's radius")
-        ->type_name("PERCENT")
-        ->check(between(0, 10))
-        ->capture_default_str()
-        ->excludes(model);
-    command.add_option("--seconds", options->seconds, "time to spend on each workload, and as much on its baseline")
-        ->check(between(0, 3600))
-        ->capture_default_str();
+        .add("--points", options->scene.points,
+             "number of surfels on a bumpy closed surface, 20 neighbours in each support")
+        .typeName("N")
+        .check(between(100, 2e8))
+        .showDefault()
+        .excludes(model);
+    command.add("--noise", options->scene.noisePercent, "noise of the positions, in percent of the surface's radius")
+        .typeName("PERCENT")
+        .check(between(0, 10))
+        .showDefault()
+        .excludes(model);
+    command.add("--seconds", options->seconds, "time to spend on each workload, and as much on its baseline")
+        .check(between(0, 3600))
+        .showDefault();
     addFaceOptions(command, options->faces, model);
-    command.add_option("--json", options->json, "also write the results as JSON")->type_name("OUT.json");
+    command.add("--json", options->json, "also write the results as JSON").typeName("OUT.json");
     return [options](Console& console) { run(*options, console); };
 }
 

@@ -35,9 +35,9 @@ void run(const PolylineOptions& options, Console& console) {
 
 } // namespace
 
-Action addBoundary(CLI::App& command) {
+Action addBoundary(OptionSet command) {
     auto options = std::make_shared<PolylineOptions>();
-    command.add_option("MODEL", options->model, modelHelp)->required();
+    command.add("MODEL", options->model, modelHelp).required();
     addPolylineOptions(command, *options, "boundary curve",
                        "rim,closed,x,y,z,nx,ny,nz,ox,oy,oz (curves counted from 0, longest first; unit normal; unit "
                        "direction away from the surface)");

@@ -84,21 +84,18 @@ void run(const Options& options, Console& console) {
 
 } // namespace
 
-Action addClean(CLI::App& command) {
+Action addClean(OptionSet command) {
     auto options = std::make_shared<Options>();
-    command.add_option("IN", options->in, modelHelp)->required();
-    command.add_option("OUT", options->out, "model to write; .ply keeps everything")->required();
+    command.add("IN", options->in, modelHelp).required();
+    command.add("OUT", options->out, "model to write; .ply keeps everything").required();
     for (const session::CommandParameter& p : session::command("clean").parameters)
         if (p.id == std::string_view("duplicates"))
-            command.add_flag("--duplicates", options->duplicates, p.tip);
+            command.addFlag("--duplicates", options->duplicates, p.tip);
         else if (p.id == std::string_view("viewpoint"))
-            command.add_option("--viewpoint", options->viewpoint, p.tip)
-                ->type_name("x,y,z")
-                ->check(CLI::Validator(viewpointFault, ""));
+            command.add("--viewpoint", options->viewpoint, p.tip).typeName("x,y,z").check({viewpointFault});
         else
             addParameter(command, "clean", p, helpOf(p), options->steps);
-    command.add_option("--report", options->report, "JSON file to write the numbers of each step to")
-        ->type_name("OUT.json");
+    command.add("--report", options->report, "JSON file to write the numbers of each step to").typeName("OUT.json");
     options->surface = addSurfaceOptions(command, false);
     return [options](Console& console) { run(*options, console); };
 }

@@ -42,14 +42,14 @@ static std::string report(const std::string& out, const io::FileModel& model, bo
     return text;
 }
 
-Action addConvert(CLI::App& command) {
+Action addConvert(OptionSet command) {
     struct Options {
         std::string in, out;
         GivenParameters faces;
     };
     auto options = std::make_shared<Options>();
-    command.add_option("IN", options->in, modelHelp)->required();
-    command.add_option("OUT", options->out, "file to write: " + writableExtensions())->required();
+    command.add("IN", options->in, modelHelp).required();
+    command.add("OUT", options->out, "file to write: " + writableExtensions()).required();
     addFaceOptions(command, options->faces);
     return [options](Console& console) {
         const base::Progress progress = console.progress();

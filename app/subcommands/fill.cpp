@@ -5,7 +5,7 @@
 
 namespace app {
 
-Action addFill(CLI::App& command) {
+Action addFill(OptionSet command) {
     auto options = std::make_shared<ModelCommand>();
     addModelAndOutput(command, *options);
     for (const session::CommandParameter& p : session::command("fill").parameters)

@@ -72,43 +72,42 @@ void run(const Options& options, Console& console) {
 
 } // namespace
 
-Action addHaptic(CLI::App& command) {
+Action addHaptic(OptionSet command) {
     auto options = std::make_shared<Options>();
-    command.add_option("MODEL", options->model, modelHelp)->required();
+    command.add("MODEL", options->model, modelHelp).required();
     command
-        .add_option(
-            "--trajectory", options->trajectory,
-            "text file with the header t,x,y,z: where the tool is, in seconds (ascending) and model units; each "
-            "row is one tick of the servo")
-        ->type_name("T.csv")
-        ->required();
+        .add("--trajectory", options->trajectory,
+             "text file with the header t,x,y,z: where the tool is, in seconds (ascending) and model units; each "
+             "row is one tick of the servo")
+        .typeName("T.csv")
+        .required();
     command
-        .add_option("-o,--output", options->out,
-                    "CSV file to write: t,x,y,z,px,py,pz,fx,fy,fz,contact,us with the proxy's centre (off the surface "
-                    "by the tool's radius in contact), the force in units of stiffness times length, contact 0 or 1, "
-                    "and the microseconds that the step took")
-        ->type_name("F.csv")
-        ->required();
-    command.add_option("--radius", options->tool.radius, "radius of the spherical tool in model units; 0: a point")
-        ->type_name("R")
-        ->check(atLeast(0))
-        ->capture_default_str();
-    command.add_option("--stiffness", options->law.stiffness, "force per model unit between the tool and its proxy")
-        ->type_name("K")
-        ->check(above(0))
-        ->capture_default_str();
+        .add("-o,--output", options->out,
+             "CSV file to write: t,x,y,z,px,py,pz,fx,fy,fz,contact,us with the proxy's centre (off the surface "
+             "by the tool's radius in contact), the force in units of stiffness times length, contact 0 or 1, "
+             "and the microseconds that the step took")
+        .typeName("F.csv")
+        .required();
+    command.add("--radius", options->tool.radius, "radius of the spherical tool in model units; 0: a point")
+        .typeName("R")
+        .check(atLeast(0))
+        .showDefault();
+    command.add("--stiffness", options->law.stiffness, "force per model unit between the tool and its proxy")
+        .typeName("K")
+        .check(above(0))
+        .showDefault();
     command
-        .add_option("--friction", options->tool.friction,
-                    "coefficient of friction: the tool sticks below and slides at this part of the normal force")
-        ->type_name("MU")
-        ->check(atLeast(0))
-        ->capture_default_str();
+        .add("--friction", options->tool.friction,
+             "coefficient of friction: the tool sticks below and slides at this part of the normal force")
+        .typeName("MU")
+        .check(atLeast(0))
+        .showDefault();
     command
-        .add_option("--damping", options->law.damping,
-                    "force per speed (model units per second) along the normal, in contact; it never pulls")
-        ->type_name("B")
-        ->check(atLeast(0))
-        ->capture_default_str();
+        .add("--damping", options->law.damping,
+             "force per speed (model units per second) along the normal, in contact; it never pulls")
+        .typeName("B")
+        .check(atLeast(0))
+        .showDefault();
     options->surface = addSurfaceOptions(command, false);
     return [options](Console& console) { run(*options, console); };
 }

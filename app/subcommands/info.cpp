@@ -119,10 +119,10 @@ void print(const ordered_json& info) {
 
 } // namespace
 
-Action addInfo(CLI::App& command) {
+Action addInfo(OptionSet command) {
     auto options = std::make_shared<Options>();
-    command.add_option("MODEL", options->model, modelHelp)->required();
-    command.add_flag("--json", options->json, "print a JSON object, lengths in model units");
+    command.add("MODEL", options->model, modelHelp).required();
+    command.addFlag("--json", options->json, "print a JSON object, lengths in model units");
     options->surface = addSurfaceOptions(command, false);
     return [options](Console& console) {
         const base::Progress progress = console.progress();

@@ -3,6 +3,7 @@
 #include "app/csv_writer.h"
 #include "app/number_table.h"
 #include "app/open_model.h"
+#include "app/options/option_checks.h"
 #include "app/options/surface_options.h"
 #include "app/subcommands/subcommand.h"
 #include "core/base/parallel.h"
@@ -168,30 +169,29 @@ void run(const Options& options, Console& console) {
 
 } // namespace
 
-Action addIntersect(CLI::App& command) {
+Action addIntersect(OptionSet command) {
     auto options = std::make_shared<Options>();
-    command.add_option("MODEL", options->model, modelHelp)->required();
-    command.add_option("--rays", options->rays, "text file with the header ox,oy,oz,dx,dy,dz, in model units")
-        ->type_name("RAYS.csv")
-        ->required();
+    command.add("MODEL", options->model, modelHelp).required();
+    command.add("--rays", options->rays, "text file with the header ox,oy,oz,dx,dy,dz, in model units")
+        .typeName("RAYS.csv")
+        .required();
     command
-        .add_option("-o,--output", options->out,
-                    "CSV file to write: hit,t,x,y,z,nx,ny,nz with t in model units and the normal pointing against the "
-                    "ray; a miss has hit 0 and nan in the other columns")
-        ->type_name("HITS.csv")
-        ->required();
+        .add("-o,--output", options->out,
+             "CSV file to write: hit,t,x,y,z,nx,ny,nz with t in model units and the normal pointing against the "
+             "ray; a miss has hit 0 and nan in the other columns")
+        .typeName("HITS.csv")
+        .required();
     command
-        .add_option(
-            "--hits", options->hits,
-            "first: one row per ray; any: only the column hit, for shadows (a start on the surface does not count "
-            "as a hit); all: one row per hit along each ray, ray,t,x,y,z,nx,ny,nz with rays counted from 0")
-        ->check(CLI::IsMember({"first", "any", "all"}))
-        ->capture_default_str();
+        .add("--hits", options->hits,
+             "first: one row per ray; any: only the column hit, for shadows (a start on the surface does not count "
+             "as a hit); all: one row per hit along each ray, ray,t,x,y,z,nx,ny,nz with rays counted from 0")
+        .check(oneOf({"first", "any", "all"}))
+        .showDefault();
     command
-        .add_option("--policy", options->policy,
-                    "fast: iterate from the surfels' discs, march where that is doubtful; robust: always march")
-        ->check(CLI::IsMember({"fast", "robust"}))
-        ->capture_default_str();
+        .add("--policy", options->policy,
+             "fast: iterate from the surfels' discs, march where that is doubtful; robust: always march")
+        .check(oneOf({"fast", "robust"}))
+        .showDefault();
     options->surface = addSurfaceOptions(command, true);
     return [options](Console& console) { run(*options, console); };
 }

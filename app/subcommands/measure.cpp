@@ -68,28 +68,27 @@ Measurements measure(const Options& options, Console& console) {
 
 } // namespace
 
-Action addMeasure(CLI::App& command) {
+Action addMeasure(OptionSet command) {
     auto options = std::make_shared<Options>();
-    command.add_option("MODEL", options->model, modelHelp)->required();
+    command.add("MODEL", options->model, modelHelp).required();
     command
-        .add_option("WHAT", options->what,
-                    "area, volume or both, of the surface that the points define; volume where it is closed. Both "
-                    "where nothing else is asked for")
-        ->type_name("")
-        ->check(CLI::IsMember({"area", "volume"}));
+        .add("WHAT", options->what,
+             "area, volume or both, of the surface that the points define; volume where it is closed. Both "
+             "where nothing else is asked for")
+        .typeName("")
+        .check(oneOf({"area", "volume"}));
     command
-        .add_option(
-            "--to", options->other,
-            std::string("measure from each surfel to the nearest place of this model's surface, positive on the side "
-                        "that its normals point to: ") +
-                modelHelp)
-        ->type_name("OTHER");
+        .add("--to", options->other,
+             std::string("measure from each surfel to the nearest place of this model's surface, positive on the side "
+                         "that its normals point to: ") +
+                 modelHelp)
+        .typeName("OTHER");
     command
-        .add_option("--fit", options->shape,
-                    "fit a shape to the surfels, whose strays do not count, and tell its place, size and residual")
-        ->type_name("plane|sphere|cylinder|cone|torus")
-        ->check(idOf(process::shapeTable()));
-    command.add_flag("--json", options->json, "print a JSON object, lengths in model units");
+        .add("--fit", options->shape,
+             "fit a shape to the surfels, whose strays do not count, and tell its place, size and residual")
+        .typeName("plane|sphere|cylinder|cone|torus")
+        .check(idOf(process::shapeTable()));
+    command.addFlag("--json", options->json, "print a JSON object, lengths in model units");
     options->surface = addSurfaceOptions(command, false);
     return [options](Console& console) {
         const Measurements found = measure(*options, console);

@@ -31,12 +31,12 @@ struct Options {
     bool isDelaunay() const { return method == "delaunay"; }
 };
 
-void checkUsage(const Options& options, const CLI::App& command) {
+void checkUsage(const Options& options, OptionSet command) {
     if (!io::meshFormatOf(options.out))
         throw UsageError("-o: the file's name must end in one of " + io::meshExtensions());
     const auto onlyWith = [&](const char* method, std::initializer_list<const char*> names) {
         for (const char* name : names)
-            if (command.count(name) > 0 && options.method != method)
+            if (command.has(name) && options.method != method)
                 throw UsageError(std::string(name) + " goes with --method " + method);
     };
     onlyWith("delaunay", {"--angle", "--size", "--distance"});
@@ -81,7 +81,7 @@ void judge(const Options& options, const mesh::Mesh& mesh, const surface::Surfac
         std::cout << reportTable(report, spacing);
 }
 
-void run(const Options& options, const CLI::App& command, Console& console) {
+void run(const Options& options, OptionSet command, Console& console) {
     checkUsage(options, command);
     session::Document document;
     const base::Progress progress = console.progress();
@@ -97,68 +97,68 @@ void run(const Options& options, const CLI::App& command, Console& console) {
         judge(options, mesh, surface, process::part(progress, 0.7, 1));
 }
 
-void addDelaunayOptions(CLI::App& command, mesh::DelaunayOptions& options) {
-    command.add_option("--angle", options.angle, "smallest angle of a triangle, in degrees")
-        ->check(between(0, 30))
-        ->capture_default_str()
-        ->group("Delaunay");
+void addDelaunayOptions(OptionSet command, mesh::DelaunayOptions& options) {
+    command.add("--angle", options.angle, "smallest angle of a triangle, in degrees")
+        .check(between(0, 30))
+        .showDefault()
+        .group("Delaunay");
     command
-        .add_option("--size", options.size,
-                    "largest radius of the ball through a triangle's corners with its centre on the surface, in model "
-                    "units [the median spacing; with --adaptive 8 times that]")
-        ->check(above(0))
-        ->group("Delaunay");
+        .add("--size", options.size,
+             "largest radius of the ball through a triangle's corners with its centre on the surface, in model "
+             "units [the median spacing; with --adaptive 8 times that]")
+        .check(above(0))
+        .group("Delaunay");
     command
-        .add_option("--distance", options.distance,
-                    "largest distance of a triangle from the surface, in model units [a tenth of the median spacing; "
-                    "with --adaptive its TOLERANCE]")
-        ->check(above(0))
-        ->group("Delaunay");
+        .add("--distance", options.distance,
+             "largest distance of a triangle from the surface, in model units [a tenth of the median spacing; "
+             "with --adaptive its TOLERANCE]")
+        .check(above(0))
+        .group("Delaunay");
 }
 
-void addMarchingOptions(CLI::App& command, mesh::MarchingOptions& options) {
-    command.add_option("--cell", options.cell, "edge length of the cubes, in model units [the median spacing]")
-        ->check(above(0))
-        ->group("Marching cubes");
+void addMarchingOptions(OptionSet command, mesh::MarchingOptions& options) {
+    command.add("--cell", options.cell, "edge length of the cubes, in model units [the median spacing]")
+        .check(above(0))
+        .group("Marching cubes");
 }
 
 } // namespace
 
-Action addMesh(CLI::App& command) {
+Action addMesh(OptionSet command) {
     auto options = std::make_shared<Options>();
-    command.add_option("MODEL", options->model, modelHelp)->required();
+    command.add("MODEL", options->model, modelHelp).required();
     std::string formats = "mesh file to write, in file coordinates; beside positions and triangles it keeps";
     for (const io::MeshFormatRow& row : io::meshFormatTable())
         formats += std::string("\n  .") + row.id + ": " + row.holds;
-    command.add_option("-o,--output", options->out, formats)->type_name("OUT")->required();
+    command.add("-o,--output", options->out, formats).typeName("OUT").required();
     command
-        .add_option("--method", options->method,
-                    "marching-cubes: fast, follows a grid; delaunay: well-shaped triangles, as few as needed")
-        ->check(CLI::IsMember({"marching-cubes", "delaunay"}))
-        ->capture_default_str();
+        .add("--method", options->method,
+             "marching-cubes: fast, follows a grid; delaunay: well-shaped triangles, as few as needed")
+        .check(oneOf({"marching-cubes", "delaunay"}))
+        .showDefault();
     command
-        .add_option(
+        .add(
             "--adaptive", options->adaptive,
             "large triangles where the surface is flat: as large as they can be while their middles stay this close to "
             "it, in model units; --cell is then the smallest cube, whose triangles are as far away as they are [all of "
             "one size]")
-        ->type_name("TOLERANCE")
-        ->check(above(0));
+        .typeName("TOLERANCE")
+        .check(above(0));
     addMarchingOptions(command, options->marching);
     addDelaunayOptions(command, options->delaunay);
-    command.add_flag("--close-folds", options->finishing.closeFolds,
-                     "close all loops of up to " + std::to_string(options->finishing.longestFold) +
-                         " edges where the surface ends without a boundary of its own, as at folds [marching cubes: "
-                         "short ones, where the surface goes on]");
-    command.add_flag("--drop-small", options->finishing.dropSmall,
-                     "leave out pieces of fewer than " + std::to_string(options->finishing.smallPiece) + " triangles");
-    command.add_flag("--check", options->check,
-                     "print a report on the mesh: pieces, boundary loops, genus, angles, distances to the surface, "
-                     "self-intersections");
-    command.add_option("--report", options->report, "JSON file to write the same report to, lengths in model units")
-        ->type_name("OUT.json");
+    command.addFlag("--close-folds", options->finishing.closeFolds,
+                    "close all loops of up to " + std::to_string(options->finishing.longestFold) +
+                        " edges where the surface ends without a boundary of its own, as at folds [marching cubes: "
+                        "short ones, where the surface goes on]");
+    command.addFlag("--drop-small", options->finishing.dropSmall,
+                    "leave out pieces of fewer than " + std::to_string(options->finishing.smallPiece) + " triangles");
+    command.addFlag("--check", options->check,
+                    "print a report on the mesh: pieces, boundary loops, genus, angles, distances to the surface, "
+                    "self-intersections");
+    command.add("--report", options->report, "JSON file to write the same report to, lengths in model units")
+        .typeName("OUT.json");
     options->surface = addSurfaceOptions(command, false);
-    return [options, &command](Console& console) {
+    return [options, command](Console& console) {
         options->delaunay.finishing = options->marching.finishing = options->finishing;
         options->delaunay.adaptive = options->marching.adaptive = options->adaptive;
         run(*options, command, console);

@@ -161,14 +161,14 @@ std::string whatHelp() {
 
 } // namespace
 
-Action addQuery(CLI::App& command) {
+Action addQuery(OptionSet command) {
     auto options = std::make_shared<Options>();
-    command.add_option("MODEL", options->model, modelHelp)->required();
-    command.add_option("--at", options->points, "positions: text with x y z per line, or any readable model")
-        ->type_name("POINTS")
-        ->required();
-    command.add_option("--what", options->what, whatHelp())->type_name("LIST")->required();
-    command.add_option("-o,--output", options->out, "CSV file to write")->type_name("OUT.csv")->required();
+    command.add("MODEL", options->model, modelHelp).required();
+    command.add("--at", options->points, "positions: text with x y z per line, or any readable model")
+        .typeName("POINTS")
+        .required();
+    command.add("--what", options->what, whatHelp()).typeName("LIST").required();
+    command.add("-o,--output", options->out, "CSV file to write").typeName("OUT.csv").required();
     options->surface = addSurfaceOptions(command, true);
     return [options](Console& console) { query(*options, console); };
 }

@@ -7,17 +7,17 @@
 
 namespace app {
 
-Action addRecover(CLI::App& command) {
+Action addRecover(OptionSet command) {
     struct Options {
         std::string journal, out;
         bool anyway = false;
     };
     auto options = std::make_shared<Options>();
-    command.add_option("JOURNAL", options->journal, "journal that a crash left behind; it is kept")->required();
-    command.add_option("-o,--output", options->out, "model to write")->type_name("OUT")->required();
-    command.add_flag("--anyway", options->anyway,
-                     "take the file that was opened as it is now, though it has changed since: strokes then meet "
-                     "another model than they were drawn on");
+    command.add("JOURNAL", options->journal, "journal that a crash left behind; it is kept").required();
+    command.add("-o,--output", options->out, "model to write").typeName("OUT").required();
+    command.addFlag("--anyway", options->anyway,
+                    "take the file that was opened as it is now, though it has changed since: strokes then meet "
+                    "another model than they were drawn on");
     return [options](Console& console) {
         session::Document document;
         session::Context context{document, {}, console.progress(), {}, 0, {}, nullptr, options->anyway};

@@ -36,12 +36,12 @@ ordered_json reportJson(const reduce::Report& report) {
             {"shapes", "spheres"}};
 }
 
-void run(const Options& options, const CLI::App& command, Console& console) {
+void run(const Options& options, OptionSet command, Console& console) {
     if (!isWritableModel(options.out))
         throw UsageError("-o: the file's name must end in one of " + writableExtensions());
     int asked = 0;
     for (const char* wish : wishes)
-        asked += command.count(std::string("--") + wish) > 0;
+        asked += command.has(std::string("--") + wish);
     if (asked != 1)
         throw UsageError("reduce needs one of --count, --ratio and --error, and no other");
     nlohmann::json wish = parametersOf(options.wish);
@@ -63,22 +63,20 @@ void run(const Options& options, const CLI::App& command, Console& console) {
 
 } // namespace
 
-Action addReduce(CLI::App& command) {
+Action addReduce(OptionSet command) {
     auto options = std::make_shared<Options>();
-    command.add_option("MODEL", options->model, modelHelp)->required();
-    command.add_option("-o,--output", options->out, "model to write: " + writableExtensions())
-        ->type_name("OUT")
-        ->required();
+    command.add("MODEL", options->model, modelHelp).required();
+    command.add("-o,--output", options->out, "model to write: " + writableExtensions()).typeName("OUT").required();
     for (const session::CommandParameter& p : session::command("reduce").parameters)
         addParameter(command, "reduce", p, helpOf(p), options->wish);
     command
-        .add_option("--report", options->report,
-                    "JSON file to write what was verified to, lengths in model units: count, rms, p999 and max of the "
-                    "model's points to the reduced surface, normals_deg between the two surfaces (rms), least_supports "
-                    "over a point, holes (points that miss the reduced surface alone), shapes")
-        ->type_name("OUT.json");
+        .add("--report", options->report,
+             "JSON file to write what was verified to, lengths in model units: count, rms, p999 and max of the "
+             "model's points to the reduced surface, normals_deg between the two surfaces (rms), least_supports "
+             "over a point, holes (points that miss the reduced surface alone), shapes")
+        .typeName("OUT.json");
     options->surface = addSurfaceOptions(command, false);
-    return [options, &command](Console& console) { run(*options, command, console); };
+    return [options, command](Console& console) { run(*options, command, console); };
 }
 
 } // namespace app

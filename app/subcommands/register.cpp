@@ -202,24 +202,23 @@ void run(const Options& options, Console& console) {
 
 } // namespace
 
-Action addRegister(CLI::App& command) {
+Action addRegister(OptionSet command) {
     auto options = std::make_shared<Options>();
-    command.add_option("MOVING", options->moving, "models to move")->required();
-    command.add_option("--to", options->fixed, "model that stays where it is")->type_name("FIXED")->required();
+    command.add("MOVING", options->moving, "models to move").required();
+    command.add("--to", options->fixed, "model that stays where it is").typeName("FIXED").required();
     command
-        .add_option(
-            "-o,--output", options->out,
-            "model to write: all of them in FIXED's place, with an attribute `scan` that tells whose a point was "
-            "(0: FIXED)")
-        ->type_name("OUT")
-        ->required();
-    command.add_flag("--global", options->global,
-                     "look for the places of the models everywhere, by what their surfaces look like; otherwise they "
-                     "begin where they are");
+        .add("-o,--output", options->out,
+             "model to write: all of them in FIXED's place, with an attribute `scan` that tells whose a point was "
+             "(0: FIXED)")
+        .typeName("OUT")
+        .required();
+    command.addFlag("--global", options->global,
+                    "look for the places of the models everywhere, by what their surfaces look like; otherwise they "
+                    "begin where they are");
     command
-        .add_option("--report", options->report,
-                    "JSON file to write: for each moving model its matrix (16 numbers by row), rms and overlap")
-        ->type_name("OUT.json");
+        .add("--report", options->report,
+             "JSON file to write: for each moving model its matrix (16 numbers by row), rms and overlap")
+        .typeName("OUT.json");
     options->surface = addSurfaceOptions(command, false);
     return [options](Console& console) { run(*options, console); };
 }

@@ -77,51 +77,49 @@ void run(Options options, Console& console) {
 
 } // namespace
 
-Action addRender(CLI::App& command) {
+Action addRender(OptionSet command) {
     auto options = std::make_shared<Options>();
-    command.add_option("MODEL", options->model, modelHelp)->required();
-    command.add_option("-o,--output", options->image, "picture to write")
-        ->type_name("IMAGE.png")
-        ->required()
-        ->check(pictureName());
-    command.add_option("--mode", options->mode, "blended splats, or rays to the true surface")
-        ->check(CLI::IsMember({"splats", "raycast"}))
-        ->capture_default_str();
+    command.add("MODEL", options->model, modelHelp).required();
+    command.add("-o,--output", options->image, "picture to write")
+        .typeName("IMAGE.png")
+        .required()
+        .check(pictureName());
+    command.add("--mode", options->mode, "blended splats, or rays to the true surface")
+        .check(oneOf({"splats", "raycast"}))
+        .showDefault();
     options->view = addViewOptions(command);
     options->look = addLookOptions(command);
-    command.add_option("--backend", options->backend, "renderer of splats; the machine may lack osmesa and egl")
-        ->check(idOf(render::backendTable()))
-        ->capture_default_str();
+    command.add("--backend", options->backend, "renderer of splats; the machine may lack osmesa and egl")
+        .check(idOf(render::backendTable()))
+        .showDefault();
     command
-        .add_option("--detail", options->picture.style.detailPx,
-                    "draw parts of the model by representatives whose splats have at most this radius; 0 draws every "
-                    "surfel, more than 1 is how a moving view looks")
-        ->type_name("PX")
-        ->check(between(0, 64))
-        ->capture_default_str();
-    command.add_flag("--closed", options->picture.style.closed,
-                     "the model has no openings: do not draw parts that face away");
-    command.add_flag("--section", options->picture.sections,
-                     "draw the curves where the planes of --clip meet the surface");
+        .add("--detail", options->picture.style.detailPx,
+             "draw parts of the model by representatives whose splats have at most this radius; 0 draws every "
+             "surfel, more than 1 is how a moving view looks")
+        .typeName("PX")
+        .check(between(0, 64))
+        .showDefault();
+    command.addFlag("--closed", options->picture.style.closed,
+                    "the model has no openings: do not draw parts that face away");
+    command.addFlag("--section", options->picture.sections,
+                    "draw the curves where the planes of --clip meet the surface");
     command
-        .add_option(
-            "--quality", options->picture.quality,
-            "with --mode raycast: 1 interpolates between rays where normals stay within 2 degrees and depths "
-            "within 0.2 spacings, outlines exact to the pixel; 2 within twice that; 0 casts a ray for every pixel")
-        ->type_name("PX")
-        ->check(atLeast(0))
-        ->capture_default_str();
+        .add("--quality", options->picture.quality,
+             "with --mode raycast: 1 interpolates between rays where normals stay within 2 degrees and depths "
+             "within 0.2 spacings, outlines exact to the pixel; 2 within twice that; 0 casts a ray for every pixel")
+        .typeName("PX")
+        .check(atLeast(0))
+        .showDefault();
     command
-        .add_option("--depth", options->depth,
-                    "distance from the eye along each pixel's ray in model units, +inf where nothing is hit; rows from "
-                    "bottom to top; a name that ends in .exr writes OpenEXR, channel Z")
-        ->type_name("OUT.pfm|OUT.exr");
+        .add("--depth", options->depth,
+             "distance from the eye along each pixel's ray in model units, +inf where nothing is hit; rows from "
+             "bottom to top; a name that ends in .exr writes OpenEXR, channel Z")
+        .typeName("OUT.pfm|OUT.exr");
     command
-        .add_option(
-            "--stats", options->stats,
-            "rays (of pixels), pixels, seconds and evaluations as JSON; with --mode raycast also counts of other "
-            "rays: antialias_rays, shadow_rays, occlusion_rays, path_rays (reflected and refracted)")
-        ->type_name("OUT.json");
+        .add("--stats", options->stats,
+             "rays (of pixels), pixels, seconds and evaluations as JSON; with --mode raycast also counts of other "
+             "rays: antialias_rays, shadow_rays, occlusion_rays, path_rays (reflected and refracted)")
+        .typeName("OUT.json");
     options->surface = addSurfaceOptions(command, false);
     return [options](Console& console) { run(*options, console); };
 }

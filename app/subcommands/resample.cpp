@@ -45,31 +45,26 @@ void run(const Options& options, Console& console) {
 
 } // namespace
 
-Action addResample(CLI::App& command) {
+Action addResample(OptionSet command) {
     auto options = std::make_shared<Options>();
-    command.add_option("MODEL", options->model, modelHelp)->required();
-    command.add_option("-o,--output", options->out, "model to write; .ply keeps everything")
-        ->type_name("OUT")
-        ->required();
-    CLI::Option* spacing =
-        command
-            .add_option("--spacing", options->spacing, "distance between neighbouring points to reach, in model units")
-            ->type_name("S")
-            ->check(above(0));
-    CLI::Option* count =
-        command.add_option("--count", options->count, "number of points to reach, within a few percent")
-            ->type_name("N")
-            ->check(CLI::Range(std::size_t(4), std::size_t(1000000000)));
+    command.add("MODEL", options->model, modelHelp).required();
+    command.add("-o,--output", options->out, "model to write; .ply keeps everything").typeName("OUT").required();
+    Option spacing =
+        command.add("--spacing", options->spacing, "distance between neighbouring points to reach, in model units")
+            .typeName("S")
+            .check(above(0));
+    Option count = command.add("--count", options->count, "number of points to reach, within a few percent")
+                       .typeName("N")
+                       .check(between(4, 1e9));
     command
-        .add_option(
-            "--adaptive", options->tolerance,
-            "let the distance follow the curvature, so that facets as wide would stay about an eighth of this close "
-            "to the surface; from half to twice the present median, in model units")
-        ->type_name("TOLERANCE")
-        ->check(above(0))
-        ->excludes(spacing)
-        ->excludes(count);
-    spacing->excludes(count);
+        .add("--adaptive", options->tolerance,
+             "let the distance follow the curvature, so that facets as wide would stay about an eighth of this close "
+             "to the surface; from half to twice the present median, in model units")
+        .typeName("TOLERANCE")
+        .check(above(0))
+        .excludes(spacing)
+        .excludes(count);
+    spacing.excludes(count);
     options->surface = addSurfaceOptions(command, false);
     return [options](Console& console) { run(*options, console); };
 }

@@ -142,33 +142,28 @@ void run(const Options& options, Console& console) {
 
 } // namespace
 
-Action addRun(CLI::App& command) {
+Action addRun(OptionSet command) {
     auto options = std::make_shared<Options>();
+    command.add("SESSION", options->session, "session file with one JSON command per line, such as {\"op\":\"undo\"}")
+        .typeName("SESSION.jsonl")
+        .required();
+    Option model =
+        command.add("--model", options->model, std::string("model to open before the first line: ") + modelHelp)
+            .typeName("MODEL");
+    command.add("-o,--output", options->out, "model to write at the end").typeName("OUT");
+    command.add("--render", options->image, "picture of the result").typeName("IMAGE.png").check(pictureName());
+    command.add("--timings", options->timings, "seconds of each line and milliseconds of its dabs, as JSON")
+        .typeName("OUT.json");
     command
-        .add_option("SESSION", options->session,
-                    "session file with one JSON command per line, such as {\"op\":\"undo\"}")
-        ->type_name("SESSION.jsonl")
-        ->required();
-    CLI::Option* model =
-        command.add_option("--model", options->model, std::string("model to open before the first line: ") + modelHelp)
-            ->type_name("MODEL");
-    command.add_option("-o,--output", options->out, "model to write at the end")->type_name("OUT");
-    command.add_option("--render", options->image, "picture of the result")
-        ->type_name("IMAGE.png")
-        ->check(pictureName());
-    command.add_option("--timings", options->timings, "seconds of each line and milliseconds of its dabs, as JSON")
-        ->type_name("OUT.json");
-    command
-        .add_option(
-            "--journal", options->journal,
-            "where to keep the journal for `recover`, no file or the journal of a session that came to its end; "
-            "default: in the XDG state folder, removed at the end")
-        ->type_name("FILE");
-    command.add_flag("--anyway", options->anyway,
-                     "take files as they are now that have changed since the session was recorded: strokes then meet "
-                     "another model than they were drawn on");
+        .add("--journal", options->journal,
+             "where to keep the journal for `recover`, no file or the journal of a session that came to its end; "
+             "default: in the XDG state folder, removed at the end")
+        .typeName("FILE");
+    command.addFlag("--anyway", options->anyway,
+                    "take files as they are now that have changed since the session was recorded: strokes then meet "
+                    "another model than they were drawn on");
     addFaceOptions(command, options->faces, model);
-    command.footer(command.get_footer() + "\n\n" + commandHelp());
+    command.addFooter("\n\n" + commandHelp());
     return [options](Console& console) { run(*options, console); };
 }
 

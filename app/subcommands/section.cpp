@@ -49,13 +49,13 @@ void run(const Options& options, Console& console) {
 
 } // namespace
 
-Action addSection(CLI::App& command) {
+Action addSection(OptionSet command) {
     auto options = std::make_shared<Options>();
-    command.add_option("MODEL", options->model, modelHelp)->required();
-    command.add_option("--plane", options->plane, "the points where nx*x + ny*y + nz*z = d, in model units")
-        ->type_name("nx,ny,nz,d")
-        ->check(CLI::Validator(planeFault, ""))
-        ->required();
+    command.add("MODEL", options->model, modelHelp).required();
+    command.add("--plane", options->plane, "the points where nx*x + ny*y + nz*z = d, in model units")
+        .typeName("nx,ny,nz,d")
+        .check({planeFault})
+        .required();
     options->planar = true;
     addPolylineOptions(command, *options, "curve",
                        "curve,closed,x,y,z,nx,ny,nz (curves counted from 0, longest first; unit normal of the surface; "

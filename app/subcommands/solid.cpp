@@ -1,6 +1,7 @@
 // pointclay solid: two models put together as solids, by the session's own command.
 #include "app/open_model.h"
 #include "app/options/model_command.h"
+#include "app/options/option_checks.h"
 
 #include <nlohmann/json.hpp>
 
@@ -25,16 +26,14 @@ bool isOwn(std::string_view id) {
 
 } // namespace
 
-Action addSolid(CLI::App& command) {
+Action addSolid(OptionSet command) {
     auto options = std::make_shared<Options>();
     addModelAndOutput(command, *options, "A");
-    command.add_option("B", options->other, std::string("the other one: ") + modelHelp)->required();
+    command.add("B", options->other, std::string("the other one: ") + modelHelp).required();
     for (const session::CommandParameter& p : session::command("solid").parameters) {
         if (p.id == std::string_view("operation")) {
             auto given = [options](const std::string& value) { options->wish.emplace_back("operation", value); };
-            command.add_option_function<std::string>("--op", given, helpOf(p))
-                ->check(CLI::IsMember({"union", "difference", "intersection"}))
-                ->required();
+            command.addTo("--op", given, helpOf(p)).check(oneOf({"union", "difference", "intersection"})).required();
         } else if (!isOwn(p.id)) {
             addParameter(command, "solid", p, helpOf(p), options->wish);
         }

@@ -3,10 +3,10 @@
 // table.
 #pragma once
 
-#include "app/command_line.h"
 #include "app/console.h"
+#include "app/options/option_set.h"
+#include "app/usage_error.h"
 
-#include <CLI/CLI.hpp>
 #include <functional>
 #include <span>
 
@@ -19,30 +19,30 @@ struct SubcommandRow {
     const char* name;
     const char* tip;
     const char* example;
-    Action (*add)(CLI::App& command);
+    Action (*add)(OptionSet command);
 };
 
 std::span<const SubcommandRow> subcommandTable();
 
-Action addInfo(CLI::App& command);
-Action addConvert(CLI::App& command);
-Action addClean(CLI::App& command);
-Action addMeasure(CLI::App& command);
-Action addRegister(CLI::App& command);
-Action addResample(CLI::App& command);
-Action addQuery(CLI::App& command);
-Action addIntersect(CLI::App& command);
-Action addBoundary(CLI::App& command);
-Action addSection(CLI::App& command);
-Action addMesh(CLI::App& command);
-Action addHaptic(CLI::App& command);
-Action addFill(CLI::App& command);
-Action addCut(CLI::App& command);
-Action addSolid(CLI::App& command);
-Action addReduce(CLI::App& command);
-Action addRender(CLI::App& command);
-Action addRun(CLI::App& command);
-Action addRecover(CLI::App& command);
-Action addBench(CLI::App& command);
+Action addInfo(OptionSet command);
+Action addConvert(OptionSet command);
+Action addClean(OptionSet command);
+Action addMeasure(OptionSet command);
+Action addRegister(OptionSet command);
+Action addResample(OptionSet command);
+Action addQuery(OptionSet command);
+Action addIntersect(OptionSet command);
+Action addBoundary(OptionSet command);
+Action addSection(OptionSet command);
+Action addMesh(OptionSet command);
+Action addHaptic(OptionSet command);
+Action addFill(OptionSet command);
+Action addCut(OptionSet command);
+Action addSolid(OptionSet command);
+Action addReduce(OptionSet command);
+Action addRender(OptionSet command);
+Action addRun(OptionSet command);
+Action addRecover(OptionSet command);
+Action addBench(OptionSet command);
 
 } // namespace app

@@ -6,6 +6,7 @@
 #include "support/registry.h"
 
 #include <algorithm>
+#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 #include <QTest>
 #include <sstream>
