@@ -14,6 +14,7 @@ class FreeSpaceTest : public QObject {
     Q_OBJECT
   private Q_SLOTS:
     void restlessAreThoseThatAreCrowdedOrHaveFreeSpace();
+    void lengthsBeyondFloatsMeetNoEmptyCluster();
     void avx2AndAvx512AgreeAboutIt();
 };
 
@@ -77,6 +78,18 @@ void FreeSpaceTest::restlessAreThoseThatAreCrowdedOrHaveFreeSpace() {
             }
         QVERIFY(restless > index / 20 && restless < index - index / 20);
     }
+}
+
+/// The square of a reach may be infinite, and so is the way to lanes that hold no cluster: reading those is beyond the
+/// block's memory, which sanitizers see.
+void FreeSpaceTest::lengthsBeyondFloatsMeetNoEmptyCluster() {
+    const Surface surface = shapes::surfaceOf(shapes::torus(1, 0.4, 0.3, 0.2)); // blocks with clusters to spare
+    FreeSpaceQuery query = queryOf(FreeSpaceQuery::Sheets::Signed);
+    query.ring = 1e30f;
+    const std::vector<Slots> found = answers(surface, query);
+    for (std::uint32_t b = 0; b < surface.tree().blockCount(); ++b)
+        for (int slot = 0; slot < surface.tree().block(b)->size(); ++slot)
+            QVERIFY(found[b][std::size_t(slot)]); // nothing is that far away
 }
 
 void FreeSpaceTest::avx2AndAvx512AgreeAboutIt() {
