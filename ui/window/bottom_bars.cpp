@@ -2,8 +2,8 @@
 #include "ui/panels/cut_bar.h"
 #include "ui/panels/truth_bar.h"
 #include "ui/window/main_window.h"
-#include "ui/window/menu_tools.h"
-#include "ui/window/menus.h"
+#include "ui/window/menus/menu_tools.h"
+#include "ui/window/menus/menus.h"
 
 #include <QAction>
 #include <QMenu>

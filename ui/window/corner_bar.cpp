@@ -1,5 +1,5 @@
 #include "ui/window/main_window.h"
-#include "ui/window/menus.h"
+#include "ui/window/menus/menus.h"
 
 #include <QAction>
 #include <QMenu>

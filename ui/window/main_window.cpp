@@ -7,7 +7,7 @@
 #include "ui/window/dropped.h"
 #include "ui/window/file_dialogs.h"
 #include "ui/window/keys.h"
-#include "ui/window/menus.h"
+#include "ui/window/menus/menus.h"
 #include "ui/window/mesh_export.h"
 #include "ui/window/notices.h"
 #include "ui/window/status_line.h"

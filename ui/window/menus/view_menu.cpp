@@ -1,7 +1,7 @@
 #include "ui/theme/theme.h"
 #include "ui/window/main_window.h"
-#include "ui/window/menu_tools.h"
-#include "ui/window/menus.h"
+#include "ui/window/menus/menu_tools.h"
+#include "ui/window/menus/menus.h"
 
 #include <QAction>
 #include <QActionGroup>

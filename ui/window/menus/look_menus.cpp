@@ -1,7 +1,7 @@
 #include "core/render/effects/effect_rows.h"
 #include "ui/window/main_window.h"
-#include "ui/window/menu_tools.h"
-#include "ui/window/menus.h"
+#include "ui/window/menus/menu_tools.h"
+#include "ui/window/menus/menus.h"
 
 #include <QActionGroup>
 #include <QMenu>

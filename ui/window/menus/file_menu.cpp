@@ -1,8 +1,8 @@
 #include "core/process/samples/samples.h"
 #include "ui/theme/icon.h"
 #include "ui/window/main_window.h"
-#include "ui/window/menu_tools.h"
-#include "ui/window/menus.h"
+#include "ui/window/menus/menu_tools.h"
+#include "ui/window/menus/menus.h"
 #include "ui/window/mesh_export.h"
 
 #include <QAction>

@@ -2,8 +2,8 @@
 #include "ui/window/command_palette.h"
 #include "ui/window/keys_dialog.h"
 #include "ui/window/main_window.h"
-#include "ui/window/menu_tools.h"
-#include "ui/window/menus.h"
+#include "ui/window/menus/menu_tools.h"
+#include "ui/window/menus/menus.h"
 #include "ui/window/shortcuts_dialog.h"
 
 #include <QAction>

@@ -1,4 +1,4 @@
-#include "ui/window/menu_tools.h"
+#include "ui/window/menus/menu_tools.h"
 
 #include "ui/theme/icon.h"
 
