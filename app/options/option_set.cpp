@@ -59,6 +59,7 @@ Option OptionSet::add(const std::string& names, T& value, const std::string& tip
 
 template Option OptionSet::add(const std::string&, std::string&, const std::string&);
 template Option OptionSet::add(const std::string&, std::vector<std::string>&, const std::string&);
+template Option OptionSet::add(const std::string&, float&, const std::string&);
 template Option OptionSet::add(const std::string&, double&, const std::string&);
 template Option OptionSet::add(const std::string&, int&, const std::string&);
 template Option OptionSet::add(const std::string&, std::size_t&, const std::string&);
