@@ -5,7 +5,10 @@
 #include "core/base/up_axis.h"
 
 #include <cstdio>
+#include <cstdlib>
+#include <exception>
 #include <new>
+#include <unistd.h>
 
 namespace app {
 
@@ -30,13 +33,33 @@ int fail(std::string_view message, int code) {
     return code;
 }
 
+static int failWithoutMemory() {
+    return fail("not enough memory; try a smaller model", 1);
+}
+
+static const std::terminate_handler usualEnd = std::get_terminate();
+
+/// Destructors of JSON values allocate: where that fails, nobody can catch it.
+[[noreturn]] static void terminated() {
+    try {
+        if (std::current_exception())
+            throw;
+    } catch (const std::bad_alloc&) {
+        ::_exit(failWithoutMemory());
+    } catch (...) {
+    }
+    usualEnd();
+    std::abort();
+}
+
 int guarded(const std::function<int()>& work) {
+    std::set_terminate(terminated);
     try {
         return work();
     } catch (const UsageError& error) {
         return fail(error.what(), 2);
     } catch (const std::bad_alloc&) {
-        return fail("not enough memory; try a smaller model", 1);
+        return failWithoutMemory();
     } catch (const std::exception& error) { // base::Error, base::Cancelled and what libraries throw
         return fail(error.what(), 1);
     }
