@@ -195,6 +195,11 @@ void run(const Options& options, Console& console) {
              << 100 * scans.placed[m].overlap << " % of it overlaps.";
         console.tell(text.str());
     }
+    std::ostringstream hint;
+    hint.precision(3);
+    hint << "Where models overlap there are points of each. One even layer of them: pointclay clean --thin "
+         << process::typicalSpacing(scans.placed[0].surface.tree()) << ", or resample.";
+    console.tell(hint.str());
     io::write(options.out, together(scans), process::part(progress, 0.9, 1));
     if (!options.report.empty())
         io::writeFile(options.report, reportOf(scans).dump(2) + "\n");

@@ -9,6 +9,8 @@
 #include "core/process/resampling/resample.h"
 #include "core/solid/primitive.h"
 
+#include <algorithm>
+
 namespace solid {
 
 using base::Vec3d;
@@ -135,10 +137,12 @@ class CapSampler {
 Combined cutByPlane(const surface::Surface& model, const base::Plane& plane, const CutOptions& options,
                     const base::Progress& progress) {
     const HalfSpaceSide side(plane.normal, plane.offset);
+    const std::vector<std::int8_t> sides = sidesOf(model.tree(), side);
+    if (std::count_if(sides.begin(), sides.end(), [](std::int8_t s) { return s >= 0; }) < 4)
+        throw base::Error("nothing would be left", "cut", "move the plane, or keep the other side");
     if (options.cap)
         return combine(model, {side, CapSampler(model, plane).result()}, Operation::Difference, {options.creases},
                        progress);
-    const std::vector<std::int8_t> sides = sidesOf(model.tree(), side);
     tree::Edit edit;
     edit.inserted.layout = model.tree().layout();
     Combined out;
@@ -151,8 +155,6 @@ Combined cutByPlane(const surface::Surface& model, const base::Plane& plane, con
         if (change.removed.any())
             edit.blocks.push_back(std::move(change));
     }
-    if (model.tree().size() < out.removed + 4)
-        throw base::Error("nothing would be left", "cut", "move the plane, or keep the other side");
     surface::SurfaceDefinition definition = model.definition();
     out.surface = {model.tree().apply(edit), definition};
     if (out.removed > 0 && definition.boundary == surface::Boundary::Auto) {

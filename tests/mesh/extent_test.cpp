@@ -1,6 +1,7 @@
 // Areas and volumes of surfaces, against what is known of them.
 #include "core/mesh/extent/extent.h"
 
+#include "cells/solids.h"
 #include "core/base/parallel.h"
 #include "mesh/models.h"
 #include "support/registry.h"
@@ -18,6 +19,7 @@ class ExtentTest : public QObject {
     void spheresAreWithinAThousandth();
     void toriAreWithinAThousandth();
     void boxesGainWithTheirPoints();
+    void creasesAreMeasuredSharp();
     void openSurfacesHaveAreaAndNoVolume();
     void oneSidedSurfacesHaveNoVolume();
     void theSideOfNormalsDoesNotMatter();
@@ -65,6 +67,18 @@ void ExtentTest::boxesGainWithTheirPoints() {
     QVERIFY2(fine.closed && std::abs(fine.volume / 8 - 1) < 0.004, told(fine.volume, 8));
     QVERIFY2(std::abs(fine.area / 24 - 1) < 0.02, told(fine.area, 24));
     QVERIFY2(24 - fine.area < 0.6 * (24 - coarse.area), told(coarse.area, fine.area));
+}
+
+/// A cube, and an octant of a ball, whose seams are bent: what rounded edges would lose is there.
+void ExtentTest::creasesAreMeasuredSharp() {
+    base::Random random(test::seed());
+    const auto cube = plane_solids::sampled(plane_solids::cube(0.8), 2.4, 0.1, random);
+    const Extent a = extentOf(plane_solids::surfaceOf(cube.surfels));
+    const Extent b = extentOf(plane_solids::surfaceOf(plane_solids::octant(0.06, random)));
+    QVERIFY2(std::abs(a.area / (6 * 1.6 * 1.6) - 1) < 1e-3, told(a.area, 6 * 1.6 * 1.6));
+    QVERIFY2(a.closed && std::abs(a.volume / (1.6 * 1.6 * 1.6) - 1) < 1e-3, told(a.volume, 1.6 * 1.6 * 1.6));
+    QVERIFY2(std::abs(b.area / (1.25 * pi) - 1) < 2e-3, told(b.area, 1.25 * pi));
+    QVERIFY2(b.closed && std::abs(b.volume / (pi / 6) - 1) < 2e-3, told(b.volume, pi / 6));
 }
 
 void ExtentTest::openSurfacesHaveAreaAndNoVolume() {

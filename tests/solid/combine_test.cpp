@@ -304,7 +304,13 @@ void CombineTest::threadsDoNotShow() {
 void CombineTest::whatLeavesNothingIsRefused() {
     const surface::Surface ball = surfaceOf("ball", {0.3, 0, 0}, 0.05);
     QVERIFY_EXCEPTION_THROWN(with(ball, "box", {1, 1, 1}, 0.05, {}, Operation::Difference), base::Error);
-    QVERIFY_EXCEPTION_THROWN(solid::cutByPlane(ball, {{0, 0, 1}, 1}), base::Error);
+    for (const bool cap : {false, true})
+        try {
+            solid::cutByPlane(ball, {{0, 0, 1}, 1}, {cap});
+            QFAIL("nothing is left, and nobody says so");
+        } catch (const base::Error& error) {
+            QVERIFY2(std::string(error.what()).find("the other side") != std::string::npos, error.what());
+        }
     QVERIFY_EXCEPTION_THROWN(solid::primitive("teapot"), base::Error);
 }
 
