@@ -17,7 +17,7 @@ struct CellFaces {
     std::span<const Triangle> triangles;
     std::span<const base::Vec3d> normals; ///< zero where it has no area
     std::span<const double> areas;
-    std::span<const std::int8_t> given; ///< +1: as often or more often its own way round than the other; 0: as often
+    std::span<const std::int8_t> given; ///< it came more often its own way round (1), the other way (-1), neither (0)
     std::span<const base::Vec3f> positions;
 };
 

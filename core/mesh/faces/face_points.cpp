@@ -134,7 +134,6 @@ std::uint64_t DartThrower::keyOf(const Vec3f& p) const {
 void DartThrower::draw() {
     const std::vector<double> sums = cumulated(m_topology.areas);
     const auto all = static_cast<std::size_t>(static_cast<double>(candidatesPerPoint * m_count) / outerShare());
-    std::vector<Key> keys(all);
     const auto candidate = [&](std::size_t i) {
         const FacePoint point = drawn(sums, i, all);
         Candidate out;
@@ -142,14 +141,24 @@ void DartThrower::draw() {
         out.point = point;
         return out;
     };
-    constexpr auto none = std::numeric_limits<std::uint32_t>::max();
-    base::parallelFor(all, 4096, [&](std::size_t i) {
-        const Candidate each = candidate(i);
-        const bool isOut =
-            !m_inside || !m_inside->has(placeOf(each.point, m_topology, m_positions), each.point.triangle);
-        keys[i] = {keyOf(each.position), base::mix(i ^ ~seed), isOut ? static_cast<std::uint32_t>(i) : none};
-    });
-    std::erase_if(keys, [](const Key& key) { return key.index == none; });
+    const auto keyFor = [&](const Candidate& each, std::size_t i) -> Key {
+        return {keyOf(each.position), base::mix(i ^ ~seed), static_cast<std::uint32_t>(i)};
+    };
+    std::vector<Key> keys;
+    if (outerShare() < 1) { // only what stays is kept: it may be a small part
+        std::vector<std::vector<Key>> parts(base::chunkCount(all, 65536));
+        base::parallelChunks(all, 65536, [&](std::size_t begin, std::size_t end, std::size_t part) {
+            for (std::size_t i = begin; i < end; ++i)
+                if (const Candidate each = candidate(i);
+                    !m_inside->has(placeOf(each.point, m_topology, m_positions), each.point.triangle))
+                    parts[part].push_back(keyFor(each, i));
+        });
+        for (const auto& part : parts)
+            keys.insert(keys.end(), part.begin(), part.end());
+    } else {
+        keys.resize(all);
+        base::parallelFor(all, 4096, [&](std::size_t i) { keys[i] = keyFor(candidate(i), i); });
+    }
     std::sort(keys.begin(), keys.end());
     const std::size_t n = keys.size();
     m_candidates.resize(n);

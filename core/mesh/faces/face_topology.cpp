@@ -70,8 +70,8 @@ void keepFaces(FaceTopology& out, const Which& which) {
         out.normals.resize(kept), out.areas.resize(kept);
 }
 
-/// Leaves out triangles whose three places another one before them has, in whatever order. Of each that stays: whether
-/// it came more often its own way round (1) or as often the other way (0), or more often that way (-1).
+/// Leaves out triangles whose three places another one before them has, in whatever order. Of each that stays: it
+/// came more often its own way round (1), the other way (-1), or neither (0).
 std::vector<std::int8_t> leaveOutRepetitions(FaceTopology& out, const Places& places) {
     struct Sorted {
         Triangle places;

@@ -19,7 +19,8 @@ constexpr std::size_t probes = 20'000, probesPerBody = 8;
 constexpr double onTop = 2e-6;   ///< of the extent: faces nearer than that are on top of each other
 constexpr double leastCell = 64; ///< of that distance
 /// Cells that all faces may be in, as often as they are: for each face, of few and of many.
-constexpr double cellsOfFew = 100, cellsOfMany = 12, many = 4e6;
+constexpr double cellsOfFew = 100, cellsOfMany = 6, many = 4e6;
+constexpr double leastShare = 0.01; ///< of the area, that is sampled in full
 constexpr std::uint64_t axisBits = 21, axisMask = (1u << axisBits) - 1;
 
 /// The axis that a normal is nearest to.
@@ -271,7 +272,7 @@ void InnerPlaces::probe() {
         m_cut[body] = !same && inside > 0;
         inner += m_cut[body] ? inside : 0;
     }
-    m_outerShare = 1 - inner / m_topology.area;
+    m_outerShare = std::max(leastShare, 1 - inner / m_topology.area);
 }
 
 bool InnerPlaces::has(const Vec3d& place, std::uint32_t triangle) const {

@@ -231,7 +231,7 @@ std::size_t samplesFor(const FaceTopology& topology, double share, double wall, 
         return fittingCount(topology, wall, share);
     const double wanted = options.count > 0 ? static_cast<double>(options.count)
                                             : std::ceil(topology.area * share / (options.spacing * options.spacing));
-    if (!(wanted <= static_cast<double>(mostSamples)))
+    if (!(wanted / share <= static_cast<double>(mostSamples))) // with candidates for those that are inside
         throw base::Error("sampling the faces so finely takes more than " + grouped(mostSamples) + " surfels", "",
                           "choose a larger spacing or a smaller count");
     if (options.count == 0 && wanted < fewestSamples)
