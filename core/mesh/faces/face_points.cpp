@@ -58,9 +58,11 @@ FacePoint drawn(const std::vector<double>& sums, std::size_t i, std::size_t n) {
 
 class DartThrower {
   public:
-    DartThrower(const FaceTopology& topology, std::span<const Vec3f> positions, std::size_t count)
-        : m_topology(topology), m_positions(positions), m_count(count),
-          m_side(static_cast<float>(std::sqrt(firstShare * topology.area / static_cast<double>(count)))) {}
+    DartThrower(const FaceTopology& topology, std::span<const Vec3f> positions, std::size_t count,
+                const InnerPlaces* inside)
+        : m_topology(topology), m_positions(positions), m_inside(inside), m_count(count),
+          m_side(
+              static_cast<float>(std::sqrt(firstShare * topology.area * outerShare() / static_cast<double>(count)))) {}
 
     std::vector<FacePoint> run(const base::Progress& progress) {
         draw();
@@ -94,6 +96,7 @@ class DartThrower {
         bool operator<(const Key& o) const { return cell != o.cell ? cell < o.cell : rank < o.rank; }
     };
 
+    double outerShare() const { return m_inside ? m_inside->outerShare() : 1; }
     void draw();
     void findCells();
     std::size_t throwAll(float r, std::size_t most);
@@ -103,6 +106,7 @@ class DartThrower {
 
     const FaceTopology& m_topology;
     std::span<const Vec3f> m_positions;
+    const InnerPlaces* m_inside; ///< null: nothing is
     std::size_t m_count;
     float m_side; ///< of a cell: the distance of neighbours in a hexagonal layout of so many points
     std::vector<Candidate> m_candidates;
@@ -129,19 +133,34 @@ std::uint64_t DartThrower::keyOf(const Vec3f& p) const {
 /// Candidates in the order of their cells, within one in that of their ranks.
 void DartThrower::draw() {
     const std::vector<double> sums = cumulated(m_topology.areas);
-    const std::size_t n = candidatesPerPoint * m_count;
-    std::vector<Key> keys(n);
+    const auto all = static_cast<std::size_t>(static_cast<double>(candidatesPerPoint * m_count) / outerShare());
     const auto candidate = [&](std::size_t i) {
-        const FacePoint point = drawn(sums, i, n);
+        const FacePoint point = drawn(sums, i, all);
         Candidate out;
         out.position = base::cast<float>(placeOf(point, m_topology, m_positions));
         out.point = point;
         return out;
     };
-    base::parallelFor(n, 4096, [&](std::size_t i) {
-        keys[i] = {keyOf(candidate(i).position), base::mix(i ^ ~seed), static_cast<std::uint32_t>(i)};
-    });
+    const auto keyFor = [&](const Candidate& each, std::size_t i) -> Key {
+        return {keyOf(each.position), base::mix(i ^ ~seed), static_cast<std::uint32_t>(i)};
+    };
+    std::vector<Key> keys;
+    if (outerShare() < 1) { // only what stays is kept: it may be a small part
+        std::vector<std::vector<Key>> parts(base::chunkCount(all, 65536));
+        base::parallelChunks(all, 65536, [&](std::size_t begin, std::size_t end, std::size_t part) {
+            for (std::size_t i = begin; i < end; ++i)
+                if (const Candidate each = candidate(i);
+                    !m_inside->has(placeOf(each.point, m_topology, m_positions), each.point.triangle))
+                    parts[part].push_back(keyFor(each, i));
+        });
+        for (const auto& part : parts)
+            keys.insert(keys.end(), part.begin(), part.end());
+    } else {
+        keys.resize(all);
+        base::parallelFor(all, 4096, [&](std::size_t i) { keys[i] = keyFor(candidate(i), i); });
+    }
     std::sort(keys.begin(), keys.end());
+    const std::size_t n = keys.size();
     m_candidates.resize(n);
     base::parallelFor(n, 4096, [&](std::size_t i) { m_candidates[i] = candidate(keys[i].index); });
     for (std::uint32_t i = 0; i < n; ++i) {
@@ -235,8 +254,8 @@ std::size_t DartThrower::throwAll(float r, std::size_t most) {
 } // namespace
 
 std::vector<FacePoint> spreadPoints(const FaceTopology& topology, std::span<const Vec3f> positions, std::size_t count,
-                                    const base::Progress& progress) {
-    return DartThrower(topology, positions, count).run(progress);
+                                    const base::Progress& progress, const InnerPlaces* inside) {
+    return DartThrower(topology, positions, count, inside).run(progress);
 }
 
 Vec3d placeOf(const FacePoint& point, const FaceTopology& topology, std::span<const Vec3f> positions) {

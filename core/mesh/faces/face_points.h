@@ -10,7 +10,7 @@
 #pragma once
 
 #include "core/base/progress.h"
-#include "core/mesh/faces/face_topology.h"
+#include "core/mesh/faces/inner_places.h"
 
 namespace mesh {
 
@@ -19,10 +19,11 @@ struct FacePoint {
     float b = 0, c = 0;         ///< barycentric coordinates of corners 1 and 2; corner 0 has 1 - b - c
 };
 
-/// `count` points, or a few percent fewer where the faces are too small for so many. In the order of cells. REQUIRES:
-/// an area above 0. Throws base::Cancelled.
+/// `count` points, or a few percent fewer where the faces are too small for so many; none at places that are inside. In
+/// the order of cells. REQUIRES: an area above 0. Throws base::Cancelled.
 std::vector<FacePoint> spreadPoints(const FaceTopology& topology, std::span<const base::Vec3f> positions,
-                                    std::size_t count, const base::Progress& progress = {});
+                                    std::size_t count, const base::Progress& progress = {},
+                                    const InnerPlaces* inside = nullptr);
 
 /// Where a point is.
 base::Vec3d placeOf(const FacePoint& point, const FaceTopology& topology, std::span<const base::Vec3f> positions);

@@ -70,8 +70,8 @@ bool sampleWell(const FaceTopology& topology, std::span<const Vec3f> positions) 
 /// Distance to the wall behind, for points spread over the faces, as far as a few of their own spacings; infinity
 /// beyond.
 static std::vector<float> wallsBehind(const FaceTopology& topology, std::span<const Vec3f> positions,
-                                      std::size_t probes, const base::Progress& progress) {
-    const std::vector<FacePoint> points = spreadPoints(topology, positions, probes, progress);
+                                      std::size_t probes, const base::Progress& progress, const InnerPlaces* inside) {
+    const std::vector<FacePoint> points = spreadPoints(topology, positions, probes, progress, inside);
     std::vector<surfel::Surfel> places(points.size());
     for (std::size_t i = 0; i < points.size(); ++i)
         places[i].position = base::cast<float>(placeOf(points[i], topology, positions));
@@ -98,15 +98,16 @@ static std::vector<float> wallsBehind(const FaceTopology& topology, std::span<co
     return out;
 }
 
-double thinnestWall(const FaceTopology& topology, std::span<const Vec3f> positions, const base::Progress& progress) {
+double thinnestWall(const FaceTopology& topology, std::span<const Vec3f> positions, const base::Progress& progress,
+                    const InnerPlaces* inside) {
     constexpr std::size_t probes = leastCount / 5; // what is thinner than three spacings of leastCount is found
-    std::vector<float> walls = wallsBehind(topology, positions, probes, progress);
+    std::vector<float> walls = wallsBehind(topology, positions, probes, progress, inside);
     return walls.empty() ? std::numeric_limits<double>::infinity() : static_cast<double>(quantile(walls, 0.01));
 }
 
-std::size_t fittingCount(const FaceTopology& topology, double thinnestWall) {
+std::size_t fittingCount(const FaceTopology& topology, double thinnestWall, double share) {
     const double spacing = thinnestWall / 3;
-    const double walls = std::min(topology.area / (spacing * spacing), static_cast<double>(mostForWalls));
+    const double walls = std::min(topology.area / (spacing * spacing), static_cast<double>(mostForWalls)) * share;
     const double wanted = std::max(walls, static_cast<double>(topology.triangles.size()));
     return static_cast<std::size_t>(
         std::clamp(wanted, static_cast<double>(leastCount), static_cast<double>(mostCount)));

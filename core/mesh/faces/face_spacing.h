@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/progress.h"
-#include "core/mesh/faces/face_topology.h"
+#include "core/mesh/faces/inner_places.h"
 
 namespace mesh {
 
@@ -17,10 +17,10 @@ bool sampleWell(const FaceTopology& topology, std::span<const base::Vec3f> posit
 /// Thickness that all but one percent of the area has at least, where it is below three spacings of 100,000 samples;
 /// infinity where walls are thicker.
 double thinnestWall(const FaceTopology& topology, std::span<const base::Vec3f> positions,
-                    const base::Progress& progress = {});
+                    const base::Progress& progress = {}, const InnerPlaces* inside = nullptr);
 
 /// Samples that the shape needs: as many as it has faces, so many that its thinnest walls are three spacings thick;
-/// at least 100,000 and at most 5 million.
-std::size_t fittingCount(const FaceTopology& topology, double thinnestWall);
+/// at least 100,000 and at most 5 million. `share`: of the faces' area, what is sampled.
+std::size_t fittingCount(const FaceTopology& topology, double thinnestWall, double share = 1);
 
 } // namespace mesh

@@ -4,12 +4,10 @@
 #include "core/base/cells.h"
 #include "core/base/disjoint_sets.h"
 #include "core/base/parallel.h"
-#include "core/base/random.h"
-#include "core/mesh/faces/tee_joints.h"
+#include "core/mesh/faces/face_cells.h"
 #include "core/mesh/faces/turn_outwards.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -21,38 +19,6 @@ namespace {
 
 using base::Vec3d;
 using base::Vec3f;
-
-/// Which vertices are one, and which of these lie on sides of triangles that they are no corners of.
-struct Places {
-    std::vector<std::uint32_t> of; ///< of each vertex: the first that stands for all at its place
-    TeeJoints joints;
-};
-
-/// The side of a triangle from corner `corner` to the next, or a part of it between places that lie on it.
-struct Side {
-    std::uint64_t key;    ///< the lower place, then the higher
-    std::uint32_t corner; ///< 3 t + k
-    bool downwards;       ///< runs from the higher place to the lower
-};
-
-/// The first vertex at the same place, for every vertex.
-std::vector<std::uint32_t> placesOf(std::span<const Vec3f> positions) {
-    constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-    std::vector<std::uint32_t> slots(std::bit_ceil(2 * positions.size() + 1), none), out(positions.size());
-    const std::size_t mask = slots.size() - 1;
-    for (std::uint32_t i = 0; i < positions.size(); ++i) {
-        std::uint64_t hash = 0;
-        for (std::size_t k = 0; k < 3; ++k)
-            hash = base::mix(hash ^ std::bit_cast<std::uint32_t>(positions[i][k] + 0.0f)); // -0 is 0
-        std::size_t slot = hash & mask;
-        while (slots[slot] != none && positions[slots[slot]] != positions[i])
-            slot = (slot + 1) & mask;
-        if (slots[slot] == none)
-            slots[slot] = i;
-        out[i] = slots[slot];
-    }
-    return out;
-}
 
 /// Of the extent: coordinates that differ by this came from one number, computed twice.
 constexpr double roundOff = 5e-7;
@@ -85,12 +51,28 @@ bool joinBoundary(std::vector<std::uint32_t>& places, std::span<const Vec3f> pos
     return any;
 }
 
-Triangle at(const std::vector<std::uint32_t>& places, const Triangle& t) {
-    return {places[t[0]], places[t[1]], places[t[2]]};
+constexpr std::int8_t repetition = std::numeric_limits<std::int8_t>::max();
+
+/// Leaves out the others, with what is known of them.
+template <class Which>
+void keepFaces(FaceTopology& out, const Which& which) {
+    std::size_t kept = 0;
+    for (std::size_t t = 0; t < out.triangles.size(); ++t) {
+        if (!which(t))
+            continue;
+        out.triangles[kept] = out.triangles[t], out.sources[kept] = out.sources[t];
+        if (!out.normals.empty())
+            out.normals[kept] = out.normals[t], out.areas[kept] = out.areas[t];
+        ++kept;
+    }
+    out.triangles.resize(kept), out.sources.resize(kept);
+    if (!out.normals.empty())
+        out.normals.resize(kept), out.areas.resize(kept);
 }
 
-/// Leaves out triangles whose three places another one before them has, in whatever order.
-void leaveOutRepetitions(FaceTopology& out, const std::vector<std::uint32_t>& places) {
+/// Leaves out triangles whose three places another one before them has, in whatever order. Of each that stays: it
+/// came more often its own way round (1), the other way (-1), or neither (0).
+std::vector<std::int8_t> leaveOutRepetitions(FaceTopology& out, const Places& places) {
     struct Sorted {
         Triangle places;
         std::uint32_t triangle;
@@ -98,22 +80,29 @@ void leaveOutRepetitions(FaceTopology& out, const std::vector<std::uint32_t>& pl
     };
     std::vector<Sorted> all(out.triangles.size());
     base::parallelFor(all.size(), 8192, [&](std::size_t t) {
-        all[t] = {at(places, out.triangles[t]), static_cast<std::uint32_t>(t)};
+        all[t] = {places.at(out.triangles[t]), static_cast<std::uint32_t>(t)};
         std::sort(all[t].places.begin(), all[t].places.end());
     });
     std::sort(all.begin(), all.end());
-    std::vector<std::uint8_t> twice(all.size());
-    for (std::size_t i = 1; i < all.size(); ++i)
-        if (all[i].places == all[i - 1].places)
-            twice[all[i].triangle] = 1;
-    std::size_t kept = 0;
-    for (std::size_t t = 0; t < all.size(); ++t)
-        if (!twice[t]) {
-            out.sources.push_back(static_cast<std::uint32_t>(t));
-            out.triangles[kept++] = out.triangles[t];
+    const auto isEven = [&](std::uint32_t t) { // does it run from its lowest place to the next one up?
+        const Triangle p = places.at(out.triangles[t]);
+        return (p[0] < p[1]) + (p[1] < p[2]) + (p[2] < p[0]) == 2;
+    };
+    std::vector<std::int8_t> given(all.size());
+    for (std::size_t begin = 0, end; begin < all.size(); begin = end) {
+        const std::uint32_t first = all[begin].triangle;
+        int balance = 0;
+        for (end = begin; end < all.size() && all[end].places == all[begin].places; ++end) {
+            balance += isEven(all[end].triangle) == isEven(first) ? 1 : -1;
+            given[all[end].triangle] = repetition;
         }
-    out.repeated = out.triangles.size() - kept;
-    out.triangles.resize(kept);
+        given[first] = static_cast<std::int8_t>((balance > 0) - (balance < 0));
+    }
+    const std::size_t before = given.size();
+    keepFaces(out, [&](std::size_t t) { return given[t] != repetition; });
+    std::erase(given, repetition);
+    out.repeated = before - given.size();
+    return given;
 }
 
 void measure(FaceTopology& out, std::span<const Vec3f> positions) {
@@ -125,56 +114,6 @@ void measure(FaceTopology& out, std::span<const Vec3f> positions) {
         out.areas[t] = length(sides) / 2;
         out.normals[t] = normalized(sides);
     });
-    out.area = std::accumulate(out.areas.begin(), out.areas.end(), 0.0);
-}
-
-std::uint64_t keyOf(std::uint64_t a, std::uint64_t b) {
-    return std::min(a, b) << 32 | std::max(a, b);
-}
-
-std::vector<Side> sidesOf(const FaceTopology& topology, const Places& places) {
-    std::vector<Side> out;
-    out.reserve(3 * topology.triangles.size());
-    for (std::uint32_t t = 0; t < topology.triangles.size(); ++t) {
-        const Triangle corners = at(places.of, topology.triangles[t]);
-        for (std::uint32_t k = 0; k < 3; ++k) {
-            const std::uint64_t a = corners[k], b = corners[(k + 1) % 3], key = keyOf(a, b);
-            if (a == b)
-                continue;
-            const auto joints = places.joints.empty() ? places.joints.end() : places.joints.find(key);
-            if (joints == places.joints.end()) {
-                out.push_back({key, 3 * t + k, a > b});
-                continue;
-            }
-            std::uint64_t from = std::min(a, b);
-            const auto part = [&](std::uint64_t to) {
-                out.push_back({keyOf(from, to), 3 * t + k, (a > b) != (from > to)});
-                from = to;
-            };
-            for (const std::uint32_t place : joints->second)
-                part(place);
-            part(std::max(a, b));
-        }
-    }
-    std::sort(out.begin(), out.end(),
-              [](const Side& a, const Side& b) { return a.key != b.key ? a.key < b.key : a.corner < b.corner; });
-    return out;
-}
-
-/// Between the two places of an edge.
-double edgeLength(std::span<const Vec3f> positions, std::uint64_t key) {
-    return distance(base::cast<double>(positions[key >> 32]),
-                    base::cast<double>(positions[static_cast<std::uint32_t>(key)]));
-}
-
-/// fn(sides) for every edge: the sides of the triangles that meet in it.
-template <class Fn>
-void forEdges(const std::vector<Side>& sides, const Fn& fn) {
-    for (std::size_t begin = 0, end; begin < sides.size(); begin = end) {
-        for (end = begin + 1; end < sides.size() && sides[end].key == sides[begin].key;)
-            ++end;
-        fn(std::span(sides).subspan(begin, end - begin));
-    }
 }
 
 void turn(FaceTopology& out, std::uint32_t t) {
@@ -225,6 +164,19 @@ FacePieces turnAlike(FaceTopology& out, std::span<const Vec3f> positions, const 
     return told;
 }
 
+/// Leaves out faces that lie in the solid where three and more meet at an edge, and turns those alike that bound it.
+void leaveOutInside(FaceTopology& out, std::span<const Vec3f> positions, const Places& places,
+                    std::span<const std::int8_t> given) {
+    const std::vector<FaceRole> roles =
+        rolesOf({out.triangles, out.normals, out.areas, given, positions}, sidesOf(out.triangles, places), places);
+    for (std::uint32_t t = 0; t < roles.size(); ++t)
+        if (roles[t] == FaceRole::Turned)
+            turn(out, t), ++out.reversed;
+    out.inside = static_cast<std::size_t>(std::count(roles.begin(), roles.end(), FaceRole::Inside));
+    if (out.inside > 0)
+        keepFaces(out, [&](std::size_t t) { return roles[t] != FaceRole::Inside; });
+}
+
 /// Turns pieces that are inside out.
 void turnOutwards(FaceTopology& out, std::span<const Vec3f> positions, const FacePieces& pieces) {
     const std::vector<Facing> facing = facingOf(pieces, out.triangles, out.areas, positions);
@@ -235,6 +187,9 @@ void turnOutwards(FaceTopology& out, std::span<const Vec3f> positions, const Fac
         if (facing[piece] == Facing::Inwards)
             turn(out, t);
     }
+    out.sealed.resize(facing.size());
+    for (std::size_t piece = 0; piece < facing.size(); ++piece)
+        out.sealed[piece] = facing[piece] != Facing::Open && pieces.borders[piece] == 0 ? 1 : 0;
     out.turnedOut = static_cast<std::size_t>(std::count(facing.begin(), facing.end(), Facing::Inwards));
 }
 
@@ -310,7 +265,7 @@ void joinSmooth(FaceTopology& out, std::span<const Vec3f> positions, const Place
 /// The edges with an odd number of faces.
 std::vector<std::uint64_t> boundaryEdges(const FaceTopology& topology, const Places& places) {
     std::vector<std::uint64_t> out;
-    forEdges(sidesOf(topology, places), [&](std::span<const Side> edge) {
+    forEdges(sidesOf(topology.triangles, places), [&](std::span<const Side> edge) {
         if (edge.size() % 2 == 1)
             out.push_back(edge[0].key);
     });
@@ -335,11 +290,15 @@ FaceTopology topologyOf(std::span<const Vec3f> positions, std::span<const Triang
     out.triangles.assign(triangles.begin(), triangles.end());
     if (out.triangles.empty())
         return out;
-    forEdges(sidesOf(out, places), [&](std::span<const Side> edge) { out.bordersGiven += edge.size() % 2; });
-    leaveOutRepetitions(out, places.of);
+    forEdges(sidesOf(out.triangles, places), [&](std::span<const Side> edge) { out.bordersGiven += edge.size() % 2; });
+    out.sources.resize(out.triangles.size());
+    std::iota(out.sources.begin(), out.sources.end(), 0u);
+    const std::vector<std::int8_t> given = leaveOutRepetitions(out, places);
     measure(out, positions);
-    turnOutwards(out, positions, turnAlike(out, positions, sidesOf(out, places)));
-    const std::vector<Side> sides = sidesOf(out, places); // the turned ones run the other way
+    leaveOutInside(out, positions, places, given);
+    out.area = std::accumulate(out.areas.begin(), out.areas.end(), 0.0);
+    turnOutwards(out, positions, turnAlike(out, positions, sidesOf(out.triangles, places)));
+    const std::vector<Side> sides = sidesOf(out.triangles, places); // the turned ones run the other way
     countEdges(out, sides);
     joinSmooth(out, positions, places, sides, sharp);
     return out;

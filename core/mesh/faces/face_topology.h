@@ -3,8 +3,9 @@
 //
 // Any faces will do. Corners at the same place count as one vertex, whatever their numbers (STL repeats every corner,
 // OBJ and PLY those along seams); along the boundary also those that differ by round-off alone, and corners that lie on
-// sides of others cut these (tee_joints.h). Faces listed twice count once. Edges of one, three or more faces hold
-// nothing together; faces without area belong to the patch beside them, and have no direction of their own.
+// sides of others cut these (tee_joints.h). Faces listed twice count once. Where three faces and more meet in an edge,
+// those with the solid on both sides are left out (face_cells.h). Edges of one, three or more faces hold nothing
+// together; faces without area belong to the patch beside them, and have no direction of their own.
 //
 //     patch      faces connected over edges of exactly two faces whose dihedral angle is at most `sharp`
 //     fan        the corners of one patch around a vertex: they share a normal
@@ -32,16 +33,18 @@ struct SharpEdge {
 constexpr std::uint32_t noBody = ~0u; ///< faces that enclose nothing
 
 struct FaceTopology {
-    std::vector<Triangle>
-        triangles; ///< those of the file without repetitions, turned alike and outwards; corners as in the file
+    std::vector<Triangle> triangles;    ///< those of the file without repetitions and what is inside, turned alike and
+                                        ///< outwards; corners as in the file
     std::vector<std::uint32_t> sources; ///< of each triangle: its number among those given
     std::vector<base::Vec3d> normals;   ///< unit normal of each triangle; zero where it has no area
     std::vector<double> areas;          ///< of each triangle
     std::vector<std::uint32_t> patches; ///< of each triangle, numbered from 0 in the order of their first triangles
     std::vector<std::uint32_t> bodies;  ///< of each triangle: the closed piece of faces it belongs to, or noBody
+    std::vector<std::uint8_t> sealed;   ///< of each body: 1 where it has no hole at all
     std::vector<std::uint32_t> fans;    ///< of each corner (3 t + k), numbered from 0
     std::size_t patchCount = 0, fanCount = 0;
     std::size_t repeated = 0;     ///< triangles left out because another one has the same corners
+    std::size_t inside = 0;       ///< triangles left out because the solid is on both of their sides
     std::size_t reversed = 0;     ///< triangles that were turned round
     std::size_t turnedOut = 0;    ///< closed pieces that were inside out
     std::size_t borders = 0;      ///< edges with an odd number of faces

@@ -211,6 +211,9 @@ std::string mended(const FaceTopology& topology) {
     const auto add = [&out](const std::string& what) { out += (out.empty() ? "" : ", ") + what; };
     if (topology.repeated > 0)
         add("left out " + counted(topology.repeated, "repeated triangle", "repeated triangles"));
+    if (topology.inside > 0)
+        add((topology.repeated > 0 ? "" : "left out ") + counted(topology.inside, "triangle", "triangles") +
+            " inside of the solid");
     if (topology.reversed > 0)
         add("reversed " + counted(topology.reversed, "triangle", "triangles") + " that faced the other way");
     if (topology.turnedOut > 0)
@@ -223,12 +226,12 @@ std::string mended(const FaceTopology& topology) {
     return out.empty() ? out : out + ".";
 }
 
-std::size_t samplesFor(const FaceTopology& topology, double wall, const FaceOptions& options) {
+std::size_t samplesFor(const FaceTopology& topology, double share, double wall, const FaceOptions& options) {
     if (options.count == 0 && options.spacing <= 0)
-        return fittingCount(topology, wall);
+        return fittingCount(topology, wall, share);
     const double wanted = options.count > 0 ? static_cast<double>(options.count)
-                                            : std::ceil(topology.area / (options.spacing * options.spacing));
-    if (!(wanted <= static_cast<double>(mostSamples)))
+                                            : std::ceil(topology.area * share / (options.spacing * options.spacing));
+    if (!(wanted / share <= static_cast<double>(mostSamples))) // with candidates for those that are inside
         throw base::Error("sampling the faces so finely takes more than " + grouped(mostSamples) + " surfels", "",
                           "choose a larger spacing or a smaller count");
     if (options.count == 0 && wanted < fewestSamples)
@@ -275,10 +278,15 @@ OpenedFaces openFaces(SurfelList vertices, std::span<const Triangle> triangles,
         out.points = std::move(vertices);
         return out;
     }
-    const double wall = thinnestWall(topology, positions, process::part(progress, 0, 0.3));
-    const std::size_t count = samplesFor(topology, wall, options);
-    const auto points = spreadPoints(topology, positions, count, process::part(progress, 0.3, 0.9));
-    const double spacing = std::sqrt(topology.area / static_cast<double>(points.size()));
+    const InnerPlaces inside(topology, positions);
+    const double share = inside.outerShare();
+    if (share < 1)
+        out.messages.push_back("Left out what lies inside of the solid, " + rounded(100 * (1 - share)) +
+                               " % of the faces' area.");
+    const double wall = thinnestWall(topology, positions, process::part(progress, 0, 0.3), &inside);
+    const std::size_t count = samplesFor(topology, share, wall, options);
+    const auto points = spreadPoints(topology, positions, count, process::part(progress, 0.3, 0.9), &inside);
+    const double spacing = std::sqrt(topology.area * share / static_cast<double>(points.size()));
     out.points = FaceSampler(vertices, topology, positions, paint, layoutFor(vertices.layout, topology, paint))
                      .run(points, process::supportOf(definition, static_cast<float>(spacing)), spacing);
     out.sampled = true;
