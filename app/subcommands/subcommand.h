@@ -39,6 +39,7 @@ Action addHaptic(CLI::App& command);
 Action addFill(CLI::App& command);
 Action addCut(CLI::App& command);
 Action addSolid(CLI::App& command);
+Action addCrease(CLI::App& command);
 Action addReduce(CLI::App& command);
 Action addRender(CLI::App& command);
 Action addRun(CLI::App& command);
