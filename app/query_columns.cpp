@@ -147,7 +147,8 @@ void Question::check(surface::Manifold manifold, bool cells) const {
     for (const WhatRow* row : rows)
         if (row->of == Asks::Cells && !cells)
             throw UsageError("--what: " + std::string(row->id) +
-                             " is for models with cells; meshes with sharp edges have them with --creases on");
+                             " is for models with cells; meshes with sharp edges have them with --creases on, others "
+                             "by 'pointclay crease'");
     for (const WhatRow* row : rows)
         if (row->of == wrong)
             throw UsageError("--what: " + std::string(row->id) +

@@ -39,6 +39,8 @@ Action addHaptic(OptionSet command);
 Action addFill(OptionSet command);
 Action addCut(OptionSet command);
 Action addSolid(OptionSet command);
+Action addCrease(OptionSet command);
+Action addRefine(OptionSet command);
 Action addReduce(OptionSet command);
 Action addRender(OptionSet command);
 Action addRun(OptionSet command);

@@ -30,6 +30,8 @@ std::span<const SubcommandRow> subcommandTable() {
          "pointclay solid bunny.ply sample:sphere -o bitten.ply --op difference --scale 0.03", addSolid},
         {"cut", "Cut a model by a plane, and close it", "pointclay cut bunny.ply --plane 0,1,0,0.1 --cap -o bust.ply",
          addCut},
+        {"crease", "Make edges that stay sharp: where points have them, or along a line",
+         "pointclay crease part.xyz -o part.ply --detect --report creases.json", addCrease},
         {"fill", "Close the holes of an open surface", "pointclay fill bunny.ply -o whole.ply --up-to 0.05", addFill},
         {"reduce", "Make the same surface with fewer points, and tell how near it is",
          "pointclay reduce bunny.ply -o light.ply --ratio 0.1 --report light.json", addReduce},

@@ -17,7 +17,8 @@ namespace {
 
 constexpr float reach = 4.5f;        ///< spacings: how far off a patch may be that ends another one
 constexpr float aboutNearest = 1.2f; ///< spacings: surfels so much farther than the nearest tell of the patch's plane
-constexpr float leastSine = 0.14f;   ///< 8 degrees: flatter than that nothing ends
+constexpr float leastSine = 0.14f;   ///< 8 degrees: flatter than that nobody can measure where a patch ends
+constexpr float flatReach = 2.5f;    ///< spacings: so near the patch across still is where there is no edge
 
 struct Near {
     Vec3f position, normal;
@@ -89,23 +90,28 @@ class LabelMeter {
         out.partner = before.cell;
         out.meeting = Meeting::None;
         float nearest = static_cast<float>(partnerReach) * s;
+        bool flat = false; // is the crease still there, without an edge?
         for (const auto& [cell, farSq] : others) {
             if (!(farSq < reach * reach * s * s))
                 continue;
             const float within = std::sqrt(farSq) + aboutNearest * s;
             Vec3f normal, way;
             float total = 0;
+            bool drawn = false; // between cells of one face
             for (const Near& each : m_near) {
                 const float part = distanceSq(each.position, p) / (within * within);
                 if (each.label.cell != cell || !(part < 1))
                     continue;
                 const float weight = (1 - part) * (1 - part);
+                drawn = each.label.face == before.face;
                 normal += each.normal * weight, way += (each.position - p) * weight, total += weight;
             }
             normal = normalized(normal), way = way / std::max(total, 1e-30f);
             const float sine = length(normal - n * dot(n, normal));
-            if (!(sine > leastSine))
+            if (!(sine > leastSine)) {
+                flat |= cell == before.partner && drawn && farSq < flatReach * flatReach * s * s;
                 continue;
+            }
             const float distance = std::abs(dot(way, normal)) / sine;
             if (!(distance < nearest))
                 continue;
@@ -113,7 +119,7 @@ class LabelMeter {
             out.partner = cell;
             out.meeting = dot(n - normal, way) < 0 ? Meeting::Convex : Meeting::Concave;
         }
-        return out;
+        return flat && out.meeting == Meeting::None ? before : out;
     }
 
     const surface::Surface& m_surface;

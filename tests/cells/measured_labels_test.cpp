@@ -19,6 +19,7 @@ class MeasuredLabelsTest : public QObject {
     void creasesAreFoundWhereTheyWere();
     void bentTheOtherWayTheSignTurns_data();
     void bentTheOtherWayTheSignTurns();
+    void flatCreasesWithinAFaceStay();
     void nothingChangesElsewhere();
 };
 
@@ -120,6 +121,22 @@ void MeasuredLabelsTest::bentTheOtherWayTheSignTurns() {
     });
     QVERIFY2(beside > 20 && wrong == 0,
              qPrintable(QString("%1 of %2, seed %3").arg(wrong).arg(beside).arg(test::seed())));
+}
+
+/// They were drawn, and are to become an edge by the strokes that follow.
+void MeasuredLabelsTest::flatCreasesWithinAFaceStay() {
+    Random random(test::seed());
+    SampledSolid s = sampled(intersection({{{0, 0, 1}, 0}}), 1, spacing, random);
+    std::vector<Label> halves(s.surfels.size());
+    for (std::size_t i = 0; i < halves.size(); ++i) {
+        const float x = s.surfels.items[i].position.x;
+        halves[i].cell = x < 0 ? 1 : 2;
+        halves[i].partner = std::abs(x) > 2 * static_cast<float>(spacing) ? halves[i].cell : x < 0 ? 2 : 1;
+        halves[i].meeting = halves[i].partner == halves[i].cell ? Meeting::None : Meeting::Convex;
+    }
+    cells::setLabels(s.surfels, halves);
+    const surface::Surface drawn = surfaceOf(s.surfels);
+    QVERIFY(cells::measuredLabels(drawn, everywhere()).empty());
 }
 
 void MeasuredLabelsTest::nothingChangesElsewhere() {

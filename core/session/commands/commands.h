@@ -23,6 +23,7 @@ CommandRow primitiveCommand();
 CommandRow drillCommand();
 CommandRow mirrorCommand();
 CommandRow hollowCommand();
+CommandRow creaseCommand();
 CommandRow cleanCommand();
 CommandRow duplicatesCommand();
 CommandRow outliersCommand();

@@ -1,0 +1,89 @@
+#include "core/cells/creases/labelled_surface.h"
+
+#include "core/base/error.h"
+
+#include <algorithm>
+#include <array>
+
+namespace cells {
+
+namespace {
+
+/// The surface of these surfels, which stand in the order of its tree, position for position.
+surface::Surface replaced(const surface::Surface& surface, const surfel::SurfelList& surfels) {
+    tree::Edit edit;
+    edit.layout = surfels.layout;
+    edit.inserted.layout = surfels.layout;
+    std::size_t next = 0;
+    surface.tree().forEachBlock([&](std::uint32_t number, const surfel::SurfelBlock& block) {
+        surfel::MutableBlockPtr changed = surfel::SurfelBlock::create(block.size(), surfels.layout->words());
+        for (int slot = 0; slot < block.size(); ++slot, ++next) {
+            changed->set(slot, surfels.items[next]);
+            changed->setExtra(slot, surfels.extraOf(next));
+        }
+        changed->seal();
+        edit.blocks.push_back({number, changed, {}});
+    });
+    return {surface.tree().apply(edit), surface.definition()};
+}
+
+} // namespace
+
+void requireSides(const surface::Surface& surface) {
+    if (surface.definition().manifold != surface::Manifold::Surface)
+        throw base::Error("a curve has no creases", {}, "open it as a surface");
+    if (surface.tree().empty())
+        throw base::Error("there is nothing to crease");
+    const surfel::AttributeLayout& layout = *surface.tree().layout();
+    if (!layout.normals || !layout.oriented)
+        throw base::Error("the normals do not tell inside from outside", {}, "orient them first (\"orient\")");
+}
+
+std::vector<Label> labelsOf(const surface::Surface& surface) {
+    std::vector<Label> out(surface.tree().size());
+    const auto layout = LabelLayout::of(*surface.tree().layout());
+    if (!layout)
+        return out;
+    std::size_t next = 0;
+    surface.tree().forEachBlock([&](std::uint32_t, const surfel::SurfelBlock& block) {
+        for (int slot = 0; slot < block.size(); ++slot)
+            out[next++] = layout->at(block, slot);
+    });
+    return out;
+}
+
+surface::Surface labelled(const surface::Surface& surface, surfel::SurfelList surfels, std::span<const Label> labels) {
+    setLabels(surfels, labels);
+    if (!LabelLayout::of(*surfels.layout))
+        throw base::Error("the model has attributes called cell, partner or sign that hold other numbers", {},
+                          "rename them in the file");
+    return replaced(surface, surfels);
+}
+
+surface::Surface unlabelled(const surface::Surface& surface) {
+    const surfel::SurfelList before = surface.tree().surfels();
+    if (!LabelLayout::of(*before.layout))
+        return surface;
+    constexpr std::array<std::string_view, 5> ours{"cell", "partner", "sign", "sharpness", "face"};
+    auto layout = std::make_shared<surfel::AttributeLayout>();
+    layout->normals = before.layout->normals;
+    layout->oriented = before.layout->oriented;
+    layout->colours = before.layout->colours;
+    layout->masks = before.layout->masks;
+    std::vector<std::size_t> kept; // words
+    for (const surfel::Attribute& each : before.layout->attributes())
+        if (std::find(ours.begin(), ours.end(), each.name) == ours.end()) {
+            layout->add(each.name, each.type);
+            for (std::size_t w = 0; w < surfel::wordsOf(each.type); ++w)
+                kept.push_back(each.firstWord + w);
+        }
+    surfel::SurfelList after;
+    after.layout = layout;
+    after.items = before.items;
+    for (std::size_t i = 0; i < before.size(); ++i)
+        for (const std::size_t word : kept)
+            after.extra.push_back(before.extraOf(i)[word]);
+    return replaced(surface, after);
+}
+
+} // namespace cells

@@ -1,0 +1,272 @@
+#include "core/cells/seams.h"
+
+#include "core/base/cells.h"
+#include "core/base/parallel.h"
+#include "core/cells/feet.h"
+#include "core/cells/local_boolean.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace cells {
+
+using base::Vec3d;
+using surface::Evaluationd;
+using surface::Need;
+
+namespace {
+
+constexpr double stepLength = 0.5;    ///< spacings
+constexpr double shortestStep = 0.02; ///< spacings: steps are halved to this where a seam turns or ends
+constexpr double taken = 0.4;         ///< spacings: feet so near to a seam belong to it
+constexpr double closing = 0.75;      ///< steps from the end to the beginning of what is closed
+constexpr double farthestFoot = 3;    ///< spacings from a surfel beside the crease
+constexpr double leastCosine = 0.8;   ///< of the turn in one step
+constexpr double loose = 1e-3;        ///< spacings
+constexpr double atCorner = 1;        ///< spacings between ends of seams that meet
+constexpr double leastSharpness = 0.02;
+constexpr double flatSineSq = 0.02;    ///< of the angle between both gradients
+constexpr double looseWhereFlat = 0.1; ///< spacings
+constexpr int mostFlatSteps = 12;
+constexpr double flatStep = 0.3;    ///< of h, for all of the weight on one side
+constexpr double leastWeight = 0.1; ///< of a cell, of the other's
+
+struct Start {
+    Vec3d position;
+    double spacing;
+};
+using Pair = std::pair<std::uint32_t, std::uint32_t>;
+
+class PairTracer {
+  public:
+    PairTracer(const CellSurface& surface, const Pair& pair) : m_source(surface), m_pair(pair) {}
+
+    void trace(std::span<const Start> starts, std::vector<Seam>& out) {
+        double reach = 0;
+        for (const Start& start : starts)
+            reach = std::max(reach, taken * start.spacing);
+        for (const Start& start : starts) {
+            const auto at = footNear(start.position, start.spacing, farthestFoot * start.spacing);
+            if (!at || isTaken(*at, start.spacing, reach))
+                continue;
+            Seam seam{m_pair.first, m_pair.second, {}, false, start.spacing};
+            std::vector<Vec3d> back;
+            seam.closed = march(*at, 1, start.spacing, seam.points);
+            if (!seam.closed)
+                march(*at, -1, start.spacing, back);
+            std::reverse(back.begin(), back.end());
+            back.push_back(*at);
+            seam.points.insert(seam.points.begin(), back.begin(), back.end());
+            if (seam.closed)
+                seam.points.push_back(*at);
+            take(seam, reach);
+            if (seam.length() > stepLength * start.spacing)
+                out.push_back(std::move(seam));
+        }
+    }
+
+  private:
+    /// A point of the seam at y's foot; nothing where there is none, or none that counts.
+    std::optional<Vec3d> footNear(const Vec3d& y, double spacing, double within) {
+        m_flat = isFlat(y);
+        const auto foot = m_flat ? flatFoot(y, spacing) : sharpFoot(y);
+        if (!foot || !(base::distance(*foot, y) < within))
+            return std::nullopt;
+        m_source.moveTo(*foot);
+        const std::size_t i = m_source.find(m_pair.first), j = m_source.find(m_pair.second);
+        const double tolerance = (m_flat ? looseWhereFlat : loose) * spacing;
+        if (i == CellSource::none || j == CellSource::none || !isFace(m_source, i, tolerance) ||
+            !isFace(m_source, j, tolerance) || !(m_source.sharpness(i, j) > leastSharpness))
+            return std::nullopt;
+        return foot;
+    }
+    std::optional<Vec3d> sharpFoot(const Vec3d& y) {
+        Feet feet(m_source, y, {});
+        return feet.seam(m_pair.first, m_pair.second, y);
+    }
+    /// Do both patches go on as one there?
+    bool isFlat(const Vec3d& y) {
+        m_source.moveTo(y);
+        const std::size_t i = m_source.find(m_pair.first), j = m_source.find(m_pair.second);
+        if (i == CellSource::none || j == CellSource::none)
+            return false;
+        const Vec3d &g = m_source.at(i, Need::Gradient).gradient, &h = m_source.at(j, Need::Gradient).gradient;
+        return lengthSq(cross(g, h)) < flatSineSq * lengthSq(g) * lengthSq(h) && dot(g, h) > 0;
+    }
+    /// Both zeros are everywhere then: where both cells have the same weight, on the surface that both are.
+    std::optional<Vec3d> flatFoot(Vec3d y, double spacing) {
+        const double reach = spacing / surface::spacingOfUnit;
+        for (int k = 0; k < mostFlatSteps; ++k) {
+            m_source.moveTo(y);
+            const std::size_t i = m_source.find(m_pair.first), j = m_source.find(m_pair.second);
+            if (i == CellSource::none || j == CellSource::none)
+                return std::nullopt;
+            double a = 0, b = 0;
+            Vec3d middleA, middleB;
+            m_source.forSurfels([&](const Vec3d& p, const Label& label, double distanceSq) {
+                const double part = 1 - std::min(1.0, distanceSq / (reach * reach)), weight = part * part;
+                if (label.cell == m_pair.first)
+                    a += weight, middleA += p * weight;
+                else if (label.cell == m_pair.second)
+                    b += weight, middleB += p * weight;
+            });
+            if (!(a > leastWeight * b) || !(b > leastWeight * a))
+                return std::nullopt;
+            const Evaluationd& at = m_source.at(i, Need::Gradient);
+            const Evaluationd& other = m_source.at(j, Need::Gradient);
+            if (!valid(at) || !valid(other))
+                return std::nullopt;
+            const Vec3d n = base::normalized(at.gradient + other.gradient);
+            Vec3d across = middleB / b - middleA / a;
+            across = base::normalized(across - n * dot(across, n));
+            m_across = across;
+            y += across * (flatStep * reach * (a - b) / (a + b)) - n * ((at.value + other.value) / 2);
+        }
+        return y;
+    }
+    /// Along the seam, as both gradients tell.
+    Vec3d tangent(const Vec3d& p) {
+        m_source.moveTo(p);
+        const std::size_t i = m_source.find(m_pair.first), j = m_source.find(m_pair.second);
+        if (i == CellSource::none || j == CellSource::none)
+            return {};
+        if (m_flat)
+            return base::normalized(cross(m_source.at(i, Need::Gradient).gradient, m_across));
+        return base::normalized(
+            cross(m_source.at(i, Need::Gradient).gradient, m_source.at(j, Need::Gradient).gradient));
+    }
+    /// Appends points behind `start`. True where it comes back to it.
+    bool march(const Vec3d& start, double direction, double spacing, std::vector<Vec3d>& out) {
+        const std::size_t before = out.size();
+        Vec3d p = start, way = tangent(p) * direction;
+        for (double step = stepLength * spacing; step > shortestStep * spacing;) {
+            const auto next = footNear(p + way * step, spacing, step);
+            Vec3d turned = next ? tangent(*next) : Vec3d();
+            if (dot(turned, way) < 0)
+                turned = -turned;
+            if (!next || !(dot(turned, way) > leastCosine) || !(dot(*next - p, way) > step / 2)) {
+                step /= 2;
+                continue;
+            }
+            p = *next;
+            way = turned;
+            if (out.size() > before + 3 && base::distance(p, start) < closing * stepLength * spacing) {
+                return true;
+            }
+            out.push_back(p);
+            step = std::min(2 * step, stepLength * spacing);
+            if (out.size() > mostPoints)
+                break;
+        }
+        return false;
+    }
+    void take(const Seam& seam, double reach) {
+        m_segments.reserve(m_segments.size() + seam.points.size());
+        for (std::size_t k = 0; k + 1 < seam.points.size(); ++k)
+            put(seam.points[k], seam.points[k + 1], reach);
+        if (seam.points.size() == 1)
+            put(seam.points.front(), seam.points.front(), reach);
+    }
+    double side(double reach) const { return 2 * (reach + stepLength / taken * reach); }
+    void put(const Vec3d& from, const Vec3d& to, double reach) {
+        m_segments.push_back({from, to});
+        m_grid.at(base::cellOf((from + to) / 2, Vec3d(), 1 / side(reach)))
+            .push_back(static_cast<std::uint32_t>(m_segments.size() - 1));
+    }
+    bool isTaken(const Vec3d& p, double spacing, double reach) const {
+        bool out = false;
+        base::forCellsAround(base::cellOf(p, Vec3d(), 1 / side(reach)), [&](const base::Cell& cell) {
+            if (const std::vector<std::uint32_t>* there = m_grid.find(cell))
+                for (const std::uint32_t k : *there) {
+                    const auto& [from, to] = m_segments[k];
+                    const Vec3d way = to - from;
+                    const double along =
+                        lengthSq(way) > 0 ? std::clamp(dot(p - from, way) / lengthSq(way), 0.0, 1.0) : 0;
+                    out |= base::distance(p, from + way * along) < taken * spacing;
+                }
+        });
+        return out;
+    }
+
+    static constexpr std::size_t mostPoints = 1'000'000;
+    CellSource m_source;
+    Pair m_pair;
+    bool m_flat = false; ///< was the last foot one where both patches go on as one?
+    Vec3d m_across;      ///< there: from the first cell to the second
+    std::vector<std::pair<Vec3d, Vec3d>> m_segments;
+    base::CellMap<std::vector<std::uint32_t>> m_grid;
+};
+
+} // namespace
+
+double Seam::length() const {
+    double out = 0;
+    for (std::size_t k = 0; k + 1 < points.size(); ++k)
+        out += base::distance(points[k], points[k + 1]);
+    return out;
+}
+
+std::vector<Seam> traceSeams(const CellSurface& surface, const base::Progress& progress) {
+    std::map<Pair, std::vector<Start>> starts;
+    surface.surface().tree().forEachBlock([&](std::uint32_t, const surfel::SurfelBlock& block) {
+        for (int slot = 0; slot < block.size(); ++slot) {
+            const Label label = surface.labels().at(block, slot);
+            if (label.meeting != Meeting::None)
+                starts[std::minmax(label.cell, label.partner)].push_back(
+                    {base::cast<double>(block.position(slot)),
+                     static_cast<double>(block.support(slot)) * surface::spacingOfUnit});
+        }
+    });
+    const std::vector<std::pair<Pair, std::vector<Start>>> pairs(starts.begin(), starts.end());
+    std::vector<std::vector<Seam>> found(pairs.size());
+    progress.step(0, "Following seams");
+    base::parallelFor(pairs.size(), 1,
+                      [&](std::size_t k) { PairTracer(surface, pairs[k].first).trace(pairs[k].second, found[k]); });
+    std::vector<Seam> out;
+    for (std::vector<Seam>& each : found)
+        std::move(each.begin(), each.end(), std::back_inserter(out));
+    return out;
+}
+
+std::vector<Vec3d> cornersOf(std::span<const Seam> seams) {
+    struct End {
+        Vec3d place;
+        double spacing;
+        bool used = false;
+    };
+    std::vector<End> ends;
+    double reach = 0;
+    for (const Seam& seam : seams)
+        if (!seam.closed && !seam.points.empty()) {
+            ends.push_back({seam.points.front(), seam.spacing});
+            ends.push_back({seam.points.back(), seam.spacing});
+            reach = std::max(reach, atCorner * seam.spacing);
+        }
+    base::CellMap<std::vector<std::uint32_t>> grid;
+    for (std::uint32_t k = 0; k < ends.size(); ++k)
+        grid.at(base::cellOf(ends[k].place, Vec3d(), 1 / reach)).push_back(k);
+    std::vector<Vec3d> out;
+    for (End& end : ends) {
+        if (end.used)
+            continue;
+        std::vector<std::uint32_t> together;
+        base::forCellsAround(base::cellOf(end.place, Vec3d(), 1 / reach), [&](const base::Cell& cell) {
+            if (const std::vector<std::uint32_t>* there = grid.find(cell))
+                for (const std::uint32_t k : *there)
+                    if (!ends[k].used && base::distance(ends[k].place, end.place) < atCorner * end.spacing)
+                        together.push_back(k);
+        });
+        if (together.size() < 3)
+            continue;
+        Vec3d middle;
+        for (const std::uint32_t k : together) {
+            ends[k].used = true;
+            middle += ends[k].place;
+        }
+        out.push_back(middle / static_cast<double>(together.size()));
+    }
+    return out;
+}
+
+} // namespace cells
