@@ -41,7 +41,7 @@ target_compile_options(pointclay_sculpt PRIVATE -fno-math-errno -fno-trapping-ma
 pointclay_room(haptics core/haptics surface)
 
 pointclay_room(io core/io process mesh)
-pointclay_link(io PNG::PNG JPEG::JPEG pugixml::pugixml)
+pointclay_link(io PNG::PNG JPEG::JPEG pugixml::pugixml ZLIB::ZLIB EXPAT::EXPAT nlohmann_json::nlohmann_json)
 
 pointclay_room(render core/render raycast io)
 pointclay_link(render PkgConfig::HWY PkgConfig::EXR)

@@ -1,5 +1,6 @@
 #include "core/io/content_kind.h"
 
+#include "core/io/file_name.h"
 #include "core/io/record_table.h"
 
 #include <algorithm>
@@ -7,7 +8,7 @@
 namespace io {
 
 static const char* const readable =
-    "convert it to one of PLY, XYZ, TXT, CSV, PTS, PWN, OBJ, OFF, STL, PCD, LAS, LAZ or E57";
+    "convert it to one of PLY, XYZ, TXT, CSV, PTS, PWN, OBJ, OFF, STL, PCD, LAS, LAZ, E57, PTX, GLB, glTF or 3MF";
 
 namespace {
 
@@ -16,14 +17,11 @@ struct Unreadable {
     const char* start;     ///< "" where only the extension tells
     const char* name;
 };
-constexpr Unreadable unreadables[] = {{"gz", "\x1f\x8b", "gzip"},
+constexpr Unreadable unreadables[] = {{"", "\x1f\x8b", "gzip twice over"},
                                       {"zip", "PK\x03\x04", "ZIP"},
                                       {"bz2", "BZh", "bzip2"},
-                                      {"glb", "glTF", "binary glTF"},
                                       {"fbx", "Kaydara FBX", "FBX"},
-                                      {"gltf", "", "glTF"},
                                       {"3ds", "", "3DS"},
-                                      {"ptx", "", "PTX"},
                                       {"", "[Expe/PointSet", "binary Expe point set"},
                                       {"", "\x89PNG", "PNG picture"},
                                       {"", "%PDF", "PDF"},
@@ -51,6 +49,11 @@ bool isBinaryStl(std::string_view bytes) {
     return (bytes.size() - 84) / 50 == load<std::uint32_t, false>(bytes.data() + 80) && (bytes.size() - 84) % 50 == 0;
 }
 
+/// ZIP archives list their entries' names at their end.
+bool holds3mf(std::string_view bytes) {
+    return bytes.find("3dmodel.model") != std::string_view::npos;
+}
+
 } // namespace
 
 void refuseUnreadable(const FileBytes& file, const std::string& extension) {
@@ -65,6 +68,8 @@ std::string contentKind(const FileBytes& file) {
         file.fail("is only a git-lfs pointer, not the file itself", "fetch it with 'git lfs pull'");
     if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff"))
         file.fail("is text in UTF-16, which cannot be read", "save it as UTF-8 or ASCII");
+    if (bytes.starts_with("PK\x03\x04") && (extensionOf(file.path()) == "3mf" || holds3mf(bytes)))
+        return "3mf";
     for (const Unreadable& row : unreadables)
         if (*row.start && bytes.starts_with(row.start))
             refuse(file, row.name);
@@ -72,6 +77,8 @@ std::string contentKind(const FileBytes& file) {
         return "pcd";
     if (bytes.starts_with("LASF"))
         return "las";
+    if (bytes.starts_with("glTF"))
+        return "gltf";
     if (bytes.starts_with("ASTM-E57"))
         return "e57";
     const std::string_view word = bytes.substr(0, std::min<std::size_t>(bytes.find_first_of(" \t\r\n"), 16));

@@ -32,14 +32,15 @@ static std::shared_ptr<const mesh::Picture> pictureOf(const PictureName& name, c
         trouble.push_back("The picture " + inQuotes(name.file) + " of faces was left out: " + why);
         return nullptr;
     };
+    const bool inside = !name.bytes.empty();
     const fs::path path = besideModel(folder, name.file);
     std::error_code none;
-    if (path.empty())
+    if (!inside && path.empty())
         return leaveOut("it is outside of the model's folder");
-    if (!fs::is_regular_file(path, none))
+    if (!inside && !fs::is_regular_file(path, none))
         return leaveOut("there is no such file beside the model");
     try {
-        auto out = std::make_shared<mesh::Picture>(readPicture(path));
+        auto out = std::make_shared<mesh::Picture>(inside ? readPicture(name.bytes, name.file) : readPicture(path));
         if (out->pixels.empty() || out->pixels.size() > left)
             return leaveOut("all pictures together have too many pixels");
         left -= out->pixels.size();

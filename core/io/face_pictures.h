@@ -16,6 +16,7 @@ std::filesystem::path besideModel(const std::filesystem::path& folder, std::stri
 struct PictureName {
     std::string file;
     bool clamped = false;
+    std::string_view bytes = {}; ///< of a picture inside of the model's file; then `file` is its name in messages
 };
 
 /// Reads the pictures that faces use into model.polygons.pictures, as many as `names`. One that is missing, broken, too

@@ -15,7 +15,7 @@ namespace io {
 
 static const char* const lostFile = "check the name and the permissions";
 
-FileBytes::FileBytes(const std::filesystem::path& path) : m_path(path) {
+FileBytes::FileBytes(const std::filesystem::path& path) : m_path(path), m_shown(path) {
     const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
     if (descriptor < 0)
         fail(std::string("cannot be opened (") + std::strerror(errno) + ")", lostFile);
@@ -102,7 +102,7 @@ void FileBytes::readStream(int descriptor) {
 }
 
 void FileBytes::fail(const std::string& what, const std::string& todo) const {
-    throw base::Error(what, m_path.string(), todo);
+    throw base::Error(what, m_shown.string(), todo);
 }
 
 void FileBytes::failAt(std::size_t offset, const std::string& what, const std::string& todo) const {
@@ -110,11 +110,11 @@ void FileBytes::failAt(std::size_t offset, const std::string& what, const std::s
     auto lines = std::count(before.begin(), before.end(), '\n');
     if (lines == 0)
         lines = std::count(before.begin(), before.end(), '\r');
-    throw base::Error(what, m_path.string() + ", line " + std::to_string(lines + 1), todo);
+    throw base::Error(what, m_shown.string() + ", line " + std::to_string(lines + 1), todo);
 }
 
 void FileBytes::failAtByte(std::size_t offset, const std::string& what, const std::string& todo) const {
-    throw base::Error(what, m_path.string() + ", byte " + std::to_string(offset), todo);
+    throw base::Error(what, m_shown.string() + ", byte " + std::to_string(offset), todo);
 }
 
 std::string inQuotes(std::string_view bytes) {

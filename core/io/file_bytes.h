@@ -21,7 +21,10 @@ class FileBytes {
     explicit FileBytes(const std::filesystem::path& path);
     /// Bytes that were made of those of a file, under its name.
     FileBytes(std::filesystem::path path, std::string content)
-        : m_path(std::move(path)), m_stream(std::move(content)), m_bytes(m_stream) {}
+        : m_path(std::move(path)), m_shown(m_path), m_stream(std::move(content)), m_bytes(m_stream) {}
+    /// The same where the name that tells the format is not the one that messages have to tell.
+    FileBytes(std::filesystem::path path, std::string content, std::filesystem::path shown)
+        : m_path(std::move(path)), m_shown(std::move(shown)), m_stream(std::move(content)), m_bytes(m_stream) {}
     FileBytes(const FileBytes&) = delete;
     FileBytes& operator=(const FileBytes&) = delete;
 
@@ -42,9 +45,9 @@ class FileBytes {
     void readStream(int descriptor);
     [[noreturn]] void failToRead(int code) const;
 
-    std::filesystem::path m_path;
-    std::string m_stream;          ///< holds the bytes of what is no file
-    base::LargeArray<char> m_file; ///< of a file
+    std::filesystem::path m_path, m_shown; ///< the second one in messages
+    std::string m_stream;                  ///< holds the bytes of what is no file
+    base::LargeArray<char> m_file;         ///< of a file
     std::string_view m_bytes;
 };
 

@@ -3,7 +3,9 @@
 #include "core/io/file_name.h"
 #include "core/io/formats.h"
 #include "core/io/mesh_formats.h"
+#include "core/io/packed/gzip.h"
 #include "core/io/readers.h"
+#include "core/io/record_table.h"
 
 #include <algorithm>
 #include <sstream>
@@ -28,6 +30,14 @@ static const char* normalsAndColours(std::string_view) {
     return "normals colours";
 }
 
+static const char* heldByE57(std::string_view) {
+    return "normals colours supports masks attributes";
+}
+
+static const char* heldByGltf(std::string_view) {
+    return "normals colours alpha supports masks short-attributes";
+}
+
 static const char* heldByText(std::string_view extension) {
     return extension == "xyz"   ? "normals colours"
            : extension == "pwn" ? "normals"
@@ -44,7 +54,10 @@ static constexpr FormatRow table[] = {
     {"pcd", "Point Cloud Library", "pcd", UpAxis::Z, readPcd, writePcd, allOfPoints},
     {"las", "ASPRS LAS", "las", UpAxis::Z, readLas, writeLas, heldByLas},
     {"laz", "LASzip LAZ", "laz", UpAxis::Z, readLas, writeLaz, heldByLas},
-    {"e57", "ASTM E57", "e57", UpAxis::Z, readE57, nullptr, nullptr},
+    {"ptx", "Leica PTX", "ptx", UpAxis::Z, readPtx, nullptr, nullptr},
+    {"gltf", "glTF", "glb gltf", UpAxis::Y, readGltf, writeGltf, heldByGltf},
+    {"3mf", "3D Manufacturing Format", "3mf", UpAxis::Z, read3mf, nullptr, nullptr},
+    {"e57", "ASTM E57", "e57", UpAxis::Z, readE57, writeE57, heldByE57},
 };
 
 std::span<const FormatRow> formatTable() {
@@ -89,11 +102,15 @@ static const FormatRow& readerOf(const FileBytes& file) {
     return *row;
 }
 
-FileModel read(const FileBytes& file, const base::Progress& progress, const std::filesystem::path& folder) {
+static FileModel readPlain(const FileBytes& file, const base::Progress& progress, const path& folder) {
     const FormatRow& row = readerOf(file);
     FileModel out = row.read(file, progress, folder);
     out.usualUp = row.up;
     return out;
+}
+
+FileModel read(const FileBytes& file, const base::Progress& progress, const std::filesystem::path& folder) {
+    return isGzip(file) ? readPlain(unpackedGzip(file, progress), progress, folder) : readPlain(file, progress, folder);
 }
 
 FileModel read(const path& path, const base::Progress& progress, const std::filesystem::path& folder) {
@@ -122,6 +139,11 @@ std::string listed(const std::vector<std::string>& names) {
 }
 
 } // namespace
+
+/// Of no more than 16 bits, or a float.
+static bool isShort(surfel::ScalarType type) {
+    return type == surfel::ScalarType::Float32 || sizeOf(type) <= 2;
+}
 
 /// "other" of "element other 2\n...".
 static std::string nameOf(const OpaqueElement& element) {
@@ -153,7 +175,8 @@ std::string lossOf(const path& path, const FileModel& model) {
     ask(layout.masks, "masks", "the masks");
     if (!isAmong("attributes", holds))
         for (const surfel::Attribute& attribute : layout.attributes())
-            ask(true, attribute.name, inQuotes(attribute.name));
+            ask(!isAmong("short-attributes", holds) || !isShort(attribute.type), attribute.name,
+                inQuotes(attribute.name));
     ask(model.definition.has_value(), "definition", "the options of its surface");
     for (const OpaqueElement& element : model.elements)
         if (const std::string name = nameOf(element); !isAmong(name, holds))

@@ -14,10 +14,9 @@ static bool startsWith(std::span<const unsigned char> bytes, std::initializer_li
 
 /// What the reader of the file's format makes of it.
 template <class Image>
-static Image imageOf(const std::filesystem::path& path,
-                     Image (*png)(std::span<const unsigned char>, const std::string&),
+static Image imageOf(const FileBytes& file, Image (*png)(std::span<const unsigned char>, const std::string&),
                      Image (*jpeg)(std::span<const unsigned char>, const std::string&)) {
-    const FileBytes file(path);
+    const std::filesystem::path& path = file.path();
     const std::span bytes(reinterpret_cast<const unsigned char*>(file.bytes().data()), file.size());
     if (startsWith(bytes, {0x89, 'P', 'N', 'G'}))
         return png(bytes, path.string());
@@ -38,11 +37,15 @@ void checkSize(std::size_t width, std::size_t height, std::size_t bytes, const s
 }
 
 GreyImage readGreyImage(const std::filesystem::path& path) {
-    return imageOf(path, readPng, readJpeg);
+    return imageOf(FileBytes(path), readPng, readJpeg);
 }
 
 mesh::Picture readPicture(const std::filesystem::path& path) {
-    return imageOf(path, readPngPicture, readJpegPicture);
+    return imageOf(FileBytes(path), readPngPicture, readJpegPicture);
+}
+
+mesh::Picture readPicture(std::string_view bytes, const std::string& name) {
+    return imageOf(FileBytes(name, std::string(bytes)), readPngPicture, readJpegPicture);
 }
 
 } // namespace io

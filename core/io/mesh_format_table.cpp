@@ -10,6 +10,8 @@ static constexpr MeshFormatRow table[] = {
     {"stl", "Stereolithography", "stl", "nothing; binary, or text where the model lies far from the origin",
      writeMeshStl},
     {"off", "Object file", "off coff noff cnoff", "normals and colours", writeMeshOff},
+    {"glb", "glTF", "glb gltf", "normals and colours", writeMeshGltf},
+    {"3mf", "3D Manufacturing Format", "3mf", "colours", writeMesh3mf},
 };
 
 std::span<const MeshFormatRow> meshFormatTable() {

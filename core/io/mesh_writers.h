@@ -12,5 +12,7 @@ void writeMeshPly(const path& file, const mesh::Mesh& mesh, const base::Vec3d& o
 void writeMeshObj(const path& file, const mesh::Mesh& mesh, const base::Vec3d& origin, const base::Progress& progress);
 void writeMeshStl(const path& file, const mesh::Mesh& mesh, const base::Vec3d& origin, const base::Progress& progress);
 void writeMeshOff(const path& file, const mesh::Mesh& mesh, const base::Vec3d& origin, const base::Progress& progress);
+void writeMeshGltf(const path& file, const mesh::Mesh& mesh, const base::Vec3d& origin, const base::Progress& progress);
+void writeMesh3mf(const path& file, const mesh::Mesh& mesh, const base::Vec3d& origin, const base::Progress& progress);
 
 } // namespace io

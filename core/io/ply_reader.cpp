@@ -5,6 +5,7 @@
 #include "core/io/ply_tree_shape.h"
 #include "core/io/readers.h"
 #include "core/io/record_points.h"
+#include "core/io/scene/splat_columns.h"
 
 #include <algorithm>
 #include <limits>
@@ -48,6 +49,7 @@ class PlyReader {
     void takeFaces(const PlyElement& element, std::string_view body, std::size_t offset, bool bigEndian);
     void matchLooks();
     void takePictures();
+    void judgeSplats();
     void finish();
 
     const FileBytes& m_file;
@@ -155,6 +157,17 @@ void PlyReader::takePictures() {
     readPictures(m_model, m_folder, names);
 }
 
+/// Which splats are surface enough, and what the person should know of them.
+void PlyReader::judgeSplats() {
+    const std::size_t all = m_model.points.size(), dropped = dropTransparent(m_model);
+    if (dropped == all)
+        m_file.fail("holds only splats that are nearly transparent", "choose a file with opaque ones");
+    m_model.messages.push_back("The file holds Gaussian splats: " + std::to_string(dropped) + " of " +
+                               std::to_string(all) +
+                               " were left out because they are less than a tenth opaque, and so were colours that "
+                               "depend on the view. The shading unlit shows the others as they were taken.");
+}
+
 void PlyReader::finish() {
     matchLooks();
     m_model.comments = m_header.comments;
@@ -162,6 +175,9 @@ void PlyReader::finish() {
     m_model.definition = native.definition;
     m_model.up = native.up;
     m_model.limitDecided = native.limitDecided;
+    const bool splats = areSplats(m_table.fields);
+    if (splats)
+        colourSplats(m_table);
     const RecordRoles roles = rolesOf(m_table.fields, native.origin.has_value());
     if (roles.position[0] == RecordRoles::none || roles.position[1] == RecordRoles::none)
         m_file.fail("the points have no properties x and y", "choose a file with coordinates");
@@ -169,6 +185,8 @@ void PlyReader::finish() {
     makePoints(m_model, m_file, m_table, roles, {native.origin, native.oriented.value_or(true)},
                {m_progress, begun, 1});
     takePictures();
+    if (splats)
+        judgeSplats();
     for (const PlyProperty& property : m_header.elements[m_vertex].properties)
         if (property.isList)
             m_model.messages.push_back("The list property " + inQuotes(property.name) + " of the points was left out.");

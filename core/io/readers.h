@@ -15,6 +15,9 @@ FileModel readOff(const FileBytes& file, const base::Progress& progress, const p
 FileModel readStl(const FileBytes& file, const base::Progress& progress, const path& folder);
 FileModel readPcd(const FileBytes& file, const base::Progress& progress, const path& folder);
 FileModel readLas(const FileBytes& file, const base::Progress& progress, const path& folder);
+FileModel readPtx(const FileBytes& file, const base::Progress& progress, const path& folder);
+FileModel readGltf(const FileBytes& file, const base::Progress& progress, const path& folder);
+FileModel read3mf(const FileBytes& file, const base::Progress& progress, const path& folder);
 FileModel readE57(const FileBytes& file, const base::Progress& progress, const path& folder);
 
 void writePly(const path& file, const FileModel& model, const base::Progress& progress);
@@ -22,6 +25,8 @@ void writeText(const path& file, const FileModel& model, const base::Progress& p
 void writeObj(const path& file, const FileModel& model, const base::Progress& progress);
 void writePcd(const path& file, const FileModel& model, const base::Progress& progress);
 void writeLas(const path& file, const FileModel& model, const base::Progress& progress);
+void writeGltf(const path& file, const FileModel& model, const base::Progress& progress);
+void writeE57(const path& file, const FileModel& model, const base::Progress& progress);
 void writeLaz(const path& file, const FileModel& model, const base::Progress& progress);
 
 } // namespace io

@@ -46,7 +46,7 @@ std::string contentOf(const fs::path& file) {
 /// As tests/fuzz/run chooses them, too.
 std::vector<std::string> seedFolders(const std::string& target) {
     if (target == "open")
-        return {"open", "ply", "xyz", "obj", "off", "stl", "pcd", "las", "laz", "e57"};
+        return {"open", "ply", "xyz", "obj", "off", "stl", "pcd", "las", "laz", "e57", "ptx", "gltf", "3mf"};
     return target == "journal" ? std::vector<std::string>{"journal", "session"} : std::vector<std::string>{target};
 }
 

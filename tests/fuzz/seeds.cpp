@@ -5,6 +5,7 @@
 #include "core/io/e57/paged_bytes.h"
 #include "core/io/formats.h"
 #include "core/session/command.h"
+#include "fuzz/fuzzed.h"
 
 #include <cstdio>
 #include <fstream>
@@ -96,6 +97,52 @@ static std::string packedE57() {
     return paged;
 }
 
+/// An archive whose entries stand in it as they are, so that mutations meet what is inside.
+static std::string storedZip(const std::vector<std::pair<std::string, std::string>>& entries) {
+    const auto number = [](std::size_t value, int size) {
+        return std::string(reinterpret_cast<const char*>(&value), static_cast<std::size_t>(size));
+    };
+    std::string out, directory;
+    for (const auto& [name, content] : entries) {
+        const std::string common = number(20, 2) + number(0, 2) + number(0, 2) + number(0, 4) +
+                                   number(fuzz::crc32(content), 4) + number(content.size(), 4) +
+                                   number(content.size(), 4) + number(name.size(), 2) + number(0, 2);
+        directory += "PK\1\2" + number(20, 2) + common + number(0, 6) + number(0, 4) + number(out.size(), 4) + name;
+        out += "PK\3\4" + common + name + content;
+    }
+    const std::size_t at = out.size();
+    return out + directory + "PK\5\6" + number(0, 4) + number(entries.size(), 2) + number(entries.size(), 2) +
+           number(directory.size(), 4) + number(at, 4) + number(0, 2);
+}
+
+/// Two triangles, placed twice, with colours and places in a picture.
+static std::string package() {
+    const std::string model =
+        R"(<model unit="inch"><resources><m:colorgroup id="5"><m:color color="#FF0000"/><m:color color="#00FF0080"/></m:colorgroup>)"
+        R"(<m:texture2d id="6" path="/p.png" contenttype="image/png"/><m:texture2dgroup id="7" texid="6"><m:tex2coord u="0" v="0"/><m:tex2coord u="1" v="0.5"/></m:texture2dgroup>)"
+        R"(<object id="1" pid="5" pindex="0"><mesh><vertices><vertex x="0" y="0" z="0"/><vertex x="1" y="0" z="0"/><vertex x="0" y="1" z="2"/><vertex x="1" y="1" z="0"/></vertices>)"
+        R"(<triangles><triangle v1="0" v2="1" v3="2" pid="5" p1="0" p2="1" p3="1"/><triangle v1="1" v2="3" v3="2" pid="7" p1="0" p2="1" p3="0"/></triangles></mesh></object>)"
+        R"(<object id="2"><components><component objectid="1" transform="2 0 0 0 2 0 0 0 2 0 0 5"/><component objectid="1"/></components></object></resources>)"
+        R"(<build><item objectid="2"/><item objectid="1" p:path="/3D/3dmodel.model"/></build></model>)";
+    const std::string relations =
+        R"(<Relationships><Relationship Type="a/3dmodel" Target="/3D/3dmodel.model"/></Relationships>)";
+    const std::uint32_t pixels[] = {0xff0000ffu, 0xff00ff00u};
+    return storedZip(
+        {{"_rels/.rels", relations}, {"p.png", io::encodePng(pixels, 2, 1, "p.png")}, {"3D/3dmodel.model", model}});
+}
+
+/// A triangle and a strip of nodes with every way of placing them.
+static std::string sceneText() {
+    return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0,2]}],"nodes":[{"translation":[1,0,0],"scale":[2,-2,2],"children":[1]},)"
+           R"({"mesh":0,"rotation":[0,0,0.6,0.8]},{"mesh":0,"matrix":[1,0,0,0,0,1,0,0,0,0,1,0,5,6,7,1]}],"meshes":[{"primitives":[{"attributes":)"
+           R"({"POSITION":0,"TEXCOORD_0":0,"_ROUGH":0},"indices":1,"material":0},{"mode":5,"attributes":{"POSITION":0,"NORMAL":0,"COLOR_0":0}}]}],)"
+           R"("materials":[{"pbrMetallicRoughness":{"baseColorTexture":{"index":0,"extensions":{"KHR_texture_transform":{"scale":[2,2],"rotation":1}}}}},)"
+           R"({"pbrMetallicRoughness":{"baseColorFactor":[0.5,0.25,1,1]}}],"textures":[{"source":0,"sampler":0}],"samplers":[{"wrapS":33071}],"images":[{"uri":"p.png"}],)"
+           R"("buffers":[{"byteLength":48,"uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAEAAAACAAAA"}],)"
+           R"("bufferViews":[{"buffer":0,"byteLength":36,"byteStride":12},{"buffer":0,"byteOffset":36,"byteLength":12}],)"
+           R"("accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"},{"bufferView":1,"componentType":5125,"count":3,"type":"SCALAR"}]})";
+}
+
 static std::string triangleStl() {
     std::string out(80, ' ');
     out += std::string("\2\0\0\0", 4);
@@ -167,21 +214,24 @@ static std::string words() {
 void fuzz::writeSeeds(const fs::path& out) {
     fs::create_directories(out / "ply");
     io::write(out / "ply/native.ply", fullModel());
-    put(out / "ply/big", bigEndianPly());
+    ::put(out / "ply/big", bigEndianPly());
     for (const char* name : {"pcd/all.pcd", "las/extra.las", "laz/extra.laz"}) {
         fs::create_directories((out / name).parent_path());
         io::write(out / name, fullModel());
     }
     for (const char* name : {"las/modern.las", "laz/layered.laz"})
         io::write(out / name, lidarModel());
-    put(out / "e57/packed", packedE57());
-    put(out / "stl/binary", triangleStl());
+    ::put(out / "e57/packed", packedE57());
+    ::put(out / "3mf/package", package());
+    ::put(out / "gltf/scene", sceneText());
+    io::write(out / "gltf/cloud.glb", fullModel());
+    ::put(out / "stl/binary", triangleStl());
     const std::uint32_t pixels[] = {0xff0000ffu, 0x8000ff00u, 0xffff0000u, 0xffffffffu, 0u, 0xff808080u};
-    put(out / "picture/colour.png", io::encodePng(pixels, 3, 2, "colour.png"));
-    put(out / "picture/grey.jpg", jpeg(false, 1));
-    put(out / "picture/colour.jpg", jpeg(false, 3));
-    put(out / "picture/progressive.jpg", jpeg(true, 3));
-    put(out / "session.dict", words());
+    ::put(out / "picture/colour.png", io::encodePng(pixels, 3, 2, "colour.png"));
+    ::put(out / "picture/grey.jpg", jpeg(false, 1));
+    ::put(out / "picture/colour.jpg", jpeg(false, 3));
+    ::put(out / "picture/progressive.jpg", jpeg(true, 3));
+    ::put(out / "session.dict", words());
     session::Document document;
     session::Context context{document, {}, {}, {}, 0, {}, nullptr};
     session::run(context, {{"op", "new"}, {"sample", "moebius"}, {"count", 120}});

@@ -51,7 +51,8 @@ std::vector<DataRow> dataRows() {
         if (const auto match = finite.match(cells[2]); match.hasMatch())
             row.dropped = row.points - countIn(match.captured(1));
         row.countsDropped = !cells[2].contains("nan") || row.dropped > 0;
-        static const QRegularExpression ours("\\.(ply|xyz|txt|csv|pts|asc|pwn|obj|off|stl|pcd|las|laz|e57)$");
+        static const QRegularExpression ours(
+            "\\.(ply|xyz|txt|csv|pts|asc|pwn|obj|off|stl|pcd|las|laz|e57|ptx|glb|gltf|3mf)$");
         row.readable = ours.match(row.file).hasMatch() && !row.malformed && !cells[7].contains("Expe");
         rows.push_back(row);
     }

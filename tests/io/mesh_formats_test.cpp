@@ -244,7 +244,10 @@ void MeshFormatsTest::damagedMeshesAreRefusedInOneSentence_data() {
     row("stl empty", "a.stl", std::string(80, 'x') + std::string(4, '\0'), "holds no points");
     row("stl ascii cut", "a.stl", asciiStl().substr(0, 300), "ends inside");
     row("stl ascii short", "a.stl", "solid\nvertex 1 2\nendsolid\n", "line 2: a vertex needs three");
-    row("gzip", "a.obj", "\x1f\x8b\x08", "gzip");
+    row("gzip", "a.obj", "\x1f\x8b\x08", "break off");
+    row("glTF", "a.gltf", "no JSON", "JSON is damaged");
+    row("3MF", "a.3mf", "no archive", "no 3MF file");
+    row("ZIP", "a.ply", "PK\x03\x04", "in the format ZIP");
     row("unknown", "a.xyzzy", "\1\2\3", "no known format");
     row("las", "a.las", "whatever", "no LAS or LAZ file");
     row("pcd", "a.pcd", "VERSION 0.7\n", "DATA");

@@ -1,8 +1,11 @@
 // Scans find each other: near their places by their surfaces, anywhere by what these look like.
+#include "core/base/cancel_scope.h"
+#include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/base/random.h"
 #include "core/process/estimation/prepare.h"
 #include "core/process/registering/align.h"
+#include "core/process/registering/features.h"
 #include "core/process/registering/find_place.h"
 #include "process/even_shapes.h"
 #include "support/registry.h"
@@ -21,6 +24,7 @@ class AlignTest : public QObject {
     void scansAreFoundAnywhere();
     void strangersAreRefused();
     void threadsDoNotShow();
+    void featuresCanBeCancelledWhileTheyAreSorted();
 };
 
 namespace {
@@ -156,6 +160,19 @@ void AlignTest::threadsDoNotShow() {
     align(two);
     base::setThreadCount(0);
     QVERIFY(one[1].pose.translation == two[1].pose.translation && one[1].rms == two[1].rms);
+}
+
+/// Nothing is looked for, so that only the library's own loop is left to stop.
+void AlignTest::featuresCanBeCancelledWhileTheyAreSorted() {
+    base::Random random(test::seed());
+    Features to;
+    to.feature.resize(20000);
+    for (Feature& each : to.feature)
+        for (float& value : each)
+            value = static_cast<float>(random.uniform());
+    const std::atomic<bool> stop = true;
+    const base::CancelScope scope(&stop);
+    QVERIFY_EXCEPTION_THROWN(mostAlike({}, to), base::Cancelled);
 }
 
 static const test::Registered<AlignTest> registered;

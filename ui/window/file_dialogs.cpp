@@ -38,6 +38,7 @@ QString openFilter() {
             all << patterns(row.extensions);
             each << entry(row.label, row.extensions);
         }
+    all << "*.gz"; // any of them, packed
     each.prepend(QObject::tr("Models (%1)").arg(all.join(' ')));
     each << QObject::tr("All files (*)");
     return each.join(";;");

@@ -1,5 +1,6 @@
 #include "core/process/registering/features.h"
 
+#include "core/base/cancel_scope.h"
 #include "core/base/parallel.h"
 #include "core/process/cleaning/thin.h"
 #include "core/process/estimation/keep_points.h"
@@ -47,8 +48,13 @@ void normalise(Feature& f) {
 
 struct FeatureList {
     std::span<const Feature> f;
+    std::uint32_t* asked = nullptr; ///< while the tree is built, by one thread
     std::size_t kdtree_get_point_count() const { return f.size(); }
-    float kdtree_get_pt(std::size_t i, std::size_t axis) const { return f[i][axis]; }
+    float kdtree_get_pt(std::size_t i, std::size_t axis) const {
+        if (asked && ++*asked % (1u << 18) == 0) // the only way into the library's loop
+            base::CancelScope::check();
+        return f[i][axis];
+    }
     template <class Box>
     bool kdtree_get_bbox(Box&) const {
         return false;
@@ -105,8 +111,10 @@ Features featuresOf(const surface::Surface& surface, float spacing, const base::
 }
 
 std::vector<std::uint32_t> mostAlike(const Features& from, const Features& to) {
-    const FeatureList list{to.feature};
+    std::uint32_t asked = 0;
+    FeatureList list{to.feature, &asked};
     const FeatureTree tree(33, list, nanoflann::KDTreeSingleIndexAdaptorParams(16));
+    list.asked = nullptr; // what follows asks from many threads
     std::vector<std::uint32_t> out(from.feature.size());
     base::parallelFor(out.size(), 64, [&](std::size_t i) {
         float distanceSq = 0;
