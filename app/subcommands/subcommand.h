@@ -40,6 +40,7 @@ Action addFill(CLI::App& command);
 Action addCut(CLI::App& command);
 Action addSolid(CLI::App& command);
 Action addReduce(CLI::App& command);
+Action addRefine(CLI::App& command);
 Action addRender(CLI::App& command);
 Action addRun(CLI::App& command);
 Action addRecover(CLI::App& command);
