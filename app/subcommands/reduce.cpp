@@ -1,6 +1,7 @@
 // pointclay reduce: a model with fewer points on the same surface, written to a file, and how near it is.
 #include "app/open_model.h"
 #include "app/options/surface_options.h"
+#include "app/reduce_report.h"
 #include "app/subcommands/subcommand.h"
 #include "app/writable_models.h"
 #include "core/io/formats.h"
@@ -13,8 +14,6 @@
 
 namespace app {
 
-using nlohmann::ordered_json;
-
 namespace {
 
 constexpr const char* wishes[] = {"count", "ratio", "error"};
@@ -24,17 +23,6 @@ struct Options {
     GivenParameters wish;
     std::shared_ptr<SurfaceOptions> surface;
 };
-
-ordered_json reportJson(const reduce::Report& report) {
-    return {{"count", report.count},
-            {"rms", report.rms},
-            {"p999", report.p999},
-            {"max", report.max},
-            {"normals_deg", report.normalsDeg},
-            {"least_supports", report.leastSupports},
-            {"holes", report.holes},
-            {"shapes", "spheres"}};
-}
 
 void run(const Options& options, OptionSet command, Console& console) {
     if (!isWritableModel(options.out))
@@ -56,7 +44,7 @@ void run(const Options& options, OptionSet command, Console& console) {
     document.commit(std::move(result.surface), "Reduce");
     io::write(options.out, document.fileModel(), process::part(progress, 0.95, 1));
     if (!options.report.empty())
-        io::writeFile(options.report, reportJson(result.report).dump(2) + "\n");
+        io::writeFile(options.report, reduceReportJson(result.report).dump(2) + "\n");
     console.clear();
     std::cout << reduce::summaryOf(result.report) << '\n';
 }

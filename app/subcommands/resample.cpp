@@ -16,6 +16,7 @@ struct Options {
     std::string model, out;
     double spacing = 0, tolerance = 0;
     std::size_t count = 0;
+    bool unfitted = false;
     std::shared_ptr<SurfaceOptions> surface;
 };
 
@@ -32,6 +33,8 @@ void run(const Options& options, Console& console) {
         command["count"] = options.count;
     if (options.tolerance > 0)
         command["tolerance"] = options.tolerance;
+    if (options.unfitted)
+        command["fit"] = false;
     const std::size_t before = document.surface().tree().size();
     session::run(context, command);
     console.tell(context.messages);
@@ -65,6 +68,9 @@ Action addResample(OptionSet command) {
         .excludes(spacing)
         .excludes(count);
     spacing.excludes(count);
+    command.addFlag("--no-fit", options->unfitted,
+                    "leave out the last step, which raises and tilts the new points until their surface is the one "
+                    "before: details of a few spacings then wear off");
     options->surface = addSurfaceOptions(command, false);
     return [options](Console& console) { run(*options, console); };
 }

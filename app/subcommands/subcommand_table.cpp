@@ -35,6 +35,8 @@ std::span<const SubcommandRow> subcommandTable() {
         {"fill", "Close the holes of an open surface", "pointclay fill bunny.ply -o whole.ply --up-to 0.05", addFill},
         {"reduce", "Make the same surface with fewer points, and tell how near it is",
          "pointclay reduce bunny.ply -o light.ply --ratio 0.1 --report light.json", addReduce},
+        {"refine", "Sample the surface of a reduced model densely and evenly, and tell how near that is",
+         "pointclay refine light.ply -o dense.ply --spacing 0.002 --to bunny.ply", addRefine},
         {"render", "Draw a model into an image file, without a window",
          "pointclay render bunny.ply -o bunny.png --size 800x600 --mode raycast", addRender},
         {"run", "Execute a session file", "pointclay run session.jsonl --model bunny.ply -o out.ply", addRun},

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <numbers>
 #include <numeric>
+#include <utility>
 
 namespace reduce {
 
@@ -13,7 +14,10 @@ namespace {
 
 constexpr int fewest = 5;            ///< supports over a place
 constexpr float leastWeight = 0.35f; ///< and their weights together
-constexpr float growth = 1.25f;      ///< most in a round
+/// A place that is missed under more supports than these has enough of them; what is over it gives way.
+constexpr int enoughToMend = 10;
+constexpr float givenWay = 0.92f;
+constexpr float growth = 1.25f; ///< most in a round
 constexpr int rounds = 12;
 constexpr float mostGrowth = 3; ///< in all
 /// Where two sheets are put together as solids, each is summed on supports of this part (surface/README 2.7).
@@ -142,14 +146,22 @@ void cover(const Places& places, float supports, Sites& sites) {
     }
 }
 
-bool growAround(std::span<const base::Vec3f> missed, std::span<const base::Vec3f> normals, bool oriented,
-                Sites& sites) {
+bool mendAround(std::span<const base::Vec3f> missed, std::span<const base::Vec3f> normals,
+                std::span<const int> supports, bool oriented, Sites& sites) {
     const Coverage coverage(missed, normals, oriented, sites);
     std::vector<std::vector<Wish>> wishes(1);
+    std::vector<Wish> tooMany;
     std::vector<tree::Neighbour> near;
     for (std::uint32_t i = 0; i < missed.size(); ++i)
-        coverage.wish(i, 1, 4, false, near, wishes.front());
-    return grow(wishes, sites.support, sites);
+        coverage.wish(i, 1, 4, false, near, supports[i] > enoughToMend ? tooMany : wishes.front());
+    std::vector<std::uint8_t> grows(sites.size());
+    for (const Wish& wish : wishes.front())
+        grows[wish.site] = 1;
+    bool any = grow(wishes, sites.support, sites);
+    for (const Wish& wish : tooMany)
+        if (!std::exchange(grows[wish.site], std::uint8_t(1)))
+            sites.support[wish.site] *= givenWay, any = true;
+    return any;
 }
 
 } // namespace reduce

@@ -187,9 +187,13 @@ std::vector<float> sharesByError(const Places& places, const NumberedTree& tree,
             out[i] = static_cast<float>(std::clamp(double(places.area[i]) * std::exp(-log), 1e-6, 1e3));
         }
     });
-    const double n = double(places.size());
-    scale(out, double(count), std::min(1.0, std::max(mostShare, 1.02 * double(count) / n)));
+    scaleShares(out, count);
     return out;
+}
+
+void scaleShares(std::vector<float>& shares, std::size_t count) {
+    const double n = double(shares.size());
+    scale(shares, double(count), std::min(1.0, std::max(mostShare, 1.02 * double(count) / n)));
 }
 
 std::vector<float> sharesBySpacing(const Places& places, float spacing) {

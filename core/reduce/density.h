@@ -10,6 +10,9 @@ namespace reduce {
 /// places can bear. REQUIRES: measured areas; `tree` holds the places. In parallel; the same bits at any thread count.
 std::vector<float> sharesByError(const Places& places, const NumberedTree& tree, std::size_t count);
 
+/// One factor for all, so that together they are `count`, or as many as the places can bear.
+void scaleShares(std::vector<float>& shares, std::size_t count);
+
 /// Likewise for an even spacing; as many samples as it makes.
 std::vector<float> sharesBySpacing(const Places& places, float spacing);
 

@@ -6,6 +6,7 @@
 #include "core/reduce/assemble.h"
 #include "core/reduce/coverage.h"
 #include "core/reduce/density.h"
+#include "core/reduce/density_by_result.h"
 #include "core/reduce/fit.h"
 #include "core/reduce/placement.h"
 
@@ -69,13 +70,16 @@ Sites sitesOf(Ground& ground, std::size_t count, bool keepTree, const base::Prog
     const Places& places = ground.dense.places;
     progress.step(0, "Measuring errors");
     std::vector<float> shares = sharesByError(places, ground.tree, count);
-    NumberedTree tree = keepTree ? ground.tree : std::move(ground.tree);
-    Sites sites =
-        place(ground.dense.surface, places, std::move(tree), shares, count, process::part(progress, 0.1, 0.5));
-    shares = {};
-    cover(places, supportsOver, sites);
-    fit(places, sites, process::part(progress, 0.5, 1));
-    return sites;
+    const auto fitted = [&](NumberedTree tree, double from) {
+        Sites sites = place(ground.dense.surface, places, std::move(tree), shares, count,
+                            process::part(progress, from, from + 0.2));
+        cover(places, supportsOver, sites);
+        fit(places, sites, process::part(progress, from + 0.2, from + 0.45));
+        return sites;
+    };
+    const Sites first = fitted(ground.tree, 0.1);
+    shares = sharesByResult(places, first, std::move(shares), count);
+    return fitted(keepTree ? ground.tree : std::move(ground.tree), 0.55);
 }
 
 surface::Surface surfaceOf(const Ground& ground, const Sites& sites) {
@@ -84,14 +88,17 @@ surface::Surface surfaceOf(const Ground& ground, const Sites& sites) {
 }
 
 Reduced finished(const Ground& ground, Sites sites, const base::Progress& progress) {
-    Reduced out;
+    Reduced best;
     for (int k = 0;; ++k) {
         Missed missed;
+        Reduced out;
         out.surface = surfaceOf(ground, sites);
         out.report = verify(ground.dense, out.surface, missed, progress);
+        if (k == 0 || out.report.holes < best.report.holes)
+            best = std::move(out);
         if (missed.position.empty() || k == mends ||
-            !growAround(missed.position, missed.normal, ground.dense.places.oriented, sites))
-            return out;
+            !mendAround(missed.position, missed.normal, missed.samples, ground.dense.places.oriented, sites))
+            return best;
     }
 }
 

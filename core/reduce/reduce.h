@@ -6,6 +6,7 @@
 //     placement   relaxed                                                                             placement.h
 //     coverage    some eight supports over every place                                                coverage.h
 //     fit         offsets and tilts of normals, least squares                                         fit.h
+//     again       placed, covered and fitted, by what the first samples err             density_by_result.h
 //     assembly    colours, masks and attributes; definition and boundary                              assemble.h
 //     verification with the projection that everybody uses; where it misses surface, supports grow    verify.h
 //

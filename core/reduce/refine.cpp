@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <sstream>
 
 namespace reduce {
 
@@ -21,8 +22,8 @@ constexpr float placesPerSpacing = 2.4f;
 /// A surfel lays out places as far as this part of its support; nearer surfels take theirs.
 constexpr float laidOver = 0.75f;
 constexpr std::size_t asked = 17;
-/// Of a support: o grows so much from the last place to the rim.
-constexpr float lastStep = 0.04f;
+/// Of a support: o grows so much from the last place to the rim, which is up to a step of places, 0.12 h, farther out.
+constexpr float lastStep = 0.07f;
 constexpr float leastFacing = 0.17f;
 constexpr double mostPlaces = 4e8;
 
@@ -131,6 +132,15 @@ Refined refine(const surface::Surface& model, float spacing, const base::Progres
     out.surface = bounded(model, assemble(model, sites, usual.neighbours), places, lastStep);
     out.report = verifyPlaces(places, out.surface, process::part(progress, 0.8, 1));
     return out;
+}
+
+std::string refinedSummaryOf(const Report& report, const std::string& what) {
+    std::ostringstream out;
+    out.precision(3);
+    out << report.count << " surfels, " << report.rms << " from " << what << " (rms), " << report.max << " (most)";
+    if (report.holes > 0)
+        out << "; " << report.holes << " of its places miss them: a hole";
+    return out.str();
 }
 
 } // namespace reduce

@@ -15,4 +15,7 @@ struct Refined {
 /// for curves and for a spacing that is not positive or would make more surfels than fit; base::Cancelled.
 Refined refine(const surface::Surface& model, float spacing, const base::Progress& progress = {});
 
+/// One sentence about a refined model, and how far it is from `what`.
+std::string refinedSummaryOf(const Report& report, const std::string& what);
+
 } // namespace reduce

@@ -1,5 +1,6 @@
 #include "core/reduce/verify.h"
 
+#include "core/process/estimation/part_progress.h"
 #include "core/surface/projection/project.h"
 
 #include <algorithm>
@@ -60,6 +61,7 @@ void verifySamples(const Dense& dense, const surface::Surface& surface, Report& 
                 ++report.holes;
                 missed.position.push_back(from[k]);
                 missed.normal.push_back(normal[k]);
+                missed.samples.push_back(foot.at.samples);
                 return;
             }
             distances.push_back(distance(foot.foot, from[k]));
@@ -147,6 +149,11 @@ Report verify(const Dense& dense, const surface::Surface& surface, Missed& misse
     verifySamples(dense, surface, out, missed, progress);
     measureBetween(dense.places, surface, out, progress);
     return ended(out);
+}
+
+Report verifyAgainst(const surface::Surface& model, const surface::Surface& surface, const base::Progress& progress) {
+    Missed missed;
+    return verify(denseOf(model, 1, process::part(progress, 0, 0.5)), surface, missed, process::part(progress, 0.5, 1));
 }
 
 } // namespace reduce

@@ -21,6 +21,7 @@ struct Report {
 /// Where a hole is, on the model's surface.
 struct Missed {
     std::vector<base::Vec3f> position, normal;
+    std::vector<int> samples; ///< with weight where the search for a foot ended
 };
 
 /// The places alone: what counts as the model's samples are then they.
@@ -28,5 +29,8 @@ Report verifyPlaces(const Places& places, const surface::Surface& surface, const
 
 /// In parallel. Throws base::Cancelled.
 Report verify(const Dense& dense, const surface::Surface& surface, Missed& missed, const base::Progress& progress = {});
+/// The same of a model that has not been looked at yet.
+Report verifyAgainst(const surface::Surface& model, const surface::Surface& surface,
+                     const base::Progress& progress = {});
 
 } // namespace reduce

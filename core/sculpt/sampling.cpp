@@ -104,10 +104,12 @@ tree::Selection Sampling::touched(const tree::SurfelTree& tree, float margin) co
 }
 
 /// All that was touched, with the targets of its supports: those of similar ones together, finest first.
-surface::Surface Sampling::evened(surface::Surface surface) const {
+surface::Surface Sampling::evened(surface::Surface surface, When when) const {
     const float perSupport = process::spacingOf(surface.definition(), 1.0f);
     process::ResampleOptions options;
     options.sweeps = sweeps;
+    if (when == When::During)
+        options.fitRounds = 0;
     options.field = std::make_shared<process::SpacingField>(surface.tree(), perSupport);
     for (float from = 0; from < std::numeric_limits<float>::infinity();) {
         tree::Selection some = touched(surface.tree());
@@ -186,7 +188,7 @@ void Sampling::measureAround(const tree::SurfelTree& tree) {
 }
 
 /// About `count` of the surfels asked for, of similar targets, the finest first. False: none is left.
-bool Sampling::resampleSome(surface::Surface& surface, std::size_t count) {
+bool Sampling::resampleSome(surface::Surface& surface, std::size_t count, When when) {
     measureAround(surface.tree());
     float least = std::numeric_limits<float>::infinity();
     m_stretches.forEach([&](const Stretches::Tracked& each) {
@@ -199,15 +201,17 @@ bool Sampling::resampleSome(surface::Surface& surface, std::size_t count) {
         surface.tree(), [&](const Stretches::Tracked& each, int slot) { return targetOf(each, slot) <= upTo; }, count);
     if (taken.empty())
         return false;
-    const surface::Surface next = resampleClass(surface, taken);
+    const surface::Surface next = resampleClass(surface, taken, when);
     m_stretches.follow(surface.tree(), next.tree());
     surface = next;
     return true;
 }
 
-surface::Surface Sampling::resampleClass(const surface::Surface& surface, const tree::Selection& taken) {
+surface::Surface Sampling::resampleClass(const surface::Surface& surface, const tree::Selection& taken, When when) {
     process::ResampleOptions options;
     options.sweeps = sweeps;
+    if (when == When::During)
+        options.fitRounds = 0;
     float least = std::numeric_limits<float>::infinity();
     for (const tree::SelectedBlock& each : taken) {
         const surfel::BlockPtr block = surface.tree().block(each.block);
@@ -231,10 +235,10 @@ surface::Surface Sampling::resampleDue(const surface::Surface& surface) {
     if (m_graded) {
         m_stretches.ask(doneBeyond);
         m_stretches.take(surface.tree(), [](const Stretches::Tracked&, int) { return true; });
-        out = evened(surface);
+        out = evened(surface, When::During);
     } else {
         m_stretches.askMost(surface.tree(), doneBeyond, mustBeyond, atOnce);
-        while (resampleSome(out, std::numeric_limits<std::size_t>::max())) {
+        while (resampleSome(out, std::numeric_limits<std::size_t>::max(), When::During)) {
         }
     }
     m_range = m_stretches.range();
@@ -335,10 +339,10 @@ surface::Surface Sampling::resampleSlice(const surface::Surface& surface) {
         if (m_ending == Ending::Asked)
             askAtTheEnd(surface);
         else if (!m_counts)
-            out = evened(surface);
+            out = evened(surface, When::AtTheEnd);
         return out;
     case Ending::Asked:
-        if (!resampleSome(out, atOnce))
+        if (!resampleSome(out, atOnce, When::AtTheEnd))
             m_ending = Ending::Crumbs;
         return out;
     case Ending::Crumbs:

@@ -54,9 +54,12 @@ class Sampling {
     enum class Ending { Open, Asked, Crumbs };
     void add(Ball ball);
     tree::Selection touched(const tree::SurfelTree& tree, float margin = 0) const;
-    surface::Surface evened(surface::Surface surface) const;
-    bool resampleSome(surface::Surface& surface, std::size_t count);
-    surface::Surface resampleClass(const surface::Surface& surface, const tree::Selection& taken);
+    /// Under a stroke what is resampled has been drawn apart: its samples still lie where they were meant to, its
+    /// surface no longer does, and nothing is fitted to it. At the end it is, against erosion (process/README 4.10).
+    enum class When { During, AtTheEnd };
+    surface::Surface evened(surface::Surface surface, When when) const;
+    bool resampleSome(surface::Surface& surface, std::size_t count, When when);
+    surface::Surface resampleClass(const surface::Surface& surface, const tree::Selection& taken, When when);
     void askAtTheEnd(const surface::Surface& surface);
     using Which = std::function<bool(const Stretches::Tracked&, int slot)>;
     void measureTracked(const Which& which);

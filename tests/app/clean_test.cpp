@@ -139,6 +139,14 @@ void CleanTest::resampleReachesCountAndSpacing() {
     QCOMPARE(program.run({"resample", "a.ply", "-o", "b.ply", "--spacing", "0.1"}).code, 0);
     const double spacing = infoOf(program, "b.ply").at("spacing").at("median");
     QVERIFY2(std::abs(spacing / 0.1 - 1) < 0.05, std::to_string(spacing).c_str());
+    QCOMPARE(program.run({"resample", "a.ply", "-o", "unfitted.ply", "--spacing", "0.1", "--no-fit"}).code, 0);
+    QVERIFY(program.hash("unfitted.ply") != program.hash("b.ply"));
+    program.write("unfitted.jsonl", R"({"op":"open","path":"a.ply"}
+{"op":"resample","spacing":0.1,"fit":false}
+{"op":"save","path":"session.ply"}
+)");
+    QCOMPARE(program.run({"run", "unfitted.jsonl"}).code, 0);
+    QCOMPARE(program.hash("session.ply"), program.hash("unfitted.ply"));
     const Outcome adaptive = program.run({"resample", "sample:knot:4000", "-o", "c.ply", "--adaptive", "0.002"});
     QVERIFY2(adaptive.code == 0 && adaptive.err.find("points became") != std::string::npos, adaptive.err.c_str());
     const json even = infoOf(program, "c.ply").at("spacing");

@@ -16,6 +16,7 @@ class ReduceTest : public QObject {
     void theFileOpensAsItWas();
     void sessionsDoTheSameAndUndoIt();
     void refineGoesBack();
+    void refineTellsHowNearItIs();
     void errorChoosesTheCount();
     void wrongUsageIsRefused();
 };
@@ -99,6 +100,30 @@ void ReduceTest::refineGoesBack() {
     QVERIFY(std::abs(info.at("spacing").at("median").get<double>() / 0.07 - 1) < 0.15);
 }
 
+void ReduceTest::refineTellsHowNearItIs() {
+    const Program program;
+    QCOMPARE(program.run({"reduce", "sample:torus:3000", "-o", "few.ply", "--ratio", "0.1"}).code, 0);
+    const auto refined = [&](const char* out, const QStringList& more) {
+        const Outcome outcome = program.run(
+            QStringList{"refine", "few.ply", "-o", out, "--spacing", "0.07", "--report", "back.json"} + more);
+        return outcome.code == 0 ? json::parse(program.read("back.json")) : json();
+    };
+    const json alone = refined("alone.ply", {}), beside = refined("beside.ply", {"--to", "sample:torus:3000"});
+    QCOMPARE(program.hash("alone.ply"), program.hash("beside.ply"));
+    QVERIFY(alone.size() == 8 && beside.size() == 8);
+    QCOMPARE(beside.at("count"), alone.at("count"));
+    for (const json& report : {alone, beside})
+        QVERIFY(report.at("rms") > 0 && report.at("rms") < 0.05 * 0.07 && report.at("holes") == 0);
+    QVERIFY(alone.at("rms") != beside.at("rms"));
+    // The session's command makes the same model.
+    program.write("back.jsonl", R"({"op":"open","path":"few.ply"}
+{"op":"refine","spacing":0.07}
+{"op":"save","path":"session.ply"}
+)");
+    QCOMPARE(program.run({"run", "back.jsonl"}).code, 0);
+    QCOMPARE(program.hash("session.ply"), program.hash("alone.ply"));
+}
+
 void ReduceTest::errorChoosesTheCount() {
     const Program program;
     QCOMPARE(program.run({"reduce", "sample:torus:2000", "-o", "a.ply", "--count", "300", "--report", "a.json"}).code,
@@ -123,13 +148,15 @@ void ReduceTest::wrongUsageIsRefused() {
          {"reduce sample:torus:2000 -o o.ply", "reduce sample:torus:2000 --count 100",
           "reduce sample:torus:2000 -o o.ply --count 100 --ratio 0.1", "reduce sample:torus:2000 -o o.stl --count 100",
           "reduce sample:torus:2000 -o o.ply --count few", "reduce sample:torus:2000 -o o.ply --ratio -1",
-          "reduce sample:torus:2000 -o o.ply --count 100 --shapes cubes"})
+          "reduce sample:torus:2000 -o o.ply --count 100 --shapes cubes", "refine sample:torus:2000 -o o.ply",
+          "refine sample:torus:2000 -o o.ply --spacing 0", "refine sample:torus:2000 -o o.stl --spacing 1"})
         QVERIFY2(outcome(arguments).code == 2, arguments);
     for (const char* arguments :
          {"reduce sample:torus:2000 -o o.ply --count 100 --shapes ellipsoids",
           "reduce sample:torus:2000 -o o.ply --count 5000", "reduce sample:torus:2000 -o o.ply --count 2",
           "reduce sample:coil -o o.ply --ratio 0.1", "reduce sample:torus:2000 -o o.ply --ratio 1",
-          "reduce nothing.ply -o o.ply --count 100"}) {
+          "reduce nothing.ply -o o.ply --count 100", "refine nothing.ply -o o.ply --spacing 1",
+          "refine sample:coil -o o.ply --spacing 0.1"}) {
         const Outcome refused = outcome(arguments);
         QVERIFY2(refused.code == 1, arguments);
         QVERIFY2(!refused.err.empty() && std::count(refused.err.begin(), refused.err.end(), '\n') == 1,

@@ -8,6 +8,7 @@
 //     relax   surfels near new ones and near close pairs repel each other along the surface   resample_relax.cpp
 //     merge and fill once more
 //     settle  what moved or is new lands exactly on the frozen surface, with its own height   resample_settle.cpp
+//     fit     it is raised and tilted until the surface is the frozen one again                resample_fit.cpp
 //
 // Every projection is onto the frozen version, never onto the moving set, in the form without drift, so that repeated
 // calls do not erode the model. What need not move keeps every bit. Fully masked surfels neither move nor vanish; open
@@ -28,6 +29,7 @@ struct ResampleOptions {
     float support = 0;     ///< reach of new and moved surfels; 0: by the definition, from the spacing
     int sweeps = 3;        ///< of relaxation
     bool relaxAll = false; ///< relax all that was touched, not only what needs it
+    int fitRounds = 2;     ///< that what moved or is new is fitted to the surface before, against erosion; 0: none
     /// Pairs closer than this part of the spacing lose one before gaps are filled. Larger ones thin an even sampling
     /// that would pass as good enough, so that it is filled again at the spacing asked for.
     float merge = 0.60f;
@@ -51,6 +53,9 @@ tree::Edit resample(const surface::Surface& version, const tree::Selection& touc
 tree::Selection withRoom(const surface::Surface& version, tree::Selection among,
                          const std::function<float(const surfel::SurfelBlock&)>& spacingOf);
 
+/// Are the new samples of a whole model fitted to the surface before? Without it details of a few spacings wear off.
+enum class Fit { Off, On };
+
 struct ResampleResult {
     surface::Surface surface;
     int rounds = 0;       ///< done
@@ -61,16 +66,16 @@ struct ResampleResult {
 /// of spacing by a factor of 1.5. Supports follow the spacing. Throws base::Error for a spacing that is not positive,
 /// or so fine that the model would not fit; base::Cancelled.
 ResampleResult resampleAll(const surface::Surface& surface, float spacing, int maxRounds = 12,
-                           const base::Progress& progress = {});
+                           const base::Progress& progress = {}, Fit fit = Fit::On);
 
 /// The same to about `count` surfels: the spacing is tried and corrected until their number is within a hundredth, 8
 /// times at most; what came closest is returned. Throws base::Error for fewer than 4 as well.
 ResampleResult resampleToCount(const surface::Surface& surface, std::size_t count, int maxRounds = 12,
-                               const base::Progress& progress = {});
+                               const base::Progress& progress = {}, Fit fit = Fit::On);
 
 /// The same with a spacing that follows the curvature. Throws as well for limits that are not 0 < finest <= coarsest.
 ResampleResult resampleByCurvature(const surface::Surface& surface, const CurvatureSpacing& by, int maxRounds = 12,
-                                   const base::Progress& progress = {});
+                                   const base::Progress& progress = {}, Fit fit = Fit::On);
 
 /// Reach of a surfel at spacing s, h = s sqrt(K / pi), as the definition has it; and back.
 float supportOf(const surface::SurfaceDefinition& definition, float spacing);

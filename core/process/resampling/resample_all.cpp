@@ -3,6 +3,7 @@
 #include "core/base/parallel.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/process/estimation/spacing.h"
+#include "core/process/resampling/resample_fit.h"
 #include "core/process/resampling/resample_set.h"
 
 #include <algorithm>
@@ -70,12 +71,22 @@ static void rounds(ResampleResult& out, const surface::Surface& ground, Resample
     }
 }
 
+/// Supports by place, and what has another surface by that or by where it lies fitted to the one before.
+template <class SupportAt, class SpacingAt>
+static void finish(ResampleResult& out, const surface::Surface& ground, Fit fit, const SupportAt& supportAt,
+                   const SpacingAt& spacingAt) {
+    tree::SurfelTree tree = withSupports(out.surface.tree(), supportAt);
+    if (fit == Fit::On)
+        tree = fitted(tree, ground, spacingAt);
+    out.surface = {std::move(tree), ground.definition()};
+}
+
 static int changesFor(double ratio) {
     return std::max(1, static_cast<int>(std::ceil(std::abs(std::log(ratio)) / std::log(double(largestChange)) - 0.01)));
 }
 
 ResampleResult resampleAll(const surface::Surface& surface, float spacing, int maxRounds,
-                           const base::Progress& progress) {
+                           const base::Progress& progress, Fit fit) {
     ResampleResult out{surface, 0, false};
     if (surface.tree().empty())
         return out;
@@ -86,6 +97,7 @@ ResampleResult resampleAll(const surface::Surface& surface, float spacing, int m
     float was = present;
     for (int change = 1; change <= changes; ++change) {
         ResampleOptions options;
+        options.fitRounds = 0; // once, at the end
         const float share = static_cast<float>(change) / static_cast<float>(changes);
         options.spacing = change == changes ? spacing : present * std::pow(spacing / present, share);
         options.support = supportOf(surface.definition(), options.spacing);
@@ -94,13 +106,14 @@ ResampleResult resampleAll(const surface::Surface& surface, float spacing, int m
         was = options.spacing;
     }
     const float support = supportOf(surface.definition(), spacing);
-    out.surface = {withSupports(out.surface.tree(), [&](const base::Vec3f&) { return support; }), surface.definition()};
+    finish(
+        out, surface, fit, [&](const base::Vec3f&) { return support; }, [&](const base::Vec3f&) { return spacing; });
     progress.step(1, "Resampling");
     return out;
 }
 
 ResampleResult resampleToCount(const surface::Surface& surface, std::size_t count, int maxRounds,
-                               const base::Progress& progress) {
+                               const base::Progress& progress, Fit fit) {
     constexpr int tries = 8;
     constexpr double close = 0.01;
     if (count < 4)
@@ -122,7 +135,7 @@ ResampleResult resampleToCount(const surface::Surface& surface, std::size_t coun
     for (int attempt = 0; attempt < tries; ++attempt) {
         const double from = 0.05 + 0.95 * attempt / tries;
         ResampleResult found = resampleAll(surface, static_cast<float>(std::exp(now.spacing)), maxRounds,
-                                           part(progress, from, from + 0.95 / tries));
+                                           part(progress, from, from + 0.95 / tries), fit);
         now.excess = excessOf(found.surface.tree().size());
         if (attempt == 0 || std::abs(now.excess) < std::abs(excessOf(best.surface.tree().size())))
             best = std::move(found);
@@ -150,7 +163,7 @@ static std::shared_ptr<const SpacingField> onTheWay(const surfel::SurfelList& li
 }
 
 ResampleResult resampleByCurvature(const surface::Surface& surface, const CurvatureSpacing& by, int maxRounds,
-                                   const base::Progress& progress) {
+                                   const base::Progress& progress, Fit fit) {
     ResampleResult out{surface, 0, false};
     if (surface.tree().empty())
         return out;
@@ -165,6 +178,7 @@ ResampleResult resampleByCurvature(const surface::Surface& surface, const Curvat
                                  changesFor(double(field->coarsest()) / double(present)));
     for (int change = 1; change <= changes; ++change) {
         ResampleOptions options;
+        options.fitRounds = 0; // once, at the end
         options.field = change == changes
                             ? field
                             : onTheWay(list, *field, present, static_cast<float>(change) / static_cast<float>(changes));
@@ -173,7 +187,7 @@ ResampleResult resampleByCurvature(const surface::Surface& surface, const Curvat
                [&](double done) { progress.step((double(change - 1) + done) / changes, "Resampling"); });
     }
     const auto supportAt = [&](const base::Vec3f& p) { return supportOf(surface.definition(), field->at(p)); };
-    out.surface = {withSupports(out.surface.tree(), supportAt), surface.definition()};
+    finish(out, surface, fit, supportAt, [&](const base::Vec3f& p) { return field->at(p); });
     progress.step(1, "Resampling");
     return out;
 }

@@ -15,6 +15,14 @@ constexpr float gaussianOver = 0.564190f / 0.212207f;
 /// How far around the touched surfels others can be in the way: a new surfel's distance, and its own reach.
 constexpr float margin = fillDistance + fillStray + fillApart;
 
+static float borderScale(surface::Weight weight) {
+    return weight == surface::Weight::Gaussian ? gaussianOver : 1.0f;
+}
+
+float pinnedAt(surface::Weight weight) {
+    return pinnedLimit * borderScale(weight);
+}
+
 namespace {
 
 /// Blocks with surfels within `reach` of the selected surfels' boxes, by number, and the box of all of those.
@@ -71,10 +79,9 @@ class Follower {
 
 SampleSet::SampleSet(const surface::Surface& v, const tree::Selection& touched, const tree::Selection& restless,
                      const ResampleOptions& o, const surface::Surface& f)
-    : version(v), frozen(f), options(o), spacing(o.spacing), facing(*v.tree().layout()), pinned(pinnedLimit),
-      grown(grownLimit), grid(v.tree().bounds().centre(), fillReach * o.spacing) {
-    if (f.definition().weight == surface::Weight::Gaussian)
-        pinned *= gaussianOver, grown *= gaussianOver;
+    : version(v), frozen(f), options(o), spacing(o.spacing), facing(*v.tree().layout()),
+      pinned(pinnedAt(f.definition().weight)), grown(grownLimit * borderScale(f.definition().weight)),
+      grid(v.tree().bounds().centre(), fillReach * o.spacing) {
     if (options.support <= 0)
         options.support = supportOf(v.definition(), spacing);
     collect(options.relaxAll ? touched : nearTo(v.tree(), restless, touched, farReach * spacing), restless);

@@ -112,6 +112,9 @@ struct SampleSet {
     void collect(const tree::Selection& touched, const tree::Selection& restless);
 };
 
+/// Off-centre values from which a place belongs to an open border, in units of h.
+float pinnedAt(surface::Weight weight);
+
 // --- distances of the scheme, in spacings ---
 constexpr float mergeDistance = 0.60f; ///< closer pairs lose one, but for ResampleOptions::merge at the beginning
 constexpr float closeDistance = 0.70f; ///< closer pairs wake their surroundings
@@ -166,7 +169,7 @@ std::size_t fill(SampleSet& set, std::vector<Gap> gaps);
 /// Wakes what is near new samples (from `firstNew` on) and close pairs.
 void wake(SampleSet& set, const std::vector<ClosePair>& pairs, std::size_t firstNew);
 void relax(SampleSet& set);
-/// Puts what moved or is new exactly in place and writes the edit.
+/// Puts what moved or is new exactly in place, fits it where that is asked for, and writes the edit.
 tree::Edit settle(SampleSet& set);
 
 } // namespace process

@@ -1,6 +1,7 @@
 #include "core/base/cancel_scope.h"
 #include "core/base/parallel.h"
 #include "core/process/resampling/resample_blend.h"
+#include "core/process/resampling/resample_fit.h"
 #include "core/process/resampling/resample_land.h"
 #include "core/process/resampling/resample_set.h"
 #include "core/surface/evaluation/packets.h"
@@ -136,6 +137,29 @@ tree::Edit editOf(const SampleSet& set, const std::vector<std::uint32_t>& which,
     return edit;
 }
 
+/// Those of `which` as the fit wants them.
+std::vector<SampleFit::Sample> samplesOf(const SampleSet& set, const std::vector<std::uint32_t>& which,
+                                         const std::vector<Settled>& all) {
+    std::vector<SampleFit::Sample> out(which.size());
+    for (std::size_t k = 0; k < which.size(); ++k)
+        out[k] = {all[k].surfel.position, all[k].surfel.normal, set.target[which[k]]};
+    return out;
+}
+
+tree::Edit fittedEditOf(const SampleSet& set, const std::vector<std::uint32_t>& which, std::vector<Settled>& all) {
+    SampleFit fit(set.frozen, samplesOf(set, which, all), set.pinned);
+    tree::Edit edit = editOf(set, which, all);
+    for (int round = 0; round < set.options.fitRounds; ++round) {
+        if (!fit.improve({set.version.tree().apply(edit), set.frozen.definition()}))
+            break;
+        for (std::size_t k = 0; k < all.size(); ++k)
+            if (fit.changed(k))
+                all[k].surfel.position = fit.position(k), all[k].surfel.normal = fit.normal(k);
+        edit = editOf(set, which, all);
+    }
+    return edit;
+}
+
 } // namespace
 
 tree::Edit settle(SampleSet& set) {
@@ -151,7 +175,7 @@ tree::Edit settle(SampleSet& set) {
         for (std::size_t k = begin; k < end; ++k)
             all[k] = settled(set, which[k], landings[k], blender, near);
     });
-    return editOf(set, which, all);
+    return set.options.fitRounds > 0 && !which.empty() ? fittedEditOf(set, which, all) : editOf(set, which, all);
 }
 
 } // namespace process

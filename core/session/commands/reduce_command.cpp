@@ -4,7 +4,6 @@
 #include "core/session/commands/reduce_wish.h"
 
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 namespace session {
 
@@ -54,11 +53,7 @@ static void refineModel(Context& context, const nlohmann::json& complete) {
     requireModel(context);
     reduce::Refined result =
         reduce::refine(context.document.surface(), complete.at("spacing").get<float>(), context.progress);
-    std::ostringstream said;
-    said.precision(3);
-    said << result.report.count << " surfels, " << result.report.rms << " from the surface before (rms), "
-         << result.report.max << " (most)";
-    context.messages.push_back(said.str());
+    context.messages.push_back(reduce::refinedSummaryOf(result.report, "the surface before"));
     context.document.commit(std::move(result.surface), "Refine");
 }
 

@@ -14,16 +14,17 @@ static process::ResampleResult resampled(const Context& context, const nlohmann:
     const bool bySpacing = complete.contains("spacing"), byCount = complete.contains("count");
     if (byCount && (bySpacing || tolerance > 0))
         throw base::Error("\"count\" excludes \"spacing\" and \"tolerance\"", "resample", "give one of them");
+    const process::Fit fit = complete.at("fit").get<bool>() ? process::Fit::On : process::Fit::Off;
     if (byCount)
-        return process::resampleToCount(surface, complete.at("count").get<std::size_t>(), 12, context.progress);
+        return process::resampleToCount(surface, complete.at("count").get<std::size_t>(), 12, context.progress, fit);
     if (!bySpacing && !(tolerance > 0))
         throw base::Error("\"resample\" needs a \"spacing\", a \"count\" or a \"tolerance\"", {}, "give one of them");
     const float spacing = bySpacing ? complete.at("spacing").get<float>() : process::typicalSpacing(surface.tree());
     if (!(tolerance > 0))
-        return process::resampleAll(surface, spacing, 12, context.progress);
+        return process::resampleAll(surface, spacing, 12, context.progress, fit);
     const process::CurvatureSpacing by{tolerance, spacing * complete.at("finest").get<float>(),
                                        spacing * complete.at("coarsest").get<float>()};
-    return process::resampleByCurvature(surface, by, 12, context.progress);
+    return process::resampleByCurvature(surface, by, 12, context.progress, fit);
 }
 
 static void resample(Context& context, const nlohmann::json& complete) {
@@ -48,6 +49,9 @@ CommandRow resampleCommand() {
          "0", "", 0, largest},
         {"finest", "number", "spacings", "shortest distance, where it follows the curvature", "0.5", "", 0.01, 1},
         {"coarsest", "number", "spacings", "longest distance, where it follows the curvature", "2", "", 1, 100},
+        {"fit", "boolean", "",
+         "raise and tilt the new points until their surface is the one before, so that nothing wears off", "true", "",
+         0, 0},
     };
     return {"resample", "Resample", "Spaces the points evenly on the surface that they define now.",
             parameters, true,       false,

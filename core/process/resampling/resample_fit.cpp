@@ -1,0 +1,168 @@
+#include "core/process/resampling/resample_fit.h"
+
+#include "core/base/cancel_scope.h"
+#include "core/base/parallel.h"
+#include "core/process/resampling/resample_set.h"
+#include "core/surface/evaluation/packets.h"
+
+#include <cmath>
+
+namespace process {
+
+using base::Vec3f;
+
+namespace {
+
+/// Below this slope f says nothing about distance.
+constexpr float flattest = 0.05f;
+/// A surface that turns further than this from the frozen one is another sheet's, or a fold.
+constexpr float leastFacing = 0.5f;
+/// Farthest from where a sample began: of its spacing, and of its unit normal.
+constexpr float mostRaised = 0.25f, mostTilted = 0.3f;
+/// What is nearer than this is the frozen surface: of the spacing, and of a unit normal.
+constexpr float noticed = 1e-4f, noticedTilt = 3e-4f;
+/// In units of h: samples lie where they are asked for.
+constexpr float slack = 0.1f;
+/// Of whole models.
+constexpr int rounds = 3;
+
+struct Told {
+    Vec3f gradient; ///< unit; zero: nothing is told
+    float distance = 0;
+};
+
+Told toldBy(const surface::Evaluationf& e) {
+    const float slope = length(e.gradient);
+    if (!e.ok() && e.status != surface::Status::BeyondBoundary)
+        return {};
+    return slope > flattest ? Told{e.gradient / slope, e.value / slope} : Told{};
+}
+
+Vec3f shortened(const Vec3f& v, float most) {
+    const float l = length(v);
+    return l > most ? v * (most / l) : v;
+}
+
+} // namespace
+
+SampleFit::SampleFit(const surface::Surface& frozen, std::vector<Sample> samples, float pinned)
+    : m_start(samples.size()), m_samples(std::move(samples)), m_changed(m_samples.size()) {
+    std::vector<Vec3f> places(m_samples.size());
+    for (std::size_t i = 0; i < places.size(); ++i)
+        places[i] = m_samples[i].position;
+    const bool oriented = frozen.tree().layout()->normals && frozen.tree().layout()->oriented;
+    surface::forPackets(frozen, places, slack, [&](surface::Source& source, std::size_t i) {
+        Start& start = m_start[i];
+        start.place = places[i], start.normal = m_samples[i].normal;
+        const surface::Evaluationf e = source.evaluate(places[i], surface::Need::Gradient, {start.normal});
+        const Told told = toldBy(e);
+        if (e.offCentre > pinned * e.unit || std::abs(told.distance) > mostRaised * m_samples[i].spacing)
+            return;
+        const bool turned = dot(told.gradient, start.normal) < 0;
+        if (turned && oriented)
+            return;
+        start.gradient = turned ? -told.gradient : told.gradient;
+        start.distance = turned ? -told.distance : told.distance;
+    });
+}
+
+bool SampleFit::improve(const surface::Surface& now) {
+    const bool tilts = now.tree().layout()->normals;
+    std::vector<Vec3f> places(m_start.size());
+    for (std::size_t i = 0; i < places.size(); ++i)
+        places[i] = m_start[i].place;
+    m_changed.assign(m_start.size(), 0);
+    surface::forPackets(now, places, slack, [&](surface::Source& source, std::size_t i) {
+        const Start& start = m_start[i];
+        Sample& sample = m_samples[i];
+        if (start.gradient == Vec3f{})
+            return;
+        Told told = toldBy(source.evaluate(places[i], surface::Need::Gradient, {start.gradient}));
+        if (dot(told.gradient, start.gradient) < leastFacing)
+            return;
+        const float low = told.distance - start.distance;
+        const Vec3f tilt = start.gradient - told.gradient;
+        if (std::abs(low) < noticed * sample.spacing && lengthSq(tilt) < noticedTilt * noticedTilt)
+            return;
+        if (std::abs(low) > mostRaised * sample.spacing)
+            return; // another sheet's
+        const float raised = dot(sample.position - start.place, start.gradient) + low;
+        const float most = mostRaised * sample.spacing;
+        sample.position = start.place + start.gradient * std::clamp(raised, -most, most);
+        if (tilts)
+            sample.normal =
+                normalized(start.normal + shortened(sample.normal - start.normal + tilt, mostTilted), start.normal);
+        m_changed[i] = 1;
+    });
+    return std::any_of(m_changed.begin(), m_changed.end(), [](std::uint8_t c) { return c != 0; });
+}
+
+namespace {
+
+/// Which surfels of a version are fitted, by block.
+struct Fitting {
+    std::vector<std::uint32_t> block;
+    std::vector<std::size_t> first; ///< of each block, and the end
+    std::vector<SampleFit::Sample> samples;
+
+    Fitting(const tree::SurfelTree& tree, const std::function<float(const Vec3f&)>& spacingAt) {
+        tree.forEachBlock([&](std::uint32_t number, const surfel::SurfelBlock& each) {
+            block.push_back(number);
+            first.push_back(samples.size());
+            for (int slot = 0; slot < each.size(); ++slot)
+                samples.push_back({each.position(slot), each.normal(slot), 0});
+        });
+        first.push_back(samples.size());
+        base::parallelFor(samples.size(), 256,
+                          [&](std::size_t i) { samples[i].spacing = spacingAt(samples[i].position); });
+    }
+};
+
+/// The version with the samples as they are now.
+tree::SurfelTree applied(const tree::SurfelTree& tree, const Fitting& fitting, const SampleFit& fit) {
+    std::vector<surfel::BlockPtr> changed(fitting.block.size());
+    base::parallelFor(changed.size(), 16, [&](std::size_t k) {
+        const surfel::BlockPtr before = tree.block(fitting.block[k]);
+        surfel::MutableBlockPtr after;
+        for (int slot = 0; slot < before->size(); ++slot) {
+            const std::size_t i = fitting.first[k] + static_cast<std::size_t>(slot);
+            if (before->mask(slot) >= 1 ||
+                (fit.position(i) == before->position(slot) && fit.normal(i) == before->normal(slot)))
+                continue;
+            if (!after)
+                after = before->clone();
+            after->setPosition(slot, fit.position(i));
+            after->setNormal(slot, fit.normal(i));
+        }
+        if (after) {
+            after->seal();
+            changed[k] = after;
+        }
+    });
+    tree::Edit edit;
+    edit.inserted.layout = tree.layout();
+    for (std::size_t k = 0; k < changed.size(); ++k)
+        if (changed[k])
+            edit.blocks.push_back({fitting.block[k], changed[k], {}});
+    return edit.empty() ? tree : tree.apply(edit);
+}
+
+} // namespace
+
+tree::SurfelTree fitted(const tree::SurfelTree& tree, const surface::Surface& frozen,
+                        const std::function<float(const Vec3f&)>& spacingAt) {
+    surface::SurfaceDefinition definition = frozen.definition();
+    definition.shrinkFree = true; // as it is resampled (process/README 4.3)
+    const Fitting fitting(tree, spacingAt);
+    SampleFit fit({frozen.tree(), definition}, fitting.samples, pinnedAt(definition.weight));
+    tree::SurfelTree out = tree;
+    for (int round = 0; round < rounds; ++round) {
+        base::CancelScope::check();
+        if (!fit.improve({out, definition}))
+            break;
+        out = applied(tree, fitting, fit);
+    }
+    return out;
+}
+
+} // namespace process

@@ -1,0 +1,129 @@
+#include "core/reduce/density_by_result.h"
+
+#include "core/base/parallel.h"
+#include "core/process/cleaning/spread.h"
+#include "core/reduce/coverage.h"
+#include "core/reduce/density.h"
+#include "core/surface/evaluation/packets.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace reduce {
+
+namespace {
+
+/// The sum of squares is least where every sample has the same part of it; with errors that fall with the power 1.3 of
+/// a sample's area (reduce/README 3.2) a sample with E times as much wants 1 / (2 p + 1) more of them.
+constexpr double power = 1 / 3.6;
+/// Of the middle of all: less is no reason to take samples away.
+constexpr double least = 0.1;
+/// Shares change at most so much, either way.
+constexpr double fewer = 0.6, more = 3;
+constexpr std::size_t smoothedOver = 8;
+constexpr int smoothings = 2;
+constexpr float likeFacing = 0.3f;
+/// Of a support: what a place without surface counts as, and the most that any does.
+constexpr float farthest = 0.3f;
+constexpr float flattest = 0.05f;
+constexpr float slack = 0.1f;
+
+surface::Surface surfaceOf(const Sites& sites, bool oriented) {
+    auto layout = std::make_shared<surfel::AttributeLayout>();
+    layout->normals = true;
+    layout->oriented = oriented;
+    surfel::SurfelList list;
+    list.layout = layout;
+    list.items.resize(sites.size());
+    for (std::size_t i = 0; i < sites.size(); ++i) {
+        list.items[i].position = sites.position[i];
+        list.items[i].normal = sites.normal[i];
+        list.items[i].support = sites.support[i];
+    }
+    surface::SurfaceDefinition definition;
+    definition.neighbours = static_cast<int>(supportsOver);
+    return {tree::SurfelTree::build(list), definition};
+}
+
+/// Squared distance of the sites' surface at each place times the area that it stands for, summed over the places of
+/// each site.
+std::vector<double> sumsOfSquares(const Places& places, const Sites& sites, const NumberedTree& tree) {
+    std::vector<std::uint32_t> site(places.size());
+    std::vector<float> square(places.size());
+    base::parallelChunks(places.size(), 512, [&](std::size_t begin, std::size_t end, std::size_t) {
+        std::vector<tree::Neighbour> near;
+        for (std::size_t i = begin; i < end; ++i) {
+            tree.tree().nearest(places.position[i], 6, near);
+            const auto own = std::find_if(near.begin(), near.end(), [&](const tree::Neighbour& n) {
+                return places.facing(places.normal[i], sites.normal[NumberedTree::number(n)], likeFacing);
+            });
+            site[i] = NumberedTree::number(own == near.end() ? near.front() : *own);
+        }
+    });
+    surface::forPackets(surfaceOf(sites, places.oriented), places.position, slack,
+                        [&](surface::Source& source, std::size_t i) {
+                            const surface::Evaluationf e =
+                                source.evaluate(places.position[i], surface::Need::Gradient, {places.normal[i]});
+                            const float slope = length(e.gradient), most = farthest * sites.support[site[i]];
+                            const float off = e.ok() && slope > flattest ? std::abs(e.value) / slope : most;
+                            square[i] = std::min(off, most) * std::min(off, most) * places.area[i];
+                        });
+    std::vector<double> out(sites.size());
+    for (std::size_t i = 0; i < places.size(); ++i)
+        out[site[i]] += double(square[i]);
+    return out;
+}
+
+/// Means of logarithms over the nearest of the same sheet.
+std::vector<double> smoothed(const std::vector<double>& log, const Places& places, const Sites& sites,
+                             const NumberedTree& tree) {
+    std::vector<double> out(log.size());
+    base::parallelChunks(log.size(), 256, [&](std::size_t begin, std::size_t end, std::size_t) {
+        std::vector<tree::Neighbour> near;
+        for (std::size_t i = begin; i < end; ++i) {
+            tree.tree().nearest(sites.position[i], smoothedOver, near);
+            double sum = log[i], weight = 1;
+            for (const tree::Neighbour& n : near) {
+                const std::uint32_t k = NumberedTree::number(n);
+                if (k != i && places.facing(sites.normal[i], sites.normal[k], likeFacing))
+                    sum += log[k], weight += 1;
+            }
+            out[i] = sum / weight;
+        }
+    });
+    return out;
+}
+
+} // namespace
+
+std::vector<float> sharesByResult(const Places& places, const Sites& sites, std::vector<float> shares,
+                                  std::size_t count) {
+    const NumberedTree tree(sites.position, sites.normal, {});
+    std::vector<double> log = sumsOfSquares(places, sites, tree);
+    std::vector<double> sums = log;
+    const double typical = std::max(process::middleOf(sums), 1e-300);
+    for (double& each : log)
+        each = std::log(std::max(each / typical, least));
+    for (int k = 0; k < smoothings; ++k)
+        log = smoothed(log, places, sites, tree);
+    base::parallelChunks(shares.size(), 512, [&](std::size_t begin, std::size_t end, std::size_t) {
+        std::vector<tree::Neighbour> near;
+        for (std::size_t i = begin; i < end; ++i) {
+            tree.tree().nearest(places.position[i], 4, near);
+            double sum = 0, weight = 0;
+            for (const tree::Neighbour& n : near) {
+                const std::uint32_t k = NumberedTree::number(n);
+                if (!places.facing(places.normal[i], sites.normal[k], likeFacing))
+                    continue;
+                const double w = 1 / (double(n.distanceSq) + 0.05 * double(sites.spacing[k] * sites.spacing[k]));
+                sum += w * log[k], weight += w;
+            }
+            if (weight > 0)
+                shares[i] *= static_cast<float>(std::clamp(std::exp(power * sum / weight), fewer, more));
+        }
+    });
+    scaleShares(shares, count);
+    return shares;
+}
+
+} // namespace reduce

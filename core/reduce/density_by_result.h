@@ -1,0 +1,14 @@
+// The density of a reduced set once more, by what a first one errs after all (reduce/README 3.4): the predicted error
+// of density.h knows no supports that reach over other sheets, and no features that too few samples carry.
+#pragma once
+
+#include "core/reduce/sites.h"
+
+namespace reduce {
+
+/// The shares that made `sites`, more where their surface errs more than elsewhere; together `count` again. In
+/// parallel; the same bits at any thread count. Throws base::Cancelled.
+std::vector<float> sharesByResult(const Places& places, const Sites& sites, std::vector<float> shares,
+                                  std::size_t count);
+
+} // namespace reduce
