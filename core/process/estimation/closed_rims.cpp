@@ -8,8 +8,8 @@ namespace {
 
 constexpr double beyond = 0.3; ///< of h, from the rim outwards
 constexpr double above = 0.75; ///< spacings, from the sheet outwards
-/// How far a winding number is from a whole one. What opens at a fin's end is seen from there at an angle: 0.12 of the
-/// whole turn up to a thickness of some 1.2 spacings.
+/// How far a winding number is from a whole one. What opens at a fin's end is seen from there at an angle: less than
+/// 0.12 of the whole turn up to a thickness of some 2 spacings.
 constexpr double openEnd = 0.12, openSheet = 0.15;
 
 double spacingsPerUnitOf(const surface::SurfaceDefinition& definition) {
