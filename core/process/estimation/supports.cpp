@@ -34,28 +34,29 @@ std::vector<float> withoutOutliers(std::span<const float> spacing, const Neighbo
     return out;
 }
 
-/// What grading has made this many times as wide as its own place asks for, and so wide that it holds too many
-/// positions, gets few of them; counted by every 64th.
+/// What grading has made this many times as wide as its own place asks for holds no more than so many times the
+/// neighbours asked for, counted by every 16th position: on a sheet about what it holds at that width.
 constexpr float farRaised = 3.0f;
-constexpr std::size_t countedEach = 64, tooMany = 64, few = 4;
+constexpr std::size_t mostOfNeighbours = 10, countedEach = 16;
 
-/// A pile of points in a sparse surrounding would be raised until each of them holds all the others. `own`: what every
-/// place asks for by itself.
-void sparePiles(std::vector<float>& h, std::span<const float> own, std::span<const base::Vec3f> positions,
-                const base::Progress& progress) {
+/// Piles and dense parts beside sparse ones would be raised until each of their positions holds all the others.
+/// `own`: what every place asks for by itself.
+void spareDense(std::vector<float>& h, std::span<const float> own, std::span<const base::Vec3f> positions,
+                std::size_t neighbours, const base::Progress& progress) {
+    const std::size_t most = (mostOfNeighbours * neighbours + countedEach - 1) / countedEach;
     const auto isRaised = [&](std::size_t i) { return h[i] > farRaised * own[i]; };
     bool any = false;
     for (std::size_t i = 0; i < h.size() && !any; ++i)
         any = isRaised(i);
-    if (!any || positions.size() < countedEach * tooMany)
+    if (!any || positions.size() < countedEach * most)
         return;
     std::vector<surfel::Surfel> some; // along the Morton curve, hence evenly
     for (std::size_t i = 0; i < positions.size(); i += countedEach)
         some.emplace_back().position = positions[i];
     const Cloud counted(some, progress);
     base::parallelFor(h.size(), 1024, [&](std::size_t i) {
-        if (isRaised(i) && h[i] > counted.reach(positions[i], tooMany))
-            h[i] = std::max(own[i], counted.reach(positions[i], few));
+        if (isRaised(i))
+            h[i] = std::min(h[i], std::max(own[i], counted.reach(positions[i], most)));
     });
 }
 
@@ -85,7 +86,7 @@ std::vector<float> supportsOf(const Cloud& cloud, const surfel::SurfelList& poin
         lowerOutliers(h, graph, outliers, steepest);
         raise(h, graph, steepest, part(progress, 0.9, 1)); // what they see was graded without them
     }
-    sparePiles(h, own, cloud.positions(), progress);
+    spareDense(h, own, cloud.positions(), static_cast<std::size_t>(definition.neighbours), progress);
     if (gaussian)
         for (float& value : h)
             value *= surface::gaussianScale * reach;

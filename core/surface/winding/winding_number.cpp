@@ -1,7 +1,5 @@
 #include "core/surface/winding/winding_number.h"
 
-#include "core/surface/winding/surfel_areas.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -19,8 +17,8 @@ constexpr float soft = 0.25f; ///< of the area: half a spacing, squared
 
 } // namespace
 
-WindingNumber::WindingNumber(const tree::SurfelTree& tree, const base::Progress& progress)
-    : m_areas(surfelAreas(tree, progress)) {
+WindingNumber::WindingNumber(const tree::SurfelTree& tree, const base::Progress& progress, Areas which)
+    : m_areas(surfelAreas(tree, progress, which)) {
     m_dipoles.reserve(tree.size());
     if (tree.root())
         addNode(*tree.root(), tree.bounds());

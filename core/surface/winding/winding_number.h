@@ -9,15 +9,15 @@
 // Ownership: holds what it needs by value, the tree may go. Immutable; any number of threads may ask.
 #pragma once
 
-#include "core/base/progress.h"
-#include "core/tree/surfel_tree.h"
+#include "core/surface/winding/surfel_areas.h"
 
 namespace surface {
 
 class WindingNumber {
   public:
     /// REQUIRES: oriented normals. Throws base::Cancelled.
-    explicit WindingNumber(const tree::SurfelTree& tree, const base::Progress& progress = {});
+    explicit WindingNumber(const tree::SurfelTree& tree, const base::Progress& progress = {},
+                           Areas which = Areas::Each);
 
     double at(const base::Vec3d& x) const;
     /// Its derivative, in 1 / model units: points inwards.

@@ -18,6 +18,8 @@ class WindingNumberTest : public QObject {
     void groupsChangeLittle();
     void gradientIsTheDerivative();
     void areasAddUpWhateverTheSupports();
+    void sheetsOfAStackDoNotShareTheirAreas();
+    void fewAreasAddUpAsEachDo();
     void straysStandForNothing();
     void sameBitsAtAnyThreadCount();
     void cancellingStops();
@@ -117,6 +119,47 @@ void WindingNumberTest::areasAddUpWhateverTheSupports() {
             const double sum = total(surface::surfelAreas(tree::SurfelTree::build(list)));
             QVERIFY2(std::abs(sum / exact - 1) < 0.1, QByteArray::number(sum / exact));
         }
+}
+
+/// That face alike, as every other wall of a comb does; in any direction.
+void WindingNumberTest::sheetsOfAStackDoNotShareTheirAreas() {
+    base::Random random(test::seed());
+    for (int round = 0; round < test::effort(10); ++round) {
+        const double apart = random.uniform(1.5, 3) * spacing;
+        const Vec3d up = random.unitVector(), u = base::normalized(cross(up, random.unitVector())), v = cross(up, u);
+        surfel::SurfelList list;
+        list.layout = shapes::layout(true, true);
+        for (int sheet = 0; sheet < 4; ++sheet)
+            for (int i = 0; i < 30; ++i)
+                for (int j = 0; j < 30; ++j)
+                    list.items.push_back(shapes::surfelAt(
+                        up * (sheet * apart) +
+                            (u * (i + random.uniform(-0.3, 0.3)) + v * (j + random.uniform(-0.3, 0.3))) * spacing,
+                        up, 3.5 * spacing));
+        const double exact = double(list.size()) * spacing * spacing;
+        const double sum = total(surface::surfelAreas(tree::SurfelTree::build(list)));
+        // more at the rims; farther along the sheet than above it, neighbours still count
+        QVERIFY2(sum / exact > 0.82 && sum / exact < 1.25, QByteArray::number(sum / exact) + " apart " +
+                                                               QByteArray::number(apart / spacing) + " seed " +
+                                                               QByteArray::number(test::seed()));
+    }
+}
+
+/// Where supports follow the spacing, which varies by 4 here.
+void WindingNumberTest::fewAreasAddUpAsEachDo() {
+    base::Random random(test::seed());
+    surfel::SurfelList list;
+    list.layout = shapes::layout(true, true);
+    for (double x = 0; x < 2;) {
+        const double step = spacing * (1 + 1.5 * x);
+        for (double y = 0; y < 2; y += step)
+            list.items.push_back(shapes::surfelAt({x + random.uniform(0, 0.3) * step, y, 0}, {0, 0, 1}, 3.5 * step));
+        x += step;
+    }
+    const tree::SurfelTree tree = tree::SurfelTree::build(list);
+    const double each = total(surface::surfelAreas(tree)),
+                 few = total(surface::surfelAreas(tree, {}, surface::Areas::Few));
+    QVERIFY2(std::abs(few / each - 1) < 0.1, QByteArray::number(few / each));
 }
 
 void WindingNumberTest::straysStandForNothing() {
