@@ -3,6 +3,7 @@
 #include "core/base/box.h"
 #include "core/base/parallel.h"
 #include "core/base/radix_sort.h"
+#include "core/cells/cell_projection.h"
 #include "core/mesh/check/topology.h"
 #include "core/mesh/marching/marching_cubes.h"
 #include "core/process/estimation/part_progress.h"
@@ -62,7 +63,8 @@ struct Middle {
     bool flat = true;
 };
 
-Middle middleOf(const surface::Surface& surface, const Mesh& mesh, const Edge& edge, bool boundary) {
+Middle middleOf(const surface::Surface& surface, const std::optional<cells::CellSurface>& cells, const Mesh& mesh,
+                const Edge& edge, bool boundary) {
     constexpr double farthest = 0.5; ///< of the edge
     const Vec3d &a = mesh.positions[edge.a], &b = mesh.positions[edge.b];
     Middle out{(a + b) / 2};
@@ -84,6 +86,12 @@ Middle middleOf(const surface::Surface& surface, const Mesh& mesh, const Edge& e
     }
     surface::ProjectOptions options;
     options.checkBoundary = false;
+    if (cells)
+        if (const cells::CellFoot found = cells::project(*cells, out.position, options);
+            found.mixed && found.projection.ok()) {
+            take(found.projection.foot);
+            return out;
+        }
     for (const surface::OrientationHint& asked : {surface::OrientationHint{}, hint})
         if (const auto found = surface::projectReference(surface, out.position, options, asked); found.ok() && out.flat)
             take(found.foot);
@@ -133,11 +141,12 @@ static Mesh halved(const surface::Surface& surface, const Mesh& mesh, std::size_
                    const base::Progress& progress) {
     constexpr std::size_t slab = 1 << 14;
     const Edges edges(mesh);
+    const std::optional<cells::CellSurface> cells = cells::CellSurface::of(surface);
     std::vector<Middle> middles(edges.list.size());
     for (std::size_t first = 0; first < middles.size(); first += slab) {
         progress.step(static_cast<double>(first) / static_cast<double>(middles.size()), "Measuring area");
         base::parallelFor(std::min(slab, middles.size() - first), 64, [&](std::size_t i) {
-            middles[first + i] = middleOf(surface, mesh, edges.list[first + i], edges.boundary[first + i] != 0);
+            middles[first + i] = middleOf(surface, cells, mesh, edges.list[first + i], edges.boundary[first + i] != 0);
         });
     }
     Mesh out;
@@ -160,7 +169,6 @@ static Mesh halved(const surface::Surface& surface, const Mesh& mesh, std::size_
 Extent extentOf(const surface::Surface& surface, double cell, const base::Progress& progress) {
     MarchingOptions options;
     options.cell = cell;
-    options.creases = false;
     MarchingReport report;
     Mesh coarse = marchingCubes(surface, options, report, process::part(progress, 0, 0.6));
     std::erase_if(coarse.triangles, [](const Triangle& t) { return !isProper(t); });
