@@ -3,6 +3,8 @@
 #include "app/options/command_options.h"
 #include "app/options/surface_options.h"
 #include "app/subcommands/subcommand.h"
+#include "core/io/safe_file.h"
+#include "core/mesh/extent/extent.h"
 
 #include <nlohmann/json.hpp>
 
@@ -11,15 +13,26 @@ namespace app {
 namespace {
 
 struct Options {
-    std::string model, other, out;
+    std::string model, other, out, report;
     GivenParameters wish;
     std::shared_ptr<SurfaceOptions> surface;
 };
+
+/// No volume where the result is open.
+nlohmann::ordered_json reportOf(const session::Context& context, const base::Progress& progress) {
+    const mesh::Extent extent = mesh::extentOf(context.document.surface(), 0, progress);
+    return {{"volume", extent.closed ? nlohmann::ordered_json(extent.volume) : nlohmann::ordered_json()},
+            {"seam_length", context.figures.at("seam_length")},
+            {"seams", static_cast<std::size_t>(context.figures.at("seams"))},
+            {"corners", static_cast<std::size_t>(context.figures.at("corners"))},
+            {"open", !extent.closed}};
+}
 
 void run(const Options& options, Console& console) {
     constexpr std::string_view sample = "sample:";
     nlohmann::json command = parametersOf(options.wish);
     command["op"] = "solid";
+    command["seams"] = !options.report.empty();
     if (options.other.starts_with(sample))
         command["sample"] = options.other.substr(sample.size());
     else
@@ -29,11 +42,14 @@ void run(const Options& options, Console& console) {
     openModel(context, options.model, options.surface->parameters(), console);
     session::run(context, command);
     session::run(context, {{"op", "save"}, {"path", options.out}});
+    if (!options.report.empty())
+        io::writeFile(options.report, reportOf(context, console.progress()).dump(2) + "\n");
     console.tell(context.messages);
 }
 
 bool isOwn(std::string_view id) {
-    return id == "path" || id == "sample" || id == "hash" || id == "operation" || id == "creases"; // of opening
+    return id == "path" || id == "sample" || id == "hash" || id == "operation" || id == "seams" ||
+           id == "creases"; // of opening
 }
 
 } // namespace
@@ -55,6 +71,11 @@ Action addSolid(CLI::App& command) {
             addParameter(command, "solid", p, helpOf(p), options->wish);
         }
     }
+    command
+        .add_option("--report", options->report,
+                    "JSON file to write what came of it to: volume (null where the result is open), seam_length in "
+                    "model units, seams (pieces of curves between corners), corners, open (true or false)")
+        ->type_name("OUT.json");
     options->surface = addSurfaceOptions(command, false);
     return [options](Console& console) { run(*options, console); };
 }
