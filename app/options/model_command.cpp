@@ -11,7 +11,8 @@ void addModelAndOutput(OptionSet command, ModelCommand& options, const char* nam
     command.add("-o,--output", options.out, "model to write; .ply keeps everything").typeName("OUT").required();
 }
 
-void runModelCommand(const ModelCommand& options, const char* op, const nlohmann::json& given, Console& console) {
+void runModelCommand(const ModelCommand& options, const char* op, const nlohmann::json& given, Console& console,
+                     const std::function<void(const session::Context&)>& then) {
     nlohmann::json command = parametersOf(options.wish);
     command["op"] = op;
     command.update(given);
@@ -20,6 +21,8 @@ void runModelCommand(const ModelCommand& options, const char* op, const nlohmann
     openModel(context, options.model, options.surface->parameters(), console);
     session::run(context, command);
     session::run(context, {{"op", "save"}, {"path", options.out}});
+    if (then)
+        then(context);
     console.tell(context.messages);
 }
 

@@ -5,6 +5,8 @@
 #include "app/options/surface_options.h"
 #include "app/subcommands/subcommand.h"
 
+#include <functional>
+
 namespace app {
 
 struct ModelCommand {
@@ -16,7 +18,9 @@ struct ModelCommand {
 /// Adds the model, called `name` in help, and -o.
 void addModelAndOutput(OptionSet command, ModelCommand& options, const char* name = "MODEL");
 
-/// `given` are parameters beside those wished for. Tells what the commands tell once the model is saved.
-void runModelCommand(const ModelCommand& options, const char* op, const nlohmann::json& given, Console& console);
+/// `given` are parameters beside those wished for. Once the model is saved, does what comes `then` and tells what the
+/// commands tell.
+void runModelCommand(const ModelCommand& options, const char* op, const nlohmann::json& given, Console& console,
+                     const std::function<void(const session::Context&)>& then = {});
 
 } // namespace app

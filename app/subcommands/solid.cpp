@@ -2,6 +2,8 @@
 #include "app/open_model.h"
 #include "app/options/model_command.h"
 #include "app/options/option_checks.h"
+#include "core/io/safe_file.h"
+#include "core/mesh/extent/extent.h"
 
 #include <nlohmann/json.hpp>
 
@@ -10,18 +12,33 @@ namespace app {
 namespace {
 
 struct Options : ModelCommand {
-    std::string other;
+    std::string other, report;
 };
+
+/// No volume where the result is open.
+nlohmann::ordered_json reportOf(const session::Context& context, const base::Progress& progress) {
+    const mesh::Extent extent = mesh::extentOf(context.document.surface(), 0, progress);
+    return {{"volume", extent.closed ? nlohmann::ordered_json(extent.volume) : nlohmann::ordered_json()},
+            {"seam_length", context.figures.at("seam_length")},
+            {"seams", static_cast<std::size_t>(context.figures.at("seams"))},
+            {"corners", static_cast<std::size_t>(context.figures.at("corners"))},
+            {"open", !extent.closed}};
+}
 
 void run(const Options& options, Console& console) {
     constexpr std::string_view sample = "sample:";
     const bool made = options.other.starts_with(sample);
     const std::string what = made ? options.other.substr(sample.size()) : options.other;
-    runModelCommand(options, "solid", {{made ? "sample" : "path", what}}, console);
+    runModelCommand(options, "solid", {{made ? "sample" : "path", what}, {"seams", !options.report.empty()}}, console,
+                    [&](const session::Context& context) {
+                        if (!options.report.empty())
+                            io::writeFile(options.report, reportOf(context, console.progress()).dump(2) + "\n");
+                    });
 }
 
 bool isOwn(std::string_view id) {
-    return id == "path" || id == "sample" || id == "hash" || id == "operation" || id == "creases"; // of opening
+    return id == "path" || id == "sample" || id == "hash" || id == "operation" || id == "seams" ||
+           id == "creases"; // of opening
 }
 
 } // namespace
@@ -38,6 +55,11 @@ Action addSolid(OptionSet command) {
             addParameter(command, "solid", p, helpOf(p), options->wish);
         }
     }
+    command
+        .add("--report", options->report,
+             "JSON file to write what came of it to: volume (null where the result is open), seam_length in "
+             "model units, seams (pieces of curves between corners), corners, open (true or false)")
+        .typeName("OUT.json");
     options->surface = addSurfaceOptions(command, false);
     return [options](Console& console) { run(*options, console); };
 }

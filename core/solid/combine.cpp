@@ -1,10 +1,11 @@
 #include "core/solid/combine.h"
 
+#include "core/base/cancel_scope.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/base/row_of_id.h"
-#include "core/cells/labels.h"
-#include "core/tree/tree_shape.h"
+#include "core/process/resampling/resample.h"
+#include "core/solid/seam_labels.h"
 
 #include <optional>
 
@@ -45,115 +46,61 @@ bool staysOfOperand(Operation operation, std::int8_t side) {
     return side == (operation == Operation::Union ? 1 : -1);
 }
 
-/// A version with labels: as it is, or all of one cell.
-tree::SurfelTree labelled(const tree::SurfelTree& tree) {
-    if (cells::LabelLayout::of(*tree.layout()))
-        return tree;
-    surfel::SurfelList list = tree.surfels();
-    cells::setLabels(list, std::vector<Label>(list.size()));
-    return tree::SurfelTree::build(list, tree.shape());
+/// The operand's or model's surfels within two spacings of the seam: cells::partnerReach.
+constexpr double reach = 2;
+
+/// The foot on the seam of a surfel beside it.
+std::optional<Vec3d> seamFoot(const TwoSides& sides, const Vec3d& x, float support) {
+    const double spacing = static_cast<double>(support) * surface::spacingOfUnit;
+    for (const auto* side : {&sides.a, &sides.b})
+        if (const SideValue at = (*side)(x); !at.near || std::abs(at.value) >= 2 * reach * spacing)
+            return {};
+    const std::optional<SeamPoint> found = seamPoint(sides, x, seamTolerance * spacing);
+    if (!found || distance(found->position, x) > reach * spacing)
+        return {};
+    return found->position;
 }
 
-/// Words of one layout as those of another: attributes of the same name, others zero.
-class Translation {
-  public:
-    Translation(const surfel::AttributeLayout& from, const surfel::AttributeLayout& to) : m_words(to.words(), 0) {
-        for (const surfel::Attribute& target : to.attributes())
-            if (const surfel::Attribute* source = from.find(target.name))
-                m_pairs.push_back({*source, target});
-    }
-    std::span<std::uint32_t> operator()(std::span<const std::uint32_t> words) {
-        for (const auto& [source, target] : m_pairs)
-            surfel::write(target, m_words, surfel::read(source, words));
-        return m_words;
-    }
-
-  private:
-    std::vector<std::pair<surfel::Attribute, surfel::Attribute>> m_pairs;
-    std::vector<std::uint32_t> m_words;
-};
-
-/// The foot on the seam of both surfaces (cells/README 5, (4)); nothing where it is not found, or they do not cross.
-std::optional<Vec3d> seamFoot(const Side& a, const Side& b, const Vec3d& x) {
-    constexpr int steps = 12;
-    constexpr double leastSine = 0.1; // squared sine 0.01, as there
-    Vec3d y = x;
-    for (int step = 0; step < steps; ++step) {
-        const SideValue f = a.at(y), g = b.at(y);
-        if (!f.near || !g.near)
-            return {};
-        const double c = dot(f.gradient, g.gradient), det = 1 - c * c;
-        if (det < leastSine * leastSine)
-            return {};
-        const double u = f.value + dot(f.gradient, x - y), v = g.value + dot(g.gradient, x - y);
-        const Vec3d next = x - f.gradient * ((u - c * v) / det) - g.gradient * ((v - c * u) / det);
-        const double moved = distance(next, y);
-        y = next;
-        if (moved < 1e-4 * distance(y, x) + 1e-12)
-            return y;
-    }
-    return {};
-}
-
-/// Labels at the seam: each side's cells, and across it the nearest cell of the other side.
-class SeamLabels {
-  public:
-    SeamLabels(const Side& model, const Side& operand, Operation operation)
-        : m_model(model), m_operand(operand),
-          m_meeting(operation == Operation::Union ? Meeting::Concave : Meeting::Convex) {}
-
-    /// The surfel's label from now on, where it is within two spacings of the seam. `across`: cell of the other side
-    /// nearest to a place.
-    template <class Across>
-    std::optional<Label> at(const Vec3d& x, float support, Label label, const Across& across) const {
-        constexpr double reach = 2; // spacings: cells::partnerReach
-        const double spacing = static_cast<double>(support) * surface::spacingOfUnit;
-        if (!closer(m_model.at(x), 2 * reach * spacing) || !closer(m_operand.at(x), 2 * reach * spacing))
-            return {};
-        const std::optional<Vec3d> foot = seamFoot(m_model, m_operand, x);
-        if (!foot || distance(*foot, x) > reach * spacing)
-            return {};
-        label.partner = across(*foot);
-        label.meeting = m_meeting;
-        label.sharpness = 255;
-        return label;
-    }
-
-  private:
-    static bool closer(const SideValue& at, double than) { return at.near && std::abs(at.value) < than; }
-
-    const Side &m_model, &m_operand;
-    Meeting m_meeting;
-};
-
-std::uint32_t nearestCell(const tree::SurfelTree& tree, const Vec3d& x, std::uint32_t offset) {
-    const std::optional<cells::LabelLayout> layout = cells::LabelLayout::of(*tree.layout());
-    std::vector<tree::Neighbour> near;
-    tree.nearest(base::cast<float>(x), 1, near);
-    return offset + (layout && !near.empty() ? layout->cellAt(*near[0].block, near[0].slot) : 0);
+/// A surfel's label from now on, beside a seam with that cell across.
+Label besideSeam(Label label, std::uint32_t across, Operation operation) {
+    label.partner = across;
+    label.meeting = operation == Operation::Union ? Meeting::Concave : Meeting::Convex;
+    label.sharpness = 255;
+    return label;
 }
 
 class Combining {
   public:
     Combining(const surface::Surface& model, const Operand& operand, Operation operation, const CombineOptions& options)
-        : m_definition(model.definition()), m_operation(operation), m_creases(options.creases),
-          m_tree(options.creases ? labelled(model.tree()) : model.tree()),
-          m_modelSide(surface::Surface(m_tree, m_definition)), m_operandSide(operand.side),
-          m_other(operand.surfels.size() > 0 ? tree::SurfelTree::build(operand.surfels) : tree::SurfelTree()) {}
+        : m_definition(model.definition()), m_operation(operation), m_options(options),
+          m_other(operand.surfels.size() > 0 ? tree::SurfelTree::build(operand.surfels) : tree::SurfelTree()),
+          m_labels(options.creases &&
+                   (!(options.fillet > 0) || hasLabels(model.tree()) || (!m_other.empty() && hasLabels(m_other)))),
+          m_tree(m_labels ? labelled(model.tree()) : model.tree()), m_modelSide(surface::Surface(m_tree, m_definition)),
+          m_operandSide(operand.side) {}
 
     Combined run(const base::Progress& progress) {
         progress.step(0, "Telling inside from outside");
-        const std::vector<std::int8_t> ofModel = sidesOf(m_tree, m_operandSide);
+        const base::CancelScope scope(progress.cancel);
+        m_ofModel = sidesOf(m_tree, m_operandSide);
         progress.step(0.3, "Telling inside from outside");
-        const std::vector<std::int8_t> ofOperand = sidesOf(m_other, m_modelSide);
+        m_ofOperand = sidesOf(m_other, m_modelSide);
         progress.step(0.6, "Joining");
-        if (m_creases)
-            m_offset = cellsOf(m_tree);
         Combined out;
+        if (m_labels)
+            m_offset = firstFree(m_tree);
+        if (m_options.creases || m_options.seams || m_options.fillet > 0)
+            findFeet();
+        if (m_options.seams || m_options.fillet > 0)
+            out.seams = traceSeams(m_sides, seeds());
+        if (m_options.fillet > 0 && !out.seams.empty())
+            round(out.seams);
+        progress.step(0.8, "Joining");
         tree::Edit edit;
+        take(edit, out);
         edit.inserted.layout = m_tree.layout();
-        takeAndLabel(ofModel, edit, out);
-        insert(ofOperand, edit, out);
+        insert(edit, out);
+        insertFillet(edit, out);
         if (m_tree.size() - out.removed + out.inserted < 4)
             throw base::Error("nothing would be left", "", "move the other one, or choose another operation");
         progress.step(0.9, "Joining");
@@ -162,122 +109,237 @@ class Combining {
     }
 
   private:
-    /// Number that no cell has.
-    static std::uint32_t cellsOf(const tree::SurfelTree& tree) {
-        std::uint32_t most = 0;
-        if (const auto layout = cells::LabelLayout::of(*tree.layout()))
-            tree.forEachBlock([&](std::uint32_t, const surfel::SurfelBlock& block) {
-                for (int slot = 0; slot < block.size(); ++slot)
-                    most = std::max(most, layout->cellAt(block, slot));
-            });
-        return most + 1;
+    static bool hasLabels(const tree::SurfelTree& tree) { return cells::LabelLayout::of(*tree.layout()).has_value(); }
+    bool sharpSeam() const { return m_labels && !m_fillet; }
+
+    /// A foot on the seam of surfel `index`, in tree order.
+    struct Foot {
+        std::size_t index;
+        Vec3d place;
+        double spacing;
+    };
+    static std::vector<std::size_t> firstOf(const tree::SurfelTree& tree) {
+        std::vector<std::size_t> out{0};
+        for (std::uint32_t b = 0; b < tree.blockCount(); ++b)
+            out.push_back(out.back() + static_cast<std::size_t>(tree.block(b)->size()));
+        return out;
+    }
+    /// Of the surfels of one version that stay, block by block.
+    template <class Stays>
+    std::vector<std::vector<Foot>> feetOf(const tree::SurfelTree& tree, const Side& other, const Stays& stays) const {
+        std::vector<std::vector<Foot>> out(tree.blockCount());
+        const std::vector<std::size_t> first = firstOf(tree);
+        base::parallelFor(out.size(), 1, [&](std::size_t b) {
+            const surfel::BlockPtr block = tree.block(static_cast<std::uint32_t>(b));
+            const base::Box3f box = block->box().inflated(2 * block->maxSupport());
+            if (!other.meets({base::cast<double>(box.lo), base::cast<double>(box.hi)}))
+                return;
+            for (int slot = 0; slot < block->size(); ++slot) {
+                const std::size_t index = first[b] + static_cast<std::size_t>(slot);
+                if (!stays(index))
+                    continue;
+                const float support = block->support(slot);
+                if (const auto foot = seamFoot(m_sides, base::cast<double>(block->position(slot)), support))
+                    out[b].push_back({index, *foot, static_cast<double>(support) * surface::spacingOfUnit});
+            }
+        });
+        return out;
+    }
+    void findFeet() {
+        m_modelFeet =
+            feetOf(m_tree, m_operandSide, [&](std::size_t i) { return staysOfModel(m_operation, m_ofModel[i]); });
+        m_operandFeet =
+            feetOf(m_other, m_modelSide, [&](std::size_t i) { return staysOfOperand(m_operation, m_ofOperand[i]); });
+    }
+    std::vector<SeamSeed> seeds() const {
+        std::vector<SeamSeed> out;
+        for (const auto* feet : {&m_modelFeet, &m_operandFeet})
+            for (const std::vector<Foot>& block : *feet)
+                for (const Foot& foot : block)
+                    out.push_back({foot.place, foot.spacing});
+        return out;
+    }
+    static double spacingAt(const tree::SurfelTree& tree, const Vec3d& x) {
+        std::vector<tree::Neighbour> near;
+        tree.nearest(base::cast<float>(x), 1, near);
+        return static_cast<double>(near[0].block->support(near[0].slot)) * surface::spacingOfUnit;
+    }
+    void round(const std::vector<SeamCurve>& seams) {
+        const FilletSides sides{m_modelSide, m_operandSide, m_operation == Operation::Union,
+                                m_operation != Operation::Intersection};
+        m_fillet.emplace(sides, m_options.fillet, seams, [&](const Vec3d& x) { return spacingAt(m_tree, x); });
+        if (!m_labels)
+            return;
+        m_faces.emplace(m_tree, m_other, m_offset, m_offset + firstFree(m_other), m_fillet->contacts());
+        m_tree = m_faces->in(m_tree);
     }
 
-    void takeAndLabel(const std::vector<std::int8_t>& sides, tree::Edit& edit, Combined& out) {
-        const SeamLabels seam(m_modelSide, m_operandSide, m_operation);
+    void take(tree::Edit& edit, Combined& out) {
         const auto layout = cells::LabelLayout::of(*m_tree.layout());
         struct Changed {
             tree::BlockEdit edit;
             std::size_t atSeam = 0;
+            std::vector<Vec3d> beside;
         };
         std::vector<Changed> changed(m_tree.blockCount());
-        std::vector<std::size_t> first(m_tree.blockCount() + 1, 0);
-        for (std::uint32_t b = 0; b < m_tree.blockCount(); ++b)
-            first[b + 1] = first[b] + static_cast<std::size_t>(m_tree.block(b)->size());
+        const std::vector<std::size_t> first = firstOf(m_tree);
         base::parallelFor(changed.size(), 1, [&](std::size_t b) {
             const surfel::BlockPtr block = m_tree.block(static_cast<std::uint32_t>(b));
             Changed& here = changed[b];
             here.edit.block = static_cast<std::uint32_t>(b);
-            for (int slot = 0; slot < block->size(); ++slot)
-                if (!staysOfModel(m_operation, sides[first[b] + static_cast<std::size_t>(slot)]))
-                    here.edit.removed.set(static_cast<std::size_t>(slot));
-            if (!m_creases || m_other.empty() || !nearOperand(*block))
-                return;
-            surfel::MutableBlockPtr copy;
             for (int slot = 0; slot < block->size(); ++slot) {
-                if (here.edit.removed[static_cast<std::size_t>(slot)])
-                    continue;
-                const auto label =
-                    seam.at(base::cast<double>(block->position(slot)), block->support(slot), layout->at(*block, slot),
-                            [&](const Vec3d& foot) { return nearestCell(m_other, foot, m_offset); });
-                if (!label)
-                    continue;
-                if (!copy)
-                    copy = block->clone();
+                bool stays = staysOfModel(m_operation, m_ofModel[first[b] + static_cast<std::size_t>(slot)]);
+                if (stays && m_fillet) {
+                    const Vec3d x = base::cast<double>(block->position(slot));
+                    const Fillet::Cover cover = m_fillet->cover(false, x);
+                    stays = cover != Fillet::Cover::Taken;
+                    if (cover == Fillet::Cover::Beside)
+                        here.beside.push_back(x);
+                }
+                here.edit.removed[static_cast<std::size_t>(slot)] = !stays;
+            }
+            if (!sharpSeam() || m_modelFeet[b].empty())
+                return;
+            const surfel::MutableBlockPtr copy = block->clone();
+            for (const Foot& foot : m_modelFeet[b]) {
+                const auto slot = static_cast<int>(foot.index - first[b]);
                 std::vector<std::uint32_t> words(block->extraWords());
                 block->extra(slot, words);
-                write(*m_tree.layout(), *label, words);
+                writeLabel(*m_tree.layout(),
+                           besideSeam(layout->at(*block, slot), m_offset + nearestLabel(m_other, foot.place).cell,
+                                      m_operation),
+                           words);
                 copy->setExtra(slot, words);
                 ++here.atSeam;
             }
-            if (copy) {
-                copy->seal();
-                here.edit.changed = copy;
-            }
+            copy->seal();
+            here.edit.changed = copy;
         });
         for (Changed& each : changed) {
             out.removed += each.edit.removed.count();
             out.atSeam += each.atSeam;
+            m_beside.insert(m_beside.end(), each.beside.begin(), each.beside.end());
             if (each.edit.changed || each.edit.removed.any())
                 edit.blocks.push_back(std::move(each.edit));
         }
     }
-    bool nearOperand(const surfel::SurfelBlock& block) const {
-        const base::Box3f box = block.box().inflated(2 * block.maxSupport());
-        return m_operandSide.meets({base::cast<double>(box.lo), base::cast<double>(box.hi)});
-    }
-    static void write(const surfel::AttributeLayout& layout, const Label& label, std::span<std::uint32_t> words) {
-        const std::pair<const char*, double> values[] = {{"cell", label.cell},
-                                                         {"partner", label.partner},
-                                                         {"sign", static_cast<int>(label.meeting)},
-                                                         {"sharpness", label.sharpness},
-                                                         {"face", label.face}};
-        for (const auto& [name, value] : values)
-            if (const surfel::Attribute* attribute = layout.find(name))
-                surfel::write(*attribute, words, value);
-    }
 
-    void insert(const std::vector<std::int8_t>& sides, tree::Edit& edit, Combined& out) {
+    /// The operand's own label among the model's.
+    Label moved(Label label) const {
+        label.cell += m_offset, label.partner += m_offset, label.face += m_offset;
+        if (m_faces)
+            label.face = m_faces->of(label.face);
+        if (m_operation == Operation::Difference)
+            label.meeting = cells::opposite(label.meeting);
+        return label;
+    }
+    void insert(tree::Edit& edit, Combined& out) {
         const surfel::SurfelList all = m_other.surfels();
-        std::vector<std::size_t> kept;
-        for (std::size_t i = 0; i < sides.size(); ++i)
-            if (staysOfOperand(m_operation, sides[i]))
-                kept.push_back(i);
-        std::vector<std::optional<Label>> labels(kept.size());
+        std::vector<std::uint8_t> stays(all.size());
+        base::parallelFor(all.size(), 256, [&](std::size_t i) {
+            stays[i] = staysOfOperand(m_operation, m_ofOperand[i]);
+            if (!stays[i] || !m_fillet)
+                return;
+            const Fillet::Cover cover = m_fillet->cover(true, base::cast<double>(all.items[i].position));
+            stays[i] = cover == Fillet::Cover::Taken ? 0 : cover == Fillet::Cover::Beside ? 2 : 1;
+        });
         const auto own = cells::LabelLayout::of(*all.layout);
-        const SeamLabels seam(m_modelSide, m_operandSide, m_operation);
-        if (m_creases)
-            base::parallelFor(kept.size(), 64, [&](std::size_t k) {
-                const surfel::Surfel& s = all.items[kept[k]];
-                Label label = own ? own->at(all.extraOf(kept[k])) : Label{};
-                label.cell += m_offset, label.partner += m_offset, label.face = label.cell;
-                if (m_operation == Operation::Difference)
-                    label.meeting = cells::opposite(label.meeting);
-                const auto atSeam = seam.at(base::cast<double>(s.position), s.support, label,
-                                            [&](const Vec3d& foot) { return nearestCell(m_tree, foot, 0); });
-                labels[k] = atSeam ? atSeam : label;
-            });
+        std::vector<Label> labels(m_labels ? all.size() : 0);
+        for (std::size_t i = 0; i < labels.size(); ++i)
+            labels[i] = moved(own ? own->at(all.extraOf(i)) : Label{});
+        if (sharpSeam())
+            for (const std::vector<Foot>& block : m_operandFeet)
+                for (const Foot& foot : block)
+                    labels[foot.index] =
+                        besideSeam(labels[foot.index], nearestLabel(m_tree, foot.place).cell, m_operation);
         Translation translation(*all.layout, *m_tree.layout());
-        for (std::size_t k = 0; k < kept.size(); ++k) {
-            surfel::Surfel s = all.items[kept[k]];
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            if (!stays[i])
+                continue;
+            surfel::Surfel s = all.items[i];
+            if (stays[i] == 2)
+                m_beside.push_back(base::cast<double>(s.position));
             if (m_operation == Operation::Difference)
                 s.normal = -s.normal;
-            const std::span<std::uint32_t> words = translation(all.extraOf(kept[k]));
-            if (labels[k])
-                write(*m_tree.layout(), *labels[k], words);
+            const std::span<std::uint32_t> words = translation(all.extraOf(i));
+            if (m_labels)
+                writeLabel(*m_tree.layout(), labels[i], words);
             edit.inserted.append(s, words);
+            ++out.inserted;
         }
-        out.inserted = kept.size();
+    }
+
+    /// What the ball leaves, where none of those that stay stands already.
+    void insertFillet(tree::Edit& edit, Combined& out) const {
+        if (!m_fillet)
+            return;
+        std::vector<FilletPlace> places = m_fillet->places();
+        double widest = 0;
+        for (const FilletPlace& each : places)
+            widest = std::max(widest, each.spacing);
+        base::Box3d box;
+        box.extend(places[0].position);
+        std::vector<process::PointGrid::Entry> entries;
+        for (const Vec3d& x : m_beside) {
+            box.extend(x);
+            entries.push_back({base::cast<float>(x), static_cast<std::uint32_t>(entries.size())});
+        }
+        process::PointGrid stay(base::cast<float>(box.lo), static_cast<float>(std::max(widest, 1e-5 * box.diagonal())));
+        stay.build(entries);
+        Translation translation(*m_other.layout(), *m_tree.layout());
+        for (const FilletPlace& each : places) {
+            constexpr double apart = 0.65; // of a spacing, as in 1.4
+            bool free = true;
+            stay.forNear(base::cast<float>(each.position), static_cast<float>(apart * each.spacing),
+                         [&](const auto& entry) {
+                             free = free && distance(m_beside[entry.index], each.position) >= apart * each.spacing;
+                         });
+            if (free)
+                append(each, translation, edit.inserted), ++out.rounded;
+        }
+        out.inserted += out.rounded;
+    }
+    /// A surfel of the fillet takes after what the ball touches.
+    void append(const FilletPlace& place, Translation& translation, surfel::SurfelList& to) const {
+        std::vector<tree::Neighbour> model, operand;
+        m_tree.nearest(base::cast<float>(place.onModel), 1, model);
+        m_other.nearest(base::cast<float>(place.onOperand), 1, operand);
+        const bool nearModel = place.across < 0.5;
+        const tree::Neighbour& from = nearModel ? model[0] : operand[0];
+        surfel::Surfel s = from.block->surfel(from.slot);
+        s.position = base::cast<float>(place.position);
+        s.normal = base::cast<float>(place.normal);
+        s.support = process::supportOf(m_definition, static_cast<float>(place.spacing));
+        s.mask = 0;
+        std::vector<std::uint32_t> own(from.block->extraWords());
+        from.block->extra(from.slot, own);
+        const std::span<std::uint32_t> words = nearModel ? std::span<std::uint32_t>(own) : translation(own);
+        if (m_labels) {
+            Label label =
+                nearModel ? nearestLabel(m_tree, place.onModel) : moved(nearestLabel(m_other, place.onOperand));
+            label.partner = label.cell;
+            label.meeting = Meeting::None;
+            writeLabel(*m_tree.layout(), label, words);
+        }
+        to.append(s, words);
     }
 
     surface::SurfaceDefinition m_definition;
     Operation m_operation;
-    bool m_creases;
+    CombineOptions m_options;
+    tree::SurfelTree m_other;
+    bool m_labels; ///< surfels carry labels of cells
     tree::SurfelTree m_tree;
     SurfaceSide m_modelSide;
     const Side& m_operandSide;
-    tree::SurfelTree m_other;
+    TwoSides m_sides{[this](const Vec3d& x) { return m_modelSide.at(x); },
+                     [this](const Vec3d& x) { return m_operandSide.at(x); }};
+    std::vector<std::int8_t> m_ofModel, m_ofOperand;
+    std::vector<std::vector<Foot>> m_modelFeet, m_operandFeet;
     std::uint32_t m_offset = 0;
+    std::optional<Fillet> m_fillet;
+    std::optional<JoinedFaces> m_faces;
+    std::vector<Vec3d> m_beside; ///< places of surfels that stay beside a fillet
 };
 
 } // namespace

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/base/progress.h"
-#include "core/solid/side.h"
+#include "core/solid/seam.h"
 
 #include <string_view>
 
@@ -28,17 +28,21 @@ struct Operand {
 
 struct CombineOptions {
     bool creases = true; ///< label both sides of the seam, so that it stays sharp
+    double fillet = 0;   ///< radius of a ball that rounds the seam; 0: it stays sharp
+    bool seams = false;  ///< trace them
 };
 
 struct Combined {
     surface::Surface surface;
-    std::size_t removed = 0;  ///< surfels of the model that went
-    std::size_t inserted = 0; ///< of the operand that came
-    std::size_t atSeam = 0;   ///< surfels beside the seam, where it is a crease
+    std::size_t removed = 0;      ///< surfels of the model that went
+    std::size_t inserted = 0;     ///< of the operand that came
+    std::size_t atSeam = 0;       ///< surfels beside the seam, where it is a crease
+    std::size_t rounded = 0;      ///< surfels of the fillet
+    std::vector<SeamCurve> seams; ///< where both surfaces cross; traced where asked for, or for a fillet
 };
 
 /// The model's surfels that stay keep every bit but their labels. Throws base::Error where the model has no oriented
-/// normals or is a curve, and where nothing would be left; base::Cancelled.
+/// normals or is a curve, where nothing would be left, and where no fillet of that radius fits; base::Cancelled.
 Combined combine(const surface::Surface& model, const Operand& operand, Operation operation,
                  const CombineOptions& options = {}, const base::Progress& progress = {});
 

@@ -84,6 +84,19 @@ SideValue PrimitiveSide::at(const Vec3d& x) const {
     return {m_row.distance(m_size, q), normalized(m_pose.turn * gradient), true};
 }
 
+/// Of an exact distance.
+static SideFoot footBelow(const Vec3d& x, const SideValue& at) {
+    return {x - at.gradient * at.value, at.value, at.gradient, true};
+}
+
+SideFoot PrimitiveSide::foot(const Vec3d& x) const {
+    return footBelow(x, at(x));
+}
+
+SideFoot HalfSpaceSide::foot(const Vec3d& x) const {
+    return footBelow(x, at(x));
+}
+
 bool PrimitiveSide::meets(const base::Box3d& box) const {
     return std::abs(m_row.distance(m_size, m_pose.local(box.centre()))) <= 0.5 * box.diagonal() * (1 + 1e-9);
 }

@@ -47,6 +47,7 @@ class PrimitiveSide : public Side {
         : m_row(row), m_size(size), m_pose(pose) {}
     SideValue at(const base::Vec3d& x) const override;
     bool meets(const base::Box3d& box) const override;
+    SideFoot foot(const base::Vec3d& x) const override;
 
   private:
     const PrimitiveRow& m_row;
@@ -60,6 +61,7 @@ class HalfSpaceSide : public Side {
     HalfSpaceSide(const base::Vec3d& normal, double offset) : m_normal(normal), m_offset(offset) {}
     SideValue at(const base::Vec3d& x) const override { return {dot(m_normal, x) - m_offset, m_normal, true}; }
     bool meets(const base::Box3d& box) const override;
+    SideFoot foot(const base::Vec3d& x) const override;
 
   private:
     base::Vec3d m_normal;

@@ -1,7 +1,7 @@
 #include "core/solid/side.h"
 
 #include "core/base/parallel.h"
-#include "core/cells/cell_value.h"
+#include "core/cells/cell_projection.h"
 #include "core/surface/rays/intersect.h"
 
 namespace solid {
@@ -67,6 +67,25 @@ SideValue SurfaceSide::at(const Vec3d& x) const {
     if (surface::isSurface(at))
         return nearValue(at);
     return {inside(m_surface, place) ? -1.0 : 1.0, {}, false};
+}
+
+SideFoot SurfaceSide::foot(const Vec3d& x) const {
+    surface::ProjectOptions options;
+    options.checkBoundary = false;
+    surface::Projection<double> found;
+    if (m_cells)
+        found = cells::project(*m_cells, x, options).projection;
+    if (!found.ok())
+        found = surface::projectReference(m_surface, x, options);
+    if (!found.ok())
+        return {};
+    const Vec3d up = x - found.foot, normal = normalized(found.at.gradient);
+    const double apart = length(up);
+    // at an edge no cell's gradient leads to x; on the surface nothing else does
+    if (apart < 1e-6 * found.at.unit)
+        return {found.foot, dot(up, normal), normal, true};
+    const double sign = dot(up, normal) < 0 ? -1 : 1;
+    return {found.foot, sign * apart, up * (sign / apart), true};
 }
 
 bool SurfaceSide::meets(const base::Box3d& box) const {

@@ -13,6 +13,14 @@ struct SideValue {
     bool near = false;
 };
 
+/// The place of a surface nearest to somewhere, also far from it.
+struct SideFoot {
+    base::Vec3d foot;
+    double height = 0;    ///< > 0 outside
+    base::Vec3d gradient; ///< unit, of the height
+    bool ok = false;      ///< a foot was found
+};
+
 /// A solid as the half of space that it is not. Immutable; any number of threads may ask.
 class Side {
   public:
@@ -20,6 +28,7 @@ class Side {
     virtual SideValue at(const base::Vec3d& x) const = 0;
     /// May the surface come into the box? False where it certainly does not: all of the box is on one side.
     virtual bool meets(const base::Box3d& box) const = 0;
+    virtual SideFoot foot(const base::Vec3d& x) const = 0;
 };
 
 /// Of oriented surfels. Near their surface f tells, with creases that of the local Boolean; elsewhere the first hits of
@@ -29,6 +38,7 @@ class SurfaceSide : public Side {
     explicit SurfaceSide(surface::Surface surface);
     SideValue at(const base::Vec3d& x) const override;
     bool meets(const base::Box3d& box) const override;
+    SideFoot foot(const base::Vec3d& x) const override;
 
   private:
     surface::Surface m_surface;

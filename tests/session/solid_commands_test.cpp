@@ -25,6 +25,7 @@ const char* const lines[] = {
     R"({"op":"cut","plane":"0,1,0,0.3","keep":"below","cap":false})",
     R"({"op":"solid","sample":"sphere:1500","operation":"difference","position":"0.9,0,0","scale":0.6})",
     R"({"op":"solid","sample":"torus:2000","operation":"union","position":"0.7,0,0","rotation":"90,0,30","creases":false})",
+    R"({"op":"solid","sample":"sphere:2500","operation":"union","position":"1.2,0,0","fillet":0.4,"seams":true})",
     R"({"op":"primitive","shape":"box","size":"0.5,0.6,3","rotation":"10,20,30"})",
     R"({"op":"primitive","shape":"cone","size":"0.5,1.5","position":"0,0,1","operation":"intersection"})",
     R"({"op":"drill","from":"0,0,3","direction":"0.1,0,-1","radius":0.3})",
@@ -68,7 +69,7 @@ void SolidCommandsTest::journalsBringThemBack() {
     session::Journal journal(bench.path("journal.jsonl"));
     bench.context.journal = &journal;
     bench.run(test::newSphere(2500));
-    for (const int line : {6, 0, 9})
+    for (const int line : {4, 7, 10})
         bench.run(json::parse(lines[line]));
     Workbench again;
     session::replay(bench.path("journal.jsonl"), again.context);

@@ -9,7 +9,7 @@
 #include "core/mesh/extent/extent.h"
 #include "core/mesh/marching/marching_cubes.h"
 #include "core/solid/cut.h"
-#include "core/solid/primitive.h"
+#include "placed_shapes.h"
 #include "process/even_shapes.h"
 #include "support/registry.h"
 #include "support/sanitized.h"
@@ -20,6 +20,8 @@
 using base::Vec3d;
 using solid::Operation;
 using std::numbers::pi;
+using test::placed;
+using test::shapeAt;
 
 class CombineTest : public QObject {
     Q_OBJECT
@@ -39,18 +41,6 @@ class CombineTest : public QObject {
 };
 
 namespace {
-
-surfel::SurfelList placed(surfel::SurfelList list, const solid::Pose& pose) {
-    for (surfel::Surfel& s : list.items) {
-        s.position = base::cast<float>(pose.place(base::cast<double>(s.position)));
-        s.normal = base::cast<float>(normalized(pose.turn * base::cast<double>(s.normal)));
-    }
-    return list;
-}
-
-surface::Surface surfaceOf(const char* id, const solid::Size& size, double spacing, const solid::Pose& pose = {}) {
-    return {tree::SurfelTree::build(placed(solid::surfelsOf(solid::primitive(id), size, spacing, {}), pose)), {}};
-}
 
 solid::Combined with(const surface::Surface& model, const char* id, const solid::Size& size, double spacing,
                      const solid::Pose& pose, Operation operation) {
@@ -96,7 +86,7 @@ void CombineTest::primitivesHaveTheirVolume() {
     std::size_t k = 0;
     for (const solid::PrimitiveRow& row : solid::primitiveTable()) {
         const solid::Size& size = sizes[k++];
-        const mesh::Extent extent = mesh::extentOf(surfaceOf(row.id, size, 0.04));
+        const mesh::Extent extent = mesh::extentOf(shapeAt(row.id, size, 0.04));
         const double wanted = row.volume(size);
         const QByteArray told = QString("%1: %2 for %3").arg(row.id).arg(extent.volume).arg(wanted).toUtf8();
         QVERIFY2(extent.closed, told);
@@ -125,9 +115,9 @@ void CombineTest::distancesOfPrimitivesAreHeights() {
 
 void CombineTest::ballsHaveTheVolumeOfTheirLens() {
     constexpr double s = 0.04, apart = 0.9;
-    const surface::Surface ball = surfaceOf("ball", {1, 0, 0}, s);
+    const surface::Surface ball = shapeAt("ball", {1, 0, 0}, s);
     const solid::Pose pose = solid::poseAlong(Vec3d{0.6, 0.64, 0.48} * apart, {0, 0, 1});
-    const surface::Surface other = surfaceOf("ball", {1, 0, 0}, s, pose);
+    const surface::Surface other = shapeAt("ball", {1, 0, 0}, s, pose);
     const double one = 4 * pi / 3, common = lens(1, apart);
     const std::pair<Operation, double> cases[] = {
         {Operation::Union, 2 * one - common}, {Operation::Difference, one - common}, {Operation::Intersection, common}};
@@ -153,7 +143,7 @@ void CombineTest::nothingIsOpenWhateverThePose() {
     constexpr double s = 0.09;
     for (int k = 0; k < poses; ++k) {
         const std::size_t i = random.below(3), j = random.below(3);
-        const surface::Surface model = surfaceOf(shapes[i], sizes[i], s);
+        const surface::Surface model = shapeAt(shapes[i], sizes[i], s);
         const auto operation = static_cast<Operation>(random.below(3));
         const solid::Pose pose = randomPose(random, 0.7);
         solid::Combined result;
@@ -184,7 +174,7 @@ void CombineTest::nothingIsOpenWhateverThePose() {
 }
 
 void CombineTest::aBallDrilledThroughHasOneHandle() {
-    const surface::Surface ball = surfaceOf("ball", {1, 0, 0}, 0.05);
+    const surface::Surface ball = shapeAt("ball", {1, 0, 0}, 0.05);
     const solid::Combined result =
         with(ball, "cylinder", {0.35, 3, 0}, 0.05, solid::poseAlong({0.1, 0, 0}, normalized(Vec3d{1, 2, 2})),
              Operation::Difference);
@@ -197,7 +187,7 @@ void CombineTest::aBallDrilledThroughHasOneHandle() {
 }
 
 void CombineTest::blocksAwayFromTheSeamAreShared() {
-    surface::Surface ball = surfaceOf("ball", {1, 0, 0}, 0.02);
+    surface::Surface ball = shapeAt("ball", {1, 0, 0}, 0.02);
     ball = with(ball, "ball", {0.2, 0, 0}, 0.02, solid::poseAlong({0, 0, 1}, {0, 0, 1}), Operation::Union).surface;
     const surface::Surface twice =
         with(ball, "ball", {0.2, 0, 0}, 0.02, solid::poseAlong({1, 0, 0}, {0, 0, 1}), Operation::Union).surface;
@@ -206,7 +196,7 @@ void CombineTest::blocksAwayFromTheSeamAreShared() {
 
 void CombineTest::bothSidesOfASeamAreItsCells() {
     constexpr double s = 0.05;
-    const solid::Combined result = with(surfaceOf("ball", {1, 0, 0}, s), "ball", {0.7, 0, 0}, s,
+    const solid::Combined result = with(shapeAt("ball", {1, 0, 0}, s), "ball", {0.7, 0, 0}, s,
                                         solid::poseAlong({0.8, 0, 0}, {0, 0, 1}), Operation::Union);
     const surfel::SurfelList all = result.surface.tree().surfels();
     const auto layout = cells::LabelLayout::of(*all.layout);
@@ -227,7 +217,7 @@ void CombineTest::bothSidesOfASeamAreItsCells() {
 void CombineTest::facesThatCoincideStayOnce() {
     constexpr double s = 0.05;
     const solid::Size cube{1, 1, 1};
-    const surface::Surface model = surfaceOf("box", cube, s);
+    const surface::Surface model = shapeAt("box", cube, s);
     const solid::Pose beside = solid::poseAlong({1, 0, 0}, {0, 0, 1}), same;
     const auto atFace = [](const surface::Surface& surface) {
         std::size_t out = 0;
@@ -243,7 +233,7 @@ void CombineTest::facesThatCoincideStayOnce() {
 }
 
 void CombineTest::halfABallHasHalfItsVolume() {
-    const surface::Surface ball = surfaceOf("ball", {1, 0, 0}, 0.04);
+    const surface::Surface ball = shapeAt("ball", {1, 0, 0}, 0.04);
     for (const double offset : {0.0, 0.4}) {
         const solid::Combined half = solid::cutByPlane(ball, {normalized(Vec3d{1, -2, 0.5}), offset});
         const mesh::Extent extent = mesh::extentOf(half.surface);
@@ -286,7 +276,7 @@ void CombineTest::capsAreAsDenseAsTheModelBeside() {
 }
 
 void CombineTest::threadsDoNotShow() {
-    const surface::Surface ball = surfaceOf("ball", {1, 0, 0}, 0.08);
+    const surface::Surface ball = shapeAt("ball", {1, 0, 0}, 0.08);
     const auto hash = [&] {
         return with(ball, "box", {1, 1, 1}, 0.08, solid::poseAlong({0.7, 0, 0}, {0, 0.6, 0.8}), Operation::Difference)
             .surface.tree()
@@ -302,7 +292,7 @@ void CombineTest::threadsDoNotShow() {
 }
 
 void CombineTest::whatLeavesNothingIsRefused() {
-    const surface::Surface ball = surfaceOf("ball", {0.3, 0, 0}, 0.05);
+    const surface::Surface ball = shapeAt("ball", {0.3, 0, 0}, 0.05);
     QVERIFY_EXCEPTION_THROWN(with(ball, "box", {1, 1, 1}, 0.05, {}, Operation::Difference), base::Error);
     for (const bool cap : {false, true})
         try {

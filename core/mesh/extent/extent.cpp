@@ -4,8 +4,6 @@
 #include "core/base/parallel.h"
 #include "core/base/radix_sort.h"
 #include "core/cells/cell_projection.h"
-#include "core/cells/cell_source.h"
-#include "core/cells/cell_surface.h"
 #include "core/mesh/check/topology.h"
 #include "core/mesh/marching/marching_cubes.h"
 #include "core/process/estimation/part_progress.h"
@@ -65,25 +63,8 @@ struct Middle {
     bool flat = true;
 };
 
-/// A surface whose cells are known, where it has any.
-struct Measured {
-    explicit Measured(const surface::Surface& what) : surface(what), cells(cells::CellSurface::of(what)) {}
-
-    /// Do several cells meet around x?
-    bool sharp(const Vec3d& x) const {
-        if (!cells)
-            return false;
-        cells::CellSource source(*cells);
-        source.moveTo(x);
-        return source.count() > 1;
-    }
-
-    const surface::Surface& surface;
-    std::optional<cells::CellSurface> cells;
-};
-
-Middle middleOf(const Measured& measured, const Mesh& mesh, const Edge& edge, bool boundary) {
-    const surface::Surface& surface = measured.surface;
+Middle middleOf(const surface::Surface& surface, const std::optional<cells::CellSurface>& cells, const Mesh& mesh,
+                const Edge& edge, bool boundary) {
     constexpr double farthest = 0.5; ///< of the edge
     const Vec3d &a = mesh.positions[edge.a], &b = mesh.positions[edge.b];
     Middle out{(a + b) / 2};
@@ -103,13 +84,14 @@ Middle middleOf(const Measured& measured, const Mesh& mesh, const Edge& edge, bo
                 take(found.point.position);
         return out;
     }
-    if (measured.sharp(out.position)) {
-        if (const cells::CellFoot found = cells::project(*measured.cells, out.position); found.projection.ok())
-            take(found.projection.foot);
-        return out;
-    }
     surface::ProjectOptions options;
     options.checkBoundary = false;
+    if (cells)
+        if (const cells::CellFoot found = cells::project(*cells, out.position, options);
+            found.mixed && found.projection.ok()) {
+            take(found.projection.foot);
+            return out;
+        }
     for (const surface::OrientationHint& asked : {surface::OrientationHint{}, hint})
         if (const auto found = surface::projectReference(surface, out.position, options, asked); found.ok() && out.flat)
             take(found.foot);
@@ -159,12 +141,12 @@ static Mesh halved(const surface::Surface& surface, const Mesh& mesh, std::size_
                    const base::Progress& progress) {
     constexpr std::size_t slab = 1 << 14;
     const Edges edges(mesh);
-    const Measured measured(surface);
+    const std::optional<cells::CellSurface> cells = cells::CellSurface::of(surface);
     std::vector<Middle> middles(edges.list.size());
     for (std::size_t first = 0; first < middles.size(); first += slab) {
         progress.step(static_cast<double>(first) / static_cast<double>(middles.size()), "Measuring area");
         base::parallelFor(std::min(slab, middles.size() - first), 64, [&](std::size_t i) {
-            middles[first + i] = middleOf(measured, mesh, edges.list[first + i], edges.boundary[first + i] != 0);
+            middles[first + i] = middleOf(surface, cells, mesh, edges.list[first + i], edges.boundary[first + i] != 0);
         });
     }
     Mesh out;

@@ -1,5 +1,6 @@
 // Area and volume of the surface itself (mesh/README 9): of a fine mesh of it whose vertices lie on it, and of the
-// same mesh with every edge halved and the middles put on it, extrapolated to no size of triangles at all.
+// same mesh with every edge halved and the middles put on it, extrapolated to no size of triangles at all. Creases of
+// models with cells are sharp.
 #pragma once
 
 #include "core/base/progress.h"

@@ -13,6 +13,18 @@ void take(Context& context, solid::Combined result, const char* label) {
     context.figures["removed"] = static_cast<double>(result.removed);
     context.figures["inserted"] = static_cast<double>(result.inserted);
     context.figures["at_seam"] = static_cast<double>(result.atSeam);
+    if (result.rounded > 0)
+        context.messages.push_back(std::to_string(result.rounded) + " of those that came round the seam");
+    double length = 0;
+    std::size_t pieces = 0, corners = 0;
+    for (const solid::SeamCurve& seam : result.seams) {
+        length += seam.length();
+        pieces += seam.pieces();
+        corners += seam.corners.size();
+    }
+    context.figures["seam_length"] = length;
+    context.figures["seams"] = static_cast<double>(pieces);
+    context.figures["corners"] = static_cast<double>(corners);
     if (result.removed + result.inserted > 0)
         context.document.commit(std::move(result.surface), label);
 }
@@ -20,6 +32,25 @@ void take(Context& context, solid::Combined result, const char* label) {
 CommandParameter creasesParameter() {
     return {"creases", "boolean", "", "label the points on both sides of seams as cells, so that seams are sharp",
             "true",    "",        0,  0};
+}
+
+CommandParameter filletParameter() {
+    return {"fillet",
+            "number",
+            "model units",
+            "radius of a ball that rolls along the seam and rounds it",
+            "null",
+            "",
+            CommandParameter::positive,
+            CommandParameter::largest};
+}
+
+solid::CombineOptions combineOptions(const nlohmann::json& complete) {
+    solid::CombineOptions out;
+    out.creases = complete.at("creases").get<bool>();
+    if (const auto fillet = complete.find("fillet"); fillet != complete.end())
+        out.fillet = fillet->get<double>();
+    return out;
 }
 
 /// About the axis of that number.

@@ -11,8 +11,11 @@ namespace session {
 /// The result becomes the document's, with a message and figures of what came and went.
 void take(Context& context, solid::Combined result, const char* label);
 
-/// "creases": are seams sharp?
+/// "creases": are seams sharp? "fillet": or rounded by a ball?
 CommandParameter creasesParameter();
+CommandParameter filletParameter();
+/// Of a command that has both.
+solid::CombineOptions combineOptions(const nlohmann::json& complete);
 
 /// "nx,ny,nz,d" in coordinates of the file, relative to the model's origin. Throws base::Error.
 base::Plane planeOf(const std::string& text, const base::Vec3d& origin);

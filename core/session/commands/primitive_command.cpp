@@ -31,8 +31,7 @@ static solid::Combined withPrimitive(Context& context, const solid::PrimitiveRow
         s.normal = base::unitNormal(base::cast<float>(pose.turn * base::cast<double>(s.normal)));
     }
     const solid::PrimitiveSide side(row, size, pose);
-    return solid::combine(model, {side, std::move(surfels)}, operation, {complete.at("creases").get<bool>()},
-                          context.progress);
+    return solid::combine(model, {side, std::move(surfels)}, operation, combineOptions(complete), context.progress);
 }
 
 static void primitive(Context& context, const json& complete) {
@@ -73,6 +72,7 @@ CommandRow primitiveCommand() {
         {"spacing", "number", "model units", "of its points; by default as the model's nearest", "null", "", positive,
          largest},
         creasesParameter(),
+        filletParameter(),
     };
     return {"primitive",
             "Add a shape",
@@ -126,6 +126,7 @@ CommandRow drillCommand() {
         {"depth", "number", "model units", "of its bottom below where the axis meets the model; 0: right through", "0",
          "", 0, largest},
         creasesParameter(),
+        filletParameter(),
     };
     return {"drill", "Drill", "Drills a round hole, through the model or to a depth.", parameters, true, false,
             drill,   nullptr};

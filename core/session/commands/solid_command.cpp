@@ -53,10 +53,11 @@ static void solidWith(Context& context, const json& complete) {
         if (std::isfinite(each->definition().boundaryLimit))
             context.messages.push_back(std::string(each == &model ? "the model" : "the other model") +
                                        " has a boundary: where it is open, inside and outside are a guess");
+    solid::CombineOptions options = combineOptions(complete);
+    options.seams = complete.at("seams").get<bool>();
     take(context,
          solid::combine(model, {side, std::move(surfels)},
-                        solid::operation(complete.at("operation").get<std::string>()),
-                        {complete.at("creases").get<bool>()}, context.progress),
+                        solid::operation(complete.at("operation").get<std::string>()), options, context.progress),
          "Combine");
 }
 
@@ -75,6 +76,9 @@ CommandRow solidCommand() {
          "", 0, 0},
         {"scale", "number", "", "by which it is enlarged first", "1", "", positive, largest},
         creasesParameter(),
+        filletParameter(),
+        {"seams", "boolean", "", "trace the curves where both surfaces cross, and tell their number and length",
+         "false", "", 0, 0},
     };
     return {"solid",
             "Combine solids",
