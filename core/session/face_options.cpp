@@ -23,11 +23,12 @@ std::span<const CommandParameter> faceParameters() {
          "number of samples on the faces, within a percent; by default what the shape needs, at least 100,000", "null",
          "", 4, 200'000'000},
         {"sharp", "number or choice", "degrees",
-         "edges of the faces stay sharp where the normals on both sides differ by more than this; 40 by default",
+         "edges of the faces are sharp where the normals on both sides differ by more than this: samples on each side "
+         "keep their own normals; 40 by default",
          "null", "off", 0, 180},
         {"creases", "boolean", "",
-         "samples of the faces get labels of cells that meet in the sharp edges, for query and intersect; off by "
-         "default",
+         "samples of the faces get labels of cells that meet in the sharp edges, which stay sharp then in pictures, "
+         "meshes, measures, queries and strokes; takes longer; off by default",
          "null", "", 0, 0},
     };
     return rows;

@@ -296,6 +296,9 @@ OpenedFaces openFaces(SurfelList vertices, std::span<const Triangle> triangles,
     out.messages.push_back(counted(topology.triangles.size(), "triangle", "triangles") + " sampled to " +
                            counted(points.size(), "surfel", "surfels") + ", spacing " + rounded(spacing) +
                            "; --faces vertices keeps the " + counted(vertices.size(), "vertex", "vertices") + ".");
+    if (!options.creases && !topology.sharpEdges.empty())
+        out.messages.push_back("Sharp edges of the faces are rounded a little, over about a support; --creases on "
+                               "keeps them sharp.");
     return out;
 }
 
