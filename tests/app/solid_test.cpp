@@ -18,19 +18,19 @@ class SolidTest : public QObject {
     void whatDoesNotFitIsRefused();
 };
 
-static json unionOf(const Program& program, std::vector<std::string> further) {
-    std::vector<std::string> args{"solid",
-                                  "sample:sphere:12000",
-                                  "sample:sphere:12000",
-                                  "-o",
-                                  "both.ply",
-                                  "--op",
-                                  "union",
-                                  "--position",
-                                  "1,0,0",
-                                  "--report",
-                                  "report.json"};
-    args.insert(args.end(), further.begin(), further.end());
+static json unionOf(const Program& program, const QStringList& further) {
+    QStringList args{"solid",
+                     "sample:sphere:12000",
+                     "sample:sphere:12000",
+                     "-o",
+                     "both.ply",
+                     "--op",
+                     "union",
+                     "--position",
+                     "1,0,0",
+                     "--report",
+                     "report.json"};
+    args += further;
     const Outcome outcome = program.run(args);
     if (outcome.code != 0)
         return {{"error", outcome.err}};
@@ -57,10 +57,9 @@ void SolidTest::filletsAddWhatTheBallLeaves() {
 
 void SolidTest::whatDoesNotFitIsRefused() {
     const Program program;
-    const std::vector<std::string> apart{"solid", "sample:sphere:3000", "sample:sphere:3000", "-o",     "both.ply",
-                                         "--op",  "intersection",       "--position",         "1.5,0,0"};
-    std::vector<std::string> args = apart;
-    args.insert(args.end(), {"--fillet", "0.4"});
+    QStringList args{"solid", "sample:sphere:3000", "sample:sphere:3000", "-o",     "both.ply",
+                     "--op",  "intersection",       "--position",         "1.5,0,0"};
+    args += {"--fillet", "0.4"};
     const Outcome outcome = program.run(args);
     QCOMPARE(outcome.code, 1);
     QVERIFY2(outcome.err.find("fillet") != std::string::npos, outcome.err.c_str());
