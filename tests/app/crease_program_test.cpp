@@ -50,8 +50,7 @@ void CreaseProgramTest::cubesAreFound() {
     QCOMPARE(report.at("cells").get<int>(), 6);
     QCOMPARE(report.at("seams").get<int>(), 12);
     QCOMPARE(report.at("corners").get<int>(), 8);
-    // the seams end half a spacing before the corners, whose last surfels are taken for another side's
-    QVERIFY2(std::abs(report.at("length").get<double>() - 12) < 0.25, report.dump().c_str());
+    QVERIFY2(std::abs(report.at("length").get<double>() - 12) < 0.1, report.dump().c_str());
     QCOMPARE(json::parse(program.run({"info", "out.ply", "--json"}).out).at("cells").get<int>(), 6);
     program.write("p.txt", "1.01 0.5 0.5\n1.01 1.01 0.5\n1.01 1.01 1.01\n");
     QCOMPARE(program.run({"query", "out.ply", "--at", "p.txt", "--what", "cell,feature", "-o", "q.csv"}).code, 0);

@@ -13,10 +13,11 @@ using base::Vec3f;
 
 namespace {
 
-constexpr double clearly = 0.12;     ///< spacings by which the patch across is nearer
-constexpr double acrossReach = 2;    ///< spacings: how far off the patch across may begin
-constexpr float nearlyOwn = 0.9986f; ///< cosine of 3 degrees
-constexpr double edgeCosine = 0.966; ///< of 15 degrees: flatter than that both sides still are one surface
+constexpr double clearly = 0.12;      ///< spacings by which the patch across is nearer
+constexpr std::size_t fewestSure = 6; ///< members away from corners that a patch is better fitted to alone
+constexpr double acrossReach = 2;     ///< spacings: how far off the patch across may begin
+constexpr float nearlyOwn = 0.9986f;  ///< cosine of 3 degrees
+constexpr double edgeCosine = 0.966;  ///< of 15 degrees: flatter than that both sides still are one surface
 
 } // namespace
 
@@ -34,6 +35,20 @@ void CellRefit::findPairs() {
         });
 }
 
+/// Are there two other cells beside it? Which of the three it is of is least certain.
+bool CellRefit::atCorner(std::uint32_t i) const {
+    std::uint32_t first = m_cells[i];
+    bool out = false;
+    m_links.forLinks(i, [&](std::uint32_t j, Cut) {
+        if (!parted(m_cells[i], m_cells[j]))
+            return;
+        if (first == m_cells[i])
+            first = m_cells[j];
+        out |= m_cells[j] != first;
+    });
+    return out;
+}
+
 std::uint32_t CellRefit::betterCell(std::uint32_t i) const {
     const double s = m_links.spacing(i);
     std::vector<std::uint32_t> others, members;
@@ -47,8 +62,14 @@ std::uint32_t CellRefit::betterCell(std::uint32_t i) const {
     const auto offOf = [&](std::uint32_t cell) {
         members.clear();
         for (const std::uint32_t j : m_links.near(i))
-            if (m_cells[j] == cell)
+            if (m_cells[j] == cell && !m_atCorner[j])
                 members.push_back(j);
+        if (members.size() < fewestSure) {
+            members.clear();
+            for (const std::uint32_t j : m_links.near(i))
+                if (m_cells[j] == cell)
+                    members.push_back(j);
+        }
         const PatchFit fit = fitPatch(m_links, members, m_links.at(i), base::cast<double>(m_normals[i]), s, m_noise);
         return fit.known ? std::abs(fit.height) : std::numeric_limits<double>::infinity();
     };
@@ -66,6 +87,9 @@ std::uint32_t CellRefit::betterCell(std::uint32_t i) const {
 }
 
 void CellRefit::reassign() {
+    m_atCorner.resize(m_links.size());
+    base::parallelFor(m_atCorner.size(), 1024,
+                      [&](std::size_t i) { m_atCorner[i] = atCorner(static_cast<std::uint32_t>(i)) ? 1 : 0; });
     std::vector<std::uint32_t> better(m_links.size());
     base::parallelFor(better.size(), 256,
                       [&](std::size_t i) { better[i] = betterCell(static_cast<std::uint32_t>(i)); });

@@ -24,6 +24,7 @@ class CellRefit {
     using Pair = std::pair<std::uint32_t, std::uint32_t>;
     void findPairs();
     bool parted(std::uint32_t a, std::uint32_t b) const { return a != b && m_pairs.contains(std::minmax(a, b)); }
+    bool atCorner(std::uint32_t i) const;
     std::uint32_t betterCell(std::uint32_t i) const;
     base::Vec3f ownNormal(std::uint32_t i) const;
 
@@ -32,7 +33,8 @@ class CellRefit {
     std::span<const std::uint32_t> m_faces;
     std::span<const base::Vec3f> m_normals;
     double m_noise;
-    std::set<Pair> m_pairs; ///< of cells with creases between them
+    std::set<Pair> m_pairs;               ///< of cells with creases between them
+    std::vector<std::uint8_t> m_atCorner; ///< of each surfel
 };
 
 } // namespace cells
