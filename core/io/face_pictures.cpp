@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 
 namespace io {
 
@@ -32,7 +33,11 @@ static std::shared_ptr<const mesh::Picture> pictureOf(const PictureName& name, c
         trouble.push_back("The picture " + inQuotes(name.file) + " of faces was left out: " + why);
         return nullptr;
     };
-    const bool inside = !name.bytes.empty();
+    const bool inside = name.inside;
+    if (inside && name.bytes.empty())
+        return leaveOut("it is not in the file");
+    if (left == 0)
+        return leaveOut("all pictures together have too many pixels");
     const fs::path path = besideModel(folder, name.file);
     std::error_code none;
     if (!inside && path.empty())
@@ -41,8 +46,10 @@ static std::shared_ptr<const mesh::Picture> pictureOf(const PictureName& name, c
         return leaveOut("there is no such file beside the model");
     try {
         auto out = std::make_shared<mesh::Picture>(inside ? readPicture(name.bytes, name.file) : readPicture(path));
-        if (out->pixels.empty() || out->pixels.size() > left)
+        if (out->pixels.empty() || out->pixels.size() > left) {
+            left = 0; // or each of the others would be decoded for nothing
             return leaveOut("all pictures together have too many pixels");
+        }
         left -= out->pixels.size();
         out->clamped = name.clamped;
         return out;
@@ -51,20 +58,25 @@ static std::shared_ptr<const mesh::Picture> pictureOf(const PictureName& name, c
     }
 }
 
-void readPictures(FileModel& model, const fs::path& folder, const std::vector<PictureName>& names) {
+void readPictures(FileModel& model, const fs::path& folder, const std::vector<PictureName>& names,
+                  const base::Progress& progress) {
     mesh::Polygons& faces = model.polygons;
     faces.pictures.assign(names.size(), nullptr);
     std::vector<bool> used(names.size());
     for (const std::uint32_t number : faces.pictureOf)
         if (number < names.size())
             used[number] = true;
-    std::map<std::pair<std::string, bool>, std::shared_ptr<const mesh::Picture>> read;
+    // those inside are told apart by where they are
+    std::map<std::tuple<std::string, const char*, std::size_t, bool>, std::shared_ptr<const mesh::Picture>> read;
     std::vector<std::string> trouble;
     std::size_t left = mostPixels;
     for (std::size_t i = 0; i < names.size(); ++i) {
         if (!used[i] || names[i].file.empty())
             continue;
-        const auto [at, fresh] = read.try_emplace({names[i].file, names[i].clamped});
+        progress.step(0.45, "Reading");
+        const PictureName& name = names[i];
+        const auto [at, fresh] = read.try_emplace(
+            {name.inside ? std::string() : name.file, name.bytes.data(), name.bytes.size(), name.clamped});
         if (fresh)
             at->second = pictureOf(names[i], folder, left, trouble);
         faces.pictures[i] = at->second;

@@ -2,6 +2,7 @@
 // elsewhere reads nothing else of the machine.
 #pragma once
 
+#include "core/base/progress.h"
 #include "core/io/file_model.h"
 
 #include <filesystem>
@@ -16,11 +17,13 @@ std::filesystem::path besideModel(const std::filesystem::path& folder, std::stri
 struct PictureName {
     std::string file;
     bool clamped = false;
-    std::string_view bytes = {}; ///< of a picture inside of the model's file; then `file` is its name in messages
+    std::string_view bytes = {}; ///< of a picture inside of the model's file
+    bool inside = false;         ///< it can only be there; then `file` is its name in messages
 };
 
 /// Reads the pictures that faces use into model.polygons.pictures, as many as `names`. One that is missing, broken, too
-/// large or elsewhere is left out with a message; all together may have 2^28 pixels.
-void readPictures(FileModel& model, const std::filesystem::path& folder, const std::vector<PictureName>& names);
+/// large or elsewhere is left out with a message; all together may have 2^28 pixels. Throws base::Cancelled.
+void readPictures(FileModel& model, const std::filesystem::path& folder, const std::vector<PictureName>& names,
+                  const base::Progress& progress = {});
 
 } // namespace io

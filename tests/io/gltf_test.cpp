@@ -16,6 +16,7 @@ class GltfTest : public QObject {
     void mirroredMeshesKeepTheirOutside();
     void picturesInsidePaintFaces();
     void coloursAreLinear();
+    void primitivesMayShareVertices();
     void buffersBesideTheFileAreRead();
     void claimsAreNotBelieved_data();
     void claimsAreNotBelieved();
@@ -178,6 +179,26 @@ void GltfTest::coloursAreLinear() {
     const io::FileModel back = io::read(folder.path("a.glb"));
     for (std::size_t i = 0; i < 256; ++i)
         QCOMPARE(back.points.items[i].colour, model.points.items[i].colour);
+}
+
+/// Two triangles of one list of four vertices, each with a colour of its own: the points of each are its three.
+void GltfTest::primitivesMayShareVertices() {
+    std::string bytes;
+    put<float>(bytes, {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0});
+    put<std::uint32_t>(bytes, {0, 1, 2, 1, 3, 2});
+    const io::FileModel model = readScene(
+        R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"meshes":[{"primitives":[
+            {"attributes":{"POSITION":0},"indices":1,"material":0},{"attributes":{"POSITION":0},"indices":2,"material":1}]}],
+            "materials":[{"pbrMetallicRoughness":{"baseColorFactor":[1,0,0,1]}},{"pbrMetallicRoughness":{"baseColorFactor":[0,0,1,1]}}],
+            "bufferViews":[{"buffer":0,"byteLength":48},{"buffer":0,"byteOffset":48,"byteLength":24}],"accessors":[
+            {"bufferView":0,"componentType":5126,"count":4,"type":"VEC3"},{"bufferView":1,"componentType":5125,"count":3,"type":"SCALAR"},
+            {"bufferView":1,"byteOffset":12,"componentType":5125,"count":3,"type":"SCALAR"}],"buffers":[{"byteLength":72,"uri":")" +
+        embedded(bytes) + R"("}]})");
+    QCOMPARE(model.points.size(), std::size_t(6));
+    QVERIFY(model.polygons.corners == (std::vector<std::uint32_t>{0, 1, 2, 3, 5, 4}));
+    for (std::size_t i = 0; i < 6; ++i)
+        QCOMPARE(model.points.items[i].colour, i < 3 ? surfel::rgba(255, 0, 0) : surfel::rgba(0, 0, 255));
+    QVERIFY(model.points.items[5].position == (base::Vec3f{1, 1, 0})); // in the list's order: 1, 2, 3
 }
 
 void GltfTest::buffersBesideTheFileAreRead() {

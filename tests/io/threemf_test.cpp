@@ -12,6 +12,8 @@ class ThreemfTest : public QObject {
     void partsOfTheirOwnAreFound();
     void coloursOfCornersAreThePointsWhereTheyAgree();
     void coloursOfFacesAreTheFaces();
+    void trianglesMayLeaveOutTheGroup();
+    void picturesAreThoseInside();
     void harmfulPackagesAreRefused_data();
     void harmfulPackagesAreRefused();
 };
@@ -101,6 +103,33 @@ void ThreemfTest::coloursOfFacesAreTheFaces() {
         R"(<item objectid="1"/>)");
     QVERIFY(!model.points.layout->colours);
     QVERIFY(model.polygons.colours == (std::vector<surfel::Colour>{surfel::rgba(255, 0, 0), surfel::rgba(0, 0, 255)}));
+}
+
+/// p1 to p3 are of the object's group then.
+void ThreemfTest::trianglesMayLeaveOutTheGroup() {
+    const io::FileModel model = readModel(
+        R"(<colorgroup id="5"><color color="#FF0000"/><color color="#00FF00"/><color color="#0000FF"/></colorgroup>
+              <object id="1" pid="5" pindex="0"><mesh><vertices><vertex x="0" y="0" z="0"/><vertex x="1" y="0" z="0"/><vertex x="0" y="1" z="0"/></vertices>
+              <triangles><triangle v1="0" v2="1" v3="2" p1="2" p2="1" p3="0"/></triangles></mesh></object>)",
+        R"(<item objectid="1"/>)");
+    QCOMPARE(model.points.items[0].colour, surfel::rgba(0, 0, 255));
+    QCOMPARE(model.points.items[1].colour, surfel::rgba(0, 255, 0));
+    QCOMPARE(model.points.items[2].colour, surfel::rgba(255, 0, 0));
+}
+
+/// A package reads nothing else of the machine, whatever it calls its pictures.
+void ThreemfTest::picturesAreThoseInside() {
+    const test::Folder folder;
+    const std::string elsewhere = folder.write("elsewhere.png", "no picture").string();
+    const io::FileModel model = readModel(
+        R"(<texture2d id="6" path=")" + elsewhere +
+            R"(" contenttype="image/png"/><texture2dgroup id="5" texid="6"><tex2coord u="0" v="0"/></texture2dgroup>
+              <object id="1" pid="5" pindex="0"><mesh><vertices><vertex x="0" y="0" z="0"/><vertex x="1" y="0" z="0"/><vertex x="0" y="1" z="0"/></vertices>
+              <triangles><triangle v1="0" v2="1" v3="2"/></triangles></mesh></object>)",
+        R"(<item objectid="1"/>)");
+    QVERIFY(model.polygons.pictures.empty());
+    QVERIFY2(test::anyContains(model.messages, "it is not in the file"),
+             model.messages.empty() ? "no message" : model.messages.front().c_str());
 }
 
 void ThreemfTest::harmfulPackagesAreRefused_data() {

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <set>
 
 namespace io {
 
@@ -96,8 +97,22 @@ std::int64_t leastOf(ScalarType type) {
                                        : 0;
 }
 
-std::string fieldText(const ChannelColumn& column) {
-    const std::string name = elementName(column.name);
+/// The columns' names in XML, no two the same without their prefixes, by which readers know them.
+std::vector<std::string> elementNames(const std::vector<ChannelColumn>& columns) {
+    const auto bare = [](const std::string& name) { return name.substr(name.rfind(':') + 1); }; // npos + 1 is 0
+    std::set<std::string> taken;
+    std::vector<std::string> out;
+    for (const ChannelColumn& column : columns) {
+        const std::string first = elementName(column.name);
+        std::string name = first;
+        for (int copy = 2; !taken.insert(bare(name)).second; ++copy)
+            name = "pointclay:" + bare(first) + "_" + std::to_string(copy);
+        out.push_back(name);
+    }
+    return out;
+}
+
+std::string fieldText(const ChannelColumn& column, const std::string& name) {
     if (surfel::isReal(column.type))
         return "<" + name + " type=\"Float\"" + (column.type == ScalarType::Float32 ? " precision=\"single\"" : "") +
                "/>\n";
@@ -145,8 +160,9 @@ std::string xmlOf(const FileModel& model, const std::vector<ChannelColumn>& colu
     }
     out += "<points type=\"CompressedVector\" fileOffset=\"" + std::to_string(physical(headSize)) +
            "\" recordCount=\"" + std::to_string(model.points.size()) + "\">\n<prototype type=\"Structure\">\n";
-    for (const ChannelColumn& column : columns)
-        out += fieldText(column);
+    const std::vector<std::string> names = elementNames(columns);
+    for (std::size_t k = 0; k < columns.size(); ++k)
+        out += fieldText(columns[k], names[k]);
     return out + "</prototype>\n<codecs type=\"Vector\" allowHeterogeneousChildren=\"1\"/>\n</points>\n</vectorChild>\n"
                  "</data3D>\n<images2D type=\"Vector\" allowHeterogeneousChildren=\"1\"/>\n</e57Root>\n";
 }

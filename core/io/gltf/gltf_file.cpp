@@ -7,11 +7,6 @@
 
 namespace io::gltf {
 
-namespace {
-
-const char* const fetchAgain = "the file is damaged or was cut off; fetch it again";
-
-/// "a b.bin" of "a%20b.bin".
 std::string withoutPercents(std::string_view uri) {
     std::string out;
     const auto digit = [](char c) {
@@ -29,6 +24,10 @@ std::string withoutPercents(std::string_view uri) {
         }
     return out;
 }
+
+namespace {
+
+const char* const fetchAgain = "the file is damaged or was cut off; fetch it again";
 
 std::optional<ScalarType> typeOf(std::size_t componentType) {
     switch (componentType) {
@@ -61,7 +60,7 @@ std::size_t componentsOf(const std::string& type) {
 } // namespace
 
 double Accessor::at(std::size_t i, std::size_t component) const {
-    const char* const bytes = data + i * stride + component * sizeOf(type);
+    const char* const bytes = data + (rows ? (*rows)[i] : i) * stride + component * sizeOf(type);
     return withType(type, [&]<class T>() {
         const T value = load<T, false>(bytes);
         if constexpr (std::is_integral_v<T>)
@@ -167,6 +166,9 @@ std::string_view GltfFile::bytesOf(const json& buffer, std::size_t number, const
     std::error_code none;
     if (path.empty() || !std::filesystem::is_regular_file(path, none))
         m_file.fail("the file " + inQuotes(uri) + " with its numbers is not beside it", "put it there");
+    for (const auto& each : m_files) // one that is named again is read once
+        if (each->path() == path)
+            return each->bytes();
     return m_files.emplace_back(std::make_unique<FileBytes>(path))->bytes();
 }
 

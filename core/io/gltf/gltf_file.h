@@ -10,12 +10,16 @@
 
 namespace io::gltf {
 
+/// "a b.bin" of "a%20b.bin".
+std::string withoutPercents(std::string_view uri);
+
 /// Values in a buffer that were found to lie inside of it.
 struct Accessor {
     const char* data = nullptr;
     std::size_t count = 0, stride = 0, components = 0;
     ScalarType type = ScalarType::Float32;
-    bool normalised = false; ///< integers are shares of their largest value
+    bool normalised = false;                          ///< integers are shares of their largest value
+    const std::vector<std::uint32_t>* rows = nullptr; ///< which of the values count; null: all
 
     double at(std::size_t i, std::size_t component) const;
     std::uint32_t index(std::size_t i) const { return static_cast<std::uint32_t>(at(i, 0)); }

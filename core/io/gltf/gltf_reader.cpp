@@ -1,15 +1,16 @@
 // glTF 2.0: all meshes and clouds of the file's scene where its nodes place them, with normals, colours and pictures
 // (io/README 2.15).
-#include "core/base/srgb.h"
 #include "core/io/face_pictures.h"
 #include "core/io/file_name.h"
 #include "core/io/gltf/gltf_file.h"
+#include "core/io/gltf/gltf_placement.h"
 #include "core/io/readers.h"
 #include "core/io/scene/scene_points.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 namespace io {
 
@@ -18,57 +19,6 @@ namespace gltf {
 namespace {
 
 constexpr std::uint32_t noPoint = std::numeric_limits<std::uint32_t>::max();
-
-surfel::Colour srgbOf(const std::array<double, 4>& linear) {
-    surfel::Colour out = 0;
-    for (unsigned k = 0; k < 4; ++k) {
-        const double v = std::isfinite(linear[k]) ? std::clamp(linear[k], 0.0, 1.0) : 0;
-        out |= static_cast<surfel::Colour>((k < 3 ? base::srgbOf(v) : v) * 255 + 0.5) << (8 * k);
-    }
-    return out;
-}
-
-/// Of a node: its matrix by columns, or its shift, turn and scale.
-Placement placementOf(const json& node) {
-    const auto numbers = [&](const char* key, auto values) {
-        const json& given = member(node, key);
-        for (std::size_t i = 0; given.is_array() && given.size() == values.size() && i < values.size(); ++i)
-            values[i] = numberOf(given[i], values[i]);
-        return values;
-    };
-    Placement out;
-    if (member(node, "matrix").is_array()) {
-        const auto m = numbers("matrix", std::array<double, 16>{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1});
-        for (int r = 0; r < 3; ++r)
-            for (int c = 0; c < 3; ++c)
-                out.linear[r][c] = m[static_cast<std::size_t>(4 * c + r)];
-        out.shift = {m[12], m[13], m[14]};
-        return out;
-    }
-    const auto t = numbers("translation", std::array<double, 3>{0, 0, 0});
-    const auto q = numbers("rotation", std::array<double, 4>{0, 0, 0, 1});
-    const auto s = numbers("scale", std::array<double, 3>{1, 1, 1});
-    const auto [x, y, z, w] = q;
-    out.linear = {{{1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)},
-                   {2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)},
-                   {2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)}}};
-    for (int r = 0; r < 3; ++r)
-        for (int c = 0; c < 3; ++c)
-            out.linear[r][c] *= s[static_cast<std::size_t>(c)];
-    out.shift = {t[0], t[1], t[2]};
-    return out;
-}
-
-/// Where a corner's place in the picture is, after KHR_texture_transform.
-struct PicturePlace {
-    double offset[2] = {0, 0}, scale[2] = {1, 1}, turn = 0;
-
-    mesh::Polygons::Place operator()(double u, double v) const {
-        const double c = std::cos(turn), s = std::sin(turn), x = u * scale[0], y = v * scale[1];
-        return {static_cast<float>(c * x + s * y + offset[0]),
-                static_cast<float>(1 - (-s * x + c * y + offset[1]))}; // rows from top to bottom
-    }
-};
 
 class Scene {
   public:
@@ -80,7 +30,13 @@ class Scene {
     std::vector<std::size_t> roots() const;
     void walk();
     void addMesh(const json& mesh, const Placement& placement);
-    void addPrimitive(const json& primitive, const Placement& placement);
+    void addPrimitive(const json& primitive, const Placement& placement, bool shared);
+    std::optional<Accessor> cornersOf(const json& primitive) const;
+    void pickRows(const json& primitive);
+    void look(std::size_t i) const { // now and then, whether to go on
+        if (i % 65536 == 0)
+            m_progress.step(0.3, "Reading");
+    }
     void addNormals(const json& attributes, const Placement& placement, std::size_t count, std::size_t first);
     void addColours(const json& primitive, std::size_t count, std::size_t first);
     void addColumns(const json& attributes, std::size_t count, std::size_t first);
@@ -95,8 +51,12 @@ class Scene {
     const base::Progress& m_progress;
     FileModel m_model;
     ScenePoints m_points;
-    bool m_left = false;     ///< primitives of lines
-    bool m_pictured = false; ///< some face has a picture
+    // Of the primitive that is read: its vertex list may serve others, too.
+    std::size_t m_all = 0;             ///< vertices in its list
+    bool m_picked = false;             ///< only those that it uses become points:
+    std::vector<std::uint32_t> m_rows; ///< these, ascending
+    bool m_left = false;               ///< primitives of lines
+    bool m_pictured = false;           ///< some face has a picture
 };
 
 std::vector<std::size_t> Scene::roots() const {
@@ -147,8 +107,14 @@ void Scene::walk() {
 }
 
 void Scene::addMesh(const json& mesh, const Placement& placement) {
+    const auto listOf = [](const json& primitive) {
+        return countOf(member(member(primitive, "attributes"), "POSITION")).value_or(noPoint);
+    };
+    std::map<std::size_t, std::size_t> users;
     for (const json& primitive : member(mesh, "primitives"))
-        addPrimitive(primitive, placement);
+        ++users[listOf(primitive)];
+    for (const json& primitive : member(mesh, "primitives"))
+        addPrimitive(primitive, placement, users[listOf(primitive)] > 1);
 }
 
 std::optional<Accessor> Scene::attribute(const json& attributes, const char* name, std::size_t components,
@@ -156,26 +122,63 @@ std::optional<Accessor> Scene::attribute(const json& attributes, const char* nam
     const auto number = countOf(member(attributes, name));
     if (!number)
         return std::nullopt;
-    const Accessor out = m_from.accessor(*number);
-    if (out.components < components || out.count < count)
+    Accessor out = m_from.accessor(*number);
+    if (out.components < components || out.count < (m_picked ? m_all : count))
         m_from.file().fail("the attribute " + inQuotes(name) + " has not as many numbers as its points need",
                            "the file is damaged; export it again");
+    out.rows = m_picked ? &m_rows : nullptr;
     return out;
 }
 
-void Scene::addPrimitive(const json& primitive, const Placement& placement) {
+/// The numbers of vertices that are its corners; nothing where it takes them in their order.
+std::optional<Accessor> Scene::cornersOf(const json& primitive) const {
+    const auto number = countOf(member(primitive, "indices"));
+    if (!number)
+        return std::nullopt;
+    const Accessor out = m_from.accessor(*number);
+    if (out.normalised || out.components != 1 ||
+        (out.type != ScalarType::UInt8 && out.type != ScalarType::UInt16 && out.type != ScalarType::UInt32))
+        m_from.file().fail("the numbers of corners are no whole numbers", "the file is damaged; export it again");
+    return out;
+}
+
+void Scene::pickRows(const json& primitive) {
+    const std::optional<Accessor> corners = cornersOf(primitive);
+    if (!corners)
+        return;
+    m_points.announce(corners->count);
+    m_rows.clear();
+    for (std::size_t i = 0; i < corners->count; ++i) {
+        look(i);
+        if (corners->index(i) < m_all)
+            m_rows.push_back(corners->index(i));
+    }
+    std::sort(m_rows.begin(), m_rows.end());
+    m_rows.erase(std::unique(m_rows.begin(), m_rows.end()), m_rows.end());
+    m_picked = true;
+}
+
+/// `shared`: others have their vertices in the same list.
+void Scene::addPrimitive(const json& primitive, const Placement& placement, bool shared) {
     const json& attributes = member(primitive, "attributes");
     const std::size_t mode = countOf(member(primitive, "mode")).value_or(4);
-    const std::optional<Accessor> positions = attribute(attributes, "POSITION", 3, 0);
+    m_picked = false;
+    m_points.announce(1); // also without positions, as nodes may repeat it
+    std::optional<Accessor> positions = attribute(attributes, "POSITION", 3, 0);
     if (!positions || (mode >= 1 && mode <= 3) || mode > 6) {
         m_left |= positions.has_value();
         return;
     }
-    const std::size_t count = positions->count;
+    m_all = positions->count;
+    if (shared && mode >= 4)
+        pickRows(primitive);
+    positions->rows = m_picked ? &m_rows : nullptr;
+    const std::size_t count = m_picked ? m_rows.size() : m_all;
     const auto first = m_points.size();
     m_points.announce(count + 1);
     const bool stays = placement.onlyShifts() && placement.shift == base::Vec3d{}; // bit for bit, with the sign of zero
     for (std::size_t i = 0; i < count; ++i) {
+        look(i);
         const base::Vec3d p{positions->at(i, 0), positions->at(i, 1), positions->at(i, 2)};
         m_points.add({stays ? p : placement(p), {}, surfel::white});
     }
@@ -248,17 +251,17 @@ void Scene::addColumns(const json& attributes, std::size_t count, std::size_t fi
 }
 
 void Scene::addFaces(const json& primitive, std::size_t mode, bool mirrored, std::size_t count, std::uint32_t first) {
-    const auto number = countOf(member(primitive, "indices"));
-    const std::optional<Accessor> indices = number ? std::optional(m_from.accessor(*number)) : std::nullopt;
+    const std::optional<Accessor> indices = cornersOf(primitive);
     const std::size_t corners = indices ? indices->count : count;
-    const bool whole = indices && !indices->normalised &&
-                       (indices->type == ScalarType::UInt8 || indices->type == ScalarType::UInt16 ||
-                        indices->type == ScalarType::UInt32);
-    if (indices && (!whole || indices->components != 1))
-        m_from.file().fail("the numbers of corners are no whole numbers", "the file is damaged; export it again");
     m_points.announce(corners); // not points, but as many as are read again for each node
     const auto corner = [&](std::size_t i) {
+        look(i);
         const std::size_t at = indices ? indices->index(i) : i;
+        if (m_picked) {
+            const auto found = std::lower_bound(m_rows.begin(), m_rows.end(), at);
+            return found != m_rows.end() && *found == at ? first + static_cast<std::uint32_t>(found - m_rows.begin())
+                                                         : noPoint;
+        }
         return at < count ? first + static_cast<std::uint32_t>(at) : noPoint;
     };
     mesh::Polygons& faces = m_model.polygons;
@@ -319,7 +322,8 @@ void Scene::takePictures() {
     const json& images = member(m_from.root(), "images");
     for (std::size_t i = 0; i < (images.is_array() ? images.size() : 0); ++i) {
         const std::string uri = textOf(member(images[i], "uri"));
-        PictureName name{uri.starts_with("data:") || uri.empty() ? "image " + std::to_string(i) : uri};
+        PictureName name{uri.starts_with("data:") || uri.empty() ? "image " + std::to_string(i) : withoutPercents(uri)};
+        name.inside = uri.empty() || uri.starts_with("data:") || member(images[i], "bufferView").is_number();
         if (const auto view = countOf(member(images[i], "bufferView")))
             name.bytes = m_from.view(*view);
         else if (uri.starts_with("data:"))
@@ -332,7 +336,7 @@ void Scene::takePictures() {
         if (const auto source = countOf(member(texture, "source")); source && *source < names.size())
             names[*source].clamped |= countOf(member(sampler, "wrapS")) == clampToEdge;
     }
-    readPictures(m_model, m_folder, names);
+    readPictures(m_model, m_folder, names, m_progress);
 }
 
 FileModel Scene::read() {

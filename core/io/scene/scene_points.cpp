@@ -22,6 +22,8 @@ void ScenePoints::set(const std::string& column, ScalarType type, std::size_t fi
     if (m_columns.size() >= mostColumns && !m_columns.contains(column))
         m_file.fail("has more than " + std::to_string(mostColumns) + " attributes", "take some out of it");
     Column& to = m_columns.try_emplace(column, Column{type, {}}).first->second;
+    if (to.type != type) // meshes that do not agree
+        to.type = ScalarType::Float64;
     to.values.resize(first);
     to.values.insert(to.values.end(), values.begin(), values.end());
 }

@@ -97,10 +97,10 @@ void PartReader::triangle(const XmlTag& tag) {
     out.group = idOf(tag["pid"]);
     const std::uint32_t first = idOf(tag["p1"]), second = idOf(tag["p2"]), third = idOf(tag["p3"]);
     out.properties = {first, second == nothing ? first : second, third == nothing ? first : third};
-    if (first == nothing || out.group == nothing) {
+    if (first == nothing || out.group == nothing) // what the triangle does not tell is the object's
         out.group = m_object->group;
+    if (first == nothing)
         out.properties.fill(m_object->property);
-    }
     m_object->triangles.push_back(out);
 }
 
@@ -141,23 +141,35 @@ void PartReader::end(std::string_view name) {
         m_group = nullptr;
 }
 
-void parse(const FileBytes& file, const ZipEntry& entry, XmlStream& xml, const base::Progress& progress) {
+void parse(const FileBytes& file, const ZipEntry& entry, XmlStream& xml, std::size_t& left,
+           const base::Progress& progress) {
     bool good = true;
-    unpackEntry(file, entry, progress, [&](std::string_view piece) { good = good && xml.take(piece, false); });
+    unpackWithin(file, entry, left, progress, [&](std::string_view piece) { good = good && xml.take(piece, false); });
     if (!good || !xml.take({}, true))
         file.fail(inQuotes(entry.name) + " in it is no XML", damaged);
 }
 
 } // namespace
 
-Part readPart(const FileBytes& file, const ZipEntry& entry, const base::Progress& progress) {
+void unpackWithin(const FileBytes& file, const ZipEntry& entry, std::size_t& left, const base::Progress& progress,
+                  const std::function<void(std::string_view)>& sink) {
+    unpackEntry(file, entry, progress, [&](std::string_view piece) {
+        if (piece.size() > left)
+            file.fail("becomes too long when all of it is unpacked", "do not open it, unless you trust it");
+        left -= piece.size();
+        sink(piece);
+    });
+}
+
+Part readPart(const FileBytes& file, const ZipEntry& entry, std::size_t& left, const base::Progress& progress) {
     PartReader reader(file);
     XmlStream xml([&](const XmlTag& tag) { reader.begin(tag); }, [&](std::string_view name) { reader.end(name); });
-    parse(file, entry, xml, progress);
+    parse(file, entry, xml, left, progress);
     return reader.take();
 }
 
-std::string rootPart(const FileBytes& file, const std::vector<ZipEntry>& entries, const base::Progress& progress) {
+std::string rootPart(const FileBytes& file, const std::vector<ZipEntry>& entries, std::size_t& left,
+                     const base::Progress& progress) {
     std::string out;
     for (const ZipEntry& entry : entries)
         if (entry.name == "_rels/.rels") {
@@ -166,7 +178,8 @@ std::string rootPart(const FileBytes& file, const std::vector<ZipEntry>& entries
                     out = entryName(tag["Target"]);
             };
             XmlStream xml(begin, [](std::string_view) {});
-            parse(file, entry, xml, progress);
+            parse(file, entry, xml, left, progress);
+            break;
         }
     return out;
 }

@@ -7,6 +7,7 @@
 #include "core/io/xml_stream.h"
 
 #include <array>
+#include <functional>
 #include <map>
 
 namespace io::threemf {
@@ -53,10 +54,16 @@ struct Part {
     std::vector<Placed> build;
 };
 
-/// Throws base::Error where the entry is damaged or is no XML; base::Cancelled.
-Part readPart(const FileBytes& file, const ZipEntry& entry, const base::Progress& progress);
+/// `left` is how many bytes all entries together may still become; it is counted down. Throws base::Error where they
+/// become more, and where the entry is damaged; base::Cancelled.
+void unpackWithin(const FileBytes& file, const ZipEntry& entry, std::size_t& left, const base::Progress& progress,
+                  const std::function<void(std::string_view)>& sink);
+
+/// Throws as unpackWithin does, and base::Error where the entry is no XML.
+Part readPart(const FileBytes& file, const ZipEntry& entry, std::size_t& left, const base::Progress& progress);
 
 /// The name of the entry that the build stands in; empty where the package does not tell.
-std::string rootPart(const FileBytes& file, const std::vector<ZipEntry>& entries, const base::Progress& progress);
+std::string rootPart(const FileBytes& file, const std::vector<ZipEntry>& entries, std::size_t& left,
+                     const base::Progress& progress);
 
 } // namespace io::threemf

@@ -1,10 +1,12 @@
 // 3MF: all that the package is to build, placed as its items and components say, with colours and pictures
 // (io/README 2.16).
 #include "core/io/face_pictures.h"
+#include "core/io/packed/inflate.h"
 #include "core/io/readers.h"
 #include "core/io/threemf/threemf_parts.h"
 
 #include <algorithm>
+#include <map>
 
 namespace io {
 
@@ -28,10 +30,15 @@ class Package {
     std::uint32_t pictureOf(const std::string& in, std::uint32_t id);
     void colour();
     void takePictures();
+    void look(std::size_t i) const { // now and then, whether to go on
+        if (i % 65536 == 0)
+            m_progress.step(0.4, "Reading");
+    }
 
     const FileBytes& m_file;
     const base::Progress& m_progress;
     std::vector<ZipEntry> m_entries;
+    std::size_t m_left = mostInflated(m_file.size()); ///< bytes that entries may still become
     std::map<std::string, Part> m_parts;
     FileModel m_model;
     ScenePoints m_points;
@@ -47,7 +54,7 @@ const Part& Package::part(const std::string& name) {
         return known->second;
     for (const ZipEntry& entry : m_entries)
         if (entry.name == name)
-            return m_parts[name] = readPart(m_file, entry, m_progress);
+            return m_parts[name] = readPart(m_file, entry, m_left, m_progress);
     m_file.fail("has no part " + inQuotes(name) + ", or it is encrypted", damaged);
 }
 
@@ -71,11 +78,15 @@ void Package::build(const std::string& in, const Placed& placed, const Placement
 void Package::addMesh(const std::string& in, const Object& object, const Placement& placement) {
     m_points.announce(std::max(object.vertices.size(), object.triangles.size()));
     const std::uint32_t first = m_points.size();
-    for (const base::Vec3d& vertex : object.vertices)
-        m_points.add({placement(vertex), {}, surfel::white});
+    for (std::size_t i = 0; i < object.vertices.size(); ++i) {
+        look(i);
+        m_points.add({placement(object.vertices[i]), {}, surfel::white});
+    }
     const bool mirrored = placement.mirrors();
     mesh::Polygons& faces = m_model.polygons;
-    for (const Triangle& triangle : object.triangles) {
+    for (std::size_t i = 0; i < object.triangles.size(); ++i) {
+        look(i);
+        const Triangle& triangle = object.triangles[i];
         for (std::size_t k = 0; k < 3; ++k) {
             const std::uint32_t corner = triangle.corners[mirrored ? 2 - k : k];
             faces.corners.push_back(corner < object.vertices.size() ? first + corner : nothing);
@@ -129,6 +140,7 @@ void Package::colour() {
     std::vector<bool> met(m_points.size());
     bool agree = true;
     for (std::size_t i = 0; agree && i < faces.corners.size(); ++i) {
+        look(i);
         const std::uint32_t at = faces.corners[i];
         if (at == nothing)
             continue;
@@ -149,19 +161,24 @@ void Package::takePictures() {
         faces.places.clear();
         return;
     }
-    std::vector<std::string> contents(m_pictures.size());
+    std::map<std::string, std::string> contents; // of entries, which many pictures may be
     std::vector<PictureName> names;
-    for (std::size_t i = 0; i < m_pictures.size(); ++i) {
-        for (const ZipEntry& entry : m_entries)
-            if (entry.name == m_pictures[i].entry)
-                contents[i] = unpackedEntry(m_file, entry, m_progress);
-        names.push_back({m_pictures[i].entry, m_pictures[i].clamped, contents[i]});
+    for (const Picture& picture : m_pictures) {
+        m_progress.step(0.45, "Reading");
+        const auto [at, fresh] = contents.try_emplace(picture.entry);
+        for (auto entry = m_entries.begin(); fresh && entry != m_entries.end(); ++entry)
+            if (entry->name == picture.entry) {
+                const auto append = [&to = at->second](std::string_view piece) { to.append(piece); };
+                unpackWithin(m_file, *entry, m_left, m_progress, append);
+                break;
+            }
+        names.push_back({picture.entry, picture.clamped, at->second, true});
     }
-    readPictures(m_model, "/", names);
+    readPictures(m_model, {}, names, m_progress);
 }
 
 FileModel Package::read() {
-    std::string root = rootPart(m_file, m_entries, m_progress);
+    std::string root = rootPart(m_file, m_entries, m_left, m_progress);
     for (const ZipEntry& entry : m_entries) // where the package does not tell
         if (root.empty() && entry.name.ends_with(".model"))
             root = entry.name;
