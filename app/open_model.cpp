@@ -34,4 +34,13 @@ void openModel(session::Context& context, const std::string& model, const nlohma
     context.messages.clear();
 }
 
+surface::Surface shifted(const surface::Surface& surface, const base::Vec3d& by) {
+    if (by == base::Vec3d{})
+        return surface;
+    surfel::SurfelList list = surface.tree().surfels();
+    for (surfel::Surfel& surfel : list.items)
+        surfel.position = base::cast<float>(base::cast<double>(surfel.position) + by);
+    return {tree::SurfelTree::build(list), surface.definition()};
+}
+
 } // namespace app

@@ -18,4 +18,7 @@ io::FileModel readModel(const std::string& model, const base::Progress& progress
 /// console.
 void openModel(session::Context& context, const std::string& model, const nlohmann::json& surface, Console& console);
 
+/// Models are kept relative to origins of their own: one beside another is moved by the difference.
+surface::Surface shifted(const surface::Surface& surface, const base::Vec3d& by);
+
 } // namespace app

@@ -49,13 +49,7 @@ surface::Surface referenceOf(const std::string& path, const session::Document& d
     session::Context context{other, {}, console.progress(), {}, 0, {}, nullptr};
     openModel(context, path, parameters, console);
     const base::Vec3d shift = other.provenance().origin - document.provenance().origin;
-    const surface::Surface& found = other.surface();
-    if (shift == base::Vec3d{})
-        return found;
-    surfel::SurfelList moved = found.tree().surfels();
-    for (surfel::Surfel& surfel : moved.items)
-        surfel.position = base::cast<float>(base::cast<double>(surfel.position) + shift);
-    return {tree::SurfelTree::build(moved), found.definition()};
+    return shifted(other.surface(), shift);
 }
 
 } // namespace

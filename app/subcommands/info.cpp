@@ -92,6 +92,7 @@ ordered_json describe(session::OpenedFile from, const base::Progress& progress, 
     out["dropped"] = model.dropped;
     out["merged"] = 0;
     out["cells"] = 0;
+    out["shapes"] = false; // supports are balls
     out["format"] = model.format;
     describeSurface(out, std::move(from), process::part(progress, 0.5, 1), console);
     return out;

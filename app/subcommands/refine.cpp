@@ -24,12 +24,13 @@ struct Options {
 };
 
 /// The refined model beside the one that was reduced: its points to the new surface, as `reduce` tells it.
-reduce::Report compared(const Options& options, const surface::Surface& refined, const base::Progress& progress,
-                        Console& console) {
+reduce::Report compared(const Options& options, const surface::Surface& refined, const base::Vec3d& origin,
+                        const base::Progress& progress, Console& console) {
     session::Document document;
     session::Context context{document, {}, process::part(progress, 0, 0.5), {}, 0, {}, nullptr};
     openModel(context, options.against, options.surface->parameters(), console);
-    return reduce::verifyAgainst(document.surface(), refined, process::part(progress, 0.5, 1));
+    const surface::Surface model = shifted(document.surface(), document.provenance().origin - origin);
+    return reduce::verifyAgainst(model, refined, process::part(progress, 0.5, 1));
 }
 
 void run(const Options& options, Console& console) {
@@ -46,7 +47,8 @@ void run(const Options& options, Console& console) {
     reduce::Refined result = reduce::refine(document.surface(), spacing, process::part(progress, 0.1, 0.7));
     const reduce::Report report = options.against.empty()
                                       ? result.report
-                                      : compared(options, result.surface, process::part(progress, 0.7, 0.95), console);
+                                      : compared(options, result.surface, document.provenance().origin,
+                                                 process::part(progress, 0.7, 0.95), console);
     document.commit(std::move(result.surface), "Refine");
     io::write(options.out, document.fileModel(), process::part(progress, 0.95, 1));
     if (!options.report.empty())

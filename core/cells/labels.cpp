@@ -1,5 +1,7 @@
 #include "core/cells/labels.h"
 
+#include "core/base/error.h"
+
 #include <algorithm>
 #include <cassert>
 
@@ -52,7 +54,14 @@ Label LabelLayout::at(std::span<const std::uint32_t> words) const {
     return out;
 }
 
-void setLabels(surfel::SurfelList& surfels, std::span<const Label> labels) {
+void requireNames(const surfel::AttributeLayout& layout) {
+    for (const char* name : {"cell", "partner", "sign", "sharpness", "face"})
+        if (const surfel::Attribute* found = layout.find(name); found && surfel::isReal(found->type))
+            throw base::Error(std::string("the model has an attribute called ") + name + " that holds other numbers",
+                              {}, "rename it in the file");
+}
+
+void setLabels(surfel::SurfelList& surfels, std::span<const Label> labels, bool whole) {
     assert(labels.size() == surfels.size());
     const bool faded = std::any_of(labels.begin(), labels.end(), [](const Label& l) { return l.sharpness != 255; });
     const bool faces = std::any_of(labels.begin(), labels.end(), [](const Label& l) { return l.face != l.cell; });
@@ -65,9 +74,9 @@ void setLabels(surfel::SurfelList& surfels, std::span<const Label> labels) {
     need("cell", surfel::ScalarType::UInt32);
     need("partner", surfel::ScalarType::UInt32);
     need("sign", surfel::ScalarType::UInt8);
-    if (faded)
+    if (faded || whole)
         need("sharpness", surfel::ScalarType::UInt8);
-    if (faces)
+    if (faces || whole)
         need("face", surfel::ScalarType::UInt32);
     const std::size_t words = layout->words();
     std::vector<std::uint32_t> extra(words * surfels.size());

@@ -54,9 +54,12 @@ class LabelLayout {
     std::optional<std::size_t> m_sharpness, m_face;
 };
 
+/// Throws base::Error where an attribute of a label's name holds reals: it is not ours.
+void requireNames(const surfel::AttributeLayout& layout);
+
 /// Adds labels to surfels, one for each: the attributes that are missing, sharpness and faces only where they tell
-/// something. What is there under these names is overwritten; an attribute of that name that holds reals is not ours,
-/// and std::nullopt of `LabelLayout::of` tells.
-void setLabels(surfel::SurfelList& surfels, std::span<const Label> labels);
+/// something, or where the `whole` label is wanted. What is there under these names is overwritten; an attribute of that
+/// name that holds reals is not ours, and std::nullopt of `LabelLayout::of` tells.
+void setLabels(surfel::SurfelList& surfels, std::span<const Label> labels, bool whole = false);
 
 } // namespace cells

@@ -1,5 +1,6 @@
 #include "core/cells/seams.h"
 
+#include "core/base/cancel_scope.h"
 #include "core/base/cells.h"
 #include "core/base/parallel.h"
 #include "core/cells/feet.h"
@@ -47,14 +48,16 @@ class PairTracer {
         for (const Start& start : starts)
             reach = std::max(reach, taken * start.spacing);
         for (const Start& start : starts) {
+            base::CancelScope::check();
             const auto at = footNear(start.position, start.spacing, farthestFoot * start.spacing);
             if (!at || isTaken(*at, start.spacing, reach))
                 continue;
             Seam seam{m_pair.first, m_pair.second, {}, false, start.spacing};
             std::vector<Vec3d> back;
-            seam.closed = march(*at, 1, start.spacing, seam.points);
+            const Vec3d way = tangent(*at); // of this foot: marching forgets it
+            seam.closed = march(*at, way, start.spacing, seam.points);
             if (!seam.closed)
-                march(*at, -1, start.spacing, back);
+                march(*at, -way, start.spacing, back);
             std::reverse(back.begin(), back.end());
             back.push_back(*at);
             seam.points.insert(seam.points.begin(), back.begin(), back.end());
@@ -137,10 +140,11 @@ class PairTracer {
             cross(m_source.at(i, Need::Gradient).gradient, m_source.at(j, Need::Gradient).gradient));
     }
     /// Appends points behind `start`. True where it comes back to it.
-    bool march(const Vec3d& start, double direction, double spacing, std::vector<Vec3d>& out) {
+    bool march(const Vec3d& start, Vec3d way, double spacing, std::vector<Vec3d>& out) {
         const std::size_t before = out.size();
-        Vec3d p = start, way = tangent(p) * direction;
+        Vec3d p = start;
         for (double step = stepLength * spacing; step > shortestStep * spacing;) {
+            base::CancelScope::check();
             const auto next = footNear(p + way * step, spacing, step);
             Vec3d turned = next ? tangent(*next) : Vec3d();
             if (dot(turned, way) < 0)

@@ -18,6 +18,8 @@ namespace {
 constexpr double power = 1 / 3.6;
 /// Of the middle of all: less is no reason to take samples away.
 constexpr double least = 0.1;
+/// Of the mean: where most of the model is exact, errors by rounding are none.
+constexpr double leastOfMean = 1e-4;
 /// Shares change at most so much, either way.
 constexpr double fewer = 0.6, more = 3;
 constexpr std::size_t smoothedOver = 8;
@@ -28,7 +30,7 @@ constexpr float farthest = 0.3f;
 constexpr float flattest = 0.05f;
 constexpr float slack = 0.1f;
 
-surface::Surface surfaceOf(const Sites& sites, bool oriented) {
+surface::Surface surfaceOf(const Sites& sites, bool oriented, bool oneSheet) {
     auto layout = std::make_shared<surfel::AttributeLayout>();
     layout->normals = true;
     layout->oriented = oriented;
@@ -42,12 +44,13 @@ surface::Surface surfaceOf(const Sites& sites, bool oriented) {
     }
     surface::SurfaceDefinition definition;
     definition.neighbours = static_cast<int>(supportsOver);
+    definition.oneSheet = oneSheet;
     return {tree::SurfelTree::build(list), definition};
 }
 
 /// Squared distance of the sites' surface at each place times the area that it stands for, summed over the places of
 /// each site.
-std::vector<double> sumsOfSquares(const Places& places, const Sites& sites, const NumberedTree& tree) {
+std::vector<double> sumsOfSquares(const Places& places, const Sites& sites, const NumberedTree& tree, bool oneSheet) {
     std::vector<std::uint32_t> site(places.size());
     std::vector<float> square(places.size());
     base::parallelChunks(places.size(), 512, [&](std::size_t begin, std::size_t end, std::size_t) {
@@ -60,7 +63,7 @@ std::vector<double> sumsOfSquares(const Places& places, const Sites& sites, cons
             site[i] = NumberedTree::number(own == near.end() ? near.front() : *own);
         }
     });
-    surface::forPackets(surfaceOf(sites, places.oriented), places.position, slack,
+    surface::forPackets(surfaceOf(sites, places.oriented, oneSheet), places.position, slack,
                         [&](surface::Source& source, std::size_t i) {
                             const surface::Evaluationf e =
                                 source.evaluate(places.position[i], surface::Need::Gradient, {places.normal[i]});
@@ -97,11 +100,12 @@ std::vector<double> smoothed(const std::vector<double>& log, const Places& place
 } // namespace
 
 std::vector<float> sharesByResult(const Places& places, const Sites& sites, std::vector<float> shares,
-                                  std::size_t count) {
+                                  std::size_t count, bool oneSheet) {
     const NumberedTree tree(sites.position, sites.normal, {});
-    std::vector<double> log = sumsOfSquares(places, sites, tree);
+    std::vector<double> log = sumsOfSquares(places, sites, tree, oneSheet);
     std::vector<double> sums = log;
-    const double typical = std::max(process::middleOf(sums), 1e-300);
+    const double mean = std::accumulate(log.begin(), log.end(), 0.0) / static_cast<double>(log.size());
+    const double typical = std::max({process::middleOf(sums), leastOfMean * mean, 1e-300});
     for (double& each : log)
         each = std::log(std::max(each / typical, least));
     for (int k = 0; k < smoothings; ++k)

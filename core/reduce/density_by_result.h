@@ -6,9 +6,9 @@
 
 namespace reduce {
 
-/// The shares that made `sites`, more where their surface errs more than elsewhere; together `count` again. In
-/// parallel; the same bits at any thread count. Throws base::Cancelled.
+/// The shares that made `sites`, more where their surface errs more than elsewhere; together `count` again; `oneSheet`
+/// as the reduced model will have it. In parallel; the same bits at any thread count. Throws base::Cancelled.
 std::vector<float> sharesByResult(const Places& places, const Sites& sites, std::vector<float> shares,
-                                  std::size_t count);
+                                  std::size_t count, bool oneSheet);
 
 } // namespace reduce

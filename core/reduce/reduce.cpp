@@ -78,7 +78,7 @@ Sites sitesOf(Ground& ground, std::size_t count, bool keepTree, const base::Prog
         return sites;
     };
     const Sites first = fitted(ground.tree, 0.1);
-    shares = sharesByResult(places, first, std::move(shares), count);
+    shares = sharesByResult(places, first, std::move(shares), count, ground.dense.surface.definition().oneSheet);
     return fitted(keepTree ? ground.tree : std::move(ground.tree), 0.55);
 }
 

@@ -76,7 +76,7 @@ class Combining {
           m_other(operand.surfels.size() > 0 ? tree::SurfelTree::build(operand.surfels) : tree::SurfelTree()),
           m_labels(options.creases &&
                    (!(options.fillet > 0) || hasLabels(model.tree()) || (!m_other.empty() && hasLabels(m_other)))),
-          m_tree(m_labels ? labelled(model.tree()) : model.tree()), m_modelSide(surface::Surface(m_tree, m_definition)),
+          m_tree(m_labels ? labelled(model.tree(), m_other) : model.tree()), m_modelSide(surface::Surface(m_tree, m_definition)),
           m_operandSide(operand.side) {}
 
     Combined run(const base::Progress& progress) {
@@ -191,7 +191,7 @@ class Combining {
                 bool stays = staysOfModel(m_operation, m_ofModel[first[b] + static_cast<std::size_t>(slot)]);
                 if (stays && m_fillet) {
                     const Vec3d x = base::cast<double>(block->position(slot));
-                    const Fillet::Cover cover = m_fillet->cover(false, x);
+                    const Fillet::Cover cover = m_fillet->cover(false, x, base::cast<double>(block->normal(slot)));
                     stays = cover != Fillet::Cover::Taken;
                     if (cover == Fillet::Cover::Beside)
                         here.beside.push_back(x);
@@ -240,7 +240,8 @@ class Combining {
             stays[i] = staysOfOperand(m_operation, m_ofOperand[i]);
             if (!stays[i] || !m_fillet)
                 return;
-            const Fillet::Cover cover = m_fillet->cover(true, base::cast<double>(all.items[i].position));
+            const Fillet::Cover cover = m_fillet->cover(true, base::cast<double>(all.items[i].position),
+                                                        base::cast<double>(all.items[i].normal));
             stays[i] = cover == Fillet::Cover::Taken ? 0 : cover == Fillet::Cover::Beside ? 2 : 1;
         });
         const auto own = cells::LabelLayout::of(*all.layout);

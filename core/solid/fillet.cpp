@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace solid {
@@ -50,6 +51,19 @@ Fillet::Station Fillet::station(const SeamPoint& middle, double spacing) const {
     }
     const double half = 0.5 * std::acos(std::clamp(dot(rises[0], rises[1]), -1.0, 1.0));
     out.reach = 1.5 * m_radius * std::tan(std::min(half, 1.5)) + 2 * spacing;
+    return out;
+}
+
+/// Bent surfaces are touched farther from the seam than planes are.
+double Fillet::farthestTouch(const Station& station, const std::vector<SeamCurve>& seams) {
+    double out = 0;
+    for (const Vec3d& touch : station.touch) {
+        double nearest = std::numeric_limits<double>::infinity();
+        for (const SeamCurve& seam : seams)
+            for (const SeamPoint& p : seam.points)
+                nearest = std::min(nearest, distance(p.position, touch));
+        out = std::max(out, nearest);
+    }
     return out;
 }
 
@@ -101,8 +115,9 @@ Fillet::Fillet(const FilletSides& sides, double radius, const std::vector<SeamCu
         m_ways.push_back(wayAlong(spine, spacingAt));
     std::vector<process::PointGrid::Entry> entries[2];
     base::Box3d box;
-    for (const Way& way : m_ways)
-        for (const Station& each : way) {
+    for (Way& way : m_ways)
+        for (Station& each : way) {
+            each.reach = std::max(each.reach, farthestTouch(each, seams) + 2 * each.spacing);
             for (int k = 0; k < 2; ++k) {
                 entries[k].push_back({base::cast<float>(each.touch[k]), static_cast<std::uint32_t>(m_stations.size())});
                 box.extend(each.touch[k]);
@@ -116,12 +131,15 @@ Fillet::Fillet(const FilletSides& sides, double radius, const std::vector<SeamCu
     }
 }
 
-Fillet::Cover Fillet::cover(bool ofOperand, const Vec3d& x) const {
+Fillet::Cover Fillet::cover(bool ofOperand, const Vec3d& x, const Vec3d& normal) const {
     const int k = ofOperand ? 1 : 0;
+    const Vec3d rise = (ofOperand ? m_sides.outsideOperand : m_sides.outsideModel) ? normal : -normal;
     const Station* nearest = nullptr;
     double least = m_reach;
     m_touches[k].forNear(base::cast<float>(x), static_cast<float>(m_reach), [&](const auto& entry) {
         const Station* each = m_stations[entry.index];
+        if (dot(rise, ofOperand ? each->middle.risesB : each->middle.risesA) <= 0)
+            return; // of another wall
         if (const double apart = distance(each->touch[k], x); apart < least)
             least = apart, nearest = each;
     });

@@ -41,7 +41,8 @@ class Fillet {
         Beside,
         Taken ///< between the seam and where the ball touches
     };
-    Cover cover(bool ofOperand, const base::Vec3d& x) const;
+    /// `normal`: outwards, of that surface at x.
+    Cover cover(bool ofOperand, const base::Vec3d& x, const base::Vec3d& normal) const;
 
     /// About one spacing apart, from where the ball touches one surface to where it touches the other.
     std::vector<FilletPlace> places() const;
@@ -60,6 +61,7 @@ class Fillet {
 
     TwoSides heights() const;
     Station station(const SeamPoint& middle, double spacing) const;
+    static double farthestTouch(const Station& station, const std::vector<SeamCurve>& seams);
     Way wayAlong(const SeamCurve& spine, const std::function<double(const base::Vec3d&)>& spacingAt) const;
     base::Vec3d towards(const SeamPoint& middle, double across) const;
     FilletPlace place(const Station& station, double across) const;

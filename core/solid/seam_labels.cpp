@@ -1,7 +1,7 @@
 #include "core/solid/seam_labels.h"
 
 #include "core/base/disjoint_sets.h"
-#include "core/tree/tree_shape.h"
+#include "core/cells/creases/labelled_surface.h"
 
 #include <algorithm>
 
@@ -10,12 +10,20 @@ namespace solid {
 using base::Vec3d;
 using cells::Label;
 
-tree::SurfelTree labelled(const tree::SurfelTree& tree) {
-    if (cells::LabelLayout::of(*tree.layout()))
+tree::SurfelTree labelled(const tree::SurfelTree& tree, const tree::SurfelTree& other) {
+    cells::requireNames(*tree.layout());
+    const auto own = cells::LabelLayout::of(*tree.layout());
+    const bool others = !other.empty() && cells::LabelLayout::of(*other.layout());
+    const auto lacks = [&](const char* name) { return other.layout()->find(name) && !tree.layout()->find(name); };
+    const bool whole = others && (lacks("sharpness") || lacks("face"));
+    if (own && !whole)
         return tree;
     surfel::SurfelList list = tree.surfels();
-    cells::setLabels(list, std::vector<Label>(list.size()));
-    return tree::SurfelTree::build(list, tree.shape());
+    std::vector<Label> labels(list.size());
+    for (std::size_t i = 0; own && i < labels.size(); ++i)
+        labels[i] = own->at(list.extraOf(i));
+    cells::setLabels(list, labels, whole);
+    return cells::withSurfels(tree, list);
 }
 
 std::uint32_t firstFree(const tree::SurfelTree& tree) {
@@ -97,7 +105,7 @@ tree::SurfelTree JoinedFaces::in(const tree::SurfelTree& model) const {
         labels.back().face = of(labels.back().face);
     }
     cells::setLabels(list, labels);
-    return tree::SurfelTree::build(list, model.shape());
+    return cells::withSurfels(model, list); // sides are known by the order of the tree
 }
 
 } // namespace solid

@@ -7,8 +7,9 @@
 
 namespace solid {
 
-/// A version with labels: as it is, or all of one cell.
-tree::SurfelTree labelled(const tree::SurfelTree& tree);
+/// A version with labels: as it is, or all of one cell; with sharpness and faces where `other` has them. Surfels keep
+/// their order. Throws base::Error where an attribute of a label's name holds something else.
+tree::SurfelTree labelled(const tree::SurfelTree& tree, const tree::SurfelTree& other);
 
 /// A number that no cell and no face has.
 std::uint32_t firstFree(const tree::SurfelTree& tree);

@@ -16,6 +16,7 @@ class SoupsTest : public QObject {
     Q_OBJECT
   private Q_SLOTS:
     void sharedWallsAreInside();
+    void tiltedWallsAreInside();
     void crossingPartsKeepTheirOuterSides();
     void unionsMeshClosed_data();
     void unionsMeshClosed();
@@ -113,6 +114,32 @@ void SoupsTest::sharedWallsAreInside() {
             volume += dot(middle, found.normals[t]) * found.areas[t] / 3;
         }
         QVERIFY2(std::abs(volume - made.volume()) < 1e-4, told);
+    }
+}
+
+/// Parts that were exported each for itself share corners, but not diagonals; turned, their four corners are not in one
+/// plane to the last bit.
+void SoupsTest::tiltedWallsAreInside() {
+    for (int round = 0; round < test::effort(40); ++round) {
+        const std::uint64_t seed = test::seed() + static_cast<std::uint64_t>(round);
+        base::Random random(seed);
+        const Bricks made = bricks(random, 2 + random.below(8));
+        Faces faces = facesOf(made, 2);
+        for (std::size_t t = 0; t + 1 < faces.triangles.size(); t += 2) { // two of a square
+            Triangle &a = faces.triangles[t], &b = faces.triangles[t + 1];
+            if (a[0] == b[0] && a[2] == b[1] && random.below(2) == 0)
+                a = {a[0], a[1], b[2]}, b = {a[1], b[1], b[2]};
+        }
+        const base::Vec3d u = random.unitVector(), v = base::perpendicular(u), w = cross(u, v);
+        const Vec3d shift = random.unitVector() * 100;
+        for (base::Vec3f& p : faces.positions) {
+            const Vec3d at = base::cast<double>(p);
+            p = base::cast<float>(shift + u * at.x + v * at.y + w * at.z);
+        }
+        const FaceTopology found = shuffled(faces, random).topology();
+        const QByteArray told = QString("round %1, seed %2").arg(round).arg(seed).toUtf8();
+        QVERIFY2(found.closed() && !found.oneSided, told);
+        QVERIFY2(std::abs(found.area - made.area()) < 1e-3, told);
     }
 }
 

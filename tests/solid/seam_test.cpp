@@ -26,6 +26,8 @@ class SeamTest : public QObject {
     void filletsOfBallsLieOnTheirTorus();
     void aCylinderOnABoxGetsARoundFoot();
     void edgesAwayFromAFilletStaySharp();
+    void otherWallsStayUnderAFillet();
+    void modelsThatWereEditedKeepTheirPlaces();
     void whereNoBallFitsIsSaid();
     void threadsDoNotShow();
 };
@@ -192,6 +194,36 @@ void SeamTest::aCylinderOnABoxGetsARoundFoot() {
                  wanted = 4 + pi * r * r * 0.8 + foot;
     QVERIFY(extent.closed);
     QVERIFY2(std::abs(extent.volume / wanted - 1) < 0.002, QByteArray::number(extent.volume / wanted));
+}
+
+static std::size_t countIf(const surface::Surface& surface, const std::function<bool(const Vec3d&)>& which) {
+    const surfel::SurfelList all = surface.tree().surfels();
+    return static_cast<std::size_t>(std::count_if(all.items.begin(), all.items.end(), [&](const surfel::Surfel& s) {
+        return which(base::cast<double>(s.position));
+    }));
+}
+
+/// The underside of a thin plate is nearer to where the ball touches than the seam is.
+void SeamTest::otherWallsStayUnderAFillet() {
+    constexpr double s = 0.05;
+    const surface::Surface plate = shapeAt("box", {2, 2, 0.3}, s);
+    const solid::Combined result = combined(plate, "cylinder", {0.4, 0.8, 0}, s,
+                                            solid::poseAlong({0, 0, 0.45}, {0, 0, 1}), Operation::Union, 0.25);
+    const auto below = [](const Vec3d& p) { return p.z < -0.14; };
+    QCOMPARE(countIf(result.surface, below), countIf(plate, below));
+}
+
+/// Blocks of a tree that was edited stand in another order than those of one that is built.
+void SeamTest::modelsThatWereEditedKeepTheirPlaces() {
+    constexpr double s = 0.05;
+    const solid::Combined first = combined(shapeAt("box", {2, 2, 1}, s), "cylinder", {0.3, 3, 0}, s,
+                                           solid::poseAlong({-0.5, 0, 0}, {0, 0, 1}), Operation::Difference);
+    const solid::Combined then = combined(first.surface, "ball", {0.4, 0, 0}, s,
+                                          solid::poseAlong({0.4, 0, 0.5}, {0, 0, 1}), Operation::Union, 0.1);
+    const auto away = [](const Vec3d& p) { return distance(p, Vec3d{0.4, 0, 0.5}) > 0.8; };
+    const auto within = [](const Vec3d& p) { return distance(p, Vec3d{0.4, 0, 0.5}) < 0.35; };
+    QCOMPARE(countIf(then.surface, away), countIf(first.surface, away));
+    QCOMPARE(countIf(then.surface, within), std::size_t(0));
 }
 
 void SeamTest::edgesAwayFromAFilletStaySharp() {

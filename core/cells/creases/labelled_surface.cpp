@@ -7,15 +7,12 @@
 
 namespace cells {
 
-namespace {
-
-/// The surface of these surfels, which stand in the order of its tree, position for position.
-surface::Surface replaced(const surface::Surface& surface, const surfel::SurfelList& surfels) {
+tree::SurfelTree withSurfels(const tree::SurfelTree& tree, const surfel::SurfelList& surfels) {
     tree::Edit edit;
     edit.layout = surfels.layout;
     edit.inserted.layout = surfels.layout;
     std::size_t next = 0;
-    surface.tree().forEachBlock([&](std::uint32_t number, const surfel::SurfelBlock& block) {
+    tree.forEachBlock([&](std::uint32_t number, const surfel::SurfelBlock& block) {
         surfel::MutableBlockPtr changed = surfel::SurfelBlock::create(block.size(), surfels.layout->words());
         for (int slot = 0; slot < block.size(); ++slot, ++next) {
             changed->set(slot, surfels.items[next]);
@@ -24,10 +21,8 @@ surface::Surface replaced(const surface::Surface& surface, const surfel::SurfelL
         changed->seal();
         edit.blocks.push_back({number, changed, {}});
     });
-    return {surface.tree().apply(edit), surface.definition()};
+    return tree.apply(edit);
 }
-
-} // namespace
 
 void requireSides(const surface::Surface& surface) {
     if (surface.definition().manifold != surface::Manifold::Surface)
@@ -53,11 +48,9 @@ std::vector<Label> labelsOf(const surface::Surface& surface) {
 }
 
 surface::Surface labelled(const surface::Surface& surface, surfel::SurfelList surfels, std::span<const Label> labels) {
+    requireNames(*surfels.layout);
     setLabels(surfels, labels);
-    if (!LabelLayout::of(*surfels.layout))
-        throw base::Error("the model has attributes called cell, partner or sign that hold other numbers", {},
-                          "rename them in the file");
-    return replaced(surface, surfels);
+    return {withSurfels(surface.tree(), surfels), surface.definition()};
 }
 
 surface::Surface unlabelled(const surface::Surface& surface) {
@@ -72,7 +65,7 @@ surface::Surface unlabelled(const surface::Surface& surface) {
     layout->masks = before.layout->masks;
     std::vector<std::size_t> kept; // words
     for (const surfel::Attribute& each : before.layout->attributes())
-        if (std::find(ours.begin(), ours.end(), each.name) == ours.end()) {
+        if (surfel::isReal(each.type) || std::find(ours.begin(), ours.end(), each.name) == ours.end()) {
             layout->add(each.name, each.type);
             for (std::size_t w = 0; w < surfel::wordsOf(each.type); ++w)
                 kept.push_back(each.firstWord + w);
@@ -83,7 +76,7 @@ surface::Surface unlabelled(const surface::Surface& surface) {
     for (std::size_t i = 0; i < before.size(); ++i)
         for (const std::size_t word : kept)
             after.extra.push_back(before.extraOf(i)[word]);
-    return replaced(surface, after);
+    return {withSurfels(surface.tree(), after), surface.definition()};
 }
 
 } // namespace cells

@@ -103,7 +103,9 @@ class FaceFinder {
 
     /// Shortest ways in spacings over links of the surface.
     void walk(Queue& queue, std::vector<double>& way) const {
-        while (!queue.empty()) {
+        for (std::size_t steps = 0; !queue.empty(); ++steps) {
+            if (steps % 4096 == 0)
+                base::CancelScope::check();
             const auto [far, i] = queue.top();
             queue.pop();
             if (far > way[i])

@@ -18,7 +18,9 @@ constexpr std::uint64_t seed = 0x63656c6c73ULL;
 constexpr int mostRays = 8;
 constexpr double clearOfEdges = 1e-6; ///< barycentric: a ray that passes nearer to a corner or side tells nothing
 constexpr double leastSlope = 1e-3;   ///< cosine between a ray and a face
-constexpr double sameAngle = 1e-7;    ///< radians: faces on top of each other
+constexpr double sameAngle = 1e-7;    ///< radians: faces on top of each other, at least
+constexpr double roundOff = 1e-6;     ///< of coordinates; over the third corner's distance it is an angle
+constexpr double mostAngle = 1e-2;    ///< radians: of needles nothing is known
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
 /// The side of face t that its normal points to is 2 t, the other one 2 t + 1.
@@ -90,26 +92,30 @@ class Cells {
             return;
         }
         struct Turn {
-            double angle;
+            double angle, blur;
             const Side* side;
         };
+        const auto largest = [](const Vec3d& p) { return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}); };
         const Vec3d from = at(static_cast<std::uint32_t>(edge[0].key >> 32)),
                     axis = base::normalized(at(static_cast<std::uint32_t>(edge[0].key)) - from),
                     u = base::perpendicular(axis), v = cross(axis, u);
         std::vector<Turn> turns;
         for (const Side& side : edge) {
             const Vec3d to = corner(side.corner / 3, (side.corner % 3 + 2) % 3) - from;
-            turns.push_back({std::atan2(dot(to, v), dot(to, u)), &side});
+            const double a = dot(to, v), b = dot(to, u);
+            const double off = roundOff * std::max(largest(from), largest(from + to));
+            const double blur = std::clamp(off / std::max(std::hypot(a, b), 1e-300), sameAngle, mostAngle);
+            turns.push_back({std::atan2(a, b), blur, &side});
         }
         std::stable_sort(turns.begin(), turns.end(), [](const Turn& a, const Turn& b) { return a.angle < b.angle; });
         // Of faces on top of each other those come first that are entered from their fronts: what lies between is
         // solid. Such a group may lie across the angle at which the turn begins.
         std::size_t first = 0;
-        while (first < turns.size() && gapBefore(turns, first) <= sameAngle)
+        while (first < turns.size() && onTopOfLast(turns, first))
             ++first;
         std::rotate(turns.begin(), turns.begin() + static_cast<std::ptrdiff_t>(first % turns.size()), turns.end());
         for (std::size_t begin = 0, end; begin < turns.size(); begin = end) {
-            for (end = begin + 1; end < turns.size() && gapBefore(turns, end) <= sameAngle;)
+            for (end = begin + 1; end < turns.size() && onTopOfLast(turns, end);)
                 ++end;
             std::stable_partition(turns.begin() + static_cast<std::ptrdiff_t>(begin),
                                   turns.begin() + static_cast<std::ptrdiff_t>(end),
@@ -122,6 +128,10 @@ class Cells {
     static double gapBefore(const Turns& turns, std::size_t i) {
         const double gap = turns[i].angle - turns[(i + turns.size() - 1) % turns.size()].angle;
         return gap < 0 ? gap + 2 * std::numbers::pi : gap;
+    }
+    template <class Turns>
+    static bool onTopOfLast(const Turns& turns, std::size_t i) {
+        return gapBefore(turns, i) <= std::max(turns[i].blur, turns[(i + turns.size() - 1) % turns.size()].blur);
     }
 
     std::vector<std::vector<std::uint32_t>> complexes() {

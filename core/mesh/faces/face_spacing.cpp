@@ -80,7 +80,8 @@ static std::vector<float> wallsBehind(const FaceTopology& topology, std::span<co
     std::vector<std::uint32_t> some(cloud.size()); // of points at one place, one speaks
     for (std::uint32_t i = 0; i < points.size(); ++i)
         some[cloud.places()[i]] = i;
-    const float reach = static_cast<float>(std::sqrt(topology.area / static_cast<double>(probes)));
+    const double area = topology.area * (inside ? inside->outerShare() : 1);
+    const float reach = static_cast<float>(std::sqrt(area / static_cast<double>(probes)));
     constexpr std::size_t neighbours = 32;
     constexpr double opposite = -0.9; // walls that meet at less than 26 degrees
     cloud.forEach(neighbours, progress, "Measuring walls", [&](std::size_t i, const process::Neighbours& near) {

@@ -173,6 +173,9 @@ void leaveOutInside(FaceTopology& out, std::span<const Vec3f> positions, const P
         if (roles[t] == FaceRole::Turned)
             turn(out, t), ++out.reversed;
     out.inside = static_cast<std::size_t>(std::count(roles.begin(), roles.end(), FaceRole::Inside));
+    for (std::uint32_t t = 0; t < roles.size(); ++t)
+        if (roles[t] == FaceRole::Inside)
+            out.insideCorners.insert(out.insideCorners.end(), out.triangles[t].begin(), out.triangles[t].end());
     if (out.inside > 0)
         keepFaces(out, [&](std::size_t t) { return roles[t] != FaceRole::Inside; });
 }

@@ -43,14 +43,15 @@ struct FaceTopology {
     std::vector<std::uint8_t> sealed;   ///< of each body: 1 where it has no hole at all
     std::vector<std::uint32_t> fans;    ///< of each corner (3 t + k), numbered from 0
     std::size_t patchCount = 0, fanCount = 0;
-    std::size_t repeated = 0;     ///< triangles left out because another one has the same corners
-    std::size_t inside = 0;       ///< triangles left out because the solid is on both of their sides
-    std::size_t reversed = 0;     ///< triangles that were turned round
-    std::size_t turnedOut = 0;    ///< closed pieces that were inside out
-    std::size_t borders = 0;      ///< edges with an odd number of faces
-    std::size_t bordersGiven = 0; ///< the same with repeated triangles counted as often as they come
-    std::size_t nonManifold = 0;  ///< edges with more than two faces
-    bool oneSided = false;        ///< some piece cannot be turned alike: a Moebius strip
+    std::size_t repeated = 0;                 ///< triangles left out because another one has the same corners
+    std::size_t inside = 0;                   ///< triangles left out because the solid is on both of their sides
+    std::vector<std::uint32_t> insideCorners; ///< of those
+    std::size_t reversed = 0;                 ///< triangles that were turned round
+    std::size_t turnedOut = 0;                ///< closed pieces that were inside out
+    std::size_t borders = 0;                  ///< edges with an odd number of faces
+    std::size_t bordersGiven = 0;             ///< the same with repeated triangles counted as often as they come
+    std::size_t nonManifold = 0;              ///< edges with more than two faces
+    bool oneSided = false;                    ///< some piece cannot be turned alike: a Moebius strip
     std::vector<SharpEdge> sharpEdges;
     std::vector<float> turns; ///< dihedral angle of each edge of exactly two faces, radians
     double sharpShare = 0;    ///< of their length, of those that are sharp

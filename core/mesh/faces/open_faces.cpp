@@ -7,6 +7,7 @@
 #include "core/mesh/faces/face_points.h"
 #include "core/mesh/faces/face_spacing.h"
 #include "core/mesh/faces/large_faces.h"
+#include "core/process/estimation/keep_points.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/process/resampling/resample.h"
 
@@ -226,6 +227,17 @@ std::string mended(const FaceTopology& topology) {
     return out.empty() ? out : out + ".";
 }
 
+/// Vertices of nothing but faces inside of the solid.
+void leaveOutInner(SurfelList& vertices, const FaceTopology& topology) {
+    std::vector<std::uint8_t> inner(vertices.size());
+    for (const std::uint32_t v : topology.insideCorners)
+        inner[v] = 1;
+    for (const Triangle& t : topology.triangles)
+        for (const std::uint32_t v : t)
+            inner[v] = 0;
+    process::keepPoints(vertices, [&](std::size_t i) { return !inner[i]; });
+}
+
 std::size_t samplesFor(const FaceTopology& topology, double share, double wall, const FaceOptions& options) {
     if (options.count == 0 && options.spacing <= 0)
         return fittingCount(topology, wall, share);
@@ -273,6 +285,8 @@ OpenedFaces openFaces(SurfelList vertices, std::span<const Triangle> triangles,
                 out.messages.push_back("Large faces, which the vertices leave empty, got " +
                                        counted(more, "surfel", "surfels") +
                                        "; --faces vertices keeps the vertices alone.");
+        if (options.use == FaceUse::Auto && !topology.insideCorners.empty())
+            leaveOutInner(vertices, topology);
         if (options.creases)
             out.messages.push_back("The vertices are kept, without creases; --faces sample makes them.");
         out.points = std::move(vertices);
