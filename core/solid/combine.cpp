@@ -76,8 +76,8 @@ class Combining {
           m_other(operand.surfels.size() > 0 ? tree::SurfelTree::build(operand.surfels) : tree::SurfelTree()),
           m_labels(options.creases &&
                    (!(options.fillet > 0) || hasLabels(model.tree()) || (!m_other.empty() && hasLabels(m_other)))),
-          m_tree(m_labels ? labelled(model.tree(), m_other) : model.tree()), m_modelSide(surface::Surface(m_tree, m_definition)),
-          m_operandSide(operand.side) {}
+          m_tree(m_labels ? labelled(model.tree(), m_other) : model.tree()),
+          m_modelSide(surface::Surface(m_tree, m_definition)), m_operandSide(operand.side) {}
 
     Combined run(const base::Progress& progress) {
         progress.step(0, "Telling inside from outside");

@@ -182,15 +182,15 @@ void FacesCommandTest::creasesAreKeptAndAnswer() {
                  .code,
              0);
     const QStringList rows = QString::fromStdString(program.read("q.csv")).split('\n');
-    QCOMPARE(rows[0], QString("x,y,z,status,cell,feature,px,py,pz,iterations"));
+    QCOMPARE(rows[0], QString("x,y,z,status,px,py,pz,iterations,cell,feature"));
     const char* features[] = {"face", "seam", "corner"};
     for (int i = 0; i < 3; ++i) {
         const QStringList row = rows[i + 1].split(',');
-        QCOMPARE(row[5], QString(features[i]));
-        QVERIFY(std::abs(row[6].toDouble() - 1) < 1e-6);
-        QVERIFY(std::abs(row[7].toDouble() - (i > 0 ? 1 : 0.5)) < 1e-6);
+        QCOMPARE(row[9], QString(features[i]));
+        QVERIFY(std::abs(row[4].toDouble() - 1) < 1e-6);
+        QVERIFY(std::abs(row[5].toDouble() - (i > 0 ? 1 : 0.5)) < 1e-6);
     }
-    QCOMPARE(rows[4].split(',')[4], QString("-1"));
+    QCOMPARE(rows[4].split(',')[8], QString("-1"));
 
     program.write("r.csv", "ox,oy,oz,dx,dy,dz\n3,2.999,0.5,-1,-1,0\n3,3.01,0.5,-1,-1,0\n");
     for (const char* precision : {"float", "double"}) {

@@ -36,7 +36,7 @@ void InfoTest::theObjectHasTheContractsKeys() {
     const json info = json::parse(outcome.out);
     const std::set<std::string> wanted{"surfels",    "bounds", "origin",  "spacing", "support", "normals",
                                        "attributes", "faces",  "dropped", "format",  "hash",    "sampled",
-                                       "closed",     "up",     "merged",  "cells"};
+                                       "closed",     "up",     "merged",  "cells",   "shapes"};
     std::set<std::string> found;
     for (const auto& [key, value] : info.items())
         found.insert(key);

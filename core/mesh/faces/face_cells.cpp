@@ -33,14 +33,14 @@ constexpr std::uint32_t back(std::uint32_t t) {
 
 class Cells {
   public:
-    Cells(const CellFaces& faces, std::span<const Side> sides, const Places& places)
+    Cells(const CellFaces& faces, std::span<const FaceSide> sides, const Places& places)
         : m_faces(faces), m_sides(sides), m_places(places), m_complexes(faces.triangles.size()),
           m_cells(2 * faces.triangles.size()), m_asked(faces.triangles.size()) {}
 
     std::vector<FaceRole> run() {
         if (!joinComplexes())
             return {};
-        forEdges(m_sides, [&](std::span<const Side> edge) { joinAround(edge); });
+        forEdges(m_sides, [&](std::span<const FaceSide> edge) { joinAround(edge); });
         std::vector<std::vector<std::uint32_t>> members = complexes();
         std::vector<FaceRole> out(m_faces.triangles.size(), FaceRole::Skin);
         for (const auto& complex : members)
@@ -55,19 +55,19 @@ class Cells {
     /// What meets in an edge is of one complex; asked are those with an edge of three faces and more. A face without
     /// area at such an edge has no angle there: nobody can tell. False where nothing is asked.
     bool joinComplexes() {
-        forEdges(m_sides, [&](std::span<const Side> edge) {
+        forEdges(m_sides, [&](std::span<const FaceSide> edge) {
             for (std::size_t i = 1; i < edge.size(); ++i)
                 m_complexes.join(edge[0].corner / 3, edge[i].corner / 3);
         });
         std::vector<std::uint8_t> unclear(m_asked.size());
         bool any = false;
-        forEdges(m_sides, [&](std::span<const Side> edge) {
+        forEdges(m_sides, [&](std::span<const FaceSide> edge) {
             if (edge.size() < 3)
                 return;
             any = true;
             const std::uint32_t root = m_complexes.find(edge[0].corner / 3);
             m_asked[root] = 1;
-            for (const Side& side : edge)
+            for (const FaceSide& side : edge)
                 unclear[root] |= m_faces.areas[side.corner / 3] > 0 ? 0 : 1;
         });
         for (std::size_t t = 0; t < m_asked.size(); ++t)
@@ -77,13 +77,13 @@ class Cells {
 
     /// The side of a face that one leaves it by, turning about its edge as a right-handed screw goes to the higher
     /// place.
-    static std::uint32_t ahead(const Side& side) {
+    static std::uint32_t ahead(const FaceSide& side) {
         const std::uint32_t t = side.corner / 3;
         return side.downwards ? back(t) : front(t);
     }
-    static std::uint32_t behind(const Side& side) { return ahead(side) ^ 1u; }
+    static std::uint32_t behind(const FaceSide& side) { return ahead(side) ^ 1u; }
 
-    void joinAround(std::span<const Side> edge) {
+    void joinAround(std::span<const FaceSide> edge) {
         if (!m_asked[m_complexes.find(edge[0].corner / 3)])
             return;
         if (edge.size() < 3) { // of one face, both of its sides meet
@@ -93,14 +93,14 @@ class Cells {
         }
         struct Turn {
             double angle, blur;
-            const Side* side;
+            const FaceSide* side;
         };
         const auto largest = [](const Vec3d& p) { return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}); };
         const Vec3d from = at(static_cast<std::uint32_t>(edge[0].key >> 32)),
                     axis = base::normalized(at(static_cast<std::uint32_t>(edge[0].key)) - from),
                     u = base::perpendicular(axis), v = cross(axis, u);
         std::vector<Turn> turns;
-        for (const Side& side : edge) {
+        for (const FaceSide& side : edge) {
             const Vec3d to = corner(side.corner / 3, (side.corner % 3 + 2) % 3) - from;
             const double a = dot(to, v), b = dot(to, u);
             const double off = roundOff * std::max(largest(from), largest(from + to));
@@ -265,7 +265,7 @@ class Cells {
     }
 
     const CellFaces& m_faces;
-    std::span<const Side> m_sides;
+    std::span<const FaceSide> m_sides;
     const Places& m_places;
     base::DisjointSets m_complexes, m_cells; ///< of faces, of their sides
     std::vector<std::uint8_t> m_asked;       ///< of each complex, by its root
@@ -274,7 +274,7 @@ class Cells {
 
 } // namespace
 
-std::vector<FaceRole> rolesOf(const CellFaces& faces, std::span<const Side> sides, const Places& places) {
+std::vector<FaceRole> rolesOf(const CellFaces& faces, std::span<const FaceSide> sides, const Places& places) {
     return Cells(faces, sides, places).run();
 }
 

@@ -28,6 +28,6 @@ enum class FaceRole : std::uint8_t {
 };
 
 /// Of each triangle; empty where no edge has three faces and more. `sides`: of these triangles, sorted.
-std::vector<FaceRole> rolesOf(const CellFaces& faces, std::span<const Side> sides, const Places& places);
+std::vector<FaceRole> rolesOf(const CellFaces& faces, std::span<const FaceSide> sides, const Places& places);
 
 } // namespace mesh

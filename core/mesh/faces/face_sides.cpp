@@ -32,8 +32,8 @@ static std::uint64_t keyOf(std::uint64_t a, std::uint64_t b) {
     return std::min(a, b) << 32 | std::max(a, b);
 }
 
-std::vector<Side> sidesOf(std::span<const Triangle> triangles, const Places& places) {
-    std::vector<Side> out;
+std::vector<FaceSide> sidesOf(std::span<const Triangle> triangles, const Places& places) {
+    std::vector<FaceSide> out;
     out.reserve(3 * triangles.size());
     for (std::uint32_t t = 0; t < triangles.size(); ++t) {
         const Triangle corners = places.at(triangles[t]);
@@ -56,8 +56,9 @@ std::vector<Side> sidesOf(std::span<const Triangle> triangles, const Places& pla
             part(std::max(a, b));
         }
     }
-    std::sort(out.begin(), out.end(),
-              [](const Side& a, const Side& b) { return a.key != b.key ? a.key < b.key : a.corner < b.corner; });
+    std::sort(out.begin(), out.end(), [](const FaceSide& a, const FaceSide& b) {
+        return a.key != b.key ? a.key < b.key : a.corner < b.corner;
+    });
     return out;
 }
 

@@ -19,21 +19,21 @@ struct Places {
 std::vector<std::uint32_t> placesOf(std::span<const base::Vec3f> positions);
 
 /// The side of a triangle from corner `corner` to the next, or a part of it between places that lie on it.
-struct Side {
+struct FaceSide {
     std::uint64_t key;    ///< the lower place, then the higher
     std::uint32_t corner; ///< 3 t + k
     bool downwards;       ///< runs from the higher place to the lower
 };
 
 /// By key, then corner. Sides between corners at one place are left out.
-std::vector<Side> sidesOf(std::span<const Triangle> triangles, const Places& places);
+std::vector<FaceSide> sidesOf(std::span<const Triangle> triangles, const Places& places);
 
 /// Between the two places of an edge.
 double edgeLength(std::span<const base::Vec3f> positions, std::uint64_t key);
 
 /// fn(sides) for every edge: the sides of the triangles that meet in it.
 template <class Fn>
-void forEdges(std::span<const Side> sides, const Fn& fn) {
+void forEdges(std::span<const FaceSide> sides, const Fn& fn) {
     for (std::size_t begin = 0, end; begin < sides.size(); begin = end) {
         for (end = begin + 1; end < sides.size() && sides[end].key == sides[begin].key;)
             ++end;

@@ -123,10 +123,10 @@ void turn(FaceTopology& out, std::uint32_t t) {
 
 /// Turns the faces of each piece the way in which most of its area is turned already, and tells which piece each
 /// triangle belongs to.
-FacePieces turnAlike(FaceTopology& out, std::span<const Vec3f> positions, const std::vector<Side>& sides) {
+FacePieces turnAlike(FaceTopology& out, std::span<const Vec3f> positions, const std::vector<FaceSide>& sides) {
     base::ParitySets pieces(out.triangles.size());
     std::vector<std::uint32_t> seams; // triangles
-    forEdges(sides, [&](std::span<const Side> edge) {
+    forEdges(sides, [&](std::span<const FaceSide> edge) {
         if (edge.size() != 2)
             return;
         const bool opposed = edge[0].downwards == edge[1].downwards;
@@ -151,9 +151,9 @@ FacePieces turnAlike(FaceTopology& out, std::span<const Vec3f> positions, const 
         ++out.reversed;
     }
     told.borders.resize(count);
-    forEdges(sides, [&](std::span<const Side> edge) {
+    forEdges(sides, [&](std::span<const FaceSide> edge) {
         for (std::size_t i = 0; i < edge.size(); ++i) { // the first of each piece counts for it
-            const auto same = [&](const Side& s) { return told.of[s.corner / 3] == told.of[edge[i].corner / 3]; };
+            const auto same = [&](const FaceSide& s) { return told.of[s.corner / 3] == told.of[edge[i].corner / 3]; };
             if (std::none_of(edge.begin(), edge.begin() + static_cast<std::ptrdiff_t>(i), same) &&
                 std::count_if(edge.begin(), edge.end(), same) % 2 == 1)
                 told.borders[told.of[edge[i].corner / 3]] += edgeLength(positions, edge[i].key);
@@ -196,8 +196,8 @@ void turnOutwards(FaceTopology& out, std::span<const Vec3f> positions, const Fac
     out.turnedOut = static_cast<std::size_t>(std::count(facing.begin(), facing.end(), Facing::Inwards));
 }
 
-void countEdges(FaceTopology& out, const std::vector<Side>& sides) {
-    forEdges(sides, [&](std::span<const Side> edge) {
+void countEdges(FaceTopology& out, const std::vector<FaceSide>& sides) {
+    forEdges(sides, [&](std::span<const FaceSide> edge) {
         out.borders += edge.size() % 2;
         out.nonManifold += edge.size() > 2 ? 1 : 0;
     });
@@ -215,8 +215,8 @@ std::size_t numbered(base::DisjointSets& sets, std::vector<std::uint32_t>& out) 
 
 /// Of the sides that begin at corners a and b: which way the edge is bent tells where the other triangle goes from
 /// there.
-SharpEdge sharpEdge(const FaceTopology& topology, std::span<const Vec3f> positions, const Side& side, std::uint32_t b,
-                    double turn) {
+SharpEdge sharpEdge(const FaceTopology& topology, std::span<const Vec3f> positions, const FaceSide& side,
+                    std::uint32_t b, double turn) {
     const std::uint32_t a = side.corner;
     const auto at = [&](std::uint32_t corner, std::uint32_t further) {
         return base::cast<double>(positions[topology.triangles[corner / 3][(corner % 3 + further) % 3]]);
@@ -230,14 +230,14 @@ SharpEdge sharpEdge(const FaceTopology& topology, std::span<const Vec3f> positio
 
 /// The corners of both triangles at either end of a smooth edge belong to one fan, the triangles to one patch.
 void joinSmooth(FaceTopology& out, std::span<const Vec3f> positions, const Places& places,
-                const std::vector<Side>& sides, double sharp) {
+                const std::vector<FaceSide>& sides, double sharp) {
     out.patches.assign(out.triangles.size(), 0);
     out.fans.assign(3 * out.triangles.size(), 0);
     base::DisjointSets patches(out.patches.size()), fans(out.fans.size());
     double length = 0, sharpLength = 0;
     const auto next = [](std::uint32_t corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; };
     const auto placeOf = [&](std::uint32_t corner) { return places.of[out.triangles[corner / 3][corner % 3]]; };
-    forEdges(sides, [&](std::span<const Side> edge) {
+    forEdges(sides, [&](std::span<const FaceSide> edge) {
         if (edge.size() != 2)
             return;
         const std::uint32_t a = edge[0].corner, b = edge[1].corner;
@@ -268,7 +268,7 @@ void joinSmooth(FaceTopology& out, std::span<const Vec3f> positions, const Place
 /// The edges with an odd number of faces.
 std::vector<std::uint64_t> boundaryEdges(const FaceTopology& topology, const Places& places) {
     std::vector<std::uint64_t> out;
-    forEdges(sidesOf(topology.triangles, places), [&](std::span<const Side> edge) {
+    forEdges(sidesOf(topology.triangles, places), [&](std::span<const FaceSide> edge) {
         if (edge.size() % 2 == 1)
             out.push_back(edge[0].key);
     });
@@ -293,7 +293,8 @@ FaceTopology topologyOf(std::span<const Vec3f> positions, std::span<const Triang
     out.triangles.assign(triangles.begin(), triangles.end());
     if (out.triangles.empty())
         return out;
-    forEdges(sidesOf(out.triangles, places), [&](std::span<const Side> edge) { out.bordersGiven += edge.size() % 2; });
+    forEdges(sidesOf(out.triangles, places),
+             [&](std::span<const FaceSide> edge) { out.bordersGiven += edge.size() % 2; });
     out.sources.resize(out.triangles.size());
     std::iota(out.sources.begin(), out.sources.end(), 0u);
     const std::vector<std::int8_t> given = leaveOutRepetitions(out, places);
@@ -301,7 +302,7 @@ FaceTopology topologyOf(std::span<const Vec3f> positions, std::span<const Triang
     leaveOutInside(out, positions, places, given);
     out.area = std::accumulate(out.areas.begin(), out.areas.end(), 0.0);
     turnOutwards(out, positions, turnAlike(out, positions, sidesOf(out.triangles, places)));
-    const std::vector<Side> sides = sidesOf(out.triangles, places); // the turned ones run the other way
+    const std::vector<FaceSide> sides = sidesOf(out.triangles, places); // the turned ones run the other way
     countEdges(out, sides);
     joinSmooth(out, positions, places, sides, sharp);
     return out;
