@@ -58,8 +58,8 @@ class LabelLayout {
 void requireNames(const surfel::AttributeLayout& layout);
 
 /// Adds labels to surfels, one for each: the attributes that are missing, sharpness and faces only where they tell
-/// something, or where the `whole` label is wanted. What is there under these names is overwritten; an attribute of that
-/// name that holds reals is not ours, and std::nullopt of `LabelLayout::of` tells.
+/// something, or where the `whole` label is wanted. What is there under these names is overwritten; an attribute of
+/// that name that holds reals is not ours, and std::nullopt of `LabelLayout::of` tells.
 void setLabels(surfel::SurfelList& surfels, std::span<const Label> labels, bool whole = false);
 
 } // namespace cells
