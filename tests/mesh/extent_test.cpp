@@ -5,6 +5,7 @@
 #include "core/base/parallel.h"
 #include "mesh/models.h"
 #include "support/registry.h"
+#include "support/sanitized.h"
 
 #include <numbers>
 #include <QTest>
@@ -71,6 +72,8 @@ void ExtentTest::boxesGainWithTheirPoints() {
 
 /// A cube, and an octant of a ball, whose seams are bent: what rounded edges would lose is there.
 void ExtentTest::creasesAreMeasuredSharp() {
+    if (test::sanitized)
+        QSKIP("takes a minute under a sanitizer");
     base::Random random(test::seed());
     const auto cube = plane_solids::sampled(plane_solids::cube(0.8), 2.4, 0.1, random);
     const Extent a = extentOf(plane_solids::surfaceOf(cube.surfels));
