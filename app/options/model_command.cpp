@@ -1,6 +1,7 @@
 #include "app/options/model_command.h"
 
 #include "app/open_model.h"
+#include "core/process/estimation/part_progress.h"
 
 #include <nlohmann/json.hpp>
 
@@ -16,11 +17,14 @@ void runModelCommand(const ModelCommand& options, const char* op, const nlohmann
     nlohmann::json command = parametersOf(options.wish);
     command["op"] = op;
     command.update(given);
+    const base::Progress progress = console.progress();
     session::Document document;
-    session::Context context{document, {}, console.progress(), {}, 0, {}, nullptr};
+    session::Context context{document, {}, process::part(progress, 0, 0.3), {}, 0, {}, nullptr};
     openModel(context, options.model, options.surface->parameters(), console);
+    context.progress = process::part(progress, 0.3, 0.8);
     session::run(context, command);
     session::run(context, {{"op", "save"}, {"path", options.out}});
+    context.progress = process::part(progress, 0.8, 1);
     if (then)
         then(context);
     console.tell(context.messages);

@@ -18,8 +18,8 @@ struct ModelCommand {
 /// Adds the model, called `name` in help, and -o.
 void addModelAndOutput(OptionSet command, ModelCommand& options, const char* name = "MODEL");
 
-/// `given` are parameters beside those wished for. Once the model is saved, does what comes `then` and tells what the
-/// commands tell.
+/// `given` are parameters beside those wished for. Once the model is saved, does what comes `then`, with the
+/// progress of that, and tells what the commands tell.
 void runModelCommand(const ModelCommand& options, const char* op, const nlohmann::json& given, Console& console,
                      const std::function<void(const session::Context&)>& then = {});
 

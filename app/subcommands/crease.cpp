@@ -1,12 +1,8 @@
 // pointclay crease: edges that stay sharp, by the session's own command, and what there is of them.
 #include "app/number_table.h"
-#include "app/open_model.h"
-#include "app/options/command_options.h"
-#include "app/options/surface_options.h"
-#include "app/subcommands/subcommand.h"
+#include "app/options/model_command.h"
 #include "core/cells/seams.h"
 #include "core/io/safe_file.h"
-#include "core/process/estimation/part_progress.h"
 
 #include <nlohmann/json.hpp>
 
@@ -17,11 +13,9 @@ using nlohmann::ordered_json;
 
 namespace {
 
-struct Options {
-    std::string model, out, along, report;
+struct Options : ModelCommand {
+    std::string along, report;
     bool detect = false;
-    GivenParameters wish;
-    std::shared_ptr<SurfaceOptions> surface;
 };
 
 ordered_json reportOf(const surface::Surface& surface, const std::map<std::string, double>& figures,
@@ -41,38 +35,33 @@ ordered_json reportOf(const surface::Surface& surface, const std::map<std::strin
     return out;
 }
 
+json lineOf(const Options& options, const base::Progress& progress) {
+    json out = json::array();
+    for (const base::Vec3d& p : readPoints(std::filesystem::path(options.along), progress))
+        out.push_back({p.x, p.y, p.z});
+    return out;
+}
+
 void run(const Options& options, Console& console) {
-    json command = parametersOf(options.wish);
-    command["op"] = "crease";
     if (options.detect == !options.along.empty())
         throw UsageError("crease needs one of --detect and --along, and not both");
-    const base::Progress progress = console.progress();
-    if (options.detect) {
-        command["detect"] = true;
-    } else {
-        command["along"] = json::array();
-        for (const base::Vec3d& p : readPoints(std::filesystem::path(options.along), progress))
-            command["along"].push_back({p.x, p.y, p.z});
-    }
-    session::Document document;
-    session::Context context{document, {}, process::part(progress, 0, 0.3), {}, 0, {}, nullptr};
-    openModel(context, options.model, options.surface->parameters(), console);
-    context.progress = process::part(progress, 0.3, 0.8);
-    context.figures.clear();
-    session::run(context, command);
-    session::run(context, {{"op", "save"}, {"path", options.out}});
-    if (!options.report.empty())
-        io::writeFile(options.report,
-                      reportOf(document.surface(), context.figures, process::part(progress, 0.8, 1)).dump(2) + "\n");
-    console.tell(context.messages);
+    json given;
+    if (options.detect)
+        given["detect"] = true;
+    else
+        given["along"] = lineOf(options, console.progress());
+    runModelCommand(options, "crease", given, console, [&](const session::Context& context) {
+        if (!options.report.empty())
+            io::writeFile(options.report,
+                          reportOf(context.document.surface(), context.figures, context.progress).dump(2) + "\n");
+    });
 }
 
 } // namespace
 
 Action addCrease(OptionSet command) {
     auto options = std::make_shared<Options>();
-    command.add("MODEL", options->model, modelHelp).required();
-    command.add("-o,--output", options->out, "model to write; .ply keeps everything").typeName("OUT").required();
+    addModelAndOutput(command, *options);
     command.addFlag("--detect", options->detect, "find creases in the points, in place of those that are there");
     command
         .add("--along", options->along,

@@ -32,7 +32,7 @@ void run(const Options& options, Console& console) {
     runModelCommand(options, "solid", {{made ? "sample" : "path", what}, {"seams", !options.report.empty()}}, console,
                     [&](const session::Context& context) {
                         if (!options.report.empty())
-                            io::writeFile(options.report, reportOf(context, console.progress()).dump(2) + "\n");
+                            io::writeFile(options.report, reportOf(context, context.progress).dump(2) + "\n");
                     });
 }
 

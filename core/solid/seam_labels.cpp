@@ -12,17 +12,13 @@ using cells::Label;
 
 tree::SurfelTree labelled(const tree::SurfelTree& tree, const tree::SurfelTree& other) {
     cells::requireNames(*tree.layout());
-    const auto own = cells::LabelLayout::of(*tree.layout());
     const bool others = !other.empty() && cells::LabelLayout::of(*other.layout());
     const auto lacks = [&](const char* name) { return other.layout()->find(name) && !tree.layout()->find(name); };
     const bool whole = others && (lacks("sharpness") || lacks("face"));
-    if (own && !whole)
+    if (cells::LabelLayout::of(*tree.layout()) && !whole)
         return tree;
     surfel::SurfelList list = tree.surfels();
-    std::vector<Label> labels(list.size());
-    for (std::size_t i = 0; own && i < labels.size(); ++i)
-        labels[i] = own->at(list.extraOf(i));
-    cells::setLabels(list, labels, whole);
+    cells::setLabels(list, cells::labelsOf(tree), whole);
     return cells::withSurfels(tree, list);
 }
 
@@ -98,12 +94,9 @@ std::uint32_t JoinedFaces::of(std::uint32_t face) const {
 
 tree::SurfelTree JoinedFaces::in(const tree::SurfelTree& model) const {
     surfel::SurfelList list = model.surfels();
-    const auto layout = cells::LabelLayout::of(*list.layout);
-    std::vector<Label> labels;
-    for (std::size_t i = 0; i < list.size(); ++i) {
-        labels.push_back(layout->at(list.extraOf(i)));
-        labels.back().face = of(labels.back().face);
-    }
+    std::vector<Label> labels = cells::labelsOf(model);
+    for (Label& label : labels)
+        label.face = of(label.face);
     cells::setLabels(list, labels);
     return cells::withSurfels(model, list); // sides are known by the order of the tree
 }

@@ -92,16 +92,6 @@ std::string oneOf(std::string_view names, std::size_t number) {
     return words.at(number % words.size());
 }
 
-std::uint32_t crc32(std::string_view bytes) {
-    std::uint32_t out = ~0u;
-    for (const char c : bytes) {
-        out ^= static_cast<unsigned char>(c);
-        for (int k = 0; k < 8; ++k)
-            out = out >> 1 ^ (out & 1 ? 0xedb88320u : 0u);
-    }
-    return ~out;
-}
-
 void putPictures() {
     const std::uint32_t pixels[] = {0xff0000ffu, 0xff00ff00u, 0xffff0000u, 0xffffffffu};
     put("p.png", io::encodePng(pixels, 2, 2, "p.png"));

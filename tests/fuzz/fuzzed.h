@@ -50,9 +50,6 @@ class Deadline {
 /// One of `names` that follows from the number: inputs stay files as they are, without bytes that choose.
 std::string oneOf(std::string_view names, std::size_t number);
 
-/// As ZIP archives have it of their entries.
-std::uint32_t crc32(std::string_view bytes);
-
 /// A triangle with a picture, its material and image, for readers that follow names.
 void putPictures();
 

@@ -5,6 +5,7 @@
 #include "core/io/file_bytes.h"
 #include "core/io/formats.h"
 #include "fuzz/fuzzed.h"
+#include "support/crc32.h"
 
 #include <cstring>
 
@@ -58,7 +59,7 @@ static void mendEntries(std::string& bytes) {
         const std::size_t begin = local + 30 + number(local + 26, 2) + number(local + 28, 2);
         if (begin > bytes.size() || size > bytes.size() - begin)
             continue;
-        const std::uint32_t sum = fuzz::crc32(std::string_view(bytes).substr(begin, size));
+        const std::uint32_t sum = test::crc32(std::string_view(bytes).substr(begin, size));
         for (std::size_t k = 0; k < 4; ++k)
             bytes[at + 16 + k] = static_cast<char>(sum >> 8 * k);
     }

@@ -6,6 +6,7 @@
 #include "core/io/formats.h"
 #include "core/session/command.h"
 #include "fuzz/fuzzed.h"
+#include "support/crc32.h"
 
 #include <cstdio>
 #include <fstream>
@@ -105,7 +106,7 @@ static std::string storedZip(const std::vector<std::pair<std::string, std::strin
     std::string out, directory;
     for (const auto& [name, content] : entries) {
         const std::string common = number(20, 2) + number(0, 2) + number(0, 2) + number(0, 4) +
-                                   number(fuzz::crc32(content), 4) + number(content.size(), 4) +
+                                   number(test::crc32(content), 4) + number(content.size(), 4) +
                                    number(content.size(), 4) + number(name.size(), 2) + number(0, 2);
         directory += "PK\1\2" + number(20, 2) + common + number(0, 6) + number(0, 4) + number(out.size(), 4) + name;
         out += "PK\3\4" + common + name + content;

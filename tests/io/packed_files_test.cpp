@@ -3,6 +3,7 @@
 #include "core/io/packed/zip_archive.h"
 
 #include "io/io_support.h"
+#include "support/crc32.h"
 #include "support/registry.h"
 
 #include <QByteArray>
@@ -20,22 +21,12 @@ class PackedFilesTest : public QObject {
 
 namespace {
 
-std::uint32_t checksum(const std::string& bytes) {
-    std::uint32_t out = ~0u;
-    for (const char c : bytes) {
-        out ^= static_cast<unsigned char>(c);
-        for (int k = 0; k < 8; ++k)
-            out = out >> 1 ^ (out & 1 ? 0xedb88320u : 0u);
-    }
-    return ~out;
-}
-
 /// RFC 1952 around Qt's DEFLATE, which has 4 bytes of Qt's and 2 of zlib's before, and 4 behind.
 std::string gzip(const std::string& bytes, bool checked = true) {
     const QByteArray packed = qCompress(QByteArray(bytes.data(), static_cast<qsizetype>(bytes.size())));
     std::string out("\x1f\x8b\x08\0\0\0\0\0\0\xff", 10);
     out += bytes.empty() ? std::string("\3\0", 2) : packed.mid(6, packed.size() - 10).toStdString();
-    for (const std::uint32_t word : {checked ? checksum(bytes) : 0u, static_cast<std::uint32_t>(bytes.size())})
+    for (const std::uint32_t word : {checked ? test::crc32(bytes) : 0u, static_cast<std::uint32_t>(bytes.size())})
         out.append(reinterpret_cast<const char*>(&word), sizeof word);
     return out;
 }
@@ -120,7 +111,7 @@ void PackedFilesTest::archivesBringTheirEntriesBack() {
     QCOMPARE(entries.size(), contents.size());
     for (std::size_t i = 0; i < contents.size(); ++i) {
         QCOMPARE(entries[i].name, "folder/" + std::to_string(i));
-        QCOMPARE(entries[i].checksum, checksum(contents[i]));
+        QCOMPARE(entries[i].checksum, test::crc32(contents[i]));
         QVERIFY(io::unpackedEntry(bytes, entries[i], {}) == contents[i]);
     }
 }

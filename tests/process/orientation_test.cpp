@@ -2,7 +2,7 @@
 #include "core/base/parallel.h"
 #include "core/base/random.h"
 #include "core/process/estimation/cloud_normals.h"
-#include "core/process/estimation/global_orientation.h"
+#include "core/process/estimation/orientation/global_orientation.h"
 #include "process/even_shapes.h"
 #include "support/registry.h"
 

@@ -67,6 +67,13 @@ struct Rolling {
     }
 };
 
+std::size_t countIf(const surface::Surface& surface, const std::function<bool(const Vec3d&)>& which) {
+    const surfel::SurfelList all = surface.tree().surfels();
+    return static_cast<std::size_t>(std::count_if(all.items.begin(), all.items.end(), [&](const surfel::Surfel& s) {
+        return which(base::cast<double>(s.position));
+    }));
+}
+
 } // namespace
 
 void SeamTest::seamsOfBallsAreTheirCircle() {
@@ -194,13 +201,6 @@ void SeamTest::aCylinderOnABoxGetsARoundFoot() {
                  wanted = 4 + pi * r * r * 0.8 + foot;
     QVERIFY(extent.closed);
     QVERIFY2(std::abs(extent.volume / wanted - 1) < 0.002, QByteArray::number(extent.volume / wanted));
-}
-
-static std::size_t countIf(const surface::Surface& surface, const std::function<bool(const Vec3d&)>& which) {
-    const surfel::SurfelList all = surface.tree().surfels();
-    return static_cast<std::size_t>(std::count_if(all.items.begin(), all.items.end(), [&](const surfel::Surfel& s) {
-        return which(base::cast<double>(s.position));
-    }));
 }
 
 /// The underside of a thin plate is nearer to where the ball touches than the seam is.

@@ -28,7 +28,7 @@ class Drawer {
   public:
     Drawer(const surface::Surface& surface, std::span<const Vec3d> points, double sharpness)
         : m_surface(surface), m_surfels(surface.tree().surfels()), m_links(surface.tree(), m_surfels.items),
-          m_line(lineOnSurface(surface, m_links, points)), m_labels(labelsOf(surface)), m_before(m_labels),
+          m_line(lineOnSurface(surface, m_links, points)), m_labels(labelsOf(surface.tree())), m_before(m_labels),
           m_sharpness(sharpness) {}
 
     DrawnCrease run() {

@@ -34,13 +34,13 @@ void requireSides(const surface::Surface& surface) {
         throw base::Error("the normals do not tell inside from outside", {}, "orient them first (\"orient\")");
 }
 
-std::vector<Label> labelsOf(const surface::Surface& surface) {
-    std::vector<Label> out(surface.tree().size());
-    const auto layout = LabelLayout::of(*surface.tree().layout());
+std::vector<Label> labelsOf(const tree::SurfelTree& tree) {
+    std::vector<Label> out(tree.size());
+    const auto layout = LabelLayout::of(*tree.layout());
     if (!layout)
         return out;
     std::size_t next = 0;
-    surface.tree().forEachBlock([&](std::uint32_t, const surfel::SurfelBlock& block) {
+    tree.forEachBlock([&](std::uint32_t, const surfel::SurfelBlock& block) {
         for (int slot = 0; slot < block.size(); ++slot)
             out[next++] = layout->at(block, slot);
     });

@@ -10,7 +10,7 @@ namespace cells {
 void requireSides(const surface::Surface& surface);
 
 /// The labels of its surfels, in the order of the tree; those of one cell where there are none.
-std::vector<Label> labelsOf(const surface::Surface& surface);
+std::vector<Label> labelsOf(const tree::SurfelTree& tree);
 
 /// `surfels` are those of the surface in the order of its tree, with other normals and labels at most. Throws
 /// base::Error where an attribute of a label's name holds something else.

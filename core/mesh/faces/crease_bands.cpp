@@ -1,14 +1,12 @@
 #include "core/mesh/faces/crease_bands.h"
 
-#include "core/base/disjoint_sets.h"
+#include "core/cells/crease_bands.h"
 #include "core/cells/crease_labels.h"
 #include "core/surface/evaluation/weights.h"
 
 #include <algorithm>
 #include <array>
-#include <functional>
 #include <map>
-#include <queue>
 
 namespace mesh {
 
@@ -19,7 +17,6 @@ namespace {
 constexpr double crossingReach = 1.2;           ///< spacings from the middle of a link to the edge that it crosses
 constexpr double markDistance = 0.5;            ///< spacings between marks on edges
 constexpr double bandWidth = 3;                 ///< supports
-constexpr std::size_t fewestEnds = 6;           ///< of links that cross: a shorter crease is none
 constexpr double opposed = -0.5, upright = 0.8; ///< cosines: links from one side of a wall to the other
 constexpr double sharpnessReach = 0.8;          ///< supports: links whose share tells how sharp the crease is
 constexpr double leastShare = 0.15, shareRange = 0.6;
@@ -140,10 +137,8 @@ void CreaseBands::forLinks(std::uint32_t a, const Fn& fn) const {
     });
 }
 
-/// Parities over the ends of links that cross: first those links, which turn, then the others between these ends,
-/// flattest first, which do not. The other order joins both sides around the end of the crease.
 void CreaseBands::split() {
-    std::vector<Link> crossing;
+    std::vector<cells::BandPairs::Link> crossing;
     std::vector<double> convex;
     std::vector<bool> isEnd(m_samples.size());
     for (std::uint32_t a = 0; a < m_samples.size(); ++a)
@@ -152,79 +147,36 @@ void CreaseBands::split() {
                 const SharpEdge* edge = b > a || !m_near[b] ? crossed(a, b) : nullptr;
                 if (!edge)
                     return;
-                crossing.push_back({a, b});
+                crossing.emplace_back(a, b);
                 convex.push_back(edge->convex ? 1 : -1);
                 isEnd[a] = isEnd[b] = true;
             });
-    struct Flat {
-        float turn;
-        std::uint32_t a, b;
-        bool operator<(const Flat& o) const { return turn != o.turn ? turn < o.turn : a != o.a ? a < o.a : b < o.b; }
-    };
-    std::vector<Flat> others;
+    std::vector<cells::FlatLink> flat;
     std::vector<std::uint32_t> ends;
     for (std::uint32_t a = 0; a < m_samples.size(); ++a)
         if (isEnd[a]) {
             ends.push_back(a);
             forLinks(a, [&](std::uint32_t b) {
                 if (b > a && isEnd[b] && !crossed(a, b))
-                    others.push_back({1 - dot(m_samples[a].normal, m_samples[b].normal), a, b});
+                    flat.push_back({1 - dot(m_samples[a].normal, m_samples[b].normal), a, b});
             });
         }
-    std::sort(others.begin(), others.end());
-    base::ParitySets sides(m_samples.size());
-    for (const Link& link : crossing)
-        sides.relate(link.a, link.b, true);
-    for (const Flat& link : others)
-        sides.relate(link.a, link.b, false);
-
-    std::map<std::uint32_t, std::size_t> sizes;
-    for (const std::uint32_t a : ends)
-        ++sizes[sides.find(a).root];
-    std::map<std::uint32_t, std::uint32_t> pairs; // of roots
-    for (const auto& [root, size] : sizes)
-        if (size >= fewestEnds)
-            pairs.emplace(root, static_cast<std::uint32_t>(pairs.size()));
-    m_convex.assign(pairs.size(), 0);
+    cells::BandPairs pairs(m_samples.size(), crossing, std::move(flat), ends);
+    m_convex.assign(pairs.count(), 0);
     for (std::size_t i = 0; i < crossing.size(); ++i)
-        if (const auto at = pairs.find(sides.find(crossing[i].a).root); at != pairs.end())
-            m_convex[at->second] += convex[i];
+        if (const auto band = pairs.bandOf(crossing[i].first))
+            m_convex[*band / 2] += convex[i];
     std::vector<std::uint32_t> seeds;
-    for (const std::uint32_t a : ends) {
-        const auto [root, turned] = sides.find(a);
-        const auto at = pairs.find(root);
-        if (at == pairs.end())
-            continue;
-        m_cells[a] = m_firstBand + 2 * at->second + (turned ? 1 : 0);
-        seeds.push_back(a);
-    }
-    grow(seeds);
-}
-
-/// Shortest ways over links that do not cross.
-void CreaseBands::grow(std::span<const std::uint32_t> seeds) {
-    using Entry = std::pair<double, std::uint32_t>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-    std::map<std::uint32_t, double> known;
-    for (const std::uint32_t a : seeds) {
-        known[a] = 0;
-        queue.emplace(0.0, a);
-    }
-    while (!queue.empty()) {
-        const auto [way, a] = queue.top();
-        queue.pop();
-        if (way > known.at(a))
-            continue;
-        forLinks(a, [&, way = way, a = a](std::uint32_t b) {
-            const double further = way + base::distance(m_grid.at(a), m_grid.at(b));
-            const auto at = known.find(b);
-            if (further > bandWidth * m_support || (at != known.end() && at->second <= further) || crossed(a, b))
-                return;
-            known[b] = further;
-            m_cells[b] = m_cells[a];
-            queue.emplace(further, b);
-        });
-    }
+    for (const std::uint32_t a : ends)
+        if (const auto band = pairs.bandOf(a)) {
+            m_cells[a] = m_firstBand + *band;
+            seeds.push_back(a);
+        }
+    const auto links = [&](std::uint32_t a, const auto& fn) {
+        forLinks(a, [&](std::uint32_t b) { fn(b, base::distance(m_grid.at(a), m_grid.at(b))); });
+    };
+    const auto open = [&](std::uint32_t a, std::uint32_t b) { return !crossed(a, b); };
+    cells::growBands(seeds, m_cells, links, open, bandWidth * m_support);
 }
 
 void CreaseBands::fade(std::span<cells::Label> labels) const {

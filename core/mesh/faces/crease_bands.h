@@ -25,16 +25,12 @@ class CreaseBands {
     void fade(std::span<cells::Label> labels) const;
 
   private:
-    struct Link {
-        std::uint32_t a = 0, b = 0;
-    };
     /// The edge that a link between two samples crosses; null for none.
     const SharpEdge* crossed(std::uint32_t a, std::uint32_t b) const;
     bool throughMatter(std::uint32_t a, std::uint32_t b) const;
     void findTips();
     void findMarks();
     void split();
-    void grow(std::span<const std::uint32_t> seeds);
     /// fn(b) for the samples of the same face around a, links through matter left out.
     template <class Fn>
     void forLinks(std::uint32_t a, const Fn& fn) const;

@@ -8,7 +8,7 @@
 #include "core/process/estimation/duplicates.h"
 #include "core/process/estimation/keep_points.h"
 #include "core/process/estimation/normals.h"
-#include "core/process/estimation/outside.h"
+#include "core/process/estimation/orientation/outside.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/process/estimation/supports.h"
 

@@ -71,14 +71,19 @@ static void rounds(ResampleResult& out, const surface::Surface& ground, Resample
     }
 }
 
-/// Supports by place, and what has another surface by that or by where it lies fitted to the one before.
+/// What has another surface by its support or by where it lies is fitted to the one before.
+template <class SpacingAt>
+static void fitAll(ResampleResult& out, const surface::Surface& ground, Fit fit, const SpacingAt& spacingAt) {
+    if (fit == Fit::On)
+        out.surface = {fitted(out.surface.tree(), ground, spacingAt), ground.definition()};
+}
+
+/// Supports by place, and the fit.
 template <class SupportAt, class SpacingAt>
 static void finish(ResampleResult& out, const surface::Surface& ground, Fit fit, const SupportAt& supportAt,
                    const SpacingAt& spacingAt) {
-    tree::SurfelTree tree = withSupports(out.surface.tree(), supportAt);
-    if (fit == Fit::On)
-        tree = fitted(tree, ground, spacingAt);
-    out.surface = {std::move(tree), ground.definition()};
+    out.surface = {withSupports(out.surface.tree(), supportAt), ground.definition()};
+    fitAll(out, ground, fit, spacingAt);
 }
 
 static int changesFor(double ratio) {
@@ -131,14 +136,15 @@ ResampleResult resampleToCount(const surface::Surface& surface, std::size_t coun
     };
     const double present = double(summarise(spacings(list.items, part(progress, 0, 0.05))).median);
     Try now{std::log(present) + 0.5 * excessOf(list.size()), 0};
+    double chosen = now.spacing;
     std::optional<Try> fine, coarse;
     for (int attempt = 0; attempt < tries; ++attempt) {
         const double from = 0.05 + 0.95 * attempt / tries;
         ResampleResult found = resampleAll(surface, static_cast<float>(std::exp(now.spacing)), maxRounds,
-                                           part(progress, from, from + 0.95 / tries), fit);
+                                           part(progress, from, from + 0.95 / tries), Fit::Off);
         now.excess = excessOf(found.surface.tree().size());
         if (attempt == 0 || std::abs(now.excess) < std::abs(excessOf(best.surface.tree().size())))
-            best = std::move(found);
+            best = std::move(found), chosen = now.spacing;
         if (std::abs(now.excess) < close)
             break;
         (now.excess > 0 ? fine : coarse) = now;
@@ -149,6 +155,8 @@ ResampleResult resampleToCount(const surface::Surface& surface, std::size_t coun
             now.spacing += 0.5 * now.excess;
         }
     }
+    fitAll(best, surface, fit,
+           [spacing = static_cast<float>(std::exp(chosen))](const base::Vec3f&) { return spacing; });
     return best;
 }
 

@@ -10,7 +10,7 @@
 #include "core/process/cleaning/thin.h"
 #include "core/process/estimation/cloud_normals.h"
 #include "core/process/estimation/duplicates.h"
-#include "core/process/estimation/global_orientation.h"
+#include "core/process/estimation/orientation/global_orientation.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/process/estimation/prepare.h"
 

@@ -1,4 +1,4 @@
-#include "core/process/estimation/outside.h"
+#include "core/process/estimation/orientation/outside.h"
 
 #include "core/base/parallel.h"
 

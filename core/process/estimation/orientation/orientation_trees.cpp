@@ -1,6 +1,6 @@
-#include "core/process/estimation/orientation_trees.h"
+#include "core/process/estimation/orientation/orientation_trees.h"
 
-#include "core/process/estimation/outside.h"
+#include "core/process/estimation/orientation/outside.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
-#include "core/process/estimation/global_orientation.h"
+#include "core/process/estimation/orientation/global_orientation.h"
 
 #include "core/process/estimation/cloud_spacing.h"
-#include "core/process/estimation/orientation_trees.h"
+#include "core/process/estimation/orientation/orientation_trees.h"
 #include "core/process/estimation/part_progress.h"
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 #include "core/base/disjoint_sets.h"
 #include "core/base/large_array.h"
 #include "core/process/estimation/cloud_normals.h"
-#include "core/process/estimation/normal_links.h"
+#include "core/process/estimation/orientation/normal_links.h"
 
 namespace process {
 

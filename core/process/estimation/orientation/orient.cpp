@@ -1,7 +1,7 @@
 // Consistent orientation: the minimum spanning tree of unlikeness over the neighbour graph [Hoppe92],
 // with a flip rule (process/README 2.2) that knows the edge between the two points.
 #include "core/process/estimation/cloud_normals.h"
-#include "core/process/estimation/orientation_trees.h"
+#include "core/process/estimation/orientation/orientation_trees.h"
 #include "core/process/estimation/part_progress.h"
 
 namespace process {

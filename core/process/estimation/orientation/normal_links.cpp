@@ -1,4 +1,4 @@
-#include "core/process/estimation/normal_links.h"
+#include "core/process/estimation/orientation/normal_links.h"
 
 #include "core/base/clones.h"
 
