@@ -7,6 +7,7 @@
 #include "core/session/command.h"
 #include "fuzz/fuzzed.h"
 #include "support/crc32.h"
+#include "support/gzip.h"
 
 #include <cstdio>
 #include <fstream>
@@ -227,6 +228,7 @@ void fuzz::writeSeeds(const fs::path& out) {
     ::put(out / "gltf/scene", sceneText());
     io::write(out / "gltf/cloud.glb", fullModel());
     ::put(out / "stl/binary", triangleStl());
+    ::put(out / "gzip/stored", test::storedGzip("1 2 3\n4 5 6\n") + test::storedGzip("7 8 9\n"));
     const std::uint32_t pixels[] = {0xff0000ffu, 0x8000ff00u, 0xffff0000u, 0xffffffffu, 0u, 0xff808080u};
     ::put(out / "picture/colour.png", io::encodePng(pixels, 3, 2, "colour.png"));
     ::put(out / "picture/grey.jpg", jpeg(false, 1));
