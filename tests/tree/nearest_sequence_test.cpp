@@ -110,8 +110,7 @@ void NearestSequenceTest::smallAndEmptyTreesAnswerWithWhatTheyHave() {
     base::Random random(test::seed());
     const std::vector<base::Vec3f> anywhere{{0, 0, 0}, {0.1f, 0, 0}, {5, 5, 5}, {5, 5, 5}};
     for (const std::size_t count : {0, 1, 3, 14, 40}) {
-        const SurfelTree tree =
-            count ? SurfelTree::build(test::bumpySphere(count, random)) : SurfelTree();
+        const SurfelTree tree = count ? SurfelTree::build(test::bumpySphere(count, random)) : SurfelTree();
         for (const std::size_t k : {0, 1, 14, 50})
             QVERIFY(agreeAt(tree, anywhere, k));
     }
