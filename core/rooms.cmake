@@ -14,7 +14,8 @@ pointclay_link(surface PkgConfig::HWY)
 pointclay_room(process core/process surface)
 pointclay_link(process nanoflann::nanoflann PkgConfig::HWY Eigen3::Eigen)
 # As for sculpt below.
-set_source_files_properties(core/process/estimation/orientation/normal_links.cpp PROPERTIES
+set_source_files_properties(core/process/estimation/orientation/normal_links.cpp
+                            core/process/resampling/repulsion.cpp PROPERTIES
                             COMPILE_OPTIONS "-fno-math-errno;-fno-trapping-math"
                             SKIP_PRECOMPILE_HEADERS ON)
 

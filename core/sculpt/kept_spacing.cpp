@@ -42,21 +42,21 @@ static float spacingFromDisc(const std::vector<float>& distancesSq) {
     return std::sqrt(std::numbers::pi_v<float> * distancesSq.back() / held);
 }
 
-LocalSpacing KeptSpacing::measuredAt(const surfel::SurfelBlock& origin, int slot) const {
-    std::vector<tree::Neighbour> near;
-    const base::Vec3f x = origin.position(slot), n = origin.normal(slot);
-    m_first->tree().nearest(x, asked, near);
-    std::vector<float> alike, all;
+KeptSpacing::Search::Search(const KeptSpacing& kept) : m_around(kept.first().tree(), asked) {}
+
+LocalSpacing KeptSpacing::Search::at(const base::Vec3f& x, const base::Vec3f& n) {
+    m_around.at(x, m_near);
+    m_alike.clear(), m_all.clear();
     float least = std::numeric_limits<float>::infinity(), most = 0;
-    for (const tree::Neighbour& each : near) {
-        all.push_back(each.distanceSq);
+    for (const tree::Neighbour& each : m_near) {
+        m_all.push_back(each.distanceSq);
         const float support = each.block->support(each.slot);
         least = std::min(least, support), most = std::max(most, support);
         if (dot(each.block->normal(each.slot), n) >= 0)
-            alike.push_back(each.distanceSq);
+            m_alike.push_back(each.distanceSq);
     }
     constexpr std::size_t ring = 7; // with itself
-    const std::vector<float>& of = alike.size() < ring ? all : alike;
+    const std::vector<float>& of = m_alike.size() < ring ? m_all : m_alike;
     const bool same = most < steady * least;
     return {true, same, same || of.size() < ring ? process::spacingFromRing(of) : spacingFromDisc(of)};
 }
@@ -67,16 +67,25 @@ void KeptSpacing::measure(std::span<const surfel::BlockPtr> blocks) {
         if (!m_known.contains(block.get()))
             fresh.push_back({block, std::vector<LocalSpacing>(static_cast<std::size_t>(block->size()))});
     base::parallelFor(fresh.size(), 1, [&](std::size_t i) {
-        for (int slot = 0; slot < fresh[i].block->size(); ++slot)
-            fresh[i].spacing[static_cast<std::size_t>(slot)] = measuredAt(*fresh[i].block, slot);
+        Search search(*this);
+        const surfel::SurfelBlock& block = *fresh[i].block;
+        for (int slot = 0; slot < block.size(); ++slot)
+            fresh[i].spacing[static_cast<std::size_t>(slot)] = search.at(block.position(slot), block.normal(slot));
     });
     for (Known& each : fresh)
         m_known.emplace(each.block.get(), std::move(each));
 }
 
-LocalSpacing KeptSpacing::measured(const surfel::SurfelBlock& origin, int slot) const {
+LocalSpacing KeptSpacing::measured(const surfel::SurfelBlock& origin, int slot, Search& search) const {
     const auto known = m_known.find(&origin);
-    return known == m_known.end() ? measuredAt(origin, slot) : known->second.spacing[static_cast<std::size_t>(slot)];
+    return known == m_known.end() ? search.at(origin.position(slot), origin.normal(slot))
+                                  : known->second.spacing[static_cast<std::size_t>(slot)];
+}
+
+LocalSpacing KeptSpacing::measured(const surfel::SurfelBlock& origin, int slot) const {
+    if (const auto known = m_known.find(&origin); known != m_known.end())
+        return known->second.spacing[static_cast<std::size_t>(slot)];
+    return Search(*this).at(origin.position(slot), origin.normal(slot));
 }
 
 float KeptSpacing::madeFor(float support) const {

@@ -15,6 +15,7 @@
 
 #include "core/sculpt/stretches.h"
 #include "core/surface/surface.h"
+#include "core/tree/nearest_sequence.h"
 
 #include <optional>
 #include <unordered_map>
@@ -30,7 +31,19 @@ class KeptSpacing {
     /// Measures around all surfels of these blocks of the first version, unless that has been done, and keeps what was
     /// found. In parallel.
     void measure(std::span<const surfel::BlockPtr> blocks);
+    /// Measures one surfel after another, best slot after slot; one thread.
+    class Search {
+      public:
+        explicit Search(const KeptSpacing& kept);
+        LocalSpacing at(const base::Vec3f& x, const base::Vec3f& n);
+
+      private:
+        tree::NearestSequence m_around;
+        std::vector<tree::Neighbour> m_near;
+        std::vector<float> m_alike, m_all; ///< squared distances
+    };
     /// m at a surfel of `origin`, whose positions are those of the first version. Known or measured now.
+    LocalSpacing measured(const surfel::SurfelBlock& origin, int slot, Search& search) const;
     LocalSpacing measured(const surfel::SurfelBlock& origin, int slot) const;
     /// s where m is `measured`, of a surfel with this support.
     float target(const LocalSpacing& measured, float support) const;
@@ -43,8 +56,6 @@ class KeptSpacing {
         surfel::BlockPtr block; ///< held, so that no other has its address
         std::vector<LocalSpacing> spacing;
     };
-    LocalSpacing measuredAt(const surfel::SurfelBlock& origin, int slot) const;
-
     std::optional<surface::Surface> m_first;
     float m_atContact = 0;
     float m_ratio = 1;   ///< of the measured spacing to what supports are made for

@@ -156,8 +156,11 @@ float Sampling::targetOf(const surfel::SurfelBlock& block, int slot) const {
 }
 
 void Sampling::measureTracked(const Which& which) {
-    m_stretches.measureWhere(
-        which, [&](const surfel::SurfelBlock& origin, int slot) { return m_kept.measured(origin, slot); });
+    m_stretches.measureWhere(which, [&] {
+        return [&, search = KeptSpacing::Search(m_kept)](const surfel::SurfelBlock& origin, int slot) mutable {
+            return m_kept.measured(origin, slot, search);
+        };
+    });
 }
 
 /// Measures what resampling of the surfels asked for will look at.

@@ -75,10 +75,10 @@ class Stretches {
         for (const auto& [block, each] : m_tracked)
             fn(each);
     }
-    /// Sets spacings of slots where they are missing and asks(tracked, slot); spacing(origin, slot) is called from many
-    /// threads, and so is asks.
-    template <class Asks, class Spacing>
-    void measureWhere(const Asks& asks, const Spacing& spacing);
+    /// Sets spacings of slots where they are missing and asks(tracked, slot). newMeasure() gives what is called as
+    /// measure(origin, slot), slot after slot of a block, by one thread; it is called from many, and so is asks.
+    template <class Asks, class NewMeasure>
+    void measureWhere(const Asks& asks, const NewMeasure& newMeasure);
     /// Null for blocks that the stroke has not changed.
     const Tracked* find(const surfel::SurfelBlock& block) const;
 
@@ -112,19 +112,20 @@ class Stretches {
     std::unordered_map<const surfel::SurfelBlock*, Tracked> m_tracked; ///< by `now`
 };
 
-template <class Asks, class Spacing>
-void Stretches::measureWhere(const Asks& asks, const Spacing& spacing) {
+template <class Asks, class NewMeasure>
+void Stretches::measureWhere(const Asks& asks, const NewMeasure& newMeasure) {
     std::vector<Tracked*> all;
     for (auto& [block, each] : m_tracked)
         all.push_back(&each);
     base::parallelFor(all.size(), 1, [&](std::size_t i) {
         Tracked& each = *all[i];
+        auto measure = newMeasure();
         for (int slot = 0; slot < each.now->size(); ++slot) {
             if (!asks(each, slot))
                 continue;
             each.spacing.resize(static_cast<std::size_t>(each.now->size()));
             if (LocalSpacing& at = each.spacing[static_cast<std::size_t>(slot)]; !at.known)
-                at = spacing(*each.origin, slot);
+                at = measure(*each.origin, slot);
         }
     });
 }

@@ -1,7 +1,7 @@
 #include "core/process/estimation/normals.h"
 
-#include "core/base/mat3.h"
 #include "core/process/estimation/cloud_normals.h"
+#include "core/process/estimation/least_direction.h"
 #include "core/process/estimation/part_progress.h"
 
 namespace process {
@@ -39,7 +39,7 @@ base::Vec3f planeNormal(std::span<const base::Vec3f> positions, std::size_t i, s
     base::Mat3d c;
     c[0][0] = xx - w * m.x * m.x, c[0][1] = c[1][0] = xy - w * m.x * m.y, c[0][2] = c[2][0] = xz - w * m.x * m.z;
     c[1][1] = yy - w * m.y * m.y, c[1][2] = c[2][1] = yz - w * m.y * m.z, c[2][2] = zz - w * m.z * m.z;
-    return base::normalized(base::cast<float>(base::symmetricEigen(c).vector[0]), {0, 0, 1});
+    return base::normalized(base::cast<float>(leastDirection(c)), {0, 0, 1});
 }
 
 std::vector<base::Vec3f> normalsOf(const Cloud& cloud, int neighbours, const base::Progress& progress) {

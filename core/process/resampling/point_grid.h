@@ -4,6 +4,7 @@
 // order of building and inserting, so that visits are deterministic. Const functions may run on any thread.
 #pragma once
 
+#include "core/base/box.h"
 #include "core/base/cells.h"
 
 #include <span>
@@ -26,7 +27,18 @@ class PointGrid {
 
     /// fn(entry) for a superset of the entries within `radius` of `x`.
     template <class Fn>
-    void forNear(const base::Vec3f& x, float radius, const Fn& fn) const;
+    void forNear(const base::Vec3f& x, float radius, const Fn& fn) const {
+        const base::Vec3f reach{radius, radius, radius};
+        forIn({x - reach, x + reach}, fn);
+    }
+    /// fn(entry) for a superset of the entries in a box.
+    template <class Fn>
+    void forIn(const base::Box3f& box, const Fn& fn) const;
+    /// Cells that a box meets, occupied or not.
+    std::size_t cellsIn(const base::Box3f& box) const {
+        const base::Cell lo = cellOf(box.lo), hi = cellOf(box.hi);
+        return static_cast<std::size_t>((hi.x - lo.x + 1) * (hi.y - lo.y + 1) * (hi.z - lo.z + 1));
+    }
 
     // --- cell by cell, for work that is done for all points of a cell at once; only after `build`, before `insert` ---
 
@@ -95,9 +107,8 @@ void PointGrid::visit(const Occupied& cell, const Fn& fn) const {
 }
 
 template <class Fn>
-void PointGrid::forNear(const base::Vec3f& x, float radius, const Fn& fn) const {
-    const base::Vec3f reach{radius, radius, radius};
-    const base::Cell lo = cellOf(x - reach), hi = cellOf(x + reach);
+void PointGrid::forIn(const base::Box3f& box, const Fn& fn) const {
+    const base::Cell lo = cellOf(box.lo), hi = cellOf(box.hi);
     for (std::int64_t cx = lo.x; cx <= hi.x; ++cx)
         for (std::int64_t cy = lo.y; cy <= hi.y; ++cy)
             for (std::int64_t cz = lo.z; cz <= hi.z; ++cz)

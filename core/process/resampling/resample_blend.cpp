@@ -3,7 +3,6 @@
 #include "core/base/parallel.h"
 #include "core/process/resampling/resample_land.h"
 #include "core/surface/evaluation/attribute_sum.h"
-#include "core/surface/evaluation/packets.h"
 #include "core/surface/evaluation/weights.h"
 
 #include <algorithm>
@@ -76,21 +75,26 @@ void Blender::forWeights(const base::Vec3f& x, Near& near, const Fn& fn) const {
 }
 
 void Blender::markNeeded(const base::Vec3f& x, Near& near) {
-    forWeights(x, near, [&](const surfel::SurfelBlock&, int, std::size_t index, float) {
-        if (m_needed[index].load(std::memory_order_relaxed) == 0)
-            m_needed[index].store(1, std::memory_order_relaxed);
-    });
+    lookAround(x, near);
+    float distanceSq[surfel::clusterSize];
+    for (const auto& [block, which] : near.blocks)
+        for (unsigned left = block->boundsLanes().supporting(x); left != 0; left &= left - 1) {
+            const int cluster = std::countr_zero(left);
+            std::atomic<std::uint8_t>* needed = m_needed.data() + which * surfel::blockCapacity +
+                                                static_cast<std::size_t>(cluster * surfel::clusterSize);
+            for (unsigned in = surface::withinSupport(*block, cluster, x, distanceSq); in != 0; in &= in - 1)
+                needed[std::countr_zero(in)].store(1, std::memory_order_relaxed);
+        }
 }
 
-Blender::Measured Blender::measured(surface::Source& source, const base::Vec3f& p, const base::Vec3f& n) const {
-    const surface::Evaluationf e = source.evaluate(p, surface::Need::Gradient, {n});
+Blender::Measured Blender::measured(const surface::TogetherAt& e, const base::Vec3f& n) const {
     const float slope = length(e.gradient);
     Measured out;
     if (!(e.ok() || e.status == surface::Status::BeyondBoundary) || !(slope > 0.05f))
         return out;
     out.gradient = e.gradient / slope;
     const bool turned = dot(n, out.gradient) < 0;
-    out.height = std::clamp(centredValue(m_frozen, p, e) / slope, -m_limit, m_limit);
+    out.height = std::clamp(centredValue(m_frozen, e) / slope, -m_limit, m_limit);
     out.tilt = (turned ? -n : n) - out.gradient;
     return out;
 }
@@ -101,13 +105,14 @@ void Blender::measure() {
         if (m_needed[index].load(std::memory_order_relaxed))
             needed.push_back(index);
     const auto slotOf = [](std::uint32_t index) { return static_cast<int>(index % surfel::blockCapacity); };
-    std::vector<base::Vec3f> places(needed.size());
-    for (std::size_t k = 0; k < needed.size(); ++k)
-        places[k] = m_blocks[needed[k] / surfel::blockCapacity]->position(slotOf(needed[k]));
-    surface::forPackets(m_frozen, places, 0, [&](surface::Source& source, std::size_t k) {
+    std::vector<base::Vec3f> places(needed.size()), sides(needed.size());
+    for (std::size_t k = 0; k < needed.size(); ++k) {
         const surfel::SurfelBlock& block = *m_blocks[needed[k] / surfel::blockCapacity];
-        m_measured[needed[k]] = measured(source, places[k], block.normal(slotOf(needed[k])));
-    });
+        places[k] = block.position(slotOf(needed[k])), sides[k] = block.normal(slotOf(needed[k]));
+    }
+    std::vector<surface::TogetherAt> at(needed.size());
+    surface::evaluateTogether(m_frozen, places, sides, at);
+    base::parallelFor(needed.size(), 256, [&](std::size_t k) { m_measured[needed[k]] = measured(at[k], sides[k]); });
 }
 
 void Blender::at(const base::Vec3f& x, const base::Vec3f& gradient, Near& near, Blend& out) const {

@@ -11,7 +11,7 @@
 #pragma once
 
 #include "core/process/resampling/resample_set.h"
-#include "core/surface/evaluation/source.h"
+#include "core/surface/evaluation/together.h"
 
 #include <atomic>
 
@@ -51,7 +51,7 @@ class Blender {
     /// fn(block, slot, index into m_measured, weight) for the surfels with weight at x.
     template <class Fn>
     void forWeights(const base::Vec3f& x, Near& near, const Fn& fn) const;
-    Measured measured(surface::Source& source, const base::Vec3f& position, const base::Vec3f& normal) const;
+    Measured measured(const surface::TogetherAt& e, const base::Vec3f& normal) const;
 
     const surface::Surface& m_frozen;
     const surfel::AttributeLayout& m_layout;

@@ -3,7 +3,7 @@
 #include "core/base/cancel_scope.h"
 #include "core/base/parallel.h"
 #include "core/process/resampling/resample_set.h"
-#include "core/surface/evaluation/packets.h"
+#include "core/surface/evaluation/together.h"
 
 #include <cmath>
 
@@ -21,8 +21,7 @@ constexpr float leastFacing = 0.5f;
 constexpr float mostRaised = 0.25f, mostTilted = 0.3f;
 /// What is nearer than this is the frozen surface: of the spacing, and of a unit normal.
 constexpr float noticed = 1e-4f, noticedTilt = 3e-4f;
-/// In units of h: samples lie where they are asked for.
-constexpr float slack = 0.1f;
+constexpr std::size_t grain = 256;
 /// Of whole models.
 constexpr int rounds = 3;
 
@@ -31,7 +30,7 @@ struct Told {
     float distance = 0;
 };
 
-Told toldBy(const surface::Evaluationf& e) {
+Told toldBy(const surface::TogetherAt& e) {
     const float slope = length(e.gradient);
     if (!e.ok() && e.status != surface::Status::BeyondBoundary)
         return {};
@@ -47,14 +46,16 @@ Vec3f shortened(const Vec3f& v, float most) {
 
 SampleFit::SampleFit(const surface::Surface& frozen, std::vector<Sample> samples, float pinned)
     : m_start(samples.size()), m_samples(std::move(samples)), m_changed(m_samples.size()) {
-    std::vector<Vec3f> places(m_samples.size());
+    std::vector<Vec3f> places(m_samples.size()), sides(m_samples.size());
     for (std::size_t i = 0; i < places.size(); ++i)
-        places[i] = m_samples[i].position;
+        places[i] = m_samples[i].position, sides[i] = m_samples[i].normal;
     const bool oriented = frozen.tree().layout()->normals && frozen.tree().layout()->oriented;
-    surface::forPackets(frozen, places, slack, [&](surface::Source& source, std::size_t i) {
+    std::vector<surface::TogetherAt> at(places.size());
+    surface::evaluateTogether(frozen, places, sides, at);
+    base::parallelFor(places.size(), grain, [&](std::size_t i) {
         Start& start = m_start[i];
         start.place = places[i], start.normal = m_samples[i].normal;
-        const surface::Evaluationf e = source.evaluate(places[i], surface::Need::Gradient, {start.normal});
+        const surface::TogetherAt& e = at[i];
         const Told told = toldBy(e);
         if (e.offCentre > pinned * e.unit || std::abs(told.distance) > mostRaised * m_samples[i].spacing)
             return;
@@ -68,16 +69,18 @@ SampleFit::SampleFit(const surface::Surface& frozen, std::vector<Sample> samples
 
 bool SampleFit::improve(const surface::Surface& now) {
     const bool tilts = now.tree().layout()->normals;
-    std::vector<Vec3f> places(m_start.size());
+    std::vector<Vec3f> places(m_start.size()), sides(m_start.size());
     for (std::size_t i = 0; i < places.size(); ++i)
-        places[i] = m_start[i].place;
+        places[i] = m_start[i].place, sides[i] = m_start[i].gradient;
     m_changed.assign(m_start.size(), 0);
-    surface::forPackets(now, places, slack, [&](surface::Source& source, std::size_t i) {
+    std::vector<surface::TogetherAt> at(places.size());
+    surface::evaluateTogether(now, places, sides, at);
+    base::parallelFor(places.size(), grain, [&](std::size_t i) {
         const Start& start = m_start[i];
         Sample& sample = m_samples[i];
         if (start.gradient == Vec3f{})
             return;
-        Told told = toldBy(source.evaluate(places[i], surface::Need::Gradient, {start.gradient}));
+        const Told told = toldBy(at[i]);
         if (dot(told.gradient, start.gradient) < leastFacing)
             return;
         const float low = told.distance - start.distance;

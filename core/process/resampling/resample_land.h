@@ -8,6 +8,7 @@
 #pragma once
 
 #include "core/surface/evaluation/source.h"
+#include "core/surface/evaluation/together.h"
 
 namespace process {
 
@@ -21,13 +22,15 @@ struct Landing {
 
 /// f_c of an evaluation at x with gradient.
 float centredValue(const surface::Surface& surface, const base::Vec3f& x, const surface::Evaluationf& e);
+float centredValue(const surface::Surface& surface, const surface::TogetherAt& e);
 
 /// One step more from x0, where `out.place` is the last one's end, or x0 to begin with. False: no surface there.
 bool landStep(surface::Source& source, const base::Vec3f& x0, const base::Vec3f& hint, Landing& out);
 
-/// At most `steps` steps from x0, until one is shorter than `tolerance` (model units). Not ok: no surface there.
-/// REQUIRES: steps >= 1.
-/// What lands with one source one after the other should lie side by side.
-Landing land(surface::Source& source, const base::Vec3f& x0, const base::Vec3f& hint, int steps, float tolerance);
+/// From each of x0 at most `steps` steps, until one is shorter than `tolerance` (model units). Not ok: no surface
+/// there. What lies side by side should stand side by side. Of `at` they tell what TogetherAt does, but for the bend.
+/// In parallel. REQUIRES: steps >= 1; as many hints.
+std::vector<Landing> landTogether(const surface::Surface& surface, std::span<const base::Vec3f> x0,
+                                  std::span<const base::Vec3f> hints, int steps, float tolerance);
 
 } // namespace process

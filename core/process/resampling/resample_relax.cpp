@@ -1,8 +1,9 @@
 #include "core/base/cancel_scope.h"
 #include "core/base/parallel.h"
+#include "core/process/resampling/near_samples.h"
+#include "core/process/resampling/repulsion.h"
 #include "core/process/resampling/resample_land.h"
 #include "core/process/resampling/resample_set.h"
-#include "core/surface/evaluation/packets.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +11,8 @@
 
 namespace process {
 
+/// A square that is larger by this has a larger root.
+constexpr float rounding = 1.0001f;
 /// A displacement shorter than this part of the spacing is taken back: not worth a changed surfel. What is pushed by
 /// less is at rest, and need not be asked where the surface is.
 constexpr float notice = 0.01f;
@@ -49,9 +52,17 @@ struct Neighbours {
         std::vector<std::vector<std::uint32_t>> found(base::chunkCount(awake.size(), grain));
         std::vector<std::size_t> counts(awake.size());
         base::parallelChunks(awake.size(), grain, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+            NearSamples near(set);
             for (std::size_t k = begin; k < end; ++k) {
                 const std::size_t before = found[chunk].size();
-                look(set, awake[k], spacings * set.target[awake[k]], found[chunk]);
+                const std::uint32_t i = awake[k];
+                const float reach = spacings * set.target[i];
+                if (!near.covers(set.position[i], reach))
+                    near.gather(std::span(awake).subspan(k, end - k), spacings);
+                near.forWithin(set.position[i], reach, [&](std::uint32_t j, const base::Vec3f& n) {
+                    if (j != i && set.facing.same(set.normal[i], n))
+                        found[chunk].push_back(j);
+                });
                 counts[k] = found[chunk].size() - before;
             }
         });
@@ -67,29 +78,24 @@ struct Neighbours {
     }
 
     static constexpr std::size_t grain = 64;
-
-  private:
-    static void look(const SampleSet& set, std::uint32_t i, float reach, std::vector<std::uint32_t>& out) {
-        set.grid.forNear(set.position[i], reach, [&](const PointGrid::Entry& e) {
-            if (e.index != i && !set.is(e.index, Gone) && distanceSq(e.position, set.position[i]) < reach * reach &&
-                set.facing.same(set.normal[i], set.normal[e.index]))
-                out.push_back(e.index);
-        });
-    }
 };
 
 /// d = sum 0.2 (1.5 s - l) t / |t| over the neighbours on the same sheet, t the tangential part of p_i - p_j.
-base::Vec3f repulsion(const SampleSet& set, std::uint32_t i, std::span<const std::uint32_t> neighbours) {
-    const base::Vec3f p = set.position[i], n = set.normal[i];
-    base::Vec3f sum;
+base::Vec3f repulsion(const SampleSet& set, std::uint32_t i, std::span<const std::uint32_t> neighbours,
+                      Repulsion& sum) {
+    const base::Vec3f p = set.position[i];
+    const bool even = !set.options.field && !set.options.targetOf;
+    const float own = relaxDistance * set.target[i];
+    sum.begin(set.normal[i]);
     for (const std::uint32_t j : neighbours) {
         const base::Vec3f d = p - set.position[j];
-        const float l = length(d), reach = relaxDistance * set.between(i, j);
-        if (l < reach)
-            sum += normalized(d - n * dot(n, d)) * (relaxRate * (reach - l));
+        const float reach = even ? own : relaxDistance * set.between(i, j);
+        if (dot(d, d) <= rounding * reach * reach) // few: the roots of others are not asked for
+            sum.add(d, reach);
     }
-    const float most = relaxStep * set.target[i], l = length(sum);
-    return l > most ? sum * (most / l) : sum;
+    const base::Vec3f all = sum.end() * relaxRate;
+    const float most = relaxStep * set.target[i], l = length(all);
+    return l > most ? all * (most / l) : all;
 }
 
 /// Those that take part in relaxation, and whom each of them sees.
@@ -106,8 +112,11 @@ struct Relaxing {
     }
     void measure() {
         push.resize(awake.size());
-        base::parallelFor(awake.size(), Neighbours::grain,
-                          [&](std::size_t k) { push[k] = repulsion(set, awake[k], neighbours.of(rank[k])); });
+        base::parallelChunks(awake.size(), Neighbours::grain, [&](std::size_t begin, std::size_t end, std::size_t) {
+            Repulsion sum;
+            for (std::size_t k = begin; k < end; ++k)
+                push[k] = repulsion(set, awake[k], neighbours.of(rank[k]), sum);
+        });
     }
     /// Leaves those of which keeps(k) is true.
     template <class Keeps>
@@ -146,19 +155,27 @@ void dropResting(Relaxing& those) {
     });
 }
 
+std::vector<base::Vec3f> sidesOf(const Relaxing& those) {
+    std::vector<base::Vec3f> out(those.awake.size());
+    for (std::size_t k = 0; k < out.size(); ++k)
+        out[k] = those.set.normal[those.awake[k]];
+    return out;
+}
+
 /// Notes where they lie on the frozen surface (step 0, for those that need it); border surfels stay put.
 void pin(Relaxing& those) {
     SampleSet& set = those.set;
     const std::vector<base::Vec3f> places = those.places(0);
+    std::vector<surface::TogetherAt> at(places.size());
+    surface::evaluateTogether(set.frozen, places, sidesOf(those), at);
     std::vector<std::uint8_t> free(places.size());
-    surface::forPackets(set.frozen, places, 0, [&](surface::Source& source, std::size_t k) {
+    for (std::size_t k = 0; k < places.size(); ++k) {
         const std::uint32_t i = those.awake[k];
-        const surface::Evaluationf e = source.evaluate(places[k], surface::Need::Gradient, {set.normal[i]});
-        const base::Vec3f g = normalized(e.gradient);
-        free[k] = e.ok() && g != base::Vec3f{} && e.offCentre <= set.pinned * e.unit ? 1 : 0;
+        const base::Vec3f g = normalized(at[k].gradient);
+        free[k] = at[k].ok() && g != base::Vec3f{} && at[k].offCentre <= set.pinned * at[k].unit ? 1 : 0;
         if (i < set.oldCount())
             set.oldGradient[i] = g;
-    });
+    }
     those.keep([&](std::size_t k) { return free[k] != 0; });
 }
 
@@ -166,13 +183,14 @@ void pin(Relaxing& those) {
 void sweepOnce(Relaxing& those) {
     SampleSet& set = those.set;
     const std::vector<base::Vec3f> target = those.places(1);
+    const std::vector<Landing> landings = landTogether(set.frozen, target, sidesOf(those), 1, 0);
     std::vector<base::Vec3f> next(target.size());
-    surface::forPackets(set.frozen, target, 0, [&](surface::Source& source, std::size_t k) {
+    for (std::size_t k = 0; k < next.size(); ++k) {
         const std::uint32_t i = those.awake[k];
-        const Landing y = land(source, target[k], set.normal[i], 1, 0);
+        const Landing& y = landings[k];
         const bool kept = y.ok && y.at.offCentre <= set.grown * y.at.unit && set.facing.same(set.normal[i], y.gradient);
         next[k] = kept ? y.place : set.position[i];
-    });
+    }
     for (std::size_t k = 0; k < next.size(); ++k)
         set.position[those.awake[k]] = next[k];
 }

@@ -4,7 +4,6 @@
 #include "core/process/resampling/resample_fit.h"
 #include "core/process/resampling/resample_land.h"
 #include "core/process/resampling/resample_set.h"
-#include "core/surface/evaluation/packets.h"
 
 #include <cmath>
 
@@ -14,8 +13,6 @@ namespace {
 
 constexpr int steps = 12;
 constexpr float tolerance = 1e-5f; ///< of the support
-/// In units of h: they lie near the surface already.
-constexpr float packetSlack = 0.1f;
 constexpr std::size_t grain = 32;
 
 /// What becomes of one sample that moved or is new.
@@ -45,18 +42,17 @@ std::vector<std::uint32_t> landAll(SampleSet& set, std::vector<Landing>& landing
     for (std::uint32_t i = 0; i < set.size(); ++i)
         if (set.is(i, Moved) && !set.is(i, Gone))
             out.push_back(i);
-    landings.resize(out.size());
-    std::vector<base::Vec3f> places(out.size());
+    std::vector<base::Vec3f> places(out.size()), sides(out.size());
     for (std::size_t k = 0; k < out.size(); ++k)
-        places[k] = set.position[out[k]];
-    surface::forPackets(set.frozen, places, packetSlack, [&](surface::Source& source, std::size_t k) {
+        places[k] = set.position[out[k]], sides[k] = set.normal[out[k]];
+    landings = landTogether(set.frozen, places, sides, steps, tolerance * set.options.support);
+    for (std::size_t k = 0; k < out.size(); ++k) {
         const std::uint32_t i = out[k];
-        landings[k] = land(source, places[k], set.normal[i], steps, tolerance * set.options.support);
         const float far = set.target[i] * set.target[i];
         landings[k].ok = landings[k].ok && distanceSq(landings[k].place, places[k]) < far;
         if (!landings[k].ok)
             set.unmark(i, Moved), set.mark(i, set.is(i, New) ? Gone : 0);
-    });
+    }
     std::size_t kept = 0;
     for (std::size_t k = 0; k < out.size(); ++k)
         if (landings[k].ok)

@@ -28,6 +28,7 @@ struct SelfLanes {
     float value[lanes], unit[lanes], offCentre[lanes], agreement[lanes];
     float centroid[3][lanes], normal[3][lanes];
     float gradient[3][lanes]; ///< where asked for
+    float bend[lanes];        ///< e^T (grad n) e with e = x - c, where the kernel is asked for it
     Status status[lanes];
 
     base::Vec3f centroidAt(int lane) const { return at(centroid, lane); }

@@ -1,4 +1,5 @@
-// Self-evaluation, compiled once per instruction set and chosen at run time (Google Highway).
+// Evaluation at the surfels of a cluster, or at any 16 positions, compiled once per instruction set and chosen at run
+// time (Google Highway).
 //
 // The positions are the lanes, so that lanes never meet: no reduction, and the same bits at every width. A surfel
 // around them is one step of the loop, with the same operations in all lanes. First those that reach the box of the
@@ -130,7 +131,8 @@ HWY_INLINE unsigned storeValues(const SelfInput& in, const Values& s, const V3& 
 ///     grad f = (1-mu) n + mu m / w - sum a_i g_i y_i
 ///     g_i = (1-mu) [ n.(y_i - d) / w + v.n_i ] + mu (n_i.y_i - H / w) / w,   v = (d - n (n.d)) / |m|,  H = sum theta
 ///     n.y
-template <Weight weight>
+/// and d^T (grad n) d = - sum a_i (y_i.d) (n_i.v).
+template <Weight weight, bool bend>
 HWY_INLINE void storeGradients(const SelfInput& in, const Around& around, const Values& s, const V3& x,
                                std::size_t first, SelfLanes& out) {
     const D d;
@@ -142,7 +144,9 @@ HWY_INLINE void storeGradients(const SelfInput& in, const Around& around, const 
     };
     const V3 v{tangent(s.away.x, s.normal.x), tangent(s.away.y, s.normal.y), tangent(s.away.z, s.normal.z)};
     const V same = hn::MulAdd(hn::Mul(s.height, s.inverseWeight), symmetric, dot(n, s.away));
-    V gx = hn::Zero(d), gy = gx, gz = gx;
+    const auto turn = [&](V away, V normal) { return hn::Mul(s.inverseLength, hn::NegMulAdd(normal, height, away)); };
+    const V3 turning{turn(s.away.x, s.normal.x), turn(s.away.y, s.normal.y), turn(s.away.z, s.normal.z)};
+    V gx = hn::Zero(d), gy = gx, gz = gx, bent = gx;
     for (std::size_t i = 0; i < around.count; ++i) {
         const Pair pair(around, i, x);
         const V slope = pair.template weights<weight, 1>().slope;
@@ -152,7 +156,11 @@ HWY_INLINE void storeGradients(const SelfInput& in, const Around& around, const 
         const V g = hn::Add(hn::Sub(dot(n, pair.y), same), dot(pair.n, along));
         const V ag = hn::Mul(a, g);
         accumulate(gx, ag, pair.y.x), accumulate(gy, ag, pair.y.y), accumulate(gz, ag, pair.y.z);
+        if constexpr (bend)
+            accumulate(bent, hn::Mul(a, dot(s.away, pair.y)), dot(pair.n, turning));
     }
+    if constexpr (bend)
+        hn::Store(hn::Neg(bent), d, out.bend + first);
     const auto store = [&](V summed, V normal, V sum, float* to) {
         hn::Store(hn::Sub(hn::MulAdd(symmetric, summed, hn::Mul(flat, normal)), sum), d, to + first);
     };
@@ -171,8 +179,10 @@ unsigned evaluateAll(const SelfInput& in, float* scratch, SelfLanes& out) {
         values.sum<weight>(around, x);
         values.derive();
         special |= storeValues(in, values, x, first, out) << first;
-        if (in.gradient)
-            storeGradients<weight>(in, around, values, x, first, out);
+        if (in.bend)
+            storeGradients<weight, true>(in, around, values, x, first, out);
+        else if (in.gradient)
+            storeGradients<weight, false>(in, around, values, x, first, out);
     }
     return special;
 }

@@ -6,19 +6,20 @@
 namespace surface {
 
 struct SelfInput {
-    const float* cluster; ///< whose surfels are the positions
+    const float* cluster; ///< x[16] y[16] z[16] of the positions: those of a cluster's surfels, or any
     base::Box3f box;      ///< of their places
     ClusterSpan around;   ///< all clusters that may have weight in the box
     Weight weight;
     float scale, mu, boundaryLimit;
     float leastAgreement, leastSpread; ///< below these a surfel is special
     bool gradient;
+    bool bend = false; ///< as well; REQUIRES: gradient
 };
 
 constexpr std::size_t selfRows = surfel::Support + 2; ///< that `selfKernel` picks into
 
-/// Evaluates at the 16 surfels; returns a bit for each that is special, whose numbers are not to be used. `scratch` has
-/// room for selfRows.
+/// Evaluates at the 16 positions; returns a bit for each that is special, whose numbers are not to be used. `scratch`
+/// has room for selfRows.
 unsigned selfKernel(const SelfInput& in, float* scratch, SelfLanes& out);
 
 } // namespace surface
