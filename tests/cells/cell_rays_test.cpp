@@ -334,11 +334,11 @@ void CellRaysTest::openEdgesAreWhole() {
     const SampledSolid s =
         sampled(convex ? plane_solids::intersection(planes) : plane_solids::unionOf(planes), radius, spacing, random);
     surface::SurfaceDefinition definition;
-    definition.boundaryLimit = 0.3f;
+    definition.boundaryLimit = 0.17f; // about an acute edge o is up to 0.23 h
     definition.oneSheet = false;
     const CellSurface surface = *CellSurface::of(surface::Surface(tree::SurfelTree::build(s.surfels), definition));
     int rays = 0;
-    for (int k = 0; k < test::effort(600); ++k) {
+    for (int k = 0; rays < test::effort(120) && k < 20000; ++k) {
         const Vec3d edge{0, 0, random.uniform(-0.5, 0.5)};
         const Rayd ray =
             towards(edge + random.unitVector() * (random.uniform(0, 1.5) * spacing), random.unitVector(), 2);
@@ -357,7 +357,7 @@ void CellRaysTest::openEdgesAreWhole() {
         QVERIFY2(std::abs(exact.hit.t - t) < 1e-3 * spacing, where);
         QVERIFY2(std::abs(static_cast<double>(quick.t) - t) < 1e-2 * spacing, where);
     }
-    QVERIFY(rays > 50);
+    QVERIFY(rays > 10);
     // and the rim is where it was
     for (const plane_solids::Plane& plane : planes) {
         const Vec3d along = base::normalized(cross(plane.n, Vec3d{0, 0, 1}));
