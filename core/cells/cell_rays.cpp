@@ -3,6 +3,7 @@
 #include "core/base/parallel.h"
 #include "core/cells/cell_roots.h"
 #include "core/cells/local_boolean.h"
+#include "core/surface/rays/ray_order.h"
 
 #include <cassert>
 
@@ -17,38 +18,48 @@ using surface::RayHit;
 
 namespace {
 
+/// What a ray is asked for: its first hit, all of them, or any that is not where it starts.
+enum class Wanted { First, All, Any };
+
+/// Asks a CellSource or a CellSourcef, which many rays may share.
+template <class Source>
 class CellRay {
   public:
-    CellRay(const CellSurface& surface, const Rayd& ray, const IntersectOptions& options)
-        : m_source(surface), m_ray{ray.origin, base::normalized(ray.direction)}, m_options(options),
+    CellRay(Source& source, const Rayd& ray, double from, double to)
+        : m_source(source), m_ray{ray.origin, base::normalized(ray.direction)}, m_from(from), m_to(to),
           m_roots(m_source, m_ray) {}
 
-    /// Hits by ascending t; the first one alone unless `all`.
-    std::vector<CellHit> run(bool all, double from) {
+    /// Hits by ascending t.
+    std::vector<CellHit> run(Wanted wanted) {
         std::vector<CellHit> out;
         if (!(lengthSq(m_ray.direction) > 0))
             return out;
-        const double most = static_cast<double>(m_options.tMax);
-        double nearest = most;
-        const std::vector<Stretch> found = stretches(m_source.surface(), m_ray, from, most);
+        double nearest = m_to;
+        const bool first = wanted == Wanted::First;
+        std::vector<double> roots;
+        const std::vector<Stretch> found = stretches(m_source.surface(), m_ray, m_from, m_to);
         // where there is one zero at most it costs little; the others are marched no farther than the nearest hit
         for (const bool monotone : {true, false})
             for (Stretch each : found) {
-                if (!all && each.begin > nearest)
+                if (first && each.begin > nearest)
                     break;
                 if (each.monotone() != monotone)
                     continue;
-                if (!all && !monotone)
+                if (first && !monotone)
                     each.end = std::min(each.end, nearest);
-                std::vector<double> roots;
+                roots.clear();
                 m_roots.find(each, roots);
                 for (const double t : roots)
-                    if (t >= from && t <= (all ? most : nearest))
+                    if (t >= m_from && t <= (first ? nearest : m_to))
                         if (const auto hit = accept(each.cell, t)) {
                             out.push_back(*hit);
                             nearest = std::min(nearest, t);
+                            if (wanted == Wanted::Any && !atStart(*hit))
+                                return {*hit};
                         }
             }
+        if (wanted == Wanted::Any)
+            return {};
         std::stable_sort(out.begin(), out.end(), [](const CellHit& a, const CellHit& b) { return a.hit.t < b.hit.t; });
         if (!out.empty())
             out.front().hit.evaluations = m_roots.evaluations();
@@ -56,17 +67,20 @@ class CellRay {
     }
 
   private:
+    bool atStart(const CellHit& at) const {
+        return !(at.hit.t - m_from > surface::secondaryEpsilon * surface::spacingOfUnit * at.hit.unit);
+    }
     std::optional<CellHit> accept(std::uint32_t cell, double t) {
         m_source.moveTo(m_ray.at(t));
         const std::size_t i = m_source.find(cell);
-        if (i == CellSource::none)
+        if (i == Source::none)
             return std::nullopt;
-        const surface::Evaluationd& at = m_source.at(i, Need::Gradient);
-        if (!valid(at) || !isFace(m_source, i, cutTolerance(at.unit, length(m_source.position()))))
+        const auto& at = m_source.at(i, Need::Gradient);
+        if (!valid(at) || !isFace(m_source, i, cutTolerance(m_source, at.unit, length(m_source.position()))))
             return std::nullopt;
         CellHit out;
         out.cell = cell;
-        out.alone = m_source.count() == 1;
+        out.alone = m_source.alone();
         out.hit.hit = true;
         out.hit.t = t;
         out.hit.position = m_source.position();
@@ -77,11 +91,18 @@ class CellRay {
         return out;
     }
 
-    CellSource m_source;
+    Source& m_source;
     Rayd m_ray;
-    IntersectOptions m_options;
-    CellRoots m_roots;
+    double m_from, m_to;
+    CellRoots<Source> m_roots;
 };
+
+/// The first hit, if any, no farther than `to`.
+template <class Source>
+CellHit firstHit(Source& source, const Rayd& ray, double from, double to) {
+    const std::vector<CellHit> hits = CellRay(source, ray, from, to).run(Wanted::First);
+    return hits.empty() ? CellHit() : hits.front();
+}
 
 /// Hits that are the same place: where the ray goes through a seam, both its cells have one.
 void dropRepeated(std::vector<CellHit>& hits) {
@@ -125,25 +146,31 @@ bool samePlace(const CellHit& byCells, const RayHit<T>& plain) {
            std::abs(static_cast<double>(plain.t) - byCells.hit.t) <= tolerance * byCells.hit.unit;
 }
 
-bool any(const CellSurface& surface, const Rayd& ray, const IntersectOptions& options) {
-    for (const CellHit& each : CellRay(surface, ray, options).run(true, static_cast<double>(options.tMin)))
-        if (each.hit.t - static_cast<double>(options.tMin) >
-            surface::secondaryEpsilon * surface::spacingOfUnit * each.hit.unit)
-            return true;
-    return false;
+template <class Source>
+std::vector<CellHit> allHits(Source& source, const Rayd& ray, const IntersectOptions& options) {
+    std::vector<CellHit> hits =
+        CellRay(source, ray, static_cast<double>(options.tMin), static_cast<double>(options.tMax)).run(Wanted::All);
+    dropRepeated(hits);
+    return hits;
+}
+
+template <class Source>
+bool anyHit(Source& source, const Rayd& ray, const IntersectOptions& options) {
+    return !CellRay(source, ray, static_cast<double>(options.tMin), static_cast<double>(options.tMax))
+                .run(Wanted::Any)
+                .empty();
 }
 
 } // namespace
 
 CellHit intersectCells(const CellSurface& surface, const Rayd& ray, const IntersectOptions& options) {
-    const std::vector<CellHit> hits = CellRay(surface, ray, options).run(false, static_cast<double>(options.tMin));
-    return hits.empty() ? CellHit() : hits.front();
+    CellSource source(surface);
+    return firstHit(source, ray, static_cast<double>(options.tMin), static_cast<double>(options.tMax));
 }
 
 std::vector<CellHit> intersectAllCells(const CellSurface& surface, const Rayd& ray, const IntersectOptions& options) {
-    std::vector<CellHit> hits = CellRay(surface, ray, options).run(true, static_cast<double>(options.tMin));
-    dropRepeated(hits);
-    return hits;
+    CellSource source(surface);
+    return allHits(source, ray, options);
 }
 
 RayHit<double> intersectReference(const CellSurface& surface, const Rayd& ray, const IntersectOptions& options) {
@@ -165,44 +192,74 @@ std::vector<RayHit<double>> intersectAllReference(const CellSurface& surface, co
 }
 
 bool intersectAnyReference(const CellSurface& surface, const Rayd& ray, const IntersectOptions& options) {
-    return concerns(surface, ray, RayHit<double>(), options) ? any(surface, ray, options)
-                                                             : intersectAnyReference(surface.surface(), ray, options);
+    if (!concerns(surface, ray, RayHit<double>(), options))
+        return intersectAnyReference(surface.surface(), ray, options);
+    CellSource source(surface);
+    return anyHit(source, ray, options);
+}
+
+/// fn(i, source) for the rays that creases have a say in, neighbours one after the other: they share what is packed
+/// about them.
+template <class Hit, class Fn>
+static void forConcerned(const CellSurface& surface, std::span<const Rayf> rays, const IntersectOptions& options,
+                         const Hit& hit, const Fn& fn) {
+    constexpr std::size_t grain = 64, shared = 512;
+    std::vector<std::uint8_t> concerned(rays.size());
+    base::parallelFor(rays.size(), grain,
+                      [&](std::size_t i) { concerned[i] = concerns(surface, rays[i], hit(i), options) ? 1 : 0; });
+    const std::vector<std::uint32_t> order = surface::viewOrder(rays, surface.surface().tree().bounds());
+    std::vector<std::size_t> list;
+    for (std::size_t k = 0; k < rays.size(); ++k)
+        if (const std::size_t i = order.empty() ? k : order[k]; concerned[i] != 0)
+            list.push_back(i);
+    base::parallelChunks(list.size(), shared, [&](std::size_t begin, std::size_t end, std::size_t) {
+        CellSourcef source(surface);
+        for (std::size_t k = begin; k < end; ++k)
+            fn(list[k], source);
+    });
 }
 
 void intersect(const CellSurface& surface, std::span<const Rayf> rays, const IntersectOptions& options,
                std::span<RayHit<float>> out) {
     assert(rays.size() == out.size());
+    constexpr double around = 1; // h about the smooth surface's hit, where the sharp one's mostly is
     intersect(surface.surface(), rays, options, out);
-    base::parallelFor(rays.size(), 16, [&](std::size_t i) {
-        if (!concerns(surface, rays[i], out[i], options))
-            return;
-        const CellHit byCells = intersectCells(surface, widened(rays[i]), options);
-        if (!samePlace(byCells, out[i]))
-            out[i] = rounded(byCells.hit);
-    });
+    const auto from = static_cast<double>(options.tMin), to = static_cast<double>(options.tMax);
+    forConcerned(
+        surface, rays, options, [&](std::size_t i) { return out[i]; },
+        [&](std::size_t i, CellSourcef& source) {
+            const Rayd ray = widened(rays[i]);
+            const double soon = static_cast<double>(out[i].t) + around * static_cast<double>(out[i].unit);
+            CellHit found;
+            if (out[i].hit && soon < to)
+                found = firstHit(source, ray, from, soon);
+            if (!found.hit.hit)
+                found = firstHit(source, ray, from, to);
+            if (!samePlace(found, out[i]))
+                out[i] = rounded(found.hit);
+        });
 }
 
 void intersectAll(const CellSurface& surface, std::span<const Rayf> rays, const IntersectOptions& options,
                   std::span<std::vector<RayHit<float>>> out) {
     assert(rays.size() == out.size());
     intersectAll(surface.surface(), rays, options, out);
-    base::parallelFor(rays.size(), 16, [&](std::size_t i) {
-        if (!concerns(surface, rays[i], RayHit<float>(), options))
-            return;
-        out[i].clear();
-        for (const CellHit& each : intersectAllCells(surface, widened(rays[i]), options))
-            out[i].push_back(rounded(each.hit));
-    });
+    forConcerned(
+        surface, rays, options, [](std::size_t) { return RayHit<float>(); },
+        [&](std::size_t i, CellSourcef& source) {
+            out[i].clear();
+            for (const CellHit& each : allHits(source, widened(rays[i]), options))
+                out[i].push_back(rounded(each.hit));
+        });
 }
 
 void intersectAny(const CellSurface& surface, std::span<const Rayf> rays, const IntersectOptions& options,
                   std::span<std::uint8_t> out) {
     assert(rays.size() == out.size());
     intersectAny(surface.surface(), rays, options, out);
-    base::parallelFor(rays.size(), 16, [&](std::size_t i) {
-        if (concerns(surface, rays[i], RayHit<float>(), options))
-            out[i] = any(surface, widened(rays[i]), options) ? 1 : 0;
-    });
+    forConcerned(
+        surface, rays, options, [](std::size_t) { return RayHit<float>(); },
+        [&](std::size_t i, CellSourcef& source) { out[i] = anyHit(source, widened(rays[i]), options) ? 1 : 0; });
 }
 
 } // namespace cells

@@ -2,6 +2,8 @@
 
 #include "core/surface/rays/surface_intervals.h"
 
+#include <bit>
+
 namespace cells {
 
 using base::Vec3d;
@@ -9,14 +11,35 @@ using surface::Need;
 
 namespace {
 
-constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
-constexpr double tolerance = 1e-13; ///< of the support
+constexpr int lanes = surfel::clusterSize;
 
 /// The chord of a ball about a surfel in which the surface that it tells of can be.
 struct Chord {
     std::uint32_t cell;
     double begin, end, guess, nearest, unit, slope;
 };
+
+/// A bit for each surfel of a cluster whose ball the ray passes, and for few that it does not.
+unsigned passedBalls(const surfel::SurfelBlock& block, int cluster, const base::Rayf& ray, float scale) {
+    const float* x = block.channel(cluster, surfel::X);
+    const float* h = block.channel(cluster, surfel::Support);
+    const float reach = scale * surfel::surfaceReach * 1.0001f;
+    float beyond[lanes];
+    for (int lane = 0; lane < lanes; ++lane) {
+        const float qx = x[lane] - ray.origin.x, qy = x[lane + lanes] - ray.origin.y;
+        const float qz = x[lane + 2 * lanes] - ray.origin.z;
+        const float t = qx * ray.direction.x + qy * ray.direction.y + qz * ray.direction.z;
+        const float ox = qx - ray.direction.x * t, oy = qy - ray.direction.y * t, oz = qz - ray.direction.z * t;
+        // what float32 leaves of a distance from afar
+        const float r = reach * h[lane] + 1e-6f * (std::abs(qx) + std::abs(qy) + std::abs(qz));
+        beyond[lane] = ox * ox + oy * oy + oz * oz - r * r;
+    }
+    unsigned out = 0;
+    const int count = std::min(lanes, block.size() - cluster * lanes);
+    for (int lane = 0; lane < count; ++lane)
+        out |= static_cast<unsigned>(beyond[lane] < 0) << lane;
+    return out;
+}
 
 void append(std::vector<Stretch>& out, const Chord& c) {
     if (out.empty() || out.back().cell != c.cell || c.begin > out.back().end) {
@@ -38,14 +61,15 @@ void append(std::vector<Stretch>& out, const Chord& c) {
 
 std::vector<Stretch> stretches(const CellSurface& surface, const base::Rayd& ray, double tMin, double tMax) {
     std::vector<Chord> chords;
-    const auto scale = static_cast<double>(surface.surface().supportScale());
+    const float scale = surface.surface().supportScale();
     const base::Rayf rounded{base::cast<float>(ray.origin), base::cast<float>(ray.direction)};
     surface.surface().tree().alongRay(rounded, [&](const surfel::SurfelBlock& block, int cluster, float enter, float) {
         if (static_cast<double>(enter) > tMax)
             return false;
-        const int begin = cluster * surfel::clusterSize, end = std::min(begin + surfel::clusterSize, block.size());
-        for (int slot = begin; slot < end; ++slot) {
-            const double support = scale * static_cast<double>(block.support(slot));
+        const unsigned passed = passedBalls(block, cluster, rounded, scale);
+        for (unsigned left = passed; left != 0; left &= left - 1) {
+            const int slot = cluster * lanes + std::countr_zero(left);
+            const double support = static_cast<double>(scale) * static_cast<double>(block.support(slot));
             const double reach = support * static_cast<double>(surfel::surfaceReach);
             const Vec3d q = base::cast<double>(block.position(slot)) - ray.origin;
             const double t = dot(q, ray.direction), besideSq = lengthSq(q - ray.direction * t);
@@ -73,8 +97,10 @@ std::vector<Stretch> stretches(const CellSurface& surface, const base::Rayd& ray
     return out;
 }
 
-void CellRoots::find(const Stretch& stretch, std::vector<double>& out) {
+template <class Source>
+void CellRoots<Source>::find(const Stretch& stretch, std::vector<double>& out) {
     m_cell = stretch.cell;
+    m_source.setScale(stretch.unit);
     double t = 0;
     if (stretch.monotone() && newton(stretch, t)) {
         if (t >= stretch.begin && t <= stretch.end)
@@ -85,7 +111,8 @@ void CellRoots::find(const Stretch& stretch, std::vector<double>& out) {
 }
 
 /// Plain Newton, the step no longer than half a support. False where it leaves the stretch or does not settle.
-bool CellRoots::newton(const Stretch& stretch, double& t) {
+template <class Source>
+bool CellRoots<Source>::newton(const Stretch& stretch, double& t) {
     constexpr int most = 24;
     const double margin = 0.2 * stretch.unit;
     t = std::clamp(stretch.guess, stretch.begin, stretch.end);
@@ -93,9 +120,9 @@ bool CellRoots::newton(const Stretch& stretch, double& t) {
         m_source.moveTo(m_ray.at(t));
         const std::size_t i = m_source.find(m_cell);
         ++m_evaluations;
-        if (i == CellSource::none)
+        if (i == Source::none)
             return false;
-        const surface::Evaluationd& at = m_source.at(i, Need::Gradient);
+        const auto& at = m_source.at(i, Need::Gradient);
         const double slope = valid(at) ? dot(at.gradient, m_ray.direction) : 0;
         if (!(std::abs(slope) > 0.05))
             return false;
@@ -103,23 +130,25 @@ bool CellRoots::newton(const Stretch& stretch, double& t) {
         t += step;
         if (t < stretch.begin - margin || t > stretch.end + margin)
             return false;
-        if (std::abs(step) <= tolerance * at.unit + rounding * std::abs(t))
+        if (std::abs(step) <= Source::settled * at.unit + rounding(t))
             return true;
     }
     return false;
 }
 
-CellRoots::Sample CellRoots::sample(double t) {
+template <class Source>
+auto CellRoots<Source>::sample(double t) -> Sample {
     m_source.moveTo(m_ray.at(t));
     const std::size_t i = m_source.find(m_cell);
     ++m_evaluations;
-    if (i == CellSource::none)
+    if (i == Source::none)
         return {t, 0, false};
-    const surface::Evaluationd& at = m_source.at(i, Need::Value);
+    const auto& at = m_source.at(i, Need::Value);
     return {t, at.value, valid(at)};
 }
 
-void CellRoots::march(const Stretch& stretch, std::vector<double>& out) {
+template <class Source>
+void CellRoots<Source>::march(const Stretch& stretch, std::vector<double>& out) {
     constexpr double stepOfUnit = 1.0 / 12, dip = 0.6; // of the support; of a step, below which zeros may be in pairs
     constexpr int finer = 8, longest = 4;
     constexpr double leastSpan = 1.5; // steps to a zero, at least: f over the step times this
@@ -155,11 +184,12 @@ void CellRoots::march(const Stretch& stretch, std::vector<double>& out) {
 }
 
 /// False position after Illinois, halving where that is slow.
-void CellRoots::refine(Sample a, Sample b, double unit, std::vector<double>& out) {
+template <class Source>
+void CellRoots<Source>::refine(Sample a, Sample b, double unit, std::vector<double>& out) {
     constexpr int most = 80;
     constexpr double jump = 0.02; // of the support: larger where the interval has shrunk to nothing is no zero
     double fa = a.f, fb = b.f;
-    for (int k = 0; k < most && b.t - a.t > tolerance * unit + rounding * std::abs(b.t); ++k) {
+    for (int k = 0; k < most && b.t - a.t > Source::precision * unit + rounding(b.t); ++k) {
         double t = k % 4 == 3 ? (a.t + b.t) / 2 : (a.t * fb - b.t * fa) / (fb - fa);
         if (!(t > a.t && t < b.t))
             t = (a.t + b.t) / 2;
@@ -184,5 +214,8 @@ void CellRoots::refine(Sample a, Sample b, double unit, std::vector<double>& out
         return;
     out.push_back(std::abs(a.f) < std::abs(b.f) ? a.t : b.t);
 }
+
+template class CellRoots<CellSource>;
+template class CellRoots<CellSourcef>;
 
 } // namespace cells

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "core/base/ray.h"
-#include "core/cells/cell_source.h"
+#include "core/cells/cell_source_float.h"
 
 namespace cells {
 
@@ -27,9 +27,11 @@ struct Stretch {
 /// By ascending begin, within [tMin, tMax]. Stretches of one cell that touch are one.
 std::vector<Stretch> stretches(const CellSurface& surface, const base::Rayd& ray, double tMin, double tMax);
 
+/// Asks a CellSource or a CellSourcef.
+template <class Source>
 class CellRoots {
   public:
-    CellRoots(CellSource& source, const base::Rayd& ray) : m_source(source), m_ray(ray) {}
+    CellRoots(Source& source, const base::Rayd& ray) : m_source(source), m_ray(ray) {}
 
     /// Appends the zeros, ascending; evaluations() grows.
     void find(const Stretch& stretch, std::vector<double>& out);
@@ -41,15 +43,20 @@ class CellRoots {
         bool valid = false;
     };
     Sample sample(double t);
+    /// What rounding leaves of a place on the ray.
+    double rounding(double t) const { return Source::rounding * std::max(std::abs(t), length(m_source.position())); }
     bool newton(const Stretch& stretch, double& t);
     void march(const Stretch& stretch, std::vector<double>& out);
     /// Of a change of sign; nothing where f jumps there.
     void refine(Sample a, Sample b, double unit, std::vector<double>& out);
 
-    CellSource& m_source;
+    Source& m_source;
     base::Rayd m_ray;
     std::uint32_t m_cell = 0;
     int m_evaluations = 0;
 };
+
+extern template class CellRoots<CellSource>;
+extern template class CellRoots<CellSourcef>;
 
 } // namespace cells

@@ -21,7 +21,6 @@ CellSource::CellSource(const CellSurface& surface) : m_surface(&surface), m_sour
 
 void CellSource::moveTo(const Vec3d& x) {
     m_x = x;
-    m_beyond = -1;
     gather();
     m_votes.clear();
 }
@@ -32,11 +31,11 @@ void CellSource::collect() {
     const float scale = surface.supportScale();
     const base::Vec3f nearest = base::cast<float>(m_x);
     const float size = std::max({std::abs(nearest.x), std::abs(nearest.y), std::abs(nearest.z)});
-    const float rounding = 1e-6f * size;
+    const float inexact = 1e-6f * size;
     m_box = base::Box3d{m_x, m_x}.inflated(m_slack);
     m_around.clear();
     surface.tree().forClustersInSupport(
-        base::Box3f{nearest, nearest}.inflated(static_cast<float>(m_slack) * 1.000001f + rounding),
+        base::Box3f{nearest, nearest}.inflated(static_cast<float>(m_slack) * 1.000001f + inexact),
         [&](const surfel::SurfelBlock& block, int cluster) {
             const int begin = cluster * surfel::clusterSize, end = std::min(begin + surfel::clusterSize, block.size());
             for (int slot = begin; slot < end; ++slot) {
@@ -130,28 +129,22 @@ CellSource::Tangent CellSource::tangent(std::size_t i) {
     const Evaluationd& known = at(i, Need::Value);
     if (valid(known))
         return {known.normal, known.centroid, known.value};
-    double total = 0;
-    Tangent out;
-    for (const Found& each : m_found)
-        if (each.cell == i) {
-            const double theta = weightOf(each);
-            const Vec3d& p = each.of->position;
-            const Vec3d n = base::cast<double>(each.of->normal);
-            total += theta;
-            out.normal += n * theta;
-            out.centroid += p * theta;
-            out.height += theta * dot(n, m_x - p);
-        }
-    return {base::normalized(out.normal), out.centroid / total, out.height / total};
+    return sums(i).plane(m_x);
 }
 
-bool CellSource::beyondBoundary() {
-    if (m_beyond < 0)
-        m_beyond = std::isfinite(m_surface->surface().definition().boundaryLimit) &&
-                           m_source.evaluate(m_x, Need::Value).status == surface::Status::BeyondBoundary
-                       ? 1
-                       : 0;
-    return m_beyond != 0;
+CellSource::Sums CellSource::sums(std::size_t i) const {
+    Sums out;
+    for (const Found& each : m_found)
+        if (each.cell == i)
+            out.add(weightOf(each), each.of->position - m_x, base::cast<double>(each.of->normal));
+    return out;
+}
+
+bool CellSource::reaches(std::size_t i) const {
+    constexpr auto reach = static_cast<double>(surfel::surfaceReach);
+    return std::any_of(m_found.begin(), m_found.end(), [&](const Found& each) {
+        return each.cell == i && each.distanceSq < reach * reach * each.of->supportSq;
+    });
 }
 
 surface::SumOptions CellSource::plainSums() const {

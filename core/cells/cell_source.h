@@ -19,9 +19,14 @@ class CellSource {
   public:
     static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
+    static constexpr double settled = 1e-13;   ///< of the support: steps after which an iteration ends
+    static constexpr double precision = 1e-13; ///< of the support: to which zeros are bracketed
+    static constexpr double rounding = 4 * std::numeric_limits<double>::epsilon(); ///< of a coordinate
+
     explicit CellSource(const CellSurface& surface);
 
     const CellSurface& surface() const { return *m_surface; }
+    void setScale(double) {} ///< as CellSourcef; of no use here
     void moveTo(const base::Vec3d& x);
     const base::Vec3d& position() const { return m_x; }
 
@@ -30,6 +35,8 @@ class CellSource {
     std::uint32_t cell(std::size_t i) const { return m_cells[i].cell; }
     /// The place of a cell among them, or `none`.
     std::size_t find(std::uint32_t cell) const;
+    /// Has one cell only surfels in support?
+    bool alone() const { return count() == 1; }
     /// Surfels of cell i alone that are in support.
     int samples(std::size_t i) const { return m_cells[i].samples; }
 
@@ -42,7 +49,8 @@ class CellSource {
     double sharpness(std::size_t i, std::size_t j) { return meeting(i, j) == Meeting::None ? 0 : 1 - shareOf(i, j).v; }
 
     /// What cell i's surface is at the position: the sums over its own surfels and those of cells that are smooth to
-    /// it. The status does not tell whether there is a boundary (`beyondBoundary`).
+    /// it. The status does not tell whether there is a boundary
+    /// (local_boolean.h).
     const surface::Evaluationd& at(std::size_t i, surface::Need need);
     /// A plane of a cell.
     struct Tangent {
@@ -52,8 +60,28 @@ class CellSource {
     /// n, c and f of cell i, or where its surfels are too few for that, the mean of its surfels' planes by weight: what
     /// cuts others off at the tips of slender faces. Not numbers where it has no weight.
     Tangent tangent(std::size_t i);
-    /// Is the off-centre value over all surfels, of whatever cells, larger than the boundary limit?
-    bool beyondBoundary();
+    /// Sums over cell i's own surfels alone.
+    struct Sums {
+        double weight = 0, height = 0;
+        base::Vec3d way, normal; ///< of theta q and theta n, q from the position to the surfel
+
+        void add(double theta, const base::Vec3d& q, const base::Vec3d& n) {
+            weight += theta;
+            height -= theta * dot(n, q);
+            way += q * theta;
+            normal += n * theta;
+        }
+        Tangent plane(const base::Vec3d& x) const {
+            return {base::normalized(normal), x + way / weight, height / weight};
+        }
+    };
+    Sums sums(std::size_t i) const;
+    /// Is one of cell i's own surfels so near that the surface which it tells of can be here?
+    bool reaches(std::size_t i) const;
+    /// Are sums of cell i those of j too: of one face, without a crease between them?
+    bool smooth(std::size_t i, std::size_t j) const {
+        return m_cells[i].face == m_cells[j].face && meeting(i, j) == Meeting::None;
+    }
 
     /// fn(position, label, distanceSq) for the surfels in support.
     template <class Fn>
@@ -116,7 +144,6 @@ class CellSource {
     mutable std::vector<double> m_votes; ///< convex > 0, concave < 0, by cell and partner; empty before anyone asked
     std::vector<float> m_packed;
     std::vector<const float*> m_clusters;
-    int m_beyond = -1; ///< not known yet, no, yes
 };
 
 /// Has the evaluation numbers?

@@ -45,7 +45,7 @@ CellValue evaluate(CellSource& source, const base::Vec3d& x, Need need) {
     out.at = source.at(i, need);
     out.cell = source.cell(i);
     if (out.mixed && valid(out.at))
-        out.at.status = source.beyondBoundary() ? surface::Status::BeyondBoundary : surface::Status::Ok;
+        out.at.status = beyondBoundary(source, i) ? surface::Status::BeyondBoundary : surface::Status::Ok;
     return out;
 }
 

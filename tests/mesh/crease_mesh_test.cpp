@@ -20,6 +20,7 @@ class CreaseMeshTest : public QObject {
     void solidsKeepTheirEdges_data();
     void solidsKeepTheirEdges();
     void octantsKeepTheirEdges();
+    void narrowSolidsDoNotCutThemselves();
     void threadsDoNotShow();
     void withoutLabelsNothingChanges();
 };
@@ -136,6 +137,41 @@ void CreaseMeshTest::octantsKeepTheirEdges() {
     QVERIFY2(std::abs(creases.length - whole) < 0.02 * whole, all);
     for (const Vec3d& x : mesh.positions)
         QVERIFY2(std::abs(std::max(planes.value(x), length(x) - 1)) < 0.1 * octantSpacing, all);
+}
+
+/// Whatever is narrower than an edge: fins, slender tips with many faces, facets of a spacing or two.
+void CreaseMeshTest::narrowSolidsDoNotCutThemselves() {
+    Random random(test::seed());
+    for (int round = 0; round < test::effort(12); ++round) {
+        plane_solids::Solid solid;
+        const double s = random.uniform(0.1, 0.3);
+        switch (round % 3) {
+        case 0:
+            solid = plane_solids::polyhedron(random);
+            break;
+        case 1:
+            solid = plane_solids::pyramid(3 + static_cast<int>(random.below(7)), random.uniform(0.3, 0.9),
+                                          random.uniform(0.3, 1.5));
+            break;
+        default:
+            solid = plane_solids::cube(0.8);
+            solid.planes[4].d = solid.planes[5].d = s * random.uniform(0.4, 2);
+        }
+        const SampledSolid sampled = plane_solids::sampled(solid, 2.4, s, random);
+        const surface::Surface surface = plane_solids::surfaceOf(sampled.surfels);
+        mesh::MarchingOptions plain;
+        plain.cell = random.uniform(0.5, 1.2) * s;
+        plain.creases = false;
+        mesh::MarchingReport report;
+        const Mesh smooth = mesh::marchingCubes(surface, plain, report), sharp = meshOf(surface, plain.cell);
+        const auto before = mesh::topologyOf(smooth.triangles, smooth.positions.size());
+        const auto after = mesh::topologyOf(sharp.triangles, sharp.positions.size());
+        const QByteArray where = QString("seed %1, round %2").arg(test::seed()).arg(round).toUtf8();
+        QVERIFY2(mesh::selfIntersections(sharp).size() <= mesh::selfIntersections(smooth).size(), where);
+        QVERIFY2(after.manifold() == before.manifold() && after.boundaryLoops == before.boundaryLoops &&
+                     after.genus() == before.genus(),
+                 where);
+    }
 }
 
 void CreaseMeshTest::threadsDoNotShow() {

@@ -3,16 +3,20 @@
 #include "core/mesh/check/self_intersections.h"
 #include "core/mesh/finish/cuts_near.h"
 
+#include <algorithm>
+
 namespace mesh {
 
-std::size_t untangle(Mesh& mesh, const VertexPlaces& before, double cell, const base::Progress& progress) {
+std::vector<std::pair<std::uint32_t, std::uint32_t>> untangle(Mesh& mesh, const VertexPlaces& before, double cell,
+                                                              const base::Progress& progress) {
     constexpr int rounds = 16; // what goes back may now cut its neighbours
-    std::size_t count = 0;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> left;
     auto cuts = selfIntersections(mesh, progress);
     for (int round = 0; round < rounds && !cuts.empty(); ++round) {
         progress.step(1, "untangling triangles");
         std::vector<std::uint32_t> around;
-        for (const auto& [a, b] : cuts)
+        for (const auto& [a, b] : cuts) {
+            const std::size_t moved = around.size();
             for (const std::uint32_t t : {a, b})
                 for (const std::uint32_t v : mesh.triangles[t]) {
                     if (mesh.positions[v] == before.positions[v])
@@ -21,10 +25,20 @@ std::size_t untangle(Mesh& mesh, const VertexPlaces& before, double cell, const 
                     mesh.normals[v] = before.normals[v];
                     around.push_back(v);
                 }
-        count += around.size();
+            if (around.size() == moved)
+                left.emplace_back(a, b);
+        }
         cuts = cutsNear(mesh, around, cell);
     }
-    return count;
+    left.insert(left.end(), cuts.begin(), cuts.end());
+    if (left.empty())
+        return left;
+    std::vector<std::uint32_t> among; // some were put right with their neighbours
+    for (const auto& [a, b] : left)
+        among.insert(among.end(), {a, b});
+    std::sort(among.begin(), among.end());
+    among.erase(std::unique(among.begin(), among.end()), among.end());
+    return selfIntersections(mesh, among, progress);
 }
 
 } // namespace mesh

@@ -13,7 +13,9 @@ struct VertexPlaces {
 };
 
 /// Puts the corners of triangles that cut each other, or have no area, back to where they were, again and again until
-/// none is left whose corners have moved. Returns how many vertices went back. Throws base::Cancelled.
-std::size_t untangle(Mesh& mesh, const VertexPlaces& before, double cell, const base::Progress& progress = {});
+/// none is left whose corners have moved. Returns pairs of triangles that cut each other with none of them moved: as
+/// where the triangles are others than before. Throws base::Cancelled.
+std::vector<std::pair<std::uint32_t, std::uint32_t>> untangle(Mesh& mesh, const VertexPlaces& before, double cell,
+                                                              const base::Progress& progress = {});
 
 } // namespace mesh

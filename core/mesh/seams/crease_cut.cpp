@@ -19,17 +19,14 @@ constexpr std::uint32_t none = Triangulation::none;
 
 class CreaseCutter {
   public:
-    CreaseCutter(const cells::CellSurface& surface, Mesh mesh)
-        : m_surface(surface), m_mesh(std::move(mesh)),
-          m_triangulation(m_mesh), m_before{m_mesh.positions, m_mesh.normals} {}
+    CreaseCutter(const cells::CellSurface& surface, Mesh mesh, std::vector<CreaseVertex> onFaces)
+        : m_surface(surface), m_mesh(std::move(mesh)), m_triangulation(m_mesh), m_vertices(std::move(onFaces)),
+          m_faces(m_vertices), m_before{m_mesh.positions, m_mesh.normals} {}
 
     CutMesh run(const base::Progress& progress) {
         progress.step(0, "finding creases");
-        m_vertices = ontoFaces(m_surface, m_mesh);
-        m_faces = m_vertices;
-        progress.step(0.4, "finding creases");
         snap();
-        progress.step(0.7, "finding creases");
+        progress.step(0.5, "finding creases");
         for (std::size_t v = 0; v < m_vertices.size(); ++v)
             if (m_vertices[v].mixed) {
                 m_mesh.positions[v] = m_vertices[v].position;
@@ -180,6 +177,7 @@ class CreaseCutter {
         if (!m_mesh.kinds.empty())
             m_mesh.kinds.push_back(VertexKind::Inner);
         m_vertices.push_back({at.cells, *at.cells.begin(), at.position, at.normal, true});
+        m_between.push_back({*of.begin(), *(of.begin() + 1), *(of.end() - 1)});
         return static_cast<std::uint32_t>(m_mesh.positions.size() - 1);
     }
     std::uint32_t splitOf(std::uint32_t a, std::uint32_t b) const {
@@ -193,7 +191,8 @@ class CreaseCutter {
         for (const Triangle& t : before)
             if (isProper(t))
                 cut(t);
-        return {std::move(m_mesh), std::move(m_vertices), std::move(m_facing), std::move(m_cells), std::move(m_before)};
+        return {std::move(m_mesh),  std::move(m_vertices), std::move(m_facing),
+                std::move(m_cells), std::move(m_before),   std::move(m_between)};
     }
     void cut(Triangle t) {
         std::array<std::uint32_t, 3> m; // m[k] between corners k and k + 1
@@ -301,13 +300,15 @@ class CreaseCutter {
     std::vector<Vec3d> m_facing;
     std::vector<std::uint32_t> m_cells;
     VertexPlaces m_before; ///< of vertices, new ones too, on the triangles as they were
+    std::vector<std::array<std::uint32_t, 3>> m_between;
     CreaseFinder m_finder{m_surface};
 };
 
 } // namespace
 
-CutMesh cutAtCreases(const cells::CellSurface& surface, Mesh mesh, const base::Progress& progress) {
-    return CreaseCutter(surface, std::move(mesh)).run(progress);
+CutMesh cutAtCreases(const cells::CellSurface& surface, Mesh mesh, std::vector<CreaseVertex> onFaces,
+                     const base::Progress& progress) {
+    return CreaseCutter(surface, std::move(mesh), std::move(onFaces)).run(progress);
 }
 
 } // namespace mesh

@@ -8,14 +8,80 @@
 
 namespace mesh {
 
+namespace {
+
+constexpr int rounds = 5; ///< of cuts, with more left as it was in each
+
+/// Vertices that stay where the smooth surface has them.
+class HeldVertices {
+  public:
+    explicit HeldVertices(const Mesh& mesh) : m_triangles(mesh.triangles), m_held(mesh.positions.size()) {}
+
+    /// Those that the corners of these triangles come from, and `rings` rings about them. False where all of that is
+    /// held already: the smooth mesh cuts itself there.
+    bool hold(const CutMesh& cut, std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs, int rings) {
+        std::vector<bool> now = m_held;
+        for (const auto& [a, b] : pairs)
+            for (const std::uint32_t t : {a, b})
+                for (const std::uint32_t v : cut.mesh.triangles[t])
+                    mark(cut, v, now);
+        for (int ring = 0; ring < rings; ++ring) {
+            const std::vector<bool> inner = now;
+            for (const Triangle& t : m_triangles)
+                if (inner[t[0]] || inner[t[1]] || inner[t[2]])
+                    now[t[0]] = now[t[1]] = now[t[2]] = true;
+        }
+        const bool more = now != m_held;
+        m_held = std::move(now);
+        return more;
+    }
+    std::vector<CreaseVertex> apply(std::vector<CreaseVertex> vertices, const Mesh& mesh) const {
+        for (std::size_t v = 0; v < vertices.size(); ++v)
+            if (m_held[v])
+                vertices[v] = {{}, vertices[v].own, mesh.positions[v], mesh.normals[v], false};
+        return vertices;
+    }
+
+  private:
+    void mark(const CutMesh& cut, std::uint32_t v, std::vector<bool>& held) const {
+        if (v < held.size())
+            held[v] = true;
+        else
+            for (const std::uint32_t each : cut.between[v - held.size()])
+                mark(cut, each, held);
+    }
+
+    std::span<const Triangle> m_triangles;
+    std::vector<bool> m_held;
+};
+
+CutMesh cutAndShaped(const cells::CellSurface& cells, const Mesh& mesh, std::vector<CreaseVertex> onFaces,
+                     const base::Progress& progress) {
+    CutMesh out = cutAtCreases(cells, mesh, std::move(onFaces), progress);
+    progress.step(1, "shaping triangles beside creases");
+    tidyCreases(out);
+    return out;
+}
+
+} // namespace
+
 bool keepCreases(Mesh& mesh, const surface::Surface& surface, const base::Progress& progress) {
     const auto cells = cells::CellSurface::of(surface);
     if (!cells || mesh.triangles.empty())
         return false;
-    CutMesh cut = cutAtCreases(*cells, std::move(mesh), process::part(progress, 0, 0.8));
-    progress.step(0.8, "shaping triangles beside creases");
-    tidyCreases(cut);
-    untangle(cut.mesh, cut.before, shapeOf(cut.mesh).longestEdge, process::part(progress, 0.9, 1));
+    progress.step(0, "finding creases");
+    const std::vector<CreaseVertex> onFaces = ontoFaces(*cells, mesh);
+    HeldVertices held(mesh);
+    CutMesh cut = cutAndShaped(*cells, mesh, onFaces, process::part(progress, 0.3, 0.8));
+    const base::Progress last = process::part(progress, 0.8, 1);
+    for (int round = 1;; ++round) {
+        const auto cutting = untangle(cut.mesh, cut.before, shapeOf(cut.mesh).longestEdge, last);
+        if (cutting.empty() || !held.hold(cut, cutting, round))
+            break;
+        if (round == rounds)
+            return false;
+        cut = cutAndShaped(*cells, mesh, held.apply(onFaces, mesh), last);
+    }
     mesh = std::move(cut.mesh);
     mesh.colours.clear();
     mesh.masks.clear();

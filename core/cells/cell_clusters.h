@@ -1,0 +1,70 @@
+// The surfels that may have weight somewhere in a box, packed as clusters of one cell each, so that the vectorised sums
+// run over a cell alone (cells/README 4.1). What is packed, and in which order, depends on the box only.
+#pragma once
+
+#include "core/cells/cell_surface.h"
+#include "core/surface/evaluation/clusters.h"
+
+#include <vector>
+
+namespace cells {
+
+class CellClusters {
+  public:
+    CellClusters(const CellSurface& surface, const base::Box3f& box);
+
+    struct Cell {
+        std::uint32_t cell = 0, face = 0;
+        std::uint32_t begin = 0, end = 0; ///< its clusters
+        bool joined = false;              ///< others are of its face: where they do not meet they are smooth to it
+    };
+    /// A surfel beside a crease.
+    struct Beside {
+        base::Vec3f position;
+        float support;              ///< scaled
+        std::uint32_t own, partner; ///< places among the cells; the partner has surfels here
+        Meeting meeting;
+    };
+
+    /// Surfels beside the crease of two cells, packed with its sharpness in place of the normal's x.
+    struct Fade {
+        std::uint32_t a = 0, b = 0; ///< places among the cells, a < b
+        std::uint32_t begin = 0, end = 0;
+    };
+
+    /// By ascending label.
+    std::span<const Cell> cells() const { return m_cells; }
+    std::span<const Beside> beside() const { return m_beside; }
+    /// Of the creases that are not quite sharp.
+    std::span<const Fade> fades() const { return m_fades; }
+    /// Of a cell, or a crease that fades.
+    template <class Of>
+    surface::ClusterSpan clusters(const Of& of) const {
+        return surface::ClusterSpan(m_pointers).subspan(of.begin, of.end - of.begin);
+    }
+
+  private:
+    struct alignas(64) Cluster {
+        float channels[(surfel::Support + 1) * surfel::clusterSize];
+    };
+    struct Found {
+        const surfel::SurfelBlock* block;
+        int slot;
+        Label label;
+    };
+    static void collect(const CellSurface& surface, const base::Box3f& box, std::vector<Found>& out);
+    void pack(const std::vector<Found>& found);
+    void packFades(const std::vector<Found>& found);
+    std::uint32_t place(std::uint32_t label) const;
+    /// Room for one more surfel in the last cluster, or in a fresh one.
+    float* nextLane(bool fresh);
+
+    std::vector<Cluster> m_clusters;
+    std::vector<const float*> m_pointers;
+    std::vector<Cell> m_cells;
+    std::vector<Beside> m_beside;
+    std::vector<Fade> m_fades;
+    int m_lane = surfel::clusterSize; ///< the next one of the last cluster
+};
+
+} // namespace cells
