@@ -5,6 +5,7 @@
 #include "core/mesh/faces/inner_places.h"
 #include "core/mesh/faces/open_faces.h"
 #include "core/mesh/marching/marching_cubes.h"
+#include "core/process/estimation/prepare.h"
 #include "core/surface/surface.h"
 #include "support/registry.h"
 
@@ -25,6 +26,7 @@ class SoupsTest : public QObject {
     void whatLiesApartStays();
     void smallPartsOfLargeScenesAreJudgedByThemselves();
     void whatIsBuriedInAnAssemblyGoes();
+    void keptVerticesOfCrossingPartsAreTheirUnion();
     void sheetsBesideASolidStayOpen();
 };
 
@@ -351,6 +353,45 @@ void SoupsTest::whatIsBuriedInAnAssemblyGoes() {
     append(doll, inner.faces());
     QCOMPARE(samplesOn(sampled(buried, 20000)), 0);
     QVERIFY(samplesOn(sampled(doll, 20000)) > 100);
+}
+
+/// Two rings in one plane enclose three holes together.
+void SoupsTest::keptVerticesOfCrossingPartsAreTheirUnion() {
+    base::Random random(test::seed());
+    const double apart = random.uniform(0.95, 1.05);
+    Faces rings = faces::band(200, 80, false);
+    const Faces other = rings;
+    append(rings, other);
+    for (std::size_t i = other.positions.size(); i < rings.positions.size(); ++i)
+        rings.positions[i].x += static_cast<float>(apart);
+    const OpenedFaces found = mesh::openFaces(rings.list(), rings.triangles, {}, {});
+    QVERIFY(!found.sampled && found.closed);
+    QVERIFY(found.points.size() < rings.positions.size());
+    const auto depth = [](Vec3d p, double x) {
+        p.x -= x;
+        return 0.4 - std::hypot(std::hypot(p.x, p.y) - 1, p.z);
+    };
+    std::size_t left = 0;
+    for (const base::Vec3f& p : rings.positions)
+        left += std::min(depth(base::cast<double>(p), 0), depth(base::cast<double>(p), apart)) < -1e-3;
+    for (const surfel::Surfel& s : found.points.items)
+        QVERIFY(std::max(depth(at(s), 0), depth(at(s), apart)) < 0.05); // an edge at most
+    QVERIFY(found.points.size() >= left);
+    process::PrepareOptions options;
+    options.definition.boundary = surface::Boundary::None;
+    mesh::MarchingReport report;
+    mesh::MarchingOptions marching;
+    marching.cell = 0.035;
+    const mesh::Mesh m = mesh::marchingCubes(process::prepare(found.points, options), marching, report);
+    const mesh::Topology t = mesh::topologyOf(m.triangles, m.positions.size(), m.kinds);
+    QVERIFY2(t.manifold() && t.boundaryEdges == 0 && t.components == 1 && t.genus() == 3,
+             QString("apart %1: %2 edges, %3 pieces, genus %4, seed %5")
+                 .arg(apart)
+                 .arg(t.boundaryEdges)
+                 .arg(t.components)
+                 .arg(t.genus().value_or(-1))
+                 .arg(test::seed())
+                 .toUtf8());
 }
 
 void SoupsTest::sheetsBesideASolidStayOpen() {
