@@ -18,6 +18,7 @@ class FaceTopologyTest : public QObject {
     void repeatedFacesCountOnce();
     void coincidentCornersAreOneVertex();
     void roundOffDoesNotOpenSeams();
+    void smallSheetsOfLargeScenesKeepTheirBorders();
     void cornersOnSidesOpenNothing();
     void aMoebiusStripIsOneSided();
     void cutPolygonsKeepTheirArea();
@@ -100,6 +101,23 @@ void FaceTopologyTest::roundOffDoesNotOpenSeams() {
     QCOMPARE(stl.topology().patchCount, std::size_t(6));
     stl.positions[0].x += 0.01f; // a gap is a gap
     QVERIFY(!stl.topology().closed());
+}
+
+/// A sheet of 16 squares smaller than the round-off of the whole scene's extent.
+void FaceTopologyTest::smallSheetsOfLargeScenesKeepTheirBorders() {
+    Faces scene = box({2000, 2000, 2000});
+    const auto first = static_cast<std::uint32_t>(scene.positions.size());
+    for (std::uint32_t i = 0; i < 25; ++i)
+        scene.positions.push_back({-1e-4f * static_cast<float>(i % 5), -1e-4f * static_cast<float>(i / 5), 0});
+    for (std::uint32_t i = 0; i < 20; ++i)
+        if (i % 5 < 4) {
+            const std::uint32_t a = first + i;
+            scene.triangles.push_back({a, a + 1, a + 6});
+            scene.triangles.push_back({a, a + 6, a + 5});
+        }
+    const FaceTopology found = scene.topology();
+    QCOMPARE(found.borders, std::size_t(16));
+    QVERIFY(!found.closed());
 }
 
 /// Triangles cut one by one, at random places of their sides, each with corners of its own and turned by chance.

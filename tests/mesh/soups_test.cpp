@@ -2,8 +2,10 @@
 #include "mesh/soups.h"
 
 #include "core/mesh/check/topology.h"
+#include "core/mesh/faces/inner_places.h"
 #include "core/mesh/faces/open_faces.h"
 #include "core/mesh/marching/marching_cubes.h"
+#include "core/process/estimation/prepare.h"
 #include "core/surface/surface.h"
 #include "support/registry.h"
 
@@ -22,6 +24,9 @@ class SoupsTest : public QObject {
     void unionsMeshClosed();
     void partsOnTopOfEachOtherAreOne();
     void whatLiesApartStays();
+    void smallPartsOfLargeScenesAreJudgedByThemselves();
+    void whatIsBuriedInAnAssemblyGoes();
+    void keptVerticesOfCrossingPartsAreTheirUnion();
     void sheetsBesideASolidStayOpen();
 };
 
@@ -284,6 +289,109 @@ void SoupsTest::whatLiesApartStays() {
         QVERIFY(std::abs(double(count) / double(found.points.size()) - share) < 0.1 * share);
         QVERIFY(found.closed);
     }
+}
+
+/// However large what is beside them; in whichever part of it they stand.
+void SoupsTest::smallPartsOfLargeScenesAreJudgedByThemselves() {
+    for (int round = 0; round < test::effort(6); ++round) {
+        const std::uint64_t seed = test::seed() + static_cast<std::uint64_t>(round);
+        base::Random random(seed);
+        const double size = std::pow(10, random.uniform(-4, 0));
+        std::vector<Box> boxes(round % 2 == 0 ? 12 : 200);
+        for (Box& b : boxes) {
+            b = tilted(random, 0.4, 0.1, 0.5);
+            b.centre *= size;
+            b.half *= size;
+        }
+        Faces faces = together(boxes);
+        append(faces, aligned({-500, -500, -200}, {500, 500, -100}).faces());
+        const FaceTopology topology = faces.topology();
+        const mesh::InnerPlaces inside(topology, faces.positions);
+        std::size_t wrong = 0, deep = 0, asked = 0;
+        for (std::uint32_t t = 0; t < topology.triangles.size(); ++t) {
+            const std::size_t own = topology.sources[t] / 12;
+            double depth = 1e9; // below zero: in another box
+            Vec3d place;
+            double rest = 1;
+            for (std::size_t k = 0; k < 3; ++k) {
+                const double w = k == 2 ? rest : random.uniform(0, rest);
+                rest -= w;
+                place += base::cast<double>(faces.positions[topology.triangles[t][k]]) * w;
+            }
+            for (std::size_t b = 0; b < boxes.size(); ++b)
+                if (b != own)
+                    depth = std::min(depth, boxes[b].height(place));
+            bool nested = own >= boxes.size(); // wholly in one other, or nothing is known of it
+            for (std::size_t b = 0; b < boxes.size() && !nested; ++b) {
+                nested = b != own;
+                for (const base::Vec3f& p : boxes[own].faces().positions)
+                    nested = nested && boxes[b].height(base::cast<double>(p)) < 1e-3 * size;
+            }
+            if (std::abs(depth) < 1e-4 * size || nested)
+                continue;
+            ++asked;
+            deep += depth < 0;
+            wrong += inside.has(place, t) != (depth < 0);
+        }
+        // A body that is inside of others by a part that no probe has met counts as wholly outside.
+        QVERIFY2(asked > 50 && deep > 20 && 100 * wrong <= asked,
+                 QString("size %1, %2 of %3, seed %4").arg(size).arg(wrong).arg(asked).arg(seed).toUtf8());
+    }
+}
+
+/// In what two crossing boxes have in common nobody put anything; dolls in dolls were put there.
+void SoupsTest::whatIsBuriedInAnAssemblyGoes() {
+    const Box inner = aligned({0.85, 0.4, 0.4}, {0.95, 0.6, 0.6});
+    const auto samplesOn = [&](const OpenedFaces& found) {
+        return std::count_if(found.points.items.begin(), found.points.items.end(),
+                             [&](const surfel::Surfel& s) { return std::abs(inner.height(at(s))) < 1e-5; });
+    };
+    Faces buried = aligned({0, 0, 0}, {1, 1, 1}).faces(), doll = buried;
+    append(buried, aligned({0.8, 0.1, 0.1}, {2, 0.9, 0.9}).faces());
+    append(doll, aligned({0.8, 0.1, 0.1}, {0.99, 0.9, 0.9}).faces());
+    append(buried, inner.faces());
+    append(doll, inner.faces());
+    QCOMPARE(samplesOn(sampled(buried, 20000)), 0);
+    QVERIFY(samplesOn(sampled(doll, 20000)) > 100);
+}
+
+/// Two rings in one plane enclose three holes together.
+void SoupsTest::keptVerticesOfCrossingPartsAreTheirUnion() {
+    base::Random random(test::seed());
+    const double apart = random.uniform(0.95, 1.05);
+    Faces rings = faces::band(200, 80, false);
+    const Faces other = rings;
+    append(rings, other);
+    for (std::size_t i = other.positions.size(); i < rings.positions.size(); ++i)
+        rings.positions[i].x += static_cast<float>(apart);
+    const OpenedFaces found = mesh::openFaces(rings.list(), rings.triangles, {}, {});
+    QVERIFY(!found.sampled && found.closed);
+    QVERIFY(found.points.size() < rings.positions.size());
+    const auto depth = [](Vec3d p, double x) {
+        p.x -= x;
+        return 0.4 - std::hypot(std::hypot(p.x, p.y) - 1, p.z);
+    };
+    std::size_t left = 0;
+    for (const base::Vec3f& p : rings.positions)
+        left += std::min(depth(base::cast<double>(p), 0), depth(base::cast<double>(p), apart)) < -1e-3;
+    for (const surfel::Surfel& s : found.points.items)
+        QVERIFY(std::max(depth(at(s), 0), depth(at(s), apart)) < 0.05); // an edge at most
+    QVERIFY(found.points.size() >= left);
+    process::PrepareOptions options;
+    options.definition.boundary = surface::Boundary::None;
+    mesh::MarchingReport report;
+    mesh::MarchingOptions marching;
+    marching.cell = 0.035;
+    const mesh::Mesh m = mesh::marchingCubes(process::prepare(found.points, options), marching, report);
+    const mesh::Topology t = mesh::topologyOf(m.triangles, m.positions.size(), m.kinds);
+    QVERIFY2(t.manifold() && t.boundaryEdges == 0 && t.components == 1 && t.genus() == 3,
+             QString("apart %1: %2 edges, %3 pieces, genus %4, seed %5")
+                 .arg(apart)
+                 .arg(t.boundaryEdges)
+                 .arg(t.components)
+                 .arg(t.genus().value_or(-1))
+                 .arg(test::seed())
+                 .toUtf8());
 }
 
 void SoupsTest::sheetsBesideASolidStayOpen() {

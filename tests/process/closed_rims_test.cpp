@@ -1,5 +1,5 @@
-// What bounds a solid has no rim, however thin it is; what has one keeps it: random fins, plates, cups, wedges, and
-// holes, halves, tubes and folded cloths.
+// What bounds a solid has no rim, however thin it is; what has one keeps it, whatever else there is: random fins,
+// plates, cups, wedges, and holes, halves, tubes, cut necks, folded cloths, sheets among solids.
 #include "mesh/solids.h"
 #include "support/registry.h"
 
@@ -15,6 +15,11 @@ class ClosedRimsTest : public QObject {
     void gapsAreRims_data();
     void gapsAreRims();
     void clothsKeepTheirRimsHoweverTheyAreFolded();
+    void aSheetAmongThinSolidsIsOpen();
+    void aHoleInOneOfManySolidsIsOne();
+    void cutPiecesAreOpen();
+    void unevenSolidsAreClosed();
+    void solidsWithoutSidesAreClosed();
 };
 
 namespace {
@@ -44,6 +49,23 @@ Solid plates(double thickness, double gap) {
 
 Solid cup(double thickness) {
     return {{solids::ball({}, 0.5)}, {solids::ball({}, 0.5 - thickness), solids::box({-1, -1, 0.1}, {1, 1, 1})}};
+}
+
+Solid cylinder(double radius, double lo, double hi) {
+    constexpr int sides = 48;
+    std::vector<std::array<double, 2>> round;
+    for (int i = 0; i < sides; ++i)
+        round.push_back({radius * std::cos(2 * shapes::pi * i / sides), radius * std::sin(2 * shapes::pi * i / sides)});
+    return {{solids::prism(round, lo, hi)}, {}};
+}
+
+Solid bottle(double neck) {
+    return {{solids::ball({}, 0.3), cylinder(neck, 0, 0.5).parts[0]}, {}};
+}
+
+/// Spacings vary by up to 4.5, samples per area by 20.
+solids::Sampling uneven(base::Random& random) {
+    return {random.uniform(0.025, 0.045), std::exp(random.uniform(0, std::log(4.5))), random.uniform(0, 0.1), 0, {}};
 }
 
 /// Layers that far apart, folded to and fro, as one sheet.
@@ -138,6 +160,103 @@ void ClosedRimsTest::clothsKeepTheirRimsHoweverTheyAreFolded() {
         QVERIFY2(!std::isinf(limitOf(foldedCloth(gap * spacing, random))),
                  QByteArray::number(gap) + " seed " + QByteArray::number(test::seed()));
     }
+}
+
+/// What is open is the sheet, a fiftieth of what looks like rims.
+void ClosedRimsTest::aSheetAmongThinSolidsIsOpen() {
+    constexpr double wide = 0.05;
+    base::Random random(test::seed());
+    for (int round = 0; round < test::effort(1); ++round) {
+        const double thickness = random.uniform(0.6, 1.2) * wide, gap = random.uniform(3, 5) * wide;
+        const std::size_t count = 40 + random.below(12);
+        Solid all;
+        for (std::size_t i = 0; i < count; ++i) {
+            const double z = static_cast<double>(i) * (thickness + gap);
+            all.parts.push_back(solids::box({-0.5, -0.4, z}, {0.5, 0.4, z + thickness}));
+        }
+        const solids::Sampling sampling{wide, 1, 0.1 * static_cast<double>(round % 2), 0, {}};
+        surfel::SurfelList list = solids::sampled(all, sampling, random);
+        QVERIFY(std::isinf(limitOf(list)));
+        solids::Spread spread(sampling);
+        for (int i = 0; i < 2000; ++i) {
+            const Vec3d p{random.uniform(-0.3, 0.3), random.uniform(-0.3, 0.3), -0.5};
+            if (spread.take(p, {0, 0, 1}))
+                list.items.push_back(shapes::surfelAt(p, {0, 0, 1}, 0));
+        }
+        QVERIFY2(!std::isinf(limitOf(std::move(list))),
+                 QByteArray::number(thickness / wide) + " seed " + QByteArray::number(test::seed()));
+    }
+}
+
+void ClosedRimsTest::aHoleInOneOfManySolidsIsOne() {
+    base::Random random(test::seed());
+    const double hole = random.uniform(7, 11) * spacing;
+    surfel::SurfelList list;
+    for (int i = 0; i < 20; ++i) {
+        surfel::SurfelList one = solids::sampled({{solids::ball({}, 0.5)}, {}}, hows[i % 2], random);
+        if (i == 0)
+            std::erase_if(one.items, [&](const surfel::Surfel& s) {
+                return s.position.z > 0 && std::hypot(s.position.x, s.position.y) < static_cast<float>(hole);
+            });
+        list.layout = one.layout;
+        for (surfel::Surfel& s : one.items) {
+            s.position.x += 1.5f * static_cast<float>(i);
+            list.items.push_back(s);
+        }
+    }
+    QVERIFY2(!std::isinf(limitOf(std::move(list))),
+             QByteArray::number(hole / spacing) + " seed " + QByteArray::number(test::seed()));
+}
+
+/// At any angle; necks no wider than 5 spacings, whose opening winding numbers hardly see.
+void ClosedRimsTest::cutPiecesAreOpen() {
+    base::Random random(test::seed());
+    for (int round = 0; round < test::effort(15); ++round) {
+        const solids::Sampling sampling = uneven(random);
+        const bool upright = round % 3 > 1;
+        const double radius = random.uniform(0.12, 0.25);
+        const Solid solid = round % 3 == 0   ? Solid{{solids::ball({}, 0.5)}, {}}
+                            : round % 3 == 1 ? cylinder(radius, -0.5, 0.5)
+                                             : bottle(std::max(0.12, 2.6 * sampling.spacing));
+        const Vec3d across = upright ? base::normalized(Vec3d{random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5), 1})
+                                     : random.unitVector();
+        const double height = upright ? random.uniform(0.36, 0.42) : random.uniform(-0.2, 0.2);
+        surfel::SurfelList list = solids::sampled(solid, sampling, random);
+        std::erase_if(list.items,
+                      [&](const surfel::Surfel& s) { return dot(base::cast<double>(s.position), across) > height; });
+        QVERIFY2(!std::isinf(limitOf(std::move(list))), QByteArray::number(round) + " height " +
+                                                            QByteArray::number(height) + " seed " +
+                                                            QByteArray::number(test::seed()));
+    }
+}
+
+void ClosedRimsTest::unevenSolidsAreClosed() {
+    base::Random random(test::seed());
+    for (int round = 0; round < test::effort(6); ++round) {
+        const solids::Sampling sampling = uneven(random);
+        const std::pair<const char*, Solid> all[] = {
+            {"bottle", bottle(3 * sampling.spacing)},
+            {"cylinder", cylinder(0.25, -0.4, 0.4)},
+            {"drilled", solids::drilled(0.15)},
+            {"plates", plates(random.uniform(0.6, 1.2) * sampling.spacing, 5 * sampling.spacing)}};
+        for (const auto& [name, solid] : all)
+            QVERIFY2(std::isinf(limitOf(solids::sampled(solid, sampling, random))),
+                     QByteArray(name) + " seed " + QByteArray::number(test::seed()));
+    }
+}
+
+/// Nothing but runs tells there: what looks like a rim by chance stands alone.
+void ClosedRimsTest::solidsWithoutSidesAreClosed() {
+    base::Random random(test::seed());
+    process::PrepareOptions options;
+    options.definition.frame = surface::Frame::Hyperplanes;
+    for (int round = 0; round < test::effort(4); ++round)
+        for (const Solid& solid : {solids::tori(), solids::drilled(0.15), bottle(0.15)}) {
+            surfel::SurfelList list = solids::sampled(solid, {spacing, 1, 0.1, 0, {}}, random);
+            list.layout = shapes::layout(true, false);
+            QVERIFY2(std::isinf(process::prepare(std::move(list), options).definition().boundaryLimit),
+                     QByteArray::number(round) + " seed " + QByteArray::number(test::seed()));
+        }
 }
 
 static const test::Registered<ClosedRimsTest> registered;

@@ -22,23 +22,44 @@ using base::Vec3f;
 
 /// Of the extent: coordinates that differ by this came from one number, computed twice.
 constexpr double roundOff = 5e-7;
+/// But at most this part of the longest edge of the boundary there: small parts of large scenes keep their shape.
+constexpr double mostOfEdge = 0.01;
+
+/// For each place on the boundary.
+std::vector<double> tolerances(std::span<const Vec3f> positions, double most, const std::vector<std::uint64_t>& edges,
+                               const std::vector<std::uint32_t>& boundary) {
+    std::vector<double> longest(boundary.size());
+    for (const std::uint64_t edge : edges) {
+        const double length = edgeLength(positions, edge);
+        for (const std::uint64_t end : {edge >> 32, edge & 0xffffffffu}) {
+            const auto at = std::lower_bound(boundary.begin(), boundary.end(), end) - boundary.begin();
+            double& known = longest[static_cast<std::size_t>(at)];
+            known = std::max(known, length);
+        }
+    }
+    for (double& each : longest)
+        each = std::min(most, mostOfEdge * each);
+    return longest;
+}
 
 /// Joins places on the boundary that are the same but for round-off: the first of them stands for all. False where
 /// there are none.
 bool joinBoundary(std::vector<std::uint32_t>& places, std::span<const Vec3f> positions, double tolerance,
-                  const std::vector<std::uint32_t>& boundary) {
+                  const std::vector<std::uint64_t>& edges, const std::vector<std::uint32_t>& boundary) {
+    const std::vector<double> near = tolerances(positions, tolerance, edges, boundary);
     const Vec3d origin = base::cast<double>(positions[boundary.front()]);
     base::CellMap<std::vector<std::uint32_t>> cells;
     std::vector<std::uint32_t> joined(places.size());
     std::iota(joined.begin(), joined.end(), 0u);
     bool any = false;
-    for (const std::uint32_t place : boundary) {
+    for (std::size_t i = 0; i < boundary.size(); ++i) {
+        const std::uint32_t place = boundary[i];
         const Vec3d p = base::cast<double>(positions[place]);
         const base::Cell cell = base::cellOf(p, origin, 1 / tolerance);
-        base::forCellsAround(cell, [&](const base::Cell& near) {
-            if (const auto* found = cells.find(near); found && joined[place] == place)
+        base::forCellsAround(cell, [&](const base::Cell& beside) {
+            if (const auto* found = cells.find(beside); found && joined[place] == place)
                 for (const std::uint32_t other : *found)
-                    if (distance(base::cast<double>(positions[other]), p) <= tolerance)
+                    if (distance(base::cast<double>(positions[other]), p) <= near[i])
                         joined[place] = other;
         });
         if (joined[place] == place)
@@ -327,7 +348,8 @@ FaceTopology faceTopology(std::span<const Vec3f> positions, std::span<const Tria
     if (out.borders == 0 || !(tolerance > 0))
         return out;
     Places joined = places;
-    if (joinBoundary(joined.of, positions, tolerance, boundaryPlaces(boundaryEdges(out, places))) && isBetter(joined))
+    const std::vector<std::uint64_t> edges = boundaryEdges(out, places);
+    if (joinBoundary(joined.of, positions, tolerance, edges, boundaryPlaces(edges)) && isBetter(joined))
         places = std::move(joined);
     if (out.borders == 0)
         return out;

@@ -1,5 +1,6 @@
 #include "core/mesh/faces/open_faces.h"
 
+#include "core/base/box.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/mesh/faces/face_creases.h"
@@ -11,6 +12,7 @@
 #include "core/process/estimation/part_progress.h"
 #include "core/process/resampling/resample.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -22,9 +24,10 @@ using base::Vec3f;
 using surfel::SurfelList;
 
 constexpr std::size_t mostSamples = 200'000'000;
-constexpr double fewestSamples = 64; ///< of a spacing: fewer are a slip of the unit
-constexpr double resolvedWall = 2.5; ///< spacings
-constexpr double smoothOver = 3;     ///< spacings: triangles of this size and smaller lend their corners' normals whole
+constexpr double fewestSamples = 64;  ///< of a spacing: fewer are a slip of the unit
+constexpr double resolvedWall = 2.5;  ///< spacings
+constexpr double besideCorner = 0.01; ///< of the way to the middle of a triangle
+constexpr double smoothOver = 3; ///< spacings: triangles of this size and smaller lend their corners' normals whole
 
 /// "12", "1,234,567".
 std::string grouped(std::size_t n) {
@@ -238,6 +241,51 @@ void leaveOutInner(SurfelList& vertices, const FaceTopology& topology) {
     process::keepPoints(vertices, [&](std::size_t i) { return !inner[i]; });
 }
 
+/// Whether two closed pieces may run into each other, by their boxes.
+bool mayCross(const FaceTopology& topology, std::span<const Vec3f> positions) {
+    std::vector<base::Box3f> all(topology.sealed.size()), boxes;
+    for (std::size_t t = 0; t < topology.triangles.size(); ++t)
+        for (std::size_t k = 0; topology.bodies[t] != noBody && k < 3; ++k)
+            all[topology.bodies[t]].extend(positions[topology.triangles[t][k]]);
+    for (std::size_t body = 0; body < all.size(); ++body)
+        if (topology.sealed[body] != 0)
+            boxes.push_back(all[body]);
+    std::sort(boxes.begin(), boxes.end(), [](const auto& a, const auto& b) { return a.lo.x < b.lo.x; });
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+        for (std::size_t j = i + 1; j < boxes.size() && boxes[j].lo.x <= boxes[i].hi.x; ++j)
+            if (boxes[i].overlaps(boxes[j]))
+                return true;
+    return false;
+}
+
+/// Vertices of closed pieces that lie in others, of which all faces do there. Returns how many. Beside the seams those
+/// that stay are an edge apart at most: no gap for supports of some edges.
+std::size_t leaveOutCrossing(SurfelList& vertices, const FaceTopology& topology, std::span<const Vec3f> positions) {
+    if (!mayCross(topology, positions))
+        return 0;
+    const InnerPlaces inside(topology, positions);
+    if (inside.outerShare() == 1)
+        return 0;
+    std::vector<std::uint8_t> in(topology.triangles.size() * 3);
+    base::parallelFor(topology.triangles.size(), 256, [&](std::size_t t) {
+        base::Vec3d p[3], middle;
+        for (std::size_t k = 0; k < 3; ++k) {
+            p[k] = base::cast<double>(positions[topology.triangles[t][k]]);
+            middle += p[k] / 3;
+        }
+        for (std::size_t k = 0; k < 3; ++k)
+            in[3 * t + k] = inside.has(p[k] + (middle - p[k]) * besideCorner, static_cast<std::uint32_t>(t)) ? 1 : 0;
+    });
+    std::vector<std::uint8_t> inner(vertices.size()), outer(vertices.size());
+    for (const std::uint32_t v : topology.insideCorners)
+        inner[v] = 1;
+    for (std::size_t c = 0; c < in.size(); ++c)
+        (in[c] != 0 ? inner : outer)[topology.triangles[c / 3][c % 3]] = 1;
+    const std::size_t before = vertices.size();
+    process::keepPoints(vertices, [&](std::size_t i) { return inner[i] == 0 || outer[i] != 0; });
+    return before - vertices.size();
+}
+
 std::size_t samplesFor(const FaceTopology& topology, double share, double wall, const FaceOptions& options) {
     if (options.count == 0 && options.spacing <= 0)
         return fittingCount(topology, wall, share);
@@ -285,7 +333,13 @@ OpenedFaces openFaces(SurfelList vertices, std::span<const Triangle> triangles,
                 out.messages.push_back("Large faces, which the vertices leave empty, got " +
                                        counted(more, "surfel", "surfels") +
                                        "; --faces vertices keeps the vertices alone.");
-        if (options.use == FaceUse::Auto && !topology.insideCorners.empty())
+        std::size_t crossing = 0;
+        if (options.use == FaceUse::Auto && !broken(topology))
+            crossing = leaveOutCrossing(vertices, topology, positions);
+        if (crossing > 0)
+            out.messages.push_back("Left out " + counted(crossing, "vertex", "vertices") +
+                                   " inside of the solid; --faces vertices keeps them.");
+        else if (options.use == FaceUse::Auto && !topology.insideCorners.empty())
             leaveOutInner(vertices, topology);
         if (options.creases)
             out.messages.push_back("The vertices are kept, without creases; --faces sample makes them.");
