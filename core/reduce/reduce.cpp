@@ -212,8 +212,6 @@ Reduced reduceToError(const surface::Surface& model, double error, Shapes shapes
         if (const std::size_t stride = strideFor(size, count); stride != ground.stride)
             ground = groundOf(model, stride, {{}, progress.cancel});
         Reduced tried = reduced(ground, count, shapes, true, process::part(progress, 0.05 + 0.06 * k, 0.11 + 0.06 * k));
-        if (shapes == Shapes::Auto) // one kind for the whole search, or errors would not fall with the count
-            shapes = tried.report.ellipsoids ? Shapes::Ellipsoids : Shapes::Spheres;
         const bool whole = double(tried.report.holes) <= heldMisses * double(ground.dense.feet);
         const bool good = tried.report.rms <= error && whole;
         search.learn(count, good ? tried.report.rms : std::max(tried.report.rms, 1.05 * error));
