@@ -12,7 +12,7 @@ nlohmann::ordered_json reduceReportJson(const reduce::Report& report) {
             {"normals_deg", report.normalsDeg},
             {"least_supports", report.leastSupports},
             {"holes", report.holes},
-            {"shapes", "spheres"}};
+            {"shapes", report.ellipsoids ? "ellipsoids" : "spheres"}};
 }
 
 } // namespace app

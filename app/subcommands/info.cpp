@@ -8,6 +8,7 @@
 #include "core/process/estimation/spacing.h"
 #include "core/session/document.h"
 #include "core/session/opened_file.h"
+#include "core/surfel/shape.h"
 
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -74,6 +75,16 @@ std::vector<std::string> attributesOf(const session::OpenedFile& from) {
     return out;
 }
 
+bool anyEllipsoid(const surfel::SurfelList& points) {
+    if (surfel::shapeChannel(*points.layout) == 0)
+        return false;
+    const std::size_t first = surfel::shapeWord(*points.layout);
+    for (std::size_t i = 0; i < points.size(); ++i)
+        if (surfel::shapeIn(points.extraOf(i), first) != base::Vec3f())
+            return true;
+    return false;
+}
+
 ordered_json describe(session::OpenedFile from, const base::Progress& progress, Console& console) {
     const io::FileModel& model = from.model;
     const base::Box3f box = boundsOf(model.points);
@@ -92,7 +103,7 @@ ordered_json describe(session::OpenedFile from, const base::Progress& progress, 
     out["dropped"] = model.dropped;
     out["merged"] = 0;
     out["cells"] = 0;
-    out["shapes"] = false; // supports are balls
+    out["shapes"] = anyEllipsoid(model.points);
     out["format"] = model.format;
     describeSurface(out, std::move(from), process::part(progress, 0.5, 1), console);
     return out;

@@ -1,5 +1,7 @@
 #include "core/cells/cell_clusters.h"
 
+#include "core/surfel/shape.h"
+
 #include <algorithm>
 
 namespace cells {
@@ -12,7 +14,9 @@ constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
 
 } // namespace
 
-CellClusters::CellClusters(const CellSurface& surface, const base::Box3f& box) {
+CellClusters::CellClusters(const CellSurface& surface, const base::Box3f& box)
+    : m_shape(surfel::shapeChannel(*surface.surface().tree().layout())),
+      m_channels(static_cast<std::size_t>(m_shape > 0 ? m_shape + 3 : surfel::Support + 1)) {
     std::vector<Found> found;
     collect(surface, box, found);
     // in tree order within a cell: neighbours share clusters
@@ -22,11 +26,12 @@ CellClusters::CellClusters(const CellSurface& surface, const base::Box3f& box) {
     const float scale = surface.surface().supportScale();
     for (const Found& each : found)
         if (each.label.meeting != Meeting::None)
-            m_beside.push_back({each.block->position(each.slot), scale * each.block->support(each.slot),
+            m_beside.push_back({each.block->position(each.slot),
+                                surfel::shapeOf(*each.block, each.slot, m_shape), scale * each.block->support(each.slot),
                                 place(each.label.cell), place(each.label.partner), each.label.meeting});
     packFades(found);
-    for (const Cluster& each : m_clusters)
-        m_pointers.push_back(each.channels);
+    for (std::size_t at = 0; at < m_packed.size(); at += m_channels)
+        m_pointers.push_back(m_packed[at].lanes);
     for (Cell& a : m_cells)
         for (const Cell& b : m_cells)
             a.joined |= a.cell != b.cell && a.face == b.face;
@@ -63,18 +68,20 @@ std::uint32_t CellClusters::place(std::uint32_t label) const {
 
 float* CellClusters::nextLane(bool fresh) {
     if (fresh || m_lane == lanes) {
-        float* channels = m_clusters.emplace_back().channels;
-        std::fill_n(channels, (surfel::Support + 1) * lanes, 0.0f);
+        m_packed.resize(m_packed.size() + m_channels);
+        float* channels = m_packed[m_packed.size() - m_channels].lanes;
         std::fill_n(channels, 3 * lanes, farAway);
         std::fill_n(channels + surfel::Support * lanes, lanes, 1.0f);
         m_lane = 0;
     }
-    return m_clusters.back().channels + m_lane++;
+    return m_packed[m_packed.size() - m_channels].lanes + m_lane++;
 }
 
-static void copyLane(const surfel::SurfelBlock& block, int slot, float* to) {
+void CellClusters::copyLane(const surfel::SurfelBlock& block, int slot, float* to) const {
     const float* from = block.channel(slot / lanes, surfel::X) + slot % lanes;
     for (int channel = surfel::X; channel <= surfel::Support; ++channel)
+        to[channel * lanes] = from[channel * lanes];
+    for (int channel = m_shape; m_shape > 0 && channel < m_shape + 3; ++channel)
         to[channel * lanes] = from[channel * lanes];
 }
 
@@ -82,11 +89,11 @@ void CellClusters::pack(const std::vector<Found>& found) {
     for (const Found& each : found) {
         const bool another = m_cells.empty() || m_cells.back().cell != each.label.cell;
         if (another) {
-            const auto begin = static_cast<std::uint32_t>(m_clusters.size());
+            const auto begin = clusterCount();
             m_cells.push_back({each.label.cell, each.label.face, begin, begin, false});
         }
         copyLane(*each.block, each.slot, nextLane(another));
-        m_cells.back().end = static_cast<std::uint32_t>(m_clusters.size());
+        m_cells.back().end = clusterCount();
     }
 }
 
@@ -104,16 +111,16 @@ void CellClusters::packFades(const std::vector<Found>& found) {
                 m_fades.push_back({a, b});
         }
     for (Fade& fade : m_fades) {
-        fade.begin = static_cast<std::uint32_t>(m_clusters.size());
+        fade.begin = clusterCount();
         for (const Found& each : found) {
             if (each.label.meeting == Meeting::None || pairOf(each) != Pair(fade.a, fade.b))
                 continue;
-            float* to = nextLane(m_clusters.size() == fade.begin);
+            float* to = nextLane(clusterCount() == fade.begin);
             copyLane(*each.block, each.slot, to);
             to[surfel::NormalX * lanes] = static_cast<float>(each.label.sharpness) / 255;
             to[surfel::NormalY * lanes] = to[surfel::NormalZ * lanes] = 0;
         }
-        fade.end = static_cast<std::uint32_t>(m_clusters.size());
+        fade.end = clusterCount();
     }
 }
 

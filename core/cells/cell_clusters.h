@@ -20,7 +20,7 @@ class CellClusters {
     };
     /// A surfel beside a crease.
     struct Beside {
-        base::Vec3f position;
+        base::Vec3f position, shape;
         float support;              ///< scaled
         std::uint32_t own, partner; ///< places among the cells; the partner has surfels here
         Meeting meeting;
@@ -44,8 +44,8 @@ class CellClusters {
     }
 
   private:
-    struct alignas(64) Cluster {
-        float channels[(surfel::Support + 1) * surfel::clusterSize];
+    struct alignas(64) Channel {
+        float lanes[surfel::clusterSize];
     };
     struct Found {
         const surfel::SurfelBlock* block;
@@ -56,10 +56,15 @@ class CellClusters {
     void pack(const std::vector<Found>& found);
     void packFades(const std::vector<Found>& found);
     std::uint32_t place(std::uint32_t label) const;
-    /// Room for one more surfel in the last cluster, or in a fresh one.
+    /// Room for one more surfel in the last cluster, or in a fresh one: its x; further channels follow a cluster's width
+    /// after each other.
     float* nextLane(bool fresh);
+    void copyLane(const surfel::SurfelBlock& block, int slot, float* to) const;
+    std::uint32_t clusterCount() const { return static_cast<std::uint32_t>(m_packed.size() / m_channels); }
 
-    std::vector<Cluster> m_clusters;
+    int m_shape;            ///< channel of shapes, as in blocks; 0: none
+    std::size_t m_channels; ///< of a cluster
+    std::vector<Channel> m_packed;
     std::vector<const float*> m_pointers;
     std::vector<Cell> m_cells;
     std::vector<Beside> m_beside;

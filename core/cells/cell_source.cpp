@@ -2,6 +2,7 @@
 
 #include "core/surface/evaluation/assemble.h"
 #include "core/surface/evaluation/weights.h"
+#include "core/surfel/shape.h"
 
 namespace cells {
 
@@ -12,12 +13,14 @@ using surface::Need;
 namespace {
 
 constexpr std::size_t lanes = surfel::clusterSize;
-constexpr std::size_t clusterFloats = (surfel::Support + 1) * lanes;
 constexpr float farAway = 1e15f; ///< of slots without a surfel, as in blocks: no weight, and finite squares
 
 } // namespace
 
-CellSource::CellSource(const CellSurface& surface) : m_surface(&surface), m_source(surface.surface()) {}
+CellSource::CellSource(const CellSurface& surface)
+    : m_surface(&surface), m_source(surface.surface()),
+      m_shape(surfel::shapeChannel(*surface.surface().tree().layout())),
+      m_clusterFloats(static_cast<std::size_t>(m_shape > 0 ? m_shape + 3 : surfel::Support + 1) * lanes) {}
 
 void CellSource::moveTo(const Vec3d& x) {
     m_x = x;
@@ -42,8 +45,8 @@ void CellSource::collect() {
                 const double h = static_cast<double>(scale) * static_cast<double>(block.support(slot));
                 const Vec3d p = base::cast<double>(block.position(slot));
                 if (m_box.distanceSq(p) < h * h)
-                    m_around.push_back(
-                        {p, h * h, block.normal(slot), block.support(slot), m_surface->labels().at(block, slot)});
+                    m_around.push_back({p, h * h, block.normal(slot), block.support(slot),
+                                        surfel::shapeOf(block, slot, m_shape), m_surface->labels().at(block, slot)});
             }
         },
         surface::queryReach(surface::queryReach(scale)));
@@ -57,7 +60,8 @@ void CellSource::gather() {
     m_cells.clear();
     m_faded = false;
     for (const Around& each : m_around) {
-        const double distanceSq = base::distanceSq(each.position, m_x);
+        const Vec3d q = each.position - m_x;
+        const double along = dot(base::cast<double>(each.shape), q), distanceSq = lengthSq(q) + along * along;
         if (!(distanceSq < each.supportSq))
             continue;
         const Label& label = each.label;
@@ -151,6 +155,7 @@ surface::SumOptions CellSource::plainSums() const {
     surface::SumOptions out;
     out.weight = m_surface->surface().definition().weight;
     out.scale = m_surface->surface().supportScale();
+    out.shape = m_shape;
     return out;
 }
 
@@ -164,21 +169,23 @@ surface::ClusterSpan CellSource::pack(const Take& take) {
         if (!normal)
             continue;
         if (count % lanes == 0) {
-            m_packed.resize(m_packed.size() + clusterFloats);
-            float* fresh = m_packed.data() + m_packed.size() - clusterFloats;
-            std::fill_n(fresh, clusterFloats, 0.0f);
+            m_packed.resize(m_packed.size() + m_clusterFloats);
+            float* fresh = m_packed.data() + m_packed.size() - m_clusterFloats;
+            std::fill_n(fresh, m_clusterFloats, 0.0f);
             std::fill_n(fresh, 3 * lanes, farAway);
             std::fill_n(fresh + surfel::Support * lanes, lanes, 1.0f);
         }
-        float* c = m_packed.data() + m_packed.size() - clusterFloats + count % lanes;
+        float* c = m_packed.data() + m_packed.size() - m_clusterFloats + count % lanes;
         const base::Vec3f p = base::cast<float>(each.of->position);
         c[surfel::X * lanes] = p.x, c[surfel::Y * lanes] = p.y, c[surfel::Z * lanes] = p.z;
         c[surfel::NormalX * lanes] = normal->x, c[surfel::NormalY * lanes] = normal->y;
         c[surfel::NormalZ * lanes] = normal->z;
         c[surfel::Support * lanes] = each.of->support;
+        for (std::size_t k = 0; m_shape > 0 && k < 3; ++k)
+            c[(static_cast<std::size_t>(m_shape) + k) * lanes] = each.of->shape[k];
         ++count;
     }
-    for (std::size_t at = 0; at < m_packed.size(); at += clusterFloats)
+    for (std::size_t at = 0; at < m_packed.size(); at += m_clusterFloats)
         m_clusters.push_back(m_packed.data() + at);
     return m_clusters;
 }

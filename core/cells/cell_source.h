@@ -97,6 +97,7 @@ class CellSource {
         double supportSq; ///< of the scaled support
         base::Vec3f normal;
         float support; ///< as the surfel has it
+        base::Vec3f shape;
         Label label;
     };
     struct Found {
@@ -134,6 +135,8 @@ class CellSource {
 
     const CellSurface* m_surface;
     surface::Source m_source;
+    int m_shape;                 ///< channel of shapes; 0: none
+    std::size_t m_clusterFloats; ///< of those that are packed
     base::Vec3d m_x;
     base::Box3d m_box; ///< positions in it need no other surfels than these
     std::vector<Around> m_around;

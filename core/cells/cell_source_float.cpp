@@ -2,6 +2,7 @@
 
 #include "core/surface/evaluation/assemble.h"
 #include "core/surface/evaluation/weights.h"
+#include "core/surfel/shape.h"
 
 #include <bit>
 #include <cmath>
@@ -29,20 +30,27 @@ void take(const E& from, CellField& to) {
     to.gradient = base::cast<double>(from.gradient);
 }
 
-/// fn(position, normal, distanceSq, support) for surfels of clusters with weight at x.
+/// fn(position, normal, distanceSq, support) for surfels of clusters with weight at x; `shape` as in SumOptions.
 template <class Fn>
-void forPacked(surface::ClusterSpan clusters, const Vec3f& x, float scale, const Fn& fn) {
+void forPacked(surface::ClusterSpan clusters, const Vec3f& x, float scale, int shape, const Fn& fn) {
     for (const float* c : clusters)
         for (int lane = 0; lane < lanes; ++lane) {
             const auto of = [&](int channel) { return c[channel * lanes + lane]; };
             const Vec3f p{of(surfel::X), of(surfel::Y), of(surfel::Z)};
-            const float h = scale * of(surfel::Support), distanceSq = base::distanceSq(p, x);
+            const float h = scale * of(surfel::Support);
+            const Vec3f b = shape > 0 ? Vec3f{of(shape), of(shape + 1), of(shape + 2)} : Vec3f();
+            const float distanceSq = surfel::shapedSq(p - x, b);
             if (distanceSq < h * h)
                 fn(p, Vec3f{of(surfel::NormalX), of(surfel::NormalY), of(surfel::NormalZ)}, distanceSq, h);
         }
 }
 
-bool anyPacked(surface::ClusterSpan clusters, const Vec3f& x, float scale) {
+bool anyPacked(surface::ClusterSpan clusters, const Vec3f& x, float scale, int shape) {
+    if (shape > 0) {
+        bool any = false;
+        forPacked(clusters, x, scale, shape, [&](const Vec3f&, const Vec3f&, float, float) { any = true; });
+        return any;
+    }
     for (const float* c : clusters) {
         float nearest = 0; // below zero within a support
         for (int lane = 0; lane < lanes; ++lane) {
@@ -66,7 +74,7 @@ std::size_t CellSourcef::CubeHash::operator()(const Cube& cube) const {
 }
 
 CellSourcef::CellSourcef(const CellSurface& surface)
-    : m_surface(&surface), m_source(surface.surface()), m_plain(surface.surface()) {}
+    : m_surface(&surface), m_source(surface.surface()), m_plain(surface.surface()), m_shape(m_plain.shape()) {}
 
 void CellSourcef::setScale(double support) {
     m_exponent = std::ilogb(support) - 1;
@@ -113,7 +121,7 @@ bool CellSourcef::there(std::size_t i) {
     Near& near = m_near[i];
     if (!near.counted) {
         near.counted = true;
-        near.there = anyPacked(m_cube->clusters(m_cube->cells()[i]), m_xf, m_surface->surface().supportScale());
+        near.there = anyPacked(m_cube->clusters(m_cube->cells()[i]), m_xf, m_surface->surface().supportScale(), m_shape);
     }
     return near.there;
 }
@@ -129,7 +137,7 @@ void CellSourcef::meet() {
     m_met = true;
     m_votes.assign(m_near.size() * m_near.size(), 0);
     for (const CellClusters::Beside& each : m_cube->beside()) {
-        const float distanceSq = base::distanceSq(each.position, m_xf);
+        const float distanceSq = surfel::shapedSq(each.position - m_xf, each.shape);
         if (!(distanceSq < each.support * each.support))
             continue;
         m_near[each.own].beside = true;
@@ -172,6 +180,7 @@ CellSourcef::Share CellSourcef::shareOf(std::size_t i, std::size_t j) {
     surface::SumOptions options;
     options.weight = m_surface->surface().definition().weight;
     options.scale = m_surface->surface().supportScale();
+    options.shape = m_shape;
     surface::Moments<float, 1> m;
     surface::sum(m_cube->clusters(*fade), m_xf, options, m);
     if (!(m.one.v > surface::leastWeight<float>))
@@ -225,6 +234,7 @@ void CellSourcef::layered(Need need, CellField& out) {
     surface::SumOptions options;
     options.weight = m_surface->surface().definition().weight;
     options.scale = m_surface->surface().supportScale();
+    options.shape = m_shape;
     out = CellField();
     double total = 0;
     Vec3d totalSlope, sumSlope;
@@ -295,7 +305,7 @@ CellSource::Tangent CellSourcef::tangent(std::size_t i) {
 CellSource::Sums CellSourcef::sums(std::size_t i) const {
     CellSource::Sums out;
     const surface::Surface& surface = m_surface->surface();
-    forPacked(m_cube->clusters(m_cube->cells()[i]), m_xf, surface.supportScale(),
+    forPacked(m_cube->clusters(m_cube->cells()[i]), m_xf, surface.supportScale(), m_shape,
               [&](const Vec3f& position, const Vec3f& normal, float distanceSq, float support) {
                   const float theta = surface::weightAt(surface.definition().weight, distanceSq, support);
                   out.add(static_cast<double>(theta), base::cast<double>(position) - m_x, base::cast<double>(normal));
@@ -305,7 +315,7 @@ CellSource::Sums CellSourcef::sums(std::size_t i) const {
 
 bool CellSourcef::reaches(std::size_t i) const {
     return anyPacked(m_cube->clusters(m_cube->cells()[i]), m_xf,
-                     surfel::surfaceReach * m_surface->surface().supportScale());
+                     surfel::surfaceReach * m_surface->surface().supportScale(), m_shape);
 }
 
 } // namespace cells

@@ -94,6 +94,7 @@ class CellSourcef {
     const CellSurface* m_surface;
     surface::Source m_source;
     surface::SummedNormals m_plain;
+    int m_shape; ///< channel of shapes; 0: none
     std::unordered_map<Cube, CellClusters, CubeHash> m_cubes;
     Cube m_which;
     const CellClusters* m_cube = nullptr;

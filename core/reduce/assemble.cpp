@@ -3,6 +3,7 @@
 #include "core/base/parallel.h"
 #include "core/surface/evaluation/attribute_sum.h"
 #include "core/surface/evaluation/weights.h"
+#include "core/surfel/shape.h"
 
 #include <algorithm>
 
@@ -69,15 +70,23 @@ surface::Surface assemble(const surface::Surface& model, const Sites& sites, int
     surfel::SurfelList list;
     list.layout = layout;
     list.items.resize(sites.size());
-    const std::size_t words = layout->words();
+    if (!sites.shape.empty())
+        surfel::addShape(*layout);
+    const std::size_t words = layout->words(), carried = model.tree().layout()->words();
+    const std::size_t first = sites.shape.empty() ? 0 : surfel::shapeWord(*layout);
     list.extra.resize(sites.size() * words);
     base::parallelFor(sites.size(), grain, [&](std::size_t i) {
         surfel::Surfel& s = list.items[i];
         s.position = sites.position[i];
         s.normal = sites.normal[i];
         s.support = sites.support[i];
-        carry(model, sites, i, s, std::span(list.extra).subspan(i * words, words));
+        const auto own = std::span(list.extra).subspan(i * words, words);
+        carry(model, sites, i, s, own.first(carried));
+        if (!sites.shape.empty())
+            surfel::putShape(own, first, sites.shape[i]);
     });
+    if (sites.shape.empty())
+        list = surfel::withoutShape(list);
     return {tree::SurfelTree::build(list), definitionOf(model.definition(), neighbours)};
 }
 

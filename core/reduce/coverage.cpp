@@ -68,7 +68,10 @@ class Coverage {
         std::vector<Wish> all;
         for (const tree::Neighbour& n : near) {
             const std::uint32_t k = NumberedTree::number(n);
-            const float lacking = std::sqrt(n.distanceSq) / (scale * m_sites.support[k]);
+            const float distanceSq = m_sites.shape.empty()
+                                         ? n.distanceSq
+                                         : surfel::shapedSq(m_places[place] - m_sites.position[k], m_sites.shape[k]);
+            const float lacking = std::sqrt(distanceSq) / (scale * m_sites.support[k]);
             if (facing(place, k) && !(outsideOnly && lacking < 1))
                 all.push_back({k, lacking});
         }
@@ -78,7 +81,9 @@ class Coverage {
     }
 
   private:
-    static NumberedTree treeOf(const Sites& sites) { return {sites.position, sites.normal, sites.support}; }
+    static NumberedTree treeOf(const Sites& sites) {
+        return {sites.position, sites.normal, sites.support, sites.shape};
+    }
     bool facing(std::uint32_t place, std::uint32_t site) const {
         const float c = dot(m_normals[place], m_sites.normal[site]);
         return (m_oriented ? c : std::abs(c)) > leastFacing;
@@ -124,7 +129,8 @@ void cover(const Places& places, float supports, Sites& sites) {
     constexpr std::size_t grain = 512;
     sites.support.resize(sites.size());
     for (std::size_t i = 0; i < sites.size(); ++i)
-        sites.support[i] = sites.spacing[i] * std::sqrt(supports / std::numbers::pi_v<float>);
+        sites.support[i] = sites.spacing[i] * std::sqrt(supports / std::numbers::pi_v<float>) *
+                           std::sqrt(surfel::aspectOf(sites.shapeAt(i)));
     const std::vector<float> first = sites.support;
     std::vector<std::uint32_t> open(places.size());
     std::iota(open.begin(), open.end(), 0u);

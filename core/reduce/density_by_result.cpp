@@ -5,6 +5,7 @@
 #include "core/reduce/coverage.h"
 #include "core/reduce/density.h"
 #include "core/surface/evaluation/packets.h"
+#include "core/surfel/shape.h"
 
 #include <algorithm>
 #include <numeric>
@@ -37,10 +38,15 @@ surface::Surface surfaceOf(const Sites& sites, bool oriented, bool oneSheet) {
     surfel::SurfelList list;
     list.layout = layout;
     list.items.resize(sites.size());
+    if (!sites.shape.empty())
+        surfel::addShape(*layout);
+    list.extra.resize(sites.size() * layout->words());
     for (std::size_t i = 0; i < sites.size(); ++i) {
         list.items[i].position = sites.position[i];
         list.items[i].normal = sites.normal[i];
         list.items[i].support = sites.support[i];
+        if (!sites.shape.empty())
+            surfel::putShape(std::span(list.extra).subspan(3 * i, 3), 0, sites.shape[i]);
     }
     surface::SurfaceDefinition definition;
     definition.neighbours = static_cast<int>(supportsOver);
@@ -56,11 +62,19 @@ std::vector<double> sumsOfSquares(const Places& places, const Sites& sites, cons
     base::parallelChunks(places.size(), 512, [&](std::size_t begin, std::size_t end, std::size_t) {
         std::vector<tree::Neighbour> near;
         for (std::size_t i = begin; i < end; ++i) {
-            tree.tree().nearest(places.position[i], 6, near);
-            const auto own = std::find_if(near.begin(), near.end(), [&](const tree::Neighbour& n) {
-                return places.facing(places.normal[i], sites.normal[NumberedTree::number(n)], likeFacing);
-            });
-            site[i] = NumberedTree::number(own == near.end() ? near.front() : *own);
+            tree.tree().nearest(places.position[i], sites.shape.empty() ? 6 : 12, near);
+            const tree::Neighbour* own = nullptr;
+            float closest = std::numeric_limits<float>::infinity();
+            for (const tree::Neighbour& n : near) {
+                const std::uint32_t k = NumberedTree::number(n);
+                const base::Vec3f b = sites.shapeAt(k);
+                const float d = sites.shape.empty()
+                                    ? n.distanceSq
+                                    : surfel::shapedSq(places.position[i] - sites.position[k], b) / surfel::aspectOf(b);
+                if (places.facing(places.normal[i], sites.normal[k], likeFacing) && d < closest)
+                    own = &n, closest = d;
+            }
+            site[i] = NumberedTree::number(own ? *own : near.front());
         }
     });
     surface::forPackets(surfaceOf(sites, places.oriented, oneSheet), places.position, slack,

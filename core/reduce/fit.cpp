@@ -2,6 +2,7 @@
 
 #include "core/base/parallel.h"
 #include "core/reduce/fit_row.h"
+#include "core/surfel/shape.h"
 
 #include <algorithm>
 
@@ -14,7 +15,7 @@ constexpr std::size_t rowsOfPiece = 2048;
 /// Towards where the sites began, in parts of the diagonal and of its mean (reduce/README 4.3).
 constexpr double ridge = 0.1, meanShare = 0.05;
 /// Most of a round, in supports.
-constexpr std::array<double, unknowns> farthest{0.2, 0.25, 0.25, 0.12, 0.12, 0.12};
+constexpr std::array<double, mostUnknowns> farthest{0.2, 0.25, 0.25, 0.12, 0.12, 0.12, 0.12, 0.12};
 
 std::vector<FitSite> fitSites(const Sites& sites) {
     std::vector<FitSite> out(sites.size());
@@ -25,13 +26,16 @@ std::vector<FitSite> fitSites(const Sites& sites) {
         s.along[0] = perpendicular(s.normal0);
         s.along[1] = cross(s.normal0, s.along[0]);
         s.support = double(sites.support[i]);
+        if (!sites.shape.empty())
+            s.setShape(base::cast<double>(sites.shape[i]), s.support);
     });
     return out;
 }
 
 /// Which sites each place of the piece has weight from.
-FitPiece pieceOf(const Places& places, const NumberedTree& tree, std::size_t begin, std::size_t end) {
-    FitPiece out;
+template <int unknowns>
+FitPiece<unknowns> pieceOf(const Places& places, const NumberedTree& tree, std::size_t begin, std::size_t end) {
+    FitPiece<unknowns> out;
     out.begin = begin;
     out.ends.reserve(end - begin);
     for (std::size_t i = begin; i < end; ++i) {
@@ -39,12 +43,12 @@ FitPiece pieceOf(const Places& places, const NumberedTree& tree, std::size_t beg
         out.ends.push_back(static_cast<std::uint32_t>(out.entries.size()));
     }
     out.entries.shrink_to_fit();
-    for (const FitEntry& e : out.entries)
+    for (const FitEntry<unknowns>& e : out.entries)
         out.sites.push_back(e.site);
     std::sort(out.sites.begin(), out.sites.end());
     out.sites.erase(std::unique(out.sites.begin(), out.sites.end()), out.sites.end());
     out.sites.shrink_to_fit();
-    for (FitEntry& e : out.entries)
+    for (FitEntry<unknowns>& e : out.entries)
         e.site = static_cast<std::uint32_t>(std::lower_bound(out.sites.begin(), out.sites.end(), e.site) -
                                             out.sites.begin());
     out.residual.resize(out.ends.size());
@@ -52,9 +56,10 @@ FitPiece pieceOf(const Places& places, const NumberedTree& tree, std::size_t beg
     return out;
 }
 
-void linearise(const Places& places, const std::vector<FitSite>& sites, FitPiece& piece) {
+template <int unknowns>
+void linearise(const Places& places, const std::vector<FitSite>& sites, FitPiece<unknowns>& piece) {
     std::vector<FitTerm> terms;
-    std::vector<std::array<float, unknowns>> derivatives;
+    std::vector<std::array<float, mostUnknowns>> derivatives;
     for (std::size_t row = 0; row < piece.ends.size(); ++row) {
         const std::size_t first = piece.firstOf(row), n = piece.ends[row] - first;
         terms.clear();
@@ -69,42 +74,61 @@ void linearise(const Places& places, const std::vector<FitSite>& sites, FitPiece
     }
 }
 
-void move(std::vector<FitSite>& sites, const NormalEquations::Vector& by) {
-    for (std::size_t i = 0; i < sites.size(); ++i)
+template <int unknowns>
+void move(std::vector<FitSite>& sites, const Eigen::VectorXd& by) {
+    const double most = std::log(double(surfel::mostAspect));
+    for (std::size_t i = 0; i < sites.size(); ++i) {
         for (std::size_t u = 0; u < unknowns; ++u) {
-            const double most = farthest[u] * sites[i].support;
-            sites[i].x[u] += std::clamp(by[static_cast<Eigen::Index>(i * unknowns + u)], -most, most);
+            const double step = farthest[u] * sites[i].support;
+            sites[i].x[u] += std::clamp(by[static_cast<Eigen::Index>(i * unknowns + u)], -step, step);
         }
+        if (const double k = sites[i].stretch(); k > most) {
+            FitSite& s = sites[i];
+            const double p = s.p() * most / k, q = s.q() * most / k;
+            s.x[6] = (p - s.shape0[0]) * s.support, s.x[7] = (q - s.shape0[1]) * s.support;
+        }
+    }
 }
 
-NormalEquations::Vector movedSoFar(const std::vector<FitSite>& sites) {
-    NormalEquations::Vector out(static_cast<Eigen::Index>(sites.size() * unknowns));
+template <int unknowns>
+Eigen::VectorXd movedSoFar(const std::vector<FitSite>& sites) {
+    Eigen::VectorXd out(static_cast<Eigen::Index>(sites.size() * unknowns));
     for (std::size_t i = 0; i < sites.size(); ++i)
         for (std::size_t u = 0; u < unknowns; ++u)
             out[static_cast<Eigen::Index>(i * unknowns + u)] = sites[i].x[u];
     return out;
 }
 
-} // namespace
-
-void fit(const Places& places, Sites& sites, const base::Progress& progress) {
+template <int unknowns>
+void fitAll(const Places& places, Sites& sites, const base::Progress& progress) {
     std::vector<FitSite> moving = fitSites(sites);
-    std::vector<FitPiece> pieces(base::chunkCount(places.size(), rowsOfPiece));
+    std::vector<FitPiece<unknowns>> pieces(base::chunkCount(places.size(), rowsOfPiece));
     for (int round = 0; round < rounds; ++round) {
         progress.step(double(round) / rounds, "Fitting");
-        const NumberedTree tree(sites.position, sites.normal, sites.support);
+        const NumberedTree tree(sites.position, sites.normal, sites.support, sites.shape);
         base::parallelChunks(places.size(), rowsOfPiece, [&](std::size_t begin, std::size_t end, std::size_t k) {
-            pieces[k] = pieceOf(places, tree, begin, end);
+            pieces[k] = pieceOf<unknowns>(places, tree, begin, end);
             linearise(places, moving, pieces[k]);
         });
-        NormalEquations equations(pieces, sites.size());
-        move(moving, equations.solve(movedSoFar(moving), ridge, meanShare, steps));
+        NormalEquations<unknowns> equations(pieces, sites.size());
+        move<unknowns>(moving, equations.solve(movedSoFar<unknowns>(moving), ridge, meanShare, steps));
         for (std::size_t i = 0; i < sites.size(); ++i) {
             sites.position[i] = base::cast<float>(moving[i].position());
             sites.support[i] = static_cast<float>(moving[i].reach());
             sites.normal[i] = base::cast<float>(normalized(moving[i].tilted()));
+            if (!sites.shape.empty())
+                sites.shape[i] = surfel::soundShape(base::cast<float>(moving[i].shape()), sites.normal[i]);
         }
     }
+}
+
+} // namespace
+
+void fit(const Places& places, Sites& sites, const base::Progress& progress) {
+    if (sites.shape.empty())
+        fitAll<unknownsOfBalls>(places, sites, progress);
+    else
+        fitAll<unknownsOfEllipsoids>(places, sites, progress);
 }
 
 } // namespace reduce

@@ -29,7 +29,8 @@ struct Sums {
 Sums sum(std::span<FitTerm> terms, const Vec3d& normal, bool parted) {
     Sums out;
     for (FitTerm& t : terms) {
-        const double h = t.site->reach() * (parted ? partSupport : 1), r = length(t.y) / h;
+        const double h = t.reach * (parted ? partSupport : 1);
+        const double r = std::sqrt(lengthSq(t.y) + t.along * t.along) / h;
         t.theta = t.slope = 0;
         if (r >= 1)
             continue;
@@ -46,12 +47,39 @@ Sums sum(std::span<FitTerm> terms, const Vec3d& normal, bool parted) {
     return out;
 }
 
+/// theta by p and q, over its slope: half of the square of the large semi-axis times y^T (d metric) y.
+std::array<double, 2> byShape(const FitTerm& t) {
+    const FitSite& s = *t.site;
+    const double p = s.p(), q = s.q(), k = s.stretch(), u = dot(t.y, s.along[0]), v = dot(t.y, s.along[1]);
+    constexpr double round = 1e-4;
+    const double one = k > round ? std::sinh(k) / k : 1, two = k > round ? (std::cosh(k) - one) / (k * k) : 1.0 / 3;
+    const double square = u * u + v * v, bent = p * (u * u - v * v) + 2 * q * u * v;
+    const double same = one * square + two * bent, scale = 0.5 * std::exp(k);
+    const double height = dot(t.y, s.normal0), across = k > round ? std::exp(-k) / k * height * height : 0;
+    return {scale * (p * (same - across) + one * (u * u - v * v)), scale * (q * (same - across) + one * 2 * u * v)};
+}
+
 /// A normal of the tilted frame and its derivative along one of its tangents.
 Vec3d tilt(const FitTerm& t, const Vec3d& along) {
     return (along - t.normal * dot(t.normal, along)) * (t.sign / (t.length * t.site->support));
 }
 
 } // namespace
+
+Vec3d FitSite::shape() const {
+    const double k = stretch();
+    if (k == 0)
+        return {};
+    const double angle = 0.5 * std::atan2(q(), p()), size = std::sqrt(std::exp(2 * k) - 1);
+    return along[0] * (size * std::cos(angle)) + along[1] * (size * std::sin(angle));
+}
+
+void FitSite::setShape(const Vec3d& b, double reach) {
+    const double u = dot(b, along[0]), v = dot(b, along[1]), aspect = std::sqrt(1 + u * u + v * v);
+    const double k = std::log(aspect), angle = 2 * std::atan2(v, u);
+    shape0[0] = k * std::cos(angle), shape0[1] = k * std::sin(angle);
+    support = reach / std::sqrt(aspect);
+}
 
 FitRow fitRow(const Vec3d& place, const Vec3d& normal, bool oriented, std::span<FitTerm> terms) {
     double support = 0;
@@ -62,6 +90,9 @@ FitRow fitRow(const Vec3d& place, const Vec3d& normal, bool oriented, std::span<
         t.y = place - t.site->position();
         t.sign = !oriented && dot(tilted, normal) < 0 ? -1 : 1;
         t.normal = tilted * (t.sign / t.length);
+        t.reach = t.site->reach();
+        t.b = t.site->shape();
+        t.along = dot(t.b, t.y);
         support = std::max(support, t.site->support);
     }
     Sums all = sum(terms, normal, false);
@@ -82,7 +113,7 @@ FitRow fitRow(const Vec3d& place, const Vec3d& normal, bool oriented, std::span<
     };
     Vec3d g;
     for (const FitTerm& t : terms)
-        g += (n * (1 - mu) + t.normal * mu) * (t.theta / w) + t.y * (byWeight(t) * t.slope);
+        g += (n * (1 - mu) + t.normal * mu) * (t.theta / w) + t.way() * (byWeight(t) * t.slope);
     const double steep = length(g), residual = f / steep, size = std::abs(residual) / support;
     if (!(steep > flattest) || !(size < strayResidual) || dot(g, normal) < 0)
         return {};
@@ -90,16 +121,20 @@ FitRow fitRow(const Vec3d& place, const Vec3d& normal, bool oriented, std::span<
     for (const FitTerm& t : terms) {
         if (t.theta == 0)
             continue;
-        const Vec3d byPlace = (n * (1 - mu) + t.normal * mu) * (t.theta / w) + t.y * (byWeight(t) * t.slope);
+        const Vec3d byPlace = (n * (1 - mu) + t.normal * mu) * (t.theta / w) + t.way() * (byWeight(t) * t.slope);
         const Vec3d byNormal = (t.y * (mu / w) + v * (1 - mu)) * t.theta;
-        // theta by the logarithm of h: - slope |y|^2
-        const double bySize = -byWeight(t) * t.slope * lengthSq(t.y) / t.site->support;
+        const double scale = byWeight(t) * t.slope / t.site->support;
+        // theta by the logarithm of h: - slope (|y|^2 + (b.y)^2)
+        const double bySize = -scale * (lengthSq(t.y) + t.along * t.along);
+        const auto [byP, byQ] = byShape(t);
         *t.d = {static_cast<float>(-weight * dot(byPlace, t.site->normal0)),
                 static_cast<float>(weight * dot(byNormal, tilt(t, t.site->along[0]))),
                 static_cast<float>(weight * dot(byNormal, tilt(t, t.site->along[1]))),
                 static_cast<float>(-weight * dot(byPlace, t.site->along[0])),
                 static_cast<float>(-weight * dot(byPlace, t.site->along[1])),
-                static_cast<float>(weight * bySize)};
+                static_cast<float>(weight * bySize),
+                static_cast<float>(weight * scale * byP),
+                static_cast<float>(weight * scale * byQ)};
     }
     return {true, f * weight};
 }

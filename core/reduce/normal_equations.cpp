@@ -10,28 +10,30 @@
 namespace reduce {
 
 /// What Eigen's solvers take for a matrix.
+template <int unknowns>
 class ScaledMatrix;
 
 } // namespace reduce
 
 namespace Eigen::internal {
-template <>
-struct traits<reduce::ScaledMatrix> : traits<SparseMatrix<double>> {};
+template <int unknowns>
+struct traits<reduce::ScaledMatrix<unknowns>> : traits<SparseMatrix<double>> {};
 } // namespace Eigen::internal
 
 namespace reduce {
 
-class ScaledMatrix : public Eigen::EigenBase<ScaledMatrix> {
+template <int unknowns>
+class ScaledMatrix : public Eigen::EigenBase<ScaledMatrix<unknowns>> {
   public:
     using Scalar = double;
     using RealScalar = double;
     using StorageIndex = int;
     enum { ColsAtCompileTime = Eigen::Dynamic, MaxColsAtCompileTime = Eigen::Dynamic, IsRowMajor = false };
 
-    explicit ScaledMatrix(const NormalEquations& equations) : m_equations(equations) {}
+    explicit ScaledMatrix(const NormalEquations<unknowns>& equations) : m_equations(equations) {}
     Eigen::Index rows() const { return m_equations.size(); }
     Eigen::Index cols() const { return m_equations.size(); }
-    const NormalEquations& equations() const { return m_equations; }
+    const NormalEquations<unknowns>& equations() const { return m_equations; }
 
     template <class Right>
     Eigen::Product<ScaledMatrix, Right, Eigen::AliasFreeProduct> operator*(const Eigen::MatrixBase<Right>& x) const {
@@ -39,17 +41,19 @@ class ScaledMatrix : public Eigen::EigenBase<ScaledMatrix> {
     }
 
   private:
-    const NormalEquations& m_equations;
+    const NormalEquations<unknowns>& m_equations;
 };
 
 } // namespace reduce
 
 namespace Eigen::internal {
-template <class Right>
-struct generic_product_impl<reduce::ScaledMatrix, Right, SparseShape, DenseShape, GemvProduct>
-    : generic_product_impl_base<reduce::ScaledMatrix, Right, generic_product_impl<reduce::ScaledMatrix, Right>> {
+template <int unknowns, class Right>
+struct generic_product_impl<reduce::ScaledMatrix<unknowns>, Right, SparseShape, DenseShape, GemvProduct>
+    : generic_product_impl_base<reduce::ScaledMatrix<unknowns>, Right,
+                                generic_product_impl<reduce::ScaledMatrix<unknowns>, Right>> {
     template <class Out>
-    static void scaleAndAddTo(Out& out, const reduce::ScaledMatrix& left, const Right& x, const double& factor) {
+    static void scaleAndAddTo(Out& out, const reduce::ScaledMatrix<unknowns>& left, const Right& x,
+                              const double& factor) {
         out.noalias() += factor * left.equations().scaledProduct(x);
     }
 };
@@ -57,11 +61,12 @@ struct generic_product_impl<reduce::ScaledMatrix, Right, SparseShape, DenseShape
 
 namespace reduce {
 
-void FitPiece::setRow(std::size_t row, std::span<const std::array<float, unknowns>> d) {
+template <int unknowns>
+void FitPiece<unknowns>::setRow(std::size_t row, std::span<const std::array<float, mostUnknowns>> d) {
     float most = 0;
     for (const auto& each : d)
-        for (const float x : each)
-            most = std::max(most, std::abs(x));
+        for (std::size_t u = 0; u < unknowns; ++u)
+            most = std::max(most, std::abs(each[u]));
     unit[row] = most / fullPart;
     const float scale = most > 0 ? fullPart / most : 0;
     for (std::size_t k = 0; k < d.size(); ++k)
@@ -69,9 +74,10 @@ void FitPiece::setRow(std::size_t row, std::span<const std::array<float, unknown
             entries[firstOf(row) + k].part[u] = static_cast<std::int16_t>(std::lround(d[k][u] * scale));
 }
 
-NormalEquations::NormalEquations(const std::vector<FitPiece>& pieces, std::size_t sites)
+template <int unknowns>
+NormalEquations<unknowns>::NormalEquations(const std::vector<FitPiece<unknowns>>& pieces, std::size_t sites)
     : m_pieces(pieces), m_first(sites + 1, 0) {
-    for (const FitPiece& piece : pieces)
+    for (const FitPiece<unknowns>& piece : pieces)
         for (const std::uint32_t site : piece.sites)
             ++m_first[site + 1];
     std::partial_sum(m_first.begin(), m_first.end(), m_first.begin());
@@ -83,8 +89,9 @@ NormalEquations::NormalEquations(const std::vector<FitPiece>& pieces, std::size_
 }
 
 /// Sums of what the rows add to their sites: add(piece, sums of the piece's sites).
+template <int unknowns>
 template <class AddRow>
-NormalEquations::Vector NormalEquations::summed(const AddRow& add) const {
+typename NormalEquations<unknowns>::Vector NormalEquations<unknowns>::summed(const AddRow& add) const {
     std::vector<std::vector<double>> sums(m_pieces.size());
     base::parallelFor(m_pieces.size(), 1, [&](std::size_t p) {
         sums[p].assign(m_pieces[p].sites.size() * unknowns, 0);
@@ -100,20 +107,21 @@ NormalEquations::Vector NormalEquations::summed(const AddRow& add) const {
     return out;
 }
 
-NormalEquations::Vector NormalEquations::scaledProduct(const Vector& x) const {
+template <int unknowns>
+typename NormalEquations<unknowns>::Vector NormalEquations<unknowns>::scaledProduct(const Vector& x) const {
     const Vector scaled = m_scale.cwiseProduct(x);
-    const Vector sums = summed([&](const FitPiece& piece, std::vector<double>& sum) {
+    const Vector sums = summed([&](const FitPiece<unknowns>& piece, std::vector<double>& sum) {
         std::vector<double> local(sum.size());
         for (std::size_t k = 0; k < piece.sites.size(); ++k)
             for (std::size_t u = 0; u < unknowns; ++u)
                 local[k * unknowns + u] = scaled[static_cast<Eigen::Index>(piece.sites[k] * unknowns + u)];
-        piece.forRows([&](std::size_t row, std::span<const FitEntry> entries) {
+        piece.forRows([&](std::size_t row, std::span<const FitEntry<unknowns>> entries) {
             double along = 0;
-            for (const FitEntry& e : entries)
+            for (const FitEntry<unknowns>& e : entries)
                 for (std::size_t u = 0; u < unknowns; ++u)
                     along += double(e.part[u]) * local[e.site * unknowns + u];
             along *= double(piece.unit[row]) * double(piece.unit[row]);
-            for (const FitEntry& e : entries)
+            for (const FitEntry<unknowns>& e : entries)
                 for (std::size_t u = 0; u < unknowns; ++u)
                     sum[e.site * unknowns + u] += along * double(e.part[u]);
         });
@@ -121,19 +129,21 @@ NormalEquations::Vector NormalEquations::scaledProduct(const Vector& x) const {
     return m_scale.cwiseProduct(sums + m_ridge.cwiseProduct(scaled));
 }
 
-NormalEquations::Vector NormalEquations::solve(const Vector& from, double ridge, double meanShare, int steps) {
-    const Vector diagonal = summed([](const FitPiece& piece, std::vector<double>& sum) {
-        piece.forRows([&](std::size_t row, std::span<const FitEntry> entries) {
+template <int unknowns>
+typename NormalEquations<unknowns>::Vector NormalEquations<unknowns>::solve(const Vector& from, double ridge,
+                                                                            double meanShare, int steps) {
+    const Vector diagonal = summed([](const FitPiece<unknowns>& piece, std::vector<double>& sum) {
+        piece.forRows([&](std::size_t row, std::span<const FitEntry<unknowns>> entries) {
             const double unit = double(piece.unit[row]) * double(piece.unit[row]);
-            for (const FitEntry& e : entries)
+            for (const FitEntry<unknowns>& e : entries)
                 for (std::size_t u = 0; u < unknowns; ++u)
                     sum[e.site * unknowns + u] += unit * double(e.part[u]) * double(e.part[u]);
         });
     });
-    const Vector slope = summed([](const FitPiece& piece, std::vector<double>& sum) {
-        piece.forRows([&](std::size_t row, std::span<const FitEntry> entries) {
+    const Vector slope = summed([](const FitPiece<unknowns>& piece, std::vector<double>& sum) {
+        piece.forRows([&](std::size_t row, std::span<const FitEntry<unknowns>> entries) {
             const double residual = double(piece.residual[row]) * double(piece.unit[row]);
-            for (const FitEntry& e : entries)
+            for (const FitEntry<unknowns>& e : entries)
                 for (std::size_t u = 0; u < unknowns; ++u)
                     sum[e.site * unknowns + u] += residual * double(e.part[u]);
         });
@@ -145,13 +155,18 @@ NormalEquations::Vector NormalEquations::solve(const Vector& from, double ridge,
         m_ridge(kind) = ridge * (diagonal(kind).array() + meanShare * mean);
     }
     m_scale = (diagonal + m_ridge).cwiseSqrt().cwiseInverse();
-    const ScaledMatrix matrix(*this);
-    Eigen::ConjugateGradient<ScaledMatrix, Eigen::Lower | Eigen::Upper, Eigen::IdentityPreconditioner> solver;
+    const ScaledMatrix<unknowns> matrix(*this);
+    Eigen::ConjugateGradient<ScaledMatrix<unknowns>, Eigen::Lower | Eigen::Upper, Eigen::IdentityPreconditioner> solver;
     solver.setMaxIterations(steps);
     solver.setTolerance(1e-4);
     solver.compute(matrix);
     const Vector right = -m_scale.cwiseProduct(slope + m_ridge.cwiseProduct(from));
     return m_scale.cwiseProduct(solver.solve(right).eval());
 }
+
+template struct FitPiece<unknownsOfBalls>;
+template struct FitPiece<unknownsOfEllipsoids>;
+template class NormalEquations<unknownsOfBalls>;
+template class NormalEquations<unknownsOfEllipsoids>;
 
 } // namespace reduce

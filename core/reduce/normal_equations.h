@@ -14,10 +14,12 @@
 
 namespace reduce {
 
-/// Of each site: offset along its normal, two tilts, two moves along the surface, the logarithm of its support.
-constexpr int unknowns = 6;
+/// Of each site: offset along its normal, two tilts, two moves along the surface, the logarithm of its support; two of
+/// its shape, where supports are ellipsoids.
+constexpr int unknownsOfBalls = 6, unknownsOfEllipsoids = 8, mostUnknowns = unknownsOfEllipsoids;
 
 /// Derivatives of a row by the unknowns of one site, in parts of the row's largest.
+template <int unknowns>
 struct FitEntry {
     std::uint32_t site; ///< in the piece's list
     std::array<std::int16_t, unknowns> part;
@@ -25,15 +27,16 @@ struct FitEntry {
 constexpr float fullPart = 32767;
 
 /// Rows of consecutive places.
+template <int unknowns>
 struct FitPiece {
     std::size_t begin = 0;            ///< first place
     std::vector<std::uint32_t> sites; ///< ascending
     std::vector<std::uint32_t> ends;  ///< of each row, into `entries`
-    std::vector<FitEntry> entries;
+    std::vector<FitEntry<unknowns>> entries;
     std::vector<float> residual, unit; ///< of each row; a derivative is its part times the unit
 
     /// Stores the derivatives of a row, one array for each of its entries.
-    void setRow(std::size_t row, std::span<const std::array<float, unknowns>> d);
+    void setRow(std::size_t row, std::span<const std::array<float, mostUnknowns>> d);
     std::size_t firstOf(std::size_t row) const { return row == 0 ? 0 : ends[row - 1]; }
     /// fn(row, entries)
     template <class Fn>
@@ -43,11 +46,12 @@ struct FitPiece {
     }
 };
 
+template <int unknowns>
 class NormalEquations {
   public:
     using Vector = Eigen::VectorXd;
 
-    NormalEquations(const std::vector<FitPiece>& pieces, std::size_t sites);
+    NormalEquations(const std::vector<FitPiece<unknowns>>& pieces, std::size_t sites);
 
     /// min |A x + r|^2 + |x + from|^2_ridge; `ridge` in parts of the diagonal and of `meanShare` of its mean over all
     /// sites, for each kind of unknown by itself.
@@ -64,10 +68,15 @@ class NormalEquations {
     template <class AddRow>
     Vector summed(const AddRow& add) const;
 
-    const std::vector<FitPiece>& m_pieces;
+    const std::vector<FitPiece<unknowns>>& m_pieces;
     std::vector<std::uint32_t> m_first; ///< of each site, into m_parts
     std::vector<Part> m_parts;
     Vector m_ridge, m_scale;
 };
+
+extern template struct FitPiece<unknownsOfBalls>;
+extern template struct FitPiece<unknownsOfEllipsoids>;
+extern template class NormalEquations<unknownsOfBalls>;
+extern template class NormalEquations<unknownsOfEllipsoids>;
 
 } // namespace reduce

@@ -45,6 +45,8 @@ class Relaxation {
         m_sites.position[site] = m_places.position[place];
         m_sites.normal[site] = m_places.normal[place];
         m_sites.spacing[site] = spacingAt(m_places, m_shares, place);
+        if (!m_places.shape.empty())
+            m_sites.shape[site] = m_places.shape[place];
     }
 
     /// Darts in random order, each of which keeps others off by its spacing times `apart`; the first radius is too
@@ -73,6 +75,7 @@ class Relaxation {
         }
         std::sort(chosen.begin(), chosen.end());
         m_sites.position.resize(count), m_sites.normal.resize(count), m_sites.spacing.resize(count);
+        m_sites.shape.resize(m_places.shape.empty() ? 0 : count);
         for (std::size_t k = 0; k < count; ++k)
             take(k, chosen[k]);
     }
@@ -84,11 +87,15 @@ class Relaxation {
         mark(place);
         if (apart < leastApart)
             return;
-        tree.forBall(m_places.position[place], apart * spacingAt(m_places, m_shares, place),
-                     [&](std::uint32_t i, float) {
-                         if (m_places.facing(m_places.normal[place], m_places.normal[i], leastFacing))
-                             mark(i);
-                     });
+        const base::Vec3f b = m_places.shapeAt(place);
+        const float reach = apart * spacingAt(m_places, m_shares, place) * std::sqrt(surfel::aspectOf(b));
+        tree.forBall(m_places.position[place], reach, [&](std::uint32_t i, float) {
+            if (!m_places.shape.empty() &&
+                surfel::shapedSq(m_places.position[i] - m_places.position[place], b) >= reach * reach)
+                return;
+            if (m_places.facing(m_places.normal[place], m_places.normal[i], leastFacing))
+                mark(i);
+        });
     }
 
     /// Of each site the sites around it that face as it does, itself first.
@@ -133,7 +140,16 @@ class Relaxation {
         const base::Vec3f q = m_places.position[place] - m_sites.position[site];
         const float s = m_sites.spacing[site] * m_sites.spacing[site];
         const float height = dot(q, m_sites.normal[site]);
+        if (!m_places.shape.empty())
+            return 0.5f * (spaced(q, m_sites.shape[site]) / s +
+                           spaced(q, m_places.shape[place]) * m_shares[place] / m_places.area[place]) +
+                   height * height / s;
         return 0.5f * lengthSq(q) * (1 / s + m_shares[place] / m_places.area[place]) + height * height / s;
+    }
+
+    /// Squared, as the shape sees it, in ellipses of the same area.
+    static float spaced(const base::Vec3f& q, const base::Vec3f& b) {
+        return surfel::shapedSq(q, b) / surfel::aspectOf(b);
     }
 
     void assign() {

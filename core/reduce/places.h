@@ -11,10 +11,12 @@ namespace reduce {
 /// Feet in the order of the tree that they come from, so that neighbours in the lists are mostly neighbours in space.
 struct Places {
     std::vector<base::Vec3f> position, normal; ///< foot; unit gradient there, on the side of the surfel's normal
-    std::vector<float> area; ///< that each stands for, model units squared; before measureAreas the most
-    bool oriented = false;   ///< do normals have a common sign?
+    std::vector<float> area;        ///< that each stands for, model units squared; before measureAreas the most
+    std::vector<base::Vec3f> shape; ///< of the supports that samples there shall have (surfel/shape.h); empty: balls
+    bool oriented = false;          ///< do normals have a common sign?
 
     std::size_t size() const { return position.size(); }
+    base::Vec3f shapeAt(std::size_t i) const { return shape.empty() ? base::Vec3f{} : shape[i]; }
     /// Do the normals belong to one sheet, by their cosine?
     bool facing(const base::Vec3f& a, const base::Vec3f& b, float leastCosine) const {
         const float c = dot(a, b);

@@ -9,8 +9,10 @@
 #include "core/reduce/density_by_result.h"
 #include "core/reduce/fit.h"
 #include "core/reduce/placement.h"
+#include "core/reduce/shapes_by_error.h"
 
 #include <algorithm>
+#include <optional>
 #include <sstream>
 
 namespace reduce {
@@ -24,12 +26,13 @@ constexpr std::size_t placesPerSample = 32;
 /// Rounds in which supports grow where verification misses surface.
 constexpr int mends = 4;
 
-void check(const surface::Surface& model, Shapes shapes) {
+/// What ellipsoids must leave of the balls' error to be worth a word more per sample; and by prediction, to be tried.
+constexpr double worth = 0.95, worthTrying = 0.93;
+
+void check(const surface::Surface& model) {
     if (model.definition().manifold == surface::Manifold::Curve)
         throw base::Error("curves cannot be reduced, only surfaces", "reduce",
                           "open a model whose points sample a surface");
-    if (shapes == Shapes::Ellipsoids)
-        throw base::Error("ellipsoids are not built yet, only spheres", "reduce", "choose shapes auto or spheres");
     if (model.tree().size() <= fewest)
         throw base::Error("a model of " + std::to_string(model.tree().size()) + " surfels cannot be reduced", "reduce",
                           "a reduced one has at least " + std::to_string(fewest));
@@ -66,10 +69,18 @@ Ground groundOf(const surface::Surface& model, std::size_t stride, const base::P
     return out;
 }
 
-Sites sitesOf(Ground& ground, std::size_t count, bool keepTree, const base::Progress& progress) {
-    const Places& places = ground.dense.places;
+/// Nothing where ellipsoids were only to be tried, and are not worth it.
+std::optional<Sites> sitesOf(Ground& ground, std::size_t count, Shapes shapes, bool keepTree,
+                             const base::Progress& progress) {
+    Places& places = ground.dense.places;
     progress.step(0, "Measuring errors");
     std::vector<float> shares = sharesByError(places, ground.tree, count);
+    places.shape.clear();
+    if (shapes != Shapes::Spheres) {
+        const double left = shapeByError(places, ground.tree, shares, count);
+        if (shapes == Shapes::Auto && left > worthTrying)
+            return std::nullopt;
+    }
     const auto fitted = [&](NumberedTree tree, double from) {
         Sites sites = place(ground.dense.surface, places, std::move(tree), shares, count,
                             process::part(progress, from, from + 0.2));
@@ -102,14 +113,29 @@ Reduced finished(const Ground& ground, Sites sites, const base::Progress& progre
     }
 }
 
-Reduced reduced(Ground& ground, std::size_t count, bool keepTree, const base::Progress& progress) {
+bool better(const Report& ellipsoids, const Report& balls) {
+    return ellipsoids.holes <= balls.holes && ellipsoids.surfaceRms < worth * balls.surfaceRms;
+}
+
+Reduced reduced(Ground& ground, std::size_t count, Shapes shapes, bool keepTree, const base::Progress& progress) {
     const std::size_t most = ground.dense.places.size();
     if (count > most)
         throw base::Error("only " + std::to_string(most) + " of the model's points lie on a surface, fewer than the " +
                               std::to_string(count) + " asked for",
                           "reduce", "choose a smaller count");
-    Sites sites = sitesOf(ground, count, keepTree, process::part(progress, 0, 0.8));
-    return finished(ground, std::move(sites), process::part(progress, 0.8, 1));
+    std::optional<Reduced> ellipsoids;
+    double done = 0;
+    if (shapes != Shapes::Spheres) {
+        done = shapes == Shapes::Auto ? 0.5 : 1;
+        const bool last = shapes == Shapes::Ellipsoids && !keepTree;
+        if (std::optional<Sites> sites = sitesOf(ground, count, shapes, !last, process::part(progress, 0, 0.8 * done)))
+            ellipsoids = finished(ground, std::move(*sites), process::part(progress, 0.8 * done, done));
+        if (shapes == Shapes::Ellipsoids)
+            return std::move(*ellipsoids);
+    }
+    Sites sites = *sitesOf(ground, count, Shapes::Spheres, keepTree, process::part(progress, done, 0.8 + 0.2 * done));
+    Reduced balls = finished(ground, std::move(sites), process::part(progress, 0.8 + 0.2 * done, 1));
+    return ellipsoids && better(ellipsoids->report, balls.report) ? std::move(*ellipsoids) : std::move(balls);
 }
 
 /// Errors fall with this power of the count where the surface is resolved.
@@ -151,15 +177,15 @@ class Search {
 } // namespace
 
 Reduced reduceToCount(const surface::Surface& model, std::size_t count, Shapes shapes, const base::Progress& progress) {
-    check(model, shapes);
+    check(model);
     checkCount(model.tree().size(), count);
     const base::CancelScope scope(progress.cancel);
     Ground ground = groundOf(model, strideFor(model.tree().size(), count), process::part(progress, 0, 0.15));
-    return reduced(ground, count, false, process::part(progress, 0.15, 1));
+    return reduced(ground, count, shapes, false, process::part(progress, 0.15, 1));
 }
 
 Reduced reduceByRatio(const surface::Surface& model, double ratio, Shapes shapes, const base::Progress& progress) {
-    check(model, shapes);
+    check(model);
     if (!(ratio > 0 && ratio < 1))
         throw base::Error("a ratio is above 0 and below 1", "reduce");
     const double count = std::max(double(fewest), std::round(ratio * double(model.tree().size())));
@@ -167,7 +193,7 @@ Reduced reduceByRatio(const surface::Surface& model, double ratio, Shapes shapes
 }
 
 Reduced reduceToError(const surface::Surface& model, double error, Shapes shapes, const base::Progress& progress) {
-    check(model, shapes);
+    check(model);
     if (!(error > 0))
         throw base::Error("an error is a length above 0", "reduce");
     const base::CancelScope scope(progress.cancel);
@@ -185,7 +211,7 @@ Reduced reduceToError(const surface::Surface& model, double error, Shapes shapes
     for (int k = 0; k < mostTries && search.wide(); ++k, count = search.next()) {
         if (const std::size_t stride = strideFor(size, count); stride != ground.stride)
             ground = groundOf(model, stride, {{}, progress.cancel});
-        Reduced tried = reduced(ground, count, true, process::part(progress, 0.05 + 0.06 * k, 0.11 + 0.06 * k));
+        Reduced tried = reduced(ground, count, shapes, true, process::part(progress, 0.05 + 0.06 * k, 0.11 + 0.06 * k));
         const bool whole = double(tried.report.holes) <= heldMisses * double(ground.dense.feet);
         const bool good = tried.report.rms <= error && whole;
         search.learn(count, good ? tried.report.rms : std::max(tried.report.rms, 1.05 * error));

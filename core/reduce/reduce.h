@@ -3,6 +3,7 @@
 //
 //     feet        of the model's samples on their own surface: what the reduced set is to match       places.h
 //     density     by the error that samples would make                                                density.h
+//     shapes      ellipses along which they err less                                                  shapes_by_error.h
 //     placement   relaxed                                                                             placement.h
 //     coverage    some eight supports over every place                                                coverage.h
 //     fit         offsets and tilts of normals, least squares                                         fit.h
@@ -17,7 +18,7 @@
 
 namespace reduce {
 
-/// Shapes of supports: Auto takes those that serve the model better.
+/// Shapes of supports: Auto takes ellipsoids where they serve the model clearly better than balls.
 enum class Shapes { Auto, Spheres, Ellipsoids };
 
 struct Reduced {
@@ -26,7 +27,7 @@ struct Reduced {
 };
 
 /// To `count` surfels. Throws base::Error for curves, for a count that is not below the model's or too small to make
-/// a surface of, and for ellipsoids, which are not built yet; base::Cancelled.
+/// a surface of; base::Cancelled.
 Reduced reduceToCount(const surface::Surface& model, std::size_t count, Shapes shapes = Shapes::Auto,
                       const base::Progress& progress = {});
 /// To the part `ratio` of them.

@@ -2,6 +2,7 @@
 
 #include "core/process/estimation/part_progress.h"
 #include "core/surface/projection/project.h"
+#include "core/surfel/shape.h"
 
 #include <algorithm>
 #include <numbers>
@@ -121,6 +122,7 @@ Between measureBetween(const Places& places, const surface::Surface& surface, Re
 Report begun(const surface::Surface& surface) {
     Report out;
     out.count = surface.tree().size();
+    out.ellipsoids = surfel::shapeChannel(*surface.tree().layout()) > 0;
     out.leastSupports = std::numeric_limits<int>::max();
     return out;
 }

@@ -15,6 +15,7 @@ struct Report {
     std::size_t holes = 0;                 ///< samples that have a foot on the model's surface and none here
     double surfaceRms = 0, surfaceMax = 0; ///< between the two surfaces, at the model's feet
     double denseRms = 0;                   ///< the model's samples to its own surface
+    bool ellipsoids = false;               ///< are supports ellipsoids?
     std::size_t strays = 0;                ///< samples without a foot on the model's own surface: not counted above
 };
 

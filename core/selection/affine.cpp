@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/selection/slope.h"
+#include "core/surfel/shape.h"
 
 #include <atomic>
 
@@ -42,17 +43,24 @@ namespace {
 constexpr double roundingPart = 0.01;
 
 /// False where the surfel would lose its place or its support.
-bool moveSurfel(SurfelBlock& block, int slot, const Affine& map, double weight, const Vec3d& slope, bool curve) {
+bool moveSurfel(SurfelBlock& block, int slot, const Affine& map, double weight, const Vec3d& slope, bool curve,
+                int shape) {
     const Vec3d x = base::cast<double>(block.position(slot)), n = base::cast<double>(block.normal(slot));
     const Vec3d by = map(x) - x, next = x + by * weight;
     const Mat3d f = Mat3d::identity() + (map.linear - Mat3d::identity()) * weight + base::outer(by, slope);
     const Vec3d m = curve ? f * n : base::cofactor(f) * n; // of a curve, n is the tangent
     const double stretch = lengthSq(n) > 0 ? length(m) : std::cbrt(std::pow(base::determinant(f), 2));
     const double h = static_cast<double>(block.support(slot));
-    const double support = std::abs(stretch - 1) < 1e-6 ? h : h * (curve ? stretch : std::sqrt(stretch));
+    double support = std::abs(stretch - 1) < 1e-6 ? h : h * (curve ? stretch : std::sqrt(stretch));
     block.setPosition(slot, base::cast<float>(next));
     if (length(m) > 0 && lengthSq(n) > 0 && m != n)
         block.setNormal(slot, base::cast<float>(normalized(!curve && base::determinant(f) < 0 ? -m : m)));
+    if (const base::Vec3f b = surfel::shapeOf(block, slot, shape); lengthSq(b) > 0 && lengthSq(n) > 0) {
+        const surfel::Ellipse moved =
+            surfel::deformed({static_cast<float>(h), b}, base::cast<float>(n), f, block.normal(slot));
+        support = double(moved.radius);
+        surfel::setShape(block, slot, shape, moved.shape);
+    }
     block.channel(slot / surfel::clusterSize, surfel::Support)[slot % surfel::clusterSize] =
         static_cast<float>(support);
     const double reach = std::max({std::abs(next.x), std::abs(next.y), std::abs(next.z)});
@@ -87,6 +95,7 @@ surface::Surface transformed(const surface::Surface& surface, const Affine& map,
     std::vector<surfel::BlockPtr> changed(blocks.size());
     std::atomic<bool> kept = true;
     const bool curve = surface.definition().manifold == surface::Manifold::Curve;
+    const int shape = surfel::shapeChannel(*tree.layout());
     base::parallelFor(blocks.size(), 8, [&](std::size_t b) {
         const SurfelBlock& block = *blocks[b];
         surfel::MutableBlockPtr copy;
@@ -97,7 +106,7 @@ surface::Surface transformed(const surface::Surface& surface, const Affine& map,
             if (!copy)
                 copy = block.clone();
             const Vec3d slope = weight < 1 ? slopeAt(tree, channel, block, slot) : Vec3d();
-            if (!moveSurfel(*copy, slot, map, weight, slope, curve))
+            if (!moveSurfel(*copy, slot, map, weight, slope, curve, shape))
                 kept = false;
         }
         if (copy) {
@@ -129,12 +138,13 @@ surface::Surface duplicated(const surface::Surface& surface, const Affine& map) 
     std::vector<std::uint32_t> words(tree.layout()->words());
     bool kept = true;
     const bool curve = surface.definition().manifold == surface::Manifold::Curve;
+    const int shape = surfel::shapeChannel(*tree.layout());
     for (const tree::SelectedBlock& each : part) {
         const surfel::MutableBlockPtr moved = blocks[each.block]->clone(), left = blocks[each.block]->clone();
         for (int slot = 0; slot < moved->size(); ++slot) {
             if (!each.slots[static_cast<std::size_t>(slot)])
                 continue;
-            kept &= moveSurfel(*moved, slot, map, 1, {}, curve);
+            kept &= moveSurfel(*moved, slot, map, 1, {}, curve, shape);
             moved->extra(slot, words);
             edit.inserted.append(moved->surfel(slot), words);
             left->channel(slot / surfel::clusterSize, channel)[slot % surfel::clusterSize] = 0;

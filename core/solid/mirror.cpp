@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/process/estimation/boundary_limit.h"
 #include "core/process/resampling/resample.h"
+#include "core/surfel/shape.h"
 
 namespace solid {
 
@@ -35,6 +36,10 @@ surfel::SurfelList doubled(const surfel::SurfelList& half, const base::Plane& pl
         s.position = base::cast<float>(p - plane.normal * (2 * height));
         s.normal = base::cast<float>(n - plane.normal * (2 * dot(plane.normal, n)));
         out.append(s, half.extraOf(i));
+        surfel::mapShapes(out, out.size() - 1, [&](const base::Vec3f& b) {
+            const Vec3d was = base::cast<double>(b);
+            return base::cast<float>(was - plane.normal * (2 * dot(plane.normal, was)));
+        });
     }
     return out;
 }

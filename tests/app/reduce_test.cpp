@@ -152,8 +152,7 @@ void ReduceTest::wrongUsageIsRefused() {
           "refine sample:torus:2000 -o o.ply --spacing 0", "refine sample:torus:2000 -o o.stl --spacing 1"})
         QVERIFY2(outcome(arguments).code == 2, arguments);
     for (const char* arguments :
-         {"reduce sample:torus:2000 -o o.ply --count 100 --shapes ellipsoids",
-          "reduce sample:torus:2000 -o o.ply --count 5000", "reduce sample:torus:2000 -o o.ply --count 2",
+         {"reduce sample:torus:2000 -o o.ply --count 5000", "reduce sample:torus:2000 -o o.ply --count 2",
           "reduce sample:coil -o o.ply --ratio 0.1", "reduce sample:torus:2000 -o o.ply --ratio 1",
           "reduce nothing.ply -o o.ply --count 100", "refine nothing.ply -o o.ply --spacing 1",
           "refine sample:coil -o o.ply --spacing 0.1"}) {

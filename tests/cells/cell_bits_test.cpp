@@ -4,6 +4,7 @@
 
 #include "cells/solids.h"
 #include "support/registry.h"
+#include "surface/ellipsoids.h"
 
 #include <QTest>
 
@@ -18,6 +19,8 @@ class CellBitsTest : public QObject {
     void modelsOfOneCellGiveTheSameBits();
     void awayFromCreasesBitsStay();
     void batchesGiveTheBitsOfSingles();
+    void ballsAsEllipsoidsGiveTheSameBits();
+    void ellipsoidsOnPlanesMakeTheSameSolid();
 };
 
 void CellBitsTest::modelsOfOneCellGiveTheSameBits() {
@@ -77,6 +80,37 @@ void CellBitsTest::batchesGiveTheBitsOfSingles() {
         if (all[i].hit)
             QVERIFY(std::abs(every[i].front().t - all[i].t) < 1e-5f);
     }
+}
+
+void CellBitsTest::ballsAsEllipsoidsGiveTheSameBits() {
+    Random random(test::seed());
+    const SampledSolid s = sampled(lBlock(1), 2, 0.1, random);
+    const CellSurface plain = cellsOf(s.surfels), shaped = cellsOf(shapes::balls(s.surfels));
+    for (int k = 0; k < test::effort(100); ++k) {
+        const Rayd ray = towards(random.unitVector() * 1.2 * random.uniform(), random.unitVector(), 4);
+        const surface::RayHit<double> a = intersectReference(plain, ray), b = intersectReference(shaped, ray);
+        QCOMPARE(a.hit, b.hit);
+        QVERIFY(a.t == b.t && a.normal == b.normal);
+    }
+}
+
+/// Every sum over samples of a plane with its normal is that plane, whatever the supports.
+void CellBitsTest::ellipsoidsOnPlanesMakeTheSameSolid() {
+    Random random(test::seed());
+    const SampledSolid s = sampled(cube(1), 2, 0.06, random);
+    const CellSurface surface = cellsOf(shapes::ellipsoids(s.surfels, 2, test::seed()));
+    int hits = 0;
+    for (int k = 0; k < test::effort(100); ++k) {
+        const Rayd ray = towards(random.unitVector() * 0.8 * random.uniform(), random.unitVector(), 4);
+        std::size_t plane = 0;
+        const double expected = s.solid.hit(ray, plane);
+        const surface::RayHit<double> hit = intersectReference(surface, ray);
+        if (!hit.hit || expected < 0)
+            continue;
+        ++hits;
+        QVERIFY2(std::abs(hit.t - expected) < 1e-5, qPrintable(QString("%1, not %2").arg(hit.t).arg(expected)));
+    }
+    QVERIFY(hits > test::effort(100) / 2);
 }
 
 static const test::Registered<CellBitsTest> registered;

@@ -1,5 +1,6 @@
 // The fit's parts: one row against the product's surface and against differences, the solver against a dense one.
 #include "core/reduce/fit_row.h"
+#include "core/surfel/shape.h"
 
 #include "core/base/random.h"
 #include "core/surface/surface.h"
@@ -23,6 +24,8 @@ class FitTest : public QObject {
 
 namespace {
 
+constexpr int unknowns = unknownsOfEllipsoids;
+
 /// Samples of a bent sheet around the origin, at random, with normals and heights that are off a little.
 std::vector<FitSite> bentSheet(base::Random& random, int count) {
     std::vector<FitSite> out(static_cast<std::size_t>(count));
@@ -32,7 +35,8 @@ std::vector<FitSite> bentSheet(base::Random& random, int count) {
         s.normal0 = normalized(Vec3d{-0.4 * x, 0.2 * y, 1} + random.unitVector() * 0.1);
         s.along[0] = perpendicular(s.normal0);
         s.along[1] = cross(s.normal0, s.along[0]);
-        s.support = random.uniform(0.7, 1.1);
+        s.setShape((s.along[0] * random.uniform(-1.5, 1.5) + s.along[1] * random.uniform(-1.5, 1.5)),
+                   random.uniform(1.1, 1.8));
         for (double& each : s.x)
             each = random.uniform(-0.02, 0.02);
     }
@@ -41,7 +45,7 @@ std::vector<FitSite> bentSheet(base::Random& random, int count) {
 
 struct Row {
     FitRow row;
-    std::vector<std::array<float, unknowns>> d;
+    std::vector<std::array<float, mostUnknowns>> d;
 };
 Row rowOf(const std::vector<FitSite>& sites, const Vec3d& place, bool oriented = true) {
     Row out;
@@ -62,13 +66,16 @@ void FitTest::aRowIsTheValueOverTheGradientOfTheSurface() {
         surfel::SurfelList list;
         auto layout = std::make_shared<surfel::AttributeLayout>();
         layout->normals = layout->oriented = true;
+        surfel::addShape(*layout);
         list.layout = layout;
         for (const FitSite& s : sites) {
             surfel::Surfel each;
             each.position = base::cast<float>(s.position());
             each.normal = base::cast<float>(normalized(s.tilted()));
             each.support = static_cast<float>(s.reach());
-            list.append(each, {});
+            std::vector<std::uint32_t> words(3);
+            surfel::putShape(words, 0, base::cast<float>(s.shape()));
+            list.append(each, words);
         }
         const surface::Surface surface(tree::SurfelTree::build(list), {});
         const Vec3d place{random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5), random.uniform(-0.03, 0.03)};
@@ -113,23 +120,24 @@ void FitTest::derivativesAreThoseOfTheRow() {
 namespace {
 
 /// Rows with a few random entries each, in pieces of different sizes.
-std::vector<FitPiece> randomPieces(base::Random& random, std::size_t sites, Eigen::MatrixXd& a, Eigen::VectorXd& r) {
-    std::vector<FitPiece> out(5);
+std::vector<FitPiece<unknowns>> randomPieces(base::Random& random, std::size_t sites, Eigen::MatrixXd& a,
+                                             Eigen::VectorXd& r) {
+    std::vector<FitPiece<unknowns>> out(5);
     const Eigen::Index rows = 5 * 40;
     a = Eigen::MatrixXd::Zero(rows, static_cast<Eigen::Index>(sites * unknowns));
     r = Eigen::VectorXd::Zero(rows);
     Eigen::Index at = 0;
-    for (FitPiece& piece : out) {
+    for (FitPiece<unknowns>& piece : out) {
         piece.begin = static_cast<std::size_t>(at);
         for (std::uint32_t s = 0; s < sites; ++s)
             if (random.uniform() < 0.6)
                 piece.sites.push_back(s);
         for (int k = 0; k < 40; ++k, ++at) {
-            std::vector<std::array<float, unknowns>> row;
+            std::vector<std::array<float, mostUnknowns>> row;
             for (std::uint32_t s = 0; s < piece.sites.size(); ++s) {
                 if (random.uniform() > 0.3)
                     continue;
-                std::array<float, unknowns> d;
+                std::array<float, mostUnknowns> d;
                 for (int u = 0; u < unknowns; ++u) {
                     d[static_cast<std::size_t>(u)] = static_cast<float>(random.uniform(-1, 1));
                     a(at, static_cast<Eigen::Index>(piece.sites[s]) * unknowns + u) =
@@ -157,7 +165,7 @@ void FitTest::theSolutionIsThatOfADenseSolver() {
     for (int k = 0; k < test::effort(10); ++k) {
         Eigen::MatrixXd a;
         Eigen::VectorXd r;
-        const std::vector<FitPiece> pieces = randomPieces(random, sites, a, r);
+        const std::vector<FitPiece<unknowns>> pieces = randomPieces(random, sites, a, r);
         const Eigen::VectorXd from = Eigen::VectorXd::Random(a.cols());
         Eigen::MatrixXd normal = a.transpose() * a;
         Eigen::VectorXd added(a.cols());
@@ -170,7 +178,7 @@ void FitTest::theSolutionIsThatOfADenseSolver() {
         const Eigen::VectorXd right = -(a.transpose() * r + added.cwiseProduct(from));
         normal += Eigen::MatrixXd(added.asDiagonal());
         const Eigen::VectorXd expected = normal.ldlt().solve(right);
-        const Eigen::VectorXd found = NormalEquations(pieces, sites).solve(from, ridge, 0.05, 200);
+        const Eigen::VectorXd found = NormalEquations<unknowns>(pieces, sites).solve(from, ridge, 0.05, 200);
         QVERIFY2((found - expected).norm() < 1e-3 * expected.norm(),
                  qPrintable(QString("seed %1: %2").arg(test::seed()).arg((found - expected).norm())));
     }
@@ -180,9 +188,9 @@ void FitTest::aLargeRidgeKeepsEverythingWhereItBegan() {
     base::Random random(test::seed() + 3);
     Eigen::MatrixXd a;
     Eigen::VectorXd r;
-    const std::vector<FitPiece> pieces = randomPieces(random, 10, a, r);
+    const std::vector<FitPiece<unknowns>> pieces = randomPieces(random, 10, a, r);
     const Eigen::VectorXd from = Eigen::VectorXd::Random(a.cols());
-    const Eigen::VectorXd found = NormalEquations(pieces, 10).solve(from, 1e6, 0.05, 200);
+    const Eigen::VectorXd found = NormalEquations<unknowns>(pieces, 10).solve(from, 1e6, 0.05, 200);
     QVERIFY((found + from).norm() < 1e-3 * from.norm());
 }
 

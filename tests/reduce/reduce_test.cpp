@@ -300,8 +300,6 @@ void ReduceTest::cancellingStops() {
 
 void ReduceTest::whatCannotBeReducedIsRefused() {
     const Shape shape = test::sphere(200);
-    QVERIFY(refusal([&] { reduceToCount(shape.surface, 50, Shapes::Ellipsoids); }).find("ellipsoids") !=
-            std::string::npos);
     QVERIFY(refusal([&] { reduceToCount(shape.surface, 200); }).find("200") != std::string::npos);
     QVERIFY(!refusal([&] { reduceToCount(shape.surface, 3); }).empty());
     QVERIFY(!refusal([&] { reduceByRatio(shape.surface, 1); }).empty());

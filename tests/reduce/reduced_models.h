@@ -84,6 +84,22 @@ inline Shape torus(std::size_t count) {
             std::sqrt(area / double(count)), std::sqrt(2 * 2.8 * 2.8 + 0.64)};
 }
 
+/// Of radius 1 around z, from -2 to 2: open, straight along one direction.
+inline Shape cylinder(std::size_t count) {
+    base::Random random(6);
+    std::vector<std::pair<Vec3d, Vec3d>> points;
+    const double s = std::sqrt(8 * std::numbers::pi / double(count));
+    const int around = int(std::lround(2 * std::numbers::pi / s)), along = int(std::lround(4 / s));
+    for (int i = 0; i < along; ++i)
+        for (int j = 0; j < around; ++j) {
+            const double z = -2 + 4 * (i + random.uniform(0.2, 0.8)) / along;
+            const double u = 2 * std::numbers::pi * (j + 0.5 * (i % 2) + random.uniform(-0.3, 0.3)) / around;
+            const Vec3d n{std::cos(u), std::sin(u), 0};
+            points.push_back({n + Vec3d{0, 0, z}, n});
+        }
+    return {prepared(points), [](const Vec3d& x) { return std::hypot(x.x, x.y) - 1; }, s, std::sqrt(24.0)};
+}
+
 /// `side` x `side` points in the unit square, shaken; open.
 inline Shape plane(int side) {
     base::Random random(4);

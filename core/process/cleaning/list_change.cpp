@@ -1,10 +1,13 @@
 #include "core/process/cleaning/list_change.h"
 
+#include "core/surfel/shape.h"
+
 namespace process {
 
 tree::SurfelTree changed(const tree::SurfelTree& tree, const ListChange& change) {
     tree::Edit edit;
     edit.inserted.layout = tree.layout();
+    const int shape = surfel::shapeChannel(*tree.layout());
     std::size_t at = 0;
     tree.forEachBlock([&](std::uint32_t number, const surfel::SurfelBlock& block) {
         tree::BlockEdit of{number, {}, {}};
@@ -24,8 +27,7 @@ tree::SurfelTree changed(const tree::SurfelTree& tree, const ListChange& change)
             if (!change.normals.empty() && change.normals[at] != block.normal(slot))
                 writable().setNormal(slot, change.normals[at]);
             if (!change.supports.empty() && change.supports[at] != block.support(slot))
-                writable().channel(slot / surfel::clusterSize, surfel::Support)[slot % surfel::clusterSize] =
-                    change.supports[at];
+                surfel::setBall(writable(), slot, shape, change.supports[at]);
         }
         if (fresh) {
             fresh->seal();

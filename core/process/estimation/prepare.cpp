@@ -11,6 +11,7 @@
 #include "core/process/estimation/orientation/outside.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/process/estimation/supports.h"
+#include "core/surfel/shape.h"
 
 #include <algorithm>
 #include <atomic>
@@ -186,11 +187,26 @@ void prepareNormals(surfel::SurfelList& points, Surroundings& around, const Surf
         orientNormals(points, orientNeighbours, part(progress, 0.7, 1));
 }
 
+/// Shapes as they may be, and balls where supports are made anew: what `keeps` leaves out.
+template <class Keeps>
+void prepareShapes(surfel::SurfelList& points, const Keeps& keeps) {
+    if (surfel::shapeChannel(*points.layout) == 0)
+        return;
+    const std::size_t first = surfel::shapeWord(*points.layout), words = points.layout->words();
+    base::parallelFor(points.size(), grain, [&](std::size_t i) {
+        const auto own = std::span(points.extra).subspan(i * words, words);
+        const surfel::Surfel& s = points.items[i];
+        surfel::putShape(own, first,
+                         keeps(s) ? surfel::soundShape(surfel::shapeIn(own, first), s.normal) : base::Vec3f{});
+    });
+}
+
 void prepareSupports(surfel::SurfelList& points, Surroundings& around, const PrepareOptions& options,
                      const base::Progress& progress) {
     const auto keeps = [&](const surfel::Surfel& s) {
         return options.keepSupports && s.support > 0 && std::isfinite(s.support);
     };
+    prepareShapes(points, keeps);
     if (allOf(points, keeps))
         return;
     const bool one = options.definition.support > 0;
@@ -233,16 +249,20 @@ tree::SurfelTree withSupports(const tree::SurfelTree& tree, const SurfaceDefinit
                               const base::Progress& progress) {
     surfel::SurfelList points = tree.surfels();
     assignSupports(points, definition, progress);
+    const int shape = surfel::shapeChannel(*tree.layout());
     tree::Edit edit;
     std::size_t at = 0;
     tree.forEachBlock([&](std::uint32_t number, const surfel::SurfelBlock& block) {
         surfel::MutableBlockPtr changed;
         for (int slot = 0; slot < block.size(); ++slot, ++at) {
             const float support = points.items[at].support;
-            if (support == block.support(slot))
+            const bool ball = surfel::shapeOf(block, slot, shape) == base::Vec3f();
+            if (support == block.support(slot) && ball)
                 continue;
             if (!changed)
                 changed = block.clone();
+            if (!ball)
+                surfel::setShape(*changed, slot, shape, {});
             changed->channel(slot / surfel::clusterSize, surfel::Support)[slot % surfel::clusterSize] = support;
         }
         if (changed) {

@@ -5,6 +5,7 @@
 #include "core/process/estimation/spacing.h"
 #include "core/process/resampling/resample_fit.h"
 #include "core/process/resampling/resample_set.h"
+#include "core/surfel/shape.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,9 +39,10 @@ static void check(const surface::Surface& surface, float spacing, float present)
                           "resample", "choose a larger one");
 }
 
-/// The same surfels with supports by their places.
+/// The same surfels with supports by their places, balls all of them.
 template <class SupportAt>
 static tree::SurfelTree withSupports(const tree::SurfelTree& tree, const SupportAt& supportAt) {
+    const int shape = surfel::shapeChannel(*tree.layout());
     tree::Edit edit;
     tree.forEachBlock([&](std::uint32_t number, const surfel::SurfelBlock&) {
         edit.blocks.push_back({number, {}, {}});
@@ -48,8 +50,7 @@ static tree::SurfelTree withSupports(const tree::SurfelTree& tree, const Support
     base::parallelFor(edit.blocks.size(), 16, [&](std::size_t i) {
         const surfel::MutableBlockPtr changed = tree.block(edit.blocks[i].block)->clone();
         for (int slot = 0; slot < changed->size(); ++slot)
-            changed->channel(slot / surfel::clusterSize, surfel::Support)[slot % surfel::clusterSize] =
-                supportAt(changed->position(slot));
+            surfel::setBall(*changed, slot, shape, supportAt(changed->position(slot)));
         changed->seal();
         edit.blocks[i].changed = changed;
     });

@@ -64,13 +64,16 @@ void Blender::lookAround(const base::Vec3f& x, Near& near) const {
 template <class Fn>
 void Blender::forWeights(const base::Vec3f& x, Near& near, const Fn& fn) const {
     const surface::Weight kind = m_frozen.definition().weight;
+    const int shape = surfel::shapeChannel(*m_frozen.tree().layout());
     lookAround(x, near);
     for (const auto& [block, which] : near.blocks)
         for (unsigned left = block->boundsLanes().supporting(x); left != 0; left &= left - 1) {
-            surface::forWeights(*block, std::countr_zero(left), kind, x,
-                                [&, first = which * surfel::blockCapacity](int slot, float w) {
-                                    fn(*block, slot, first + static_cast<std::size_t>(slot), w);
-                                });
+            surface::forWeights(
+                *block, std::countr_zero(left), kind, x,
+                [&, first = which * surfel::blockCapacity](int slot, float w) {
+                    fn(*block, slot, first + static_cast<std::size_t>(slot), w);
+                },
+                shape);
         }
 }
 

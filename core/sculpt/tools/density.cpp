@@ -3,6 +3,7 @@
 #include "core/base/parallel.h"
 #include "core/process/resampling/resample.h"
 #include "core/sculpt/tools/inside.h"
+#include "core/surfel/shape.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,10 +36,6 @@ struct Aim {
     }
 };
 
-void setSupport(surfel::SurfelBlock& block, int slot, float support) {
-    block.channel(slot / surfel::clusterSize, surfel::Support)[slot % surfel::clusterSize] = support;
-}
-
 /// Gives all that is under the brush and stays its graded support, on top of what `edit` does.
 tree::Edit graded(const tree::SurfelTree& tree, const Brush& brush, const Aim& aim, tree::Edit edit) {
     tree::Edit out;
@@ -46,6 +43,7 @@ tree::Edit graded(const tree::SurfelTree& tree, const Brush& brush, const Aim& a
     for (surfel::Surfel& s : out.inserted.items)
         s.support = aim.support(s.position, aim.from);
     std::vector<BrushBlock> blocks = blocksUnder(tree, brush.centre, brush.radius);
+    const int shape = surfel::shapeChannel(*tree.layout());
     out.blocks.resize(blocks.size());
     base::parallelFor(blocks.size(), 8, [&](std::size_t b) {
         tree::BlockEdit& change = out.blocks[b];
@@ -67,7 +65,7 @@ tree::Edit graded(const tree::SurfelTree& tree, const Brush& brush, const Aim& a
                 continue;
             if (!changed)
                 changed = now.clone();
-            setSupport(*changed, slot, support);
+            surfel::setBall(*changed, slot, shape, support);
         }
         if (changed)
             changed->seal(), change.changed = changed;

@@ -36,8 +36,8 @@ CommandRow reduceCommand() {
         {"error", "number", "model units",
          "as few as keep the model's points this near to the surface, in the root mean square", "null", "", positive,
          largest},
-        {"shapes", "choice", "", "of supports; auto takes what serves the model better, and as yet spheres", "\"auto\"",
-         "auto spheres ellipsoids", 0, 0},
+        {"shapes", "choice", "", "of supports; auto takes ellipsoids where they bring the surface clearly nearer",
+         "\"auto\"", "auto spheres ellipsoids", 0, 0},
     };
     return {"reduce",
             "Reduce",

@@ -4,6 +4,7 @@
 #include "core/session/commands/commands.h"
 #include "core/session/model_argument.h"
 #include "core/session/number_text_list.h"
+#include "core/surfel/shape.h"
 
 #include <nlohmann/json.hpp>
 
@@ -39,6 +40,8 @@ static surfel::SurfelList placed(const Document& other, const solid::Pose& pose,
         s.normal = base::unitNormal(base::cast<float>(pose.turn * base::cast<double>(s.normal)));
         s.support *= static_cast<float>(scale);
     }
+    surfel::mapShapes(out, 0,
+                      [&](const base::Vec3f& b) { return base::cast<float>(pose.turn * base::cast<double>(b)); });
     return out;
 }
 

@@ -3,6 +3,7 @@
 #include "core/surface/evaluation/clusters.h"
 #include "core/surface/evaluation/moving_sums.h"
 #include "core/surface/frames/frame_normal.h"
+#include "core/surfel/shape.h"
 
 namespace surface {
 
@@ -32,6 +33,7 @@ class CurveAssembler {
         m_options.weight = curve.definition().weight;
         m_options.interpolating = curve.definition().interpolating;
         m_options.scale = curve.supportScale();
+        m_options.shape = surfel::shapeChannel(*curve.tree().layout());
         m_options.outer = m_frame == Frame::Hyperplanes ? Outer::Normals : Outer::Offsets;
     }
 

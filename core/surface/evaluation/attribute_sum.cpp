@@ -1,5 +1,7 @@
 #include "core/surface/evaluation/attribute_sum.h"
 
+#include "core/surfel/shape.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -42,6 +44,8 @@ void AttributeSum::further(std::span<std::uint32_t> out) const {
     for (std::size_t a = 0; a < m_numbers.size(); ++a)
         if (const surfel::Attribute& attribute = m_layout.attributes()[a]; isReal(attribute.type))
             surfel::write(attribute, out, m_numbers[a] / m_weight);
+    if (surfel::shapeChannel(m_layout) > 0)
+        surfel::putShape(out, surfel::shapeWord(m_layout), {});
 }
 
 } // namespace surface

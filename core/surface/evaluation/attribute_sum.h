@@ -1,5 +1,6 @@
 // Weighted means of what surfels carry beside their place: colours, masks and further attributes. Attributes that are
-// whole numbers, such as labels, are those of the surfel that weighs most.
+// whole numbers, such as labels, are those of the surfel that weighs most. Shapes of supports are no property of a
+// place: what is born has a ball.
 #pragma once
 
 #include "core/surfel/surfel_block.h"

@@ -30,7 +30,7 @@ void gather(const tree::SurfelTree& tree, const base::Vec3d& x, ClusterList& out
         queryReach(queryReach(scale)));
 }
 
-base::Vec3d nearestNormal(ClusterSpan clusters, const base::Vec3d& x, double scale) {
+base::Vec3d nearestNormal(ClusterSpan clusters, const base::Vec3d& x, double scale, int shape) {
     constexpr int lanes = surfel::clusterSize;
     base::Vec3d best;
     double least = std::numeric_limits<double>::infinity();
@@ -41,7 +41,13 @@ base::Vec3d nearestNormal(ClusterSpan clusters, const base::Vec3d& x, double sca
             const base::Vec3d n{c[surfel::NormalX * lanes + i], c[surfel::NormalY * lanes + i],
                                 c[surfel::NormalZ * lanes + i]};
             const double height = dot(n, q), metric = lengthSq(q) + 3 * height * height;
-            if (lengthSq(q) < h * h && metric < least) {
+            double distanceSq = lengthSq(q);
+            if (shape > 0) {
+                const float* b = c + shape * lanes + i;
+                const double along = dot(base::Vec3d{b[0], b[lanes], b[2 * lanes]}, q);
+                distanceSq += along * along;
+            }
+            if (distanceSq < h * h && metric < least) {
                 least = metric;
                 best = n;
             }

@@ -81,7 +81,8 @@ class ScratchClusters {
 };
 
 /// Normal of the surfel with weight at x that is nearest in d^2 + 3 (n.q)^2, which prefers surfels beside x to those
-/// above and below it (surface/README 2.7). Zero where there is none. Supports are multiplied by `scale`.
-base::Vec3d nearestNormal(ClusterSpan clusters, const base::Vec3d& x, double scale = 1);
+/// above and below it (surface/README 2.7). Zero where there is none. Supports are multiplied by `scale`; `shape` is
+/// the channel of their shapes, 0 for none.
+base::Vec3d nearestNormal(ClusterSpan clusters, const base::Vec3d& x, double scale = 1, int shape = 0);
 
 } // namespace surface

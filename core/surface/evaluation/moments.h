@@ -49,6 +49,7 @@ struct SumOptions {
     const Axis* axis = nullptr; ///< of Part
     float sigma = 1;            ///< of Refit
     float scale = 1;            ///< supports are multiplied by it
+    int shape = 0;              ///< channel of the supports' shapes (surfel/shape.h); 0: they are balls
     /// Weights over max(r^2, leastInterpolation) (surface/README 2.10), r the distance over the support.
     bool interpolating = false;
 };

@@ -1,6 +1,6 @@
 #include "core/surface/evaluation/moments.h"
 #include "core/surface/evaluation/smooth_step.h"
-#include "core/surfel/surfel_block.h"
+#include "core/surfel/shape.h"
 
 namespace surface {
 
@@ -71,11 +71,14 @@ Jet<double, O> partOf(const Vec3d& n, const Axis& axis) {
     return chain(t, step.v, step.d, step.dd, step.ddd);
 }
 
-/// theta with its derivatives by x (surface/README 2.1), G = (x - p) / h^2.
+/// theta with its derivatives by x (surface/README 2.1), M = (I + b b^T) / h^2 and G = M (x - p).
 template <int O>
-Jet<double, O> jetOf(const Radial& w, const Vec3d& q, double h) {
-    const double m = 1 / (h * h);
-    const Vec3d g = -q * m;
+Jet<double, O> jetOf(const Radial& w, const Vec3d& q, const Vec3d& b, double h) {
+    const double inverse = 1 / (h * h);
+    const Vec3d g = -(q + b * dot(b, q)) * inverse;
+    const auto m = [&](int k, int l) {
+        return ((k == l ? 1 : 0) + b[static_cast<std::size_t>(k)] * b[static_cast<std::size_t>(l)]) * inverse;
+    };
     Jet<double, O> out;
     out.v = w.phi;
     if constexpr (O >= 1)
@@ -84,10 +87,10 @@ Jet<double, O> jetOf(const Radial& w, const Vec3d& q, double h) {
     if constexpr (O >= 2)
         for (int k = 0; k < 3; ++k)
             for (int l = k; l < 3; ++l)
-                out.dd[sym(k, l)] = w.beta * g[k] * g[l] + (k == l ? w.alpha * m : 0);
+                out.dd[sym(k, l)] = w.beta * g[k] * g[l] + w.alpha * m(k, l);
     if constexpr (O >= 3)
         forTriples([&](int j, int k, int l) {
-            const double edges = (j == k ? m * g[l] : 0) + (j == l ? m * g[k] : 0) + (k == l ? m * g[j] : 0);
+            const double edges = m(j, k) * g[l] + m(j, l) * g[k] + m(k, l) * g[j];
             out.ddd[sym(j, k, l)] = w.beta * edges + w.gamma * g[j] * g[k] * g[l];
         });
     return out;
@@ -121,7 +124,11 @@ void sum(ClusterSpan clusters, const Vec3d& x, const SumOptions& options, Moment
         for (int i = 0; i < lanes; ++i) {
             const double h = scale * static_cast<double>(c[surfel::Support * lanes + i]);
             const Vec3d q = Vec3d{c[i], c[lanes + i], c[2 * lanes + i]} - x;
-            const double distance = length(q);
+            Vec3d b;
+            if (options.shape > 0)
+                for (std::size_t k = 0; k < 3; ++k)
+                    b[k] = static_cast<double>(c[(options.shape + static_cast<int>(k)) * lanes + i]);
+            const double along = dot(b, q), distance = std::sqrt(lengthSq(q) + along * along);
             if (!(distance < h))
                 continue;
             Vec3d n{c[surfel::NormalX * lanes + i], c[surfel::NormalY * lanes + i], c[surfel::NormalZ * lanes + i]};
@@ -138,11 +145,12 @@ void sum(ClusterSpan clusters, const Vec3d& x, const SumOptions& options, Moment
             if (options.facing == Facing::Part && dot(n, options.axis->at) <= -static_cast<double>(partingLimit))
                 continue;
             ++out.samples;
-            Jet<double, O> theta = jetOf<O>(w, q, h);
+            Jet<double, O> theta = jetOf<O>(w, q, b, h);
             if constexpr (O <= 2)
                 if (options.facing == Facing::Part)
                     theta = theta * partOf<O>(n, *options.axis);
-            const double unit = options.weight == Weight::Gaussian ? h / static_cast<double>(gaussianReach) : h;
+            const double mean = options.shape > 0 ? h / std::sqrt(std::sqrt(1 + lengthSq(b))) : h;
+            const double unit = options.weight == Weight::Gaussian ? mean / static_cast<double>(gaussianReach) : mean;
             out.unit += theta.v * unit;
             if constexpr (O >= 1)
                 out.unitSlope += Vec3d{theta.d[0], theta.d[1], theta.d[2]} * unit;

@@ -28,7 +28,8 @@ KernelInput kernelInput(ClusterSpan clusters, const base::Vec3f& x, const SumOpt
             {x.x, x.y, x.z},       options.weight,
             options.facing,        {reference.x, reference.y, reference.z},
             options.scale,         1 / (options.sigma * options.sigma),
-            options.interpolating, options.axis};
+            options.interpolating, options.axis,
+            options.shape};
 }
 
 template <int O>

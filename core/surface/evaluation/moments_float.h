@@ -3,6 +3,7 @@
 // Every sum is that of a factor times a monomial over the surfels with weight. With theta, a and b from
 // theta_,k = a q_k and theta_,kl = b q_k q_l - a delta_kl:
 //     factors      order 0: theta;   order 1: a q (3);   order 2: a, b q q (6, by `sym`)
+// (for ellipsoids G takes the place of q in factors, and M that of delta: surface/README 2.1)
 //     monomials    1, q (3), n (3), n.q, |q|^2;   with outer products: n n^T or q q^T (6, by `sym`)
 // The sums stand monomial by monomial, each with all factors, so that those of order 1 are a jet; sum theta h is last.
 #pragma once
@@ -39,6 +40,7 @@ struct KernelInput {
     float inverseSigmaSquare; ///< of Facing::Refit
     bool interpolating;
     const Axis* axis; ///< of Facing::Part
+    int shape;        ///< channel of shapes; 0: none
 };
 
 KernelInput kernelInput(ClusterSpan clusters, const base::Vec3f& x, const SumOptions& options);

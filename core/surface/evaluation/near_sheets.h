@@ -86,7 +86,7 @@ KeptSheet<T> keepOneSheet(ClusterSpan clusters, const base::Vec3<T>& x, const ba
     if (agreement >= T(oneSheetBelow))
         return out;
     const auto scale = static_cast<double>(options.scale);
-    out.towards = lengthSq(side) > 0 ? side : nearestNormal(clusters, base::cast<double>(x), scale);
+    out.towards = lengthSq(side) > 0 ? side : nearestNormal(clusters, base::cast<double>(x), scale, options.shape);
     Moments<T, O> kept;
     out.sumFacing(clusters, x, options, kept);
     if (!(kept.one.v > leastWeight<T>))

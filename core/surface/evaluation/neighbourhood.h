@@ -5,6 +5,7 @@
 #include "core/surface/evaluation/near_sheets.h"
 #include "core/surface/evaluation/source.h"
 #include "core/surface/frames/frame_table.h"
+#include "core/surfel/shape.h"
 
 namespace surface {
 
@@ -30,6 +31,7 @@ struct Neighbourhood {
         options.weight = definition().weight;
         options.interpolating = definition().interpolating;
         options.scale = source.surface().supportScale();
+        options.shape = surfel::shapeChannel(*source.surface().tree().layout());
         options.outer = frame.outer;
     }
 

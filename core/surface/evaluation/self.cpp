@@ -49,7 +49,7 @@ void SelfEvaluator::evaluateCluster(const surfel::SurfelBlock& block, int cluste
     const base::Box3f box = block.bounds(cluster).box;
     m_near.clear();
     m_candidates.select(box, m_near);
-    float* scratch = m_scratch.rows(selfRows, m_near.size());
+    float* scratch = m_scratch.rows(selfRows(m_plain.shape() > 0), m_near.size());
     const SelfInput in{block.channel(cluster, surfel::X),
                        box,
                        m_near.span(),
@@ -59,7 +59,9 @@ void SelfEvaluator::evaluateCluster(const surfel::SurfelBlock& block, int cluste
                        m_plain.boundaryLimit(),
                        clearly * static_cast<float>(oneSheetBelow),
                        clearly * static_cast<float>(leastSpread),
-                       need == Need::Gradient};
+                       need == Need::Gradient,
+                       false,
+                       m_plain.shape()};
     if (const unsigned special = selfKernel(in, scratch, out) & used)
         evaluateSingly(block, cluster, special, need, out);
 }

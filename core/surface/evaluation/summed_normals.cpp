@@ -2,6 +2,7 @@
 
 #include "core/surface/evaluation/near_sheets.h"
 #include "core/surface/frames/frame_normal.h"
+#include "core/surfel/shape.h"
 
 namespace surface {
 
@@ -15,6 +16,7 @@ SummedNormals::SummedNormals(const Surface& surface) {
     SumOptions options;
     options.weight = definition.weight;
     options.scale = surface.supportScale();
+    options.shape = surfel::shapeChannel(layout);
     m_sums = kernelInput({}, {}, options);
     m_mu = definition.mu();
     m_limit = definition.boundaryLimit;

@@ -16,6 +16,7 @@ class SummedNormals {
     bool applies() const { return m_applies; }
     Weight weight() const { return m_sums.weight; }
     float supportScale() const { return m_sums.scale; }
+    int shape() const { return m_sums.shape; }
     float mu() const { return m_mu; }
     float boundaryLimit() const { return m_limit; }
     /// Computes everything up to `need`; false, with `out` left as it is, where the position is special.

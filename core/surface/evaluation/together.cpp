@@ -110,8 +110,9 @@ class Together {
                            clearly * static_cast<float>(oneSheetBelow),
                            clearly * static_cast<float>(leastSpread),
                            true,
-                           true};
-        const unsigned special = selfKernel(in, m_scratch.rows(selfRows, m_near.size()), m_at);
+                           true,
+                           m_plain.shape()};
+        const unsigned special = selfKernel(in, m_scratch.rows(selfRows(in.shape > 0), m_near.size()), m_at);
         for (std::size_t lane = 0; lane < which.size(); ++lane)
             if (special >> lane & 1)
                 evaluateSingly(which[lane]);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/surface/surface.h"
+#include "core/surfel/shape.h"
 
 #include <bit>
 
@@ -30,14 +31,17 @@ inline float weightAt(Weight weight, float distanceSq, float support) {
     return t * t * t * ((35 * r + 18) * r + 3) / 3;
 }
 
-/// A bit for each surfel of the cluster that `x` is in the support of; squared distances of all of them.
-unsigned withinSupport(const surfel::SurfelBlock& block, int cluster, const base::Vec3f& x, float* distanceSq);
+/// A bit for each surfel of the cluster that `x` is in the support of; squared distances of all of them, in the metric
+/// of their shapes (channel `shape`, 0 for balls).
+unsigned withinSupport(const surfel::SurfelBlock& block, int cluster, const base::Vec3f& x, float* distanceSq,
+                       int shape = 0);
 
 /// fn(slot, theta) for the surfels of a cluster that have weight at `x`.
 template <class Fn>
-void forWeights(const surfel::SurfelBlock& block, int cluster, Weight weight, const base::Vec3f& x, const Fn& fn) {
+void forWeights(const surfel::SurfelBlock& block, int cluster, Weight weight, const base::Vec3f& x, const Fn& fn,
+                int shape = 0) {
     float distanceSq[surfel::clusterSize];
-    for (unsigned in = withinSupport(block, cluster, x, distanceSq); in != 0; in &= in - 1) {
+    for (unsigned in = withinSupport(block, cluster, x, distanceSq, shape); in != 0; in &= in - 1) {
         const int lane = std::countr_zero(in), slot = cluster * surfel::clusterSize + lane;
         if (const float theta = weightAt(weight, distanceSq[lane], block.support(slot)); theta > 0)
             fn(slot, theta);
@@ -48,8 +52,10 @@ void forWeights(const surfel::SurfelBlock& block, int cluster, Weight weight, co
 template <class Fn>
 void forWeights(const Surface& surface, const base::Vec3f& x, const Fn& fn) {
     const Weight weight = surface.definition().weight;
+    const int shape = surfel::shapeChannel(*surface.tree().layout());
     surface.tree().forClustersInSupport(x, [&](const surfel::SurfelBlock& block, int cluster) {
-        forWeights(block, cluster, weight, x, [&](int slot, float theta) { fn(block, slot, theta); });
+        forWeights(
+            block, cluster, weight, x, [&](int slot, float theta) { fn(block, slot, theta); }, shape);
     });
 }
 

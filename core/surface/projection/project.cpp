@@ -3,6 +3,7 @@
 #include "core/surface/evaluation/packets.h"
 #include "core/surface/projection/foot_step.h"
 #include "core/surface/projection/restarts.h"
+#include "core/surfel/shape.h"
 
 #include <algorithm>
 #include <cassert>
@@ -289,7 +290,9 @@ class Projecting {
         const base::Vec3<T> n = base::cast<T>(block.normal(start.slot));
         const T reach = T(0.9) * static_cast<T>(block.support(start.slot));
         base::Vec3<T> offset = lengthSq(n) > T(0) ? m_x0 - p - n * dot(n, m_x0 - p) : base::Vec3<T>{};
-        const T away = length(offset);
+        const int shape = surfel::shapeChannel(*m_source.surface().tree().layout());
+        const auto away = static_cast<T>(
+            std::sqrt(surfel::shapedSq(base::cast<float>(offset), surfel::shapeOf(block, start.slot, shape))));
         if (away > reach)
             offset *= reach / away;
         begin(p + offset);

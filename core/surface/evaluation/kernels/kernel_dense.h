@@ -23,16 +23,24 @@ struct Dense {
     enum Row : int { Support = OneTerm };
     HWY_ALIGN float monomial[monomialCount(Outer::Normals)][stride];
     HWY_ALIGN float factor[factorCount(2)][stride];
+    HWY_ALIGN float shape[3][stride]; ///< of ellipsoids
 };
 
 /// Puts those of the cluster that are in support behind the `count` first; returns how many there are then.
+template <bool shaped>
 HWY_INLINE std::size_t pick(const float* cluster, const KernelInput& in, std::size_t count, Dense& out) {
     const D d;
     for (std::size_t first = 0; first < lanes; first += hn::Lanes(d)) {
         const float* c = cluster + first;
         const V3 q = minus(load3(c, lanes), in.x), n = load3(c + surfel::NormalX * lanes, lanes);
         const V h = hn::Mul(hn::Load(d, c + surfel::Support * lanes), constant(in.scale));
-        M keep = hn::Lt(dot(q, q), hn::Mul(h, h));
+        V square = dot(q, q);
+        V3 b;
+        if constexpr (shaped) {
+            b = load3(c + in.shape * lanes, lanes);
+            square = shapedSquare(square, dot(b, q));
+        }
+        M keep = hn::Lt(square, hn::Mul(h, h));
         if (in.facing == Facing::Skip)
             keep = hn::And(keep, hn::Gt(dot(n, in.reference), constant(facingLimit)));
         if (in.facing == Facing::Part)
@@ -42,18 +50,27 @@ HWY_INLINE std::size_t pick(const float* cluster, const KernelInput& in, std::si
         append(Dense::Support, h);
         append(QTerm, q.x), append(QTerm + 1, q.y), append(QTerm + 2, q.z);
         append(NTerm, n.x), append(NTerm + 1, n.y), append(NTerm + 2, n.z);
+        if constexpr (shaped) {
+            const auto appendShape = [&](int row, V value) {
+                hn::StoreU(packing.pack(value), d, out.shape[row] + count);
+            };
+            appendShape(0, b.x), appendShape(1, b.y), appendShape(2, b.z);
+        }
         count += hn::CountTrue(d, keep);
     }
     return count;
 }
 
 /// Fills up to whole groups of 16 with surfels that add zeros.
+template <bool shaped>
 HWY_INLINE void pad(std::size_t count, Dense& dense) {
     const D d;
     for (std::size_t first = 0; first < lanes; first += hn::Lanes(d)) {
         hn::StoreU(constant(1), d, dense.monomial[Dense::Support] + count + first);
         unrolled<HeightTerm - QTerm>(
             [&](auto k) { hn::StoreU(hn::Zero(d), d, dense.monomial[QTerm + k] + count + first); });
+        if constexpr (shaped)
+            unrolled<3>([&](auto k) { hn::StoreU(hn::Zero(d), d, dense.shape[k] + count + first); });
     }
 }
 
@@ -66,6 +83,8 @@ struct PartLanes {
 struct Lanes {
     V3 q, n;
     V h, height, square, inverse;
+    V3 b;          ///< of ellipsoids
+    V along, unit; ///< b.q; what the boundary limit counts of h
     WeightLanes weight;
     PartLanes part;
 };
@@ -91,7 +110,7 @@ HWY_INLINE void takePart(const KernelInput& in, Lanes& s) {
 }
 
 /// Weights of the surfels from `at` on, zero from `end` on.
-template <int order>
+template <int order, bool shaped>
 HWY_INLINE Lanes weigh(const KernelInput& in, const Dense& dense, std::size_t at, std::size_t end) {
     const D d;
     Lanes s;
@@ -100,7 +119,15 @@ HWY_INLINE Lanes weigh(const KernelInput& in, const Dense& dense, std::size_t at
     s.h = hn::Load(d, dense.monomial[Dense::Support] + at);
     s.square = dot(s.q, s.q);
     s.inverse = hn::Div(constant(1), s.h);
-    s.weight = weightsAt<order>(hn::Mul(hn::Sqrt(s.square), s.inverse), in.weight, in.interpolating);
+    V metric = s.square;
+    s.unit = s.h;
+    if constexpr (shaped) {
+        s.b = load3(dense.shape[0] + at, stride);
+        s.along = dot(s.b, s.q);
+        s.unit = shapedUnit(s.h, s.b);
+        metric = shapedSquare(metric, s.along);
+    }
+    s.weight = weightsAt<order>(hn::Mul(hn::Sqrt(metric), s.inverse), in.weight, in.interpolating);
     if (in.facing == Facing::Flip) {
         const V flip = hn::And(dot(s.n, in.reference), hn::SignBit(d));
         s.n = {hn::Xor(s.n.x, flip), hn::Xor(s.n.y, flip), hn::Xor(s.n.z, flip)};

@@ -106,6 +106,15 @@ HWY_INLINE WeightLanes weightsAt(V r, Weight weight, bool interpolating) {
     return out;
 }
 
+/// |q|^2 + (b.q)^2; and what the boundary limit counts of a radius: h / (1 + |b|^2)^(1/4). Both exact for b = 0.
+HWY_INLINE V shapedSquare(V square, V along) {
+    return hn::MulAdd(along, along, square);
+}
+HWY_INLINE V shapedUnit(V h, const V3& b) {
+    const V root = hn::Sqrt(hn::Sqrt(hn::MulAdd(b.z, b.z, hn::MulAdd(b.y, b.y, hn::MulAdd(b.x, b.x, constant(1))))));
+    return hn::Div(h, root);
+}
+
 } // namespace HWY_NAMESPACE
 } // namespace surface
 HWY_AFTER_NAMESPACE();

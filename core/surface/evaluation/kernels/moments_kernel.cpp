@@ -35,7 +35,7 @@ struct PlainSums {
         accumulate(nx, theta, s.n.x), accumulate(ny, theta, s.n.y), accumulate(nz, theta, s.n.z);
         accumulate(height, theta, s.height);
         accumulate(square, theta, s.square);
-        accumulate(unit, theta, s.h);
+        accumulate(unit, theta, s.unit);
     }
     template <class R>
     HWY_INLINE void put(std::size_t first, bool fresh, R& rows) const {
@@ -48,14 +48,14 @@ struct PlainSums {
 };
 
 /// Order 0 without outer products: all in registers.
-template <class R>
+template <bool shaped, class R>
 HWY_INLINE std::size_t sumPlain(const KernelInput& in, const Dense& dense, std::size_t count, bool fresh, R& rows) {
     const D d;
     std::size_t samples = 0;
     for (std::size_t first = 0; first < lanes; first += hn::Lanes(d)) {
         PlainSums sums;
         for (std::size_t at = first; at < count; at += lanes) {
-            const Lanes s = weigh<0>(in, dense, at, count);
+            const Lanes s = weigh<0, shaped>(in, dense, at, count);
             samples += hn::CountTrue(d, hn::Gt(s.weight.theta, hn::Zero(d)));
             sums.add(s);
         }
@@ -90,13 +90,17 @@ HWY_INLINE void prepareParts(const Axis& axis, const Lanes& s, const V3& u, std:
 }
 
 /// The factors and the monomials that are not picked as they are, for one group of lanes.
-template <int order, Outer outer>
+template <int order, Outer outer, bool shaped>
 HWY_INLINE void prepare(const KernelInput& in, const Lanes& s, std::size_t place, Dense& dense) {
     const D d;
     const auto factor = [&](std::size_t k, V value) { hn::Store(value, d, dense.factor[k] + place); };
     const auto monomial = [&](std::size_t k, V value) { hn::Store(value, d, dense.monomial[k] + place); };
     factor(ThetaFactor, s.weight.theta);
-    const V3 u{hn::Mul(s.q.x, s.inverse), hn::Mul(s.q.y, s.inverse), hn::Mul(s.q.z, s.inverse)};
+    V3 u{hn::Mul(s.q.x, s.inverse), hn::Mul(s.q.y, s.inverse), hn::Mul(s.q.z, s.inverse)};
+    if constexpr (shaped) {
+        const V along = hn::Mul(s.along, s.inverse);
+        u = {hn::MulAdd(s.b.x, along, u.x), hn::MulAdd(s.b.y, along, u.y), hn::MulAdd(s.b.z, along, u.z)};
+    }
     if constexpr (order >= 1) {
         const V slope = hn::Mul(s.weight.slope, s.inverse);
         unrolled<3>([&](auto k) { factor(SlopeFactor + k, hn::Mul(slope, at<k>(u))); });
@@ -105,7 +109,13 @@ HWY_INLINE void prepare(const KernelInput& in, const Lanes& s, std::size_t place
     }
     if constexpr (order >= 2) {
         const V bend = hn::Mul(hn::Mul(s.weight.bend, s.inverse), s.inverse);
-        forPairs([&](auto k, auto l) { factor(BendFactor + sym(k, l), hn::Mul(hn::Mul(bend, at<k>(u)), at<l>(u))); });
+        const V plain = hn::Mul(hn::Mul(s.weight.slope, s.inverse), s.inverse);
+        forPairs([&](auto k, auto l) {
+            V value = hn::Mul(hn::Mul(bend, at<k>(u)), at<l>(u));
+            if constexpr (shaped) // the part of M that PlainSlopeFactor does not know
+                value = hn::NegMulAdd(plain, hn::Mul(at<k>(s.b), at<l>(s.b)), value);
+            factor(BendFactor + sym(k, l), value);
+        });
     }
     if constexpr (order >= 1)
         if (in.facing == Facing::Part)
@@ -120,7 +130,7 @@ HWY_INLINE void prepare(const KernelInput& in, const Lanes& s, std::size_t place
 }
 
 /// Factors times monomials, a factor at a time so that its accumulators fit into registers.
-template <int order, Outer outer>
+template <bool shaped, int order, Outer outer>
 HWY_INLINE std::size_t sumProducts(const KernelInput& in, Dense& dense, std::size_t count, bool fresh,
                                    Rows<order, outer>& rows) {
     constexpr std::size_t monomials = monomialCount(outer);
@@ -129,10 +139,10 @@ HWY_INLINE std::size_t sumProducts(const KernelInput& in, Dense& dense, std::siz
     for (std::size_t first = 0; first < lanes; first += hn::Lanes(d)) {
         V unit = hn::Zero(d);
         for (std::size_t at = first; at < count; at += lanes) {
-            const Lanes s = weigh<order>(in, dense, at, count);
+            const Lanes s = weigh<order, shaped>(in, dense, at, count);
             samples += hn::CountTrue(d, hn::Gt(s.weight.theta, hn::Zero(d)));
-            accumulate(unit, s.weight.theta, s.h);
-            prepare<order, outer>(in, s, at, dense);
+            accumulate(unit, s.weight.theta, s.unit);
+            prepare<order, outer, shaped>(in, s, at, dense);
         }
         rows.put(sumCount(order, outer) - 1, first, unit, fresh);
         for (std::size_t f = 0; f < factorCount(order); ++f) {
@@ -151,7 +161,7 @@ HWY_INLINE std::size_t sumProducts(const KernelInput& in, Dense& dense, std::siz
 }
 
 /// The first way.
-template <Weight weight>
+template <Weight weight, bool shaped>
 HWY_INLINE std::size_t sumClusters(const KernelInput& in, Rows<0, Outer::None>& rows) {
     const D d;
     const V3 x{constant(in.x[0]), constant(in.x[1]), constant(in.x[2])};
@@ -166,9 +176,16 @@ HWY_INLINE std::size_t sumClusters(const KernelInput& in, Rows<0, Outer::None>& 
             s.n = load3(cluster + surfel::NormalX * lanes, lanes);
             s.h = hn::Mul(hn::Load(d, cluster + surfel::Support * lanes), constant(in.scale));
             s.square = dot(s.q, s.q);
-            const V r = hn::Mul(hn::Sqrt(s.square), hn::Div(constant(1), s.h));
+            V metric = s.square;
+            s.unit = s.h;
+            if constexpr (shaped) {
+                s.b = load3(cluster + in.shape * lanes, lanes);
+                s.unit = shapedUnit(s.h, s.b);
+                metric = shapedSquare(metric, dot(s.b, s.q));
+            }
+            const V r = hn::Mul(hn::Sqrt(metric), hn::Div(constant(1), s.h));
             s.weight = weightsAt<0>(r, weight, false);
-            s.weight.theta = hn::IfThenElseZero(hn::Lt(s.square, hn::Mul(s.h, s.h)), s.weight.theta);
+            s.weight.theta = hn::IfThenElseZero(hn::Lt(metric, hn::Mul(s.h, s.h)), s.weight.theta);
             s.height = dot(s.n, s.q);
             samples += hn::CountTrue(d, hn::Gt(s.weight.theta, hn::Zero(d)));
             sums.add(s);
@@ -178,16 +195,16 @@ HWY_INLINE std::size_t sumClusters(const KernelInput& in, Rows<0, Outer::None>& 
     return samples;
 }
 
-template <Weight weight>
+template <Weight weight, bool shaped>
 int sumPlainly(const KernelInput& in, float* sums) {
     Rows<0, Outer::None> rows;
-    const std::size_t samples = sumClusters<weight>(in, rows);
+    const std::size_t samples = sumClusters<weight, shaped>(in, rows);
     reduce(rows, sums);
     return static_cast<int>(samples);
 }
 
 /// The second way. In parts of `capacity`, which leave the lanes as they are, being multiples of 16.
-template <int order, Outer outer>
+template <bool shaped, int order, Outer outer>
 int sumAll(const KernelInput& in, float* sums) {
     Dense dense;
     Rows<order, outer> rows;
@@ -195,48 +212,56 @@ int sumAll(const KernelInput& in, float* sums) {
     std::size_t samples = 0, count = 0;
     for (std::size_t c = 0; c <= in.clusterCount; ++c) {
         if (c < in.clusterCount)
-            count = pick(in.clusters[c], in, count, dense);
+            count = pick<shaped>(in.clusters[c], in, count, dense);
         else
-            pad(count, dense);
+            pad<shaped>(count, dense);
         if (c < in.clusterCount && count < capacity)
             continue;
         const std::size_t part = std::min(count, capacity);
         if constexpr (order == 0 && outer == Outer::None)
-            samples += sumPlain(in, dense, part, fresh, rows);
+            samples += sumPlain<shaped>(in, dense, part, fresh, rows);
         else
-            samples += sumProducts<order, outer>(in, dense, part, fresh, rows);
+            samples += sumProducts<shaped, order, outer>(in, dense, part, fresh, rows);
         fresh = false;
         count -= part;
         for (int k = 0; k < HeightTerm && count > 0; ++k)
             std::copy_n(dense.monomial[k] + capacity, lanes, dense.monomial[k]);
+        if constexpr (shaped)
+            for (int k = 0; k < 3 && count > 0; ++k)
+                std::copy_n(dense.shape[k] + capacity, lanes, dense.shape[k]);
     }
     reduce(rows, sums);
     return static_cast<int>(samples);
 }
 
-template <Outer outer>
+template <bool shaped, Outer outer>
 int sumOfOrder(int order, const KernelInput& in, float* sums) {
-    return order == 0   ? sumAll<0, outer>(in, sums)
-           : order == 1 ? sumAll<1, outer>(in, sums)
-                        : sumAll<2, outer>(in, sums);
+    return order == 0   ? sumAll<shaped, 0, outer>(in, sums)
+           : order == 1 ? sumAll<shaped, 1, outer>(in, sums)
+                        : sumAll<shaped, 2, outer>(in, sums);
 }
 
-int sumDispatched(int order, Outer outer, const KernelInput& in, float* sums) {
+template <bool shaped>
+int sumOfShape(int order, Outer outer, const KernelInput& in, float* sums) {
     if (order == 0 && outer == Outer::None && in.facing == Facing::All && !in.interpolating) {
         if (in.weight == Weight::Wendland)
-            return sumPlainly<Weight::Wendland>(in, sums);
+            return sumPlainly<Weight::Wendland, shaped>(in, sums);
         if (in.weight == Weight::WendlandC4)
-            return sumPlainly<Weight::WendlandC4>(in, sums);
+            return sumPlainly<Weight::WendlandC4, shaped>(in, sums);
     }
     switch (outer) {
     case Outer::None:
-        return sumOfOrder<Outer::None>(order, in, sums);
+        return sumOfOrder<shaped, Outer::None>(order, in, sums);
     case Outer::Normals:
-        return sumOfOrder<Outer::Normals>(order, in, sums);
+        return sumOfOrder<shaped, Outer::Normals>(order, in, sums);
     case Outer::Offsets:
         break;
     }
-    return sumOfOrder<Outer::Offsets>(order, in, sums);
+    return sumOfOrder<shaped, Outer::Offsets>(order, in, sums);
+}
+
+int sumDispatched(int order, Outer outer, const KernelInput& in, float* sums) {
+    return in.shape > 0 ? sumOfShape<true>(order, outer, in, sums) : sumOfShape<false>(order, outer, in, sums);
 }
 
 } // namespace HWY_NAMESPACE

@@ -19,33 +19,55 @@ HWY_BEFORE_NAMESPACE();
 namespace surface {
 namespace HWY_NAMESPACE {
 
-/// Rows are the channels, then 1 / h.
-enum AroundRow : int { InverseSupport = surfel::Support + 1 };
-using Around = Picked<selfRows>;
+/// Rows are the channels, then 1 / h; of ellipsoids b and the unit.
+enum AroundRow : int { InverseSupport = surfel::Support + 1, Shape, Unit = Shape + 3 };
+template <bool shaped>
+using Around = Picked<selfRows(shaped)>;
 
-HWY_INLINE Around pickAround(const SelfInput& in, float* scratch) {
+template <bool shaped>
+HWY_INLINE Around<shaped> pickAround(const SelfInput& in, float* scratch) {
     const BoxLanes box(in.box);
-    return pickFrom<selfRows>(in.around, scratch, [&](const float* c, const auto& append) {
+    return pickFrom<selfRows(shaped)>(in.around, scratch, [&](const float* c, const auto& append) {
         const V3 p = load3(c, lanes), n = load3(c + surfel::NormalX * lanes, lanes);
         const V h = hn::Mul(hn::Load(D(), c + surfel::Support * lanes), constant(in.scale));
         const V reach = hn::Mul(h, constant(queryReach(1)));
-        append(hn::Lt(box.distanceSq(p), hn::Mul(reach, reach)), p.x, p.y, p.z, n.x, n.y, n.z, h,
-               hn::Div(constant(1), h));
+        const M keep = hn::Lt(box.distanceSq(p), hn::Mul(reach, reach));
+        const V inverse = hn::Div(constant(1), h);
+        if constexpr (shaped) {
+            const V3 b = load3(c + in.shape * lanes, lanes);
+            append(keep, p.x, p.y, p.z, n.x, n.y, n.z, h, inverse, b.x, b.y, b.z, shapedUnit(h, b));
+        } else {
+            append(keep, p.x, p.y, p.z, n.x, n.y, n.z, h, inverse);
+        }
     });
 }
 
 /// One surfel around, against all positions: y = x - p points away from it.
+template <bool shaped>
 struct Pair {
-    V3 y, n;
-    V squareY, r, inverse;
+    V3 y, n, b;
+    V squareY, along, r, inverse;
 
-    HWY_INLINE Pair(const Around& around, std::size_t i, const V3& x) {
+    HWY_INLINE Pair(const Around<shaped>& around, std::size_t i, const V3& x) {
         const auto channel = [&](int k) { return constant(around.row[k][i]); };
         y = {hn::Sub(x.x, channel(surfel::X)), hn::Sub(x.y, channel(surfel::Y)), hn::Sub(x.z, channel(surfel::Z))};
         n = {channel(surfel::NormalX), channel(surfel::NormalY), channel(surfel::NormalZ)};
         inverse = channel(InverseSupport);
         squareY = dot(y, y);
-        r = hn::Mul(hn::Sqrt(squareY), inverse);
+        V metric = squareY;
+        if constexpr (shaped) {
+            b = {channel(Shape), channel(Shape + 1), channel(Shape + 2)};
+            along = dot(b, y);
+            metric = shapedSquare(metric, along);
+        }
+        r = hn::Mul(hn::Sqrt(metric), inverse);
+    }
+    /// (I + b b^T) y
+    HWY_INLINE V3 slope() const {
+        if constexpr (shaped)
+            return {hn::MulAdd(b.x, along, y.x), hn::MulAdd(b.y, along, y.y), hn::MulAdd(b.z, along, y.z)};
+        else
+            return y;
     }
     /// Beyond the support Wendland's weights vanish by themselves.
     template <Weight weight, int order>
@@ -67,18 +89,18 @@ struct Values {
     V inverseWeight, inverseLength, length; ///< of the summed normals
     V3 away, normal;                        ///< x - c, n
 
-    template <Weight weight>
-    HWY_INLINE void sum(const Around& around, const V3& x) {
+    template <Weight weight, bool shaped>
+    HWY_INLINE void sum(const Around<shaped>& around, const V3& x) {
         one = yx = yy = yz = nx = ny = nz = height = square = unit = hn::Zero(D());
         for (std::size_t i = 0; i < around.count; ++i) {
-            const Pair s(around, i, x);
+            const Pair<shaped> s(around, i, x);
             const V theta = s.template weights<weight, 0>().theta;
             one = hn::Add(one, theta);
             accumulate(yx, theta, s.y.x), accumulate(yy, theta, s.y.y), accumulate(yz, theta, s.y.z);
             accumulate(nx, theta, s.n.x), accumulate(ny, theta, s.n.y), accumulate(nz, theta, s.n.z);
             accumulate(height, theta, dot(s.n, s.y));
             accumulate(square, theta, s.squareY);
-            accumulate(unit, theta, constant(around.row[surfel::Support][i]));
+            accumulate(unit, theta, constant(around.row[shaped ? int(Unit) : int(surfel::Support)][i]));
         }
         if (weight == Weight::Gaussian)
             unit = hn::Mul(unit, constant(1 / gaussianReach));
@@ -132,8 +154,8 @@ HWY_INLINE unsigned storeValues(const SelfInput& in, const Values& s, const V3& 
 ///     g_i = (1-mu) [ n.(y_i - d) / w + v.n_i ] + mu (n_i.y_i - H / w) / w,   v = (d - n (n.d)) / |m|,  H = sum theta
 ///     n.y
 /// and d^T (grad n) d = - sum a_i (y_i.d) (n_i.v).
-template <Weight weight, bool bend>
-HWY_INLINE void storeGradients(const SelfInput& in, const Around& around, const Values& s, const V3& x,
+template <Weight weight, bool shaped, bool bend>
+HWY_INLINE void storeGradients(const SelfInput& in, const Around<shaped>& around, const Values& s, const V3& x,
                                std::size_t first, SelfLanes& out) {
     const D d;
     const V flat = constant(1 - in.mu), symmetric = hn::Mul(constant(in.mu), s.inverseWeight);
@@ -148,16 +170,17 @@ HWY_INLINE void storeGradients(const SelfInput& in, const Around& around, const 
     const V3 turning{turn(s.away.x, s.normal.x), turn(s.away.y, s.normal.y), turn(s.away.z, s.normal.z)};
     V gx = hn::Zero(d), gy = gx, gz = gx, bent = gx;
     for (std::size_t i = 0; i < around.count; ++i) {
-        const Pair pair(around, i, x);
+        const Pair<shaped> pair(around, i, x);
         const V slope = pair.template weights<weight, 1>().slope;
         const V a = hn::Mul(hn::Mul(slope, pair.inverse), pair.inverse);
         const V3 along{hn::MulAdd(symmetric, pair.y.x, v.x), hn::MulAdd(symmetric, pair.y.y, v.y),
                        hn::MulAdd(symmetric, pair.y.z, v.z)};
         const V g = hn::Add(hn::Sub(dot(n, pair.y), same), dot(pair.n, along));
         const V ag = hn::Mul(a, g);
-        accumulate(gx, ag, pair.y.x), accumulate(gy, ag, pair.y.y), accumulate(gz, ag, pair.y.z);
+        const V3 way = pair.slope();
+        accumulate(gx, ag, way.x), accumulate(gy, ag, way.y), accumulate(gz, ag, way.z);
         if constexpr (bend)
-            accumulate(bent, hn::Mul(a, dot(s.away, pair.y)), dot(pair.n, turning));
+            accumulate(bent, hn::Mul(a, dot(s.away, way)), dot(pair.n, turning));
     }
     if constexpr (bend)
         hn::Store(hn::Neg(bent), d, out.bend + first);
@@ -169,34 +192,39 @@ HWY_INLINE void storeGradients(const SelfInput& in, const Around& around, const 
     store(s.nz, s.normal.z, gz, out.gradient[2]);
 }
 
-template <Weight weight>
+template <Weight weight, bool shaped>
 unsigned evaluateAll(const SelfInput& in, float* scratch, SelfLanes& out) {
-    const Around around = pickAround(in, scratch);
+    const Around<shaped> around = pickAround<shaped>(in, scratch);
     unsigned special = 0;
     for (std::size_t first = 0; first < lanes; first += hn::Lanes(D())) {
         const V3 x = load3(in.cluster + first, lanes);
         Values values;
-        values.sum<weight>(around, x);
+        values.sum<weight, shaped>(around, x);
         values.derive();
         special |= storeValues(in, values, x, first, out) << first;
         if (in.bend)
-            storeGradients<weight, true>(in, around, values, x, first, out);
+            storeGradients<weight, shaped, true>(in, around, values, x, first, out);
         else if (in.gradient)
-            storeGradients<weight, false>(in, around, values, x, first, out);
+            storeGradients<weight, shaped, false>(in, around, values, x, first, out);
     }
     return special;
 }
 
-unsigned selfDispatched(const SelfInput& in, float* scratch, SelfLanes& out) {
+template <bool shaped>
+unsigned evaluateShape(const SelfInput& in, float* scratch, SelfLanes& out) {
     switch (in.weight) {
     case Weight::Wendland:
-        return evaluateAll<Weight::Wendland>(in, scratch, out);
+        return evaluateAll<Weight::Wendland, shaped>(in, scratch, out);
     case Weight::WendlandC4:
-        return evaluateAll<Weight::WendlandC4>(in, scratch, out);
+        return evaluateAll<Weight::WendlandC4, shaped>(in, scratch, out);
     case Weight::Gaussian:
         break;
     }
-    return evaluateAll<Weight::Gaussian>(in, scratch, out);
+    return evaluateAll<Weight::Gaussian, shaped>(in, scratch, out);
+}
+
+unsigned selfDispatched(const SelfInput& in, float* scratch, SelfLanes& out) {
+    return in.shape > 0 ? evaluateShape<true>(in, scratch, out) : evaluateShape<false>(in, scratch, out);
 }
 
 } // namespace HWY_NAMESPACE

@@ -13,10 +13,14 @@ struct SelfInput {
     float scale, mu, boundaryLimit;
     float leastAgreement, leastSpread; ///< below these a surfel is special
     bool gradient;
-    bool bend = false; ///< as well; REQUIRES: gradient
+    bool bend; ///< as well; REQUIRES: gradient
+    int shape; ///< channel of shapes; 0: none
 };
 
-constexpr std::size_t selfRows = surfel::Support + 2; ///< that `selfKernel` picks into
+/// Rows that `selfKernel` picks into: the channels and 1 / h; for ellipsoids b and what the boundary limit counts of h.
+constexpr std::size_t selfRows(bool shaped) {
+    return surfel::Support + (shaped ? 6 : 2);
+}
 
 /// Evaluates at the 16 positions; returns a bit for each that is special, whose numbers are not to be used. `scratch`
 /// has room for selfRows.
