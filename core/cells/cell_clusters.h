@@ -56,8 +56,8 @@ class CellClusters {
     void pack(const std::vector<Found>& found);
     void packFades(const std::vector<Found>& found);
     std::uint32_t place(std::uint32_t label) const;
-    /// Room for one more surfel in the last cluster, or in a fresh one: its x; further channels follow a cluster's width
-    /// after each other.
+    /// Room for one more surfel in the last cluster, or in a fresh one: its x; further channels follow a cluster's
+    /// width after each other.
     float* nextLane(bool fresh);
     void copyLane(const surfel::SurfelBlock& block, int slot, float* to) const;
     std::uint32_t clusterCount() const { return static_cast<std::uint32_t>(m_packed.size() / m_channels); }

@@ -121,7 +121,8 @@ bool CellSourcef::there(std::size_t i) {
     Near& near = m_near[i];
     if (!near.counted) {
         near.counted = true;
-        near.there = anyPacked(m_cube->clusters(m_cube->cells()[i]), m_xf, m_surface->surface().supportScale(), m_shape);
+        near.there =
+            anyPacked(m_cube->clusters(m_cube->cells()[i]), m_xf, m_surface->surface().supportScale(), m_shape);
     }
     return near.there;
 }
