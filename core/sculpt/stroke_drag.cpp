@@ -1,4 +1,5 @@
 // Drag and Turn: what was touched first is held, and goes with the pointer or around the first contact.
+#include "core/sculpt/stroke_entrance.h"
 #include "core/sculpt/stroke_methods.h"
 
 #include <algorithm>
@@ -18,7 +19,8 @@ struct Held {
     Dab dab;
     base::Vec3f plane;   ///< unit normal of the plane that faces the viewer
     base::Vec3f pointer; ///< place in it: of a drag, as far as steps have gone; of a turn, the last
-    base::Vec3f move;    ///< from there to the pointer, still to be dragged
+    base::Vec3f seen;    ///< of a drag: where the pointer was last
+    base::Vec3f move;    ///< from `pointer` to there, still to be dragged
     float angle = 0;     ///< still to be turned
 };
 
@@ -36,10 +38,9 @@ class Holding : public Method {
     }
 
   protected:
-    /// Adds to what is still to be done.
+    /// Does the whole steps of the way to a sample and notes what is left.
     virtual void go(const StrokeSample& sample) = 0;
     virtual float waitingLength() const = 0; ///< the longest of all images
-    virtual float longestStep() const = 0;
     /// The dab that does a share of what waits, and what is left after it.
     virtual Dab part(const Held& held, float share) const = 0;
     virtual void done(Held& held, float share) const = 0;
@@ -51,23 +52,30 @@ class Holding : public Method {
     }
     /// Where image `i` of the pointer is in the held plane; nothing where its ray runs beside it.
     std::optional<base::Vec3f> pointerIn(const Held& held, std::size_t i, const StrokeSample& sample) const;
+    /// Does a share of what waits.
+    void step(float share);
 
     Dabs& m_dabs;
     std::vector<std::optional<Held>> m_held;
 
   private:
-    void hold(const StrokeSample& sample);
+    void hold(const StrokeSample& sample, const Contact& own);
     std::vector<Dab> parts(float share) const;
-    void step(float share);
+
+    std::optional<StrokeSample> m_before; ///< that met nothing
 };
 
 void Holding::add(const StrokeSample& sample, bool) {
-    if (m_held.empty())
-        return hold(sample);
+    if (m_held.empty()) {
+        const auto in = entranceBetween(m_dabs, m_before, sample);
+        m_before = sample;
+        if (!in)
+            return;
+        hold(in->sample, in->contact);
+        if (in->sample == sample)
+            return;
+    }
     go(sample);
-    const float far = waitingLength(), each = std::max(longestStep(), far / float(mostProbes));
-    for (int left = static_cast<int>(far / each); left > 0; --left)
-        step(std::min(1.0f, each / waitingLength()));
 }
 
 std::vector<Dab> Holding::parts(float share) const {
@@ -83,12 +91,9 @@ void Holding::step(float share) {
     forHeld([&](Held& h, std::size_t) { done(h, share); });
 }
 
-void Holding::hold(const StrokeSample& sample) {
-    const std::optional<Contact> own = m_dabs.contact(sample.ray);
-    if (!own)
-        return;
-    m_dabs.begin(*own);
-    const Dabs::Contacts contacts = m_dabs.contactsOf(sample.ray, *own);
+void Holding::hold(const StrokeSample& sample, const Contact& own) {
+    m_dabs.begin(own);
+    const Dabs::Contacts contacts = m_dabs.contactsOf(sample.ray, own);
     const std::vector<float> share = Dabs::shares(contacts, m_dabs.settings().radius);
     for (std::size_t i = 0; i < contacts.size(); ++i) {
         if (!contacts[i]) {
@@ -96,7 +101,7 @@ void Holding::hold(const StrokeSample& sample) {
             continue;
         }
         const Dab dab = m_dabs.dabOf(*contacts[i], i, sample.ray.direction, {m_dabs.settings().radius, share[i], {}});
-        m_held.push_back(Held{dab, dab.view, contacts[i]->position, {}, 0});
+        m_held.push_back(Held{dab, dab.view, contacts[i]->position, contacts[i]->position, {}, 0});
     }
 }
 
@@ -115,18 +120,48 @@ class Drag : public Holding {
   private:
     void go(const StrokeSample& sample) override;
     float waitingLength() const override;
-    float longestStep() const override {
-        return std::min(stepOfDrag, m_dabs.settings().spacing) * m_dabs.settings().radius;
-    }
     Dab part(const Held& held, float share) const override;
     void done(Held& held, float share) const override;
 };
 
+/// The part u of the way from `from` to `to` where it leaves the ball of this radius around the origin; more than 1
+/// where it ends inside.
+double leavesAt(const base::Vec3d& from, const base::Vec3d& to, double radius) {
+    const base::Vec3d way = to - from;
+    const double a = lengthSq(way), b = dot(from, way), c = lengthSq(from) - radius * radius;
+    const double root = std::sqrt(std::max(0.0, b * b - a * c));
+    if (b < 0)
+        return (root - b) / a;
+    return b + root > 0 ? -c / (b + root) : 2.0; // the same without cancellation; no way at all
+}
+
+/// Each step ends on the way of the pointer, where that is first a step away: straight to the sample it would cut
+/// corners, the more the fewer samples come.
 void Drag::go(const StrokeSample& sample) {
+    std::vector<base::Vec3f> to(m_held.size());
+    float far = 0;
     forHeld([&](Held& h, std::size_t i) {
-        if (const auto to = pointerIn(h, i, sample))
-            h.move = *to - h.pointer;
+        to[i] = pointerIn(h, i, sample).value_or(h.seen);
+        far = std::max(far, distance(to[i], h.seen) + length(h.move));
     });
+    const float longest = std::min(stepOfDrag, m_dabs.settings().spacing) * m_dabs.settings().radius;
+    const double each = double(std::max(longest, far / float(mostProbes)));
+    const auto placeOf = [&](const Held& h, std::size_t i, double u) {
+        return base::cast<double>(h.seen) + base::cast<double>(to[i] - h.seen) * u;
+    };
+    for (int left = mostProbes; left > 0; --left) {
+        double u = 2;
+        forHeld([&](Held& h, std::size_t i) {
+            const base::Vec3d done = base::cast<double>(h.pointer);
+            u = std::min(u, leavesAt(placeOf(h, i, 0) - done, placeOf(h, i, 1) - done, each));
+        });
+        if (!(u <= 1 + 1e-6)) // up to rounding
+            break;
+        u = std::min(u, 1.0);
+        forHeld([&](Held& h, std::size_t i) { h.move = base::cast<float>(placeOf(h, i, u)) - h.pointer; });
+        step(1);
+    }
+    forHeld([&](Held& h, std::size_t i) { h.seen = to[i], h.move = to[i] - h.pointer; });
 }
 
 float Drag::waitingLength() const {
@@ -155,7 +190,6 @@ class Turn : public Holding {
   private:
     void go(const StrokeSample& sample) override;
     float waitingLength() const override;
-    float longestStep() const override { return stepOfTurn; }
     Dab part(const Held& held, float share) const override;
     void done(Held& held, float share) const override { held.angle -= held.angle * share; }
 };
@@ -170,6 +204,9 @@ void Turn::go(const StrokeSample& sample) {
             h.angle += std::atan2(-dot(cross(a, b), h.plane), dot(a, b));
         h.pointer = *to;
     });
+    const float far = waitingLength(), each = std::max(stepOfTurn, far / float(mostProbes));
+    for (int left = static_cast<int>(far / each); left > 0; --left)
+        step(std::min(1.0f, each / waitingLength()));
 }
 
 float Turn::waitingLength() const {

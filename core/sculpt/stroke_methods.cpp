@@ -1,5 +1,6 @@
 // The short ones: dots, airbrush, anchored, line; and which is which.
 #include "core/sculpt/stroke_methods.h"
+#include "core/sculpt/stroke_entrance.h"
 
 #include <cmath>
 
@@ -27,38 +28,39 @@ class Airbrush : public Method {
     void add(const StrokeSample& sample, bool moved) override;
 
   private:
-    bool dab(const StrokeSample& sample);
+    void follow(const StrokeSample& to);
 
     Dabs& m_dabs;
-    std::optional<StrokeSample> m_previous; ///< from the first contact on
-    double m_begin = 0, m_made = 0;         ///< seconds; dabs that are due since then, also those that missed
+    std::optional<StrokeSample> m_before, m_previous; ///< that met nothing; from the first contact on
+    double m_begin = 0, m_made = 0;                   ///< seconds; dabs that are due since then, also those that missed
 };
-
-bool Airbrush::dab(const StrokeSample& sample) {
-    const auto touched = m_dabs.contact(sample.ray);
-    if (!touched)
-        return false;
-    m_dabs.dabAt(sample, *touched, m_dabs.form(sample));
-    return true;
-}
 
 void Airbrush::add(const StrokeSample& sample, bool) {
     if (!m_previous) {
-        if (!dab(sample))
+        const auto in = entranceBetween(m_dabs, m_before, sample);
+        m_before = sample;
+        if (!in)
             return;
-        m_begin = double(sample.seconds);
-    } else {
-        const double from = double(m_previous->seconds), span = double(sample.seconds) - from;
-        // A place in time is due where it is reached up to rounding: samples may fall right on it.
-        const double rate = double(m_dabs.settings().rate), reached = (double(sample.seconds) - m_begin) * rate + 1e-3;
-        for (int probes = 0; m_made + double(sample.stride) <= reached && probes < mostProbes; ++probes) {
-            m_made += double(sample.stride);
-            const double u = span > 0 ? (m_begin + m_made / rate - from) / span : 1;
-            dab(between(*m_previous, sample, static_cast<float>(std::clamp(u, 0.0, 1.0))));
-        }
-        m_made = std::max(m_made, std::floor(reached - double(sample.stride))); // none later than asked
+        m_dabs.dabAt(in->sample, in->contact, m_dabs.form(in->sample));
+        m_begin = double(in->sample.seconds);
+        m_previous = in->sample;
     }
+    follow(sample);
     m_previous = sample;
+}
+
+void Airbrush::follow(const StrokeSample& to) {
+    const double from = double(m_previous->seconds), span = double(to.seconds) - from;
+    // A place in time is due where it is reached up to rounding: samples may fall right on it.
+    const double rate = double(m_dabs.settings().rate), reached = (double(to.seconds) - m_begin) * rate + 1e-3;
+    for (int probes = 0; m_made + double(to.stride) <= reached && probes < mostProbes; ++probes) {
+        m_made += double(to.stride);
+        const double u = span > 0 ? (m_begin + m_made / rate - from) / span : 1;
+        const StrokeSample sample = between(*m_previous, to, static_cast<float>(std::clamp(u, 0.0, 1.0)));
+        if (const auto touched = m_dabs.contact(sample.ray))
+            m_dabs.dabAt(sample, *touched, m_dabs.form(sample));
+    }
+    m_made = std::max(m_made, std::floor(reached - double(to.stride))); // none later than asked
 }
 
 class Anchored : public Method {
@@ -92,12 +94,6 @@ void Anchored::add(const StrokeSample& sample, bool) {
         m_dabs.pile(*m_first, m_anchor, form, m_dabs.settings().fullTap ? m_dabs.overlap(usualSpacing) : 1);
 }
 
-/// Where a line meets the model.
-struct Entrance {
-    StrokeSample sample;
-    Contact contact;
-};
-
 class Line : public Method {
   public:
     explicit Line(Dabs& dabs) : m_dabs(dabs), m_space(makeSpace(dabs)) {}
@@ -105,7 +101,6 @@ class Line : public Method {
     void finish() override { m_space->finish(); }
 
   private:
-    std::optional<Entrance> at(const StrokeSample& sample) const;
     std::optional<Entrance> entrance(const StrokeSample& to) const;
 
     Dabs& m_dabs;
@@ -114,21 +109,15 @@ class Line : public Method {
     std::optional<Entrance> m_start; ///< the first sample, where it meets the version that the stroke began on
 };
 
-std::optional<Entrance> Line::at(const StrokeSample& sample) const {
-    if (const auto touched = m_dabs.contact(sample.ray))
-        return Entrance{sample, *touched};
-    return {};
-}
-
 /// The first place on the way to `to` that meets the model.
 std::optional<Entrance> Line::entrance(const StrokeSample& to) const {
     constexpr int steps = 256;
     for (int k = 1; k <= steps; ++k)
-        if (auto found = at(between(*m_first, to, float(k) / steps))) {
+        if (auto found = entranceAt(m_dabs, between(*m_first, to, float(k) / steps))) {
             float out = float(k - 1) / steps, in = float(k) / steps;
             for (int halving = 0; halving < 10; ++halving) {
                 const float middle = 0.5f * (out + in);
-                const auto there = at(between(*m_first, to, middle));
+                const auto there = entranceAt(m_dabs, between(*m_first, to, middle));
                 (there ? in : out) = middle;
                 if (there)
                     found = there;
@@ -141,7 +130,7 @@ std::optional<Entrance> Line::entrance(const StrokeSample& to) const {
 void Line::add(const StrokeSample& sample, bool) {
     if (!m_first) {
         m_first = sample;
-        m_start = at(sample);
+        m_start = entranceAt(m_dabs, sample);
         if (m_start)
             m_space = makeSpace(m_dabs, m_start->sample, m_start->contact);
         return;

@@ -1,4 +1,5 @@
 // Space: dabs evenly along the surface.
+#include "core/sculpt/stroke_entrance.h"
 #include "core/sculpt/stroke_methods.h"
 
 #include <algorithm>
@@ -14,6 +15,9 @@ constexpr int mostHalvings = 16;
 /// The pointer goes at least this part of a dab's distance between two dabs, whatever the surface does: slopes that are
 /// seen under more than 89 degrees have their dabs farther apart.
 constexpr float leastTravel = 0.02f;
+/// On the surface that the stroke began on a dab is at least its distance over this away from the last. The front that
+/// dabs dig or raise is steep: by its length alone more dabs would make it steeper, and those call for more again.
+constexpr float mostOwnSlope = 1.25f;
 
 /// A place between two samples where a dab is due, with the contact that the search for it has found.
 struct Due {
@@ -34,6 +38,7 @@ class Space : public Method {
     float sweep(const StrokeSample& to) const {
         return distance(to.ray.at(m_last->distance), m_previous->ray.at(m_last->distance));
     }
+    float gapTo(const StrokeSample& sample, const Contact& at, float step) const;
     std::optional<Due> advance(const StrokeSample& to, float from, int& probes) const;
     void follow(const StrokeSample& to);
     void touch(const StrokeSample& sample, const Contact& at);
@@ -44,14 +49,24 @@ class Space : public Method {
     std::optional<StrokeSample> m_previous;
     /// Where the last dab's own ray meets what the dab has left; where it meets nothing, what it touched.
     std::optional<Contact> m_last;
-    float m_radius = 0;    ///< of the last dab
-    float m_travelled = 0; ///< by the pointer since then, up to m_previous
+    std::optional<Contact> m_lastBefore; ///< where that ray met the version that the stroke began on
+    float m_radius = 0;                  ///< of the last dab
+    float m_travelled = 0;               ///< by the pointer since then, up to m_previous
     std::optional<Contact> m_first;
     float m_reach = 0; ///< of the dabs' contacts, from the first
     int m_made = 0;
     /// A first dab whose stamp follows the stroke waits for its direction.
     std::optional<StrokeSample> m_waiting;
 };
+
+/// Of a contact from the last; no more than that on the first version allows, which only counts for what is far enough.
+float Space::gapTo(const StrokeSample& sample, const Contact& at, float step) const {
+    const float gap = distance(at.position, m_last->position);
+    if (gap < step || !m_lastBefore)
+        return gap;
+    const auto before = m_dabs.contactBefore(sample.ray);
+    return before ? std::min(gap, mostOwnSlope * distance(before->position, m_lastBefore->position)) : gap;
+}
 
 /// How far between the last two samples, at least `from`, the surface is next a dab's distance from the last contact.
 /// Where the contact jumps (the pointer crosses an outline) the place behind the jump counts.
@@ -63,7 +78,7 @@ std::optional<Due> Space::advance(const StrokeSample& to, float from, int& probe
     const auto gapAt = [&](float u) { // where it is far enough, that place is due
         const StrokeSample sample = between(*m_previous, to, u);
         const auto c = m_dabs.contact(sample.ray);
-        const float gap = c ? distance(c->position, m_last->position) : -1.0f; // a miss is never far enough
+        const float gap = c ? gapTo(sample, *c, step) : -1.0f; // a miss is never far enough
         if (gap >= step)
             due = {u, sample, *c};
         return gap;
@@ -99,11 +114,11 @@ void Space::begin(const StrokeSample& sample, const Contact& at) {
 
 void Space::add(const StrokeSample& sample, bool) {
     if (!m_last) {
-        if (const auto first = m_dabs.contact(sample.ray))
-            touch(sample, *first);
-    } else {
-        follow(sample);
+        if (const auto in = entranceBetween(m_dabs, m_previous, sample))
+            begin(in->sample, in->contact);
     }
+    if (m_last)
+        follow(sample);
     m_previous = sample;
 }
 
@@ -136,6 +151,7 @@ void Space::touch(const StrokeSample& sample, const Contact& at) {
             dab(sample, *now, {});
         // A dab that moves the surface farther than one step along the ray would else call for the next at once.
         m_last = m_dabs.contact(sample.ray).value_or(at);
+        m_lastBefore = m_dabs.contactBefore(sample.ray);
         return;
     }
     m_last = at;

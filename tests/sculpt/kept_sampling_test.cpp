@@ -1,6 +1,5 @@
 // What a stroke owes the sampling that it meets: where it stretches nothing every surfel stays, however uneven or
-// noisy; fine detail stays fine; nothing is left that no sheet bears; the result does not depend on how a path is
-// delivered.
+// noisy; fine detail stays fine; nothing is left that no sheet bears.
 #include "core/base/random.h"
 #include "core/process/estimation/prepare.h"
 #include "core/sculpt/crumbs.h"
@@ -23,8 +22,6 @@ class KeptSamplingTest : public QObject {
     void eraseLeavesNoCrumbsAndKeepsStrays();
     void aWideSurfelFarAwayChangesNoGradedStroke();
     void slicesOfTheEndMakeWhatOneCallMakes();
-    void aPathInOtherPiecesMakesTheSameShape_data();
-    void aPathInOtherPiecesMakesTheSameShape();
 };
 
 /// A ball of random points, 400 times as dense (20 times as fine) around one end of x; its normals are exact.
@@ -206,39 +203,6 @@ void KeptSamplingTest::slicesOfTheEndMakeWhatOneCallMakes() {
     QVERIFY(once.surface().tree().contentHash() == slices.surface().tree().contentHash());
     QVERIFY(slices.finishSlice()); // nothing is left
     QVERIFY(once.surface().tree().contentHash() == slices.surface().tree().contentHash());
-}
-
-void KeptSamplingTest::aPathInOtherPiecesMakesTheSameShape_data() {
-    QTest::addColumn<QString>("tool");
-    QTest::addColumn<float>("half");
-    for (const char* tool : {"draw", "pinch", "nudge", "crease", "inflate", "flatten", "elastic-grab", "twist"})
-        QTest::newRow(tool) << tool << 0.5f;
-    QTest::newRow("grab") << "grab" << 0.15f; // pulled farther, it hangs over, and feet are ambiguous
-}
-
-void KeptSamplingTest::aPathInOtherPiecesMakesTheSameShape() {
-    QFETCH(QString, tool);
-    QFETCH(float, half);
-    constexpr std::size_t count = 12000;
-    const surface::Surface start = test::surfaceOf(test::spherePoints(count));
-    StrokeSettings settings;
-    settings.tool = tool.toStdString();
-    settings.radius = 0.25f;
-    settings.strength = 0.5f;
-    const surface::Surface few = test::stroked(start, settings, acrossTheFine(32, half)),
-                           many = test::stroked(start, settings, acrossTheFine(512, half));
-    double apart = 0, moved = 0;
-    base::Random random(test::seed());
-    for (int k = 0; k < 1000; ++k) {
-        const Vec3f p = base::cast<float>(normalized(Vec3d{1, random.uniform(-0.6, 0.6), random.uniform(-0.5, 0.5)}));
-        const auto a = surface::project(few, p, {}), b = surface::project(many, p, {});
-        if (a.ok() && b.ok())
-            apart += double(distanceSq(a.foot, b.foot)), moved += double(distanceSq(a.foot, p));
-    }
-    const double part = std::sqrt(apart / moved);
-    QVERIFY2(part < 0.01, qPrintable(QString("%1, seed %2").arg(part).arg(test::seed())));
-    const double counts = double(few.tree().size()) / double(many.tree().size());
-    QVERIFY2(std::abs(counts - 1) < 1e-3, qPrintable(QString::number(counts)));
 }
 
 static const test::Registered<KeptSamplingTest> registered;
