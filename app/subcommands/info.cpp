@@ -41,6 +41,16 @@ base::Box3f boundsOf(const surfel::SurfelList& points) {
     return out;
 }
 
+bool anyEllipsoid(const surfel::SurfelList& points) {
+    if (surfel::shapeChannel(*points.layout) == 0)
+        return false;
+    const std::size_t first = surfel::shapeWord(*points.layout);
+    for (std::size_t i = 0; i < points.size(); ++i)
+        if (surfel::shapeIn(points.extraOf(i), first) != base::Vec3f())
+            return true;
+    return false;
+}
+
 /// Support radii, hash and what is up are those of the model that `open` makes; null where the points make none.
 void describeSurface(ordered_json& out, session::OpenedFile file, const base::Progress& progress, Console& console) {
     out["up"] = out["hash"] = nullptr;
@@ -56,6 +66,7 @@ void describeSurface(ordered_json& out, session::OpenedFile file, const base::Pr
         }
         out["merged"] = made.merged;
         out["cells"] = cells::countCells(surfels).cells;
+        out["shapes"] = anyEllipsoid(surfels);
         std::vector<float> supports;
         for (const surfel::Surfel& s : surfels.items)
             supports.push_back(s.support);
@@ -73,16 +84,6 @@ std::vector<std::string> attributesOf(const session::OpenedFile& from) {
     if (!from.ownNormals)
         std::erase(out, "normal");
     return out;
-}
-
-bool anyEllipsoid(const surfel::SurfelList& points) {
-    if (surfel::shapeChannel(*points.layout) == 0)
-        return false;
-    const std::size_t first = surfel::shapeWord(*points.layout);
-    for (std::size_t i = 0; i < points.size(); ++i)
-        if (surfel::shapeIn(points.extraOf(i), first) != base::Vec3f())
-            return true;
-    return false;
 }
 
 ordered_json describe(session::OpenedFile from, const base::Progress& progress, Console& console) {
@@ -103,7 +104,7 @@ ordered_json describe(session::OpenedFile from, const base::Progress& progress, 
     out["dropped"] = model.dropped;
     out["merged"] = 0;
     out["cells"] = 0;
-    out["shapes"] = anyEllipsoid(model.points);
+    out["shapes"] = false;
     out["format"] = model.format;
     describeSurface(out, std::move(from), process::part(progress, 0.5, 1), console);
     return out;

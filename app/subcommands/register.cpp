@@ -130,7 +130,9 @@ surfel::AttributeLayoutPtr commonLayout(const Scans& scans) {
             const surfel::Attribute* own = p.surface.tree().layout()->find(a.name);
             return own && own->type == a.type;
         };
-        if (a.name != "scan" && std::all_of(scans.placed.begin(), scans.placed.end(), has))
+        // Shapes would have to turn along, and supports are left to whoever opens it.
+        if (a.name != "scan" && !a.name.starts_with("support_shape_") &&
+            std::all_of(scans.placed.begin(), scans.placed.end(), has))
             out->add(a.name, a.type);
     }
     out->add("scan", surfel::ScalarType::Int32);

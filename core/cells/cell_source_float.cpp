@@ -97,11 +97,14 @@ void CellSourcef::moveTo(const Vec3d& x) {
             if (m_cubes.size() >= mostCubes)
                 m_cubes.clear();
             base::Box3f box;
+            double size = 0; // of the cube's coordinates, whichever of its places is first
             for (std::size_t a = 0; a < 3; ++a) {
                 box.lo[a] = static_cast<float>(static_cast<double>(cube.at[a]) * side);
                 box.hi[a] = static_cast<float>(static_cast<double>(cube.at[a] + 1) * side);
+                size = std::max(
+                    {size, static_cast<double>(std::abs(box.lo[a])), static_cast<double>(std::abs(box.hi[a]))});
             }
-            const auto inexact = static_cast<float>(far * 1e-7);
+            const auto inexact = static_cast<float>(size * 1e-7);
             found = m_cubes.try_emplace(cube, *m_surface, box.inflated(inexact)).first;
         }
         m_cube = &found->second;

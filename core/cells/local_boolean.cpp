@@ -94,8 +94,8 @@ namespace {
 /// q, turned as little as turns direction a into b.
 Vec3d turned(const Vec3d& q, const Vec3d& a, const Vec3d& b) {
     const double cosine = dot(a, b);
-    if (!(cosine > -0.99)) // any way round is as good
-        return q;
+    if (!(cosine > -0.999999)) // half a turn, about whatever axis
+        return -q;
     const Vec3d axis = cross(a, b);
     return q * cosine + cross(axis, q) + axis * (dot(axis, q) / (1 + cosine));
 }

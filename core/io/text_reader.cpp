@@ -229,7 +229,8 @@ ScalarType typeOf(const ColumnFacts& facts) {
 void TextReader::typeColumns(const std::vector<ColumnFacts>& facts) {
     for (std::size_t c = 0; c < facts.size(); ++c) {
         ScalarType type = typeOf(facts[c]);
-        if (lowerCase(m_tableNames[c]) == "mask") // ours, though all of its values may be 0
+        // ours, though all of their values may be 0
+        if (lowerCase(m_tableNames[c]) == "mask" || m_tableNames[c].starts_with("support_shape_"))
             type = ScalarType::Float32;
         m_table.fields.push_back({m_tableNames[c], ScalarType::Float64, type, c * sizeof(double)});
     }

@@ -1,6 +1,7 @@
 #include "core/raycast/edited_region.h"
 
 #include "core/base/random.h"
+#include "core/surfel/shape.h"
 
 #include <bit>
 
@@ -16,22 +17,22 @@ struct Entry {
     float support;
 };
 
-std::uint64_t contentOf(const surfel::Surfel& s) {
+std::uint64_t contentOf(const surfel::Surfel& s, const base::Vec3f& shape) {
     std::uint64_t out = s.colour;
-    for (const float value :
-         {s.position.x, s.position.y, s.position.z, s.normal.x, s.normal.y, s.normal.z, s.support, s.mask})
+    for (const float value : {s.position.x, s.position.y, s.position.z, s.normal.x, s.normal.y, s.normal.z, s.support,
+                              s.mask, shape.x, shape.y, shape.z})
         out = base::mix(out ^ std::bit_cast<std::uint32_t>(value));
     return out;
 }
 
 /// The surfels of some blocks, ordered by content; clusters are numbered on from `clusters`.
-std::vector<Entry> entriesOf(const std::vector<surfel::BlockPtr>& blocks, std::size_t& clusters) {
+std::vector<Entry> entriesOf(const std::vector<surfel::BlockPtr>& blocks, int shape, std::size_t& clusters) {
     std::vector<Entry> out;
     for (const surfel::BlockPtr& block : blocks) {
         for (int slot = 0; slot < block->size(); ++slot) {
             const surfel::Surfel s = block->surfel(slot);
             const auto cluster = clusters + static_cast<std::size_t>(slot / surfel::clusterSize);
-            out.push_back({contentOf(s), cluster, s.position, s.support});
+            out.push_back({contentOf(s, surfel::shapeOf(*block, slot, shape)), cluster, s.position, s.support});
         }
         clusters += static_cast<std::size_t>(block->clusterCount());
     }
@@ -44,7 +45,8 @@ std::vector<Entry> entriesOf(const std::vector<surfel::BlockPtr>& blocks, std::s
 std::vector<base::Box3f> editedRegion(const tree::SurfelTree& from, const tree::SurfelTree& to) {
     const tree::Diff diff = tree::diff(from, to);
     std::size_t clusters = 0;
-    const std::vector<Entry> gone = entriesOf(diff.removed, clusters), come = entriesOf(diff.added, clusters);
+    const std::vector<Entry> gone = entriesOf(diff.removed, surfel::shapeChannel(*from.layout()), clusters),
+                             come = entriesOf(diff.added, surfel::shapeChannel(*to.layout()), clusters);
     std::vector<Entry> changed;
     std::ranges::set_symmetric_difference(gone, come, std::back_inserter(changed), {}, &Entry::content,
                                           &Entry::content);

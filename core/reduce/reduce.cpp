@@ -10,6 +10,7 @@
 #include "core/reduce/fit.h"
 #include "core/reduce/placement.h"
 #include "core/reduce/shapes_by_error.h"
+#include "core/surfel/shape.h"
 
 #include <algorithm>
 #include <optional>
@@ -36,6 +37,20 @@ void check(const surface::Surface& model) {
     if (model.tree().size() <= fewest)
         throw base::Error("a model of " + std::to_string(model.tree().size()) + " surfels cannot be reduced", "reduce",
                           "a reduced one has at least " + std::to_string(fewest));
+}
+
+/// What is asked for as far as the model's attributes have room for it.
+Shapes possible(const surface::Surface& model, Shapes shapes) {
+    surfel::AttributeLayout trial = *model.tree().layout();
+    try {
+        if (shapes != Shapes::Spheres)
+            surfel::addShape(trial);
+    } catch (const base::Error&) {
+        if (shapes == Shapes::Ellipsoids)
+            throw;
+        return Shapes::Spheres;
+    }
+    return shapes;
 }
 
 void checkCount(std::size_t size, std::size_t count) {
@@ -179,6 +194,7 @@ class Search {
 Reduced reduceToCount(const surface::Surface& model, std::size_t count, Shapes shapes, const base::Progress& progress) {
     check(model);
     checkCount(model.tree().size(), count);
+    shapes = possible(model, shapes);
     const base::CancelScope scope(progress.cancel);
     Ground ground = groundOf(model, strideFor(model.tree().size(), count), process::part(progress, 0, 0.15));
     return reduced(ground, count, shapes, false, process::part(progress, 0.15, 1));
@@ -196,6 +212,7 @@ Reduced reduceToError(const surface::Surface& model, double error, Shapes shapes
     check(model);
     if (!(error > 0))
         throw base::Error("an error is a length above 0", "reduce");
+    shapes = possible(model, shapes);
     const base::CancelScope scope(progress.cancel);
     const std::size_t size = model.tree().size();
     std::size_t count = std::max(fewest, size / 10);

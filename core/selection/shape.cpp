@@ -7,6 +7,7 @@
 #include "core/selection/slope.h"
 #include "core/surface/curvature.h"
 #include "core/surface/projection/project.h"
+#include "core/surfel/shape.h"
 
 #include <algorithm>
 #include <atomic>
@@ -123,37 +124,44 @@ surface::Surface raised(const surface::Surface& surface, const std::function<Hei
         throw base::Error("the normals have no sides, which tell outwards from inwards", {}, "orient them first");
     const Weighed weighed(surface, limit);
     std::atomic<bool> kept = true;
-    surface::Surface out =
-        changedBlocks(surface, weighed, progress, "Raising the surface",
-                      [&](const SurfelBlock& block, const std::vector<int>& slots, SurfelBlock& copy) {
-                          const std::vector<Vec3f> x = placesOf(block, slots);
-                          std::vector<surface::Curvature> bent(x.size());
-                          surface::curvature(surface, x, bent);
-                          for (std::size_t i = 0; i < x.size(); ++i) {
-                              const int slot = slots[i];
-                              const Vec3d p = base::cast<double>(x[i]), n = base::cast<double>(block.normal(slot));
-                              const double w = weighed.at(block, slot);
-                              const Height up = height(p);
-                              const Vec3d next = p + n * (w * up.value);
-                              if (!(length(next) * 0x1p-24 <= roundingPart * static_cast<double>(block.support(slot))))
-                                  kept = false;
-                              copy.setPosition(slot, base::cast<float>(next));
-                              Mat3d f = Mat3d::identity(); // of x + w height n: grad n is the shape operator
-                              if (const surface::Curvature& c = bent[i]; c.ok()) {
-                                  const double side = (dot(c.normal, n) < 0 ? -w : w) * up.value;
-                                  f += base::outer(c.direction1, c.direction1) * (side * c.k1);
-                                  f += base::outer(c.direction2, c.direction2) * (side * c.k2);
-                              }
-                              f += base::outer(n, up.slope * w + weighed.slope(surface.tree(), block, slot) * up.value);
-                              const Vec3d m = base::cofactor(f) * n;
-                              if (!(dot(m, n) > 0)) // folded: the old normal is as good as any
-                                  continue;
-                              copy.setNormal(slot, base::cast<float>(normalized(m)));
-                              const double stretch = std::clamp(length(m), 1 / mostStretch, mostStretch);
-                              copy.channel(slot / surfel::clusterSize, surfel::Support)[slot % surfel::clusterSize] =
-                                  static_cast<float>(static_cast<double>(block.support(slot)) * std::sqrt(stretch));
-                          }
-                      });
+    const int shape = surfel::shapeChannel(*surface.tree().layout());
+    surface::Surface out = changedBlocks(
+        surface, weighed, progress, "Raising the surface",
+        [&](const SurfelBlock& block, const std::vector<int>& slots, SurfelBlock& copy) {
+            const std::vector<Vec3f> x = placesOf(block, slots);
+            std::vector<surface::Curvature> bent(x.size());
+            surface::curvature(surface, x, bent);
+            for (std::size_t i = 0; i < x.size(); ++i) {
+                const int slot = slots[i];
+                const Vec3d p = base::cast<double>(x[i]), n = base::cast<double>(block.normal(slot));
+                const double w = weighed.at(block, slot);
+                const Height up = height(p);
+                const Vec3d next = p + n * (w * up.value);
+                if (!(length(next) * 0x1p-24 <= roundingPart * static_cast<double>(block.support(slot))))
+                    kept = false;
+                copy.setPosition(slot, base::cast<float>(next));
+                Mat3d f = Mat3d::identity(); // of x + w height n: grad n is the shape operator
+                if (const surface::Curvature& c = bent[i]; c.ok()) {
+                    const double side = (dot(c.normal, n) < 0 ? -w : w) * up.value;
+                    f += base::outer(c.direction1, c.direction1) * (side * c.k1);
+                    f += base::outer(c.direction2, c.direction2) * (side * c.k2);
+                }
+                f += base::outer(n, up.slope * w + weighed.slope(surface.tree(), block, slot) * up.value);
+                const Vec3d m = base::cofactor(f) * n;
+                if (!(dot(m, n) > 0)) // folded: the old normal is as good as any
+                    continue;
+                copy.setNormal(slot, base::cast<float>(normalized(m)));
+                const double stretch = std::clamp(length(m), 1 / mostStretch, mostStretch);
+                const float old = block.support(slot);
+                float& support = copy.channel(slot / surfel::clusterSize, surfel::Support)[slot % surfel::clusterSize];
+                support = static_cast<float>(static_cast<double>(old) * std::sqrt(stretch));
+                if (const base::Vec3f b = surfel::shapeOf(block, slot, shape); lengthSq(b) > 0) {
+                    const surfel::Ellipse to = surfel::deformed({old, b}, block.normal(slot), f, copy.normal(slot));
+                    support = std::clamp(to.radius, support / 2, support * 2);
+                    surfel::setShape(copy, slot, shape, to.shape);
+                }
+            }
+        });
     if (!kept)
         throw base::Error("the points would lie so far from the model's origin that they could not keep their places",
                           {}, "raise it by less");

@@ -5,6 +5,7 @@
 #include "core/selection/links.h"
 #include "core/selection/shape.h"
 #include "core/surface/curves/boundary_curves.h"
+#include "core/surfel/shape.h"
 
 #include <algorithm>
 
@@ -53,6 +54,7 @@ void addWall(const surface::Surface& part, const surface::BoundaryCurve& curve, 
             part.tree().nearest(base::cast<float>(p), 1, near);
             surfel::Surfel s = near[0].block->surfel(near[0].slot);
             near[0].block->extra(near[0].slot, words);
+            surfel::becomeBall(*out.layout, s, words);
             const double spacing = std::max(static_cast<double>(s.support * perSupport), 0.01 * a.unit);
             const int rows = std::max(1, static_cast<int>(std::lround(std::abs(by) / spacing)));
             for (int row = 0; row < rows; ++row) {

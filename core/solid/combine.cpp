@@ -6,6 +6,7 @@
 #include "core/base/row_of_id.h"
 #include "core/process/resampling/resample.h"
 #include "core/solid/seam_labels.h"
+#include "core/surfel/shape.h"
 
 #include <optional>
 
@@ -129,6 +130,7 @@ class Combining {
     std::vector<std::vector<Foot>> feetOf(const tree::SurfelTree& tree, const Side& other, const Stays& stays) const {
         std::vector<std::vector<Foot>> out(tree.blockCount());
         const std::vector<std::size_t> first = firstOf(tree);
+        const int shape = surfel::shapeChannel(*tree.layout());
         base::parallelFor(out.size(), 1, [&](std::size_t b) {
             const surfel::BlockPtr block = tree.block(static_cast<std::uint32_t>(b));
             const base::Box3f box = block->box().inflated(2 * block->maxSupport());
@@ -140,7 +142,9 @@ class Combining {
                     continue;
                 const float support = block->support(slot);
                 if (const auto foot = seamFoot(m_sides, base::cast<double>(block->position(slot)), support))
-                    out[b].push_back({index, *foot, static_cast<double>(support) * surface::spacingOfUnit});
+                    out[b].push_back(
+                        {index, *foot,
+                         static_cast<double>(surfel::ballOf(*block, slot, shape)) * surface::spacingOfUnit});
             }
         });
         return out;
@@ -162,7 +166,8 @@ class Combining {
     static double spacingAt(const tree::SurfelTree& tree, const Vec3d& x) {
         std::vector<tree::Neighbour> near;
         tree.nearest(base::cast<float>(x), 1, near);
-        return static_cast<double>(near[0].block->support(near[0].slot)) * surface::spacingOfUnit;
+        const float ball = surfel::ballOf(*near[0].block, near[0].slot, surfel::shapeChannel(*tree.layout()));
+        return static_cast<double>(ball) * surface::spacingOfUnit;
     }
     void round(const std::vector<SeamCurve>& seams) {
         const FilletSides sides{m_modelSide, m_operandSide, m_operation == Operation::Union,
@@ -254,10 +259,14 @@ class Combining {
                     labels[foot.index] =
                         besideSeam(labels[foot.index], nearestLabel(m_tree, foot.place).cell, m_operation);
         Translation translation(*all.layout, *m_tree.layout());
+        // Into a model of balls ellipsoids come as balls, too.
+        const int shape = surfel::shapeChannel(*m_tree.layout()) > 0 ? 0 : surfel::shapeChannel(*all.layout);
         for (std::size_t i = 0; i < all.size(); ++i) {
             if (!stays[i])
                 continue;
             surfel::Surfel s = all.items[i];
+            if (shape > 0)
+                s.support *= surfel::meanAxis(surfel::shapeIn(all.extraOf(i), surfel::shapeWord(*all.layout)));
             if (stays[i] == 2)
                 m_beside.push_back(base::cast<double>(s.position));
             if (m_operation == Operation::Difference)
@@ -315,6 +324,8 @@ class Combining {
         std::vector<std::uint32_t> own(from.block->extraWords());
         from.block->extra(from.slot, own);
         const std::span<std::uint32_t> words = nearModel ? std::span<std::uint32_t>(own) : translation(own);
+        if (surfel::shapeChannel(*m_tree.layout()) > 0)
+            surfel::putShape(words, surfel::shapeWord(*m_tree.layout()), {});
         if (m_labels) {
             Label label =
                 nearModel ? nearestLabel(m_tree, place.onModel) : moved(nearestLabel(m_other, place.onOperand));

@@ -18,6 +18,7 @@ constexpr double snapped = 0.35;
 surfel::SurfelList doubled(const surfel::SurfelList& half, const base::Plane& plane) {
     surfel::SurfelList out;
     out.layout = half.layout;
+    std::vector<std::uint32_t> words;
     for (std::size_t i = 0; i < half.size(); ++i) {
         surfel::Surfel s = half.items[i];
         const Vec3d p = base::cast<double>(s.position), n = base::cast<double>(s.normal);
@@ -29,7 +30,9 @@ surfel::SurfelList doubled(const surfel::SurfelList& half, const base::Plane& pl
                 continue;
             s.position = base::cast<float>(p - plane.normal * height);
             s.normal = base::cast<float>(n == Vec3d{} ? n : flat);
-            out.append(s, half.extraOf(i));
+            words.assign(half.extraOf(i).begin(), half.extraOf(i).end());
+            surfel::becomeBall(*half.layout, s, words); // an ellipse aslant is not its own image
+            out.append(s, words);
             continue;
         }
         out.append(s, half.extraOf(i));

@@ -103,4 +103,11 @@ Ellipse deformed(const Ellipse& support, const base::Vec3f& n, const base::Mat3d
     return {static_cast<float>(large), length > round ? base::cast<float>(thin * length) : base::Vec3f{}};
 }
 
+void becomeBall(const AttributeLayout& layout, Surfel& s, std::span<std::uint32_t> words) {
+    if (shapeChannel(layout) == 0)
+        return;
+    s.support *= meanAxis(shapeIn(words, shapeWord(layout)));
+    putShape(words, shapeWord(layout), {});
+}
+
 } // namespace surfel

@@ -72,6 +72,13 @@ inline float aspectOf(const base::Vec3f& b) {
 inline float meanAxis(const base::Vec3f& b) {
     return 1 / std::sqrt(aspectOf(b));
 }
+/// The radius of the ball of the same area.
+inline float ballOf(const SurfelBlock& block, int slot, int channel) {
+    const float h = block.support(slot);
+    return channel > 0 ? h * meanAxis(shapeOf(block, slot, channel)) : h;
+}
+/// Makes a ball of the same area of a surfel with these further words: for one that is born, or comes to another place.
+void becomeBall(const AttributeLayout& layout, Surfel& s, std::span<std::uint32_t> words);
 /// |q|^2 + (b.q)^2, to be compared with the squared radius.
 inline float shapedSq(const base::Vec3f& q, const base::Vec3f& b) {
     const float along = dot(b, q);

@@ -23,7 +23,7 @@ namespace {
 constexpr double spacing = 0.1, support = 3.5 * spacing;
 
 /// A solid of planes. Faded: its creases are of any sharpness, and its cells of one face or of two.
-CellSurface solidOf(Random& random, bool faded) {
+CellSurface solidOf(Random& random, bool faded, bool shaped = false) {
     plane_solids::SampledSolid s = plane_solids::sampled(plane_solids::polyhedron(random), 2.4, spacing, random);
     if (faded) {
         const cells::LabelLayout layout = *cells::LabelLayout::of(*s.surfels.layout);
@@ -35,7 +35,7 @@ CellSurface solidOf(Random& random, bool faded) {
         }
         cells::setLabels(s.surfels, labels, true);
     }
-    return plane_solids::cellsOf(s.surfels);
+    return plane_solids::cellsOf(shaped ? shapes::ellipsoids(s.surfels, 2, test::seed()) : s.surfels);
 }
 
 Vec3d placeNear(const CellSurface& surface, Random& random) {
@@ -48,14 +48,18 @@ Vec3d placeNear(const CellSurface& surface, Random& random) {
 
 void CellSourceFloatTest::saysWhatDoubleSays_data() {
     QTest::addColumn<bool>("faded");
-    QTest::newRow("sharp") << false;
-    QTest::newRow("faded") << true;
+    QTest::addColumn<bool>("shaped");
+    QTest::newRow("sharp") << false << false;
+    QTest::newRow("faded") << true << false;
+    QTest::newRow("sharp ellipsoids") << false << true;
+    QTest::newRow("faded ellipsoids") << true << true;
 }
 
 void CellSourceFloatTest::saysWhatDoubleSays() {
     QFETCH(bool, faded);
+    QFETCH(bool, shaped);
     Random random(test::seed());
-    const CellSurface surface = solidOf(random, faded);
+    const CellSurface surface = solidOf(random, faded, shaped);
     CellSource exact(surface);
     CellSourcef quick(surface);
     quick.setScale(support);
@@ -116,3 +120,4 @@ void CellSourceFloatTest::forgetsThePlacesBefore() {
 
 static const test::Registered<CellSourceFloatTest> registered;
 #include "cell_source_float_test.moc"
+#include "surface/ellipsoids.h"

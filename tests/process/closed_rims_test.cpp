@@ -166,7 +166,7 @@ void ClosedRimsTest::clothsKeepTheirRimsHoweverTheyAreFolded() {
 void ClosedRimsTest::aSheetAmongThinSolidsIsOpen() {
     constexpr double wide = 0.05;
     base::Random random(test::seed());
-    for (int round = 0; round < test::effort(1); ++round) {
+    for (int round = 0; round < test::effort(2); ++round) {
         const double thickness = random.uniform(0.6, 1.2) * wide, gap = random.uniform(3, 5) * wide;
         const std::size_t count = 40 + random.below(12);
         Solid all;

@@ -1,6 +1,7 @@
 #include "core/mesh/faces/open_faces.h"
 
 #include "core/base/box.h"
+#include "core/base/cancel_scope.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/mesh/faces/face_creases.h"
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <optional>
 
 namespace mesh {
 
@@ -191,10 +193,21 @@ void paintVertices(SurfelList& vertices, const FacePaint& paint) {
     vertices.layout = std::move(layout);
 }
 
-/// Vertices that are kept leave large faces empty: points on these join them. Returns how many.
+base::Vec3d placeOf(const FacePoint& point, const FaceTopology& topology, std::span<const Vec3f> positions) {
+    const Triangle& t = topology.triangles[point.triangle];
+    const auto corner = [&](std::size_t k) { return base::cast<double>(positions[t[k]]); };
+    const auto b = static_cast<double>(point.b), c = static_cast<double>(point.c);
+    return corner(0) * (1 - b - c) + corner(1) * b + corner(2) * c;
+}
+
+/// Vertices that are kept leave large faces empty: points on these, where they do not lie inside of the solid, join
+/// them. Returns how many.
 std::size_t fillLargeFaces(SurfelList& vertices, const FaceTopology& topology, std::span<const Vec3f> positions,
-                           const FacePaint* paint, const base::Progress& progress) {
-    const std::vector<FacePoint> points = pointsOnLargeFaces(topology, positions, progress);
+                           const InnerPlaces* inside, const FacePaint* paint, const base::Progress& progress) {
+    std::vector<FacePoint> points = pointsOnLargeFaces(topology, positions, progress);
+    if (inside)
+        std::erase_if(points,
+                      [&](const FacePoint& p) { return inside->has(placeOf(p, topology, positions), p.triangle); });
     if (points.empty())
         return 0;
     const SurfelList more = FaceSampler(vertices, topology, positions, paint, vertices.layout).run(points, 0, 0);
@@ -244,28 +257,32 @@ void leaveOutInner(SurfelList& vertices, const FaceTopology& topology) {
 /// Whether two closed pieces may run into each other, by their boxes.
 bool mayCross(const FaceTopology& topology, std::span<const Vec3f> positions) {
     std::vector<base::Box3f> all(topology.sealed.size()), boxes;
+    base::Box3f whole;
     for (std::size_t t = 0; t < topology.triangles.size(); ++t)
         for (std::size_t k = 0; topology.bodies[t] != noBody && k < 3; ++k)
             all[topology.bodies[t]].extend(positions[topology.triangles[t][k]]);
     for (std::size_t body = 0; body < all.size(); ++body)
         if (topology.sealed[body] != 0)
-            boxes.push_back(all[body]);
-    std::sort(boxes.begin(), boxes.end(), [](const auto& a, const auto& b) { return a.lo.x < b.lo.x; });
-    for (std::size_t i = 0; i < boxes.size(); ++i)
-        for (std::size_t j = i + 1; j < boxes.size() && boxes[j].lo.x <= boxes[i].hi.x; ++j)
+            boxes.push_back(all[body]), whole.extend(all[body]);
+    if (boxes.size() < 2)
+        return false;
+    // Along the longest side, where the fewest lie beside each other.
+    const Vec3f size = whole.size();
+    const std::size_t k = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    std::sort(boxes.begin(), boxes.end(), [k](const auto& a, const auto& b) { return a.lo[k] < b.lo[k]; });
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        base::CancelScope::check();
+        for (std::size_t j = i + 1; j < boxes.size() && boxes[j].lo[k] <= boxes[i].hi[k]; ++j)
             if (boxes[i].overlaps(boxes[j]))
                 return true;
+    }
     return false;
 }
 
 /// Vertices of closed pieces that lie in others, of which all faces do there. Returns how many. Beside the seams those
 /// that stay are an edge apart at most: no gap for supports of some edges.
-std::size_t leaveOutCrossing(SurfelList& vertices, const FaceTopology& topology, std::span<const Vec3f> positions) {
-    if (!mayCross(topology, positions))
-        return 0;
-    const InnerPlaces inside(topology, positions);
-    if (inside.outerShare() == 1)
-        return 0;
+std::size_t leaveOutCrossing(SurfelList& vertices, const FaceTopology& topology, std::span<const Vec3f> positions,
+                             const InnerPlaces& inside) {
     std::vector<std::uint8_t> in(topology.triangles.size() * 3);
     base::parallelFor(topology.triangles.size(), 256, [&](std::size_t t) {
         base::Vec3d p[3], middle;
@@ -280,7 +297,8 @@ std::size_t leaveOutCrossing(SurfelList& vertices, const FaceTopology& topology,
     for (const std::uint32_t v : topology.insideCorners)
         inner[v] = 1;
     for (std::size_t c = 0; c < in.size(); ++c)
-        (in[c] != 0 ? inner : outer)[topology.triangles[c / 3][c % 3]] = 1;
+        if (topology.areas[c / 3] > 0) // others lie nowhere
+            (in[c] != 0 ? inner : outer)[topology.triangles[c / 3][c % 3]] = 1;
     const std::size_t before = vertices.size();
     process::keepPoints(vertices, [&](std::size_t i) { return inner[i] == 0 || outer[i] != 0; });
     return before - vertices.size();
@@ -328,14 +346,22 @@ OpenedFaces openFaces(SurfelList vertices, std::span<const Triangle> triangles,
             out.messages.push_back("Turned normals of closed faces that looked inwards.");
         if (paint)
             paintVertices(vertices, *paint);
-        if (options.use == FaceUse::Auto && !broken(topology))
-            if (const std::size_t more = fillLargeFaces(vertices, topology, positions, paint, progress); more > 0)
+        const bool whole = options.use == FaceUse::Auto && !broken(topology);
+        std::optional<InnerPlaces> inside;
+        if (whole && mayCross(topology, positions))
+            inside.emplace(topology, positions);
+        if (inside && inside->outerShare() == 1)
+            inside.reset();
+        if (whole)
+            if (const std::size_t more =
+                    fillLargeFaces(vertices, topology, positions, inside ? &*inside : nullptr, paint, progress);
+                more > 0)
                 out.messages.push_back("Large faces, which the vertices leave empty, got " +
                                        counted(more, "surfel", "surfels") +
                                        "; --faces vertices keeps the vertices alone.");
         std::size_t crossing = 0;
-        if (options.use == FaceUse::Auto && !broken(topology))
-            crossing = leaveOutCrossing(vertices, topology, positions);
+        if (inside)
+            crossing = leaveOutCrossing(vertices, topology, positions, *inside);
         if (crossing > 0)
             out.messages.push_back("Left out " + counted(crossing, "vertex", "vertices") +
                                    " inside of the solid; --faces vertices keeps them.");

@@ -8,6 +8,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <memory>
 
 namespace mesh {
 
@@ -92,9 +93,15 @@ bool WindingCells::meets(std::uint32_t triangle, const Cell& cell) const {
 
 void WindingCells::findHoles() {
     std::vector<double> volumes(m_topology.sealed.size());
-    const Vec3d middle = m_cells[0].lo + Vec3d{1, 1, 1} * (m_cells[0].size / 2);
-    for (const std::uint32_t t : m_triangles)
-        volumes[m_topology.bodies[t]] += dot(corner(t, 0) - middle, m_topology.normals[t]) * m_topology.areas[t];
+    // About a place of the body itself: seams are closed but for rounding, which grows with the distance.
+    constexpr std::uint32_t noTriangle = ~0u;
+    std::vector<std::uint32_t> first(volumes.size(), noTriangle);
+    for (const std::uint32_t t : m_triangles) {
+        const std::uint32_t body = m_topology.bodies[t];
+        if (first[body] == noTriangle)
+            first[body] = t;
+        volumes[body] += dot(corner(t, 0) - corner(first[body], 0), m_topology.normals[t]) * m_topology.areas[t];
+    }
     m_holes.resize(volumes.size());
     std::transform(volumes.begin(), volumes.end(), m_holes.begin(), [](double v) { return v < 0 ? 1 : 0; });
 }
@@ -168,19 +175,20 @@ void WindingCells::halveAll() {
             return std::span<const BodyTurns>(current.bodies)
                 .subspan(current.firstBody[i], current.firstBody[i + 1] - current.firstBody[i]);
         };
-        std::vector<Halved> halved(end - begin);
+        std::vector<std::unique_ptr<Halved>> halved(end - begin); // most cells of the last levels are not
         base::parallelFor(end - begin, 16, [&](std::size_t i) {
             const Cell& cell = m_cells[begin + i];
             const std::size_t count = cell.end - cell.first;
             if (level < mostLevels && count > fewFaces && !cell.solid && cell.size / 2 >= leastCell * cell.onTop)
-                halve(halved[i], cell, std::span(current.triangles).subspan(cell.first, count), bodiesOf(i));
+                halve(*(halved[i] = std::make_unique<Halved>()), cell,
+                      std::span(current.triangles).subspan(cell.first, count), bodiesOf(i));
         });
         next = {};
         for (std::size_t i = 0; i < halved.size(); ++i) {
             Cell& cell = m_cells[begin + i]; // until children are added
             const auto room =
                 static_cast<double>(m_triangles.size() + next.triangles.size() + current.triangles.size() - cell.first);
-            if (!halved[i].helps || room > most) {
+            if (!halved[i] || !halved[i]->helps || room > most) {
                 const auto first = static_cast<std::uint32_t>(m_triangles.size());
                 m_triangles.insert(m_triangles.end(), current.triangles.begin() + cell.first,
                                    current.triangles.begin() + cell.end);
@@ -191,16 +199,16 @@ void WindingCells::halveAll() {
             }
             cell.children = static_cast<std::uint32_t>(m_cells.size());
             for (unsigned k = 0; k < 8; ++k) {
-                Cell child = halved[i].cells[k];
-                const auto& held = halved[i].triangles[k];
+                Cell child = halved[i]->cells[k];
+                const auto& held = halved[i]->triangles[k];
                 child.first = static_cast<std::uint32_t>(next.triangles.size());
                 next.triangles.insert(next.triangles.end(), held.begin(), held.end());
                 child.end = static_cast<std::uint32_t>(next.triangles.size());
-                next.bodies.insert(next.bodies.end(), halved[i].bodies[k].begin(), halved[i].bodies[k].end());
+                next.bodies.insert(next.bodies.end(), halved[i]->bodies[k].begin(), halved[i]->bodies[k].end());
                 next.firstBody.push_back(static_cast<std::uint32_t>(next.bodies.size()));
                 m_cells.push_back(child);
             }
-            halved[i] = {};
+            halved[i].reset();
         }
         std::swap(current, next);
         begin = end;

@@ -15,12 +15,13 @@ constexpr int rounds = 5; ///< of cuts, with more left as it was in each
 /// Vertices that stay where the smooth surface has them.
 class HeldVertices {
   public:
-    explicit HeldVertices(const Mesh& mesh) : m_triangles(mesh.triangles), m_held(mesh.positions.size()) {}
+    HeldVertices(const Mesh& mesh, std::span<const CreaseVertex> onFaces)
+        : m_triangles(mesh.triangles), m_onFaces(onFaces), m_held(mesh.positions.size()) {}
 
-    /// Those that the corners of these triangles come from, and `rings` rings about them. False where all of that is
-    /// held already: the smooth mesh cuts itself there.
+    /// Those that the corners of these triangles come from, and `rings` rings about them. False where no more of them
+    /// are near creases: the smooth mesh cuts itself there.
     bool hold(const CutMesh& cut, std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs, int rings) {
-        std::vector<bool> now = m_held;
+        std::vector<bool> now(m_held.size());
         for (const auto& [a, b] : pairs)
             for (const std::uint32_t t : {a, b})
                 for (const std::uint32_t v : cut.mesh.triangles[t])
@@ -31,8 +32,11 @@ class HeldVertices {
                 if (inner[t[0]] || inner[t[1]] || inner[t[2]])
                     now[t[0]] = now[t[1]] = now[t[2]] = true;
         }
-        const bool more = now != m_held;
-        m_held = std::move(now);
+        bool more = false;
+        for (std::size_t v = 0; v < now.size(); ++v) {
+            more = more || (now[v] && !m_held[v] && m_onFaces[v].mixed);
+            m_held[v] = m_held[v] || now[v];
+        }
         return more;
     }
     std::vector<CreaseVertex> apply(std::vector<CreaseVertex> vertices, const Mesh& mesh) const {
@@ -52,6 +56,7 @@ class HeldVertices {
     }
 
     std::span<const Triangle> m_triangles;
+    std::span<const CreaseVertex> m_onFaces;
     std::vector<bool> m_held;
 };
 
@@ -71,10 +76,11 @@ bool keepCreases(Mesh& mesh, const surface::Surface& surface, const base::Progre
         return false;
     progress.step(0, "finding creases");
     const std::vector<CreaseVertex> onFaces = ontoFaces(*cells, mesh);
-    HeldVertices held(mesh);
+    HeldVertices held(mesh, onFaces);
     CutMesh cut = cutAndShaped(*cells, mesh, onFaces, process::part(progress, 0.3, 0.8));
-    const base::Progress last = process::part(progress, 0.8, 1);
     for (int round = 1;; ++round) {
+        const base::Progress last =
+            process::part(progress, 0.8 + 0.2 * (round - 1) / rounds, 0.8 + 0.2 * round / rounds);
         const auto cutting = untangle(cut.mesh, cut.before, shapeOf(cut.mesh).longestEdge, last);
         if (cutting.empty() || !held.hold(cut, cutting, round))
             break;

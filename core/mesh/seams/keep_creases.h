@@ -15,7 +15,8 @@
 
 namespace mesh {
 
-/// False, and nothing changed, for models without cells. Attributes are taken anew. REQUIRES: normals; edges
+/// False, and nothing changed, for models without cells, and where after five rounds the mesh still cuts itself because
+/// of its creases. Attributes are taken anew. REQUIRES: normals; edges
 /// of one or two triangles, one umbrella at every vertex. Throws base::Cancelled.
 bool keepCreases(Mesh& mesh, const surface::Surface& surface, const base::Progress& progress = {});
 

@@ -55,6 +55,7 @@ class RimRuns {
             return decide();
         // Seeds far from each other first: one rim is enough.
         const std::size_t packets = base::chunkCount(seeds.size(), seedsAtOnce);
+        std::size_t due = 0; // candidates: looking at all of them takes a few times what looking at the last does
         for (std::size_t packet = 0; packet < packets; ++packet) {
             m_progress.step(static_cast<double>(packet) / static_cast<double>(packets), "Looking for boundaries");
             std::vector<std::uint32_t> front;
@@ -62,8 +63,11 @@ class RimRuns {
                 front.push_back(seeds[i]);
             for (std::size_t round = 0; perRound * round < m_least && !front.empty(); ++round)
                 front = grow(front);
+            if (m_candidates.size() < due && packet + 1 < packets)
+                continue;
             if (decide())
                 return true;
+            due = m_candidates.size() + m_candidates.size() / 4;
         }
         return false;
     }

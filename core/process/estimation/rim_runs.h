@@ -6,9 +6,10 @@
 
 namespace process {
 
-/// Whether somewhere 8 neighbours or more (of fewer than 64 surfels an eighth) lie at a rim side by side, and next to
-/// none of those beside them at the edge of something thin and closed (closed_rims.h). `samples`: some of the surfels,
-/// by key; what stands around those that look as if they were at a rim is looked at as far as a run needs it.
+/// Whether somewhere 8 (1 + log10(n / 1000)) neighbours, at least 8 (of fewer than 64 surfels an eighth, at least 3),
+/// lie at a rim side by side, and next to none of those beside them at the edge of something thin and closed
+/// (closed_rims.h). `samples`: some of the surfels, by key; what stands around those that look as if they were at a rim
+/// is looked at as far as a run needs it.
 bool hasOpenRun(const surface::Surface& surface, std::span<const RimSample> samples, const base::Progress& progress);
 
 } // namespace process

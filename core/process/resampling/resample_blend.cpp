@@ -4,6 +4,7 @@
 #include "core/process/resampling/resample_land.h"
 #include "core/surface/evaluation/attribute_sum.h"
 #include "core/surface/evaluation/weights.h"
+#include "core/surfel/shape.h"
 
 #include <algorithm>
 #include <bit>
@@ -122,13 +123,14 @@ void Blender::at(const base::Vec3f& x, const base::Vec3f& gradient, Near& near, 
     surface::AttributeSum facing(m_layout), others(m_layout);
     double weight = 0, height = 0, support = 0;
     base::Vec3d tilt;
+    const int shape = surfel::shapeChannel(m_layout);
     forWeights(x, near, [&](const surfel::SurfelBlock& block, int slot, std::size_t index, float w) {
         const base::Vec3f n = block.normal(slot);
         if (m_facing.oriented() && dot(n, gradient) <= -0.17f)
             return others.add(block, slot, w);
         facing.add(block, slot, w);
         weight += double(w);
-        support += double(w) * double(block.support(slot));
+        support += double(w) * double(surfel::ballOf(block, slot, shape));
         const Measured& m = m_measured[index];
         const double side = dot(m.gradient, gradient) < 0 ? -double(w) : double(w);
         height += side * double(m.height);

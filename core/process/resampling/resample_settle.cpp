@@ -4,6 +4,7 @@
 #include "core/process/resampling/resample_fit.h"
 #include "core/process/resampling/resample_land.h"
 #include "core/process/resampling/resample_set.h"
+#include "core/surfel/shape.h"
 
 #include <cmath>
 
@@ -64,7 +65,8 @@ std::vector<std::uint32_t> landAll(SampleSet& set, std::vector<Landing>& landing
 
 float supportAt(const SampleSet& set, std::uint32_t i, const base::Vec3f& place, const Blend& blend) {
     if (set.options.targetOf && !set.is(i, New))
-        return set.block[set.source[i].block]->support(set.source[i].slot);
+        return surfel::ballOf(*set.block[set.source[i].block], set.source[i].slot,
+                              surfel::shapeChannel(*set.version.tree().layout()));
     if (set.options.targetOf && blend.support > 0)
         return blend.support;
     return set.options.field ? supportOf(set.version.definition(), set.options.field->at(place)) : set.options.support;

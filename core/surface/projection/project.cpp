@@ -291,8 +291,8 @@ class Projecting {
         const T reach = T(0.9) * static_cast<T>(block.support(start.slot));
         base::Vec3<T> offset = lengthSq(n) > T(0) ? m_x0 - p - n * dot(n, m_x0 - p) : base::Vec3<T>{};
         const int shape = surfel::shapeChannel(*m_source.surface().tree().layout());
-        const auto away = static_cast<T>(
-            std::sqrt(surfel::shapedSq(base::cast<float>(offset), surfel::shapeOf(block, start.slot, shape))));
+        const T along = dot(base::cast<T>(surfel::shapeOf(block, start.slot, shape)), offset);
+        const T away = std::sqrt(lengthSq(offset) + along * along);
         if (away > reach)
             offset *= reach / away;
         begin(p + offset);
