@@ -13,9 +13,10 @@ function(pointclay_together target)
     foreach(source ${sources})
         file(STRINGS ${source} found REGEX "^#include .*[.>\"]" ENCODING UTF-8)
         list(FILTER found EXCLUDE REGEX "[.]moc\"")
-        # What Qt declares for a type stands outside of all namespaces.
-        file(STRINGS ${source} declares REGEX "^Q_DECLARE_METATYPE" LIMIT_COUNT 1)
-        if(declares)
+        # What Qt declares for a type stands outside of all namespaces, and so does the function that support/registry.cpp
+        # calls.
+        file(STRINGS ${source} outside REGEX "^Q_DECLARE_METATYPE|^QCoreApplication[*] makeApplication" LIMIT_COUNT 1)
+        if(outside)
             set_source_files_properties(${source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
         endif()
         # What stands beside a test is named without its folder.
