@@ -193,13 +193,6 @@ void paintVertices(SurfelList& vertices, const FacePaint& paint) {
     vertices.layout = std::move(layout);
 }
 
-base::Vec3d placeOf(const FacePoint& point, const FaceTopology& topology, std::span<const Vec3f> positions) {
-    const Triangle& t = topology.triangles[point.triangle];
-    const auto corner = [&](std::size_t k) { return base::cast<double>(positions[t[k]]); };
-    const auto b = static_cast<double>(point.b), c = static_cast<double>(point.c);
-    return corner(0) * (1 - b - c) + corner(1) * b + corner(2) * c;
-}
-
 /// Vertices that are kept leave large faces empty: points on these, where they do not lie inside of the solid, join
 /// them. Returns how many.
 std::size_t fillLargeFaces(SurfelList& vertices, const FaceTopology& topology, std::span<const Vec3f> positions,
