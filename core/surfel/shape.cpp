@@ -80,7 +80,8 @@ Ellipse deformed(const Ellipse& support, const base::Vec3f& n, const base::Mat3d
     const Vec3d normal = normalized(base::cast<double>(n)), across = normalized(base::cast<double>(turned));
     const Vec3d b = base::cast<double>(support.shape);
     const double size = double(support.radius), ratio = std::sqrt(1 + lengthSq(b));
-    const Vec3d shortWay = lengthSq(b) > 0 ? normalized(b - normal * dot(b, normal)) : perpendicular(normal);
+    const Vec3d beside = b - normal * dot(b, normal);
+    const Vec3d shortWay = lengthSq(beside) > 0 ? normalized(beside) : perpendicular(normal);
     const Vec3d u = cross(normal, shortWay) * size, v = shortWay * (size / ratio);
     const auto moved = [&](const Vec3d& a) {
         const Vec3d out = jacobian * a;

@@ -14,6 +14,7 @@ class EllipsoidsTest : public QObject {
     Q_OBJECT
   private Q_SLOTS:
     void theFileOpensAsItWas();
+    void whatWasSculptedOpensAsItWas();
     void infoAndReportTellTheShapes();
     void turningTheModelTurnsThem();
     void whatMakesSupportsAnewMakesBalls();
@@ -45,6 +46,25 @@ void EllipsoidsTest::theFileOpensAsItWas() {
     for (const char* mode : {"raycast", "splats"})
         QCOMPARE(program.run({"render", "few.ply", "-o", "few.png", "--size", "64x64", "--mode", mode}).code, 0);
     QCOMPARE(program.run({"mesh", "few.ply", "-o", "few.stl", "--method", "delaunay"}).code, 0);
+}
+
+/// Strokes turn normals, and shapes are not turned after them.
+void EllipsoidsTest::whatWasSculptedOpensAsItWas() {
+    const Program program;
+    reduced(program);
+    program.write("sculpt.jsonl", R"({"op":"open","path":"few.ply"}
+{"op":"stroke","tool":"grab","radius":0.6,"strength":1,"resample":false,"samples":[[0,0,5,0,0,-1,1,0],[1,0,5,0,0,-1,1,0],[1.4,0.3,5,0,0,-1,1,1]]}
+{"op":"save","path":"sculpted.ply"}
+)");
+    program.write("open.jsonl", R"({"op":"open","path":"sculpted.ply"}
+{"op":"save","path":"again.ply"}
+)");
+    for (const char* session : {"sculpt.jsonl", "open.jsonl"}) {
+        const Outcome outcome = program.run({"run", session});
+        QVERIFY2(outcome.code == 0, outcome.err.c_str());
+    }
+    QVERIFY(program.read("sculpted.ply") != program.read("few.ply"));
+    QCOMPARE(program.read("again.ply"), program.read("sculpted.ply"));
 }
 
 void EllipsoidsTest::infoAndReportTellTheShapes() {

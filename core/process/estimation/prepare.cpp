@@ -187,7 +187,8 @@ void prepareNormals(surfel::SurfelList& points, Surroundings& around, const Surf
         orientNormals(points, orientNeighbours, part(progress, 0.7, 1));
 }
 
-/// Shapes as they may be, and balls where supports are made anew: what `keeps` leaves out.
+/// Shapes as they may be, and balls where supports are made anew: what `keeps` leaves out. Strokes turn normals and
+/// leave shapes, so that these are not turned here: a model opens as it was saved.
 template <class Keeps>
 void prepareShapes(surfel::SurfelList& points, const Keeps& keeps) {
     if (surfel::shapeChannel(*points.layout) == 0)
@@ -196,8 +197,7 @@ void prepareShapes(surfel::SurfelList& points, const Keeps& keeps) {
     base::parallelFor(points.size(), grain, [&](std::size_t i) {
         const auto own = std::span(points.extra).subspan(i * words, words);
         const surfel::Surfel& s = points.items[i];
-        surfel::putShape(own, first,
-                         keeps(s) ? surfel::soundShape(surfel::shapeIn(own, first), s.normal) : base::Vec3f{});
+        surfel::putShape(own, first, keeps(s) ? surfel::soundShape(surfel::shapeIn(own, first), {}) : base::Vec3f{});
     });
 }
 
