@@ -1,7 +1,6 @@
 #include "app/command_help.h"
 
 #include "core/sculpt/tool.h"
-#include "core/session/command.h"
 
 #include <sstream>
 
@@ -19,7 +18,7 @@ static std::string rangeOf(const CommandParameter& p) {
     return out.str();
 }
 
-static std::string detailsOf(const CommandParameter& p) {
+std::string detailsOf(const CommandParameter& p) {
     std::string out = p.type;
     for (const std::string& part : {rangeOf(p), std::string(p.unit), std::string(p.choices)})
         out += part.empty() ? "" : ", " + part;

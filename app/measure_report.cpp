@@ -1,5 +1,7 @@
 #include "app/measure_report.h"
 
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -16,6 +18,15 @@ constexpr double degrees = 180 / 3.14159265358979323846;
 
 ordered_json vectorOf(const Vec3d& v) {
     return {v.x, v.y, v.z};
+}
+
+/// How much of a way the boundary holds.
+double alongRim(const process::Geodesic& way) {
+    double out = 0;
+    for (std::size_t i = 1; i < way.points.size(); ++i)
+        if (way.points[i - 1].rim && way.points[i].rim)
+            out += distance(way.points[i - 1].position, way.points[i].position);
+    return out;
 }
 
 /// Why there is no volume; empty where there is one.
@@ -94,6 +105,46 @@ void tellFit(Lines& out, const process::PrimitiveFit& fit, const Vec3d& origin) 
 
 } // namespace
 
+static ordered_json numberOrNull(double value) {
+    return std::isnan(value) ? ordered_json() : ordered_json(value);
+}
+
+static void addPlaces(ordered_json& out, const Measurements& found) {
+    if (const auto& d = found.distance)
+        out["distance"] = {{"from", vectorOf(d->from)},
+                           {"to", vectorOf(d->to)},
+                           {"length", distance(d->from, d->to)},
+                           {"delta", vectorOf(d->to - d->from)}};
+    if (const auto& g = found.geodesic) {
+        const Vec3d from = g->points.front().position, to = g->points.back().position;
+        out["geodesic"] = {{"from", vectorOf(from + found.origin)},
+                           {"to", vectorOf(to + found.origin)},
+                           {"length", g->length},
+                           {"straight", distance(from, to)},
+                           {"along_rim", alongRim(*g)}};
+    }
+    if (const auto& a = found.angle) {
+        out["angle"] = {{"degrees", a->rad * degrees}, {"places", ordered_json::array()}};
+        for (const Vec3d& place : a->places)
+            out["angle"]["places"].push_back(vectorOf(place));
+    }
+}
+
+static void addThickness(ordered_json& out, const Measurements& found) {
+    if (found.model.thickness) {
+        const process::ThicknessFigures& t = found.model.thickness->figures;
+        out["thickness"] = {{"count", t.count},   {"none", t.none}, {"min", t.min}, {"p1", t.p1},
+                            {"median", t.median}, {"mean", t.mean}, {"max", t.max}};
+    }
+    for (const process::ThicknessAt& at : found.thicknessAt) {
+        const bool met = !std::isnan(at.thickness);
+        out["thickness_at"].push_back({{"foot", vectorOf(at.foot.position + found.origin)},
+                                       {"thickness", numberOrNull(at.thickness)},
+                                       {"opposite", met ? vectorOf(at.opposite + found.origin) : ordered_json()},
+                                       {"lean_deg", numberOrNull(at.leanRad * degrees)}});
+    }
+}
+
 ordered_json measurementsJson(const Measurements& found) {
     ordered_json out = ordered_json::object();
     if (found.area) {
@@ -106,14 +157,61 @@ ordered_json measurementsJson(const Measurements& found) {
     }
     if (found.extent)
         out["closed"] = found.extent->closed;
-    if (found.deviation) {
-        const process::DeviationFigures& d = *found.deviation;
+    addPlaces(out, found);
+    if (found.model.deviation) {
+        const process::DeviationFigures& d = found.model.deviation->figures;
         out["to"] = {{"rms", d.rms},     {"p99", d.p99},       {"max", d.max},   {"mean", d.mean},
                      {"count", d.count}, {"beyond", d.beyond}, {"lost", d.lost}, {"signed", d.sided}};
+        if (const auto& h = found.histogram)
+            out["to"]["histogram"] = {
+                {"low", h->low}, {"high", h->high}, {"counts", h->counts}, {"below", h->below}, {"above", h->above}};
     }
+    addThickness(out, found);
     if (found.fit)
         out["fit"] = fitJson(*found.fit, found.origin);
     return out;
+}
+
+static void tellPlaces(Lines& out, const Measurements& found) {
+    if (const auto& d = found.distance)
+        out.line("distance", distance(d->from, d->to), ", by ", valueOf(vectorOf(d->to - d->from)));
+    if (const auto& g = found.geodesic) {
+        out.line("geodesic", g->length, " along the surface, ",
+                 distance(g->points.front().position, g->points.back().position), " straight");
+        if (const double rim = alongRim(*g); rim > 0)
+            out.line("  rim", rim, " of it along the boundary");
+    }
+    if (const auto& a = found.angle)
+        out.line("angle", a->rad * degrees, a->places.size() == 2 ? " degrees between the normals" : " degrees");
+}
+
+static void tellHistogram(Lines& out, const process::Histogram& histogram) {
+    std::size_t most = 1;
+    for (const std::size_t count : histogram.counts)
+        most = std::max(most, count);
+    if (histogram.below > 0)
+        out.line("  below", histogram.below);
+    for (std::size_t k = 0; k < histogram.counts.size(); ++k) {
+        std::ostringstream edge;
+        edge.precision(4);
+        edge << "  from " << histogram.edge(k);
+        const std::string bar(40 * histogram.counts[k] / most, '#');
+        out.line(edge.str() + std::string(edge.str().size() < 20 ? 20 - edge.str().size() : 0, ' '),
+                 histogram.counts[k], bar.empty() ? "" : " ", bar);
+    }
+    if (histogram.above > 0)
+        out.line("  above", histogram.above);
+}
+
+static void tellThickness(Lines& out, const Measurements& found) {
+    if (found.model.thickness)
+        out.line("thickness", session::sentenceOf(found.model.thickness->figures));
+    for (const process::ThicknessAt& at : found.thicknessAt)
+        if (std::isnan(at.thickness))
+            out.line("  at", valueOf(vectorOf(at.foot.position + found.origin)), ": nothing lies opposite");
+        else
+            out.line("  at", valueOf(vectorOf(at.foot.position + found.origin)), ": ", at.thickness,
+                     ", the other side leans by ", at.leanRad * degrees, " degrees");
 }
 
 std::string measurementsText(const Measurements& found) {
@@ -127,15 +225,18 @@ std::string measurementsText(const Measurements& found) {
         else
             out.line("volume", "none: ", why);
     }
-    if (found.deviation) {
-        const process::DeviationFigures& d = *found.deviation;
-        out.line("distances", d.count, " surfels, rms ", d.rms, ", mean ", d.mean, ", 99 % within ", d.p99, ", max ",
-                 d.max, d.sided ? "" : "; without sign, the other surface has no sides");
+    tellPlaces(out, found);
+    if (found.model.deviation) {
+        const process::DeviationFigures& d = found.model.deviation->figures;
+        out.line("distances", session::sentenceOf(d));
         if (d.beyond > 0)
             out.line("  beyond", d.beyond, " surfels lie where the other surface has ended; they do not count");
         if (d.lost > 0)
             out.line("  lost", d.lost, " surfels have no nearby foot on the other surface; they do not count");
+        if (found.histogram)
+            tellHistogram(out, *found.histogram);
     }
+    tellThickness(out, found);
     if (found.fit)
         tellFit(out, *found.fit, found.origin);
     return out.text();

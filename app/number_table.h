@@ -3,7 +3,6 @@
 
 #include "core/base/progress.h"
 #include "core/base/ray.h"
-#include "core/haptics/trajectory.h"
 #include "core/io/file_bytes.h"
 
 #include <filesystem>
@@ -21,9 +20,5 @@ std::vector<base::Vec3d> readPoints(const io::FileBytes& file, const base::Progr
 /// Rows under a header that names ox, oy, oz, dx, dy, dz, in any order and among others; directions made unit length.
 /// Throws base::Error naming the line.
 std::vector<base::Rayd> readRays(const io::FileBytes& file, const base::Progress& progress);
-
-/// Rows under a header that names t, x, y, z, in any order and among others; times ascend. Throws base::Error naming
-/// the line.
-haptics::Trajectory readTrajectory(const io::FileBytes& file, const base::Progress& progress);
 
 } // namespace app

@@ -147,8 +147,8 @@ void Question::check(surface::Manifold manifold, bool cells) const {
     for (const WhatRow* row : rows)
         if (row->of == Asks::Cells && !cells)
             throw UsageError("--what: " + std::string(row->id) +
-                             " is for models with cells; meshes with sharp edges have them with --creases on, others "
-                             "by 'pointclay crease'");
+                             " is for models with cells; meshes with sharp edges open with them, others get them by "
+                             "'pointclay crease'");
     for (const WhatRow* row : rows)
         if (row->of == wrong)
             throw UsageError("--what: " + std::string(row->id) +

@@ -19,6 +19,10 @@ set_source_files_properties(core/process/estimation/orientation/normal_links.cpp
                             COMPILE_OPTIONS "-fno-math-errno;-fno-trapping-math"
                             SKIP_PRECOMPILE_HEADERS ON)
 
+pointclay_room(layers core/layers tree)
+# As for sculpt below.
+target_compile_options(pointclay_layers PRIVATE -fno-math-errno -fno-trapping-math)
+
 pointclay_room(cells core/cells surface)
 
 pointclay_room(raycast core/raycast cells)
@@ -35,11 +39,12 @@ pointclay_link(solid Eigen3::Eigen)
 pointclay_room(reduce core/reduce process)
 pointclay_link(reduce Eigen3::Eigen)
 
-pointclay_room(sculpt core/sculpt process cells)
+pointclay_room(sculpt core/sculpt process cells layers)
 # Neither changes a bit; without them loops with square roots and selections stay scalar.
 target_compile_options(pointclay_sculpt PRIVATE -fno-math-errno -fno-trapping-math)
 
 pointclay_room(haptics core/haptics surface)
+pointclay_link(haptics nlohmann_json::nlohmann_json)
 
 pointclay_room(io core/io process mesh)
 pointclay_link(io PNG::PNG JPEG::JPEG pugixml::pugixml ZLIB::ZLIB EXPAT::EXPAT nlohmann_json::nlohmann_json)
@@ -49,6 +54,6 @@ pointclay_link(render PkgConfig::HWY PkgConfig::EXR)
 
 pointclay_room(selection core/selection sculpt render)
 
-pointclay_room(session core/session sculpt reduce solid io selection)
+pointclay_room(session core/session sculpt haptics reduce solid io selection)
 pointclay_link(session nlohmann_json::nlohmann_json)
 pointclay_unhurried(pointclay_session)

@@ -60,6 +60,8 @@ std::string helpOf(const session::CommandParameter& p) {
         out += std::string(", in ") + p.unit;
     if (!choices.empty())
         out += ": " + (type == "number or choice" ? "NUMBER|" + choices : choices);
+    if (type == "choices")
+        out += ", or several with commas";
     return out;
 }
 

@@ -47,6 +47,11 @@ Option& Option::needs(Option other) {
     return *this;
 }
 
+Option& Option::values(int least, int most) {
+    m_option->expected(least, most);
+    return *this;
+}
+
 Option& Option::oneAtATime() {
     m_option->allow_extra_args(false);
     return *this;
@@ -80,6 +85,25 @@ Option OptionSet::addFlag(const std::string& names, std::function<void(bool)> ta
 
 bool OptionSet::has(const std::string& name) const {
     return m_app->count(name) > 0;
+}
+
+std::vector<std::string> OptionSet::given() const {
+    std::vector<std::string> out;
+    for (const CLI::Option* option : m_app->get_options()) {
+        if (option->count() == 0 || option->get_positional())
+            continue;
+        const std::string name =
+            option->get_lnames().empty() ? "-" + option->get_snames()[0] : "--" + option->get_lnames()[0];
+        if (option->get_items_expected_max() == 0) // a flag; "false" is one that was turned off by another name
+            out.push_back(option->results().back() == "true" ? name : name + "=" + option->results().back());
+        else if (option->get_items_expected_max() == 1)
+            out.push_back(name + "=" + option->results().back());
+        else {
+            out.push_back(name);
+            out.insert(out.end(), option->results().begin(), option->results().end());
+        }
+    }
+    return out;
 }
 
 void OptionSet::addFooter(const std::string& text) {

@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -35,6 +36,8 @@ class Option {
     Option& check(Check check);
     Option& excludes(Option other);
     Option& needs(Option other);
+    /// So many values at once.
+    Option& values(int least, int most);
     /// Given more than once, each time with one value.
     Option& oneAtATime();
 
@@ -58,6 +61,8 @@ class OptionSet {
 
     /// Whether the arguments have it.
     bool has(const std::string& name) const;
+    /// The options that the arguments have, as they would be written again; arguments without a name are left out.
+    std::vector<std::string> given() const;
     void addFooter(const std::string& text);
 
   private:

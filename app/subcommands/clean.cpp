@@ -1,11 +1,14 @@
 // pointclay clean: what is not the model taken out of a scan, by the session's own command, with its numbers.
 #include "app/open_model.h"
+#include "app/options/batch_options.h"
 #include "app/options/number_list.h"
 #include "app/options/surface_options.h"
 #include "app/subcommands/subcommand.h"
+#include "app/writable_models.h"
 #include "core/io/safe_file.h"
 
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 namespace app {
 
@@ -15,7 +18,8 @@ namespace {
 
 struct Options {
     std::string in, out, report, viewpoint;
-    bool duplicates = false;
+    bool duplicates = false, dryRun = false;
+    BatchOptions batch;
     GivenParameters steps;
     std::shared_ptr<SurfaceOptions> surface;
 };
@@ -48,8 +52,13 @@ ordered_json reportOf(const nlohmann::json& command, const session::Context& con
     out["merged"] = document.provenance().merged;
     if (command.at("duplicates").get<bool>())
         out["duplicates"] = {{"removed", count("duplicates")}};
-    if (command.contains("outliers"))
-        out["outliers"] = {{"method", command.at("outliers")}, {"removed", count("outliers")}};
+    if (command.contains("outliers")) {
+        const auto methods = command.at("outliers").get<std::string>();
+        out["outliers"] = {{"method", methods}, {"removed", count("outliers")}};
+        std::istringstream in(methods);
+        for (std::string method; std::getline(in, method, ',') && method != methods;)
+            out["outliers"]["by"][method] = count(("outliers_" + method).c_str());
+    }
     if (command.contains("denoise"))
         out["denoise"] = {
             {"sigma", figure("sigma")}, {"moved_rms", figure("moved_rms")}, {"moved_max", figure("moved_max")}};
@@ -64,22 +73,45 @@ ordered_json reportOf(const nlohmann::json& command, const session::Context& con
     return out;
 }
 
-void run(const Options& options, Console& console) {
-    if (!options.duplicates && options.steps.empty())
-        throw UsageError("nothing to do; name at least one of --duplicates, --outliers, --denoise, --thin, --normals "
-                         "and --orient");
+/// One file; its report.
+ordered_json cleaned(const Options& options, const BatchJob& job, Console& console) {
     session::Document document;
     session::Context context{document, {}, console.progress(), {}, 0, {}, nullptr};
-    openModel(context, options.in, options.surface->parameters(), console);
+    openModel(context, job.in, options.surface->parameters(), console);
     const std::size_t before = document.surface().tree().size();
     const nlohmann::json command = commandOf(options);
     session::run(context, command);
     console.tell(context.messages);
     context.messages.clear();
-    session::run(context, {{"op", "save"}, {"path", options.out}});
+    if (options.dryRun)
+        console.tell("Nothing was written: " + job.out + " would have " +
+                     std::to_string(document.surface().tree().size()) + " of " + std::to_string(before) + " points.");
+    else
+        session::run(context, {{"op", "save"}, {"path", job.out}});
     console.tell(context.messages);
+    return reportOf(command, context, before);
+}
+
+void run(const Options& options, OptionSet set, Console& console) {
+    if (options.dryRun && options.batch.wanted())
+        throw UsageError("--dry-run is of one file, not of many");
+    if (!options.batch.wanted()) {
+        requireNoBatch(options.batch);
+        if (options.out.empty())
+            throw UsageError("OUT is required: the model to write");
+    }
+    if (!options.duplicates && options.steps.empty())
+        throw UsageError("nothing to do; name at least one of --duplicates, --outliers, --denoise, --thin, --normals "
+                         "and --orient");
+    if (options.batch.wanted()) {
+        if (!options.report.empty())
+            throw UsageError("--report is of one file; with --into the table has it: --json");
+        return runBatch("clean", set, options.batch, {options.in, options.out}, {"ply", isWritableModel, true}, console,
+                        [&](const BatchJob& job) { return cleaned(options, job, console); });
+    }
+    const ordered_json report = cleaned(options, {options.in, options.out}, console);
     if (!options.report.empty())
-        io::writeFile(options.report, reportOf(command, context, before).dump(2) + "\n");
+        io::writeFile(options.report, report.dump(2) + "\n");
 }
 
 } // namespace
@@ -87,7 +119,7 @@ void run(const Options& options, Console& console) {
 Action addClean(OptionSet command) {
     auto options = std::make_shared<Options>();
     command.add("IN", options->in, modelHelp).required();
-    command.add("OUT", options->out, "model to write; .ply keeps everything").required();
+    command.add("OUT", options->out, "model to write; .ply keeps everything");
     for (const session::CommandParameter& p : session::command("clean").parameters)
         if (p.id == std::string_view("duplicates"))
             command.addFlag("--duplicates", options->duplicates, p.tip);
@@ -96,8 +128,10 @@ Action addClean(OptionSet command) {
         else
             addParameter(command, "clean", p, helpOf(p), options->steps);
     command.add("--report", options->report, "JSON file to write the numbers of each step to").typeName("OUT.json");
+    command.addFlag("--dry-run", options->dryRun, "tell what would go, and write no model");
+    addBatchOptions(command, options->batch);
     options->surface = addSurfaceOptions(command, false);
-    return [options](Console& console) { run(*options, console); };
+    return [options, command](Console& console) { run(*options, command, console); };
 }
 
 } // namespace app

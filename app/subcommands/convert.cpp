@@ -1,15 +1,24 @@
 // pointclay convert: from every format that can be read to every one that can be written, with nothing estimated but
 // for faces, which are sampled where their corners alone would not tell of the surface.
 #include "app/open_model.h"
+#include "app/options/batch_options.h"
 #include "app/options/face_options.h"
+#include "app/options/number_list.h"
+#include "app/options/option_checks.h"
 #include "app/subcommands/subcommand.h"
 #include "app/writable_models.h"
+#include "core/io/file_bytes.h"
 #include "core/io/file_name.h"
 #include "core/io/formats.h"
+#include "core/io/las/las_thinning.h"
 #include "core/io/mesh_formats.h"
+#include "core/process/cleaning/thin.h"
+#include "core/process/estimation/keep_points.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/session/face_options.h"
 
+#include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 namespace app {
@@ -42,27 +51,110 @@ static std::string report(const std::string& out, const io::FileModel& model, bo
     return text;
 }
 
+namespace {
+
+struct Options {
+    std::string in, out;
+    GivenParameters faces;
+    double thin = 0; ///< 0: not
+    std::string memory = "4G";
+    BatchOptions batch;
+};
+
+/// Bytes of "4G", "512M", "64K" or a plain number; 0 for anything else.
+std::uint64_t bytesOf(std::string text) {
+    static constexpr std::string_view units = "KMG";
+    const auto unit = text.empty() ? std::string_view::npos : units.find(text.back());
+    if (unit != std::string_view::npos)
+        text.pop_back();
+    double number = 0;
+    if (!parseNumbers(text, ',', {&number, 1}) || !(number > 0) || number > 1e15)
+        return 0;
+    const double bytes = std::ldexp(number, unit == std::string_view::npos ? 0 : 10 * (static_cast<int>(unit) + 1));
+    return bytes < 1e18 ? static_cast<std::uint64_t>(bytes) : 0;
+}
+
+std::string memoryFault(const std::string& text) {
+    return bytesOf(text) > 0 ? "" : "'" + text + "' is no amount of memory; write 4G or 512M";
+}
+
+void thinPoints(io::FileModel& model, double spacing, const base::Progress& progress) {
+    const std::vector<std::uint8_t> removed = process::thinned(
+        model.points, std::max(static_cast<float>(spacing), std::numeric_limits<float>::min()), progress);
+    const std::size_t before = model.points.size();
+    process::keepPoints(model.points, [&](std::size_t i) { return removed[i] == 0; });
+    model.polygons = {};
+    model.shape = {};
+    model.hasSupports = model.limitDecided = false; // they were made for what stood closer
+    model.messages.push_back(std::to_string(before) + " points were thinned to " + std::to_string(model.points.size()) +
+                             ".");
+}
+
+/// LAS without all of it in memory, where it is to be thinned.
+io::FileModel readInput(const Options& options, const std::string& in, bool& thinnedYet,
+                        const base::Progress& progress) {
+    if (options.thin > 0)
+        if (auto thinned = io::thinnedLas(in, options.thin, bytesOf(options.memory), process::part(progress, 0, 0.8))) {
+            thinnedYet = true;
+            const io::FileBytes file(in, std::move(thinned->content));
+            io::FileModel model = io::read(file, process::part(progress, 0.8, 1), {});
+            model.messages.push_back(
+                std::to_string(thinned->read) + " points were thinned to " + std::to_string(thinned->kept) +
+                " while they were read" +
+                (thinned->passes > 1 ? ", in " + std::to_string(thinned->passes) + " passes." : "."));
+            return model;
+        }
+    return readModel(in, progress);
+}
+
+void convert(const Options& options, const BatchJob& job, Console& console) {
+    const base::Progress progress = console.progress();
+    bool thinned = false;
+    io::FileModel model = readInput(options, job.in, thinned, process::part(progress, 0, 0.3));
+    sampleFaces(model, job.in, parametersOf(options.faces), process::part(progress, 0.3, 0.5));
+    if (options.thin > 0 && !thinned)
+        thinPoints(model, options.thin, process::part(progress, 0.4, 0.5));
+    console.tell(model.messages);
+    std::error_code unequal;
+    const bool replaces = std::filesystem::equivalent(job.in, job.out, unequal);
+    io::write(job.out, model, process::part(progress, 0.5, 1));
+    if (const std::string loss = io::lossOf(job.out, model); !loss.empty())
+        console.tell(loss);
+    console.tell(report(job.out, model, replaces));
+}
+
+void run(const Options& options, OptionSet set, Console& console) {
+    if (options.batch.wanted())
+        return runBatch("convert", set, options.batch, {options.in, options.out}, {"ply", isWritableModel, false},
+                        console, [&](const BatchJob& job) {
+                            convert(options, job, console);
+                            return nlohmann::ordered_json();
+                        });
+    requireNoBatch(options.batch);
+    if (options.out.empty())
+        throw UsageError("OUT is required: the file to write");
+    convert(options, {options.in, options.out}, console);
+}
+
+} // namespace
+
 Action addConvert(OptionSet command) {
-    struct Options {
-        std::string in, out;
-        GivenParameters faces;
-    };
     auto options = std::make_shared<Options>();
     command.add("IN", options->in, modelHelp).required();
-    command.add("OUT", options->out, "file to write: " + writableExtensions()).required();
+    command.add("OUT", options->out, "file to write: " + writableExtensions());
+    command
+        .add("--thin", options->thin,
+             "thin to points that are no closer than this to each other, in model units; LAS while it is read, however "
+             "large it is")
+        .typeName("S")
+        .check(above(0));
+    command.add("--memory", options->memory, "memory that thinning LAS may take; the result is the same whatever it is")
+        .typeName("BYTES[K|M|G]")
+        .check({memoryFault})
+        .showDefault();
     addFaceOptions(command, options->faces);
-    return [options](Console& console) {
-        const base::Progress progress = console.progress();
-        io::FileModel model = readModel(options->in, process::part(progress, 0, 0.3));
-        sampleFaces(model, options->in, parametersOf(options->faces), process::part(progress, 0.3, 0.5));
-        console.tell(model.messages);
-        std::error_code unequal;
-        const bool replaces = std::filesystem::equivalent(options->in, options->out, unequal);
-        io::write(options->out, model, process::part(progress, 0.5, 1));
-        if (const std::string loss = io::lossOf(options->out, model); !loss.empty())
-            console.tell(loss);
-        console.tell(report(options->out, model, replaces));
-    };
+    addBatchOptions(command, options->batch);
+    return [options, command](Console& console) { run(*options, command, console); };
 }
 
 } // namespace app

@@ -1,6 +1,5 @@
 // pointclay haptic: plays the way of a tool over a model, and writes where its proxy is and what it feels.
 #include "app/csv_writer.h"
-#include "app/number_table.h"
 #include "app/open_model.h"
 #include "app/options/option_checks.h"
 #include "app/options/surface_options.h"
@@ -8,6 +7,7 @@
 #include "core/haptics/servo.h"
 #include "core/io/safe_file.h"
 #include "core/process/curve_tube.h"
+#include "core/session/trajectory_file.h"
 
 #include <nlohmann/json.hpp>
 
@@ -45,7 +45,7 @@ void run(const Options& options, Console& console) {
     session::Document document;
     const base::Progress progress = console.progress();
     session::Context context{document, {}, progress, {}, 0, {}, nullptr};
-    const haptics::Trajectory given = readTrajectory(io::FileBytes(options.trajectory), progress);
+    const haptics::Trajectory given = session::readTrajectory(io::FileBytes(options.trajectory), progress);
     openModel(context, options.model, options.surface->parameters(), console);
     const Vec3d origin = document.provenance().origin;
     haptics::DeviceSetup setup{given, {}};

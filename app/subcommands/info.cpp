@@ -72,7 +72,12 @@ void describeSurface(ordered_json& out, session::OpenedFile file, const base::Pr
             supports.push_back(s.support);
         out["support"] = summaryOf(supports);
         out["up"] = base::upRow(made.up).id;
-        out["hash"] = session::contentHash(made.surface.tree(), file.model.origin).text();
+        std::vector<std::string> comments = file.model.comments, said;
+        surface::Surface surface = made.surface;
+        const layers::Stack stack = session::layersIn(comments, surface, said);
+        for (const layers::Layer& each : stack.layers) // no key where there are none
+            out["layers"].push_back({{"name", each.name}, {"strength", each.strength}, {"visible", each.visible}});
+        out["hash"] = session::contentHash(surface.tree(), file.model.origin, stack).text();
     } catch (const base::Error& error) {
         console.tell(error.message());
     }

@@ -1,6 +1,7 @@
 // pointclay mesh: the surface as triangles, by marching cubes or by restricted Delaunay triangulation, in a file.
 #include "app/mesh_report.h"
 #include "app/open_model.h"
+#include "app/options/batch_options.h"
 #include "app/options/option_checks.h"
 #include "app/options/surface_options.h"
 #include "app/subcommands/subcommand.h"
@@ -26,13 +27,14 @@ struct Options {
     mesh::Finishing finishing;
     double adaptive = 0;
     bool check = false;
+    BatchOptions batch;
     std::shared_ptr<SurfaceOptions> surface;
 
     bool isDelaunay() const { return method == "delaunay"; }
 };
 
 void checkUsage(const Options& options, OptionSet command) {
-    if (!io::meshFormatOf(options.out))
+    if (!options.batch.wanted() && !io::meshFormatOf(options.out))
         throw UsageError("-o: the file's name must end in one of " + io::meshExtensions());
     const auto onlyWith = [&](const char* method, std::initializer_list<const char*> names) {
         for (const char* name : names)
@@ -81,20 +83,36 @@ void judge(const Options& options, const mesh::Mesh& mesh, const surface::Surfac
         std::cout << reportTable(report, spacing);
 }
 
-void run(const Options& options, OptionSet command, Console& console) {
-    checkUsage(options, command);
+/// One file; how many there are of what.
+nlohmann::ordered_json meshed(const Options& options, const BatchJob& job, Console& console) {
     session::Document document;
     const base::Progress progress = console.progress();
     session::Context context{document, {}, progress, {}, 0, {}, nullptr};
-    openModel(context, options.model, options.surface->parameters(), console);
+    openModel(context, job.in, options.surface->parameters(), console);
     const surface::Surface surface = process::shownAs(document.surface(), progress); // a curve's tube
     const bool judged = options.check || !options.report.empty();
     const base::Progress making = process::part(progress, 0, judged ? 0.7 : 1);
     const mesh::Mesh mesh = options.isDelaunay() ? makeByDelaunay(options, surface, console, making)
                                                  : makeByCubes(options, surface, console, making);
-    io::writeMesh(options.out, mesh, document.provenance().origin, progress);
+    io::writeMesh(job.out, mesh, document.provenance().origin, progress);
     if (judged)
         judge(options, mesh, surface, process::part(progress, 0.7, 1));
+    return {{"vertices", mesh.positions.size()}, {"triangles", mesh.triangles.size()}};
+}
+
+void run(const Options& options, OptionSet command, Console& console) {
+    if (!options.batch.wanted() || !options.out.empty())
+        requireOneOutput(options.batch, options.out);
+    checkUsage(options, command);
+    if (!options.batch.wanted()) {
+        meshed(options, {options.model, options.out}, console);
+        return;
+    }
+    if (!options.report.empty() || options.check)
+        throw UsageError("--check and --report are of one file, not of many");
+    const auto writes = [](const std::string& name) { return io::meshFormatOf(name) != nullptr; };
+    runBatch("mesh", command, options.batch, {options.model}, {"ply", writes, false}, console,
+             [&](const BatchJob& job) { return meshed(options, job, console); });
 }
 
 void addDelaunayOptions(OptionSet command, mesh::DelaunayOptions& options) {
@@ -130,7 +148,7 @@ Action addMesh(OptionSet command) {
     std::string formats = "mesh file to write, in file coordinates; beside positions and triangles it keeps";
     for (const io::MeshFormatRow& row : io::meshFormatTable())
         formats += std::string("\n  .") + row.id + ": " + row.holds;
-    command.add("-o,--output", options->out, formats).typeName("OUT").required();
+    command.add("-o,--output", options->out, formats).typeName("OUT");
     command
         .add("--method", options->method,
              "marching-cubes: fast, follows a grid; delaunay: well-shaped triangles, as few as needed")
@@ -157,6 +175,7 @@ Action addMesh(OptionSet command) {
                     "self-intersections");
     command.add("--report", options->report, "JSON file to write the same report to, lengths in model units")
         .typeName("OUT.json");
+    addBatchOptions(command, options->batch);
     options->surface = addSurfaceOptions(command, false);
     return [options, command](Console& console) {
         options->delaunay.finishing = options->marching.finishing = options->finishing;

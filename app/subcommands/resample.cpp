@@ -1,8 +1,10 @@
 // pointclay resample: the same surface with its points spaced anew, by the session's own command.
 #include "app/open_model.h"
+#include "app/options/batch_options.h"
 #include "app/options/option_checks.h"
 #include "app/options/surface_options.h"
 #include "app/subcommands/subcommand.h"
+#include "app/writable_models.h"
 #include "core/process/estimation/spacing_sample.h"
 
 #include <nlohmann/json.hpp>
@@ -17,15 +19,14 @@ struct Options {
     double spacing = 0, tolerance = 0;
     std::size_t count = 0;
     bool unfitted = false;
+    BatchOptions batch;
     std::shared_ptr<SurfaceOptions> surface;
 };
 
-void run(const Options& options, Console& console) {
-    if ((options.spacing > 0) + (options.tolerance > 0) + (options.count > 0) != 1)
-        throw UsageError("give one of --spacing, --count and --adaptive");
+nlohmann::ordered_json resampled(const Options& options, const BatchJob& job, Console& console) {
     session::Document document;
     session::Context context{document, {}, console.progress(), {}, 0, {}, nullptr};
-    openModel(context, options.model, options.surface->parameters(), console);
+    openModel(context, job.in, options.surface->parameters(), console);
     nlohmann::json command{{"op", "resample"}};
     if (options.spacing > 0)
         command["spacing"] = options.spacing;
@@ -38,12 +39,23 @@ void run(const Options& options, Console& console) {
     const std::size_t before = document.surface().tree().size();
     session::run(context, command);
     console.tell(context.messages);
-    session::run(context, {{"op", "save"}, {"path", options.out}});
+    session::run(context, {{"op", "save"}, {"path", job.out}});
     const tree::SurfelTree& tree = document.surface().tree();
     std::ostringstream text;
     text << before << " points became " << tree.size() << ", spaced by " << process::typicalSpacing(tree)
          << " in the middle.";
     console.tell(text.str());
+    return {{"before", before}, {"surfels", tree.size()}, {"spacing", process::typicalSpacing(tree)}};
+}
+
+void run(const Options& options, OptionSet set, Console& console) {
+    if ((options.spacing > 0) + (options.tolerance > 0) + (options.count > 0) != 1)
+        throw UsageError("give one of --spacing, --count and --adaptive");
+    if (options.batch.wanted() && options.out.empty())
+        return runBatch("resample", set, options.batch, {options.model}, {"ply", isWritableModel, true}, console,
+                        [&](const BatchJob& job) { return resampled(options, job, console); });
+    requireOneOutput(options.batch, options.out);
+    resampled(options, {options.model, options.out}, console);
 }
 
 } // namespace
@@ -51,7 +63,7 @@ void run(const Options& options, Console& console) {
 Action addResample(OptionSet command) {
     auto options = std::make_shared<Options>();
     command.add("MODEL", options->model, modelHelp).required();
-    command.add("-o,--output", options->out, "model to write; .ply keeps everything").typeName("OUT").required();
+    command.add("-o,--output", options->out, "model to write; .ply keeps everything").typeName("OUT");
     Option spacing =
         command.add("--spacing", options->spacing, "distance between neighbouring points to reach, in model units")
             .typeName("S")
@@ -71,8 +83,9 @@ Action addResample(OptionSet command) {
     command.addFlag("--no-fit", options->unfitted,
                     "leave out the last step, which raises and tilts the new points until their surface is the one "
                     "before: details of a few spacings then wear off");
+    addBatchOptions(command, options->batch);
     options->surface = addSurfaceOptions(command, false);
-    return [options](Console& console) { run(*options, console); };
+    return [options, command](Console& console) { run(*options, command, console); };
 }
 
 } // namespace app

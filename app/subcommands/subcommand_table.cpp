@@ -12,7 +12,7 @@ std::span<const SubcommandRow> subcommandTable() {
          "pointclay resample scan.ply -o even.ply --count 20000", addResample},
         {"register", "Bring scans of one thing together",
          "pointclay register side.ply back.ply --to front.ply -o all.ply --global", addRegister},
-        {"measure", "Measure area and volume, distances to another model, and shapes that fit",
+        {"measure", "Measure area, volume, distances, ways along the surface, thickness, and shapes that fit",
          "pointclay measure scan.ply area volume --to part.ply --fit cylinder", addMeasure},
         {"query", "Evaluate, differentiate and project at positions, into a CSV file",
          "pointclay query bunny.ply --at points.xyz --what value,normal,project-orthogonal -o out.csv", addQuery},

@@ -28,8 +28,8 @@ steady_clock::duration seconds(double s) {
 
 } // namespace
 
-/// What a device can do goes before what is asked for.
-static ServoOptions within(const DeviceLimits& limits, ServoOptions options) {
+ServoOptions Live::within(ServoOptions options) const {
+    const DeviceLimits limits = m_device->limits();
     options.safety.mostForce = std::min(options.safety.mostForce, limits.force);
     options.law.stiffness = std::min(options.law.stiffness, limits.stiffness);
     options.port.mass = std::min(options.port.mass, limits.mass);
@@ -38,8 +38,8 @@ static ServoOptions within(const DeviceLimits& limits, ServoOptions options) {
 }
 
 Live::Live(std::unique_ptr<Device> device, const ServoOptions& options)
-    : m_device(std::move(device)), m_options(within(m_device->limits(), options)),
-      m_geometry([this] { followModel(); }), m_servo([this] { followDevice(); }) {}
+    : m_device(std::move(device)), m_options(within(options)), m_geometry([this] { followModel(); }),
+      m_servo([this] { followDevice(); }) {}
 
 Live::~Live() {
     m_stop = true;
@@ -89,7 +89,9 @@ void Live::followModel() {
 void Live::followDevice() {
     m_realtime = askForDeadlines();
     Servo servo(m_options);
+    Calibration calibration(m_options.workspace);
     DeviceState state;
+    bool touches = false, heard = false; // before the device says where it is nothing can be felt
     PatchPtr patch;
     double device = -SafetyLimits::none, before = now();
     for (auto next = steady_clock::now(); !m_stop && !m_device->ended(); std::this_thread::sleep_until(next)) {
@@ -97,12 +99,22 @@ void Live::followDevice() {
         const double time = now();
         m_missed += time - before > late ? 1 : 0;
         before = time;
-        if (m_device->read(state))
+        if (const ServoOptions* tuned = m_tuned.take())
+            servo.tune(*tuned);
+        if (const ViewFrame* frame = m_looks.take())
+            calibration.look(*frame);
+        if (m_device->read(state)) {
             device = time;
+            heard = true;
+            servo.setWorkspace(calibration.step(state, touches));
+            m_states.put(state);
+        }
+        m_connected = m_device->connected();
         if (const PatchPtr* newest = m_patches.take())
             patch = *newest;
-        const Tick done = servo.step(patch, state, {time, 0, device, m_focus});
+        const Tick done = servo.step(heard ? patch : nullptr, state, {time, 0, device, m_focus});
         m_device->send(done.sent);
+        touches = done.contact || done.touched.working();
         m_tool.put(done.proxy);
         m_told.put(done);
         ++m_ticks;

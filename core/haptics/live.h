@@ -9,6 +9,7 @@
 // The servo takes no locks. Destroying it sends a zero force and joins both.
 #pragma once
 
+#include "core/haptics/calibration.h"
 #include "core/haptics/mailbox.h"
 #include "core/haptics/servo.h"
 
@@ -31,6 +32,14 @@ class Live {
 
     void show(const surface::Surface& surface);
     void focus(bool has) { m_focus = has; }
+    /// Another tool, stiffness, what it does: from the next tick on, within what the device can. One thread.
+    void tune(const ServoOptions& options) { m_tuned.put(within(options)); }
+    /// The view is another one. One thread.
+    void look(const ViewFrame& frame) { m_looks.put(frame); }
+    /// The device is there.
+    bool connected() const { return m_connected; }
+    /// The newest state of the device, as it tells it. One thread.
+    const DeviceState* state() { return m_states.take(); }
     /// Null where there is nothing new since the last call.
     const Tick* newest() { return m_told.take(); }
 
@@ -44,6 +53,8 @@ class Live {
 
   private:
     double now() const;
+    /// What a device can do goes before what is asked for.
+    ServoOptions within(ServoOptions options) const;
     void followModel();
     void followDevice();
     /// Keeps what was published until the servo has let go of it, so that it never frees memory.
@@ -59,8 +70,11 @@ class Live {
     Mailbox<PatchPtr> m_patches; ///< geometry to servo
     Mailbox<base::Vec3d> m_tool; ///< servo to geometry
     Mailbox<Tick> m_told;        ///< servo to whoever shows it
+    Mailbox<DeviceState> m_states;
+    Mailbox<ServoOptions> m_tuned; ///< and back
+    Mailbox<ViewFrame> m_looks;
     std::deque<PatchPtr> m_kept;
-    std::atomic<bool> m_stop = false, m_focus = true, m_realtime = false, m_ended = false;
+    std::atomic<bool> m_stop = false, m_focus = true, m_realtime = false, m_ended = false, m_connected = false;
     std::atomic<std::uint64_t> m_ticks = 0, m_missed = 0;
     std::thread m_geometry, m_servo; ///< last: everything else is there before they run
 };

@@ -28,6 +28,8 @@ class Proxy {
     explicit Proxy(const ToolShape& tool = {}, int mostSteps = timely) : m_tool(tool), m_mostSteps(mostSteps) {}
 
     const ToolShape& tool() const { return m_tool; }
+    /// Another tool from the next step on: a larger one is pushed out of what it is then in.
+    void setTool(const ToolShape& tool) { m_tool = tool; }
     bool placed() const { return m_placed; }
 
     /// Begins at x. Inside of a closed model it begins on the surface, pressed outwards; open ones have no inside.

@@ -7,8 +7,16 @@ namespace haptics {
 using base::Vec3d;
 
 Servo::Servo(const ServoOptions& options)
-    : m_options(options), m_proxy(options.tool, options.mostSteps), m_passivity(options.port),
+    : m_options(options), m_proxy(options.tool, options.mostSteps), m_touch(options.touch), m_passivity(options.port),
       m_safety(options.safety) {}
+
+void Servo::tune(const ServoOptions& options) {
+    m_options.tool = options.tool;
+    m_options.law = options.law;
+    m_options.touch = options.touch;
+    m_proxy.setTool(options.tool);
+    m_touch.setLaw(options.touch);
+}
 
 Tick Servo::step(const PatchPtr& patch, const DeviceState& state, Circumstances at) {
     const auto begin = std::chrono::steady_clock::now();
@@ -24,7 +32,12 @@ Tick Servo::step(const PatchPtr& patch, const DeviceState& state, Circumstances 
         m_proxy.move(surface, out.tool);
         out.proxy = m_proxy.position();
         out.contact = m_proxy.touches();
-        out.force = forceOn(m_options.law, m_proxy, surface, out.tool, m_options.workspace.velocity(state.velocity));
+        const Vec3d velocity = m_options.workspace.velocity(state.velocity);
+        out.force = forceOn(m_options.law, m_proxy, surface, out.tool, velocity);
+        out.force = m_touch.step({at.now, out.tool, velocity, out.force, m_options.law.stiffness,
+                                  m_options.workspace.scale, (state.buttons & holdButton) != 0},
+                                 m_proxy, surface);
+        out.touched = m_touch.now();
         m_patch = patch;
     }
     at.patch = patch ? patch->time : -SafetyLimits::none;

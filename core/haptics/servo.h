@@ -1,7 +1,7 @@
 // One tick of the servo: where the device is, in; the force that it shall make, out. The same function whether a thread
 // calls it a thousand times a second (live.h) or the command line plays a trajectory (haptics/README 1).
 //
-//     device state -> Workspace -> Proxy on the newest Patch -> ForceLaw -> Passivity -> Safety -> force
+//     device state -> Workspace -> Proxy on the newest Patch -> ForceLaw -> Touch -> Safety -> Passivity -> force
 //
 // Takes no locks and, once its scratch has grown, no memory. One thread at a time.
 #pragma once
@@ -11,12 +11,14 @@
 #include "core/haptics/passivity.h"
 #include "core/haptics/patch.h"
 #include "core/haptics/safety.h"
+#include "core/haptics/touch.h"
 
 namespace haptics {
 
 struct ServoOptions {
     ToolShape tool;
     ForceLaw law;
+    TouchLaw touch;
     SafetyLimits safety;
     bool passive = true;           ///< the passivity controller is on; without a hand there is nothing to control
     Port port;                     ///< of the device, as far as known
@@ -28,8 +30,9 @@ struct ServoOptions {
 struct Tick {
     double time = 0;         ///< the device's
     base::Vec3d tool, proxy; ///< centres
-    base::Vec3d force;       ///< of the law, in units of stiffness times length
+    base::Vec3d force;       ///< of the law and of clay, in units of stiffness times length
     bool contact = false;
+    Touched touched;    ///< what the tool does to the model
     base::Vec3d sent;   ///< to the device, in its own units and frame
     double seconds = 0; ///< the step took
 };
@@ -43,10 +46,15 @@ class Servo {
     const ServoOptions& options() const { return m_options; }
     const Passivity& passivity() const { return m_passivity; }
     const Proxy& proxy() const { return m_proxy; }
+    /// Another workspace from the next tick on.
+    void setWorkspace(const Workspace& workspace) { m_options.workspace = workspace; }
+    /// Another tool and other laws from the next tick on; all else stays.
+    void tune(const ServoOptions& options);
 
   private:
     ServoOptions m_options;
     Proxy m_proxy;
+    Touch m_touch;
     Passivity m_passivity;
     Safety m_safety;
     PatchPtr m_patch; ///< of the last tick

@@ -1,6 +1,7 @@
 #include "core/render/picture.h"
 
 #include "core/base/error.h"
+#include "core/cells/cell_section.h"
 #include "core/render/cast/raycast_image.h"
 #include "core/render/overlay/annotation_canvas.h"
 #include "core/render/overlay/section_lines.h"
@@ -83,7 +84,7 @@ void PictureMaker::addSections(const Camera& camera, const base::Progress& progr
     if (!(m_kept->clips == camera.clips)) {
         m_kept->curves.clear();
         for (const base::Plane& plane : camera.clips.all())
-            m_kept->curves.push_back(findSection(m_surface, plane, progress));
+            m_kept->curves.push_back(cells::findSection(m_surface, plane, progress));
         m_kept->clips = camera.clips;
     }
     drawSections(m_kept->curves, camera, out);

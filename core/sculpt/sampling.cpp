@@ -1,7 +1,7 @@
 #include "core/sculpt/sampling.h"
 
 #include "core/cells/measured_labels.h"
-#include "core/process/resampling/resample.h"
+#include "core/layers/layer_edits.h"
 #include "core/sculpt/crumbs.h"
 
 #include <algorithm>
@@ -33,7 +33,9 @@ constexpr int sweeps = 2;
 /// Balls are united while that makes none larger than this.
 constexpr float unitedGrowth = 1.25f;
 
-void Sampling::start(const surface::Surface& surface, const base::Vec3f& contact, bool graded) {
+void Sampling::start(const surface::Surface& surface, const base::Vec3f& contact, bool graded,
+                     std::shared_ptr<const layers::Stack> stack) {
+    m_layers = std::move(stack);
     m_graded = graded && surface.definition().support <= 0;
     m_spacing = process::localSpacing(surface, contact);
     m_kept = {surface, m_spacing};
@@ -103,6 +105,14 @@ tree::Selection Sampling::touched(const tree::SurfelTree& tree, float margin) co
     return out;
 }
 
+tree::SurfelTree Sampling::resampled(const surface::Surface& surface, const tree::Selection& which,
+                                     const process::ResampleOptions& options) const {
+    tree::Edit edit = process::resample(surface, which, options);
+    if (m_layers)
+        edit = layers::carried(surface.tree(), std::move(edit), *m_layers);
+    return surface.tree().apply(edit);
+}
+
 /// All that was touched, with the targets of its supports: those of similar ones together, finest first.
 surface::Surface Sampling::evened(surface::Surface surface, When when) const {
     const float perSupport = process::spacingOf(surface.definition(), 1.0f);
@@ -135,7 +145,7 @@ surface::Surface Sampling::evened(surface::Surface surface, When when) const {
         std::erase_if(some, [](const tree::SelectedBlock& each) { return each.slots.none(); });
         options.spacing = most;
         if (!some.empty())
-            surface = {surface.tree().apply(process::resample(surface, some, options)), surface.definition()};
+            surface = {resampled(surface, some, options), surface.definition()};
         from = upTo;
     }
     return surface;
@@ -230,7 +240,7 @@ surface::Surface Sampling::resampleClass(const surface::Surface& surface, const 
         const Stretches::Tracked* known = m_stretches.find(block);
         return known && known->drawn[static_cast<std::size_t>(slot)];
     };
-    return {surface.tree().apply(process::resample(surface, taken, options)), surface.definition()};
+    return {resampled(surface, taken, options), surface.definition()};
 }
 
 surface::Surface Sampling::resampleDue(const surface::Surface& surface) {

@@ -7,6 +7,8 @@
 // (kept_spacing.h).
 #pragma once
 
+#include "core/layers/stack.h"
+#include "core/process/resampling/resample.h"
 #include "core/sculpt/kept_spacing.h"
 #include "core/sculpt/stretches.h"
 #include "core/sculpt/tool.h"
@@ -22,8 +24,9 @@ class Sampling {
   public:
     /// Call with the first contact. Until then, and on models too small to have a spacing, nothing is ever due.
     /// `graded`: everything touched is made even, with the spacing that the supports at each place are made for, where
-    /// the definition lets them vary.
-    void start(const surface::Surface& surface, const base::Vec3f& contact, bool graded = false);
+    /// the definition lets them vary. `stack`: what the model's layers hold is carried along; null: it has none.
+    void start(const surface::Surface& surface, const base::Vec3f& contact, bool graded = false,
+               std::shared_ptr<const layers::Stack> stack = {});
     bool started() const { return m_spacing > 0; }
     /// At the first contact.
     float spacing() const { return m_spacing; }
@@ -57,6 +60,8 @@ class Sampling {
     /// Under a stroke what is resampled has been drawn apart: its samples still lie where they were meant to, its
     /// surface no longer does, and nothing is fitted to it. At the end it is, against erosion (process/README 4.10).
     enum class When { During, AtTheEnd };
+    tree::SurfelTree resampled(const surface::Surface& surface, const tree::Selection& which,
+                               const process::ResampleOptions& options) const;
     surface::Surface evened(surface::Surface surface, When when) const;
     bool resampleSome(surface::Surface& surface, std::size_t count, When when);
     surface::Surface resampleClass(const surface::Surface& surface, const tree::Selection& taken, When when);
@@ -80,6 +85,7 @@ class Sampling {
     std::size_t m_waiting = 0; ///< surfels in blocks that are nearly due
     Ending m_ending = Ending::Open;
     std::vector<Ball> m_balls; ///< that hold all that was touched
+    std::shared_ptr<const layers::Stack> m_layers;
 };
 
 } // namespace sculpt

@@ -19,6 +19,8 @@ static StrokeSample checked(StrokeSample sample) {
         throw base::Error("a sample's time is not finite", "stroke");
     if (!(sample.stride >= 1 && sample.stride <= StrokeSample::maxStride))
         throw base::Error("a sample's stride is not between 1 and 10", "stroke");
+    if (!(sample.reach >= 0) || !std::isfinite(sample.reach))
+        throw base::Error("a sample's reach is not a length", "stroke");
     sample.ray.direction = sample.ray.direction / length;
     return sample;
 }
@@ -48,6 +50,10 @@ Stroke::Stroke(surface::Surface start, StrokeSettings settings, base::Vec3d orig
 Stroke::~Stroke() = default;
 Stroke::Stroke(Stroke&&) noexcept = default;
 Stroke& Stroke::operator=(Stroke&&) noexcept = default;
+
+void Stroke::onLayers(std::shared_ptr<const layers::Stack> stack) {
+    m_state->dabs.onLayers(std::move(stack));
+}
 
 bool Stroke::add(const StrokeSample& sample) {
     const StrokeSample unit = checked(sample);

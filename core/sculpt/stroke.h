@@ -13,6 +13,7 @@
 //     use stroke.surface()
 #pragma once
 
+#include "core/layers/stack.h"
 #include "core/sculpt/brush_stamp.h"
 #include "core/sculpt/stroke_sample.h"
 #include "core/sculpt/stroke_settings.h"
@@ -31,6 +32,8 @@ class Stroke {
     Stroke(surface::Surface start, StrokeSettings settings, base::Vec3d origin = {},
            std::shared_ptr<const BrushStamp> stamp = {}, const std::atomic<bool>* cancel = nullptr);
     ~Stroke();
+    /// The model has layers: what tools do goes into the active one (layers/README 3). Before the first sample.
+    void onLayers(std::shared_ptr<const layers::Stack> stack);
     Stroke(Stroke&&) noexcept;
     Stroke& operator=(Stroke&&) noexcept;
 

@@ -1,6 +1,7 @@
 #include "core/sculpt/stroke_dabs.h"
 
 #include "core/base/error.h"
+#include "core/layers/layer_edits.h"
 #include "core/sculpt/brush_connected.h"
 #include "core/sculpt/stroke_accumulate.h"
 
@@ -139,7 +140,7 @@ void Dabs::begin(const Contact& first) {
     if (!m_depth)
         m_depth = first.distance;
     if (!m_sampling.started())
-        m_sampling.start(touched(), first.position, m_settings.graded);
+        m_sampling.start(touched(), first.position, m_settings.graded, m_layers);
 }
 
 /// Contacts and areas of all images are found before any of them is applied, so that a symmetric model keeps symmetric
@@ -275,9 +276,13 @@ void Dabs::holdBack(const Dab& dab) {
     commit(farthest(m_base.tree(), m_surface.tree(), edit), dab);
 }
 
-void Dabs::commit(const tree::Edit& edit, const Dab& dab) {
+void Dabs::commit(tree::Edit edit, const Dab& dab) {
     if (edit.empty())
         return;
+    if (m_layers && m_row.writes == Writes::Count)
+        edit = layers::carried(m_surface.tree(), std::move(edit), *m_layers);
+    else if (m_layers)
+        edit = layers::recorded(m_surface.tree(), std::move(edit), *m_layers);
     if (m_row.writes == Writes::Count) // those make the sampling that they want
         m_sampling.noteCount(edit, dab);
     else if (m_settings.resample)

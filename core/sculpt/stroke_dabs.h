@@ -30,6 +30,9 @@ class Dabs {
     Dabs(surface::Surface start, StrokeSettings settings, const base::Vec3d& origin,
          std::shared_ptr<const BrushStamp> stamp, const std::atomic<bool>* cancel);
 
+    /// The model has layers, which edits must keep up with. Before the first dab.
+    void onLayers(std::shared_ptr<const layers::Stack> stack) { m_layers = std::move(stack); }
+
     const StrokeSettings& settings() const { return m_settings; }
     const surface::Surface& surface() const { return m_surface; }
     const std::vector<Mirror>& images() const { return m_images; }
@@ -91,7 +94,7 @@ class Dabs {
     void pileUp(Dab dab);
     void holdBack(const Dab& dab);
     tree::Edit smoothing(const surface::Surface& version, Dab dab) const;
-    void commit(const tree::Edit& edit, const Dab& dab);
+    void commit(tree::Edit edit, const Dab& dab);
     void aim(Dab& dab, const Mirror& image, const base::Vec3f& view, const Form& form) const;
     void join(Dab& dab, const surface::Surface& version) const;
     /// With what a tool may ask of the stroke so far, for a dab that works on `version`.
@@ -114,6 +117,7 @@ class Dabs {
     std::unique_ptr<ToolMemory> m_memory;
     int m_count = 0;
     std::vector<double> m_seconds;
+    std::shared_ptr<const layers::Stack> m_layers; ///< null: none
     const std::atomic<bool>* m_cancel;
 };
 

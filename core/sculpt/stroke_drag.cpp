@@ -50,7 +50,8 @@ class Holding : public Method {
             if (m_held[i])
                 fn(*m_held[i], i);
     }
-    /// Where image `i` of the pointer is in the held plane; nothing where its ray runs beside it.
+    /// Where image `i` of the pointer is: in space where it has a place there, else in the held plane; nothing where
+    /// its ray runs beside that.
     std::optional<base::Vec3f> pointerIn(const Held& held, std::size_t i, const StrokeSample& sample) const;
     /// Does a share of what waits.
     void step(float share);
@@ -107,6 +108,8 @@ void Holding::hold(const StrokeSample& sample, const Contact& own) {
 
 std::optional<base::Vec3f> Holding::pointerIn(const Held& held, std::size_t i, const StrokeSample& sample) const {
     const base::Rayf ray = m_dabs.images()[i].ray(sample.ray);
+    if (sample.reach > 0)
+        return ray.at(sample.reach);
     const float facing = dot(ray.direction, held.plane), t = dot(held.pointer - ray.origin, held.plane) / facing;
     if (!(facing > 0.05f) || !(t > 0) || !std::isfinite(t))
         return {};

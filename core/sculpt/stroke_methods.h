@@ -9,7 +9,8 @@
 //                plane through the contact that faces the viewer.
 //     Line       every sample begins anew: Space from the first sample straight to this one.
 //     Drag       the first contact is held and carried along in the plane through it that faces the viewer, in steps of
-//                a tenth of the radius or less; pressure has no say (tools that hold, whatever the method).
+//                a tenth of the radius or less; pressure has no say (tools that hold, whatever the method). A pointer
+//                that has a place in space (StrokeSample::reach) is followed there instead.
 //     Turn       the first contact is held; the angle by which the pointer goes around it, as the viewer sees it, comes
 //                in steps of a tenth of a radian.
 //

@@ -12,10 +12,13 @@ struct StrokeSample {
     /// On the way here dabs are this many times as far apart and as strong: what a program that cannot keep up merges.
     float stride = 1; ///< 1 to maxStride
     static constexpr float maxStride = 10;
+    /// Where along the ray the pointer is, in model units, where it has a place in space: a device that is held in the
+    /// hand. Tools that drag take what they hold there. 0: the pointer is a ray alone.
+    float reach = 0;
 
     bool operator==(const StrokeSample& o) const {
         return ray.origin == o.ray.origin && ray.direction == o.ray.direction && pressure == o.pressure &&
-               seconds == o.seconds && stride == o.stride;
+               seconds == o.seconds && stride == o.stride && reach == o.reach;
     }
 };
 
@@ -27,6 +30,7 @@ inline StrokeSample between(const StrokeSample& a, const StrokeSample& b, float 
     out.pressure = a.pressure + (b.pressure - a.pressure) * u;
     out.seconds = a.seconds + (b.seconds - a.seconds) * u;
     out.stride = b.stride;
+    out.reach = a.reach > 0 && b.reach > 0 ? a.reach + (b.reach - a.reach) * u : b.reach;
     return out;
 }
 

@@ -13,8 +13,10 @@
 #include "core/base/progress.h"
 #include "core/session/document.h"
 
+#include <functional>
 #include <limits>
 #include <map>
+#include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <span>
 
@@ -24,8 +26,8 @@ class Journal;
 
 struct CommandParameter {
     const char* id;
-    /// "path", "number", "integer", "boolean" (true, false, "on" or "off"), "choice", "number or choice", "list" or
-    /// "text". Paths are absolute when the command sees them.
+    /// "path", "paths", "number", "integer", "boolean" (true, false, "on" or "off"), "choice", "number or choice",
+    /// "list" or "text". Paths are absolute when the command sees them, and several of them ("paths") always a list.
     const char* type;
     const char* unit;
     const char* tip;
@@ -51,6 +53,11 @@ struct Context {
     bool takesChangedFiles = false;
     /// What commands counted and measured, by name: the numbers of their messages, for reports.
     std::map<std::string, double> figures = {};
+    /// The commands that the journal gets in place of the one that runs: a list, which replays to the same bits. Set by
+    /// commands whose own lines would not.
+    std::shared_ptr<nlohmann::json> instead = {};
+    /// Told of each completed command that changed the model, as the journal has it.
+    std::function<void(const nlohmann::json& complete)> recorded = {};
 };
 
 struct CommandRow {
@@ -75,5 +82,7 @@ nlohmann::json complete(const nlohmann::json& command, const std::filesystem::pa
 
 /// Checks, completes with defaults and executes one command. Debug builds validate the tree afterwards.
 void run(Context& context, const nlohmann::json& command);
+/// Journals a completed command that changed the model, and tells whoever wants to know.
+void record(Context& context, const nlohmann::json& complete);
 
 } // namespace session

@@ -6,6 +6,7 @@
 #include "core/session/json_text.h"
 #include "core/session/path_text.h"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -56,9 +57,33 @@ void checkNumber(const CommandRow& row, const CommandParameter& p, const json& v
         refuse(row, p, value, rangeText(p));
 }
 
+/// One choice alone, several as a list: of a list, or of a text with commas.
+json choicesOf(const CommandRow& row, const CommandParameter& p, const json& value) {
+    json out = json::array();
+    if (value.is_string()) {
+        std::istringstream in(value.get<std::string>());
+        for (std::string choice; std::getline(in, choice, ',');)
+            out.push_back(choice);
+    } else if (value.is_array()) {
+        out = value;
+    }
+    const auto known = [&](const json& each) { return each.is_string() && hasChoice(p, each.get<std::string>()); };
+    if (out.empty() || !std::all_of(out.begin(), out.end(), known))
+        refuse(row, p, value, "one or several of " + std::string(p.choices));
+    return out.size() == 1 ? out[0] : out;
+}
+
 bool isRange(const json& value) {
     const auto whole = [](const json& v) { return v.is_number_unsigned(); };
     return whole(value) || (value.is_array() && value.size() == 2 && whole(value[0]) && whole(value[1]));
+}
+
+json absolutePath(const json& value, const std::filesystem::path& folder) {
+    return std::filesystem::absolute(folder / pathOf(value.get<std::string>())).lexically_normal().string();
+}
+
+bool isText(const json& value) {
+    return value.is_string() && !value.get_ref<const std::string&>().empty();
 }
 
 /// The value in the form that commands read.
@@ -86,14 +111,23 @@ json checked(const CommandRow& row, const CommandParameter& p, const json& value
     } else if (type == "list") {
         if (!value.is_array())
             refuse(row, p, value, "a list");
+    } else if (type == "choices") {
+        return choicesOf(row, p, value);
     } else if (type == "range") {
         if (!isRange(value))
             refuse(row, p, value, "a whole number or a list of the least and the greatest");
+    } else if (type == "paths") { // one of them may stand alone
+        json out = value.is_array() ? value : json::array({value});
+        if (out.empty() || !std::all_of(out.begin(), out.end(), isText))
+            refuse(row, p, value, "a list of paths");
+        for (json& each : out)
+            each = absolutePath(each, folder);
+        return out;
     } else { // path, text
-        if (!value.is_string() || value.get_ref<const std::string&>().empty())
+        if (!isText(value))
             refuse(row, p, value, "text in quotation marks");
         if (type == "path")
-            return std::filesystem::absolute(folder / pathOf(value.get<std::string>())).lexically_normal().string();
+            return absolutePath(value, folder);
     }
     return value;
 }

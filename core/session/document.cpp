@@ -31,22 +31,44 @@ static base::Hash128 originHash(const base::Vec3d& origin) {
     return base::hashWords(words);
 }
 
-base::Hash128 contentHash(const tree::SurfelTree& tree, const base::Vec3d& origin) {
+static base::Hash128 layersHash(const layers::Stack& stack) {
+    std::vector<std::uint32_t> words;
+    for (const std::string& line : layers::linesOf(stack))
+        appendWords(words, line);
+    return base::hashWords(words);
+}
+
+base::Hash128 contentHash(const tree::SurfelTree& tree, const base::Vec3d& origin, const layers::Stack& stack) {
     base::Hash128 out = tree.contentHash();
     out += layoutHash(*tree.layout());
     out += originHash(origin);
+    if (!stack.empty())
+        out += layersHash(stack);
     return out;
 }
 
 base::Hash128 Document::hash() const {
-    return contentHash(m_surface.tree(), m_provenance.origin);
+    return contentHash(m_surface.tree(), m_provenance.origin, m_layers);
 }
 
-void Document::commit(surface::Surface next, const std::string& label) {
+void Document::commit(surface::Surface next, const std::string& label, layers::How how) {
+    layers::Stack stack = m_layers;
+    if (!stack.empty() && !layers::Channels::of(*next.tree().layout(), stack))
+        stack = {};
+    if (!stack.empty()) {
+        if (how == layers::How::Record && !layers::takesStrokes(stack))
+            how = layers::How::Keep;
+        next = {layers::reconciled(m_surface.tree(), next.tree(), stack, how), next.definition()};
+    }
+    restack(std::move(next), std::move(stack), label);
+}
+
+void Document::restack(surface::Surface next, layers::Stack layers, const std::string& label) {
     m_future.clear();
     const std::size_t bytes = tree::unsharedBytes(m_surface.tree(), next.tree());
-    m_past.push_back({std::move(m_surface), m_up, label, bytes, m_revision});
+    m_past.push_back({std::move(m_surface), m_up, std::move(m_layers), label, bytes, m_revision});
     m_surface = std::move(next);
+    m_layers = std::move(layers);
     m_revision = ++m_lastRevision;
     enforceBudget();
 }
@@ -56,12 +78,13 @@ void Document::turnUp(base::UpAxis up, const std::string& label) {
     m_up = up;
 }
 
-void Document::reset(surface::Surface surface, Provenance provenance, base::UpAxis up) {
+void Document::reset(surface::Surface surface, Provenance provenance, base::UpAxis up, layers::Stack layers) {
     m_past.clear();
     m_future.clear();
     m_surface = std::move(surface);
     m_provenance = std::move(provenance);
     m_up = up;
+    m_layers = std::move(layers);
     m_savedRevision = m_revision = ++m_lastRevision;
 }
 
@@ -76,10 +99,25 @@ void Document::shift(std::deque<Step>& from, std::deque<Step>& to) {
     Step step = std::move(from.back());
     from.pop_back();
     const std::size_t bytes = tree::unsharedBytes(m_surface.tree(), step.surface.tree());
-    to.push_back({std::move(m_surface), m_up, std::move(step.label), bytes, m_revision});
+    to.push_back({std::move(m_surface), m_up, std::move(m_layers), std::move(step.label), bytes, m_revision});
     m_surface = std::move(step.surface);
     m_up = step.up;
+    m_layers = std::move(step.layers);
     m_revision = step.revision;
+}
+
+std::vector<std::string> Document::pastLabels() const {
+    std::vector<std::string> out;
+    for (const Step& step : m_past)
+        out.push_back(step.label);
+    return out;
+}
+
+std::vector<std::string> Document::futureLabels() const {
+    std::vector<std::string> out;
+    for (auto step = m_future.rbegin(); step != m_future.rend(); ++step)
+        out.push_back(step->label);
+    return out;
 }
 
 void Document::undo() {
@@ -124,6 +162,8 @@ io::FileModel Document::fileModel() const {
     out.dropped = m_provenance.dropped;
     out.format = m_provenance.format;
     out.comments = m_provenance.comments;
+    for (std::string& line : layers::linesOf(m_layers))
+        out.comments.push_back(std::move(line));
     out.elements = m_provenance.elements;
     return out;
 }

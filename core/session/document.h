@@ -10,6 +10,7 @@
 #pragma once
 
 #include "core/io/file_model.h"
+#include "core/layers/layer_edits.h"
 #include "core/surface/surface.h"
 
 #include <deque>
@@ -37,25 +38,33 @@ class Document {
     const Provenance& provenance() const { return m_provenance; }
     /// The axis that is upwards: part of the model, and of its history, but not of its hash.
     base::UpAxis up() const { return m_up; }
+    /// The layers: part of the model, of its history and, where there are any, of its hash (layers/README).
+    const layers::Stack& layers() const { return m_layers; }
     /// Hash of the content: surfels in any order, names and types of what they carry, and origin (base/hash.h). Equal
     /// after save and open in a format that holds all of them. In parallel, O(size).
     base::Hash128 hash() const;
     bool modified() const { return m_revision != m_savedRevision; } ///< since it was opened, made or saved
 
-    /// One step forward: `label` is what the undo menu shows. Drops redo steps.
-    void commit(surface::Surface next, const std::string& label);
+    /// One step forward: `label` is what the undo menu shows. Drops redo steps. What the layers hold follows, as `how`
+    /// says; a version without their attributes has no layers.
+    void commit(surface::Surface next, const std::string& label, layers::How how = layers::How::Carry);
+    /// Likewise: other layers, and the surface that they show.
+    void restack(surface::Surface next, layers::Stack layers, const std::string& label);
     /// Likewise: the same surface with another axis upwards.
     void turnUp(base::UpAxis up, const std::string& label);
     /// Replaces everything: a model was opened or made. Clears the history.
-    void reset(surface::Surface surface, Provenance provenance, base::UpAxis up = base::UpAxis::Y);
+    void reset(surface::Surface surface, Provenance provenance, base::UpAxis up = base::UpAxis::Y,
+               layers::Stack layers = {});
     void saved(const std::filesystem::path& path);
 
     bool canUndo() const { return !m_past.empty(); }
     bool canRedo() const { return !m_future.empty(); }
     const std::string& undoLabel() const { return m_past.back().label; }   ///< REQUIRES: canUndo()
     const std::string& redoLabel() const { return m_future.back().label; } ///< REQUIRES: canRedo()
-    void undo();                                                           ///< REQUIRES: canUndo()
-    void redo();                                                           ///< REQUIRES: canRedo()
+    /// Of all steps back, the oldest first, and of all that undo has left, the next first.
+    std::vector<std::string> pastLabels() const, futureLabels() const;
+    void undo(); ///< REQUIRES: canUndo()
+    void redo(); ///< REQUIRES: canRedo()
 
     /// Bytes that history may hold beside the present; oldest steps go first. At least one step is always kept.
     void setHistoryBudget(std::size_t bytes);
@@ -69,6 +78,7 @@ class Document {
     struct Step {
         surface::Surface surface;
         base::UpAxis up;
+        layers::Stack layers;
         std::string label;
         std::size_t bytes = 0; ///< not shared with that neighbour
         std::uint64_t revision = 0;
@@ -78,6 +88,7 @@ class Document {
 
     surface::Surface m_surface;
     base::UpAxis m_up = base::UpAxis::Y;
+    layers::Stack m_layers;
     Provenance m_provenance;
     std::deque<Step> m_past, m_future; ///< nearest step at the back
     std::size_t m_budget = std::size_t(1) << 30;
@@ -86,6 +97,6 @@ class Document {
 };
 
 /// The hash of a surface's content with its origin, as Document::hash gives it.
-base::Hash128 contentHash(const tree::SurfelTree& tree, const base::Vec3d& origin);
+base::Hash128 contentHash(const tree::SurfelTree& tree, const base::Vec3d& origin, const layers::Stack& stack = {});
 
 } // namespace session

@@ -23,12 +23,12 @@ std::span<const CommandParameter> faceParameters() {
          "number of samples on the faces, within a percent; by default what the shape needs, at least 100,000", "null",
          "", 4, 200'000'000},
         {"sharp", "number or choice", "degrees",
-         "edges of the faces are sharp where the normals on both sides differ by more than this: samples on each side "
-         "keep their own normals; 40 by default",
+         "edges of the faces stay sharp where the normals on both sides differ by more than this, in pictures, meshes, "
+         "measures, queries and strokes; off rounds them all; 40 by default",
          "null", "off", 0, 180},
         {"creases", "boolean", "",
-         "samples of the faces get labels of cells that meet in the sharp edges, which stay sharp then in pictures, "
-         "meshes, measures, queries and strokes; takes longer; off by default",
+         "samples of the faces get labels of cells that meet in the sharp edges; off only keeps their normals apart, "
+         "and edges are rounded over about a support; by default as far as there are edges to keep",
          "null", "", 0, 0},
     };
     return rows;
@@ -53,10 +53,10 @@ mesh::FaceOptions faceOptions(const json& complete) {
                                                      : complete["sharp"].get<double>() * std::numbers::pi / 180;
     if (const auto creases = complete.find("creases"); creases != complete.end())
         out.creases = *creases == true || *creases == "on"; // before a command is completed it may say either
-    if (out.creases && out.use == mesh::FaceUse::Vertices)
+    if (out.asksForCreases() && out.use == mesh::FaceUse::Vertices)
         throw base::Error("the vertices are kept, and have no creases", {},
                           "leave out the creases, or sample the faces");
-    if (out.creases && !std::isfinite(out.sharpRad))
+    if (out.asksForCreases() && !std::isfinite(out.sharpRad))
         throw base::Error("creases are where edges of the faces are sharp, and no edge is", {},
                           "leave out 'sharp off' or the creases");
     return out;
@@ -65,7 +65,7 @@ mesh::FaceOptions faceOptions(const json& complete) {
 void refuseSamples(const mesh::FaceOptions& options, const std::string& where) {
     if (options.asksForSamples())
         throw base::Error("there are no faces to sample", where, "leave out what is said of samples");
-    if (options.creases)
+    if (options.asksForCreases())
         throw base::Error("there are no faces with sharp edges", where, "leave out the creases");
 }
 

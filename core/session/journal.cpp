@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/base/hash.h"
 #include "core/base/sync_folder.h"
+#include "core/io/safe_file.h"
 #include "core/session/json_text.h"
 #include "core/session/locked_file.h"
 #include "core/session/path_text.h"
@@ -113,6 +114,10 @@ static std::string lineOf(json command) {
     for (auto& [key, value] : command.items())
         if (value.is_string())
             value = pathText(value.get_ref<const std::string&>());
+        else if (value.is_array()) // of paths, or of numbers
+            for (json& each : value)
+                if (each.is_string())
+                    each = pathText(each.get_ref<const std::string&>());
     return command.dump(-1, ' ', false, json::error_handler_t::replace) + "\n";
 }
 
@@ -293,6 +298,26 @@ void Journal::keepSource(const fs::path& target, Context& context) {
         m_anew = false;
     });
     m_untilModel = !kept;
+}
+
+void Journal::copyTo(const fs::path& target) const {
+    if (m_discarded || m_untilModel)
+        throw base::Error("cannot be written", target.string(), "nothing was recorded of this model");
+    std::istringstream lines(m_anew ? m_waiting : contentOf(m_path).substr(0, m_size) + m_waiting);
+    std::string out;
+    const std::string own = m_path.string() + ".";
+    for (std::string line; std::getline(lines, line);) {
+        json command = jsonOf(line);
+        for (const char* key : {"source", "stamp"})
+            if (const auto named = command.find(key); named != command.end() && named->is_string())
+                if (const std::string file = named->get<std::string>(); file.starts_with(own)) {
+                    const fs::path beside = fs::absolute(target).string() + "." + file.substr(own.size());
+                    copyDurably(file, beside);
+                    command[key] = beside.string();
+                }
+        out += lineOf(std::move(command));
+    }
+    io::writeFile(target, out);
 }
 
 void Journal::end(Context& context) {

@@ -38,6 +38,9 @@ class Journal {
     void record(const nlohmann::json& complete, Context& context);
     /// To be called before `target` is written over.
     void keepSource(const std::filesystem::path& target, Context& context);
+    /// All that it holds as a session that stands alone: what was kept beside the journal is copied beside the target.
+    /// Throws base::Error where it cannot be written, or what the journal begins with is lost.
+    void copyTo(const std::filesystem::path& target) const;
     /// To be called when nothing can be lost any more: another journal may then take the place of this one, which can
     /// be recovered until it does.
     void end(Context& context);

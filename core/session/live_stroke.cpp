@@ -3,8 +3,8 @@
 #include "core/base/cancel_scope.h"
 #include "core/base/error.h"
 #include "core/io/grey_image.h"
+#include "core/session/command.h"
 #include "core/session/commands/commands.h"
-#include "core/session/journal.h"
 #include "core/session/stroke_json.h"
 
 #include <nlohmann/json.hpp>
@@ -17,6 +17,11 @@ static surface::Surface startOf(const Context& context, const sculpt::StrokeSett
     if (context.document.surface().definition().manifold == surface::Manifold::Curve)
         throw base::Error("the model is a curve, which has nothing to sculpt", {},
                           "set the surface option manifold to surface");
+    const layers::Stack& stack = context.document.layers();
+    if (!layers::takesStrokes(stack))
+        throw base::Error("the layer \"" + stack.layers[static_cast<std::size_t>(stack.target())].name +
+                              "\" does not show what would be sculpted on it",
+                          {}, "show it, raise its strength, or make another layer the active one");
     return context.document.surface();
 }
 
@@ -30,7 +35,10 @@ static std::shared_ptr<const sculpt::BrushStamp> stampOf(const std::string& imag
 LiveStroke::LiveStroke(Context& context, sculpt::StrokeSettings settings)
     : m_context(context), m_settings(std::move(settings)),
       m_stroke(startOf(context, m_settings), m_settings, context.document.provenance().origin,
-               stampOf(m_settings.stamp), context.progress.cancel) {}
+               stampOf(m_settings.stamp), context.progress.cancel) {
+    if (!context.document.layers().empty())
+        m_stroke.onLayers(std::make_shared<layers::Stack>(context.document.layers()));
+}
 
 bool LiveStroke::add(const sculpt::StrokeSample& sample) {
     const base::CancelScope scope(m_context.progress.cancel);
@@ -56,11 +64,13 @@ bool LiveStroke::finish() {
     m_context.dabSeconds.assign(m_stroke.dabSeconds().begin(), m_stroke.dabSeconds().end());
     if (!changed())
         return false;
-    m_context.document.commit(m_stroke.surface(), label());
-    if (m_context.journal)
-        m_context.journal->record(complete(strokeLine(m_settings, m_samples, m_context.document.provenance().origin)),
-                                  m_context);
+    m_context.document.commit(m_stroke.surface(), label(), layers::How::Keep);
+    record(m_context, line());
     return true;
+}
+
+nlohmann::json LiveStroke::line() const {
+    return complete(strokeLine(m_settings, m_samples, m_context.document.provenance().origin));
 }
 
 } // namespace session

@@ -30,6 +30,8 @@ class LiveStroke {
     /// Has it changed anything so far?
     bool changed() const { return !(m_stroke.surface().tree() == m_context.document.surface().tree()); }
     const char* label() const; ///< as history shows it
+    /// The complete command `stroke` of what was added so far.
+    nlohmann::json line() const;
 
     const surface::Surface& surface() const { return m_stroke.surface(); }
     int dabs() const { return m_stroke.dabs(); }

@@ -73,4 +73,19 @@ MadeModel made(OpenedFile& file, const base::Progress& progress) {
     return {std::move(surface), up, merged};
 }
 
+layers::Stack layersIn(std::vector<std::string>& comments, surface::Surface& surface,
+                       std::vector<std::string>& messages) {
+    layers::Stack out = layers::takeLines(comments);
+    if (out.empty())
+        return out;
+    const auto words = layers::Channels::of(*surface.tree().layout(), out);
+    if (!words || !layers::areSound(surface.tree(), *words)) {
+        messages.push_back(words ? "The file's layers hold numbers that are none or lead far away: they were left out."
+                                 : "The file tells of layers and lacks what they hold: they were left out.");
+        return {};
+    }
+    surface = {layers::reconciled({}, surface.tree(), out, layers::How::Keep), surface.definition()};
+    return out;
+}
+
 } // namespace session

@@ -2,6 +2,7 @@
 // become points, then what these lack is estimated. Inside this room and the command line.
 #pragma once
 
+#include "core/layers/layer_edits.h"
 #include "core/session/face_options.h"
 #include "core/session/surface_options.h"
 
@@ -30,5 +31,10 @@ struct MadeModel {
 /// Takes the file's points. Those whose supports were made for them, by the program that wrote them or by sampling, are
 /// all kept; of others duplicates are merged. Throws base::Error where they make no surface, base::Cancelled.
 MadeModel made(OpenedFile& file, const base::Progress& progress);
+
+/// The layers that comments tell of, which are taken out. None where the model lacks their attributes, which is said.
+/// Surfels that another program has moved since have taken the surface below their layers along.
+layers::Stack layersIn(std::vector<std::string>& comments, surface::Surface& surface,
+                       std::vector<std::string>& messages);
 
 } // namespace session

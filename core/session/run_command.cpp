@@ -24,9 +24,22 @@ static void execute(const CommandRow& row, Context& context, const nlohmann::jso
 void run(Context& context, const nlohmann::json& command) {
     const nlohmann::json whole = complete(command, context.folder);
     const CommandRow& row = session::command(whole["op"].get_ref<const std::string&>());
+    context.instead.reset();
     execute(row, context, whole);
-    if (context.journal && row.changesModel)
-        context.journal->record(whole, context);
+    if (!row.changesModel)
+        return;
+    if (!context.instead)
+        record(context, whole);
+    else
+        for (const nlohmann::json& each : *context.instead)
+            record(context, each);
+}
+
+void record(Context& context, const nlohmann::json& complete) {
+    if (context.journal)
+        context.journal->record(complete, context);
+    if (context.recorded)
+        context.recorded(complete);
 }
 
 } // namespace session

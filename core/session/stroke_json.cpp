@@ -47,8 +47,10 @@ json strokeLine(const StrokeSettings& settings, std::span<const StrokeSample> sa
         const Vec3d o = outside(s.ray.origin, origin);
         const Vec3f& d = s.ray.direction;
         list.push_back({o.x, o.y, o.z, d.x, d.y, d.z, s.pressure, s.seconds});
-        if (s.stride != 1)
+        if (s.stride != 1 || s.reach != 0)
             list.back().push_back(s.stride);
+        if (s.reach != 0)
+            list.back().push_back(s.reach);
     }
     return line;
 }
@@ -68,15 +70,16 @@ StrokeSettings strokeSettings(const json& complete) {
 }
 
 static bool isSample(const json& row) {
-    if (!row.is_array() || row.size() < 8 || row.size() > 9)
+    if (!row.is_array() || row.size() < 8 || row.size() > 10)
         return false;
     for (const json& value : row)
         if (!value.is_number() || !std::isfinite(value.get<float>()))
             return false;
-    const float pressure = row[6].get<float>(), stride = row.size() == 9 ? row[8].get<float>() : 1;
+    const float pressure = row[6].get<float>(), stride = row.size() > 8 ? row[8].get<float>() : 1,
+                reach = row.size() > 9 ? row[9].get<float>() : 0;
     const Vec3f direction{row[3].get<float>(), row[4].get<float>(), row[5].get<float>()};
     return base::length(direction) > 0 && pressure >= 0 && pressure <= 1 && row[7].get<float>() >= 0 && stride >= 1 &&
-           stride <= StrokeSample::maxStride;
+           stride <= StrokeSample::maxStride && reach >= 0;
 }
 
 std::vector<StrokeSample> strokeSamples(const json& complete, const Vec3d& origin) {
@@ -85,12 +88,18 @@ std::vector<StrokeSample> strokeSamples(const json& complete, const Vec3d& origi
     out.reserve(rows.size());
     for (const json& row : rows) {
         if (!isSample(row))
-            throw base::Error("sample " + std::to_string(out.size() + 1) + " of the stroke is " + shortly(row, 200), {},
-                              "a sample is [ox,oy,oz,dx,dy,dz,pressure,seconds] with a direction that is not zero, "
-                              "pressure 0 to 1, seconds of at least 0, and optionally a stride of 1 to 10");
+            throw base::Error(
+                "sample " + std::to_string(out.size() + 1) + " of the stroke is " + shortly(row, 200), {},
+                "a sample is [ox,oy,oz,dx,dy,dz,pressure,seconds] with a direction that is not zero, "
+                "pressure 0 to 1, seconds of at least 0, and optionally a stride of 1 to 10 and a reach of at "
+                "least 0");
         const auto at = [&row](std::size_t k) { return row[k].get<float>(); };
         const Vec3d file{row[0].get<double>(), row[1].get<double>(), row[2].get<double>()};
-        out.push_back({{inside(file, origin), {at(3), at(4), at(5)}}, at(6), at(7), row.size() == 9 ? at(8) : 1});
+        out.push_back({{inside(file, origin), {at(3), at(4), at(5)}},
+                       at(6),
+                       at(7),
+                       row.size() > 8 ? at(8) : 1,
+                       row.size() > 9 ? at(9) : 0});
     }
     return out;
 }

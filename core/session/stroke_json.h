@@ -1,5 +1,5 @@
 // Strokes as session lines and back: {"op":"stroke","tool":...,"samples":[[ox,oy,oz,dx,dy,dz,pressure,seconds],...]}.
-// A sample whose stride is not 1 has it as a ninth number.
+// A sample whose stride is not 1 has it as a ninth number, one with a reach has that as a tenth.
 //
 // Options are encoded as option_json.h says, in rows of one table. Samples stand in file coordinates (origin included)
 // as shortest decimals of doubles, so that settings and samples come back bit for bit; where the origin is large,

@@ -1,8 +1,10 @@
 #include "core/solid/fill.h"
 
+#include "core/base/cancel_scope.h"
 #include "core/base/error.h"
 #include "core/process/estimation/boundary_limit.h"
 #include "core/process/estimation/part_progress.h"
+#include "core/solid/relief.h"
 #include "core/surface/curves/boundary_curves.h"
 #include "core/surface/evaluation/attribute_sum.h"
 #include "core/surface/evaluation/weights.h"
@@ -62,7 +64,7 @@ class Filler {
         m_oriented = m_out.layout->normals && m_out.layout->oriented;
     }
 
-    void fill(const surface::BoundaryCurve& curve, Loop loop, Shape shape, LoopFate& fate,
+    void fill(const surface::BoundaryCurve& curve, Loop loop, const FillOptions& options, LoopFate& fate,
               const base::Progress& progress) {
         const double wanted = areaOver(loop) / (loop.meanSpacing() * loop.meanSpacing());
         const int halvings = std::max(0, static_cast<int>(std::ceil(std::log(wanted / mostShaped) / std::log(4.0))));
@@ -72,22 +74,25 @@ class Filler {
             p.spacing *= std::exp2(halvings);
         Patch patch = patchOver(loop, process::part(progress, 0, 0.5));
         const base::Progress rest = process::part(progress, 0.5, 1);
+        const Shape shape = options.shape;
         if (shape == Shape::Flat || !shapePatch(m_surface, loop, shape, patch, rest)) {
             fate.flattened = shape != Shape::Flat;
             shapePatch(m_surface, loop, Shape::Flat, patch, rest);
         }
-        add(loop, std::move(patch), halvings, fate);
+        add(loop, std::move(patch), halvings, options.relief && !fate.flattened, fate);
     }
     const surfel::SurfelList& surfels() const { return m_out; }
 
   private:
-    void add(const Loop& loop, Patch patch, int halvings, LoopFate& fate) {
+    void add(const Loop& loop, Patch patch, int halvings, bool relief, LoopFate& fate) {
         const Carried carried = carriedAt(m_surface, loop);
         std::vector<std::vector<double>> numbers = spreadOver(patch, carried.numbers);
         const std::vector<std::uint32_t> nearest = nearestOfLoop(patch);
         std::vector<Vec3d> normals = patchNormals(loop, patch);
         Patch fine = patch;
         halveEdges(fine, normals, halvings);
+        if (relief)
+            fate.plain = followRelief(m_surface, loop, patch, fine, normals) == ReliefFate::TooLittle;
         const std::vector<std::uint32_t> from = sources(patch, halvings);
         const std::size_t words = m_out.layout->words();
         for (std::size_t v = 0; v < fine.positions.size(); ++v) {
@@ -140,6 +145,7 @@ void check(const surface::Surface& surface) {
 
 Filled fillHoles(const surface::Surface& surface, const FillOptions& options, const base::Progress& progress) {
     check(surface);
+    const base::CancelScope scope(progress.cancel);
     const std::vector<surface::BoundaryCurve> curves =
         surface::findBoundaryCurves(surface, process::part(progress, 0, 0.4));
     if (options.only && *options.only >= curves.size())
@@ -163,7 +169,7 @@ Filled fillHoles(const surface::Surface& surface, const FillOptions& options, co
         if (curves[i].closed && touches[i])
             fate.why = "it touches itself or another one";
         if (fate.asked && fate.why[0] == 0)
-            filler.fill(curves[i], std::move(loops[i]), options.shape, fate,
+            filler.fill(curves[i], std::move(loops[i]), options, fate,
                         process::part(progress, 0.4 + 0.5 * double(i) / double(curves.size()),
                                       0.4 + 0.5 * double(i + 1) / double(curves.size())));
     }

@@ -4,6 +4,7 @@
 //     evenLoop, touching      a loop as places one spacing apart; loops that cannot be filled    loop.h
 //     patchOver               triangles over it                                                  patch.h
 //     shapePatch              where they lie                                                     shape_patch.h
+//     followRelief            as rough as what surrounds them                                    relief.h
 //     fillHoles               surfels at their corners
 //
 // Surfels that are there keep every bit. The same bits at any thread count.
@@ -18,6 +19,7 @@ namespace solid {
 
 struct FillOptions {
     Shape shape = Shape::Smooth;
+    bool relief = false;                                      ///< a smooth patch takes after what surrounds it
     double longest = std::numeric_limits<double>::infinity(); ///< loops longer than this stay
     bool keepLargest = false;                                 ///< the longest loop stays: where an open scan ends
     std::optional<std::size_t> only;                          ///< one loop, by number
@@ -31,6 +33,7 @@ struct LoopFate {
     std::size_t surfels = 0; ///< that fill it
     bool asked = false;      ///< should be filled
     bool flattened = false;  ///< no smooth patch stayed near: it is flat
+    bool plain = false;      ///< too little around it to follow in relief: it is smooth
     const char* why = "";    ///< what was asked for was not done because
 };
 

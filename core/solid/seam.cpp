@@ -1,5 +1,7 @@
 #include "core/solid/seam.h"
 
+#include "core/solid/seam_corner.h"
+
 #include "core/base/cancel_scope.h"
 #include "core/process/resampling/point_grid.h"
 
@@ -49,6 +51,7 @@ class Seeds {
         for (std::uint32_t i = 0; i < seeds.size(); ++i) {
             box.extend(seeds[i].position);
             m_widest = std::max(m_widest, seeds[i].spacing);
+            m_least = std::min(m_least, seeds[i].spacing);
             entries.push_back({base::cast<float>(seeds[i].position), i});
         }
         if (seeds.empty())
@@ -74,45 +77,64 @@ class Seeds {
         return out;
     }
 
+    /// What lies along a curve: seeds of the finer side stand closer than steps may be long.
+    void pass(const SeamCurve& curve, double spacing) {
+        constexpr double mostParts = 64;
+        const std::size_t n = curve.points.size();
+        for (std::size_t i = 0; i < n; ++i) {
+            const Vec3d from = curve.points[i].position, to = curve.points[i + 1 < n      ? i + 1
+                                                                           : curve.closed ? 0
+                                                                                          : i]
+                                                                  .position;
+            const double parts = std::clamp(std::ceil(2 * distance(from, to) / m_least), 1.0, mostParts);
+            for (double k = 0; k < parts; ++k)
+                pass(from + (to - from) * (k / parts), spacing);
+        }
+    }
+
   private:
     const std::vector<SeamSeed>& m_seeds;
     std::vector<std::uint8_t> m_passed;
     process::PointGrid m_grid;
-    double m_widest = 0;
+    double m_widest = 0, m_least = std::numeric_limits<double>::infinity();
 };
 
 class Tracer {
   public:
-    Tracer(const TwoSides& sides, Seeds& seeds) : m_sides(sides), m_seeds(seeds) {}
+    /// `most`: points of a curve, should it not end.
+    Tracer(const TwoSides& sides, Seeds& seeds, std::size_t most) : m_sides(sides), m_seeds(seeds), m_most(most) {}
 
     SeamCurve from(const SeamPoint& start, double spacing) {
         SeamCurve forth = way(start, spacing, 1);
         if (forth.closed)
             return forth;
         SeamCurve back = way(start, spacing, -1), out;
+        if (back.closed) { // what the other way saw is on it
+            std::reverse(back.points.begin(), back.points.end());
+            std::reverse(back.corners.begin(), back.corners.end());
+            for (std::size_t& corner : back.corners)
+                corner = back.points.size() - 1 - corner;
+            return back;
+        }
         const std::size_t before = back.points.size() - 1; // the start is in both
         out.points.assign(back.points.rbegin(), back.points.rend() - 1);
         out.points.insert(out.points.end(), forth.points.begin(), forth.points.end());
         for (auto it = back.corners.rbegin(); it != back.corners.rend(); ++it)
-            out.corners.push_back(before - *it - 1);
+            out.corners.push_back(before - *it);
         for (const std::size_t corner : forth.corners)
             out.corners.push_back(before + corner);
         return out;
     }
 
   private:
-    /// Shorter steps than this part of the longest one, over which a gradient still turns, pass a corner.
+    /// Where steps shorter than this part of the longest one do not go on there is a corner.
     static constexpr double least = 1.0 / 64;
-    static constexpr std::size_t most = 10'000'000;
 
-    static bool turns(const SeamPoint& a, const SeamPoint& b) {
-        constexpr double cosine = 0.94; // 20 degrees
-        return dot(a.risesA, b.risesA) < cosine || dot(a.risesB, b.risesB) < cosine;
-    }
     SeamCurve way(const SeamPoint& start, double spacing, double sign) {
         SeamCurve out;
         out.points.push_back(start);
-        for (double step = 0.5 * spacing; out.points.size() < most;) {
+        double forward = sign; // of the tangent: an edge may turn it
+        for (double step = 0.5 * spacing; out.points.size() < m_most;) {
             base::CancelScope::check();
             const SeamPoint at = out.points.back();
             spacing = m_seeds.pass(at.position, spacing);
@@ -120,24 +142,75 @@ class Tracer {
             step = std::min(2 * step, longest);
             std::optional<SeamPoint> next;
             for (; step >= least * longest; step *= 0.5) {
-                next = seamPoint(m_sides, at.position + at.tangent() * (sign * step), seamTolerance * spacing);
-                const double gone = next ? dot(next->position - at.position, at.tangent()) * sign : 0;
-                const bool good = next && gone > 0.2 * step && distance(next->position, at.position) < 2 * step;
-                if (good && (!turns(at, *next) || step < 2 * least * longest))
+                next = seamPoint(m_sides, at.position + at.tangent() * (forward * step), seamTolerance * spacing);
+                const double gone = next ? dot(next->position - at.position, at.tangent()) * forward : 0;
+                if (next && gone > 0.2 * step && distance(next->position, at.position) < 2 * step &&
+                    !turnsBetween(at, *next))
                     break;
                 next.reset();
             }
-            if (!next)
-                return out;
-            if (turns(at, *next))
-                out.corners.push_back(out.points.size() - 1);
-            if (out.points.size() > 2 && returns(at, *next, start, sign)) {
-                out.closed = true;
+            if (next) {
+                if (closes(out, *next, start, sign))
+                    return out;
+                out.points.push_back(*next);
+                forward = dot(next->tangent(), next->position - at.position) < 0 ? -1 : 1;
+                continue;
+            }
+            const std::optional<SeamTurn> turn = aroundCorner(m_sides, at, forward, spacing);
+            if (!turn || comesBack(out, *turn, at.tangent() * forward, spacing)) {
+                closesAtCorner(out, at.position, spacing);
                 return out;
             }
-            out.points.push_back(*next);
+            if (turn->corner) {
+                if (closes(out, *turn->corner, start, sign) || closesAtCorner(out, turn->corner->position, spacing))
+                    return out;
+                out.corners.push_back(out.points.size());
+                out.points.push_back(*turn->corner);
+            }
+            if (closes(out, turn->next, start, sign))
+                return out;
+            out.points.push_back(turn->next);
+            forward = dot(turn->next.tangent(), turn->next.position - out.points[out.points.size() - 2].position) < 0
+                          ? -1
+                          : 1;
+            step = least * longest;
         }
         return out;
+    }
+    /// Has the curve passed this corner? What came before it does not count then: the start was beside the seam.
+    static bool closesAtCorner(SeamCurve& curve, const Vec3d& place, double spacing) {
+        constexpr double near = 0.1;
+        constexpr std::size_t least = 4; // points between
+        for (std::size_t k = 0; k < curve.corners.size(); ++k) {
+            const std::size_t i = curve.corners[k];
+            if (i + least > curve.points.size() || distance(curve.points[i].position, place) > near * spacing)
+                continue;
+            while (curve.corners.size() > k + 1 && curve.corners.back() + least > curve.points.size() &&
+                   distance(curve.points[curve.corners.back()].position, place) <= near * spacing) {
+                curve.points.resize(curve.corners.back());
+                curve.corners.pop_back();
+            }
+            curve.points.erase(curve.points.begin(), curve.points.begin() + static_cast<std::ptrdiff_t>(i));
+            curve.corners.erase(curve.corners.begin(), curve.corners.begin() + static_cast<std::ptrdiff_t>(k));
+            for (std::size_t& corner : curve.corners)
+                corner -= i;
+            curve.closed = true;
+            return true;
+        }
+        return false;
+    }
+    /// Back the way it came, or on the spot?
+    static bool comesBack(const SeamCurve& curve, const SeamTurn& turn, const Vec3d& forwards, double spacing) {
+        constexpr double leastTip = -0.9975; // 4 degrees
+        const Vec3d& from = turn.corner ? turn.corner->position : curve.points.back().position;
+        if (dot(forwards, normalized(turn.next.position - from)) < leastTip)
+            return true;
+        return turn.corner && !curve.corners.empty() &&
+               distance(curve.points[curve.corners.back()].position, from) < 0.01 * spacing;
+    }
+    static bool closes(SeamCurve& curve, const SeamPoint& next, const SeamPoint& start, double sign) {
+        curve.closed = curve.points.size() > 2 && returns(curve.points.back(), next, start, sign);
+        return curve.closed;
     }
     /// Does the step come by the start?
     static bool returns(const SeamPoint& at, const SeamPoint& next, const SeamPoint& start, double sign) {
@@ -149,13 +222,15 @@ class Tracer {
 
     const TwoSides& m_sides;
     Seeds& m_seeds;
+    std::size_t m_most;
 };
 
 } // namespace
 
 std::vector<SeamCurve> traceSeams(const TwoSides& sides, const std::vector<SeamSeed>& list) {
     Seeds seeds(list);
-    Tracer tracer(sides, seeds);
+    // some seeds to a spacing, two steps to a spacing and some at corners
+    Tracer tracer(sides, seeds, 1000 + 64 * list.size());
     std::vector<SeamCurve> out;
     for (std::size_t i = 0; i < list.size(); ++i) {
         if (seeds.passed(i))
@@ -164,8 +239,7 @@ std::vector<SeamCurve> traceSeams(const TwoSides& sides, const std::vector<SeamS
         if (!start || distance(start->position, list[i].position) > list[i].spacing)
             continue;
         SeamCurve curve = tracer.from(*start, list[i].spacing);
-        for (const SeamPoint& p : curve.points) // steps passed all but the last
-            seeds.pass(p.position, list[i].spacing);
+        seeds.pass(curve, list[i].spacing);
         if (curve.points.size() > 1)
             out.push_back(std::move(curve));
     }

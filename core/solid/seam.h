@@ -34,7 +34,7 @@ constexpr double seamTolerance = 1e-4;
 
 struct SeamCurve {
     std::vector<SeamPoint> points;
-    std::vector<std::size_t> corners; ///< after which of the points one of both surfaces turns
+    std::vector<std::size_t> corners; ///< which of the points lie on an edge of one of both surfaces
     bool closed = false;
 
     double length() const;

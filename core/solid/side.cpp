@@ -60,8 +60,8 @@ SideValue SurfaceSide::at(const Vec3d& x) const {
     const Vec3f place = base::cast<float>(x);
     if (m_cells) {
         const cells::CellValue value = cells::evaluate(*m_cells, x, surface::Need::Gradient);
-        if (value.mixed && value.at.ok())
-            return nearValue(value.at);
+        if (value.mixed && (value.at.ok() || value.at.status == surface::Status::BeyondBoundary))
+            return nearValue(value.at); // the smooth one would be round
     }
     const surface::Evaluationf at = m_surface.evaluate(place, surface::Need::Gradient);
     if (surface::isSurface(at))

@@ -1,8 +1,12 @@
 // Files for a desktop: they name every subcommand, option and format, and nothing else.
-#include "app/desktop_files.h"
+#include "app/desktop/desktop_files.h"
 
+#include "app/desktop/manual.h"
+#include "app/desktop/markup.h"
 #include "app/subcommands/subcommand.h"
 #include "core/io/formats.h"
+#include "core/sculpt/tool.h"
+#include "core/session/command.h"
 #include "support/registry.h"
 
 #include <QRegularExpression>
@@ -16,6 +20,9 @@ class DesktopFilesTest : public QObject {
     void theManualHasEverySubcommandAndFormat();
     void noLineOfTheManualIsARequestByAccident();
     void completionsAreTheSubcommands();
+    void thePageOfTheSoftwareCentreOpensTheSameTypes();
+    void theManualHasARowForEveryRow();
+    void theManualNamesThePicturesThatAreMadeForIt();
 };
 
 void DesktopFilesTest::theEntryOpensWhatMimeTypesDescribe() {
@@ -60,6 +67,48 @@ void DesktopFilesTest::completionsAreTheSubcommands() {
     const QString script = QString::fromStdString(app::bashCompletions());
     for (const app::SubcommandRow& row : app::subcommandTable())
         QVERIFY2(script.contains(QString("        %1) words=\"--").arg(row.name)), row.name);
+}
+
+void DesktopFilesTest::thePageOfTheSoftwareCentreOpensTheSameTypes() {
+    const QString entry = QString::fromStdString(app::desktopEntry());
+    QXmlStreamReader xml(QString::fromStdString(app::softwarePage()));
+    int types = 0;
+    while (!xml.atEnd())
+        if (xml.readNext() == QXmlStreamReader::StartElement && xml.name() == u"mediatype") {
+            const QString type = xml.readElementText();
+            QVERIFY2(entry.contains(type + ";"), qPrintable(type));
+            QVERIFY2(QString::fromStdString(app::thumbnailer()).contains(type + ";"), qPrintable(type));
+            ++types;
+        }
+    QVERIFY2(!xml.hasError(), qPrintable(xml.errorString()));
+    QCOMPARE(types, int(entry.count("model/")));
+}
+
+void DesktopFilesTest::theManualHasARowForEveryRow() {
+    std::string page;
+    for (const app::ManualPage& each : app::manual(false))
+        page += each.text;
+    const auto has = [&](const std::string& text) { return page.find(text) != std::string::npos; };
+    for (const sculpt::ToolRow& tool : sculpt::toolTable())
+        QVERIFY2(has("<h3>" + app::escapedMarkup(tool.label) + "</h3>") && has(app::escapedMarkup(tool.tip)), tool.id);
+    for (const session::CommandRow& each : session::commandTable())
+        QVERIFY2(has(std::string("<h3><code>") + each.op + "</code></h3>"), each.op);
+    for (const app::SubcommandRow& each : app::subcommandTable())
+        QVERIFY2(has(std::string("<h3><code>pointclay ") + each.name + "</code></h3>"), each.name);
+    for (const io::FormatRow& each : io::formatTable())
+        QVERIFY2(has(app::escapedMarkup(each.label)), each.label);
+    QVERIFY(!has("<img"));
+}
+
+void DesktopFilesTest::theManualNamesThePicturesThatAreMadeForIt() {
+    QString page;
+    for (const app::ManualPage& each : app::manual(true))
+        page += QString::fromStdString(each.text);
+    const auto pictures = app::manualPictures();
+    QVERIFY(!pictures.empty());
+    for (const app::ManualPicture& each : pictures)
+        QVERIFY2(page.contains(QString("src=\"%1\"").arg(QString::fromStdString(each.file))), each.file.c_str());
+    QCOMPARE(page.count("<img "), int(pictures.size()));
 }
 
 static const test::Registered<DesktopFilesTest> registered;

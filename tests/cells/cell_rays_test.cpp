@@ -214,7 +214,7 @@ void CellRaysTest::anyCornerOfPlanesIsHitWhereItIs() {
     }
     qInfo() << solids << "solids," << told(sum).constData();
     QVERIFY2(sum.rays > 20, told(sum));
-    const bool saddle = kind == 3 || kind == 4; // cells/README 10
+    const bool saddle = kind == 3 || kind == 4; // cells/README 11
     QVERIFY2(1000 * (sum.lost + sum.wrong) <= (saddle ? 12 : 2) * sum.rays,
              (told(sum) + ", seed " + QByteArray::number(test::seed())));
 }

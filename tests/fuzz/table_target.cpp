@@ -4,6 +4,7 @@
 #include "core/haptics/proxy.h"
 #include "core/process/estimation/prepare.h"
 #include "core/process/samples/samples.h"
+#include "core/session/trajectory_file.h"
 #include "core/surface/curvature.h"
 #include "core/surface/projection/project.h"
 #include "core/surface/rays/intersect.h"
@@ -95,7 +96,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         answer(surfaceOf(size), std::span(rays).first(std::min(rays.size(), mostRows)));
     });
     fuzz::tried([&] {
-        const haptics::Trajectory places = app::readTrajectory(file, {});
+        const haptics::Trajectory places = session::readTrajectory(file, {});
         requireValid(places);
         answer(surfaceOf(size), std::span(places).first(std::min(places.size(), mostRows)));
     });

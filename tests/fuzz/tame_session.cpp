@@ -7,6 +7,7 @@
 #include "fuzz/fuzzed.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <nlohmann/json.hpp>
 
@@ -65,13 +66,22 @@ static json tamedCommand(json command) {
     for (const session::CommandRow& row : session::commandTable())
         for (const session::CommandParameter& p : row.parameters)
             if (const auto at = command.find(p.id);
-                p.type == std::string_view("path") && at != command.end() && at->is_string())
-                *at = tamePath(name, p.id, at->get<std::string>());
+                std::string_view(p.type).starts_with("path") && at != command.end()) {
+                if (at->is_string())
+                    *at = tamePath(name, p.id, at->get<std::string>());
+                else if (at->is_array())
+                    for (json& each : *at)
+                        each = tamePath(name, p.id, each.is_string() ? each.get<std::string>() : std::string());
+            }
     lessen(command, "count", 150);
     lessen(command, "sample_count", 150);
     if (const auto samples = command.find("samples"); samples != command.end() && samples->is_array())
         while (samples->size() > mostSamples)
             samples->erase(samples->size() - 1);
+    if (const auto way = command.find("samples"); name == "touch" && way != command.end() && way->is_array())
+        for (json& place : *way) // a second of a hand is a thousand ticks
+            if (place.is_array() && !place.empty() && place[0].is_number() && std::abs(place[0].get<double>()) > 1)
+                place[0] = std::fmod(place[0].get<double>(), 1.0);
     return command;
 }
 

@@ -20,6 +20,7 @@ class ProxyTest : public QObject {
     void slidingFeelsTheCoefficient();
     void forceFollowsTheToolWithoutJumps_data();
     void forceFollowsTheToolWithoutJumps();
+    void forceFollowsTheToolOnNoise();
     void wideToolsRestOnBothWalls();
     void openSheetsAreFeltFromBothSides();
     void toolsSlideOffRims();
@@ -176,6 +177,38 @@ void ProxyTest::forceFollowsTheToolWithoutJumps() {
         before = force;
     }
     QVERIFY(!proxy.touches());
+}
+
+/// Grain is felt as grain: a noisy scan's normals turn from surfel to surfel, and yet a tick of 0.01 h changes the
+/// force by no more than 2 % of what a tool h deep feels.
+void ProxyTest::forceFollowsTheToolOnNoise() {
+    const double unit = 3.5 * shapes::sphereSpacing(4000, 1), limit = unit;
+    base::Random random(test::seed());
+    for (const double noise : {0.05, 0.1}) { // of a spacing
+        const surface::Surface surface =
+            shapes::surfaceOf(shapes::jittered(shapes::sphere(4000, 1, unit), noise * unit / 3.5, 7));
+        for (int walk = 0; walk < 20; ++walk) {
+            const Vec3d n = random.unitVector(), u = base::perpendicular(n);
+            Proxy proxy;
+            proxy.place(surface, n * (1 + unit));
+            Vec3d before, force;
+            for (int i = 0; i < 400; ++i) { // half an h deep, and along
+                const double along = 0.008 * unit * i, deep = std::min(0.5, 0.006 * i);
+                const Vec3d x = base::normalized(n + u * along) * (1 + (0.1 - deep) * unit);
+                proxy.move(surface, x);
+                force = forceOn({1, 0, 0}, proxy, surface, x, {});
+                QVERIFY2(i == 0 || length(force - before) <= 0.02 * limit,
+                         qPrintable(QString("noise %1, seed %2, walk %3, tick %4: %5")
+                                        .arg(noise)
+                                        .arg(test::seed())
+                                        .arg(walk)
+                                        .arg(i)
+                                        .arg(length(force - before) / limit)));
+                before = force;
+            }
+            QVERIFY(proxy.touches());
+        }
+    }
 }
 
 /// A tool wider than a groove of 90 degrees rests on both of its walls.

@@ -2,9 +2,11 @@
 #include "core/mesh/faces/face_creases.h"
 
 #include "core/cells/cell_rays.h"
+#include "core/mesh/faces/face_spacing.h"
 #include "core/mesh/faces/open_faces.h"
 #include "mesh/face_models.h"
 #include "support/registry.h"
+#include "support/sanitized.h"
 
 #include <QTest>
 #include <set>
@@ -25,6 +27,9 @@ class FaceCreasesTest : public QObject {
     void smallPatchesJoinTheirFlattestNeighbour();
     void creasesThatEndFadeBetweenTwoBands();
     void openBoxesAreHitAtTheirEdges();
+    void sharpEdgesAmongBumpsAreNoCreases();
+    void edgesOfBoxesStayBesideBumps();
+    void finePartsAreSampledForTheirEdges();
 };
 
 namespace {
@@ -197,6 +202,84 @@ void FaceCreasesTest::openBoxesAreHitAtTheirEdges() {
         QVERIFY(std::min(std::abs(p.x - 1), std::abs(p.z - 3)) < 1e-9);
         QVERIFY(p.x < 1 + 1e-9 && p.z < 3 + 1e-9);
     }
+}
+
+/// A torus of few triangles whose vertices are off by chance; facing as it does.
+static Faces bumpy(std::uint64_t seed) {
+    Faces out = band(40, 16, false);
+    base::Random random(seed);
+    for (base::Vec3f& p : out.positions) // towards the middle or away from it
+        p = p * static_cast<float>(1 + random.uniform(-0.035, 0.035));
+    return out;
+}
+
+/// But for some by chance; who asks for them has them all.
+void FaceCreasesTest::sharpEdgesAmongBumpsAreNoCreases() {
+    std::size_t all = 0, left = 0;
+    for (int k = 0; k < test::effort(20); ++k) {
+        const Faces torus = bumpy(test::seed() + static_cast<std::uint64_t>(k));
+        const mesh::FaceTopology topology = torus.topology();
+        const mesh::CreaseChains clear = clearChains(topology, 0.07), asked = allChains(topology);
+        QVERIFY(topology.sharpEdges.size() > 10);
+        QCOMPARE(clear.edges.size() + clear.leftOut, topology.sharpEdges.size());
+        QCOMPARE(asked.edges.size(), topology.sharpEdges.size());
+        all += topology.sharpEdges.size();
+        left += clear.edges.size();
+    }
+    const auto told = QString("seed %1: %2 of %3 are creases").arg(test::seed()).arg(left).arg(all).toUtf8();
+    QVERIFY2(20 * left < all, told);
+    const Faces torus = bumpy(test::seed());
+    const mesh::FaceOptions options{.use = mesh::FaceUse::Sample, .count = 3000};
+    const mesh::OpenedFaces open = mesh::openFaces(torus.list(), torus.triangles, {}, options);
+    QVERIFY(open.messages.back().find("noise") != std::string::npos);
+    QVERIFY(!labelsOf(opened(torus, 3000).points).empty());
+}
+
+/// What a chain is does not depend on others.
+void FaceCreasesTest::edgesOfBoxesStayBesideBumps() {
+    Faces both = bumpy(test::seed());
+    const Faces cube = box({1, 1, 1});
+    const auto first = static_cast<std::uint32_t>(both.positions.size());
+    for (const base::Vec3f& p : cube.positions)
+        both.positions.push_back(p + base::Vec3f{5, 0, 0});
+    for (const mesh::Triangle& t : cube.triangles)
+        both.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+    const mesh::CreaseChains clear = clearChains(both.topology(), 0.07);
+    QVERIFY(clear.leftOut > 0);
+    QCOMPARE(std::count_if(clear.edges.begin(), clear.edges.end(), [](const auto& edge) { return edge.from.x > 3; }),
+             std::ptrdiff_t(12));
+}
+
+/// A cube of so many triangles that its vertices would do; without creases they stay.
+void FaceCreasesTest::finePartsAreSampledForTheirEdges() {
+    const int n = test::sanitized ? 90 : 110;
+    Faces cube;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        for (const float side : {0.0f, 1.0f}) {
+            const auto first = static_cast<std::uint32_t>(cube.positions.size());
+            for (int i = 0; i <= n; ++i)
+                for (int k = 0; k <= n; ++k) {
+                    base::Vec3f p;
+                    p[axis] = side;
+                    p[(axis + 1) % 3] = static_cast<float>(i) / static_cast<float>(n);
+                    p[(axis + 2) % 3] = static_cast<float>(k) / static_cast<float>(n);
+                    cube.positions.push_back(p);
+                }
+            const auto at = [&](int i, int k) { return first + static_cast<std::uint32_t>(i * (n + 1) + k); };
+            for (int i = 0; i < n; ++i)
+                for (int k = 0; k < n; ++k) {
+                    const mesh::Triangle a{at(i, k), at(i + 1, k), at(i + 1, k + 1)};
+                    const mesh::Triangle b{at(i, k), at(i + 1, k + 1), at(i, k + 1)};
+                    for (const mesh::Triangle& t : {a, b})
+                        cube.triangles.push_back(side > 0 ? t : mesh::Triangle{t[0], t[2], t[1]});
+                }
+        }
+    QVERIFY(sampleWell(cube.topology(), cube.positions));
+    const mesh::OpenedFaces open = mesh::openFaces(cube.list(), cube.triangles, {}, {});
+    QVERIFY(open.sampled);
+    QCOMPARE(cells::countCells(open.points).cells, std::size_t(6));
+    QVERIFY(!mesh::openFaces(cube.list(), cube.triangles, {}, {.creases = false}).sampled);
+    QVERIFY(!mesh::openFaces(cube.list(), cube.triangles, {}, {.sharpRad = 2}).sampled);
 }
 
 static const test::Registered<FaceCreasesTest> registered;

@@ -15,6 +15,8 @@ class ResampleCellsTest : public QObject {
   private Q_SLOTS:
     void drawnSolidsKeepTheirEdges_data();
     void drawnSolidsKeepTheirEdges();
+    void wholeModelsKeepTheirEdges_data();
+    void wholeModelsKeepTheirEdges();
     void withinOneCellBitsStay();
 };
 
@@ -100,6 +102,40 @@ void ResampleCellsTest::drawnSolidsKeepTheirEdges() {
     QVERIFY2(count > before * 5 / 4, told); // room was filled
     QVERIFY2(off == 0 && turned == 0, told);
     QVERIFY2(elsewhere == 0, told);
+}
+
+void ResampleCellsTest::wholeModelsKeepTheirEdges_data() {
+    QTest::addColumn<int>("kind");
+    QTest::addColumn<double>("ratio");
+    for (const double ratio : {0.8, 1.3}) {
+        QTest::addRow("cube by %g", ratio) << 0 << ratio;
+        QTest::addRow("L-block by %g", ratio) << 1 << ratio;
+    }
+}
+
+/// Every surfel on the plane of its cell, none beyond an edge, and as many as the area wants.
+void ResampleCellsTest::wholeModelsKeepTheirEdges() {
+    QFETCH(int, kind);
+    QFETCH(double, ratio);
+    Random random(test::seed());
+    const plane_solids::Solid solid = kind == 0 ? plane_solids::cube(0.8) : plane_solids::lBlock(0.8);
+    const SampledSolid s = plane_solids::sampled(solid, 2.4, spacing, random);
+    const surface::Surface before = plane_solids::surfaceOf(s.surfels);
+    const auto result = process::resampleAll(before, static_cast<float>(ratio * spacing));
+    const cells::LabelLayout labels = *cells::LabelLayout::of(*result.surface.tree().layout());
+    double off = 0;
+    result.surface.tree().forEachBlock([&](std::uint32_t, const surfel::SurfelBlock& block) {
+        for (int slot = 0; slot < block.size(); ++slot) {
+            const Vec3d p = base::cast<double>(block.position(slot));
+            off = std::max({off, std::abs(solid.planes[labels.cellAt(block, slot)].f(p)), std::abs(solid.value(p))});
+        }
+    });
+    const double count = static_cast<double>(result.surface.tree().size());
+    const double wanted = static_cast<double>(before.tree().size()) / (ratio * ratio);
+    const QByteArray told =
+        QString("seed %1: %2 surfels for %3, off %4").arg(test::seed()).arg(count).arg(wanted).arg(off).toUtf8();
+    QVERIFY2(off < 0.02 * spacing, told);
+    QVERIFY2(count > 0.8 * wanted && count < 1.25 * wanted, told);
 }
 
 void ResampleCellsTest::withinOneCellBitsStay() {

@@ -34,8 +34,9 @@ class CommandTest : public QObject {
 };
 
 void CommandTest::everyRowIsWhole() {
-    const std::set<std::string> types{"path", "number", "integer", "boolean", "choice", "number or choice",
-                                      "list", "range",  "text"};
+    const std::set<std::string> types{"path",    "paths",  "number",  "integer",
+                                      "boolean", "choice", "choices", "number or choice",
+                                      "list",    "range",  "text"};
     std::set<std::string> ops;
     for (const session::CommandRow& row : session::commandTable()) {
         QVERIFY2(ops.insert(row.op).second, row.op);

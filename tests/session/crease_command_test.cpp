@@ -30,7 +30,8 @@ json points(Workbench& bench) {
     return {{"op", "open"},
             {"path", test::write(bench.path("box.obj"), faces).string()},
             {"faces", "sample"},
-            {"sample_count", 4000}};
+            {"sample_count", 4000},
+            {"sharp", "off"}};
 }
 
 std::size_t cellsOf(const Workbench& bench) {

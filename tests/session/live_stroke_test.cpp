@@ -32,6 +32,7 @@ static StrokeSample randomSample(base::Random& random, double scale) {
     out.ray.direction = base::cast<float>(random.unitVector());
     out.pressure = static_cast<float>(random.uniform());
     out.seconds = static_cast<float>(random.uniform(0, 100));
+    out.reach = random.uniform() < 0.5 ? 0 : static_cast<float>(random.uniform(0, scale));
     return out;
 }
 

@@ -22,6 +22,8 @@ class SeamTest : public QObject {
   private Q_SLOTS:
     void seamsOfBallsAreTheirCircle();
     void drillsLeaveTwoSeams();
+    void aCornerThatPokesIntoAFaceHasThree();
+    void boxesThatCrossHaveOneClosedSeam();
     void filletsOfBallsLieOnTheirTorus_data();
     void filletsOfBallsLieOnTheirTorus();
     void aCylinderOnABoxGetsARoundFoot();
@@ -99,6 +101,52 @@ void SeamTest::seamsOfBallsAreTheirCircle() {
         const QByteArray told = QString("%1 apart, radius %2: %3 s").arg(apart).arg(b).arg(most / s).toUtf8();
         QVERIFY2(most < 0.1 * s, told);
         QVERIFY2(std::abs(result.seams[0].length() / (2 * pi * radius) - 1) < 2e-3, told);
+    }
+}
+
+/// Two boxes in a random pose, by their surfels.
+static std::vector<solid::SeamCurve> seamsOfBoxes(const solid::Size& first, const solid::Size& second,
+                                                  const solid::Pose& between, base::Random& random) {
+    constexpr double s = 0.07;
+    const solid::Pose pose = solid::poseAlong(random.unitVector(), random.unitVector());
+    const solid::Pose other{pose.turn * between.turn, pose.place(between.middle)};
+    const surface::Surface model = shapeAt("box", first, s, pose), operand = shapeAt("box", second, s, other);
+    solid::CombineOptions options;
+    options.seams = true;
+    return solid::combine(model, {solid::SurfaceSide(operand), operand.tree().surfels()}, Operation::Union, options)
+        .seams;
+}
+
+void SeamTest::aCornerThatPokesIntoAFaceHasThree() {
+    constexpr std::uint64_t seed = 11;
+    base::Random random(seed);
+    base::Mat3d down; // a cube's diagonal
+    const Vec3d rows[] = {normalized(Vec3d{1, 1, -2}), normalized(Vec3d{1, -1, 0}), normalized(Vec3d{-1, -1, -1})};
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+            down[i][j] = rows[i][static_cast<std::size_t>(j)];
+    for (int k = 0; k < 6; ++k) {
+        const double depth = random.uniform(0.2, 0.4);
+        const std::vector<solid::SeamCurve> seams =
+            seamsOfBoxes({2, 2, 1}, {1, 1, 1}, {down, {0, 0, 0.5 - depth + 0.5 * std::sqrt(3.0)}}, random);
+        const QByteArray told = QString("seed %1, pose %2, depth %3").arg(seed).arg(k).arg(depth).toUtf8();
+        QVERIFY2(seams.size() == 1 && seams[0].closed && seams[0].corners.size() == 3, told);
+        QCOMPARE(seams[0].pieces(), std::size_t(3));
+        QVERIFY2(std::abs(seams[0].length() / (3 * std::sqrt(6.0) * depth) - 1) < 0.01, told);
+    }
+}
+
+void SeamTest::boxesThatCrossHaveOneClosedSeam() {
+    constexpr std::uint64_t seed = 12;
+    base::Random random(seed);
+    for (int k = 0; k < 6; ++k) {
+        const Vec3d apart{random.uniform(0.2, 0.7), random.uniform(0.2, 0.7), random.uniform(0.2, 0.7)};
+        const std::vector<solid::SeamCurve> seams =
+            seamsOfBoxes({1, 1, 1}, {1, 1, 1}, {base::Mat3d::identity(), apart}, random);
+        const QByteArray told = QString("seed %1, pose %2").arg(seed).arg(k).toUtf8();
+        QVERIFY2(seams.size() == 1 && seams[0].closed && seams[0].corners.size() == 6, told);
+        const double wanted = 2 * (3 - apart.x - apart.y - apart.z);
+        QVERIFY2(std::abs(seams[0].length() / wanted - 1) < 0.01, told);
     }
 }
 

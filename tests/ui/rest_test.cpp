@@ -51,7 +51,7 @@ void RestTest::strokesGoOnFromTheRoughPicture() {
             else
                 out.push_back(result.picture);
         });
-        ui::Editor editor({.keepJournal = false, .journal = {}});
+        ui::Editor editor({.keepJournal = false, .journal = {}, .historyBytes = 1 << 20});
         editor.run({{"op", "new"}, {"sample", "sphere"}, {"count", 3000}});
         (void)QTest::qWaitFor([&] { return !editor.busy(); }, 60000);
         ui::Frame frame;

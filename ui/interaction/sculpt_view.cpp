@@ -14,8 +14,9 @@ SculptView::SculptView(Editor& editor, Settings& settings, Viewport& viewport, Q
       m_flight(m_motion.navigator(), editor, *viewport.widget()), m_look(editor, settings, *viewport.widget()),
       m_cursor(editor, settings, m_motion, m_sizing, *viewport.widget()),
       m_pointer({editor, settings, m_motion, m_flight, m_sizing, m_source, m_strokes, m_cursor}, *viewport.widget()),
-      m_overlay(
-          {editor, settings, m_motion, m_cuts, m_symmetry, m_source, m_strokes, m_look, m_pointer, m_cursor.cursor()}) {
+      m_touch({editor, settings, m_motion, m_sizing, m_source, m_pointer}, *viewport.widget()),
+      m_overlay({editor, settings, m_motion, m_cuts, m_symmetry, m_source, m_strokes, m_look, m_pointer,
+                 m_cursor.cursor(), m_touch}) {
     viewport.paintOverlay = [this](QPainter& painter) {
         m_overlay.paint(painter, m_viewport.widget()->devicePixelRatioF());
     };
@@ -37,6 +38,9 @@ void SculptView::connectParts() {
     connect(&m_cuts, &CutPlanes::traced, this, [this] { m_viewport.widget()->update(); });
     connect(&m_symmetry, &SymmetryCurves::traced, this, [this] { m_viewport.widget()->update(); });
     connect(&m_cuts, &CutPlanes::failed, this, &SculptView::hinted);
+    connect(&m_touch, &TouchInput::felt, this, [this] { m_viewport.widget()->update(); });
+    connect(&m_pointer, &PointerRouter::touched, &m_touch, &TouchInput::letGo);
+    connect(&m_touch, &TouchInput::hinted, this, &SculptView::hinted);
     connect(&m_flight, &Flight::hinted, this, &SculptView::hinted);
     connect(&m_pointer, &PointerRouter::hinted, this, &SculptView::hinted);
 }

@@ -24,6 +24,7 @@ class SculptView : public QObject {
     const PictureLook& look() const { return m_look; }
     PointerRouter& pointer() { return m_pointer; }
     ViewOverlay& overlay() { return m_overlay; }
+    TouchInput& touch() { return m_touch; }
     const BrushCursor& cursor() const { return m_cursor.cursor(); }
 
     /// Another picture: the settings that show in it have changed.
@@ -58,6 +59,7 @@ class SculptView : public QObject {
     PictureLook m_look;
     CursorTracker m_cursor;
     PointerRouter m_pointer;
+    TouchInput m_touch;
     ViewOverlay m_overlay;
     std::uint64_t m_models = 0;    ///< of the snapshot that the view was framed for
     std::uint64_t m_viewInput = 0; ///< the last pointer event that moved the view

@@ -37,6 +37,7 @@ void ViewOverlay::paint(QPainter& painter, double pixelRatio) const {
               render::annotate(settings.annotated, seen, m_parts.look.scale(), settings.backdrop, look.pixelScale));
     if (!motion.navigator().flying())
         ui::paint(painter, m_parts.cursor, seen);
+    ui::paint(painter, m_parts.touch.look(), seen, pixelRatio);
     ui::paint(painter, notice, seen.width, pixelRatio);
     painter.restore();
 }

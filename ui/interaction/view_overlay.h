@@ -5,6 +5,7 @@
 #include "ui/interaction/picture_look.h"
 #include "ui/interaction/pointer_router.h"
 #include "ui/interaction/symmetry_curves.h"
+#include "ui/interaction/touch_input.h"
 #include "ui/overlay/notice_overlay.h"
 
 namespace ui {
@@ -23,6 +24,7 @@ class ViewOverlay {
         const PictureLook& look;
         const PointerRouter& pointer;
         const BrushCursor& cursor;
+        const TouchInput& touch;
     };
     explicit ViewOverlay(const Parts& parts) : m_parts(parts) {}
 

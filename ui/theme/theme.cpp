@@ -73,6 +73,8 @@ static const char* const sheet = R"(
     QMenu::item:selected { background: @strong; }
     QMenu::item:disabled { color: @disabled; }
     QMenu::icon { padding-left: 6px; }
+    QListWidget::item { padding: 4px 8px; }
+    QListWidget::item:selected { background: @strong; color: @accent; }
     QMenu::separator { height: 1px; background: @line; margin: 4px 6px; }
     QToolBar { background: @panel; border: none; padding: 4px; spacing: 2px; }
     QToolBar::separator { background: @line; width: 1px; height: 1px; margin: 4px; }
@@ -81,9 +83,11 @@ static const char* const sheet = R"(
     QToolButton:checked { background: @checked; border-color: @accent; }
     QToolButton:pressed { background: @field; }
     QToolButton:disabled { color: @disabled; }
-    QToolBar#corner { background: @ground; padding: 0 6px; margin: 0; }
+    QToolButton[popupMode="2"] { padding-right: 15px; }
+    QToolButton::menu-indicator { subcontrol-origin: padding; subcontrol-position: center right; right: 3px; }
+    QWidget#corner { background: @ground; }
     QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
-    QToolBar#corner QToolButton { padding: 0 4px; margin: 0; border: none; }
+    QWidget#corner QToolButton { padding: 2px 5px; margin: 0; border: none; }
     QToolBar#tools QToolButton { padding: 5px 6px; }
     QToolButton#plain, QToolButton#tool-parameter { background: @raised; padding: 2px 6px; min-height: 16px; }
     QToolButton#plain:hover { background: @hover; }

@@ -1,11 +1,15 @@
-// The bars over the lower edge of the picture that the View menu shows: the true surface's and the clip planes'.
+// The bars over the lower edge of the picture that the View menu shows: the true surface's, the clip planes' and that
+// of the layers and of touch.
 #include "ui/panels/cut_bar.h"
+#include "ui/panels/layer_bar.h"
+#include "ui/panels/touch_bar.h"
 #include "ui/panels/truth_bar.h"
 #include "ui/window/main_window.h"
 #include "ui/window/menus/menu_tools.h"
 #include "ui/window/menus/menus.h"
 
 #include <QAction>
+#include <QInputDialog>
 #include <QMenu>
 
 namespace ui {
@@ -42,6 +46,53 @@ void addCutBar(MainWindow& window, QMenu& view) {
     QObject::connect(bar, &CutBar::edited, &scene.cuts(), &CutPlanes::set);
     QObject::connect(bar, &CutBar::freeWanted, &scene, &SculptView::faceFreePlane);
     follow();
+}
+
+void addLayerBar(MainWindow& window, QMenu& view) {
+    auto* bar = new LayerBar(&window);
+    bar->hide();
+    window.bars().add(*bar);
+    QAction* shown = bar->toggleViewAction();
+    shown->setText(QObject::tr("&Layers"));
+    shown->setShortcut(QKeySequence("Shift+L"));
+    shown->setToolTip(QObject::tr("Keep strokes apart in layers, of which more or less is shown"));
+    view.addAction(shown);
+    QObject::connect(&window.editor(), &Editor::changed, bar,
+                     [&window, bar] { bar->display(window.editor().snapshot().layers); });
+    QObject::connect(bar, &LayerBar::wanted, &window,
+                     [&window](const nlohmann::json& command) { window.editor().run(command); });
+    QObject::connect(bar, &LayerBar::nameWanted, &window, [&window](const QString& now) {
+        bool taken = false;
+        const QString next = QInputDialog::getText(&window, QObject::tr("Rename Layer"), QObject::tr("Name:"),
+                                                   QLineEdit::Normal, now, &taken);
+        if (taken && next != now)
+            window.editor().run(
+                {{"op", "layer"}, {"do", "rename"}, {"name", now.toStdString()}, {"to", next.trimmed().toStdString()}});
+    });
+    bar->display(window.editor().snapshot().layers);
+}
+
+void addTouchBar(MainWindow& window, QMenu& view) {
+    auto* bar = new TouchBar(&window);
+    bar->hide();
+    window.bars().add(*bar);
+    QAction* shown = bar->toggleViewAction();
+    shown->setText(QObject::tr("Touc&h"));
+    shown->setShortcut(QKeySequence("F7"));
+    shown->setToolTip(
+        QObject::tr("Feel the model with a haptic device, a mouse or a simulated hand, and sculpt by touch"));
+    view.addAction(shown);
+    TouchInput& touch = window.sculptView().touch();
+    QObject::connect(bar, &TouchBar::edited, &touch, &TouchInput::set);
+    QObject::connect(&touch, &TouchInput::stopped, bar, &TouchBar::turnOff);
+    QObject::connect(&touch, &TouchInput::felt, bar, [&touch, bar] {
+        bar->showForce(length(touch.look().force), touch.look().works);
+        bar->showState(touch.state());
+    });
+    QObject::connect(shown, &QAction::toggled, &touch, [&touch](bool on) {
+        if (!on)
+            touch.stop();
+    });
 }
 
 } // namespace ui

@@ -7,6 +7,7 @@
 #include "ui/window/recovery_dialog.h"
 
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QMainWindow>
 #include <QMessageBox>
 
@@ -24,6 +25,39 @@ QString FileActions::folder() const {
 void FileActions::remember(const fs::path& path) {
     m_settings.remember(path.string());
     Q_EMIT recentChanged();
+}
+
+// --- sessions ---
+
+void FileActions::runSession() {
+    const QString file = QFileDialog::getOpenFileName(&m_window, tr("Run Session"), folder(), sessionFilter());
+    if (!file.isEmpty())
+        runSession(pathOf(file));
+}
+
+void FileActions::runSession(const fs::path& session) {
+    unlessUnsaved([this, session] {
+        m_failure.clear();
+        Q_EMIT began(tr("Running %1").arg(textOf(session.filename())));
+        m_editor.replay(session, [this, session](bool done) {
+            Q_EMIT ended();
+            if (!done)
+                m_failure.show(tr("%1 did not come to its end").arg(textOf(session.filename())));
+        });
+    });
+}
+
+void FileActions::saveSession() {
+    QString file = QFileDialog::getSaveFileName(&m_window, tr("Save Session"), folder(), sessionFilter());
+    if (file.isEmpty())
+        return;
+    if (QFileInfo(file).suffix().isEmpty())
+        file += ".jsonl";
+    m_failure.clear();
+    m_editor.saveSession(pathOf(file), [this](bool done) {
+        if (!done)
+            m_failure.show(tr("Could not save the session"));
+    });
 }
 
 // --- new and open ---

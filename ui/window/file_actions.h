@@ -23,6 +23,11 @@ class FileActions : public QObject {
     void openArgument(const std::string& model);
     void save(std::function<void()> then = {});
     void saveAs(std::function<void()> then = {});
+    /// Executes the lines of a session that the person chooses; most begin with another model.
+    void runSession();
+    void runSession(const std::filesystem::path& session);
+    /// All that was done since the model was opened or made, as a session.
+    void saveSession();
     /// Asks about journals that a crash has left; true where one is being recovered.
     bool offerRecovery();
     /// Runs `next` at once, after saving, or never: as the person decides about unsaved work.
@@ -38,6 +43,7 @@ class FileActions : public QObject {
     void load(const std::filesystem::path& path);
     void write(const std::filesystem::path& path, std::function<void()> then);
     void recover(const session::LeftJournal& journal);
+    QString sessionFilter() const { return tr("Sessions (*.jsonl)"); }
     void remember(const std::filesystem::path& path);
     QString folder() const;
 

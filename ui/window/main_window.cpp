@@ -4,6 +4,7 @@
 #include "ui/panels/header_bar.h"
 #include "ui/panels/properties_panel.h"
 #include "ui/panels/tool_bar.h"
+#include "ui/window/docks.h"
 #include "ui/window/dropped.h"
 #include "ui/window/file_dialogs.h"
 #include "ui/window/keys.h"
@@ -31,14 +32,16 @@ static Editor* startEditor(const EditorOptions& options, QObject* parent, QStrin
         return new Editor(options, parent);
     } catch (const base::Error& error) {
         trouble = QObject::tr("%1. Save often: a crash would lose what is not saved.").arg(error.what());
-        return new Editor({.keepJournal = false, .journal = {}}, parent);
+        return new Editor({.keepJournal = false, .journal = {}, .historyBytes = options.historyBytes}, parent);
     }
 }
 
 MainWindow::MainWindow(const WindowOptions& options, QWidget* parent)
     : QMainWindow(parent), m_settingsFile(options.settingsFile), m_settings(m_settingsFile.read()) {
     QString trouble;
-    m_editor = startEditor(options.editor, this, trouble);
+    EditorOptions editing = options.editor;
+    editing.historyBytes = std::size_t(m_settings.historyMib) << 20;
+    m_editor = startEditor(editing, this, trouble);
     setAcceptDrops(true);
     setContextMenuPolicy(Qt::NoContextMenu);
     buildViewport();
@@ -47,6 +50,7 @@ MainWindow::MainWindow(const WindowOptions& options, QWidget* parent)
     buildStatus();
     buildTools();
     buildPanel();
+    addDocks(*this);
     buildMenus();
     buildHeader();
     m_notices = new Notices(*m_view, *m_editor, *m_files, *m_progress, this);
@@ -274,8 +278,15 @@ void MainWindow::redo() {
     m_editor->run({{"op", "redo"}});
 }
 
+void MainWindow::go(int steps) {
+    m_view->pointer().cancel();
+    for (int left = std::abs(steps); left > 0; --left)
+        m_editor->run({{"op", steps < 0 ? "undo" : "redo"}});
+}
+
 void MainWindow::escape() {
-    if (!m_view->pointer().cancel())
+    const bool felt = m_view->touch().stop(); // whatever else: no force
+    if (!m_view->pointer().cancel() && !felt)
         m_progress->stop();
 }
 

@@ -51,6 +51,8 @@ class MainWindow : public QMainWindow {
 
     void undo(); ///< a stroke in progress goes first
     void redo();
+    /// So many steps forward, or back where negative.
+    void go(int steps);
     /// Drops what the pointer is doing; where that is nothing, stops long work.
     void escape();
     /// In the status line.

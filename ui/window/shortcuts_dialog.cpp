@@ -1,5 +1,7 @@
 #include "ui/window/shortcuts_dialog.h"
 
+#include "ui/view/gesture_table.h"
+
 #include <QAction>
 #include <QDialogButtonBox>
 #include <QHeaderView>
@@ -8,27 +10,6 @@
 #include <QVBoxLayout>
 
 namespace ui {
-
-std::span<const GestureRow> gestureTable() {
-    static const GestureRow table[] = {
-        {"Left button on the model", "Sculpt with the chosen tool; pen pressure counts"},
-        {"Shift + left button", "Smooth"},
-        {"Ctrl + left button", "Invert the tool"},
-        {"Left button beside the model", "Turn the view"},
-        {"Right button, Alt + left button", "Turn the view, on the model too"},
-        {"Double-click with these",
-         "Turn about that point of the surface; beside the model, about the middle of the view"},
-        {"Middle button", "Pan the view"},
-        {"Wheel", "Zoom towards the pointer"},
-        {"W A S D, Q E, Shift, wheel", "While flying: move, down and up, faster, set the speed; Esc lands"},
-        {"Hold F and move", "Brush radius"},
-        {"Hold Shift+F and move", "Tool strength"},
-        {"Ctrl + click with Clone", "Choose where to copy from"},
-        {"Click a number", "Type a value; drag to change it, with Shift in fine steps"},
-        {"Esc", "Take back the stroke in progress; stop long work"},
-    };
-    return table;
-}
 
 static void addRow(QTableWidget& table, const QString& keys, const QString& effect) {
     const int row = table.rowCount();

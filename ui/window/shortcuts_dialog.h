@@ -2,7 +2,6 @@
 #pragma once
 
 #include <QDialog>
-#include <span>
 
 class QMainWindow;
 
@@ -13,12 +12,5 @@ class ShortcutsDialog : public QDialog {
   public:
     explicit ShortcutsDialog(const QMainWindow& window, QWidget* parent = nullptr);
 };
-
-/// What the pointer does: gesture and effect.
-struct GestureRow {
-    const char* gesture;
-    const char* effect;
-};
-std::span<const GestureRow> gestureTable();
 
 } // namespace ui

@@ -1,5 +1,8 @@
 #include "ui/work/editor.h"
 
+#include "core/base/error.h"
+#include "core/session/journal.h"
+#include "core/session/session_file.h"
 #include "ui/work/post.h"
 
 #include <future>
@@ -13,6 +16,7 @@ Editor::Editor(const EditorOptions& options, QObject* parent) : QObject(parent) 
     if (options.keepJournal)
         journal = std::make_unique<session::Journal>(options.journal);
     m_worker = std::make_unique<ModelWorker>(m_signals, reports(), std::move(journal));
+    m_worker->setHistoryBudget(options.historyBytes);
     m_thread = std::thread([this] { work(); });
 }
 
@@ -46,6 +50,7 @@ WorkerReports Editor::reports() {
         post(this, [this, share, doing] { Q_EMIT progressed(share, doing); });
     };
     out.told = [this](const QString& message) { post(this, [this, message] { Q_EMIT told(message); }); };
+    out.recorded = [this](const QString& line) { post(this, [this, line] { Q_EMIT recorded(line); }); };
     out.failed = [this](const QString& message) { post(this, [this, message] { Q_EMIT failed(message); }); };
     out.finished = [this](std::function<void(bool)> then, bool done, int commands) {
         post(this, [this, then = std::move(then), done, commands] { finish(then, done, commands); });
@@ -92,6 +97,10 @@ void Editor::discardJournal() {
                      {}});
 }
 
+void Editor::setHistoryBudget(std::size_t bytes) {
+    push(CommandTask{[bytes](session::Context& context) { context.document.setHistoryBudget(bytes); }, {}});
+}
+
 // --- asking ---
 
 void Editor::push(Task task) {
@@ -125,6 +134,20 @@ void Editor::recover(std::filesystem::path journal, std::function<void(bool, con
                  if (then)
                      then(done, *found);
              }});
+}
+
+void Editor::replay(std::filesystem::path session, std::function<void(bool)> then) {
+    const auto work = [session = std::move(session)](session::Context& context) { session::replay(session, context); };
+    replace({work, std::move(then)}); // most begin with a model
+}
+
+void Editor::saveSession(std::filesystem::path target, std::function<void(bool)> then) {
+    const auto work = [target = std::move(target)](session::Context& context) {
+        if (!context.journal)
+            throw base::Error("cannot be written", target.string(), "no journal is kept in this window");
+        context.journal->copyTo(target);
+    };
+    push(CommandTask{work, std::move(then)});
 }
 
 void Editor::replace(CommandTask task) {

@@ -26,6 +26,7 @@ namespace ui {
 struct EditorOptions {
     bool keepJournal = true;
     std::filesystem::path journal; ///< empty: a file of this process in the state folder
+    std::size_t historyBytes = std::size_t(1) << 30;
 };
 
 class Editor : public QObject {
@@ -43,6 +44,10 @@ class Editor : public QObject {
     /// The model as a left journal's last command had it, recorded anew in this editor's own journal.
     void recover(std::filesystem::path journal,
                  std::function<void(bool done, const session::Recovery& recovery)> then = {});
+    /// Executes the lines of a session file; each is a step of history.
+    void replay(std::filesystem::path session, std::function<void(bool done)> then = {});
+    /// Writes all commands since the model was opened or made into a session file: what the journal holds.
+    void saveSession(std::filesystem::path target, std::function<void(bool done)> then = {});
     void runAside(SideTask task);
     void beginStroke(const sculpt::StrokeSettings& settings);
     /// `input`: what Snapshot::input says once it is in the picture.
@@ -53,6 +58,8 @@ class Editor : public QObject {
     /// Asks the command that is running to stop; it then leaves the model as it was.
     void cancelWork() { m_signals.cancel = true; }
 
+    /// How much memory the steps back may hold; the oldest go first.
+    void setHistoryBudget(std::size_t bytes);
     /// Nothing is journalled any more, and the file goes at once, or when what runs is done: the person has saved, or
     /// does not want to.
     void discardJournal();
@@ -78,6 +85,7 @@ class Editor : public QObject {
     void progressed(double share, QString doing); ///< of a running command, 0 to 1
     void told(QString message);                   ///< one sentence for the person
     void failed(QString message);                 ///< what is wrong, where, what to do
+    void recorded(QString line);                  ///< a command that changed the model; long ones are shortened
     void idled();                                 ///< nothing runs or waits any more
 
   private:

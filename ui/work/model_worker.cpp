@@ -1,5 +1,7 @@
 #include "ui/work/model_worker.h"
 
+#include "core/process/curve_tube.h"
+#include "core/session/json_text.h"
 #include "ui/work/post.h"
 
 #include <chrono>
@@ -8,6 +10,8 @@
 namespace ui {
 
 using Clock = std::chrono::steady_clock;
+
+static constexpr std::size_t longestLine = 400; ///< that a console shows, in characters
 
 static double secondsSince(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
@@ -28,11 +32,13 @@ void ModelWorker::discardJournal() {
 template <class Work>
 bool ModelWorker::guarded(const Work& work) {
     m_signals.cancel = m_signals.closing.load();
+    const tree::SurfelTree before = m_document.surface().tree();
     try {
         work();
         return true;
     } catch (const base::Cancelled&) {
-        m_reports.told("Cancelled; the model is unchanged.");
+        m_reports.told(m_document.surface().tree() == before ? "Cancelled; the model is unchanged."
+                                                             : "Cancelled; what was done before stays.");
     } catch (const std::bad_alloc&) {
         m_reports.failed("There is not enough memory for this; the model is unchanged.");
     } catch (const std::exception& error) {
@@ -54,7 +60,15 @@ base::Progress ModelWorker::progress() {
 }
 
 session::Context ModelWorker::context() {
-    return {m_document, {}, progress(), {}, 0, {}, m_journal.get()};
+    session::Context out{m_document, {}, progress(), {}, 0, {}, m_journal.get()};
+    out.recorded = [this](const nlohmann::json& complete) {
+        if (session::command(complete["op"].get_ref<const std::string&>()).startsModel) {
+            ++m_models; // in the middle of a session, too
+            m_shown.reference = process::shownAs(m_document.surface());
+        }
+        m_reports.recorded(QString::fromStdString(session::shortly(complete, longestLine)));
+    };
+    return out;
 }
 
 void ModelWorker::tell(const std::vector<std::string>& messages) {
@@ -78,6 +92,7 @@ void ModelWorker::publishDocument() {
     if (m_undone) {
         out.canRedo = true;
         out.redoLabel = m_undone->stroke->label();
+        out.future.insert(out.future.begin(), out.redoLabel);
     }
     publish(std::move(out));
 }
@@ -98,6 +113,8 @@ void ModelWorker::publishSettling() {
         out.modified = out.canUndo = true;
         out.undoLabel = m_settling->stroke->label();
         out.canRedo = false;
+        out.past.push_back(out.undoLabel);
+        out.future.clear();
     }
     publish(std::move(out));
 }
@@ -110,10 +127,12 @@ void ModelWorker::perform(CommandTask& task) {
         return m_reports.finished(std::move(task.then), true, 1);
     endAll(); // a command comes after them
     const tree::SurfelTree before = m_document.surface().tree();
+    const std::uint64_t models = m_models;
     session::Context used = context();
     const bool done = guarded([&] { task.work(used); });
     tell(used.messages);
-    if (!m_document.canUndo() && !m_document.canRedo() && !(m_document.surface().tree() == before))
+    if (m_models == models && !m_document.canUndo() && !m_document.canRedo() &&
+        !(m_document.surface().tree() == before))
         ++m_models;
     publishDocument();
     m_reports.finished(std::move(task.then), done, 1);

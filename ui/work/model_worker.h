@@ -30,6 +30,7 @@ struct WorkerReports {
     std::function<void(Snapshot)> published;
     std::function<void(double share, QString doing)> progressed;
     std::function<void(QString)> told, failed;
+    std::function<void(QString)> recorded; ///< a command that changed the model, as a line of a session
     /// A task is done; `commands`: 1 unless it is part of a stroke.
     std::function<void(std::function<void(bool)> then, bool done, int commands)> finished;
 };
@@ -39,6 +40,7 @@ class ModelWorker {
     /// `signals` outlives it. Without a journal nothing is recorded.
     ModelWorker(WorkerSignals& signals, WorkerReports reports, std::unique_ptr<session::Journal> journal);
 
+    void setHistoryBudget(std::size_t bytes) { m_document.setHistoryBudget(bytes); }
     void perform(Task& task);
     bool settling() const { return m_settling != nullptr; }
     /// REQUIRES: settling().

@@ -1,5 +1,7 @@
 #include "ui/work/section_tracer.h"
 
+#include "core/cells/cell_section.h"
+
 namespace ui {
 
 SectionTracer::SectionTracer(Deliver deliver, std::function<void(const std::exception&)> failed)
@@ -7,7 +9,7 @@ SectionTracer::SectionTracer(Deliver deliver, std::function<void(const std::exce
           [deliver = std::move(deliver)](const Request& request, const base::Progress& progress) {
               TracedSections out{request.planes, {}};
               for (const base::Plane& plane : request.planes.all())
-                  out.curves.push_back(findSection(request.surface, plane, progress));
+                  out.curves.push_back(cells::findSection(request.surface, plane, progress));
               deliver(std::move(out));
           },
           std::move(failed)) {}

@@ -13,6 +13,7 @@ Snapshot snapshotOf(const session::Document& document) {
     out.path = document.provenance().path;
     out.origin = document.provenance().origin;
     out.up = document.up();
+    out.layers = document.layers();
     out.modified = document.modified();
     out.canUndo = document.canUndo();
     out.canRedo = document.canRedo();
@@ -20,6 +21,8 @@ Snapshot snapshotOf(const session::Document& document) {
         out.undoLabel = document.undoLabel();
     if (out.canRedo)
         out.redoLabel = document.redoLabel();
+    out.past = document.pastLabels();
+    out.future = document.futureLabels();
     out.modelBytes = document.surface().tree().bytes();
     out.historyBytes = document.historyBytes();
     out.spacing = process::typicalSpacing(document.surface().tree());

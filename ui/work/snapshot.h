@@ -12,9 +12,11 @@ struct Snapshot {
     std::filesystem::path path;
     base::Vec3d origin;
     base::UpAxis up = base::UpAxis::Y;
+    layers::Stack layers;
     bool modified = false;
     bool canUndo = false, canRedo = false;
     std::string undoLabel, redoLabel;
+    std::vector<std::string> past, future; ///< what all steps are called: the oldest first, the next first
     std::size_t modelBytes = 0, historyBytes = 0;
     float spacing = 0;        ///< process::typicalSpacing, model units; 0 where there are too few
     float splatScale = 1;     ///< render::splatScaleOf the document's model

@@ -22,14 +22,13 @@ constexpr double linkReach = 2.2;        ///< spacings
 /// Patches that become one another's, with the edges around them.
 class PatchMerge {
   public:
-    PatchMerge(const FaceTopology& topology, std::span<const FacePoint> points)
-        : m_topology(topology), m_sets(topology.patchCount), m_counts(topology.patchCount),
-          m_edges(topology.patchCount) {
+    PatchMerge(const CreaseChains& chains, std::span<const FacePoint> points)
+        : m_chains(chains), m_sets(chains.patchCount), m_counts(chains.patchCount), m_edges(chains.patchCount) {
         for (const FacePoint& point : points)
-            ++m_counts[topology.patches[point.triangle]];
-        for (std::uint32_t e = 0; e < topology.sharpEdges.size(); ++e)
-            for (const std::uint32_t triangle : {topology.sharpEdges[e].left, topology.sharpEdges[e].right})
-                m_edges[topology.patches[triangle]].push_back(e);
+            ++m_counts[chains.patches[point.triangle]];
+        for (std::uint32_t e = 0; e < chains.edges.size(); ++e)
+            for (const std::uint32_t triangle : {chains.edges[e].left, chains.edges[e].right})
+                m_edges[chains.patches[triangle]].push_back(e);
     }
 
     /// Those of too few samples join the neighbour that they turn to least.
@@ -54,7 +53,7 @@ class PatchMerge {
     }
 
   private:
-    std::uint32_t setOf(std::uint32_t triangle) { return m_sets.find(m_topology.patches[triangle]); }
+    std::uint32_t setOf(std::uint32_t triangle) { return m_sets.find(m_chains.patches[triangle]); }
 
     std::uint32_t flattest(std::uint32_t own) {
         struct Border {
@@ -62,7 +61,7 @@ class PatchMerge {
         };
         std::map<std::uint32_t, Border> borders;
         for (const std::uint32_t e : m_edges[own]) {
-            const SharpEdge& edge = m_topology.sharpEdges[e];
+            const SharpEdge& edge = m_chains.edges[e];
             const std::uint32_t l = setOf(edge.left), r = setOf(edge.right);
             if (l == r)
                 continue;
@@ -90,15 +89,15 @@ class PatchMerge {
         m_edges[child].clear();
     }
 
-    const FaceTopology& m_topology;
+    const CreaseChains& m_chains;
     base::DisjointSets m_sets;
     std::vector<std::size_t> m_counts;
     std::vector<std::vector<std::uint32_t>> m_edges;
 };
 
 /// Of each patch the cell that it belongs to.
-std::vector<std::uint32_t> cellsOfPatches(const FaceTopology& topology, std::span<const FacePoint> points) {
-    PatchMerge merge(topology, points);
+std::vector<std::uint32_t> cellsOfPatches(const CreaseChains& chains, std::span<const FacePoint> points) {
+    PatchMerge merge(chains, points);
     merge.joinSmall();
     return merge.numbers();
 }
@@ -120,19 +119,18 @@ std::uint32_t cellBeside(const SampleGrid& grid, std::span<const std::uint32_t> 
 
 } // namespace
 
-void labelCreases(const FaceTopology& topology, std::span<const FacePoint> points, double spacing,
-                  surfel::SurfelList& samples) {
-    if (topology.sharpEdges.empty() || samples.items.empty() || !samples.layout->oriented)
+void labelCreases(const FaceTopology& topology, const CreaseChains& chains, std::span<const FacePoint> points,
+                  double spacing, surfel::SurfelList& samples) {
+    if (chains.edges.empty() || samples.items.empty() || !samples.layout->oriented)
         return;
-    const std::vector<std::uint32_t> cellOf = cellsOfPatches(topology, points);
+    const std::vector<std::uint32_t> cellOf = cellsOfPatches(chains, points);
     std::vector<std::uint32_t> faces(samples.size());
     for (std::size_t i = 0; i < faces.size(); ++i)
-        faces[i] = cellOf[topology.patches[points[i].triangle]];
+        faces[i] = cellOf[chains.patches[points[i].triangle]];
     std::vector<SharpEdge> within;
     std::vector<std::uint32_t> withinFaces;
-    for (const SharpEdge& edge : topology.sharpEdges)
-        if (const std::uint32_t face = cellOf[topology.patches[edge.left]];
-            face == cellOf[topology.patches[edge.right]]) {
+    for (const SharpEdge& edge : chains.edges)
+        if (const std::uint32_t face = cellOf[chains.patches[edge.left]]; face == cellOf[chains.patches[edge.right]]) {
             within.push_back(edge);
             withinFaces.push_back(face);
         }
@@ -141,8 +139,8 @@ void labelCreases(const FaceTopology& topology, std::span<const FacePoint> point
     const CreaseBands bands(topology, grid, samples.items, faces, within, withinFaces, spacing, support);
 
     std::vector<cells::CreasePiece> pieces;
-    for (const SharpEdge& edge : topology.sharpEdges) {
-        const std::uint32_t left = cellOf[topology.patches[edge.left]], right = cellOf[topology.patches[edge.right]];
+    for (const SharpEdge& edge : chains.edges) {
+        const std::uint32_t left = cellOf[chains.patches[edge.left]], right = cellOf[chains.patches[edge.right]];
         const auto parts = static_cast<std::size_t>(std::ceil(base::distance(edge.from, edge.to) / spacing));
         const Vec3d step = (edge.to - edge.from) / std::max(1.0, static_cast<double>(parts));
         for (std::size_t k = 0; k < parts; ++k) {

@@ -246,7 +246,44 @@ SharpEdge sharpEdge(const FaceTopology& topology, std::span<const Vec3f> positio
     const double rise = dot(n, at(b, 2) - at(b, 0)) + dot(m, at(a, 2) - at(a, 0));
     const Vec3d low = base::cast<double>(positions[side.key >> 32]),
                 high = base::cast<double>(positions[static_cast<std::uint32_t>(side.key)]);
-    return {side.downwards ? high : low, side.downwards ? low : high, a / 3, b / 3, rise < 0, turn};
+    SharpEdge out{side.downwards ? high : low, side.downwards ? low : high, a / 3, b / 3, rise < 0, turn};
+    out.ends[side.downwards ? 1 : 0] = static_cast<std::uint32_t>(side.key >> 32);
+    out.ends[side.downwards ? 0 : 1] = static_cast<std::uint32_t>(side.key);
+    return out;
+}
+
+/// What the other edges at the ends of sharp ones are.
+void lookAtEnds(FaceTopology& out, std::span<const Vec3f> positions, const std::vector<FaceSide>& sides, double sharp) {
+    if (out.sharpEdges.empty())
+        return;
+    struct Place {
+        double length = 0, turn = 0;
+        bool border = false;
+    };
+    std::vector<Place> there(positions.size());
+    std::size_t edgeOfTwo = 0;
+    forEdges(sides, [&](std::span<const FaceSide> edge) {
+        const std::uint32_t ends[] = {static_cast<std::uint32_t>(edge[0].key >> 32),
+                                      static_cast<std::uint32_t>(edge[0].key)};
+        if (edge.size() != 2) {
+            for (const std::uint32_t end : ends)
+                there[end].border = true;
+            return;
+        }
+        const auto turn = static_cast<double>(out.turns[edgeOfTwo++]);
+        const double along = edgeLength(positions, edge[0].key);
+        for (const std::uint32_t end : ends)
+            if (!(turn > sharp)) {
+                there[end].length += along;
+                there[end].turn += along * turn;
+            }
+    });
+    for (SharpEdge& edge : out.sharpEdges) {
+        const Place &a = there[edge.ends[0]], &b = there[edge.ends[1]];
+        edge.atBorder[0] = a.border, edge.atBorder[1] = b.border;
+        const double length = a.length + b.length;
+        edge.rough = length > 0 ? (a.turn + b.turn) / length : 0;
+    }
 }
 
 /// The corners of both triangles at either end of a smooth edge belong to one fan, the triangles to one patch.
@@ -326,6 +363,7 @@ FaceTopology topologyOf(std::span<const Vec3f> positions, std::span<const Triang
     const std::vector<FaceSide> sides = sidesOf(out.triangles, places); // the turned ones run the other way
     countEdges(out, sides);
     joinSmooth(out, positions, places, sides, sharp);
+    lookAtEnds(out, positions, sides, sharp);
     return out;
 }
 

@@ -28,6 +28,9 @@ struct SharpEdge {
     std::uint32_t left = 0, right = 0; ///< triangles; both may belong to one patch, around the end of the edge
     bool convex = true;                ///< as seen from where the triangles' normals point
     double turn = 0;                   ///< between the normals, radians
+    std::uint32_t ends[2] = {};        ///< where it begins and ends, as a number of the place
+    bool atBorder[2] = {};             ///< has an edge there another number of triangles than two?
+    double rough = 0; ///< mean turn of the smooth edges at both ends, by length, radians: is it an edge among bumps?
 };
 
 constexpr std::uint32_t noBody = ~0u; ///< faces that enclose nothing

@@ -4,17 +4,17 @@
 #include "core/base/cancel_scope.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
-#include "core/mesh/faces/face_creases.h"
+#include "core/mesh/faces/edge_labels.h"
 #include "core/mesh/faces/face_normals.h"
 #include "core/mesh/faces/face_points.h"
 #include "core/mesh/faces/face_spacing.h"
+#include "core/mesh/faces/figures.h"
 #include "core/mesh/faces/large_faces.h"
 #include "core/process/estimation/keep_points.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/process/resampling/resample.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 
@@ -30,23 +30,6 @@ constexpr double fewestSamples = 64;  ///< of a spacing: fewer are a slip of the
 constexpr double resolvedWall = 2.5;  ///< spacings
 constexpr double besideCorner = 0.01; ///< of the way to the middle of a triangle
 constexpr double smoothOver = 3; ///< spacings: triangles of this size and smaller lend their corners' normals whole
-
-/// "12", "1,234,567".
-std::string grouped(std::size_t n) {
-    std::string out = std::to_string(n);
-    for (std::ptrdiff_t at = static_cast<std::ptrdiff_t>(out.size()) - 3; at > 0; at -= 3)
-        out.insert(static_cast<std::size_t>(at), ",");
-    return out;
-}
-
-std::string rounded(double value) {
-    char text[40];
-    return {text, std::to_chars(text, text + sizeof text, value, std::chars_format::general, 3).ptr};
-}
-
-std::string counted(std::size_t n, const char* one, const char* many) {
-    return grouped(n) + " " + (n == 1 ? one : many);
-}
 
 /// The layout of surfels with oriented normals and, where there are several patches, their numbers.
 surfel::AttributeLayoutPtr layoutFor(const surfel::AttributeLayoutPtr& vertices, const FaceTopology& topology,
@@ -331,8 +314,9 @@ OpenedFaces openFaces(SurfelList vertices, std::span<const Triangle> triangles,
     out.closed = topology.closed();
     if (const std::string what = mended(topology); !what.empty())
         out.messages.push_back(what);
-    if (options.use == FaceUse::Vertices || (options.use == FaceUse::Auto && options.count == 0 &&
-                                             options.spacing <= 0 && sampleWell(topology, positions))) {
+    if (options.use == FaceUse::Vertices ||
+        (options.use == FaceUse::Auto && options.count == 0 && options.spacing <= 0 &&
+         sampleWell(topology, positions) && !(options.creases != false && hasSureCreases(topology)))) {
         if (broken(topology))
             out.messages.push_back("The faces are too broken to take normals from.");
         else if (completeVertices(vertices, topology, positions) && topology.turnedOut == 0)
@@ -360,7 +344,7 @@ OpenedFaces openFaces(SurfelList vertices, std::span<const Triangle> triangles,
                                    " inside of the solid; --faces vertices keeps them.");
         else if (options.use == FaceUse::Auto && !topology.insideCorners.empty())
             leaveOutInner(vertices, topology);
-        if (options.creases)
+        if (options.asksForCreases())
             out.messages.push_back("The vertices are kept, without creases; --faces sample makes them.");
         out.points = std::move(vertices);
         return out;
@@ -377,15 +361,13 @@ OpenedFaces openFaces(SurfelList vertices, std::span<const Triangle> triangles,
     out.points = FaceSampler(vertices, topology, positions, paint, layoutFor(vertices.layout, topology, paint))
                      .run(points, process::supportOf(definition, static_cast<float>(spacing)), spacing);
     out.sampled = true;
-    if (options.creases)
-        labelCreases(topology, points, spacing, out.points);
+    const std::string edges = labelEdges(topology, options, points, spacing, out.points);
     out.apart = wall >= resolvedWall * spacing;
     out.messages.push_back(counted(topology.triangles.size(), "triangle", "triangles") + " sampled to " +
                            counted(points.size(), "surfel", "surfels") + ", spacing " + rounded(spacing) +
                            "; --faces vertices keeps the " + counted(vertices.size(), "vertex", "vertices") + ".");
-    if (!options.creases && !topology.sharpEdges.empty())
-        out.messages.push_back("Sharp edges of the faces are rounded a little, over about a support; --creases on "
-                               "keeps them sharp.");
+    if (!edges.empty())
+        out.messages.push_back(edges);
     return out;
 }
 

@@ -12,6 +12,7 @@
 #include "core/surface/definition.h"
 
 #include <numbers>
+#include <optional>
 #include <string>
 
 namespace mesh {
@@ -23,10 +24,12 @@ struct FaceOptions {
     double spacing = 0;                         ///< of samples, in model units; 0: from `count`
     std::size_t count = 0;                      ///< of samples; 0: what the shape needs
     double sharpRad = std::numbers::pi * 2 / 9; ///< edges of a larger dihedral angle stay sharp (40 degrees)
-    bool creases = false; ///< samples get labels of cells that meet in the sharp edges (face_creases.h)
+    /// Do samples get labels of cells that meet in the sharp edges (face_creases.h)? By default where that serves them.
+    std::optional<bool> creases = std::nullopt;
 
     /// Whoever said so wants samples and not the file's vertices.
     bool asksForSamples() const { return use == FaceUse::Sample || spacing > 0 || count > 0; }
+    bool asksForCreases() const { return creases == true; }
 };
 
 struct OpenedFaces {

@@ -64,19 +64,9 @@ Foot footOf(const surface::Surface& to, const Vec3d& x, bool sided) {
 
 } // namespace
 
-DeviationFigures deviationOf(const tree::SurfelTree& from, const surface::Surface& to, const Vec3d& shift,
-                             const base::Progress& progress) {
-    constexpr std::size_t slab = 4096;
+static DeviationFigures figuresOf(const std::vector<Foot>& feet, bool sided) {
     DeviationFigures out;
-    out.sided = to.tree().layout()->normals && to.tree().layout()->oriented;
-    const surfel::SurfelList points = from.surfels();
-    std::vector<Foot> feet(points.size());
-    for (std::size_t first = 0; first < feet.size(); first += slab) {
-        progress.step(static_cast<double>(first) / static_cast<double>(feet.size()), "Measuring distances");
-        base::parallelFor(std::min(slab, feet.size() - first), 32, [&](std::size_t i) {
-            feet[first + i] = footOf(to, base::cast<double>(points.items[first + i].position) + shift, out.sided);
-        });
-    }
+    out.sided = sided;
     std::vector<double> sizes;
     double sum = 0, squares = 0;
     for (const Foot& foot : feet) {
@@ -94,6 +84,27 @@ DeviationFigures deviationOf(const tree::SurfelTree& from, const surface::Surfac
     const auto n = static_cast<double>(sizes.size());
     out.rms = std::sqrt(squares / n), out.mean = sum / n;
     out.max = sizes.back(), out.p99 = sizes[sizes.size() - 1 - sizes.size() / 100];
+    return out;
+}
+
+Deviations deviationsOf(const tree::SurfelTree& from, const surface::Surface& to, const Vec3d& shift,
+                        const base::Progress& progress) {
+    constexpr std::size_t slab = 4096;
+    const bool sided = to.tree().layout()->normals && to.tree().layout()->oriented;
+    const surfel::SurfelList points = from.surfels();
+    std::vector<Foot> feet(points.size());
+    for (std::size_t first = 0; first < feet.size(); first += slab) {
+        progress.step(static_cast<double>(first) / static_cast<double>(feet.size()), "Measuring distances");
+        base::parallelFor(std::min(slab, feet.size() - first), 32, [&](std::size_t i) {
+            feet[first + i] = footOf(to, base::cast<double>(points.items[first + i].position) + shift, sided);
+        });
+    }
+    Deviations out;
+    out.figures = figuresOf(feet, sided);
+    for (const Foot& foot : feet) {
+        out.distance.push_back(foot.status == Status::Ok ? foot.distance : std::numeric_limits<double>::quiet_NaN());
+        out.status.push_back(foot.status);
+    }
     return out;
 }
 

@@ -16,9 +16,20 @@ struct DeviationFigures {
     double p99 = 0, max = 0; ///< of sizes
 };
 
+/// What the figures are made of, in tree order.
+struct Deviations {
+    DeviationFigures figures;
+    std::vector<double> distance;        ///< NaN where there is no foot that counts
+    std::vector<surface::Status> status; ///< Ok; BeyondBoundary; all else is lost
+};
+
 /// `shift`: what is added to a position of `from` to have it in the coordinates of `to`, that is the difference of
 /// their origins. In parallel, the same bits at any thread count. Throws base::Cancelled.
-DeviationFigures deviationOf(const tree::SurfelTree& from, const surface::Surface& to, const base::Vec3d& shift,
-                             const base::Progress& progress = {});
+Deviations deviationsOf(const tree::SurfelTree& from, const surface::Surface& to, const base::Vec3d& shift,
+                        const base::Progress& progress = {});
+inline DeviationFigures deviationOf(const tree::SurfelTree& from, const surface::Surface& to, const base::Vec3d& shift,
+                                    const base::Progress& progress = {}) {
+    return deviationsOf(from, to, shift, progress).figures;
+}
 
 } // namespace process

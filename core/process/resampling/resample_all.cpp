@@ -3,6 +3,7 @@
 #include "core/base/parallel.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/process/estimation/spacing.h"
+#include "core/process/resampling/resample_cells.h"
 #include "core/process/resampling/resample_fit.h"
 #include "core/process/resampling/resample_set.h"
 #include "core/surfel/shape.h"
@@ -99,6 +100,11 @@ ResampleResult resampleAll(const surface::Surface& surface, float spacing, int m
     progress.step(0, "Measuring spacing");
     const float present = summarise(spacings(surface.tree().surfels().items, progress)).median;
     check(surface, spacing, present);
+    if (auto byCells = resampleEachCell(surface, std::max(present, spacing), progress,
+                                        [&](const surface::Surface& one, const base::Progress& step) {
+                                            return resampleAll(one, spacing, maxRounds, step, fit);
+                                        }))
+        return std::move(*byCells);
     const int changes = changesFor(double(spacing) / double(present));
     float was = present;
     for (int change = 1; change <= changes; ++change) {
@@ -136,13 +142,14 @@ ResampleResult resampleToCount(const surface::Surface& surface, std::size_t coun
         return std::log(static_cast<double>(std::max<std::size_t>(size, 1)) / static_cast<double>(count));
     };
     const double present = double(summarise(spacings(list.items, part(progress, 0, 0.05))).median);
+    const bool again = fit == Fit::On && hasCells(surface); // each is fitted to its own surface
     Try now{std::log(present) + 0.5 * excessOf(list.size()), 0};
     double chosen = now.spacing;
     std::optional<Try> fine, coarse;
     for (int attempt = 0; attempt < tries; ++attempt) {
-        const double from = 0.05 + 0.95 * attempt / tries;
+        const double whole = again ? 0.8 : 0.95, from = 0.05 + whole * attempt / tries;
         ResampleResult found = resampleAll(surface, static_cast<float>(std::exp(now.spacing)), maxRounds,
-                                           part(progress, from, from + 0.95 / tries), Fit::Off);
+                                           part(progress, from, from + whole / tries), Fit::Off);
         now.excess = excessOf(found.surface.tree().size());
         if (attempt == 0 || std::abs(now.excess) < std::abs(excessOf(best.surface.tree().size())))
             best = std::move(found), chosen = now.spacing;
@@ -156,6 +163,8 @@ ResampleResult resampleToCount(const surface::Surface& surface, std::size_t coun
             now.spacing += 0.5 * now.excess;
         }
     }
+    if (again)
+        return resampleAll(surface, static_cast<float>(std::exp(chosen)), maxRounds, part(progress, 0.85, 1), fit);
     fitAll(best, surface, fit,
            [spacing = static_cast<float>(std::exp(chosen))](const base::Vec3f&) { return spacing; });
     return best;
@@ -182,6 +191,11 @@ ResampleResult resampleByCurvature(const surface::Surface& surface, const Curvat
     const surfel::SurfelList list = surface.tree().surfels();
     const float present = summarise(spacings(list.items, progress)).median;
     check(surface, by.finest, present);
+    if (auto byCells = resampleEachCell(surface, std::max(present, by.coarsest), progress,
+                                        [&](const surface::Surface& one, const base::Progress& step) {
+                                            return resampleByCurvature(one, by, maxRounds, step, fit);
+                                        }))
+        return std::move(*byCells);
     const auto field = std::make_shared<const SpacingField>(SpacingField::byCurvature(surface, by, progress));
     const int changes = std::max(changesFor(double(field->finest()) / double(present)),
                                  changesFor(double(field->coarsest()) / double(present)));

@@ -2,6 +2,7 @@
 
 #include "core/base/cancel_scope.h"
 #include "core/base/cells.h"
+#include "core/process/estimation/part_progress.h"
 #include "core/process/resampling/resample_set.h"
 
 #include <map>
@@ -13,7 +14,8 @@ using base::Vec3f;
 
 namespace {
 
-constexpr float openLimit = 0.3f; ///< off-centre limit at which a cell by itself ends, in h
+constexpr float openLimit = 0.3f;        ///< off-centre limit at which a cell by itself ends, in h
+constexpr std::size_t fewestOfCell = 12; ///< smaller ones keep their surfels when a whole model is resampled
 constexpr float acrossReach =
     2.5f; ///< how far from the partner's nearest surfel its plane still ends a cell, in spacings
 
@@ -76,6 +78,38 @@ class CellResampler {
         return std::move(m_edit);
     }
 
+    /// Each cell as `one` resamples it.
+    template <class One>
+    ResampleResult whole(const One& one, const base::Progress& progress) const {
+        ResampleResult out{m_version, 0, true};
+        surfel::SurfelList all;
+        all.layout = m_version.tree().layout();
+        std::size_t done = 0;
+        for (const auto& [cell, members] : m_byCell) {
+            const double from = static_cast<double>(done) / static_cast<double>(m_all.size());
+            done += members.size();
+            const double to = static_cast<double>(done) / static_cast<double>(m_all.size());
+            surfel::SurfelList list;
+            list.layout = all.layout;
+            std::vector<std::uint32_t> words(m_count);
+            for (const std::size_t i : members) {
+                m_all[i].block->extra(m_all[i].slot, words);
+                list.append(m_all[i].block->surfel(m_all[i].slot), words);
+            }
+            if (members.size() >= fewestOfCell) {
+                const ResampleResult found = one(aloneFrom(list), part(progress, from, to));
+                out.rounds = std::max(out.rounds, found.rounds);
+                out.settled = out.settled && found.settled;
+                list = found.surface.tree().surfels();
+            }
+            for (std::size_t i = 0; i < list.size(); ++i)
+                if (!across(cell, list.items[i].position))
+                    all.append(list.items[i], list.extraOf(i));
+        }
+        out.surface = {tree::SurfelTree::build(all), m_version.definition()};
+        return out;
+    }
+
   private:
     struct Change {
         tree::BlockEdit edit;
@@ -130,9 +164,7 @@ class CellResampler {
             words[m_count] = static_cast<std::uint32_t>(i);
             list.append(m_all[i].block->surfel(m_all[i].slot), words);
         }
-        surface::SurfaceDefinition definition = m_version.definition();
-        definition.boundaryLimit = std::min(definition.boundaryLimit, openLimit);
-        const surface::Surface alone(tree::SurfelTree::build(list), definition);
+        const surface::Surface alone = aloneFrom(list);
         ResampleOptions options = m_options;
         if (m_options.targetOf)
             options.targetOf = [&](const surfel::SurfelBlock& block, int slot) {
@@ -145,6 +177,13 @@ class CellResampler {
                 return m_options.drawnApart(*origin.block, origin.slot);
             };
         take(cell, alone, resample(alone, touchedOf(alone.tree()), options, alone));
+    }
+
+    /// A cell as a model of its own.
+    surface::Surface aloneFrom(const surfel::SurfelList& list) const {
+        surface::SurfaceDefinition definition = m_version.definition();
+        definition.boundaryLimit = std::min(definition.boundaryLimit, openLimit);
+        return {tree::SurfelTree::build(list), definition};
     }
 
     tree::Selection touchedOf(const tree::SurfelTree& tree) const {
@@ -246,6 +285,33 @@ std::optional<tree::Edit> resampleByCells(const surface::Surface& version, const
     if (!resampler.severalCells())
         return std::nullopt;
     return resampler.run();
+}
+
+std::optional<ResampleResult>
+resampleEachCell(const surface::Surface& surface, float reach, const base::Progress& progress,
+                 const std::function<ResampleResult(const surface::Surface&, const base::Progress&)>& one) {
+    const auto words = LabelWords::of(*surface.tree().layout());
+    if (!words || surface.tree().empty() || !(reach > 0))
+        return std::nullopt;
+    ResampleOptions options;
+    options.spacing = reach;
+    const CellResampler resampler(surface, selectAll(surface.tree()), options, *words);
+    if (!resampler.severalCells())
+        return std::nullopt;
+    return resampler.whole(one, progress);
+}
+
+bool hasCells(const surface::Surface& surface) {
+    const auto words = LabelWords::of(*surface.tree().layout());
+    if (!words || surface.tree().empty())
+        return false;
+    bool out = false;
+    const surfel::BlockPtr first = surface.tree().block(0);
+    surface.tree().forEachBlock([&](std::uint32_t, const surfel::SurfelBlock& block) {
+        for (int slot = 0; slot < block.size(); ++slot)
+            out = out || wordOf(block, slot, words->cell) != wordOf(*first, 0, words->cell);
+    });
+    return out;
 }
 
 } // namespace process

@@ -13,4 +13,13 @@ namespace process {
 std::optional<tree::Edit> resampleByCells(const surface::Surface& version, const tree::Selection& touched,
                                           const ResampleOptions& options);
 
+/// A whole model by cells: each by itself, open where it meets others, as `one` resamples it; what then lies across a
+/// crease goes. `reach`: the spacing before or after, whichever is larger. Labels of new surfels are those of the
+/// nearest before. Nothing where there are not several cells.
+std::optional<ResampleResult>
+resampleEachCell(const surface::Surface& surface, float reach, const base::Progress& progress,
+                 const std::function<ResampleResult(const surface::Surface&, const base::Progress&)>& one);
+/// Has the model several cells?
+bool hasCells(const surface::Surface& surface);
+
 } // namespace process

@@ -13,6 +13,23 @@ static json given(const json& complete, const char* id) {
     return complete.value(id, json());
 }
 
+/// By one way after the other, each looking at what the ones before it left.
+static surface::Surface withoutOutliers(Context& context, surface::Surface surface, const json& complete) {
+    const json& wish = complete.at("outliers");
+    const json ways = wish.is_array() ? wish : json::array({wish});
+    if (ways.size() > 1 && complete.contains("limit"))
+        throw base::Error("\"limit\" means something else to each way of finding outliers", {},
+                          "give one way, or several without a limit");
+    double all = 0;
+    for (const json& way : ways) {
+        surface = clean::outliers(context, surface, way.get<std::string>(), given(complete, "limit"));
+        all += context.figures.at("outliers");
+        context.figures["outliers_" + way.get<std::string>()] = context.figures.at("outliers");
+    }
+    context.figures["outliers"] = all;
+    return surface;
+}
+
 /// In the order in which each step helps the next one: strays first, then noise, then what is made of positions.
 static void runClean(Context& context, const json& complete) {
     requireModel(context);
@@ -29,8 +46,7 @@ static void runClean(Context& context, const json& complete) {
     if (wanted("duplicates"))
         surface = clean::duplicates(context, surface);
     if (wanted("outliers"))
-        surface =
-            clean::outliers(context, surface, complete.at("outliers").get<std::string>(), given(complete, "limit"));
+        surface = withoutOutliers(context, surface, complete);
     if (wanted("denoise"))
         surface = clean::denoise(context, surface, complete.at("denoise"));
     if (wanted("thin"))
@@ -39,13 +55,13 @@ static void runClean(Context& context, const json& complete) {
         surface = clean::normals(context, surface, complete.at("normals").get<std::string>(), viewpoint);
     if (wanted("orient"))
         surface = clean::orient(context, surface, complete.at("orient").get<std::string>(), viewpoint);
-    clean::commit(context, std::move(surface), "Clean");
+    clean::commit(context, std::move(surface), "Clean", layers::How::Keep);
 }
 
 CommandRow cleanCommand() {
     static const CommandParameter parameters[] = {
         {"duplicates", "boolean", "", "merge points that stand in one place", "false", "", 0, 0},
-        {"outliers", "choice", "", clean::outlierTip, "null", clean::outlierWays, 0, 0},
+        {"outliers", "choices", "", clean::outlierTip, "null", clean::outlierWays, 0, 0},
         {"limit", "number", "", clean::limitTip, "null", "", 0, largest},
         {"denoise", "number or choice", "model units", clean::sigmaTip, "null", "auto", positive, largest},
         {"thin", "number", "model units", clean::spacingTip, "null", "", positive, largest},

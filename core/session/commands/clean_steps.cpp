@@ -104,11 +104,11 @@ std::size_t flippedBetween(const surfel::SurfelList& points, const std::vector<V
 
 } // namespace
 
-void commit(Context& context, Surface next, const std::string& label) {
+void commit(Context& context, Surface next, const std::string& label, layers::How how) {
     const Surface& now = context.document.surface();
     if (!(next.tree() == now.tree()) || !(*next.tree().layout() == *now.tree().layout()) ||
         !(next.definition() == now.definition()))
-        context.document.commit(std::move(next), label);
+        context.document.commit(std::move(next), label, how);
 }
 
 Surface duplicates(Context& context, const Surface& surface) {

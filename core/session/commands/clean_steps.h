@@ -49,7 +49,7 @@ surface::Surface orient(Context& context, const surface::Surface& surface, const
                         const nlohmann::json& viewpoint);
 
 /// One step of history, unless nothing changed.
-void commit(Context& context, surface::Surface next, const std::string& label);
+void commit(Context& context, surface::Surface next, const std::string& label, layers::How how = layers::How::Carry);
 
 } // namespace clean
 } // namespace session

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <vector>
 
 namespace session {
 
@@ -13,6 +14,7 @@ CommandRow newCommand();
 CommandRow saveCommand();
 CommandRow surfaceCommand();
 CommandRow strokeCommand();
+CommandRow touchCommand();
 CommandRow resampleCommand();
 CommandRow reduceCommand();
 CommandRow refineCommand();
@@ -24,6 +26,8 @@ CommandRow drillCommand();
 CommandRow mirrorCommand();
 CommandRow hollowCommand();
 CommandRow creaseCommand();
+CommandRow registerCommand();
+CommandRow measureCommand();
 CommandRow cleanCommand();
 CommandRow duplicatesCommand();
 CommandRow outliersCommand();
@@ -48,9 +52,13 @@ CommandRow noiseCommand();
 CommandRow alignCommand();
 CommandRow unitCommand();
 CommandRow shellCommand();
+CommandRow layerCommand();
 CommandRow undoCommand();
 CommandRow redoCommand();
 CommandRow expectCommand();
+
+/// Those of `stroke`.
+std::vector<CommandParameter> strokeParameters();
 
 /// Ranges that parameters name: any number that float32 holds; those above zero; those of no use as numbers.
 constexpr double largest = CommandParameter::largest;

@@ -8,7 +8,7 @@ namespace session {
 static void runDenoise(Context& context, const nlohmann::json& complete) {
     requireModel(context);
     const surface::Surface surface = context.document.surface();
-    clean::commit(context, clean::denoise(context, surface, complete.at("sigma")), "Denoise");
+    clean::commit(context, clean::denoise(context, surface, complete.at("sigma")), "Denoise", layers::How::Keep);
 }
 
 CommandRow denoiseCommand() {

@@ -9,6 +9,7 @@ namespace session {
 static solid::FillOptions fillOptions(const nlohmann::json& complete) {
     solid::FillOptions out;
     out.shape = complete.at("method") == "flat" ? solid::Shape::Flat : solid::Shape::Smooth;
+    out.relief = complete.at("method") == "detail";
     if (const nlohmann::json& holes = complete.at("holes"); holes.is_number())
         out.only = holes.get<std::size_t>();
     else
@@ -32,8 +33,10 @@ static std::string told(const solid::LoopFate& fate, const base::Vec3d& origin) 
         << placeText(fate.middle + origin);
     if (*fate.why)
         out << " was left: " << fate.why;
-    else
+    else if (fate.flattened)
         out << " is filled flat: no smooth surface stayed near it";
+    else
+        out << " is filled smoothly: there is too little around it to follow in relief";
     return out.str();
 }
 
@@ -43,7 +46,7 @@ static void fill(Context& context, const nlohmann::json& complete) {
     solid::Filled result = solid::fillHoles(context.document.surface(), fillOptions(complete), context.progress);
     std::size_t filled = 0, left = 0, surfels = 0;
     for (const solid::LoopFate& fate : result.loops) {
-        if (fate.asked && (*fate.why || fate.flattened))
+        if (fate.asked && (*fate.why || fate.flattened || fate.plain))
             context.messages.push_back(told(fate, origin));
         (fate.asked && !*fate.why ? filled : left) += 1;
         surfels += fate.surfels;
@@ -63,8 +66,9 @@ CommandRow fillCommand() {
          "which boundary loops: all, all but the longest, or one by its number (longest first, from 0)", "\"all\"",
          "all largest-kept", 0, largestCount},
         {"method", "choice", "",
-         "flat: as little surface as there can be; smooth: tangent planes and curvature around go on into the hole",
-         "\"smooth\"", "flat smooth", 0, 0},
+         "flat: as little surface as there can be; smooth: tangent planes and curvature around go on into the hole; "
+         "detail: as smooth, with the relief of what is around",
+         "\"smooth\"", "flat smooth detail", 0, 0},
         {"up_to", "number", "model units", "loops longer than this stay open", "null", "", positive, largest},
     };
     return {"fill",

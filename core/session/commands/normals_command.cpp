@@ -11,7 +11,7 @@ static void runNormals(Context& context, const nlohmann::json& complete) {
     clean::commit(context,
                   clean::normals(context, surface, complete.at("method").get<std::string>(),
                                  complete.value("viewpoint", nlohmann::json())),
-                  "Estimate normals");
+                  "Estimate normals", layers::How::Keep);
 }
 
 CommandRow normalsCommand() {

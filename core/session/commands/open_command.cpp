@@ -22,9 +22,9 @@ static Provenance provenanceOf(io::FileModel& model, const std::filesystem::path
     return out;
 }
 
-static void checkHash(Context& context, const json& complete, const tree::SurfelTree& tree, const base::Vec3d& origin) {
+static void checkHash(Context& context, const json& complete, const base::Hash128& hash) {
     const auto wanted = complete.find("hash");
-    if (wanted == complete.end() || *wanted == contentHash(tree, origin).text())
+    if (wanted == complete.end() || *wanted == hash.text())
         return;
     const std::string path = complete.at("path").get<std::string>(),
                       what = "the file is not the one that was opened when this was recorded";
@@ -45,9 +45,10 @@ static void open(Context& context, const json& complete) {
     provenance.closed = file.faces.closed;
     MadeModel fresh = made(file, process::part(context.progress, 0.7, 1));
     provenance.merged = fresh.merged;
-    checkHash(context, complete, fresh.surface.tree(), provenance.origin);
+    layers::Stack stack = layersIn(provenance.comments, fresh.surface, file.model.messages);
+    checkHash(context, complete, contentHash(fresh.surface.tree(), provenance.origin, stack));
     context.messages.insert(context.messages.end(), file.model.messages.begin(), file.model.messages.end());
-    context.document.reset(std::move(fresh.surface), std::move(provenance), fresh.up);
+    context.document.reset(std::move(fresh.surface), std::move(provenance), fresh.up, std::move(stack));
 }
 
 CommandRow openCommand() {

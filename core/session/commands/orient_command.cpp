@@ -11,7 +11,7 @@ static void runOrient(Context& context, const nlohmann::json& complete) {
     clean::commit(context,
                   clean::orient(context, surface, complete.at("method").get<std::string>(),
                                 complete.value("viewpoint", nlohmann::json())),
-                  "Orient normals");
+                  "Orient normals", layers::How::Keep);
 }
 
 CommandRow orientCommand() {

@@ -1,4 +1,5 @@
 #include "core/base/error.h"
+#include "core/cells/measured_labels.h"
 #include "core/process/estimation/spacing_sample.h"
 #include "core/process/resampling/resample.h"
 #include "core/session/commands/commands.h"
@@ -33,6 +34,11 @@ static void resample(Context& context, const nlohmann::json& complete) {
     if (!result.settled)
         context.messages.push_back("resampling stopped after " + std::to_string(result.rounds) +
                                    " rounds, before the last points came to rest");
+    // new points know the cell that they are of, but not yet how far off its creases are
+    const base::Box3f bounds = result.surface.tree().bounds();
+    const cells::EditedBall whole{bounds.centre(), bounds.diagonal() / 2};
+    if (const tree::Edit labels = cells::measuredLabels(result.surface, {&whole, 1}); !labels.empty())
+        result.surface = {result.surface.tree().apply(labels), result.surface.definition()};
     context.document.commit(std::move(result.surface), "Resample");
 }
 

@@ -42,7 +42,7 @@ static void checkToolParameter(const json& command, const std::string& key, cons
     sculpt::check(settings);
 }
 
-static std::vector<CommandParameter> strokeParameters() {
+std::vector<CommandParameter> strokeParameters() {
     static const std::string tools = idsOf(sculpt::toolTable());
     std::vector<CommandParameter> out{{"tool", "choice", "",
                                        "what each dab does; the tool's own parameters may be given beside it", "",
@@ -52,7 +52,8 @@ static std::vector<CommandParameter> strokeParameters() {
     out.push_back(
         {"samples", "list", "",
          "rays with pressure and time: [ox,oy,oz,dx,dy,dz,pressure,seconds]; an optional ninth number, for merged "
-         "input, multiplies the spacing and strength of the dabs on the way to the sample",
+         "input, multiplies the spacing and strength of the dabs on the way to the sample; a tenth, for pointers that "
+         "have a place in space, is how far along its ray that is",
          "", "", 0, 0});
     return out;
 }

@@ -3,6 +3,7 @@
 #include "ui/window/menus/menus.h"
 
 #include <QAction>
+#include <QDockWidget>
 #include <QMenu>
 #include <QShortcut>
 
@@ -24,6 +25,16 @@ void addEditMenu(MainWindow& window) {
     redo->setShortcuts({QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")});
     undo->setObjectName("undo");
     redo->setObjectName("redo");
+    QAction* history = window.findChild<QDockWidget*>("history")->toggleViewAction();
+    history->setText(QObject::tr("&History"));
+    history->setShortcut(QKeySequence("Ctrl+H"));
+    history->setToolTip(QObject::tr("All steps by name: click one to go there"));
+    edit->addAction(history);
+    QAction* console = window.findChild<QDockWidget*>("console")->toggleViewAction();
+    console->setText(QObject::tr("&Console"));
+    console->setShortcut(QKeySequence("Ctrl+`"));
+    console->setToolTip(QObject::tr("Every action as a line of a session, and a field that takes such lines"));
+    edit->addAction(console);
     const auto show = [&editor = window.editor(), undo, redo] { showSteps(editor.snapshot(), *undo, *redo); };
     QObject::connect(&window.editor(), &Editor::changed, edit, show);
     show();

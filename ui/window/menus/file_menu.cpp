@@ -61,6 +61,13 @@ void addFileMenu(MainWindow& window) {
     addEntry(*menu, "save-as", QObject::tr("Save &As…"), QKeySequence("Ctrl+Shift+S"), [&files] { files.saveAs(); });
     addExports(window, *menu);
     menu->addSeparator();
+    addEntry(*menu, "", QObject::tr("&Run Session…"), {}, [&files] {
+        files.runSession();
+    })->setToolTip(QObject::tr("Executes the commands of a session file, line by line"));
+    addEntry(*menu, "", QObject::tr("Save Sessio&n…"), {}, [&files] {
+        files.saveSession();
+    })->setToolTip(QObject::tr("Writes all that was done since the model was opened, as a session to run again"));
+    menu->addSeparator();
     addEntry(*menu, "recover", QObject::tr("Re&cover Lost Work…"), {}, [&window, &files] {
         if (!files.offerRecovery())
             window.tell(QObject::tr("No other lost work was found."));

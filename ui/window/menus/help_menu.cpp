@@ -2,6 +2,7 @@
 #include "ui/window/command_palette.h"
 #include "ui/window/keys_dialog.h"
 #include "ui/window/main_window.h"
+#include "ui/window/manual_window.h"
 #include "ui/window/menus/menu_tools.h"
 #include "ui/window/menus/menus.h"
 #include "ui/window/shortcuts_dialog.h"
@@ -42,7 +43,13 @@ void addHelpMenu(MainWindow& window) {
     });
     find->setShortcuts({QKeySequence("F3"), QKeySequence("Ctrl+K")});
     find->setToolTip(QObject::tr("Every action of every menu, by a few letters of its name"));
-    addEntry(*help, "keyboard", QObject::tr("&Shortcuts…"), QKeySequence("F1"), [&window] { showShortcuts(window); });
+    addEntry(*help, "manual", QObject::tr("&Manual"), QKeySequence("F1"), [&window] {
+        auto* manual = new ManualWindow(manualFile(), &window);
+        manual->setAttribute(Qt::WA_DeleteOnClose);
+        manual->show();
+    })->setToolTip(QObject::tr("First steps, every tool, every command"));
+    addEntry(*help, "keyboard", QObject::tr("&Shortcuts…"), QKeySequence("Shift+F1"),
+             [&window] { showShortcuts(window); });
     addEntry(*help, "keyboard", QObject::tr("Edit &Keys…"), {}, [&window] {
         auto* dialog = new KeysDialog(*window.menuBar(), window.settings().keys, &window);
         dialog->setAttribute(Qt::WA_DeleteOnClose);

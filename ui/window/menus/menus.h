@@ -27,6 +27,8 @@ void addNavigationMenu(MainWindow& window, QMenu& view); ///< styles, pivot, fli
 /// The bars over the picture, and the entries that show them.
 void addTruthBar(MainWindow& window, QMenu& view);
 void addCutBar(MainWindow& window, QMenu& view);
+void addLayerBar(MainWindow& window, QMenu& view);
+void addTouchBar(MainWindow& window, QMenu& view);
 
 /// What is wanted most often, for hands that hold a pen: in the corner of the menu bar, after all menus.
 void addCornerBar(MainWindow& window);

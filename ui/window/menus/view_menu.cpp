@@ -85,6 +85,8 @@ void addViewMenu(MainWindow& window) {
     addSavedViewsMenu(window, *view);
     addNavigationMenu(window, *view);
     addCutBar(window, *view);
+    addLayerBar(window, *view);
+    addTouchBar(window, *view);
     addThemeMenu(window, *view);
     view->addSeparator();
     addRenderer(window, *view);

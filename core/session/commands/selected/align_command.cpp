@@ -1,8 +1,7 @@
 #include "core/base/error.h"
 #include "core/base/up_axis.h"
-#include "core/selection/affine.h"
-#include "core/session/commands/clean_steps.h"
 #include "core/session/commands/commands.h"
+#include "core/session/commands/selected/limits.h"
 #include "core/session/number_lists.h"
 
 #include <nlohmann/json.hpp>
@@ -51,7 +50,7 @@ static void align(Context& context, const json& complete) {
     const surface::Surface& now = context.document.surface();
     const auto what = complete.at("do").get<std::string>();
     if (what == "axes") {
-        clean::commit(context, selection::transformed(now, ontoAxes(now), Limit::Everything), "Align");
+        commitMoved(context, ontoAxes(now), Limit::Everything, "Align");
         return;
     }
     const base::Box3f box = now.tree().bounds();
@@ -59,7 +58,7 @@ static void align(Context& context, const json& complete) {
     const Vec3d lowest = base::cast<double>(dot(up, Vec3d{1, 1, 1}) > 0 ? box.lo : box.hi) + origin;
     const Vec3d centre = base::cast<double>(box.centre()) + origin;
     const Vec3d by = what == "ground" ? up * -dot(up, lowest) : up * dot(up, centre) - centre;
-    clean::commit(context, selection::transformed(now, Affine::moving(by), Limit::Everything), "Align");
+    commitMoved(context, Affine::moving(by), Limit::Everything, "Align");
 }
 
 CommandRow alignCommand() {
@@ -89,7 +88,7 @@ static void setUnit(Context& context, const json& complete) {
     context.figures["scale"] = factor;
     const Affine map =
         Affine::stretching(Vec3d{1, 1, 1} * factor).about(base::cast<double>(now.tree().bounds().centre()));
-    clean::commit(context, selection::transformed(now, map, Limit::Everything), "Set unit");
+    commitMoved(context, map, Limit::Everything, "Set unit");
 }
 
 CommandRow unitCommand() {

@@ -36,7 +36,7 @@ static void flip(Context& context, const nlohmann::json& complete) {
     if (!now.tree().layout()->normals)
         throw base::Error("the model has no normals to turn over", {}, "make them with \"normals\"");
     clean::commit(context, {selection::flipped(now.tree(), limitOf(context, complete)), now.definition()},
-                  "Flip normals");
+                  "Flip normals", layers::How::Keep);
 }
 
 CommandRow flipCommand() {

@@ -16,7 +16,7 @@ static void blend(Context& context, const json& complete, double sign, const cha
                   selection::smoothed(context.document.surface(), complete.at("scale").get<double>(),
                                       sign * complete.at("strength").get<double>(), limitOf(context, complete),
                                       context.progress),
-                  label);
+                  label, layers::How::Record);
 }
 
 static void smooth(Context& context, const json& complete) {
@@ -64,7 +64,7 @@ static void inflate(Context& context, const json& complete) {
     const auto height = [length](const base::Vec3d&) { return selection::Height{length, {}}; };
     clean::commit(context,
                   selection::raised(context.document.surface(), height, limitOf(context, complete), context.progress),
-                  "Inflate");
+                  "Inflate", layers::How::Record);
 }
 
 CommandRow inflateCommand() {
@@ -88,7 +88,7 @@ static void roughen(Context& context, const json& complete) {
     };
     clean::commit(context,
                   selection::raised(context.document.surface(), height, limitOf(context, complete), context.progress),
-                  "Noise");
+                  "Noise", layers::How::Record);
 }
 
 CommandRow noiseCommand() {

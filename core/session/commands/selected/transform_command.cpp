@@ -64,8 +64,7 @@ Affine mapOf(const Context& context, const json& complete, Limit limit) {
 void transform(Context& context, const json& complete) {
     requireModel(context);
     const Limit limit = limitOf(context, complete);
-    clean::commit(context, selection::transformed(context.document.surface(), mapOf(context, complete, limit), limit),
-                  "Transform");
+    commitMoved(context, mapOf(context, complete, limit), limit, "Transform");
 }
 
 void duplicate(Context& context, const json& complete) {

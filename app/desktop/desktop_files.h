@@ -12,6 +12,10 @@ std::string desktopEntry();
 std::string mimeTypes();
 /// pointclay.1: synopsis, every subcommand with its options and example, the formats.
 std::string manPage();
+/// pointclay.thumbnailer: how a file manager gets its small pictures.
+std::string thumbnailer();
+/// pointclay.metainfo.xml of AppStream: what a software centre shows.
+std::string softwarePage();
 /// Words that bash completes after `pointclay`: subcommands, and the options of each.
 std::string bashCompletions();
 

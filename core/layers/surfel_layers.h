@@ -1,0 +1,53 @@
+// One surfel with its layers, in double: how a change of what is shown goes into a layer or into the base
+// (layers/README 3). Internal to this room.
+#pragma once
+
+#include "core/base/vec.h"
+#include "core/layers/layer_words.h"
+
+#include <span>
+
+namespace layers {
+
+/// The smallest turn that takes the unit vector a to b, applied to v; v where there is none.
+base::Vec3d turned(const base::Vec3d& v, const base::Vec3d& a, const base::Vec3d& b);
+
+class SurfelLayers {
+  public:
+    struct Part {
+        base::Vec3d d, e;
+        double q = 0, mask = 0;
+    };
+    struct Shown {
+        base::Vec3d position, normal; ///< of unit length in double, or zero
+        double support = 0;
+    };
+
+    base::Vec3d base, normal;
+    double support = 0;
+    std::vector<Part> parts;
+
+    void read(const surfel::SurfelBlock& block, int slot, const Channels& channels);
+    void write(surfel::SurfelBlock& block, int slot, const Channels& channels) const;
+    Shown shown(std::span<const float> weights) const;
+
+    /// Takes the difference between what is shown and `wanted` into part `target`. What a part's own mask hides wholly
+    /// takes nothing. REQUIRES: |weights[target]| >= leastRecording.
+    void record(std::span<const float> weights, int target, const Shown& wanted);
+    /// Moves the base so that `wanted` is shown. The layers' frames turn with it where `follow`, as they do when the
+    /// surface below them is sculpted; else they were made for `wanted` already.
+    void rebase(std::span<const float> weights, const Shown& wanted, bool follow);
+
+  private:
+    struct Place {
+        base::Vec3d up, normal;
+    };
+    Place climb(std::span<const float> weights, std::size_t from, std::size_t to, Place at) const;
+    double growth(std::size_t part, double weight) const;
+    double growth(std::span<const float> weights) const;
+    void takeSupport(double next);
+    void takeNormal(std::span<const float> weights, const base::Vec3d& wanted);
+    void turnOver();
+};
+
+} // namespace layers

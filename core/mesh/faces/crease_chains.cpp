@@ -1,0 +1,94 @@
+#include "core/mesh/faces/crease_chains.h"
+
+#include "core/base/disjoint_sets.h"
+
+#include <algorithm>
+#include <map>
+#include <numbers>
+
+namespace mesh {
+
+namespace {
+
+constexpr double leastRough = std::numbers::pi / 22.5; ///< 8 degrees: mean turn of the smooth edges of a bumpy surface
+constexpr double standsOut = 6;         ///< edges of a chain with free ends turn so much more than those about them
+constexpr double closedStandsOut = 4;   ///< of one without
+constexpr std::size_t fewest = 40;      ///< edges of a chain among bumps, as many more for each free end
+constexpr std::size_t fewestOfStub = 3; ///< the same elsewhere, of a short chain
+constexpr std::size_t fewestOfSure =
+    20;                         ///< edges of a chain that no scan has by chance, as many more for each free end
+constexpr double shortest = 10; ///< spacings: as wide as the bands beside an edge that ends
+
+/// Sharp edges that hang together.
+struct Chain {
+    std::size_t edges = 0, tips = 0;        ///< a tip is a place within the surface where one sharp edge ends
+    double length = 0, turn = 0, rough = 0; ///< times length
+
+    bool clear(double spacing) const {
+        const bool bumpy = rough >= leastRough * length && turn < (tips > 0 ? standsOut : closedStandsOut) * rough;
+        if (bumpy && edges <= fewest * (1 + tips))
+            return false;
+        return fewestOfStub * tips < edges || length >= shortest * spacing;
+    }
+    bool sure() const { return edges >= fewestOfSure * (1 + tips) && rough < leastRough * length; }
+};
+
+/// Of each sharp edge the number of its chain.
+std::vector<std::uint32_t> chainsOf(const std::vector<SharpEdge>& edges) {
+    base::DisjointSets sets(edges.size());
+    std::map<std::uint32_t, std::uint32_t> first; // edge at a place
+    for (std::uint32_t e = 0; e < edges.size(); ++e)
+        for (const std::uint32_t end : edges[e].ends)
+            sets.join(first.emplace(end, e).first->second, e);
+    std::vector<std::uint32_t> out(edges.size());
+    for (std::uint32_t e = 0; e < out.size(); ++e)
+        out[e] = sets.find(e);
+    return out;
+}
+
+} // namespace
+
+CreaseChains allChains(const FaceTopology& topology) {
+    return {topology.sharpEdges, topology.patches, topology.patchCount, 0, 0};
+}
+
+CreaseChains clearChains(const FaceTopology& topology, double spacing) {
+    const std::vector<SharpEdge>& edges = topology.sharpEdges;
+    const std::vector<std::uint32_t> chainOf = chainsOf(edges);
+    std::map<std::uint32_t, int> meeting; // sharp edges at a place
+    for (const SharpEdge& edge : edges)
+        for (const std::uint32_t end : edge.ends)
+            ++meeting[end];
+    std::vector<Chain> chains(edges.size());
+    for (std::size_t e = 0; e < edges.size(); ++e) {
+        Chain& chain = chains[chainOf[e]];
+        const double length = base::distance(edges[e].from, edges[e].to);
+        ++chain.edges;
+        chain.length += length;
+        chain.turn += length * edges[e].turn;
+        chain.rough += length * edges[e].rough;
+        for (std::size_t k = 0; k < 2; ++k)
+            chain.tips += meeting[edges[e].ends[k]] == 1 && !edges[e].atBorder[k] ? 1 : 0;
+    }
+    CreaseChains out;
+    base::DisjointSets sets(topology.patchCount);
+    for (std::size_t e = 0; e < edges.size(); ++e)
+        if (chains[chainOf[e]].clear(spacing))
+            out.edges.push_back(edges[e]);
+        else
+            sets.join(topology.patches[edges[e].left], topology.patches[edges[e].right]);
+    for (const Chain& chain : chains)
+        out.sure += chain.sure() ? chain.length : 0;
+    out.leftOut = edges.size() - out.edges.size();
+    std::vector<std::uint32_t> numbers(topology.patchCount);
+    for (std::uint32_t p = 0; p < numbers.size(); ++p) {
+        const std::uint32_t root = sets.find(p); // the smallest of them
+        numbers[p] = root == p ? static_cast<std::uint32_t>(out.patchCount++) : numbers[root];
+    }
+    out.patches.resize(topology.patches.size());
+    for (std::size_t t = 0; t < out.patches.size(); ++t)
+        out.patches[t] = numbers[topology.patches[t]];
+    return out;
+}
+
+} // namespace mesh

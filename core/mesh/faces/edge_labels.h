@@ -1,0 +1,17 @@
+// What becomes of a file's sharp edges when its faces are sampled: labels that keep them sharp, or a sentence why not.
+#pragma once
+
+#include "core/mesh/faces/face_points.h"
+#include "core/mesh/faces/open_faces.h"
+
+namespace mesh {
+
+/// Is this a part with edges, however finely it is cut into triangles? Its vertices have no labels, its samples do.
+bool hasSureCreases(const FaceTopology& topology);
+
+/// Labels the samples beside sharp edges; returns what became of the edges that do not stay sharp, as a sentence, else
+/// nothing. `samples` are those of `points`.
+std::string labelEdges(const FaceTopology& topology, const FaceOptions& options, const std::vector<FacePoint>& points,
+                       double spacing, surfel::SurfelList& samples);
+
+} // namespace mesh

@@ -1,0 +1,109 @@
+#include "core/base/error.h"
+#include "core/process/estimation/part_progress.h"
+#include "core/process/estimation/prepare.h"
+#include "core/selection/affine.h"
+#include "core/session/commands/clean_steps.h"
+#include "core/session/commands/commands.h"
+#include "core/session/commands/selected/limits.h"
+#include "core/session/scans.h"
+
+#include <nlohmann/json.hpp>
+
+namespace session {
+
+using base::Vec3d;
+using nlohmann::json;
+using selection::Affine, selection::Limit;
+
+/// Opened as `open` does it; `number` counts the hashes.
+static Document opened(const Context& context, const json& complete, const std::string& path, std::size_t number) {
+    Document out;
+    Context inner{out, context.folder, process::part(context.progress, 0, 0.3), {}, 0, {}, nullptr};
+    run(inner, {{"op", "open"}, {"path", path}});
+    const json hashes = complete.value("hashes", json::array());
+    if (number < hashes.size() && hashes[number] != out.hash().text())
+        throw base::Error("the file is not the one that was recorded", path,
+                          "restore that file, or leave out the hash");
+    return out;
+}
+
+static void bringTogether(Context& context, Scans& scans, const json& complete) {
+    bring(scans, complete.at("global").get<bool>(), context.messages, process::part(context.progress, 0.3, 0.8));
+    for (const auto& [name, value] : {std::pair{"rms", &process::Placed::rms}, {"overlap", &process::Placed::overlap}})
+        context.figures[name] = scans.placed.back().*value; // of the last one
+}
+
+/// One surface of all their points, as the model is defined.
+static void join(Context& context, const Scans& scans, const Vec3d& shift) {
+    process::PrepareOptions options;
+    options.definition = context.document.surface().definition();
+    options.keepSupports = false;
+    const surfel::SurfelList points = together(scans, shift);
+    context.messages.push_back(std::to_string(points.size()) + " points of " + std::to_string(scans.placed.size()) +
+                               " scans; where they overlap there are points of each: \"thin\" or \"resample\" makes "
+                               "one even layer of them.");
+    clean::commit(context, process::prepare(points, options, process::part(context.progress, 0.8, 1)), "Register");
+}
+
+/// The model onto another one, which it then has beside it where asked for.
+static void moveTo(Context& context, const json& complete) {
+    const auto path = complete.at("to").get<std::string>();
+    Scans scans;
+    add(scans, path, opened(context, complete, path, 0));
+    add(scans, "the model", context.document);
+    bringTogether(context, scans, complete);
+    const Vec3d shift = scans.origin() - context.document.provenance().origin;
+    const process::Rigid& pose = scans.placed[1].pose;
+    const Affine map{pose.rotation, pose.translation + shift};
+    if (!complete.at("join").get<bool>())
+        return commitMoved(context, map, Limit::Everything, "Register");
+    selection::transformed(context.document.surface(), map, Limit::Everything);                // is there room for it?
+    selection::transformed(scans.placed[0].surface, Affine::moving(shift), Limit::Everything); // and for that?
+    join(context, scans, shift);
+}
+
+/// Others onto the model.
+static void take(Context& context, const json& complete) {
+    Scans scans;
+    add(scans, "the model", context.document);
+    std::size_t number = 0;
+    for (const json& path : complete.at("moving"))
+        add(scans, path.get<std::string>(), opened(context, complete, path.get<std::string>(), number++));
+    bringTogether(context, scans, complete);
+    join(context, scans, {});
+}
+
+static void registerScans(Context& context, const json& complete) {
+    requireModel(context);
+    const bool to = complete.contains("to");
+    if (to == complete.contains("moving"))
+        throw base::Error("\"register\" needs either \"to\" or \"moving\"", {},
+                          "name the model that this one is moved onto, or those that are moved onto this one");
+    if (to)
+        moveTo(context, complete);
+    else
+        take(context, complete);
+}
+
+CommandRow registerCommand() {
+    static const CommandParameter parameters[] = {
+        {"to", "path", "", "the model that this one is moved onto; give this or moving", "null", "", 0, 0},
+        {"moving", "paths", "", "models that are moved onto this one and added to it", "null", "", 0, 0},
+        {"global", "boolean", "",
+         "look for their places everywhere, by what the surfaces look like; otherwise they begin where they are",
+         "false", "", 0, 0},
+        {"join", "boolean", "", "add the points of the model that this one was moved onto", "false", "", 0, 0},
+        {"hashes", "list", "", "content hashes that the other models must have, in their order", "null", "", 0, 0},
+    };
+    return {"register",
+            "Register",
+            "Moves the model onto another scan of the same thing, or others onto it: one model with an attribute "
+            "\"scan\" that tells whose a point was.",
+            parameters,
+            true,
+            false,
+            registerScans,
+            nullptr};
+}
+
+} // namespace session
