@@ -89,7 +89,9 @@ std::string tools() {
 
 /// Of this look there is a picture that says something: a knot has neither colours nor something to deviate from.
 bool pictured(const render::ShadingRow& each) {
-    return !each.surfelColours && each.shading != render::Shading::Mask && each.shading != render::Shading::Deviation;
+    const bool ofSamples = !each.measure || each.measure->quantity != process::Quantity::Attribute;
+    return !each.surfelColours && each.shading != render::Shading::Mask && each.shading != render::Shading::Deviation &&
+           ofSamples;
 }
 
 std::string shadingPicture(const render::ShadingRow& each) {

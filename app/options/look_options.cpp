@@ -60,6 +60,10 @@ std::shared_ptr<LookOptions> addLookOptions(OptionSet command) {
         .check(idOf(render::shadingTable()))
         .text("NAME [colour for a model with colours, else matcap]");
     command
+        .add("--attribute", options->attribute,
+             "which number --shading attribute shows; `info` lists what a model carries")
+        .typeName("NAME");
+    command
         .add("--range", options->range,
              "values at the ends of the colour scale, for shadings that measure (write --range=-1,1 where the "
              "first is negative); default: those that cover most of the model")
@@ -101,7 +105,25 @@ std::shared_ptr<LookOptions> addLookOptions(OptionSet command) {
 static render::Shading shadingOf(const LookOptions& options, const tree::SurfelTree& model) {
     if (!options.shading.empty())
         return render::shading(options.shading);
+    if (!options.attribute.empty())
+        return render::Shading::Attribute;
     return options.light->material == "matcap" ? render::usualShading(model) : render::Shading::Matcap;
+}
+
+/// Throws UsageError, or base::Error where the model carries no such number.
+static void requireAttribute(const LookOptions& options, render::Shading shading,
+                             const surfel::AttributeLayout& layout) {
+    const auto& measure = render::shadingRow(shading).measure;
+    if ((measure && measure->named()) != !options.attribute.empty())
+        throw UsageError(options.attribute.empty() ? "--shading attribute needs --attribute NAME to show"
+                                                   : "--attribute is for --shading attribute");
+    if (options.attribute.empty() || layout.find(options.attribute))
+        return;
+    std::string names;
+    for (const surfel::Attribute& each : layout.attributes())
+        names += (names.empty() ? "" : ", ") + each.name;
+    throw base::Error("the model carries no attribute '" + options.attribute + "'", {},
+                      names.empty() ? "it carries none" : "use one of: " + names);
 }
 
 void applyLook(const LookOptions& options, const session::Document& document, const nlohmann::json& surface,
@@ -123,6 +145,8 @@ void applyLook(const LookOptions& options, const session::Document& document, co
                              " measures nothing");
         parseRange(options.range, out.range.emplace());
     }
+    requireAttribute(options, out.style.shading, *document.surface().tree().layout());
+    out.attribute = options.attribute;
     if (deviates != !options.reference.empty())
         throw UsageError(deviates ? "--shading deviation needs --reference MODEL to measure from"
                                   : "--reference is for --shading deviation");

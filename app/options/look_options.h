@@ -11,7 +11,8 @@
 namespace app {
 
 struct LookOptions {
-    std::string shading, range, reference, backdrop = "studio", effects; ///< no `shading`: what suits the model
+    std::string shading, attribute, range, reference, backdrop = "studio",
+                                                      effects; ///< no `shading`: what suits the model
     bool occlusion = false, grid = false;
     bool transparent = false;
     render::Annotated annotated = render::Legend;

@@ -8,6 +8,8 @@
 #include "core/surface/projection/project.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <unordered_set>
 
 namespace process {
@@ -64,6 +66,39 @@ void offCentreAt(const FieldQuestion& q, std::span<const Vec3f> x, std::span<flo
     });
 }
 
+/// Null where there is none of that name.
+const surfel::Attribute* attributeOf(const FieldQuestion& q) {
+    return q.surface.tree().layout()->find(q.attribute);
+}
+
+/// What a surfel without the attribute has: nothing was ever selected there.
+float absent(const FieldQuestion& q) {
+    return q.attribute == "selection" ? 0.0f : unknown;
+}
+
+float attributeAt(const surfel::Attribute& attribute, const surfel::SurfelBlock& block, int slot) {
+    std::array<std::uint32_t, 2> words{};
+    for (std::size_t k = 0; k < surfel::wordsOf(attribute.type); ++k)
+        words[k] = std::bit_cast<std::uint32_t>(
+            block.channel(slot / surfel::clusterSize,
+                          surfel::Extra + static_cast<int>(attribute.firstWord + k))[slot % surfel::clusterSize]);
+    const surfel::Attribute own{{}, attribute.type, 0};
+    return static_cast<float>(surfel::read(own, words));
+}
+
+/// Blended like colours and masks; numbers of kinds (a class, a scan) are not mixed, the nearest surfel's counts.
+float attributeAt(const FieldQuestion& q, const surfel::Attribute& attribute, const Vec3f& x) {
+    float sum = 0, total = 0, most = 0, heaviest = absent(q);
+    surface::forWeights(q.surface, x, [&](const surfel::SurfelBlock& block, int slot, float theta) {
+        const float value = attributeAt(attribute, block, slot);
+        sum += theta * value;
+        total += theta;
+        if (theta > most)
+            most = theta, heaviest = value;
+    });
+    return surfel::isReal(attribute.type) && total > 0 ? sum / total : heaviest;
+}
+
 /// From the reference to positions of the surface.
 void deviationAt(const FieldQuestion& q, std::span<const Vec3f> x, std::span<float> out) {
     if (q.reference.tree().empty()) {
@@ -109,11 +144,21 @@ void feetOf(const Surface& surface, std::vector<Vec3f>& x) {
             x[i] = feet[i].foot;
 }
 
+void carriedBy(const FieldQuestion& q, Blocks blocks, std::vector<float>& out) {
+    const surfel::Attribute* attribute = attributeOf(q);
+    auto next = out.begin();
+    for (const surfel::BlockPtr& block : blocks)
+        for (int slot = 0; slot < block->size(); ++slot)
+            *next++ = attribute ? attributeAt(*attribute, *block, slot) : absent(q);
+}
+
 void valuesAt(const FieldQuestion& q, Blocks blocks, std::vector<float>& out) {
     std::vector<Vec3f> x = positionsOf(blocks);
     out.resize(x.size());
     if (q.quantity == Quantity::Spacing)
         return base::parallelFor(x.size(), 64, [&](std::size_t i) { out[i] = spacingAround(q.surface.tree(), x[i]); });
+    if (q.quantity == Quantity::Attribute)
+        return carriedBy(q, blocks, out);
     if (q.quantity == Quantity::Deviation)
         feetOf(q.surface, x);
     quantityAt(q, x, out);
@@ -122,6 +167,8 @@ void valuesAt(const FieldQuestion& q, Blocks blocks, std::vector<float>& out) {
 /// How far beyond its supports, in supports, a changed surfel can matter.
 float reachOf(const FieldQuestion& q) {
     switch (q.quantity) {
+    case Quantity::Attribute:
+        return 0;
     case Quantity::OffCentre:
     case Quantity::Spacing:
         return 2; // the second pass where sheets are near looks beyond the first's supports
@@ -143,9 +190,14 @@ std::unordered_set<const surfel::SurfelBlock*> touched(const FieldQuestion& q, B
     return out;
 }
 
+bool alike(const surfel::Attribute* a, const surfel::Attribute* b) {
+    return a && b ? *a == *b : a == b;
+}
+
 bool comparable(const FieldQuestion& a, const FieldQuestion& b) {
-    return a.quantity == b.quantity && a.surface.definition() == b.surface.definition() &&
-           a.reference.tree() == b.reference.tree() && a.reference.definition() == b.reference.definition() &&
+    return a.quantity == b.quantity && a.surface.definition() == b.surface.definition() && a.attribute == b.attribute &&
+           alike(attributeOf(a), attributeOf(b)) && a.reference.tree() == b.reference.tree() &&
+           a.reference.definition() == b.reference.definition() &&
            a.surface.tree().layout()->oriented == b.surface.tree().layout()->oriented;
 }
 
@@ -157,6 +209,11 @@ void quantityAt(const FieldQuestion& q, std::span<const Vec3f> x, std::span<floa
         return offCentreAt(q, x, out);
     case Quantity::Deviation:
         return deviationAt(q, x, out);
+    case Quantity::Attribute: {
+        const surfel::Attribute* attribute = attributeOf(q);
+        return base::parallelFor(
+            x.size(), 64, [&](std::size_t i) { out[i] = attribute ? attributeAt(q, *attribute, x[i]) : absent(q); });
+    }
     case Quantity::Spacing:
         return base::parallelFor(x.size(), 64, [&](std::size_t i) { out[i] = spacingAt(q.surface, x[i]); });
     default:

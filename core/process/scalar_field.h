@@ -14,6 +14,7 @@
 #include "core/surface/surface.h"
 
 #include <memory>
+#include <string>
 #include <unordered_map>
 
 namespace process {
@@ -21,7 +22,8 @@ namespace process {
 /// Curvatures (surface/README) in 1/length, Gaussian in 1/length squared; where the surfels have no common side, the
 /// side is the one with mean >= 0. OffCentre is o/h (process/README 3), without unit. Spacing and Deviation are
 /// lengths: the latter from the reference surface to this one, positive on the side where the reference's normals
-/// point, without sign where it has no sides.
+/// point, without sign where it has no sides. Attribute is what the surfels carry under a name, in the unit it was
+/// written in; no numbers where they carry none, but of the selection, which is 0 then.
 enum class Quantity {
     MeanCurvature,
     GaussianCurvature,
@@ -29,13 +31,15 @@ enum class Quantity {
     SmallestCurvature,
     OffCentre,
     Spacing,
-    Deviation
+    Deviation,
+    Attribute
 };
 
 struct FieldQuestion {
     Quantity quantity = Quantity::MeanCurvature;
     surface::Surface surface;
     surface::Surface reference; ///< of Deviation; an empty one gives no numbers
+    std::string attribute = {}; ///< the name, of Attribute
 };
 
 class ScalarField {

@@ -43,7 +43,7 @@ void PictureMaker::measure(const base::Progress& progress) {
     const auto& row = shadingRow(m_options.style.shading).measure;
     if (!row || m_kept->measured)
         return;
-    const process::FieldQuestion question{row->quantity, m_surface, m_options.reference};
+    const process::FieldQuestion question = row->question(m_surface, m_options.reference, m_options.attribute);
     m_kept->measured = Measured{question, scaleFor(*row, question, m_options.range, nullptr, progress)};
 }
 

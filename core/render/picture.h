@@ -23,6 +23,7 @@ struct PictureOptions {
     Annotated annotated = 0;    ///< drawn over the picture; a legend where the shading measures
     RenderOptions style;        ///< its splatScale comes on top of splatScaleOf the model
     surface::Surface reference; ///< that deviations are measured from; empty: unknown
+    std::string attribute;      ///< that Shading::Attribute shows
     /// Of the colours of measured numbers; empty: automatic.
     std::optional<std::pair<float, float>> range;
 };

@@ -1,6 +1,7 @@
 #include "core/render/shading/measured_colours.h"
 
 #include "core/base/error.h"
+#include "core/process/measuring/measured_attribute.h"
 #include "core/render/picture.h"
 #include "core/render/splats/cpu_splatter.h"
 #include "render/render_models.h"
@@ -23,6 +24,8 @@ class MeasuredColoursTest : public QObject {
     void mapsKeepTheOrderOfLightnessAndGreyMeansZero();
     void ticksAreRoundAndStayWithinTheScale();
     void rangesAreThoseOfMostValuesAndRound();
+    void anAttributeIsShownAsItIsCarried();
+    void nothingIsSelectedWhereNothingWasEver();
     void aSphereHasOneColourThatOfOneOverItsRadius();
     void aPlaneIsNeutral();
     void aShiftedPlaneDeviatesByTheShift();
@@ -78,7 +81,7 @@ void MeasuredColoursTest::ticksAreRoundAndStayWithinTheScale() {
 void MeasuredColoursTest::rangesAreThoseOfMostValuesAndRound() {
     base::Random random(test::seed());
     for (const ShadingRow& row : shadingTable()) {
-        if (!row.measure)
+        if (!row.measure || row.measure->chosen)
             continue;
         std::vector<float> values;
         for (int k = 0; k < 10000; ++k)
@@ -92,6 +95,49 @@ void MeasuredColoursTest::rangesAreThoseOfMostValuesAndRound() {
         QVERIFY(automaticScale(*row.measure, {0, 0}, 1).low < automaticScale(*row.measure, {0, 0}, 1).high);
         QVERIFY_EXCEPTION_THROWN(fixedScale(*row.measure, 1, 1), base::Error);
     }
+}
+
+/// The model with an attribute that its places tell.
+static surface::Surface labelled(const surface::Surface& surface) {
+    std::vector<float> numbers;
+    surface.tree().forEachBlock([&](std::uint32_t, const surfel::SurfelBlock& block) {
+        for (int slot = 0; slot < block.size(); ++slot)
+            numbers.push_back(block.position(slot).x);
+    });
+    return {process::withAttribute(surface.tree(), "height", numbers), surface.definition()};
+}
+
+void MeasuredColoursTest::anAttributeIsShownAsItIsCarried() {
+    const surface::Surface sphere = labelled(surfaceOf(test::sphere({1, 2, 3}, 2, 20000)));
+    const FieldQuestion question{Quantity::Attribute, sphere, {}, "height"};
+    const ScalarField field = process::evaluateField(question);
+    std::vector<base::Vec3f> places;
+    sphere.tree().forEachBlock([&](std::uint32_t, const surfel::SurfelBlock& block) {
+        for (int slot = 0; slot < block.size(); ++slot)
+            QCOMPARE((*field.of(&block))[static_cast<std::size_t>(slot)], block.position(slot).x);
+        places.push_back(block.position(0));
+    });
+    std::vector<float> between(places.size());
+    process::quantityAt(question, places, between);
+    for (std::size_t i = 0; i < places.size(); ++i)
+        QVERIFY(std::abs(between[i] - places[i].x) < 0.01f);
+    const MeasureRow& row = *shadingRow(Shading::Attribute).measure;
+    QCOMPARE(scaleFor(row, question, {}, &field).title, std::string("height"));
+    const FieldQuestion lost{Quantity::Attribute, sphere, {}, "depth"};
+    const ScalarField none = process::evaluateField(lost, &field);
+    QVERIFY(std::isnan((*none.of(sphere.tree().block(0).get()))[0]));
+}
+
+void MeasuredColoursTest::nothingIsSelectedWhereNothingWasEver() {
+    const surface::Surface sphere = surfaceOf(test::sphere({1, 2, 3}, 2, 2000));
+    const MeasureRow& row = *shadingRow(Shading::Selection).measure;
+    const FieldQuestion question = row.question(sphere, {}, "other");
+    const ScalarField field = process::evaluateField(question);
+    const auto colours = coloursOf(field, scaleFor(row, question, {}, &field));
+    sphere.tree().forEachBlock([&](std::uint32_t, const surfel::SurfelBlock& block) {
+        for (int slot = 0; slot < block.size(); ++slot)
+            QCOMPARE(colours->of(&block)[slot], mapped(ColourMap::Chosen, 0));
+    });
 }
 
 void MeasuredColoursTest::aSphereHasOneColourThatOfOneOverItsRadius() {

@@ -33,8 +33,8 @@ static std::size_t known(const Measurer& measurer, const tree::SurfelTree& tree)
 void MeasurerTest::colouredInTheBackgroundAndByTheLastWish() {
     Measurer measurer;
     const surface::Surface model = torus();
-    measurer.want(render::Shading::Spacing, model, {}, 1);
-    measurer.want(render::Shading::Curvature, model, {}, 1);
+    measurer.want(render::Shading::Spacing, {}, model, {}, 1);
+    measurer.want(render::Shading::Curvature, {}, model, {}, 1);
     QVERIFY(measurer.busy() && measurer.colours() && !measurer.scale());
     QVERIFY(settled(measurer));
     QCOMPARE(known(measurer, model.tree()), std::size_t(model.tree().blockCount()));
@@ -44,9 +44,9 @@ void MeasurerTest::colouredInTheBackgroundAndByTheLastWish() {
 void MeasurerTest::anEditIsMeasuredNearByAndKeepsTheScale() {
     Measurer measurer;
     const surface::Surface model = torus();
-    measurer.want(render::Shading::Deviation, model, model, 1);
+    measurer.want(render::Shading::Deviation, {}, model, model, 1);
     QVERIFY(settled(measurer));
-    measurer.want(render::Shading::Curvature, model, {}, 1);
+    measurer.want(render::Shading::Curvature, {}, model, {}, 1);
     QVERIFY(settled(measurer));
     const auto before = measurer.colours();
     const auto scale = measurer.scale();
@@ -56,7 +56,7 @@ void MeasurerTest::anEditIsMeasuredNearByAndKeepsTheScale() {
     changed->seal();
     edit.blocks.push_back({3, changed, {}});
     const surface::Surface after(model.tree().apply(edit), model.definition());
-    measurer.want(render::Shading::Curvature, after, {}, 1);
+    measurer.want(render::Shading::Curvature, {}, after, {}, 1);
     QCOMPARE(measurer.colours(), before); // what is known stays in the picture meanwhile
     QVERIFY(settled(measurer));
     QVERIFY(measurer.scale() == scale);
@@ -70,10 +70,10 @@ void MeasurerTest::anEditIsMeasuredNearByAndKeepsTheScale() {
 void MeasurerTest::whatIsCancelledOrUnmeasuredHasNoColours() {
     Measurer measurer;
     const surface::Surface model = torus();
-    measurer.want(render::Shading::Curvature, model, {}, 1);
+    measurer.want(render::Shading::Curvature, {}, model, {}, 1);
     measurer.cancel();
     QVERIFY(settled(measurer));
-    measurer.want(render::Shading::Matcap, model, {}, 1);
+    measurer.want(render::Shading::Matcap, {}, model, {}, 1);
     QVERIFY(!measurer.colours() && !measurer.scale());
 }
 

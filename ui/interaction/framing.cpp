@@ -1,6 +1,7 @@
 #include "ui/interaction/framing.h"
 
 #include "core/render/framed_box.h"
+#include "core/selection/field.h"
 
 namespace ui {
 
@@ -31,6 +32,23 @@ std::vector<base::Box3f> unmaskedBoxes(const tree::SurfelTree& tree) {
             out.push_back(box);
     });
     return masked ? out : std::vector<base::Box3f>{};
+}
+
+std::vector<base::Box3f> selectedBoxes(const tree::SurfelTree& tree) {
+    const surfel::Attribute* attribute = tree.layout()->find(selection::attributeName);
+    std::vector<base::Box3f> out;
+    if (!attribute || attribute->type != surfel::ScalarType::Float32)
+        return out;
+    const int channel = surfel::Extra + static_cast<int>(attribute->firstWord);
+    tree.forEachBlock([&](std::uint32_t, const surfel::SurfelBlock& block) {
+        base::Box3f box;
+        for (int slot = 0; slot < block.size(); ++slot)
+            if (selection::valueAt(block, channel, slot) >= selection::half)
+                box.extend(block.position(slot));
+        if (!box.empty())
+            out.push_back(box);
+    });
+    return out;
 }
 
 base::Box3f boxAround(const base::Vec3d& centre, double radius) {

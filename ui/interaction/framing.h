@@ -11,6 +11,8 @@ namespace ui {
 std::vector<base::Box3f> boxesOf(const tree::SurfelTree& tree);
 /// What is less than half masked, a box per block; empty where nothing is masked more than that.
 std::vector<base::Box3f> unmaskedBoxes(const tree::SurfelTree& tree);
+/// Of what is selected; none where nothing is.
+std::vector<base::Box3f> selectedBoxes(const tree::SurfelTree& tree);
 /// The cube about a ball.
 base::Box3f boxAround(const base::Vec3d& centre, double radius);
 

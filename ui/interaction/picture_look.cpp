@@ -37,8 +37,8 @@ std::optional<TrueSurface> PictureLook::truth() const {
     TrueSurface out{now.surface, m_settings.truth.quality, m_settings.truth.lighting, nullptr};
     const std::optional<render::MeasureRow>& row = render::shadingRow(m_settings.shading).measure;
     if (row && m_scale)
-        out.measured =
-            std::make_shared<render::Measured>(render::Measured{{row->quantity, now.surface, now.reference}, *m_scale});
+        out.measured = std::make_shared<render::Measured>(
+            render::Measured{row->question(now.surface, now.reference, m_settings.attribute), *m_scale});
     return out;
 }
 

@@ -15,8 +15,9 @@ SculptView::SculptView(Editor& editor, Settings& settings, Viewport& viewport, Q
       m_cursor(editor, settings, m_motion, m_sizing, *viewport.widget()),
       m_pointer({editor, settings, m_motion, m_flight, m_sizing, m_source, m_strokes, m_cursor}, *viewport.widget()),
       m_touch({editor, settings, m_motion, m_sizing, m_source, m_pointer}, *viewport.widget()),
+      m_picker(editor, m_motion, *viewport.widget()),
       m_overlay({editor, settings, m_motion, m_cuts, m_symmetry, m_source, m_strokes, m_look, m_pointer,
-                 m_cursor.cursor(), m_touch}) {
+                 m_cursor.cursor(), m_touch, m_picker}) {
     viewport.paintOverlay = [this](QPainter& painter) {
         m_overlay.paint(painter, m_viewport.widget()->devicePixelRatioF());
     };
@@ -41,6 +42,7 @@ void SculptView::connectParts() {
     connect(&m_touch, &TouchInput::felt, this, [this] { m_viewport.widget()->update(); });
     connect(&m_pointer, &PointerRouter::touched, &m_touch, &TouchInput::letGo);
     connect(&m_touch, &TouchInput::hinted, this, &SculptView::hinted);
+    connect(&m_picker, &Picker::hinted, this, &SculptView::hinted);
     connect(&m_flight, &Flight::hinted, this, &SculptView::hinted);
     connect(&m_pointer, &PointerRouter::hinted, this, &SculptView::hinted);
 }
@@ -76,7 +78,10 @@ void SculptView::followModel() {
 
 void SculptView::frameSelection() {
     constexpr double around = 3; // radii of the brush
-    std::vector<base::Box3f> boxes = unmaskedBoxes(m_editor.snapshot().surface.tree());
+    const tree::SurfelTree& model = m_editor.snapshot().surface.tree();
+    std::vector<base::Box3f> boxes = selectedBoxes(model);
+    if (boxes.empty())
+        boxes = unmaskedBoxes(model);
     if (boxes.empty())
         if (const auto contact = m_pointer.contactUnderPointer())
             boxes = {boxAround(contact->position, around * m_sizing.radiusAt(contact->position))};

@@ -25,13 +25,14 @@ class SculptView : public QObject {
     PointerRouter& pointer() { return m_pointer; }
     ViewOverlay& overlay() { return m_overlay; }
     TouchInput& touch() { return m_touch; }
+    Picker& picker() { return m_picker; }
     const BrushCursor& cursor() const { return m_cursor.cursor(); }
 
     /// Another picture: the settings that show in it have changed.
     void refresh(bool moving = false);
     void showColours(std::shared_ptr<const render::BlockColours> colours,
                      const std::optional<render::ColourScale>& scale);
-    /// What is not masked, where something is; else what is under the brush; else all.
+    /// What is selected; else what is not masked, where something is; else what is under the brush; else all.
     void frameSelection();
     /// Turns the free plane across the direction of view.
     void faceFreePlane();
@@ -60,6 +61,7 @@ class SculptView : public QObject {
     CursorTracker m_cursor;
     PointerRouter m_pointer;
     TouchInput m_touch;
+    Picker m_picker;
     ViewOverlay m_overlay;
     std::uint64_t m_models = 0;    ///< of the snapshot that the view was framed for
     std::uint64_t m_viewInput = 0; ///< the last pointer event that moved the view

@@ -1,6 +1,7 @@
 #include "ui/interaction/view_overlay.h"
 
 #include "ui/overlay/annotation_overlay.h"
+#include "ui/overlay/pick_overlay.h"
 #include "ui/overlay/pivot_overlay.h"
 #include "ui/overlay/section_overlay.h"
 #include "ui/overlay/symmetry_overlay.h"
@@ -35,9 +36,12 @@ void ViewOverlay::paint(QPainter& painter, double pixelRatio) const {
     const render::RenderOptions look = m_parts.look.options();
     ui::paint(painter,
               render::annotate(settings.annotated, seen, m_parts.look.scale(), settings.backdrop, look.pixelScale));
-    if (!motion.navigator().flying())
+    if (!motion.navigator().flying() && !m_parts.picker.on())
         ui::paint(painter, m_parts.cursor, seen);
+    paintOutline(painter, m_parts.picker.outline(), m_parts.picker.shape() == PickShape::Rectangle, pixelRatio);
     ui::paint(painter, m_parts.touch.look(), seen, pixelRatio);
+    if (above)
+        above(painter, seen);
     ui::paint(painter, notice, seen.width, pixelRatio);
     painter.restore();
 }

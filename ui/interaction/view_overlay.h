@@ -2,6 +2,7 @@
 // a notice of what is still working. Interface's thread only.
 #pragma once
 
+#include "ui/interaction/picker.h"
 #include "ui/interaction/picture_look.h"
 #include "ui/interaction/pointer_router.h"
 #include "ui/interaction/symmetry_curves.h"
@@ -25,13 +26,14 @@ class ViewOverlay {
         const PointerRouter& pointer;
         const BrushCursor& cursor;
         const TouchInput& touch;
+        const Picker& picker;
     };
     explicit ViewOverlay(const Parts& parts) : m_parts(parts) {}
 
     /// Paints for the camera that the picture shows. The painter is a widget's, `pixelRatio` device pixels to a unit.
     void paint(QPainter& painter, double pixelRatio) const;
-    /// Painted before all of that, in device pixels of the camera.
-    std::function<void(QPainter&, const render::Camera&)> beneath;
+    /// Painted before all of that, and after, in device pixels of the camera.
+    std::function<void(QPainter&, const render::Camera&)> beneath, above;
     Notice notice; ///< painted last
 
   private:

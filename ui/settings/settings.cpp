@@ -144,6 +144,7 @@ static void readTools(const QSettings& store, Settings& out) {
 
 static void readTableRows(const QSettings& store, Settings& out) {
     readRow(store, "view/shading", render::shadingTable(), out.shading);
+    out.attribute = store.value("view/attribute").toString().toStdString();
     readRow(store, "view/background", render::backdropTable(), out.backdrop);
     readSet(store, "view/effects", render::effectTable(), &render::EffectRow::effect, out.effects);
     readSet(store, "view/annotations", render::annotationTable(), &render::AnnotationRow::annotation, out.annotated);
@@ -216,6 +217,7 @@ Entries entriesOf(const Settings& settings) {
         out[QString("panel/") + QString::fromStdString(id)] = open;
     addTools(settings, out);
     out["view/shading"] = render::shadingRow(settings.shading).id;
+    out["view/attribute"] = QString::fromStdString(settings.attribute);
     out["view/background"] = render::backdropRow(settings.backdrop).id;
     out["view/effects"] = storedSet(render::effectTable(), &render::EffectRow::effect, settings.effects);
     out["view/annotations"] =

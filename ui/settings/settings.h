@@ -46,6 +46,7 @@ struct Settings {
     std::map<std::string, sculpt::StrokeSettings> tools; ///< by id, what a person has set; else sculpt::defaultsOf
     std::map<std::string, bool> groups;                  ///< of the panel, by id: open or shut by a person
     render::Shading shading = render::Shading::Matcap;
+    std::string attribute; ///< that Shading::Attribute shows
     render::Backdrop backdrop = render::Backdrop::Studio;
     render::Effects effects = 0;
     render::Annotated annotated = render::Legend;

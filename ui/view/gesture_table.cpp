@@ -17,6 +17,9 @@ std::span<const GestureRow> gestureTable() {
         {"Hold F and move", "Brush radius"},
         {"Hold Shift+F and move", "Tool strength"},
         {"Ctrl + click with Clone", "Choose where to copy from"},
+        {"Select and Measure bars (B, Shift+M)",
+         "While a button of theirs is down the left button picks; Shift adds, Ctrl subtracts, Esc goes back to "
+         "sculpting"},
         {"Click a number", "Type a value; drag to change it, with Shift in fine steps"},
         {"Esc", "Take back the stroke in progress; stop long work"},
     };

@@ -224,10 +224,16 @@ static void chooseShading(QMenu& menu, render::Shading shading) {
             action->trigger();
 }
 
+void MainWindow::showShading(render::Shading shading) {
+    chooseShading(*menu("shading"), shading);
+}
+
 /// A model with colours is shown in them, and the next one without is not left in plain light.
 void MainWindow::suitShading() {
-    const bool colours = render::hasOwnColours(m_editor->snapshot().surface.tree());
-    if (colours != render::shadingRow(m_settings.shading).surfelColours)
+    const tree::SurfelTree& model = m_editor->snapshot().surface.tree();
+    const bool colours = render::hasOwnColours(model);
+    const bool lost = m_settings.shading == render::Shading::Attribute && !model.layout()->find(m_settings.attribute);
+    if (lost || colours != render::shadingRow(m_settings.shading).surfelColours)
         chooseShading(*menu("shading"), colours ? render::Shading::Colour : render::Shading::Matcap);
 }
 
@@ -249,7 +255,7 @@ void MainWindow::suitTool(const QString& tool) {
 
 void MainWindow::measure() {
     const Snapshot& now = m_editor->snapshot();
-    m_measurer->want(m_settings.shading, now.surface, now.reference, now.models);
+    m_measurer->want(m_settings.shading, m_settings.attribute, now.surface, now.reference, now.models);
     m_view->showColours(m_measurer->colours(), m_measurer->scale());
 }
 
@@ -286,7 +292,11 @@ void MainWindow::go(int steps) {
 
 void MainWindow::escape() {
     const bool felt = m_view->touch().stop(); // whatever else: no force
-    if (!m_view->pointer().cancel() && !felt)
+    if (m_view->picker().cancel() || m_view->pointer().cancel() || felt)
+        return;
+    if (m_view->picker().on())
+        m_view->picker().end();
+    else
         m_progress->stop();
 }
 

@@ -62,6 +62,10 @@ class MainWindow : public QMainWindow {
     std::function<void(const std::filesystem::path&)> openAnother;
     /// What the shading shows, where it measures.
     void measure();
+    /// As if chosen in the menu.
+    void showShading(render::Shading shading);
+    /// In the status line: what the pointer does now.
+    void showHint();
 
   protected:
     void closeEvent(QCloseEvent* event) override;
@@ -73,7 +77,6 @@ class MainWindow : public QMainWindow {
     void buildViewport();
     void showTitle();
     void suitTool(const QString& tool);
-    void showHint();
     void buildStatus();
     void buildTools();
     void buildPanel();

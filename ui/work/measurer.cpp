@@ -12,7 +12,7 @@ static bool same(const surface::Surface& a, const surface::Surface& b) {
 }
 
 bool Measurer::Request::sameSubject(const Request& o) const {
-    return shading == o.shading && models == o.models && same(reference, o.reference) &&
+    return shading == o.shading && attribute == o.attribute && models == o.models && same(reference, o.reference) &&
            surface.definition() == o.surface.definition();
 }
 
@@ -27,12 +27,12 @@ Measurer::Measurer(QObject* parent)
           [this](const std::exception& error) { post(this, [this, text = textOf(error)] { Q_EMIT failed(text); }); },
           [this] { post(this, [this] { rest(); }); }) {}
 
-void Measurer::want(render::Shading shading, const surface::Surface& surface, const surface::Surface& reference,
-                    std::uint64_t models) {
+void Measurer::want(render::Shading shading, const std::string& attribute, const surface::Surface& surface,
+                    const surface::Surface& reference, std::uint64_t models) {
     const auto& row = render::shadingRow(shading).measure;
     const bool deviates = row && row->quantity == process::Quantity::Deviation;
-    const Request wanted{shading, row ? surface : surface::Surface{}, deviates ? reference : surface::Surface{},
-                         row ? models : 0};
+    const Request wanted{shading, row && row->named() ? attribute : std::string(), row ? surface : surface::Surface{},
+                         deviates ? reference : surface::Surface{}, row ? models : 0};
     if (wanted == m_wanted)
         return;
     if (!wanted.sameSubject(m_wanted)) {
@@ -61,7 +61,7 @@ static bool stillFits(const ColourScale& old, const ColourScale& now) {
 
 Coloured Measurer::measure(const Request& request, const base::Progress& progress) {
     const render::MeasureRow& row = *render::shadingRow(request.shading).measure;
-    const process::FieldQuestion question{row.quantity, request.surface, request.reference};
+    const process::FieldQuestion question = row.question(request.surface, request.reference, request.attribute);
     const Coloured* before = m_last && m_last->first.sameSubject(request) ? &m_last->second : nullptr;
     Coloured out;
     out.field = process::evaluateField(question, before ? &before->field : nullptr, progress);

@@ -23,8 +23,9 @@ class Measurer : public QObject {
     // All on the interface's thread; they return at once.
     /// What the picture is to show from now on; a shading that measures nothing ends the work. `models` tells models
     /// apart (Snapshot::models). What is measured already is not measured again.
-    void want(render::Shading shading, const surface::Surface& surface, const surface::Surface& reference,
-              std::uint64_t models);
+    /// `attribute`: which one Shading::Attribute shows.
+    void want(render::Shading shading, const std::string& attribute, const surface::Surface& surface,
+              const surface::Surface& reference, std::uint64_t models);
     /// Stops what is being measured; it stays without colours until something else is wanted.
     void cancel();
     bool busy() const { return m_busy; }
@@ -41,6 +42,7 @@ class Measurer : public QObject {
   private:
     struct Request {
         render::Shading shading = render::Shading::Matcap;
+        std::string attribute;
         surface::Surface surface, reference;
         std::uint64_t models = 0;
         bool sameSubject(const Request& o) const;

@@ -55,6 +55,11 @@ static surfel::Colour sequential(double t) {
                     -0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s});
 }
 
+static surfel::Colour chosen(double t) {
+    const Vec3d rest{0.5, 0.5, 0.51}, taken{0.87, 0.29, 0.03};
+    return encoded(rest + (taken - rest) * t);
+}
+
 constexpr std::size_t steps = 1025; // odd: zero is one of them
 using Table = std::array<surfel::Colour, steps>;
 
@@ -66,7 +71,7 @@ static Table tableOf(surfel::Colour (*map)(double)) {
 }
 
 surfel::Colour mapped(ColourMap map, float t) {
-    static const Table tables[] = {tableOf(diverging), tableOf(sequential)};
+    static const Table tables[] = {tableOf(diverging), tableOf(sequential), tableOf(chosen)};
     if (std::isnan(t))
         return unknownColour;
     const float place = std::clamp(t, 0.0f, 1.0f) * static_cast<float>(steps - 1);

@@ -1,8 +1,9 @@
-// Numbers as colours: two maps that keep their order for colour-blind eyes and in print, made by code.
+// Numbers as colours: maps that keep their order for colour-blind eyes and in print, made by code.
 //
 //     Diverging   blue - light grey - red, for signed numbers: Moreland, Diverging Color Maps for Scientific
 //                 Visualization (2009), equal steps in Msh; grey means zero
 //     Sequential  dark blue - green - yellow: even steps of lightness in OKLCH (Ottosson 2020)
+//     Chosen      light grey - orange, for what is chosen among the rest
 #pragma once
 
 #include "core/surfel/surfel.h"
@@ -12,7 +13,7 @@
 
 namespace render {
 
-enum class ColourMap { Diverging, Sequential };
+enum class ColourMap { Diverging, Sequential, Chosen };
 
 /// The map's colour at t, 0 to 1; beyond it the end's, for NaN `unknownColour`.
 surfel::Colour mapped(ColourMap map, float t);

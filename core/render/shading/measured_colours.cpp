@@ -7,10 +7,13 @@ namespace render {
 ColourScale scaleFor(const MeasureRow& row, const process::FieldQuestion& question,
                      const std::optional<std::pair<float, float>>& range, const process::ScalarField* field,
                      const base::Progress& progress) {
-    if (range)
-        return fixedScale(row, range->first, range->second);
     const base::Box3f box = question.surface.tree().bounds();
-    return automaticScale(row, process::sampleField(question, field, progress), box.empty() ? 1.0f : box.diagonal());
+    ColourScale out = range ? fixedScale(row, range->first, range->second)
+                            : automaticScale(row, process::sampleField(question, field, progress),
+                                             box.empty() ? 1.0f : box.diagonal());
+    if (row.named())
+        out.title = question.attribute;
+    return out;
 }
 
 std::shared_ptr<const BlockColours> coloursOf(const process::ScalarField& field, const ColourScale& scale,

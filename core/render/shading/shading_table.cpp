@@ -16,7 +16,8 @@ static const Vec3f clayMask{0.5f, 0.47f, 0.46f}, clayBack{0.58f, 0.5f, 0.46f}, p
     plainBack{0.62f, 0.6f, 0.6f}, white{1, 1, 1};
 
 std::span<const ShadingRow> shadingTable() {
-    constexpr const char *materials = "Materials", *own = "The surfels' own", *measured = "Measured";
+    constexpr const char *materials = "Materials", *own = "The surfels' own", *measured = "Measured",
+                         *carried = "Carried";
     static const ShadingRow rows[] = {
         {Shading::Matcap,
          "matcap",
@@ -152,6 +153,11 @@ std::span<const ShadingRow> shadingTable() {
          "Distance from the model as it was opened or last saved: red where it was raised, blue where it was lowered",
          measured, measureLight, plainMask, plainBack, false,
          MeasureRow{Quantity::Deviation, "Deviation (length)", true, 0.995f, 1e-5f, 1}},
+        {Shading::Selection, "selection", "Selection", "What is selected, in orange", carried, measureLight, plainMask,
+         plainBack, false, MeasureRow{Quantity::Attribute, "Selected", false, 1, 1, 0, "selection", true}},
+        {Shading::Attribute, "attribute", "Attribute",
+         "A number that the surfels carry by name: intensity, classification, thickness, ...", carried, measureLight,
+         plainMask, plainBack, false, MeasureRow{Quantity::Attribute, "", false, 0.98f, 1e-30f, 0}},
     };
     return rows;
 }
@@ -179,6 +185,8 @@ static float quantile(std::vector<float>& values, double share) {
 }
 
 ColourScale automaticScale(const MeasureRow& row, std::vector<float> values, float diagonal) {
+    if (row.chosen)
+        return {ColourMap::Chosen, 0, 1, row.title};
     const double least = static_cast<double>(row.least) * std::pow(static_cast<double>(diagonal), row.power);
     ColourScale out{row.isSigned ? ColourMap::Diverging : ColourMap::Sequential, 0, 0, row.title};
     if (row.isSigned) {
@@ -201,7 +209,10 @@ ColourScale automaticScale(const MeasureRow& row, std::vector<float> values, flo
 ColourScale fixedScale(const MeasureRow& row, float low, float high) {
     if (!(low < high))
         throw base::Error("the range of colours is empty", "", "give the lower number first, as in --range -0.5,0.5");
-    return {row.isSigned ? ColourMap::Diverging : ColourMap::Sequential, low, high, row.title};
+    return {row.chosen     ? ColourMap::Chosen
+            : row.isSigned ? ColourMap::Diverging
+                           : ColourMap::Sequential,
+            low, high, row.title};
 }
 
 } // namespace render

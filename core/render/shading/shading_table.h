@@ -31,7 +31,9 @@ enum class Shading {
     CurvatureK2,
     OffCentre,
     Spacing,
-    Deviation
+    Deviation,
+    Selection,
+    Attribute
 };
 
 /// How the numbers of a row become colours.
@@ -44,6 +46,16 @@ struct MeasureRow {
     /// Smallest range worth showing, below which all is one colour: least * diagonal^power.
     float least;
     int power;
+    /// Of Attribute: the name; empty: which one is asked for beside the shading.
+    const char* attribute = "";
+    bool chosen = false; ///< values from 0 to 1 that choose: the scale is just that
+
+    bool named() const { return quantity == process::Quantity::Attribute && *attribute == '\0'; }
+    /// `asked`: the attribute that is asked for beside the shading.
+    process::FieldQuestion question(surface::Surface surface, surface::Surface reference,
+                                    const std::string& asked) const {
+        return {quantity, std::move(surface), std::move(reference), named() ? asked : attribute};
+    }
 };
 
 struct ShadingRow {

@@ -8,6 +8,44 @@
 
 namespace ui {
 
+/// Names that the shading of attributes can show; words of layers mean nothing to a person.
+static QStringList attributesOf(const MainWindow& window) {
+    QStringList out;
+    for (const surfel::Attribute& each : window.editor().snapshot().surface.tree().layout()->attributes())
+        if (!each.name.starts_with("layer_"))
+            out << QString::fromStdString(each.name);
+    return out;
+}
+
+/// The attribute chosen last, else the model's first.
+static void showAttribute(MainWindow& window) {
+    const QStringList names = attributesOf(window);
+    if (names.contains(QString::fromStdString(window.settings().attribute)))
+        return;
+    window.settings().attribute = names.isEmpty() ? std::string() : names.front().toStdString();
+    window.tell(names.isEmpty() ? QObject::tr("This model carries no numbers by name.")
+                                : QObject::tr("%1 is shown; the menu has the others.").arg(names.front()));
+}
+
+/// Which attribute: made anew each time, since models differ.
+static void addAttributeMenu(MainWindow& window, QMenu& shadings, QAction& row) {
+    QMenu* menu = addMenu(window, "attribute", QObject::tr("Attribute S&hown"), &shadings);
+    QObject::connect(menu, &QMenu::aboutToShow, menu, [&window, menu, &row] {
+        menu->clear();
+        for (const QString& name : attributesOf(window)) {
+            QAction* entry = menu->addAction(name);
+            entry->setCheckable(true);
+            entry->setChecked(row.isChecked() && name.toStdString() == window.settings().attribute);
+            QObject::connect(entry, &QAction::triggered, &row, [&window, name, &row] {
+                window.settings().attribute = name.toStdString();
+                row.trigger();
+            });
+        }
+        if (menu->isEmpty())
+            menu->addAction(QObject::tr("This model carries none"))->setEnabled(false);
+    });
+}
+
 static void addShadingMenu(MainWindow& window, QMenu& view) {
     QMenu* menu = addMenu(window, "shading", QObject::tr("&Shading"), &view);
     auto* one = new QActionGroup(menu);
@@ -16,11 +54,17 @@ static void addShadingMenu(MainWindow& window, QMenu& view) {
         if (!group || std::string_view(group) != row.group)
             menu->addSection(QObject::tr(row.group));
         group = row.group;
-        addChoice(*menu, *one, row, row.shading == window.settings().shading, [&window, shading = row.shading] {
-            window.settings().shading = shading;
-            window.measure();
-            window.sculptView().refresh();
-        });
+        const bool named = row.measure && row.measure->named();
+        QAction* choice = addChoice(*menu, *one, row, row.shading == window.settings().shading,
+                                    [&window, shading = row.shading, named] {
+                                        if (named)
+                                            showAttribute(window);
+                                        window.settings().shading = shading;
+                                        window.measure();
+                                        window.sculptView().refresh();
+                                    });
+        if (named)
+            addAttributeMenu(window, *menu, *choice);
     }
 }
 

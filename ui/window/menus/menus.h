@@ -29,6 +29,8 @@ void addTruthBar(MainWindow& window, QMenu& view);
 void addCutBar(MainWindow& window, QMenu& view);
 void addLayerBar(MainWindow& window, QMenu& view);
 void addTouchBar(MainWindow& window, QMenu& view);
+void addSelectBar(MainWindow& window, QMenu& view);
+void addMeasureBar(MainWindow& window, QMenu& view);
 
 /// What is wanted most often, for hands that hold a pen: in the corner of the menu bar, after all menus.
 void addCornerBar(MainWindow& window);

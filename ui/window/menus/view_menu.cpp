@@ -18,7 +18,7 @@ void addViewEntries(MainWindow& window, QMenu& view) {
     })->setObjectName("frame-all");
     addEntry(view, "frame", QObject::tr("Frame &Selection"), QKeySequence("."), [&scene] {
         scene.frameSelection();
-    })->setToolTip(QObject::tr("What is not masked; without a mask, what is under the brush"));
+    })->setToolTip(QObject::tr("What is selected; else what is not masked; else what is under the brush"));
     for (const auto& row : render::namedViews())
         addEntry(view, "view", QObject::tr(row.label), QKeySequence(row.shortcut),
                  [&motion, &row] { motion.turnTo(row); });
@@ -87,6 +87,8 @@ void addViewMenu(MainWindow& window) {
     addCutBar(window, *view);
     addLayerBar(window, *view);
     addTouchBar(window, *view);
+    addSelectBar(window, *view);
+    addMeasureBar(window, *view);
     addThemeMenu(window, *view);
     view->addSeparator();
     addRenderer(window, *view);

@@ -1,0 +1,35 @@
+// The bar of measuring: what the next clicks measure, and what was found last. It shows and asks; measuring is
+// elsewhere (work/ruler.h). Interface's thread only.
+#pragma once
+
+#include <QToolBar>
+
+class QButtonGroup;
+class QLabel;
+
+namespace ui {
+
+class MeasureBar : public QToolBar {
+    Q_OBJECT
+  public:
+    /// A button for each row of rulerTable().
+    explicit MeasureBar(QWidget* parent = nullptr);
+
+    /// Of the row whose button is down; -1: none. Setting it does not emit.
+    int row() const;
+    void setRow(int row);
+    /// Beside the buttons: the last result, or what is to be clicked.
+    void say(const QString& text);
+    QString said() const;
+
+  Q_SIGNALS:
+    void rowChosen(int row); ///< by the person; -1: none any more
+    void copyWanted();       ///< all results, to the clipboard
+    void clearWanted();
+
+  private:
+    QButtonGroup* m_rows;
+    QLabel* m_said;
+};
+
+} // namespace ui

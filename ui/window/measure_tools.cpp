@@ -1,0 +1,95 @@
+#include "ui/window/measure_tools.h"
+
+#include "ui/panels/measure_bar.h"
+#include "ui/window/main_window.h"
+
+#include <QApplication>
+#include <QClipboard>
+
+namespace ui {
+
+MeasureTools::MeasureTools(MainWindow& window, MeasureBar& bar) : QObject(&bar), m_window(window), m_bar(bar) {
+    connect(&bar, &MeasureBar::rowChosen, this, &MeasureTools::choose);
+    connect(&bar, &MeasureBar::clearWanted, this, &MeasureTools::clear);
+    connect(&bar, &MeasureBar::copyWanted, this, &MeasureTools::copy);
+    connect(bar.toggleViewAction(), &QAction::toggled, this, [this](bool shown) {
+        if (!shown && m_row)
+            m_window.sculptView().picker().end();
+        m_window.viewport().widget()->update();
+    });
+    connect(&m_ruler, &Ruler::measured, this, &MeasureTools::receive);
+    connect(&m_ruler, &Ruler::failed, this, [this](const QString& why) { m_bar.say(why); });
+    connect(&m_ruler, &Ruler::progressed, this, [this](double share, const QString& doing) {
+        m_bar.say(tr("%1 %2 %").arg(doing).arg(qRound(100 * share)));
+    });
+    connect(&window.editor(), &Editor::changed, this, [this] {
+        if (std::exchange(m_models, m_window.editor().snapshot().models) != m_models)
+            clear();
+    });
+}
+
+void MeasureTools::choose(int row) {
+    Picker& picker = m_window.sculptView().picker();
+    if (row < 0)
+        return picker.end();
+    picker.begin({PickShape::Place, [this](const Pick& found) { pick(found); },
+                  [this] {
+                      m_row = nullptr;
+                      m_places.clear();
+                      m_bar.setRow(-1);
+                      m_window.showHint();
+                  }});
+    m_row = &rulerTable()[static_cast<std::size_t>(row)];
+    m_bar.setRow(row);
+    ask();
+}
+
+void MeasureTools::ask() {
+    const std::size_t left = m_row->places - m_places.size();
+    m_bar.say(tr("%1: %2. Click %n place(s) on the model; Esc goes back to sculpting.", nullptr, int(left))
+                  .arg(tr(m_row->label), tr(m_row->tip)));
+    m_window.viewport().widget()->update();
+}
+
+void MeasureTools::pick(const Pick& found) {
+    m_places.push_back({found.contact->position, found.contact->normal});
+    if (m_places.size() < m_row->places)
+        return ask();
+    const Snapshot& now = m_window.editor().snapshot();
+    m_ruler.measure(*m_row, now.surface, std::exchange(m_places, {}), now.origin);
+    m_window.viewport().widget()->update();
+}
+
+void MeasureTools::receive(const Ruled& ruled) {
+    const QString value = QString::fromStdString(textOf(ruled)), more = QString::fromStdString(ruled.text);
+    m_marks.push_back({ruled.line, value});
+    m_lines << (more.isEmpty() || more == value ? value : tr("%1 (%2)").arg(value, more));
+    m_bar.say(m_lines.back());
+    m_window.viewport().widget()->update();
+}
+
+void MeasureTools::clear() {
+    m_ruler.cancel();
+    m_marks.clear();
+    m_lines.clear();
+    m_places.clear();
+    if (m_row)
+        ask();
+    m_window.viewport().widget()->update();
+}
+
+void MeasureTools::copy() const {
+    QApplication::clipboard()->setText(m_lines.join('\n'));
+    m_window.tell(tr("%n result(s) copied.", nullptr, int(m_lines.size())));
+}
+
+void MeasureTools::paint(QPainter& painter, const render::Camera& seen) const {
+    if (!m_bar.toggleViewAction()->isChecked())
+        return;
+    std::vector<base::Vec3d> picked;
+    for (const RuledPlace& each : m_places)
+        picked.push_back(each.position);
+    paintRulers(painter, m_marks, picked, seen, m_window.viewport().widget()->devicePixelRatioF());
+}
+
+} // namespace ui

@@ -1,0 +1,66 @@
+#include "ui/window/select_tools.h"
+
+#include "ui/interaction/select_ways.h"
+#include "ui/panels/select_bar.h"
+#include "ui/window/main_window.h"
+
+namespace ui {
+
+SelectTools::SelectTools(MainWindow& window, SelectBar& bar) : QObject(&bar), m_window(window), m_bar(bar) {
+    connect(&bar, &SelectBar::wayChosen, this, &SelectTools::choose);
+    connect(&bar, &SelectBar::wanted, this, &SelectTools::run);
+    connect(&bar, &SelectBar::stepWanted, this, &SelectTools::step);
+    connect(bar.toggleViewAction(), &QAction::toggled, this, &SelectTools::show);
+}
+
+void SelectTools::choose(int way) {
+    Picker& picker = m_window.sculptView().picker();
+    if (way < 0)
+        return picker.end();
+    const SelectWay& row = selectWays()[static_cast<std::size_t>(way)];
+    picker.begin({row.shape, [this, way](const Pick& found) { pick(way, found); },
+                  [this] {
+                      m_bar.setWay(-1);
+                      m_window.showHint();
+                  }});
+    m_bar.setWay(way);
+    m_window.tell(tr(row.tip) + ". " + tr("Shift adds, Ctrl subtracts, Esc goes back to sculpting."));
+}
+
+void SelectTools::pick(int way, const Pick& found) {
+    const Snapshot& now = m_window.editor().snapshot();
+    if (now.surface.tree().empty())
+        return;
+    const base::Vec3d place = found.contact ? found.contact->position : m_window.sculptView().motion().view().target;
+    const SelectContext context{now.surface, now.origin, m_window.sculptView().sizing().radiusAt(place),
+                                m_bar.visibleOnly()};
+    nlohmann::json command = selectWays()[static_cast<std::size_t>(way)].command(found, context);
+    command["mode"] = modeOf(found.modifiers, m_bar.mode().toLatin1().constData());
+    run(command);
+}
+
+void SelectTools::step(const QString& action) {
+    SculptView& view = m_window.sculptView();
+    const double length = 0.5 * view.sizing().radiusAt(view.motion().view().target);
+    run({{"op", "selection"}, {"do", action.toStdString()}, {"length", length}});
+}
+
+void SelectTools::run(const nlohmann::json& command) {
+    m_window.editor().run(command);
+}
+
+void SelectTools::show(bool shown) {
+    using render::Shading;
+    const Shading now = m_window.settings().shading;
+    if (shown && now != Shading::Selection) {
+        m_before = now;
+        m_window.showShading(Shading::Selection);
+    } else if (!shown) {
+        m_window.sculptView().picker().end();
+        if (m_before && now == Shading::Selection)
+            m_window.showShading(*m_before);
+        m_before.reset();
+    }
+}
+
+} // namespace ui
