@@ -143,6 +143,8 @@ void MeasureTest::wrongUsageIsRefused_data() {
     row("--thickness --range 3,1 --colours thickness -o a.ply", 2, "LOW,HIGH");
     row("--csv a.csv", 2, "--thickness");
     row("--angle 1,0,0 1,0,0 0,1,0", 1, "no angle");
+    row("--geodesic 1e30,0,0 0,1,0", 1, "no surface");
+    row("--thickness-at 0,0,1e30", 1, "no surface");
 }
 
 void MeasureTest::wrongUsageIsRefused() {
