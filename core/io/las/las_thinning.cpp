@@ -203,6 +203,8 @@ std::optional<ThinnedLas> thinnedLas(const std::filesystem::path& path, double s
     constexpr std::size_t least = 227, newest = 375, mostHead = std::size_t(1) << 28;
     std::error_code unknown;
     const std::uint64_t size = std::filesystem::is_regular_file(path, unknown) ? std::filesystem::file_size(path) : 0;
+    if (size < least) // a pipe has bytes once only: they are its reader's
+        return {};
     std::ifstream in(path, std::ios::binary);
     std::string head = firstBytes(in, newest);
     if (head.size() < least || !head.starts_with("LASF"))
