@@ -18,6 +18,7 @@ class MeasureTest : public QObject {
     void waysAreWritten();
     void placesAreTheFilesOwn();
     void thicknessIsToldAndKept();
+    void openSheetsHaveNoThickness();
     void deviationsAreCountedTabledAndColoured();
     void wrongUsageIsRefused_data();
     void wrongUsageIsRefused();
@@ -95,6 +96,23 @@ void MeasureTest::thicknessIsToldAndKept() {
     // what the attribute holds is what the table holds
     QCOMPARE(program.run({"run", "/dev/null", "--model", "t.ply", "-o", "again.ply"}).code, 0);
     QCOMPARE(json::parse(program.run({"info", "again.ply", "--json"}).out).at("hash"), info.at("hash"));
+}
+
+/// Nothing opposite is not a thickness of 0.
+void MeasureTest::openSheetsHaveNoThickness() {
+    const Program program;
+    std::string sheet =
+        "ply\nformat ascii 1.0\nelement vertex 400\nproperty float x\nproperty float y\nproperty float z\n"
+        "property float nx\nproperty float ny\nproperty float nz\nend_header\n";
+    for (int i = 0; i < 400; ++i)
+        sheet += QString("%1 %2 0 0 0 1\n").arg(0.1 * (i % 20)).arg(0.1 * (i / 20)).toStdString();
+    program.write("sheet.ply", sheet);
+    const Outcome outcome = program.run({"measure", "sheet.ply", "--thickness", "--json"});
+    QVERIFY2(outcome.code == 0, outcome.err.c_str());
+    const json found = json::parse(outcome.out).at("thickness");
+    QVERIFY2(found.at("count") == 0 && found.at("none") == 400 && found.at("min").is_null() &&
+                 found.at("median").is_null(),
+             outcome.out.c_str());
 }
 
 void MeasureTest::deviationsAreCountedTabledAndColoured() {
