@@ -96,14 +96,15 @@ class CellResampler {
                 m_all[i].block->extra(m_all[i].slot, words);
                 list.append(m_all[i].block->surfel(m_all[i].slot), words);
             }
-            if (members.size() >= fewestOfCell) {
+            const bool anew = members.size() >= fewestOfCell;
+            if (anew) {
                 const ResampleResult found = one(aloneFrom(list), part(progress, from, to));
                 out.rounds = std::max(out.rounds, found.rounds);
                 out.settled = out.settled && found.settled;
                 list = found.surface.tree().surfels();
             }
             for (std::size_t i = 0; i < list.size(); ++i)
-                if (!across(cell, list.items[i].position))
+                if (!anew || !across(cell, list.items[i].position))
                     all.append(list.items[i], list.extraOf(i));
         }
         out.surface = {tree::SurfelTree::build(all), m_version.definition()};
