@@ -1,6 +1,7 @@
 #include "app/batch_plan.h"
 
 #include "app/usage_error.h"
+#include "core/base/error.h"
 #include "core/io/safe_file.h"
 
 #include <filesystem>
@@ -51,6 +52,16 @@ static std::string shellOf(const PlannedJob& job) {
     return out;
 }
 
+/// Throws base::Error for names of files that JSON cannot tell.
+static std::string textOf(const ordered_json& value, int indent = -1) {
+    try {
+        return value.dump(indent);
+    } catch (const ordered_json::type_error&) {
+        throw base::Error("a file's name is not UTF-8, in which plans are written", "--plan",
+                          "name the file otherwise");
+    }
+}
+
 static std::string jsonText(const std::vector<PlannedJob>& plan) {
     ordered_json jobs = ordered_json::array();
     for (const PlannedJob& job : plan)
@@ -59,7 +70,7 @@ static std::string jsonText(const std::vector<PlannedJob>& plan) {
                         {"inputs", job.inputs},
                         {"outputs", job.outputs},
                         {"needs", job.needs}});
-    return ordered_json{{"jobs", jobs}}.dump(2) + "\n";
+    return textOf(ordered_json{{"jobs", jobs}}, 2) + "\n";
 }
 
 /// Strings of JSON are such of Python; braces stand for Snakemake's own words unless they are doubled.
@@ -70,7 +81,7 @@ static std::string snakeText(const std::vector<PlannedJob>& plan) {
             if (name.find_first_of("{}") != std::string::npos) // they would be wildcards
                 throw UsageError("--plan: Snakemake takes no file names with braces, as " + name +
                                  "; name it otherwise");
-            out += (out.empty() ? "" : ", ") + ordered_json(name).dump();
+            out += (out.empty() ? "" : ", ") + textOf(ordered_json(name));
         }
         return out;
     };
@@ -88,7 +99,8 @@ static std::string snakeText(const std::vector<PlannedJob>& plan) {
         out += "\nrule " + job.id + ":\n";
         if (!job.inputs.empty())
             out += "    input: " + list(job.inputs) + "\n";
-        out += "    output: " + list(job.outputs) + "\n    shell: " + ordered_json(doubled(shellOf(job))).dump() + "\n";
+        out +=
+            "    output: " + list(job.outputs) + "\n    shell: " + textOf(ordered_json(doubled(shellOf(job)))) + "\n";
     }
     return out;
 }

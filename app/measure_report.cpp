@@ -133,8 +133,10 @@ static void addPlaces(ordered_json& out, const Measurements& found) {
 static void addThickness(ordered_json& out, const Measurements& found) {
     if (found.model.thickness) {
         const process::ThicknessFigures& t = found.model.thickness->figures;
-        out["thickness"] = {{"count", t.count},   {"none", t.none}, {"min", t.min}, {"p1", t.p1},
-                            {"median", t.median}, {"mean", t.mean}, {"max", t.max}};
+        const auto figure = [&](double value) { return t.count > 0 ? ordered_json(value) : ordered_json(); };
+        out["thickness"] = {
+            {"count", t.count},           {"none", t.none},         {"min", figure(t.min)}, {"p1", figure(t.p1)},
+            {"median", figure(t.median)}, {"mean", figure(t.mean)}, {"max", figure(t.max)}};
     }
     for (const process::ThicknessAt& at : found.thicknessAt) {
         const bool met = !std::isnan(at.thickness);

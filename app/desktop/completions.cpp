@@ -18,7 +18,8 @@ std::string bashCompletions() {
            "    [ \"$COMP_CWORD\" = 1 ] && words=\"" +
            names + " $words\"\n    case \"${COMP_WORDS[1]}\" in\n" + cases +
            "    esac\n    COMPREPLY=($(compgen -W \"$words\" -- \"${COMP_WORDS[COMP_CWORD]}\"))\n"
-           "    [ \"${#COMPREPLY[@]}\" = 0 ] && COMPREPLY=($(compgen -f -- \"${COMP_WORDS[COMP_CWORD]}\"))\n}\n"
+           "    [ \"${#COMPREPLY[@]}\" = 0 ] && mapfile -t COMPREPLY < <(compgen -f -- "
+           "\"${COMP_WORDS[COMP_CWORD]}\")\n}\n"
            "complete -o filenames -F _pointclay pointclay\n";
 }
 

@@ -136,6 +136,8 @@ void runBatch(const char* name, OptionSet command, const BatchOptions& options, 
               const BatchOutputs& outputs, Console& console, const std::function<ordered_json(const BatchJob&)>& work) {
     inputs.insert(inputs.end(), options.more.begin(), options.more.end());
     std::erase(inputs, "");
+    if (inputs.empty())
+        throw UsageError("--into: no file is named");
     const std::vector<BatchJob> jobs = jobsOf(inputs, options, outputs);
     if (!options.plan.empty())
         return writePlan(options.plan, planOf(name, command.given(), jobs));
@@ -152,7 +154,9 @@ void runBatch(const char* name, OptionSet command, const BatchOptions& options, 
     }
     console.clear();
     if (options.json)
-        std::cout << ordered_json{{"jobs", rows}, {"done", jobs.size() - failed}, {"failed", failed}}.dump(2) << "\n";
+        std::cout << ordered_json{{"jobs", rows}, {"done", jobs.size() - failed}, {"failed", failed}}.dump(
+                         2, ' ', false, ordered_json::error_handler_t::replace)
+                  << "\n";
     else
         std::cout << textOf(rows);
     if (failed > 0)

@@ -84,7 +84,8 @@ void run(const Options& options, Console& console) {
     console.tell(hint.str());
     io::write(options.out, fileOf(scans), process::part(progress, 0.9, 1));
     if (!options.report.empty())
-        io::writeFile(options.report, reportOf(scans).dump(2) + "\n");
+        io::writeFile(options.report,
+                      reportOf(scans).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
 
 } // namespace

@@ -81,11 +81,11 @@ std::vector<double> heightsOf(const Options& options, const session::Document& d
                          static_cast<double>(document.surface().tree().maxSupport());
     const double low = std::ceil((first.distance(middle) - reach) / options.every),
                  high = std::floor((first.distance(middle) + reach) / options.every);
-    if (high - low > most)
+    if (!(high - low <= most)) // infinite ones, too
         throw base::Error("so many heights that nobody could look at them", "--every", "take them farther apart");
     std::vector<double> out;
-    for (double k = low; k <= high; ++k)
-        out.push_back(offset + k * options.every);
+    for (double k = 0; k <= high - low; ++k) // beyond 2^53 ++low would be low
+        out.push_back(offset + (low + k) * options.every);
     return out;
 }
 

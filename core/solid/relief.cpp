@@ -76,10 +76,9 @@ class Follower {
             box.extend(p.position);
         const base::Box3d wide{box.lo - Vec3d{reach, reach, reach}, box.hi + Vec3d{reach, reach, reach}};
         std::vector<Sample> all;
-        m_surface.tree().forEachBlock([&](std::uint32_t, const surfel::SurfelBlock& block) {
+        const base::Box3f around{base::cast<float>(wide.lo), base::cast<float>(wide.hi)};
+        m_surface.tree().forBlocksInSupport(around, [&](std::uint32_t, const surfel::SurfelBlock& block) {
             base::CancelScope::check();
-            if (!wide.overlaps({base::cast<double>(block.box().lo), base::cast<double>(block.box().hi)}))
-                return;
             for (int slot = 0; slot < block.size(); ++slot) {
                 const Vec3d p = base::cast<double>(block.position(slot));
                 if (wide.contains(p))

@@ -267,6 +267,7 @@ void BatchTest::contoursAreLevel() {
         QCOMPARE(program.run({"section", "sample:sphere:4000", "--every", "0.3", "-o", file}).code, 0);
     QCOMPARE(QString::fromStdString(program.read("c.svg")).count("<path"), 7);
     QCOMPARE(program.run({"section", "sample:sphere:500", "--every", "1e-9"}).code, 1);
+    QCOMPARE(program.run({"section", "sample:sphere:500", "--plane", "0,0,1,-100", "--every", "1e-307"}).code, 1);
 }
 
 void BatchTest::convertThinsInAnyMemory() {

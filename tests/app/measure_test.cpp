@@ -18,6 +18,7 @@ class MeasureTest : public QObject {
     void waysAreWritten();
     void placesAreTheFilesOwn();
     void thicknessIsToldAndKept();
+    void openSheetsHaveNoThickness();
     void deviationsAreCountedTabledAndColoured();
     void wrongUsageIsRefused_data();
     void wrongUsageIsRefused();
@@ -97,6 +98,23 @@ void MeasureTest::thicknessIsToldAndKept() {
     QCOMPARE(json::parse(program.run({"info", "again.ply", "--json"}).out).at("hash"), info.at("hash"));
 }
 
+/// Nothing opposite is not a thickness of 0.
+void MeasureTest::openSheetsHaveNoThickness() {
+    const Program program;
+    std::string sheet =
+        "ply\nformat ascii 1.0\nelement vertex 400\nproperty float x\nproperty float y\nproperty float z\n"
+        "property float nx\nproperty float ny\nproperty float nz\nend_header\n";
+    for (int i = 0; i < 400; ++i)
+        sheet += QString("%1 %2 0 0 0 1\n").arg(0.1 * (i % 20)).arg(0.1 * (i / 20)).toStdString();
+    program.write("sheet.ply", sheet);
+    const Outcome outcome = program.run({"measure", "sheet.ply", "--thickness", "--json"});
+    QVERIFY2(outcome.code == 0, outcome.err.c_str());
+    const json found = json::parse(outcome.out).at("thickness");
+    QVERIFY2(found.at("count") == 0 && found.at("none") == 400 && found.at("min").is_null() &&
+                 found.at("median").is_null(),
+             outcome.out.c_str());
+}
+
 void MeasureTest::deviationsAreCountedTabledAndColoured() {
     const Program program;
     std::string points;
@@ -143,6 +161,8 @@ void MeasureTest::wrongUsageIsRefused_data() {
     row("--thickness --range 3,1 --colours thickness -o a.ply", 2, "LOW,HIGH");
     row("--csv a.csv", 2, "--thickness");
     row("--angle 1,0,0 1,0,0 0,1,0", 1, "no angle");
+    row("--geodesic 1e30,0,0 0,1,0", 1, "no surface");
+    row("--thickness-at 0,0,1e30", 1, "no surface");
 }
 
 void MeasureTest::wrongUsageIsRefused() {

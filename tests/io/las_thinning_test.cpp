@@ -9,6 +9,7 @@
 
 #include <map>
 #include <QTest>
+#include <sys/stat.h>
 
 using base::Vec3d;
 
@@ -143,6 +144,9 @@ void LasThinningTest::othersAreLeftToTheirReaders() {
     QVERIFY(!io::thinnedLas(laz, 0.1, 1u << 30));
     QVERIFY(!io::thinnedLas("nowhere.las", 0.1, 1u << 30));
     QVERIFY(!io::thinnedLas(scene.dir.path().toStdString(), 0.1, 1u << 30));
+    const std::string fifo = scene.dir.filePath("fifo").toStdString();
+    QVERIFY(::mkfifo(fifo.c_str(), 0600) == 0);
+    QVERIFY(!io::thinnedLas(fifo, 0.1, 1u << 30)); // nor waits for who writes to it
     std::filesystem::copy_file(scene.path, cut);
     for (const std::uintmax_t size : {std::filesystem::file_size(cut) - 1, std::uintmax_t(300), std::uintmax_t(100)}) {
         std::filesystem::resize_file(cut, size);

@@ -152,13 +152,23 @@ class Thinning {
     /// Those whose chance falls into a pass, but for those that are near one that stays already.
     std::vector<Turn> turnsOf(int pass, const base::Progress& progress) const {
         std::vector<Turn> out;
+        const auto passes = static_cast<std::uint64_t>(m_passes);
+        out.reserve(std::min(m_points, m_points / passes + m_points / (8 * passes) + 1024)); // growing takes more
+        // By chance; of points in one place only the first may stay: a scan may have most of its points at zero.
+        std::vector<std::optional<Grid>> seen(std::size_t(1) << 16);
         const auto share = static_cast<double>(m_passes) * 0x1p-64;
         forRecords(progress, doneAfter(pass, 0), doneAfter(pass, 0.5), [&](std::uint64_t number, const char* record) {
             Turn turn{0, number, {}};
             std::memcpy(turn.at.data(), record, sizeof turn.at);
             turn.chance = chanceOf(turn.at);
             const int own = std::min(m_passes - 1, static_cast<int>(static_cast<double>(turn.chance) * share));
-            if (own == pass && (pass == 0 || !m_kept.isNear(turn.at)))
+            if (own != pass)
+                return;
+            std::optional<Grid>& last = seen[turn.chance % seen.size()];
+            if (last == turn.at)
+                return;
+            last = turn.at;
+            if (pass == 0 || !m_kept.isNear(turn.at))
                 out.push_back(turn);
         });
         return out;
@@ -203,6 +213,8 @@ std::optional<ThinnedLas> thinnedLas(const std::filesystem::path& path, double s
     constexpr std::size_t least = 227, newest = 375, mostHead = std::size_t(1) << 28;
     std::error_code unknown;
     const std::uint64_t size = std::filesystem::is_regular_file(path, unknown) ? std::filesystem::file_size(path) : 0;
+    if (size < least) // a pipe has bytes once only: they are its reader's
+        return {};
     std::ifstream in(path, std::ios::binary);
     std::string head = firstBytes(in, newest);
     if (head.size() < least || !head.starts_with("LASF"))

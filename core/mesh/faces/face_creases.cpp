@@ -60,11 +60,12 @@ class PatchMerge {
             double length = 0, turn = 0;
         };
         std::map<std::uint32_t, Border> borders;
+        std::erase_if(m_edges[own], [&](std::uint32_t e) { // within it for good
+            return setOf(m_chains.edges[e].left) == setOf(m_chains.edges[e].right);
+        });
         for (const std::uint32_t e : m_edges[own]) {
             const SharpEdge& edge = m_chains.edges[e];
             const std::uint32_t l = setOf(edge.left), r = setOf(edge.right);
-            if (l == r)
-                continue;
             const double along = base::distance(edge.from, edge.to);
             Border& border = borders[l == own ? r : l];
             border.length += along;

@@ -13,6 +13,8 @@ using surface::Surface;
 GeodesicPoint footOf(const Surface& surface, const Vec3d& x) {
     std::vector<tree::Neighbour> nearest;
     surface.tree().nearest(base::cast<float>(x), 1, nearest);
+    if (nearest.empty()) // no surfels, or so far away that float32 has no number for the distance
+        throw base::Error("there is no surface at or near a place that was told", {}, "choose it on the model");
     const Vec3d beside = base::cast<double>(nearest.front().block->position(nearest.front().slot));
     const Vec3d facing = base::cast<double>(nearest.front().block->normal(nearest.front().slot));
     std::optional<SurfacePlace> found = placeNear(surface, x, facing);

@@ -5,6 +5,8 @@
 #include "core/process/estimation/part_progress.h"
 #include "core/process/resampling/resample_set.h"
 
+#include <algorithm>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -96,14 +98,15 @@ class CellResampler {
                 m_all[i].block->extra(m_all[i].slot, words);
                 list.append(m_all[i].block->surfel(m_all[i].slot), words);
             }
-            if (members.size() >= fewestOfCell) {
+            const bool anew = members.size() >= fewestOfCell;
+            if (anew) {
                 const ResampleResult found = one(aloneFrom(list), part(progress, from, to));
                 out.rounds = std::max(out.rounds, found.rounds);
                 out.settled = out.settled && found.settled;
                 list = found.surface.tree().surfels();
             }
             for (std::size_t i = 0; i < list.size(); ++i)
-                if (!across(cell, list.items[i].position))
+                if (!anew || !across(cell, list.items[i].position, list.items[i].support))
                     all.append(list.items[i], list.extraOf(i));
         }
         out.surface = {tree::SurfelTree::build(all), m_version.definition()};
@@ -228,8 +231,10 @@ class CellResampler {
         return out;
     }
 
-    /// Is a place of a cell beyond a crease of it: on the wrong side of the plane of a cell that it meets nearby?
-    bool across(std::uint32_t cell, const Vec3f& x) const {
+    /// Is a place of a cell beyond a crease of it: on the wrong side of the plane of a cell that it meets nearby? Where
+    /// points stand closer than the spacing that all of it is looked at with, planes tell less far: `support` is that
+    /// of a surfel there.
+    bool across(std::uint32_t cell, const Vec3f& x, float support = std::numeric_limits<float>::infinity()) const {
         std::map<std::uint32_t, std::pair<float, const Origin*>> nearest; // by other cell
         std::map<std::uint32_t, int> signs;                               // convex > 0
         base::forCellsAround(placeOf(x), [&](const base::Cell& around) {
@@ -242,7 +247,8 @@ class CellResampler {
                 const std::uint32_t own = wordOf(*each.block, each.slot, m_words.cell);
                 const std::uint32_t partner = wordOf(*each.block, each.slot, m_words.partner);
                 const std::uint32_t sign = wordOf(*each.block, each.slot, m_words.sign);
-                if (!(farSq < reach() * reach()) || (own != cell && partner != cell))
+                const float near = 2 * std::max(support, each.block->support(each.slot));
+                if (!(farSq < reach() * reach()) || !(farSq < near * near) || (own != cell && partner != cell))
                     continue;
                 signs[own == cell ? partner : own] += sign == 1 ? 1 : sign == 2 ? -1 : 0;
                 if (own == cell)
