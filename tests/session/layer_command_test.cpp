@@ -321,9 +321,7 @@ void LayerCommandTest::shapesOfTheWholeGoIntoTheActiveLayer() {
         QVERIFY(isWhole(bench));
         QVERIFY(farthest(before, surfels(bench)) > 1e-3);
         bench.run(strength(0));
-        for (std::size_t i = 0; i < before.size(); ++i)
-            QVERIFY(surfels(bench).items.size() == before.size());
-        QVERIFY(farthest(before, surfels(bench)) < rounding);
+        QVERIFY(farthest(before, surfels(bench)) < rounding); // of as many
     }
 }
 
