@@ -17,14 +17,13 @@ using nlohmann::json;
 using selection::Affine, selection::Limit;
 
 /// Opened as `open` does it; `number` counts the hashes.
-static Document opened(const Context& context, const json& complete, const std::string& path, std::size_t number) {
+static Document opened(Context& context, const json& complete, const std::string& path, std::size_t number) {
     Document out;
     Context inner{out, context.folder, process::part(context.progress, 0, 0.3), {}, 0, {}, nullptr};
     run(inner, {{"op", "open"}, {"path", path}});
     const json hashes = complete.value("hashes", json::array());
-    if (number < hashes.size() && hashes[number] != out.hash().text() && !context.takesChangedFiles)
-        throw base::Error("the file is not the one that was recorded", path,
-                          "restore that file, or leave out the hash");
+    if (number < hashes.size())
+        requireRecorded(context, hashes[number], out, path);
     return out;
 }
 
