@@ -24,6 +24,7 @@ class LayerCommandTest : public QObject {
     void mergingShowsTheSame();
     void resamplingCarriesLayersAlong();
     void ownMasksHideInParts();
+    void whatIsHiddenInPartDoesNotPileUp();
     void mapsOfTheWholeMapEachLayer();
     void shapesOfTheWholeGoIntoTheActiveLayer();
     void threadsDoNotShow();
@@ -284,6 +285,27 @@ void LayerCommandTest::ownMasksHideInParts() {
     bench.run({{"op", "undo"}});
     bench.run(layer("mask", {{"from", "nothing"}}));
     QCOMPARE(farthest(surfels(bench), sculpted), 0.0);
+}
+
+/// Of dabs that do not accumulate the farthest counts, whatever part of it is shown meanwhile.
+void LayerCommandTest::whatIsHiddenInPartDoesNotPileUp() {
+    Workbench masked, plain;
+    json line = stroke("draw", 0, false);
+    line["accumulate"] = false;
+    for (Workbench* bench : {&masked, &plain}) {
+        bench->run(test::newSphere());
+        bench->run({{"op", "select"}, {"by", "plane"}, {"plane", {1, 0, 0, 0}}});
+        bench->run({{"op", "selection"}, {"do", "blur"}, {"length", 0.3}});
+        bench->run(layer("add"));
+        if (bench == &masked)
+            bench->run(layer("mask", {{"from", "selection"}}));
+        bench->run(line);
+        QVERIFY(isWhole(*bench));
+    }
+    masked.run(layer("mask", {{"from", "nothing"}}));
+    const double relief = offSphere(surfels(plain));
+    QVERIFY(relief > 1e-3);
+    QVERIFY2(offSphere(surfels(masked)) < relief + 1e-4, qPrintable(QString::number(offSphere(surfels(masked)))));
 }
 
 void LayerCommandTest::mapsOfTheWholeMapEachLayer() {
