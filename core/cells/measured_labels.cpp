@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
 
 namespace cells {
 
@@ -136,28 +135,29 @@ tree::Edit measuredLabels(const surface::Surface& surface, std::span<const Edite
     const auto labels = tree.empty() ? std::nullopt : LabelLayout::of(*tree.layout());
     if (!labels)
         return out;
-    std::set<std::uint32_t> numbers;
-    const float margin = surface.supportScale() * tree.maxSupport();
+    std::map<std::uint32_t, std::vector<const EditedBall*>> near; // of each block those that may reach its surfels
     for (const EditedBall& ball : balls)
-        tree.forBlocksInBall(ball.centre, ball.radius + margin,
-                             [&](std::uint32_t number, const SurfelBlock&) { numbers.insert(number); });
-    const std::vector<std::uint32_t> all(numbers.begin(), numbers.end());
+        tree.forBlocksInSupport(
+            base::Box3f{ball.centre, ball.centre}.inflated(ball.radius),
+            [&](std::uint32_t number, const SurfelBlock&) { near[number].push_back(&ball); }, surface.supportScale());
+    const std::vector<std::pair<std::uint32_t, std::vector<const EditedBall*>>> all(near.begin(), near.end());
     std::vector<surfel::MutableBlockPtr> changed(all.size());
     base::parallelChunks(all.size(), 4, [&](std::size_t begin, std::size_t end, std::size_t) {
         LabelMeter meter(surface, *labels);
         for (std::size_t i = begin; i < end; ++i) {
-            const surfel::BlockPtr block = tree.block(all[i]);
+            const std::vector<const EditedBall*>& reaching = all[i].second;
+            const surfel::BlockPtr block = tree.block(all[i].first);
             const float around = surface.supportScale() * block->maxSupport();
             changed[i] = meter.measured(*block, [&](const Vec3f& p) {
-                return std::any_of(balls.begin(), balls.end(), [&](const EditedBall& ball) {
-                    return base::distance(p, ball.centre) < ball.radius + around;
+                return std::any_of(reaching.begin(), reaching.end(), [&](const EditedBall* ball) {
+                    return base::distance(p, ball->centre) < ball->radius + around;
                 });
             });
         }
     });
     for (std::size_t i = 0; i < all.size(); ++i)
         if (changed[i])
-            out.blocks.push_back({all[i], changed[i], {}});
+            out.blocks.push_back({all[i].first, changed[i], {}});
     out.inserted.layout = tree.layout();
     return out;
 }

@@ -29,7 +29,7 @@ bool takesStrokes(const Stack& stack);
 
 struct Restacked {
     tree::SurfelTree tree;
-    std::vector<base::Box3f> changed; ///< of the blocks that changed, as they are now
+    std::vector<base::Box3f> changed; ///< of the blocks that changed, as they were and as they are now
 };
 /// `from` is what the tree shows now; both have the same layers, in any order.
 Restacked restacked(const tree::SurfelTree& tree, const Stack& from, const Stack& to);

@@ -62,6 +62,7 @@ Restacked rewritten(const SurfelTree& tree, const Concerns& concerns, const Chan
     tree::Edit edit;
     for (std::size_t b = 0; b < next.size(); ++b)
         if (next[b]) {
+            out.changed.push_back(blocks[b]->box());
             out.changed.push_back(next[b]->box());
             edit.blocks.push_back({static_cast<std::uint32_t>(b), next[b], {}});
         }

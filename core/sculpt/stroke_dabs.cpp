@@ -261,7 +261,7 @@ void Dabs::holdBack(const Dab& dab) {
     tree::Edit edit = m_row.apply(m_base, dab);
     if (restructures(edit)) { // slots lose their first versions: begin anew from here
         commit(edit, dab);
-        m_base = m_surface;
+        m_base = m_whole = m_surface;
         return;
     }
     const surface::Surface dabbed{m_base.tree().apply(edit), m_base.definition()};
@@ -273,7 +273,12 @@ void Dabs::holdBack(const Dab& dab) {
         else
             edit.blocks.insert(at, smoothed);
     }
-    commit(farthest(m_base.tree(), m_surface.tree(), edit), dab);
+    if (!m_layers)
+        return commit(farthest(m_base.tree(), m_surface.tree(), edit), dab);
+    // what a layer's own mask hides in part is shown nearer than it was taken, and would be taken on and on
+    tree::Edit next = farthest(m_base.tree(), m_whole.tree(), edit);
+    m_whole = {m_whole.tree().apply(next), m_whole.definition()};
+    commit(std::move(next), dab);
 }
 
 void Dabs::commit(tree::Edit edit, const Dab& dab) {
@@ -291,7 +296,7 @@ void Dabs::commit(tree::Edit edit, const Dab& dab) {
 }
 
 void Dabs::restart() {
-    m_surface = m_base = m_first;
+    m_surface = m_base = m_whole = m_first;
     m_sampling = {};
     std::fill(m_anchors.begin(), m_anchors.end(), std::nullopt);
     std::fill(m_places.begin(), m_places.end(), std::nullopt);
@@ -304,7 +309,7 @@ void Dabs::restart() {
 bool Dabs::finishSlice() {
     checkCancelled();
     if (m_sampling.pending())
-        m_surface = m_base = m_sampling.resampleSlice(m_surface);
+        m_surface = m_base = m_whole = m_sampling.resampleSlice(m_surface);
     return !m_sampling.pending();
 }
 

@@ -31,7 +31,7 @@ class Dabs {
          std::shared_ptr<const BrushStamp> stamp, const std::atomic<bool>* cancel);
 
     /// The model has layers, which edits must keep up with. Before the first dab.
-    void onLayers(std::shared_ptr<const layers::Stack> stack) { m_layers = std::move(stack); }
+    void onLayers(std::shared_ptr<const layers::Stack> stack) { m_layers = std::move(stack), m_whole = m_base; }
 
     const StrokeSettings& settings() const { return m_settings; }
     const surface::Surface& surface() const { return m_surface; }
@@ -118,6 +118,7 @@ class Dabs {
     int m_count = 0;
     std::vector<double> m_seconds;
     std::shared_ptr<const layers::Stack> m_layers; ///< null: none
+    surface::Surface m_whole; ///< where it has: m_surface of dabs that do not accumulate, before layers record them
     const std::atomic<bool>* m_cancel;
 };
 

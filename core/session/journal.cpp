@@ -303,6 +303,10 @@ void Journal::keepSource(const fs::path& target, Context& context) {
 void Journal::copyTo(const fs::path& target) const {
     if (m_discarded || m_untilModel)
         throw base::Error("cannot be written", target.string(), "nothing was recorded of this model");
+    std::error_code unequal;
+    if (fs::equivalent(target, m_path, unequal))
+        throw base::Error("is the journal of this session, which the copy would replace", target.string(),
+                          "choose another name");
     std::istringstream lines(m_anew ? m_waiting : contentOf(m_path).substr(0, m_size) + m_waiting);
     std::string out;
     const std::string own = m_path.string() + ".";
@@ -312,7 +316,12 @@ void Journal::copyTo(const fs::path& target) const {
             if (const auto named = command.find(key); named != command.end() && named->is_string())
                 if (const std::string file = named->get<std::string>(); file.starts_with(own)) {
                     const fs::path beside = fs::absolute(target).string() + "." + file.substr(own.size());
-                    copyDurably(file, beside);
+                    try {
+                        copyDurably(file, beside);
+                    } catch (const std::system_error& error) {
+                        throw base::Error("cannot be copied beside the session: " + error.code().message(), file,
+                                          "choose a folder with room that can be written to");
+                    }
                     command[key] = beside.string();
                 }
         out += lineOf(std::move(command));

@@ -55,9 +55,11 @@ void writeLabel(const surfel::AttributeLayout& layout, const Label& label, std::
 
 Translation::Translation(const surfel::AttributeLayout& from, const surfel::AttributeLayout& to)
     : m_words(to.words(), 0) {
-    for (const surfel::Attribute& target : to.attributes())
-        if (const surfel::Attribute* source = from.find(target.name))
+    for (const surfel::Attribute& target : to.attributes()) {
+        const surfel::Attribute* source = from.find(target.name);
+        if (source && !target.name.starts_with("layer_")) // each model numbers its own layers (layers/README 1)
             m_pairs.push_back({*source, target});
+    }
 }
 
 std::span<std::uint32_t> Translation::operator()(std::span<const std::uint32_t> words) {

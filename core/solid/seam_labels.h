@@ -19,7 +19,7 @@ cells::Label nearestLabel(const tree::SurfelTree& tree, const base::Vec3d& x);
 
 void writeLabel(const surfel::AttributeLayout& layout, const cells::Label& label, std::span<std::uint32_t> words);
 
-/// Words of one layout as those of another: attributes of the same name, others zero.
+/// Words of one layout as those of another: attributes of the same name, others zero; so is what layers hold.
 class Translation {
   public:
     Translation(const surfel::AttributeLayout& from, const surfel::AttributeLayout& to);

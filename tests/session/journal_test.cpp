@@ -25,6 +25,7 @@ class JournalTest : public QObject {
     void noModelTakesTheJournalsPlace();
     void linksAreNotFollowed();
     void stampsAreKeptByTheirContent();
+    void copiesStandAlone();
     void pathsThatAreNotUtf8Survive();
     void leftoversOfKilledProcessesGo();
     void leftoversOfANamedJournalGo();
@@ -219,6 +220,24 @@ void JournalTest::stampsAreKeptByTheirContent() {
     QCOMPARE(recovered(journal.path()), bench.hash());
     journal.discard();
     QVERIFY(QDir(bench.dir.path()).isEmpty());
+}
+
+void JournalTest::copiesStandAlone() {
+    Workbench bench;
+    bench.run(test::newSphere());
+    bench.run({{"op", "save"}, {"path", bench.path("a.ply").string()}});
+    session::Journal journal(bench.path("j.jsonl"));
+    bench.context.journal = &journal;
+    bench.run({{"op", "open"}, {"path", bench.path("a.ply").string()}});
+    bench.run(test::strokeAt(0));
+    bench.run({{"op", "save"}, {"path", bench.path("a.ply").string()}}); // what it was is kept beside the journal
+    const std::string lines = test::contentOf(journal.path());
+    QVERIFY_EXCEPTION_THROWN(journal.copyTo(journal.path()), base::Error);
+    QVERIFY_EXCEPTION_THROWN(journal.copyTo(bench.path("nowhere/copy.jsonl")), base::Error);
+    QCOMPARE(test::contentOf(journal.path()), lines);
+    journal.copyTo(bench.path("copy.jsonl"));
+    journal.discard();
+    QCOMPARE(recovered(bench.path("copy.jsonl")), bench.hash());
 }
 
 void JournalTest::pathsThatAreNotUtf8Survive() {

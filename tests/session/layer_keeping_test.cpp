@@ -19,6 +19,7 @@ class LayerKeepingTest : public QObject {
     void turningNormalsOverKeepsWhatLayersHold_data();
     void turningNormalsOverKeepsWhatLayersHold();
     void aNewLayerAdoptsNoWordsThatStandThere();
+    void layersOfAnotherModelStayBehind();
     void historyFilesAndJournalsKeepThem();
     void modelsWithoutLayersKnowNothingOfThem();
     void filesThatLackTheirWordsOpenWithoutLayers();
@@ -102,6 +103,24 @@ void LayerKeepingTest::aNewLayerAdoptsNoWordsThatStandThere() {
     bench.run(layer("add"));
     QVERIFY(isWhole(bench));
     bench.run(strength(0.5));
+    QCOMPARE(farthest(before, surfels(bench)), 0.0);
+}
+
+/// They have the same numbers, and nothing else to do with ours.
+void LayerKeepingTest::layersOfAnotherModelStayBehind() {
+    Workbench other, bench;
+    other.run(test::newSphere());
+    other.run({{"op", "transform"}, {"move", {5, 0, 0}}});
+    other.run(layer("add"));
+    other.run({{"op", "inflate"}, {"length", 0.1}});
+    other.run({{"op", "save"}, {"path", bench.path("other.ply").string()}});
+    bench.run(test::newSphere());
+    bench.run(layer("add"));
+    bench.run({{"op", "solid"}, {"path", bench.path("other.ply").string()}});
+    QVERIFY(isWhole(bench));
+    const surfel::SurfelList before = surfels(bench);
+    QVERIFY(before.size() > 5000);
+    bench.run(strength(0));
     QCOMPARE(farthest(before, surfels(bench)), 0.0);
 }
 

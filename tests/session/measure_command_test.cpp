@@ -46,6 +46,7 @@ void MeasureCommandTest::attributesUndoReplayAndSurviveFiles() {
     Workbench again;
     session::replay(bench.path("journal.jsonl"), again.context);
     QCOMPARE(again.hash(), after);
+    QVERIFY(test::contentOf(bench.path("journal.jsonl")).find("\"hash\"") != std::string::npos); // of the other model
     bench.run({{"op", "save"}, {"path", out}});
     Workbench opened;
     opened.run({{"op", "open"}, {"path", out}});

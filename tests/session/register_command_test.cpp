@@ -21,6 +21,7 @@ class RegisterCommandTest : public QObject {
     void othersMoveOntoTheModel();
     void numbersOfScansGoOn();
     void journalsAndThreadsBringTheSameBits();
+    void aFileThatChangedIsNoticed();
     void nonsenseIsRefused();
 };
 
@@ -149,6 +150,22 @@ void RegisterCommandTest::journalsAndThreadsBringTheSameBits() {
     session::replay(scans.bench.path("journal.jsonl"), again.context);
     base::setThreadCount(0);
     QCOMPARE(again.hash(), scans.bench.hash());
+}
+
+/// A journal must not bring another model and say nothing.
+void RegisterCommandTest::aFileThatChangedIsNoticed() {
+    for (const bool to : {false, true}) {
+        TwoScans scans;
+        session::Journal journal(scans.bench.path("journal.jsonl"));
+        scans.bench.context.journal = &journal;
+        scans.bench.run({{"op", "open"}, {"path", scans.side}});
+        scans.bench.run({{"op", "register"}, {to ? "to" : "moving", scans.front}});
+        test::write(scans.front, scan({3, 0, 0}, 4000, {}, scans.random));
+        Workbench again;
+        QVERIFY_EXCEPTION_THROWN(session::replay(scans.bench.path("journal.jsonl"), again.context), base::Error);
+        again.context.takesChangedFiles = true;
+        session::replay(scans.bench.path("journal.jsonl"), again.context);
+    }
 }
 
 void RegisterCommandTest::nonsenseIsRefused() {

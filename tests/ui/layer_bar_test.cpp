@@ -15,6 +15,7 @@ class LayerBarTest : public QObject {
   private Q_SLOTS:
     void controlsAreCommands();
     void aSliderThatMovesAsksOnceWhenItRests();
+    void aStrengthIsThatOfTheLayerItWasMovedFor();
     void theListFollowsUndo();
 };
 
@@ -76,6 +77,25 @@ void LayerBarTest::aSliderThatMovesAsksOnceWhenItRests() {
     f.window->undo();
     QVERIFY(f.settle());
     QCOMPARE(stackOf(f).layers.front().strength, 1.0f);
+    QCOMPARE(slider.value(), 1.0);
+}
+
+/// Another layer becomes the active one before the slider rests.
+void LayerBarTest::aStrengthIsThatOfTheLayerItWasMovedFor() {
+    WindowFixture f;
+    QVERIFY(f.make("sphere", 2000));
+    click(f, "add");
+    click(f, "add");
+    auto& slider = *f.window->findChild<ui::NumberSlider*>("layer-strength");
+    slider.setValue(0.25);
+    Q_EMIT slider.edited(0.25);
+    auto& list = *f.window->findChild<QComboBox*>("layer-list");
+    list.setCurrentIndex(1);
+    Q_EMIT list.activated(1);
+    QTRY_COMPARE(stackOf(f).layers[1].strength, 0.25f);
+    QVERIFY(f.settle());
+    QCOMPARE(stackOf(f).target(), 0);
+    QCOMPARE(stackOf(f).layers[0].strength, 1.0f);
     QCOMPARE(slider.value(), 1.0);
 }
 

@@ -60,7 +60,10 @@ void LayerBar::addStrength() {
     m_strength->setObjectName("layer-strength");
     m_strength->setFixedWidth(220);
     addWidget(m_strength);
-    connect(m_strength, &NumberSlider::edited, m_rest, qOverload<>(&QTimer::start));
+    connect(m_strength, &NumberSlider::edited, this, [this](double value) {
+        m_moved = m_stack.active, m_wish = value;
+        m_rest->start();
+    });
 }
 
 QToolButton* LayerBar::addButton(const char* action, const QString& label, const QString& tip) {
@@ -102,17 +105,14 @@ void LayerBar::ask(const char* action) {
 }
 
 void LayerBar::askStrength() {
-    if (const int at = m_stack.target(); at >= 0)
+    if (const int at = m_stack.indexOf(m_moved); at >= 0)
         Q_EMIT wanted({{"op", "layer"},
                        {"do", "strength"},
                        {"name", m_stack.layers[static_cast<std::size_t>(at)].name},
-                       {"strength", m_strength->value()}});
+                       {"strength", m_wish}});
 }
 
-void LayerBar::display(const layers::Stack& stack) {
-    const QSignalBlocker quiet(m_list);
-    m_stack = stack;
-    const int at = stack.target();
+void LayerBar::fillList(const layers::Stack& stack) {
     m_list->clear();
     for (std::size_t i = stack.layers.size(); i-- > 0;) {
         const layers::Layer& each = stack.layers[i];
@@ -122,13 +122,21 @@ void LayerBar::display(const layers::Stack& stack) {
                         name);
     }
     m_list->addItem(tr("Below all layers"), QString());
+}
+
+void LayerBar::display(const layers::Stack& stack) {
+    const QSignalBlocker quiet(m_list);
+    const int at = stack.target();
+    if (m_list->count() == 0 || !(stack == m_stack)) // else somebody may be choosing from it
+        fillList(stack);
+    m_stack = stack;
     m_list->setCurrentIndex(at < 0 ? m_list->count() - 1 : static_cast<int>(stack.layers.size()) - 1 - at);
     for (QToolButton* each : m_ofLayer)
         each->setEnabled(at >= 0);
     m_strength->setEnabled(at >= 0);
     const bool shown = at >= 0 && stack.layers[static_cast<std::size_t>(at)].visible;
     m_shown->setChecked(shown);
-    if (at >= 0 && !m_rest->isActive())
+    if (at >= 0 && !(m_rest->isActive() && m_moved == stack.active))
         m_strength->setValue(double(stack.layers[static_cast<std::size_t>(at)].strength));
 }
 

@@ -32,6 +32,7 @@ class LayerBar : public QToolBar {
     QToolButton* addButton(const char* action, const QString& label, const QString& tip);
     void ask(const char* action);
     void askStrength();
+    void fillList(const layers::Stack& stack);
 
     layers::Stack m_stack;
     QComboBox* m_list;
@@ -39,6 +40,8 @@ class LayerBar : public QToolBar {
     QToolButton* m_shown;
     std::vector<QToolButton*> m_ofLayer; ///< of use where a layer is active
     QTimer* m_rest;                      ///< a slider that moves asks once, when it rests
+    std::uint32_t m_moved = 0;           ///< id of the layer that it was moved for
+    double m_wish = 1;                   ///< where to
 };
 
 } // namespace ui

@@ -187,6 +187,9 @@ static json valueOf(const CommandParameter& p, const QString& text) {
         }
         return out;
     }
+    const std::string_view type = p.type;
+    if (type == "text" || type == "path" || type == "paths") // "2" is a name, too
+        return json(text.toStdString());
     bool isWhole = false, isNumber = false;
     const long long whole = text.toLongLong(&isWhole);
     const double number = text.toDouble(&isNumber);

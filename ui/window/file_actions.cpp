@@ -51,8 +51,13 @@ void FileActions::saveSession() {
     QString file = QFileDialog::getSaveFileName(&m_window, tr("Save Session"), folder(), sessionFilter());
     if (file.isEmpty())
         return;
-    if (QFileInfo(file).suffix().isEmpty())
+    if (QFileInfo(file).suffix().isEmpty()) {
         file += ".jsonl";
+        const QString question = tr("%1 is there already. Replace it?").arg(QFileInfo(file).fileName());
+        if (QFileInfo::exists(file) && // the dialog has asked about the shorter name only
+            QMessageBox::question(&m_window, tr("Save Session"), question) != QMessageBox::Yes)
+            return;
+    }
     m_failure.clear();
     m_editor.saveSession(pathOf(file), [this](bool done) {
         if (!done)

@@ -82,7 +82,8 @@ class LineDevice final : public Device {
                 m_connected = true;
                 m_states.put(*state);
             }
-            protocol->force(newestForce(), out);
+            if (out.empty()) // behind what waits it would come late, and be acted on as if it were new
+                protocol->force(newestForce(), out);
             line.write(out);
         }
         protocol->end(out);

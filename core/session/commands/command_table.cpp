@@ -3,6 +3,7 @@
 #include "core/session/commands/commands.h"
 
 #include <array>
+#include <nlohmann/json.hpp>
 
 namespace session {
 
@@ -28,6 +29,15 @@ const CommandRow& command(std::string_view op) {
 void requireModel(const Context& context) {
     if (context.document.surface().tree().empty())
         throw base::Error("there is no model to work on", {}, "open one first, or make one with \"new\"");
+}
+
+void requireRecorded(Context& context, const nlohmann::json& wanted, const Document& found, const std::string& path) {
+    if (wanted == found.hash().text())
+        return;
+    const std::string what = "the file is not the one that was recorded";
+    if (!context.takesChangedFiles)
+        throw base::Error(what, path, "restore that file, leave out the hash, or go on with it: run --anyway");
+    context.messages.push_back(path + ": " + what + "; it is taken as it is now");
 }
 
 } // namespace session

@@ -16,9 +16,11 @@ static void measureDeviation(Context& context, const json& complete, MeasuredMod
     Document other;
     Context inner{other, context.folder, process::part(context.progress, 0, 0.3), {}, 0, {}, nullptr};
     run(inner, {{"op", "open"}, {"path", path}});
-    if (const auto wanted = complete.find("hash"); wanted != complete.end() && *wanted != other.hash().text())
-        throw base::Error("the file is not the one that was recorded", path,
-                          "restore that file, or leave out the hash");
+    if (const auto wanted = complete.find("hash"); wanted != complete.end())
+        requireRecorded(context, *wanted, other, path);
+    json pinned = complete;
+    pinned["hash"] = other.hash().text();
+    context.instead = std::make_shared<json>(json::array({std::move(pinned)}));
     if (other.surface().definition().manifold == surface::Manifold::Curve)
         throw base::Error("distances to a curve are not told", path, "use --manifold surface");
     const Document& own = context.document;

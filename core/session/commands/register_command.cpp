@@ -8,6 +8,7 @@
 #include "core/session/scans.h"
 
 #include <nlohmann/json.hpp>
+#include <span>
 
 namespace session {
 
@@ -16,14 +17,13 @@ using nlohmann::json;
 using selection::Affine, selection::Limit;
 
 /// Opened as `open` does it; `number` counts the hashes.
-static Document opened(const Context& context, const json& complete, const std::string& path, std::size_t number) {
+static Document opened(Context& context, const json& complete, const std::string& path, std::size_t number) {
     Document out;
     Context inner{out, context.folder, process::part(context.progress, 0, 0.3), {}, 0, {}, nullptr};
     run(inner, {{"op", "open"}, {"path", path}});
     const json hashes = complete.value("hashes", json::array());
-    if (number < hashes.size() && hashes[number] != out.hash().text())
-        throw base::Error("the file is not the one that was recorded", path,
-                          "restore that file, or leave out the hash");
+    if (number < hashes.size())
+        requireRecorded(context, hashes[number], out, path);
     return out;
 }
 
@@ -31,6 +31,15 @@ static void bringTogether(Context& context, Scans& scans, const json& complete) 
     bring(scans, complete.at("global").get<bool>(), context.messages, process::part(context.progress, 0.3, 0.8));
     for (const auto& [name, value] : {std::pair{"rms", &process::Placed::rms}, {"overlap", &process::Placed::overlap}})
         context.figures[name] = scans.placed.back().*value; // of the last one
+}
+
+/// What the journal gets: the same, with what the other models were.
+static void pin(Context& context, json complete, std::span<const Document> others) {
+    json hashes = json::array();
+    for (const Document& other : others)
+        hashes.push_back(other.hash().text());
+    complete["hashes"] = std::move(hashes);
+    context.instead = std::make_shared<json>(json::array({std::move(complete)}));
 }
 
 /// One surface of all their points, as the model is defined.
@@ -52,6 +61,7 @@ static void moveTo(Context& context, const json& complete) {
     add(scans, path, opened(context, complete, path, 0));
     add(scans, "the model", context.document);
     bringTogether(context, scans, complete);
+    pin(context, complete, std::span(scans.documents).first(1));
     const Vec3d shift = scans.origin() - context.document.provenance().origin;
     const process::Rigid& pose = scans.placed[1].pose;
     const Affine map{pose.rotation, pose.translation + shift};
@@ -70,6 +80,7 @@ static void take(Context& context, const json& complete) {
     for (const json& path : complete.at("moving"))
         add(scans, path.get<std::string>(), opened(context, complete, path.get<std::string>(), number++));
     bringTogether(context, scans, complete);
+    pin(context, complete, std::span(scans.documents).subspan(1));
     join(context, scans, {});
 }
 

@@ -13,7 +13,7 @@ namespace session {
 using nlohmann::json;
 
 /// The other model, opened or made as `open` and `new` do it.
-static Document otherModel(const Context& context, const json& complete) {
+static Document otherModel(Context& context, const json& complete) {
     const bool file = complete.contains("path");
     if (file == complete.contains("sample"))
         throw base::Error("\"solid\" needs a \"path\" or a \"sample\"", {}, "give one of them");
@@ -22,9 +22,8 @@ static Document otherModel(const Context& context, const json& complete) {
     Document out;
     Context inner{out, context.folder, context.progress, {}, 0, {}, nullptr};
     run(inner, open);
-    if (const auto wanted = complete.find("hash"); wanted != complete.end() && *wanted != out.hash().text())
-        throw base::Error("the file is not the one that was recorded", complete.at("path").get<std::string>(),
-                          "restore that file, or leave out the hash");
+    if (const auto wanted = complete.find("hash"); wanted != complete.end())
+        requireRecorded(context, *wanted, out, complete.value("path", std::string("the sample")));
     return out;
 }
 
@@ -48,6 +47,11 @@ static surfel::SurfelList placed(const Document& other, const solid::Pose& pose,
 static void solidWith(Context& context, const json& complete) {
     requireModel(context);
     const Document other = otherModel(context, complete);
+    if (complete.contains("path")) { // a journal notices when the file has changed
+        json pinned = complete;
+        pinned["hash"] = other.hash().text();
+        context.instead = std::make_shared<json>(json::array({std::move(pinned)}));
+    }
     const surface::Surface& model = context.document.surface();
     surfel::SurfelList surfels =
         placed(other, poseOf(complete, context.document.provenance().origin), complete.at("scale").get<double>());
