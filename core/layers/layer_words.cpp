@@ -55,17 +55,22 @@ std::optional<Channels> Channels::of(const AttributeLayout& layout, const Stack&
 bool areSound(const tree::SurfelTree& tree, const Channels& channels) {
     const float far = 1000 * std::max(tree.bounds().diagonal(), std::numeric_limits<float>::min());
     constexpr float turned = 1e4f, widened = 100; // far beyond what edits leave
+    constexpr float roundedUnit = 1e-3f;
     const base::Vec3f middle = tree.bounds().centre();
     bool sound = true;
     tree.forEachBlock([&](std::uint32_t, const SurfelBlock& block) {
+        const auto valueOf = [&](int slot, int channel) {
+            return block.channel(slot / clusterSize, channel)[slot % clusterSize];
+        };
         const auto within = [&](int slot, int channel, float about, float most) {
-            const float value = block.channel(slot / clusterSize, channel)[slot % clusterSize];
-            sound = sound && std::abs(value - about) <= most; // false for what is no number, too
+            sound = sound && std::abs(valueOf(slot, channel) - about) <= most; // false for what is no number, too
         };
         for (int slot = 0; slot < block.size() && sound; ++slot) {
             for (int k = 0; k < 3; ++k)
-                within(slot, channels.base + k, middle[static_cast<std::size_t>(k)], far),
-                    within(slot, channels.base + 3 + k, 0, 1.001f);
+                within(slot, channels.base + k, middle[static_cast<std::size_t>(k)], far);
+            const base::Vec3f normal{valueOf(slot, channels.base + 3), valueOf(slot, channels.base + 4),
+                                     valueOf(slot, channels.base + 5)};
+            sound = sound && (normal == base::Vec3f{} || std::abs(length(normal) - 1) <= roundedUnit);
             within(slot, channels.base + 6, 0, far);
             for (const int layer : channels.layers) {
                 for (int k = 0; k < 3; ++k)

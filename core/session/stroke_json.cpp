@@ -69,6 +69,9 @@ StrokeSettings strokeSettings(const json& complete) {
     return out;
 }
 
+/// Beyond it places would overflow float32 once their distances are squared.
+constexpr float farthestReach = 1e15f;
+
 static bool isSample(const json& row) {
     if (!row.is_array() || row.size() < 8 || row.size() > 10)
         return false;
@@ -79,7 +82,7 @@ static bool isSample(const json& row) {
                 reach = row.size() > 9 ? row[9].get<float>() : 0;
     const Vec3f direction{row[3].get<float>(), row[4].get<float>(), row[5].get<float>()};
     return base::length(direction) > 0 && pressure >= 0 && pressure <= 1 && row[7].get<float>() >= 0 && stride >= 1 &&
-           stride <= StrokeSample::maxStride && reach >= 0;
+           stride <= StrokeSample::maxStride && reach >= 0 && reach < farthestReach;
 }
 
 std::vector<StrokeSample> strokeSamples(const json& complete, const Vec3d& origin) {
@@ -92,7 +95,7 @@ std::vector<StrokeSample> strokeSamples(const json& complete, const Vec3d& origi
                 "sample " + std::to_string(out.size() + 1) + " of the stroke is " + shortly(row, 200), {},
                 "a sample is [ox,oy,oz,dx,dy,dz,pressure,seconds] with a direction that is not zero, "
                 "pressure 0 to 1, seconds of at least 0, and optionally a stride of 1 to 10 and a reach of at "
-                "least 0");
+                "least 0 and below 1e15");
         const auto at = [&row](std::size_t k) { return row[k].get<float>(); };
         const Vec3d file{row[0].get<double>(), row[1].get<double>(), row[2].get<double>()};
         out.push_back({{inside(file, origin), {at(3), at(4), at(5)}},

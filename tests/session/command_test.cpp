@@ -112,6 +112,7 @@ void CommandTest::whatIsWrongIsRefused_data() {
     row(R"({"op":"stroke","tool":"draw","radius":0.1,"samples":[[0,0,5,0,0,-1,2,0]]})", "sample 1");
     row(R"({"op":"stroke","tool":"draw","radius":0.1,"samples":[[0,0,5,0,0,-1,1,-1]]})", "sample 1");
     row(R"({"op":"stroke","tool":"draw","radius":0.1,"samples":[[0,0,"5",0,0,-1,1,0]]})", "sample 1");
+    row(R"({"op":"stroke","tool":"grab","radius":0.1,"samples":[[0,0,5,0,0,-1,1,0,1,1e30]]})", "below 1e15");
     row(R"({"op":"save","path":"out.unknown"})", "out.unknown");
     row(R"({"op":"expect","surfels":-1})", "a whole number or a list");
     row(R"({"op":"expect","surfels":[1,2,3]})", "a whole number or a list");
