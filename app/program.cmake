@@ -16,6 +16,7 @@ target_include_directories(pointclay_commands PUBLIC ${CMAKE_SOURCE_DIR})
 target_link_libraries(pointclay_commands PUBLIC pointclay_view pointclay_workloads CLI11::CLI11
                                                 nlohmann_json::nlohmann_json)
 pointclay_app_target(pointclay_commands)
+pointclay_batches(pointclay_commands)
 pointclay_heavy(pointclay_commands <nlohmann/json.hpp>)
 
 add_executable(pointclay app/main.cpp)

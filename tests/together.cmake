@@ -1,7 +1,6 @@
 # A small test takes a second of its own to compile after five for the headers that it includes. So the tests of a room are
 # compiled eight to a translation unit, which takes a third of the time; each file inside a namespace of
 # its own, where its helpers meet no others. `-DPOINTCLAY_TOGETHER=OFF` is for who works on one file again and again.
-option(POINTCLAY_TOGETHER "Compile the tests of a room together" ON)
 
 # together TARGET: what its tests include is included before the first namespace opens, so that it stays outside.
 function(pointclay_together target)

@@ -10,7 +10,6 @@
 namespace solid {
 
 using base::Vec3d;
-using mesh::Side;
 
 namespace {
 
@@ -71,7 +70,7 @@ class Evening {
         const auto n = static_cast<std::uint32_t>(m_loop.size());
         for (std::uint32_t f = 0, end = m_mesh.faceCount(); f < end; ++f)
             for (const int k : mesh::Triangulation::sides) {
-                const Side s{f, k};
+                const mesh::Side s{f, k};
                 if (!m_mesh.onBoundary(s))
                     continue;
                 const std::uint32_t steps = (m_mesh.to(s) + n - m_mesh.from(s)) % n;
@@ -83,8 +82,8 @@ class Evening {
             }
         return any;
     }
-    double edge(const Side& s) const { return distance(at(m_mesh.from(s)), at(m_mesh.to(s))); }
-    double wanted(const Side& s) const {
+    double edge(const mesh::Side& s) const { return distance(at(m_mesh.from(s)), at(m_mesh.to(s))); }
+    double wanted(const mesh::Side& s) const {
         return 0.5 * (m_out.spacings[m_mesh.from(s)] + m_out.spacings[m_mesh.to(s)]) * hexagonal;
     }
     bool splitLong() {
@@ -92,10 +91,10 @@ class Evening {
         for (std::uint32_t f = 0, end = m_mesh.faceCount(); f < end; ++f) {
             if (!m_mesh.alive(f))
                 continue;
-            Side longest;
+            mesh::Side longest;
             double most = 4.0 / 3;
             for (const int k : mesh::Triangulation::sides)
-                if (const Side s{f, k}; m_mesh.across(s).exists() && edge(s) > most * wanted(s)) {
+                if (const mesh::Side s{f, k}; m_mesh.across(s).exists() && edge(s) > most * wanted(s)) {
                     most = edge(s) / wanted(s);
                     longest = s;
                 }
@@ -113,7 +112,7 @@ class Evening {
     void joinShort() {
         for (std::uint32_t f = 0, end = m_mesh.faceCount(); f < end; ++f)
             for (const int k : mesh::Triangulation::sides) {
-                const Side s{f, k};
+                const mesh::Side s{f, k};
                 if (!m_mesh.alive(f) || !m_mesh.across(s).exists() || edge(s) > 0.6 * wanted(s))
                     continue;
                 const std::uint32_t a = m_mesh.from(s), b = m_mesh.to(s);
@@ -132,7 +131,7 @@ class Evening {
             bool any = false;
             for (std::uint32_t f = 0; f < m_mesh.faceCount(); ++f)
                 for (const int k : mesh::Triangulation::sides)
-                    if (const Side s{f, k}; m_mesh.alive(f) && m_mesh.across(s).exists())
+                    if (const mesh::Side s{f, k}; m_mesh.alive(f) && m_mesh.across(s).exists())
                         any |= flipsWell(s) && m_mesh.flip(s);
             base::CancelScope::check();
             if (!any)
@@ -143,7 +142,7 @@ class Evening {
         const Vec3d u = at(a) - at(corner), v = at(b) - at(corner);
         return std::atan2(length(cross(u, v)), dot(u, v));
     }
-    bool flipsWell(const Side& s) const {
+    bool flipsWell(const mesh::Side& s) const {
         const std::uint32_t a = m_mesh.from(s), b = m_mesh.to(s), p = m_mesh.apex(s), q = m_mesh.apex(m_mesh.across(s));
         if (angleAt(p, a, b) + angleAt(q, a, b) <= std::numbers::pi * (1 + 1e-6))
             return false;
@@ -157,7 +156,7 @@ class Evening {
         for (int sweep = 0; sweep < sweeps; ++sweep) {
             std::vector<Vec3d> sums(m_out.positions.size());
             std::vector<double> counts(m_out.positions.size(), 0);
-            m_mesh.forEdges([&](const Side& s) {
+            m_mesh.forEdges([&](const mesh::Side& s) {
                 const std::uint32_t a = m_mesh.from(s), b = m_mesh.to(s);
                 sums[a] += at(b), sums[b] += at(a);
                 counts[a] += 1, counts[b] += 1;

@@ -39,13 +39,13 @@ std::vector<LasField> newFields() {
 }
 
 /// What a format has beside the fields of its kind.
-struct FormatRow {
+struct LasFormatRow {
     std::size_t gps, rgb, nir, waveform, size;
 };
-constexpr FormatRow formats[lasFormats] = {{0, 0, 0, 0, 20},   {20, 0, 0, 0, 28},  {0, 20, 0, 0, 26},
-                                           {20, 28, 0, 0, 34}, {20, 0, 0, 28, 57}, {20, 28, 0, 34, 63},
-                                           {0, 0, 0, 0, 30},   {0, 30, 0, 0, 36},  {0, 30, 36, 0, 38},
-                                           {0, 0, 0, 30, 59},  {0, 30, 36, 38, 67}};
+constexpr LasFormatRow formats[lasFormats] = {{0, 0, 0, 0, 20},   {20, 0, 0, 0, 28},  {0, 20, 0, 0, 26},
+                                              {20, 28, 0, 0, 34}, {20, 0, 0, 28, 57}, {20, 28, 0, 34, 63},
+                                              {0, 0, 0, 0, 30},   {0, 30, 0, 0, 36},  {0, 30, 36, 0, 38},
+                                              {0, 0, 0, 30, 59},  {0, 30, 36, 38, 67}};
 
 /// Of a value in a byte: all that its bits can hold.
 unsigned maskOf(const LasField& field) {
@@ -61,7 +61,7 @@ const LasField* LasLayout::find(std::string_view name) const {
 }
 
 LasLayout lasLayout(unsigned format) {
-    const FormatRow& row = formats[format];
+    const LasFormatRow& row = formats[format];
     LasLayout out;
     out.isLayered = format >= 6;
     out.fields = out.isLayered ? newFields() : oldFields();

@@ -14,7 +14,7 @@ using surface::Surface;
 
 namespace {
 
-constexpr double part = 0.35; // of h between two points
+constexpr double pitch = 0.35; // of h between two points
 using Chain = std::vector<SurfacePlace>;
 
 struct Pair { // of a point's two numbers
@@ -79,7 +79,7 @@ class Tightening {
   public:
     Tightening(const Surface& surface, Chain chain) : m_surface(surface), m_chain(std::move(chain)) {
         for (std::size_t i = 0; i + 1 < m_chain.size(); ++i)
-            m_target.push_back(part * 0.5 * (m_chain[i].unit + m_chain[i + 1].unit));
+            m_target.push_back(pitch * 0.5 * (m_chain[i].unit + m_chain[i + 1].unit));
     }
 
     /// Newton's method until nothing gets less any more.
@@ -173,10 +173,10 @@ Chain knownOf(const std::vector<std::optional<SurfacePlace>>& found) {
 
 /// Places along a polyline as far apart as the surface wants them, but for those without a foot.
 Chain resampled(const Surface& surface, const Chain& corners) {
-    std::vector<double> at{0}; // in units of `part` h
+    std::vector<double> at{0}; // in units of `pitch` h
     for (std::size_t i = 0; i + 1 < corners.size(); ++i)
         at.push_back(at.back() + distance(corners[i].position, corners[i + 1].position) /
-                                     (part * 0.5 * (corners[i].unit + corners[i + 1].unit)));
+                                     (pitch * 0.5 * (corners[i].unit + corners[i + 1].unit)));
     const auto pieces = static_cast<std::size_t>(std::clamp(std::ceil(at.back()), 8.0, 1e6));
     std::vector<std::optional<SurfacePlace>> found(pieces + 1);
     found.front() = corners.front(), found.back() = corners.back();

@@ -7,9 +7,9 @@ using base::Vec3d;
 namespace {
 
 /// Is the place in the picture: before the eye, kept by the other planes, and not hidden?
-class Sight {
+class LineOfSight {
   public:
-    Sight(const Camera& camera, std::size_t plane, const Image* depth)
+    LineOfSight(const Camera& camera, std::size_t plane, const Image* depth)
         : m_camera(camera), m_plane(plane), m_depth(depth) {}
 
     bool sees(const Vec3d& p, double unit) const {
@@ -47,7 +47,7 @@ class Sight {
 
 using Runs = std::vector<std::vector<ImagePoint>>;
 
-void addCurve(Runs& runs, const surface::SectionCurve& curve, const Sight& sight, const Camera& camera) {
+void addCurve(Runs& runs, const surface::SectionCurve& curve, const LineOfSight& sight, const Camera& camera) {
     bool drawing = false;
     const std::size_t count = curve.points.size() + (curve.closed ? 1 : 0);
     for (std::size_t i = 0; i < count; ++i) {
@@ -73,7 +73,7 @@ Runs sectionLines(const SectionCurves& curves, const Camera& camera, const Image
     Runs out;
     for (std::size_t k = 0; k < curves.size(); ++k)
         for (const surface::SectionCurve& curve : curves[k])
-            addCurve(out, curve, Sight(camera, k, depth), camera);
+            addCurve(out, curve, LineOfSight(camera, k, depth), camera);
     return out;
 }
 

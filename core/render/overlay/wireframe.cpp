@@ -31,7 +31,7 @@ struct ProjectedVertex {
     bool seen = false; ///< before the eye and kept by all clip planes
 };
 
-struct Drawing {
+struct WireDrawing {
     const Wires& wires;
     const WireColours& colours;
     std::vector<ProjectedVertex> vertices;
@@ -58,7 +58,7 @@ std::vector<ProjectedVertex> projected(const mesh::Mesh& mesh, const Camera& cam
 }
 
 /// The rows [top, bottom) of one triangle into the depth buffer.
-void fillTriangle(Drawing& d, const ProjectedVertex& a, const ProjectedVertex& b, const ProjectedVertex& c, int top,
+void fillTriangle(WireDrawing& d, const ProjectedVertex& a, const ProjectedVertex& b, const ProjectedVertex& c, int top,
                   int bottom) {
     const float area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
     if (area == 0)
@@ -84,7 +84,7 @@ void fillTriangle(Drawing& d, const ProjectedVertex& a, const ProjectedVertex& b
 }
 
 /// The farthest of the pixel and its neighbours: a line in a slanted triangle must not be hidden by that triangle.
-float hiddenBehind(Drawing& d, int x, int y) {
+float hiddenBehind(WireDrawing& d, int x, int y) {
     float out = std::numeric_limits<float>::infinity();
     for (int row = std::max(0, y - 1); row <= std::min(d.out.height - 1, y + 1); ++row)
         for (int column = std::max(0, x - 1); column <= std::min(d.out.width - 1, x + 1); ++column)
@@ -100,7 +100,7 @@ void blend(surfel::Colour& pixel, surfel::Colour colour, float part) {
 }
 
 /// The rows [top, bottom) of one edge, a pixel wide, smooth across.
-void drawEdge(Drawing& d, const ProjectedVertex& a, const ProjectedVertex& b, surfel::Colour colour, float strength,
+void drawEdge(WireDrawing& d, const ProjectedVertex& a, const ProjectedVertex& b, surfel::Colour colour, float strength,
               int top, int bottom) {
     const float dx = b.x - a.x, dy = b.y - a.y, longest = std::max(std::abs(dx), std::abs(dy));
     if (!(longest > 0) || longest > 1e5f)
@@ -122,7 +122,7 @@ void drawEdge(Drawing& d, const ProjectedVertex& a, const ProjectedVertex& b, su
     }
 }
 
-surfel::Colour colourOf(const Drawing& d, const Wires::Edge& edge) {
+surfel::Colour colourOf(const WireDrawing& d, const Wires::Edge& edge) {
     const std::vector<mesh::VertexKind>& kinds = d.wires.mesh->kinds;
     if (!edge.boundary)
         return d.colours.edge;
@@ -145,7 +145,7 @@ void forBands(int height, const base::Progress& progress, double done, const Bod
 }
 
 /// Median length of the edges in pixels, of some of them.
-float typicalLength(const Drawing& d) {
+float typicalLength(const WireDrawing& d) {
     std::vector<float> lengths;
     const std::size_t stride = std::max<std::size_t>(1, d.wires.edges.size() / 1000);
     for (std::size_t i = 0; i < d.wires.edges.size(); i += stride) {
@@ -165,7 +165,7 @@ void drawWires(const Wires& wires, const Camera& camera, const WireColours& colo
                const base::Progress& progress) {
     out.resize(camera.width, camera.height);
     const float background = camera.parallel() ? nowhereParallel : nowhere;
-    Drawing d{wires, colours, projected(*wires.mesh, camera), {}, background, 1, out};
+    WireDrawing d{wires, colours, projected(*wires.mesh, camera), {}, background, 1, out};
     d.nearest.assign(out.colour.size(), background);
     d.alpha = std::clamp(typicalLength(d) / 8, 0.12f, 1.0f);
     const auto reaches = [](float low, float high, int top, int bottom) {
