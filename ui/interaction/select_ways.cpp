@@ -1,5 +1,7 @@
 #include "ui/interaction/select_ways.h"
 
+#include "core/surface/evaluation/weights.h"
+
 #include <nlohmann/json.hpp>
 
 namespace ui {

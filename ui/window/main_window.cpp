@@ -118,6 +118,7 @@ void MainWindow::buildTools() {
     m_tools = new ToolBar(m_settings);
     addToolBar(Qt::LeftToolBarArea, m_tools);
     connect(m_tools, &ToolBar::chosen, this, [this] {
+        m_view->picker().end(); // a tool is wanted in the hand
         m_panel->refresh();
         tell(m_settings.toolRow().tip);
         showHint();

@@ -46,8 +46,8 @@ void MeasureTools::choose(int row) {
 
 void MeasureTools::ask() {
     const std::size_t left = m_row->places - m_places.size();
-    m_bar.say(tr("%1: %2. Click %n place(s) on the model; Esc goes back to sculpting.", nullptr, int(left))
-                  .arg(tr(m_row->label), tr(m_row->tip)));
+    const QString clicks = left == 1 ? tr("Click one place on the model") : tr("Click %1 places on the model").arg(left);
+    m_bar.say(tr("%1: %2. %3; Esc goes back to sculpting.").arg(tr(m_row->label), tr(m_row->tip), clicks));
     m_window.viewport().widget()->update();
 }
 
@@ -80,7 +80,9 @@ void MeasureTools::clear() {
 
 void MeasureTools::copy() const {
     QApplication::clipboard()->setText(m_lines.join('\n'));
-    m_window.tell(tr("%n result(s) copied.", nullptr, int(m_lines.size())));
+    m_window.tell(m_lines.isEmpty()     ? tr("There is nothing to copy: nothing was measured yet.")
+                  : m_lines.size() == 1 ? tr("One result copied.")
+                                        : tr("%1 results copied, a line each.").arg(m_lines.size()));
 }
 
 void MeasureTools::paint(QPainter& painter, const render::Camera& seen) const {

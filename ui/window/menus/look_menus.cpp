@@ -9,7 +9,7 @@
 namespace ui {
 
 /// Names that the shading of attributes can show; words of layers mean nothing to a person.
-static QStringList attributesOf(const MainWindow& window) {
+static QStringList attributesOf(MainWindow& window) {
     QStringList out;
     for (const surfel::Attribute& each : window.editor().snapshot().surface.tree().layout()->attributes())
         if (!each.name.starts_with("layer_"))
