@@ -2,10 +2,12 @@
 #include "core/process/estimation/knn.h"
 
 #include "core/base/random.h"
-#include "core/process/estimation/neighbour_table.h"
+#include "core/process/estimation/cloud_neighbours.h"
+#include "core/process/estimation/curve_order.h"
 #include "support/registry.h"
 
 #include <algorithm>
+#include <cstring>
 #include <QTest>
 
 using namespace process;
@@ -117,6 +119,11 @@ bool same(const std::vector<Near>& expected, const Neighbours& found) {
     return true;
 }
 
+template <class Item>
+bool sameBytes(std::span<const Item> a, std::span<const Item> b) {
+    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size_bytes()) == 0;
+}
+
 } // namespace
 
 class KnnTest : public QObject {
@@ -130,6 +137,9 @@ class KnnTest : public QObject {
     void reachFromAnywhere();
     void cancelStops();
     void tablesKeepRows();
+    void pointsArePutInOrderOnceWithWhatTheyCarry();
+    void neighboursOfWhatStaysAreThoseOfASearch_data();
+    void neighboursOfWhatStaysAreThoseOfASearch();
 };
 
 void KnnTest::neighboursAreThoseOfBruteForce_data() {
@@ -266,6 +276,77 @@ void KnnTest::tablesKeepRows() {
             QVERIFY(table.sees(i, row.front(), 1));
         }
     }
+}
+
+void KnnTest::pointsArePutInOrderOnceWithWhatTheyCarry() {
+    base::Random random(test::seed());
+    auto layout = std::make_shared<surfel::AttributeLayout>();
+    layout->add("number", surfel::ScalarType::UInt32);
+    for (const auto& [name, make] : kinds) {
+        surfel::SurfelList list{layout, surfelsAt(make(random, 1500)), {}};
+        for (std::uint32_t i = 0; i < list.size(); ++i) {
+            list.items[i].colour = i;
+            list.extra.push_back(i);
+        }
+        const surfel::SurfelList before = list;
+        const base::LargeArray<std::uint32_t> numbers = putInCurveOrder(list);
+        std::vector<std::uint8_t> seen(list.size(), 0);
+        for (std::uint32_t i = 0; i < list.size(); ++i) {
+            const std::uint32_t number = numbers.empty() ? i : numbers[i];
+            QVERIFY2(list.items[i] == before.items[number] && list.extra[i] == number && seen[number]++ == 0, name);
+        }
+        const auto stands = list.items;
+        QVERIFY2(putInCurveOrder(list).empty() && list.items == stands, name);
+        QVERIFY2(std::ranges::equal(Cloud(before.items).positions(), Cloud(list.items).positions()), name);
+    }
+}
+
+void KnnTest::neighboursOfWhatStaysAreThoseOfASearch_data() {
+    QTest::addColumn<int>("kind");
+    for (int kind = 0; kind < static_cast<int>(kinds.size()); ++kind)
+        QTest::addRow("%s", kinds[static_cast<std::size_t>(kind)].first) << kind;
+}
+
+void KnnTest::neighboursOfWhatStaysAreThoseOfASearch() {
+    QFETCH(int, kind);
+    base::Random random(test::seed());
+    const Points points = kinds[static_cast<std::size_t>(kind)].second(random, std::size_t(test::effort(800)));
+    const Cloud cloud(surfelsAt(points));
+    const std::size_t n = cloud.size();
+    // One, some anywhere, some side by side, the first and the last along the curve, more than pays, nearly all.
+    const auto anyOf = [&](std::size_t each) { return [&, each](std::size_t) { return random.below(each) == 0; }; };
+    const std::vector<std::function<bool(std::size_t)>> goes = {
+        [&](std::size_t i) { return i == n / 2; },
+        anyOf(100),
+        [&](std::size_t i) { return i > n / 3 && i < n / 3 + n / 20; },
+        [&](std::size_t i) { return i == 0 || i == n - 1; },
+        anyOf(3),
+        [&](std::size_t i) { return i >= 5; },
+    };
+    for (std::size_t way = 0; way < goes.size(); ++way) {
+        std::vector<std::uint8_t> stays(n);
+        Points left;
+        for (std::size_t i = 0; i < n; ++i)
+            if ((stays[i] = goes[way](i) ? 0 : 1) != 0)
+                left.push_back(cloud.positions()[i]);
+        const Cloud rest(surfelsAt(left));
+        for (const std::size_t looked : {0u, 18u}) {
+            base::setThreadCount(looked == 0 ? 1 : 0);
+            KeptNeighbours kept(cloud, neighboursOf(cloud, looked, {}), stays);
+            const CloudNeighbours found = std::move(kept).in(rest, looked, {}), sought = neighboursOf(rest, looked, {});
+            const QString where = QString("way %1, %2 looked at, seed %3").arg(way).arg(looked).arg(test::seed());
+            QVERIFY2(sameBytes<float>(found.spacing, sought.spacing), qPrintable(where));
+            QVERIFY2(sameBytes<Vec3f>(found.normals, sought.normals), qPrintable(where));
+            QVERIFY2(found.table.size() == rest.size() && found.table.count() == sought.table.count(),
+                     qPrintable(where));
+            for (std::size_t i = 0; i < rest.size(); ++i) {
+                const NeighbourTable::Row a = found.table.row(i), b = sought.table.row(i);
+                QVERIFY2(std::equal(a.begin(), a.begin() + static_cast<std::ptrdiff_t>(found.table.count()), b.begin()),
+                         qPrintable(QString("%1 of %2, ").arg(i).arg(rest.size()) + where));
+            }
+        }
+    }
+    base::setThreadCount(0);
 }
 
 static const test::Registered<KnnTest> registered;

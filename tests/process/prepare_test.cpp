@@ -38,6 +38,7 @@ class PrepareTest : public QObject {
     void redefineIsPrepareUnderTheOtherDefinition();
     void redefineSharesWhatDoesNotChange();
     void sameHashAtAnyThreadCount();
+    void theOrderOfTheFileDoesNotMatter();
     void progressRisesAndCancelStops();
     void scansAgreeWithTheirMeshes_data();
     void scansAgreeWithTheirMeshes();
@@ -276,6 +277,30 @@ void PrepareTest::sameHashAtAnyThreadCount() {
     QVERIFY(one.definition() == two.definition());
     QCOMPARE(oneOther.tree().contentHash().text(), twoOther.tree().contentHash().text());
     QVERIFY(oneOther.definition() == twoOther.definition());
+}
+
+/// Slot by slot, under the definition that came out.
+static bool sameBits(const surface::Surface& a, const surface::Surface& b) {
+    return a.tree().surfels().items == b.tree().surfels().items && a.definition() == b.definition();
+}
+
+void PrepareTest::theOrderOfTheFileDoesNotMatter() {
+    base::Random random(test::seed());
+    for (const char* id : {"scan", "sphere"})
+        for (const bool normals : {true, false}) {
+            surfel::SurfelList list = sample(id).make(6000, test::seed());
+            if (!normals)
+                list = withoutNormals(list);
+            PrepareOptions options;
+            options.keepSupports = false;
+            std::size_t merged = 0;
+            options.merged = &merged;
+            const surface::Surface expected = prepare(list, options);
+            for (std::size_t i = list.size(); i > 1; --i)
+                std::swap(list.items[i - 1], list.items[random.below(i)]);
+            QVERIFY2(sameBits(expected, prepare(list, options)),
+                     qPrintable(QString("%1, seed %2").arg(id).arg(test::seed())));
+        }
 }
 
 void PrepareTest::progressRisesAndCancelStops() {

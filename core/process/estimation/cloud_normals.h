@@ -5,9 +5,9 @@
 
 namespace process {
 
-/// The normal of the plane through position i and its neighbours, nearest first; its sign means nothing.
-base::Vec3f planeNormal(std::span<const base::Vec3f> positions, std::size_t i, std::span<const std::uint32_t> index,
-                        std::span<const float> distanceSq);
+/// The normals of the planes through each position of the rows and its nearest `k`, into `out`, one a row; their signs
+/// mean nothing. REQUIRES: 1 <= k <= rows.k.
+void planeNormals(std::span<const base::Vec3f> positions, const NearestRows& rows, std::size_t k, base::Vec3f* out);
 /// Unit normals without a meaningful sign, one per position.
 std::vector<base::Vec3f> normalsOf(const Cloud& cloud, int neighbours = 18, const base::Progress& progress = {});
 

@@ -175,15 +175,18 @@ Vec3f meanNormal(const Vec3f& first, const Vec3f& sum) {
     return length(sum) < 0.1f || dot(mean, first) > 1 - base::unitTolerance ? first : mean;
 }
 
-/// The first point of the list in each place.
-std::vector<std::uint32_t> firstIn(Places& places, std::span<const std::uint32_t> placeOf, std::size_t count) {
+/// The first point of the list in each place, by number where there are any.
+std::vector<std::uint32_t> firstIn(Places& places, std::span<const std::uint32_t> placeOf, std::size_t count,
+                                   std::span<const std::uint32_t> numbers) {
     constexpr std::uint32_t none = ~std::uint32_t(0);
     std::vector<std::uint32_t> firstAt(count, none), out(placeOf.size());
     for (std::uint32_t i = 0; i < out.size(); ++i) {
         std::uint32_t& first = firstAt[places.find(placeOf[i])];
-        first = std::min(first, i);
-        out[i] = first;
+        if (first == none || (!numbers.empty() && numbers[i] < numbers[first]))
+            first = i;
     }
+    for (std::uint32_t i = 0; i < out.size(); ++i)
+        out[i] = firstAt[places.find(placeOf[i])];
     return out;
 }
 
@@ -199,7 +202,7 @@ std::size_t duplicatesBeside(std::span<const float> distanceSq) {
 }
 
 std::vector<std::uint32_t> firstOfDuplicates(const Cloud& cloud, const CloudNeighbours& neighbours,
-                                             const base::Progress& progress) {
+                                             const base::Progress& progress, std::span<const std::uint32_t> numbers) {
     std::vector<Pile> piles = findPiles(cloud, neighbours.closestPile, progress);
     const bool none = std::all_of(neighbours.doubles.begin(), neighbours.doubles.end(),
                                   [](std::uint8_t doubles) { return doubles == 0; });
@@ -211,16 +214,16 @@ std::vector<std::uint32_t> firstOfDuplicates(const Cloud& cloud, const CloudNeig
         std::vector<std::uint32_t> left;
         const std::vector<surfel::Surfel> positions = places.reduced(left);
         const Cloud reduced(positions);
-        std::vector<std::uint32_t> numbers(left.size());
+        std::vector<std::uint32_t> whole(left.size());
         for (std::size_t k = 0; k < left.size(); ++k)
-            numbers[reduced.places()[k]] = left[k];
-        places.joinNeighbours(neighboursOf(reduced, 0, part(progress, 0.5, 1)), numbers);
+            whole[reduced.places()[k]] = left[k];
+        places.joinNeighbours(neighboursOf(reduced, 0, part(progress, 0.5, 1)), whole);
     } else {
         places.joinNeighbours(neighbours, {});
     }
     if (!places.joined() && cloud.size() == cloud.places().size())
         return {};
-    return firstIn(places, cloud.places(), cloud.size());
+    return firstIn(places, cloud.places(), cloud.size(), numbers);
 }
 
 std::size_t mergeDuplicates(surfel::SurfelList& points, std::span<const std::uint32_t> first) {

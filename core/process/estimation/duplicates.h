@@ -16,9 +16,11 @@ inline constexpr std::size_t leastPile = 6;
 std::size_t duplicatesBeside(std::span<const float> distanceSq);
 
 /// Of each point of the list that `cloud` was made of the first one that it is a duplicate of; itself where it is none.
-/// Empty where no point is one.
+/// Empty where no point is one. First is the one with the least of the `numbers`, its place in the list where there are
+/// none.
 std::vector<std::uint32_t> firstOfDuplicates(const Cloud& cloud, const CloudNeighbours& neighbours,
-                                             const base::Progress& progress = {});
+                                             const base::Progress& progress = {},
+                                             std::span<const std::uint32_t> numbers = {});
 
 /// Takes duplicates away and returns how many there were. The first of them stays as it is but for its normal, which
 /// becomes the mean of theirs unless they cancel. `first` as above.

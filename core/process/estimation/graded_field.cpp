@@ -53,13 +53,36 @@ class Rising {
         return changed == std::uint8_t(sweep) || changed == std::uint8_t(sweep - 1);
     }
 
+    /// Whether nothing here can lie more than a slope apart, were all neighbours as near as the nearest, and those of
+    /// the outer half as the nearest of these: rows are ascending but for what sees itself. Rounding is monotone, so
+    /// that what is calm has nothing to lift; most rows are.
+    bool isCalm(std::size_t i, const NeighbourGraph::Row& row) const {
+        const std::size_t count = m_graph.count(), half = count / 2;
+        for (std::size_t begin = 0, end = half; begin < count; begin = end, end = count) {
+            if (begin == end)
+                continue;
+            const float drop = m_slope * m_graph.distance(i, row[begin]);
+            for (const std::span<float> h : m_h) {
+                const float own = std::atomic_ref(h[i]).load(std::memory_order_relaxed);
+                float least = own, most = own;
+                for (std::size_t k = begin; k < end; ++k) {
+                    const float value = std::atomic_ref(h[row[k]]).load(std::memory_order_relaxed);
+                    least = std::min(least, value), most = std::max(most, value);
+                }
+                if (!(own >= most - drop && least >= own - drop))
+                    return false;
+            }
+        }
+        return true;
+    }
+
     bool visit(std::size_t i, unsigned sweep) {
         const NeighbourGraph::Row row = m_graph.row(i);
         const std::size_t count = m_graph.count();
         bool fresh = sweep == 0 || isFresh(i, sweep);
         for (std::size_t k = 0; k < count && !fresh; ++k)
             fresh = isFresh(row[k], sweep);
-        if (!fresh)
+        if (!fresh || isCalm(i, row))
             return false;
         bool changed = false;
         for (std::size_t k = 0; k < count; ++k) {

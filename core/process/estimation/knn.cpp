@@ -18,7 +18,10 @@ Cloud::Cloud(std::span<const surfel::Surfel> points, const base::Progress& progr
     progress.step(0.5, "Sorting points");
     const std::size_t n = points.size();
     m_positions = base::LargeArray<base::Vec3f>(n);
-    base::parallelFor(n, grain, [&](std::size_t i) { m_positions[i] = points[sorted.order[i]].position; });
+    const auto numberAt = [&](std::size_t i) {
+        return sorted.order.empty() ? static_cast<std::uint32_t>(i) : sorted.order[i];
+    };
+    base::parallelFor(n, grain, [&](std::size_t i) { m_positions[i] = points[numberAt(i)].position; });
     std::atomic<bool> distinct = true;
     base::parallelChunks(n, grain, [&](std::size_t begin, std::size_t end, std::size_t) {
         for (std::size_t i = std::max<std::size_t>(begin, 1); i < end; ++i)
@@ -27,13 +30,13 @@ Cloud::Cloud(std::span<const surfel::Surfel> points, const base::Progress& progr
     });
     m_places = base::LargeArray<std::uint32_t>(n);
     if (distinct) {
-        base::parallelFor(n, grain, [&](std::size_t i) { m_places[sorted.order[i]] = static_cast<std::uint32_t>(i); });
+        base::parallelFor(n, grain, [&](std::size_t i) { m_places[numberAt(i)] = static_cast<std::uint32_t>(i); });
     } else {
         std::size_t kept = 0;
         for (std::size_t i = 0; i < n; ++i) {
             if (kept == 0 || m_positions[i] != m_positions[kept - 1])
                 m_positions[kept++] = m_positions[i];
-            m_places[sorted.order[i]] = static_cast<std::uint32_t>(kept - 1);
+            m_places[numberAt(i)] = static_cast<std::uint32_t>(kept - 1);
         }
         m_positions.shrink(kept);
     }

@@ -44,10 +44,18 @@ class Cloud {
     /// more than one position.
     template <class Body>
     void forEachCell(std::size_t k, const base::Progress& progress, const char* what, const Body& body) const;
+    /// The same for some of the cells.
+    template <class Body>
+    void forCells(std::span<const std::uint32_t> some, std::size_t k, const base::Progress& progress, const char* what,
+                  const Body& body) const;
     /// The cells, for work that looks at some of them.
     const PointCells& cells() const { return m_cells; }
 
   private:
+    template <class Number, class Body>
+    void forNumbered(std::size_t count, const Number& number, std::size_t k, const base::Progress& progress,
+                     const char* what, const Body& body) const;
+
     base::LargeArray<base::Vec3f> m_positions;
     base::LargeArray<std::uint32_t> m_places;
     PointCells m_cells;
@@ -55,17 +63,30 @@ class Cloud {
 
 template <class Body>
 void Cloud::forEachCell(std::size_t k, const base::Progress& progress, const char* what, const Body& body) const {
+    forNumbered(
+        m_cells.count(), [](std::size_t n) { return n; }, k, progress, what, body);
+}
+
+template <class Body>
+void Cloud::forCells(std::span<const std::uint32_t> some, std::size_t k, const base::Progress& progress,
+                     const char* what, const Body& body) const {
+    forNumbered(
+        some.size(), [some](std::size_t n) { return some[n]; }, k, progress, what, body);
+}
+
+template <class Number, class Body>
+void Cloud::forNumbered(std::size_t count, const Number& number, std::size_t k, const base::Progress& progress,
+                        const char* what, const Body& body) const {
     constexpr std::size_t slab = 128, grain = 4; // cells: a millisecond of work between two reports
     k = std::min(k, size() - 1);
-    const std::size_t count = m_cells.count();
     for (std::size_t from = 0; from < count; from += slab) {
         progress.step(static_cast<double>(from) / static_cast<double>(count), what);
         base::parallelChunks(std::min(slab, count - from), grain, [&](std::size_t begin, std::size_t end, std::size_t) {
             if (progress.cancel && progress.cancel->load(std::memory_order_relaxed))
                 throw base::Cancelled();
             NearestRows rows;
-            for (std::size_t cell = from + begin; cell < from + end; ++cell) {
-                nearestOfCell(m_cells, m_positions, cell, k, rows);
+            for (std::size_t n = from + begin; n < from + end; ++n) {
+                nearestOfCell(m_cells, m_positions, number(n), k, rows);
                 body(static_cast<const NearestRows&>(rows));
             }
         });

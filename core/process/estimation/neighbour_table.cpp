@@ -41,6 +41,21 @@ void NeighbourTable::set(std::size_t i, std::span<const std::uint32_t> neighbour
     row[2] = static_cast<std::int16_t>(number >> 16);
 }
 
+void NeighbourTable::renumber(std::span<const std::uint32_t> number, std::size_t left) {
+    const auto before = std::exchange(m_apart, std::make_unique<Group[]>(base::chunkCount(left, groupSize)));
+    for (std::uint32_t i = 0; i < number.size(); ++i) {
+        const std::uint32_t to = number[i];
+        if (to == gone)
+            continue;
+        Row renumbered = m_rows[i][0] == apart ? before[i / groupSize].rows[numberOf(m_rows[i])] : row(i);
+        for (std::size_t k = 0; k < m_count; ++k)
+            renumbered[k] = number[renumbered[k]] == gone ? to : number[renumbered[k]];
+        m_rows[to] = {}; // it no longer stands apart, whatever was written there before
+        set(to, std::span(renumbered).first(m_count));
+    }
+    m_rows.shrink(left);
+}
+
 NeighbourTable nearestTable(const Cloud& cloud, std::size_t count, const base::Progress& progress) {
     NeighbourTable out(cloud.size(), std::min(count, std::max<std::size_t>(cloud.size(), 1) - 1));
     if (out.count() > 0)

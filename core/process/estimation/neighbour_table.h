@@ -29,6 +29,10 @@ class NeighbourTable {
 
     /// REQUIRES: count() neighbours.
     void set(std::size_t i, std::span<const std::uint32_t> neighbours);
+    /// When positions go: `number` has the new number of each, ascending, and `gone` for those; `left` are the others.
+    /// Rows that name what went hold themselves in its place until they are set.
+    void renumber(std::span<const std::uint32_t> number, std::size_t left);
+    static constexpr std::uint32_t gone = ~std::uint32_t(0);
     /// The first count() are valid.
     Row row(std::size_t i) const {
         Row out;
@@ -44,6 +48,20 @@ class NeighbourTable {
         const Row all = row(i);
         const auto end = all.begin() + static_cast<std::ptrdiff_t>(std::min(first, m_count));
         return std::find(all.begin(), end, j) != end;
+    }
+    /// Whether j is among all of them; i itself never is.
+    bool names(std::size_t i, std::uint32_t j) const {
+        const Differences& row = m_rows[i];
+        if (row[0] == apart) [[unlikely]]
+            return sees(i, j);
+        const std::int64_t wanted = static_cast<std::int64_t>(j) - static_cast<std::int64_t>(i);
+        const auto difference = static_cast<std::int16_t>(wanted);
+        if (difference != wanted || difference == 0) // what is not used holds 0
+            return false;
+        std::int16_t found = 0; // all are looked at, at once
+        for (const std::int16_t each : row)
+            found |= static_cast<std::int16_t>(each == difference);
+        return found != 0;
     }
 
   private:

@@ -5,6 +5,7 @@
 #include "core/process/estimation/cloud_neighbours.h"
 #include "core/process/estimation/cloud_normals.h"
 #include "core/process/estimation/cloud_supports.h"
+#include "core/process/estimation/curve_order.h"
 #include "core/process/estimation/duplicates.h"
 #include "core/process/estimation/keep_points.h"
 #include "core/process/estimation/normals.h"
@@ -70,15 +71,19 @@ bool hasNormal(const surfel::Surfel& s) {
 }
 
 /// What is known of the points' surroundings, found where something must be estimated: a file that brings everything
-/// opens without. One search serves all, because each step hands on what the next one needs.
+/// opens without. One search serves all, because each step hands on what the next one needs. First of all the points
+/// are put in the order of the curve, in which all that follows, the tree included, finds them side by side.
 class Surroundings {
   public:
-    Surroundings(const surfel::SurfelList& points, const base::Progress& progress)
+    Surroundings(surfel::SurfelList& points, const base::Progress& progress)
         : m_points(points), m_indexing(part(progress, 0, 0.3)), m_searching(part(progress, 0.3, 1)) {}
 
     const Cloud& cloud() {
-        if (!m_cloud)
+        if (!m_cloud) {
+            m_indexing.step(0, "Sorting points");
+            m_numbers = putInCurveOrder(m_points);
             m_cloud.emplace(m_points.items, m_indexing);
+        }
         return *m_cloud;
     }
     CloudNeighbours& neighbours() {
@@ -104,17 +109,30 @@ class Surroundings {
         m_neighbours.reset();
         return out;
     }
-    /// The points have become others.
-    void forget() {
-        m_neighbours.reset();
+    /// Merges what stands in one place. Returns how many points went.
+    std::size_t merge(const base::Progress& progress) {
+        const CloudNeighbours& near = neighbours();
+        const std::vector<std::uint32_t> first = firstOfDuplicates(cloud(), near, progress, m_numbers);
+        m_numbers = {};
+        if (first.empty())
+            return 0;
+        std::vector<std::uint8_t> stays(m_cloud->size(), 0);
+        for (std::uint32_t i = 0; i < first.size(); ++i)
+            if (first[i] == i)
+                stays[m_cloud->places()[i]] = 1;
+        KeptNeighbours kept(*m_cloud, take(), stays);
         m_cloud.reset();
+        const std::size_t merged = mergeDuplicates(m_points, first);
         m_indexing.report = m_searching.report = nullptr; // so far it was already
+        m_neighbours = std::move(kept).in(cloud(), m_wantNormals ? normalNeighbours : 0, m_searching);
+        return merged;
     }
 
   private:
-    const surfel::SurfelList& m_points;
+    surfel::SurfelList& m_points;
     base::Progress m_indexing, m_searching;
     bool m_wantNormals = false;
+    base::LargeArray<std::uint32_t> m_numbers; ///< that the points had in the file; none where they stay
     std::optional<Cloud> m_cloud;
     std::optional<CloudNeighbours> m_neighbours;
 };
@@ -150,15 +168,6 @@ bool completeNormals(surfel::SurfelList& points, Surroundings& around, const bas
     });
     around.dropNormals();
     return sided;
-}
-
-/// Returns how many.
-std::size_t mergeThrough(surfel::SurfelList& points, Surroundings& around, const base::Progress& progress) {
-    const std::vector<std::uint32_t> first = firstOfDuplicates(around.cloud(), around.neighbours(), progress);
-    if (first.empty())
-        return 0;
-    around.forget();
-    return mergeDuplicates(points, first);
 }
 
 /// Distinct positions, counted up to 4.
@@ -290,7 +299,7 @@ surface::Surface prepare(surfel::SurfelList points, const PrepareOptions& option
             !(points.layout->normals && allOf(points, hasNormal)))
             around.wantNormals();
         if (options.merged)
-            *options.merged = mergeThrough(points, around, part(progress, 0.3, 0.4));
+            *options.merged = around.merge(part(progress, 0.3, 0.4));
         prepareNormals(points, around, options.definition, part(progress, 0.4, 0.6));
         prepareSupports(points, around, options, part(progress, 0.6, 0.8));
     }

@@ -58,14 +58,16 @@ OrientationTrees::OrientationTrees(const Cloud& cloud, const NeighbourTable& lin
     sort(parts);
 }
 
-/// The chunk's edges that may be in a tree, in the order of its points. That an edge may be found from both its
-/// ends does no harm: it has the same bits from both, and the second time it joins nothing.
+/// The chunk's edges that may be in a tree, in the order of its points. Most edges are found from both their ends, with
+/// the same bits, and the second time they would join nothing.
 std::vector<OrientationTrees::Edge> OrientationTrees::candidates(std::size_t begin, std::size_t end) const {
     std::vector<Edge> edges;
     edges.reserve((end - begin) * m_links.count());
     std::vector<std::uint32_t> next(unlikeClasses + 1);
     m_links.forRows(begin, end, [&](std::uint32_t i, const NeighbourTable::Row& row, const Likeness& along) {
         for (std::size_t k = 0; k < m_links.count(); ++k) {
+            if (m_links.foundBefore(i, row[k]))
+                continue;
             edges.emplace_back(static_cast<std::uint32_t>(i - begin), along.unlike[k], along.flip[k] != 0, row[k]);
             ++next[edges.back().unlike() + 1];
         }
