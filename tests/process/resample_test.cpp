@@ -71,7 +71,7 @@ void ResampleTest::jitteredRoundsDoNotErodeTheSphere() {
     options.spacing = float(s);
     options.relaxAll = true;
     options.sweeps = 1;
-    for (int round = 0; round < 100; ++round) {
+    for (int round = 0; round < test::effort(100); ++round) {
         const surface::Surface shaken = changed(sphere, [&](surfel::Surfel& each) { jitter(each, random, 0.3 * s); });
         const tree::Edit edit = resample(shaken, selectAll(shaken.tree()), options, sphere);
         QVERIFY(!edit.empty());
@@ -321,7 +321,7 @@ static double reliefLeft(double spacings) {
     options.spacing = float(s);
     options.relaxAll = true;
     options.sweeps = 1;
-    for (int round = 0; round < 30; ++round) {
+    for (int round = 0; round < test::effort(30); ++round) {
         // Along the surface as far as straight steps go: the rest is taken back with the height that is kept.
         const surface::Surface shaken = changed(relief, [&](surfel::Surfel& each) {
             const Vec3f n = each.normal, by = base::cast<float>(random.unitVector() * (0.3 * s * random.uniform()));

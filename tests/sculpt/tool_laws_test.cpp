@@ -4,6 +4,7 @@
 #include "core/sculpt/stroke.h"
 #include "sculpt/dabs.h"
 #include "support/registry.h"
+#include "support/sanitized.h"
 
 #include <QTest>
 
@@ -73,10 +74,13 @@ static StrokeSettings settingsOf(const ToolRow& row, base::Random& random, doubl
     return s;
 }
 
-/// Calls law(row, settings, samples) for `each` random strokes of every tool, fewer under sanitizers.
+/// Calls law(row, settings, samples) for `each` random strokes of every tool, fewer under sanitizers, where only the
+/// laws that are tried most meet all tools.
 template <class Law>
 static void forStrokes(double spacing, int each, const Law& law) {
     for (const ToolRow& row : toolTable()) {
+        if (test::sanitized && each < 3 && (&row - toolTable().data()) % 3 != each)
+            continue;
         base::Random random(test::seed());
         for (int k = 0; k < test::effort(each); ++k) {
             const StrokeSettings settings = settingsOf(row, random, spacing);

@@ -86,6 +86,8 @@ void CombineTest::primitivesHaveTheirVolume() {
     std::size_t k = 0;
     for (const solid::PrimitiveRow& row : solid::primitiveTable()) {
         const solid::Size& size = sizes[k++];
+        if (test::sanitized && k % 3 != 0)
+            continue;
         const mesh::Extent extent = mesh::extentOf(shapeAt(row.id, size, 0.04));
         const double wanted = row.volume(size);
         const QByteArray told = QString("%1: %2 for %3").arg(row.id).arg(extent.volume).arg(wanted).toUtf8();
@@ -99,7 +101,7 @@ void CombineTest::distancesOfPrimitivesAreHeights() {
     base::Random random(7);
     const solid::Size size{0.8, 0.5, 0.6};
     for (const solid::PrimitiveRow& row : solid::primitiveTable())
-        for (int k = 0; k < 200; ++k) {
+        for (int k = 0; k < test::effort(200); ++k) {
             const solid::Pose pose = randomPose(random, 1);
             const solid::PrimitiveSide side(row, size, pose);
             const surfel::SurfelList surfels = k == 0 ? solid::surfelsOf(row, size, 0.05, {}) : surfel::SurfelList();
@@ -123,6 +125,8 @@ void CombineTest::ballsHaveTheVolumeOfTheirLens() {
         {Operation::Union, 2 * one - common}, {Operation::Difference, one - common}, {Operation::Intersection, common}};
     for (const auto& [operation, wanted] : cases)
         for (const bool bySurfels : {false, true}) {
+            if (test::sanitized && bySurfels != (operation == Operation::Difference))
+                continue;
             const solid::Combined result =
                 bySurfels ? withSurface(ball, other, operation) : with(ball, "ball", {1, 0, 0}, s, pose, operation);
             result.surface.tree().validate();
@@ -234,7 +238,9 @@ void CombineTest::facesThatCoincideStayOnce() {
 
 void CombineTest::halfABallHasHalfItsVolume() {
     const surface::Surface ball = shapeAt("ball", {1, 0, 0}, 0.04);
-    for (const double offset : {0.0, 0.4}) {
+    for (const double offset : {0.4, 0.0}) {
+        if (test::sanitized && offset == 0)
+            continue;
         const solid::Combined half = solid::cutByPlane(ball, {normalized(Vec3d{1, -2, 0.5}), offset});
         const mesh::Extent extent = mesh::extentOf(half.surface);
         const double height = 1 - offset, wanted = pi * height * height * (3 - height) / 3;
