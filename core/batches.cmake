@@ -1,11 +1,11 @@
 # Most files of a room are small, and two thirds of the time to compile one goes to reading headers. So a room's files are
 # compiled eight at a time, in batches in which no two have a name of their own in common. What stands in the way is
-# compiled alone: files with macros or flags of their own. `-DPOINTCLAY_TOGETHER=OFF` is for who works on one file again
-# and again, and warns of every shadowed name.
+# compiled alone: files with macros, with flags of their own, or with a type that is called like one of the room's
+# headers. `-DPOINTCLAY_TOGETHER=OFF` is for who works on one file again and again, and warns of every shadowed name.
 option(POINTCLAY_TOGETHER "Compile the files of a room and its tests together" ON)
 
 # What a file declares in its first column may be its own: functions, constants, types. Names of members (A::b) are not.
-function(pointclay_own_names file result)
+function(pointclay_own_names file result result_types)
     file(READ ${file} text)
     string(REPLACE "[" "(" text "${text}") # neither are brackets and semicolons safe in lists
     string(REPLACE "]" ")" text "${text}")
@@ -25,23 +25,32 @@ function(pointclay_own_names file result)
     set(names ${types} ${others} ${broken} ${further})
     list(REMOVE_DUPLICATES names)
     set(${result} "${names}" PARENT_SCOPE)
+    set(${result_types} "${types}" PARENT_SCOPE)
 endfunction()
 
-# batches TARGET [FILE...]: the files named are compiled alone.
 function(pointclay_batches target)
     if(NOT POINTCLAY_TOGETHER)
         return()
     endif()
     set(most 8)
     get_target_property(sources ${target} SOURCES)
+    set(shown "") # types
+    foreach(source ${sources})
+        if(source MATCHES "[.]h$")
+            pointclay_own_names(${source} names types)
+            list(APPEND shown ${types})
+        endif()
+    endforeach()
     list(FILTER sources INCLUDE REGEX "[.]cpp$")
     set(batches 0)
     foreach(source ${sources})
         file(STRINGS ${source} macros REGEX "^#define" LIMIT_COUNT 1)
-        if(macros)
+        pointclay_own_names(${source} names types)
+        set(hidden ${types})
+        list(REMOVE_ITEM hidden ${shown})
+        if(macros OR NOT "${hidden}" STREQUAL "${types}")
             continue()
         endif()
-        pointclay_own_names(${source} names)
         set(batch 0)
         foreach(each RANGE 1 ${batches})
             if(each GREATER batches OR size_${each} EQUAL most)
