@@ -8,6 +8,7 @@
 #include "support/registry.h"
 #include "support/sanitized.h"
 
+#include <Eigen/Dense>
 #include <numbers>
 #include <QTest>
 
@@ -116,7 +117,22 @@ struct Heights {
     }
 };
 
-/// Over the smooth shape, of surfels about a place; less their mean.
+/// Heights less what bends no more than a parabola: the smooth shape is only known that well, and a trend across the
+/// whole disc would hide the waves that are looked for.
+void straighten(Heights& heights, const Vec3d& middle, const Vec3d& normal) {
+    const Vec3d u = base::perpendicular(normal), v = cross(normal, u);
+    Eigen::MatrixXd terms(static_cast<Eigen::Index>(heights.values.size()), 6);
+    for (Eigen::Index i = 0; i < terms.rows(); ++i) {
+        const Vec3d d = heights.places[static_cast<std::size_t>(i)] - middle;
+        const double x = dot(d, u), y = dot(d, v);
+        terms.row(i) << 1, x, y, x * x, x * y, y * y;
+    }
+    Eigen::Map<Eigen::VectorXd> values(heights.values.data(), terms.rows());
+    const Eigen::VectorXd trend = terms * terms.colPivHouseholderQr().solve(values);
+    values -= trend;
+}
+
+/// Over the smooth shape, of surfels about a place; less their trend.
 Heights heightsOf(const surface::Surface& surface, bool sphere, const Vec3d& middle, double radius) {
     Heights out;
     for (const surfel::Surfel& s : surface.tree().surfels().items) {
@@ -126,11 +142,7 @@ Heights heightsOf(const surface::Surface& surface, bool sphere, const Vec3d& mid
         out.places.push_back(foot);
         out.values.push_back(sphere ? length(p) - 1 : p.z);
     }
-    double mean = 0;
-    for (const double v : out.values)
-        mean += v / static_cast<double>(out.values.size());
-    for (double& v : out.values)
-        v -= mean;
+    straighten(out, middle, sphere ? middle : Vec3d{0, 0, 1});
     return out;
 }
 
