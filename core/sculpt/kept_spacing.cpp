@@ -31,7 +31,8 @@ static float typicalRatio(const surface::Surface& surface) {
 }
 
 KeptSpacing::KeptSpacing(surface::Surface first, float atContact)
-    : m_first(std::move(first)), m_atContact(atContact), m_same(m_first->definition().support > 0) {
+    : m_first(std::move(first)), m_atContact(atContact), m_shape(surfel::shapeChannel(*m_first->tree().layout())),
+      m_same(m_first->definition().support > 0) {
     if (!m_same)
         m_ratio = typicalRatio(*m_first);
 }
@@ -42,7 +43,7 @@ static float spacingFromDisc(const std::vector<float>& distancesSq) {
     return std::sqrt(std::numbers::pi_v<float> * distancesSq.back() / held);
 }
 
-KeptSpacing::Search::Search(const KeptSpacing& kept) : m_around(kept.first().tree(), asked) {}
+KeptSpacing::Search::Search(const KeptSpacing& kept) : m_kept(kept), m_around(kept.first().tree(), asked) {}
 
 LocalSpacing KeptSpacing::Search::at(const base::Vec3f& x, const base::Vec3f& n) {
     m_around.at(x, m_near);
@@ -50,7 +51,7 @@ LocalSpacing KeptSpacing::Search::at(const base::Vec3f& x, const base::Vec3f& n)
     float least = std::numeric_limits<float>::infinity(), most = 0;
     for (const tree::Neighbour& each : m_near) {
         m_all.push_back(each.distanceSq);
-        const float support = each.block->support(each.slot);
+        const float support = m_kept.supportOf(*each.block, each.slot);
         least = std::min(least, support), most = std::max(most, support);
         if (dot(each.block->normal(each.slot), n) >= 0)
             m_alike.push_back(each.distanceSq);

@@ -15,6 +15,7 @@
 
 #include "core/sculpt/stretches.h"
 #include "core/surface/surface.h"
+#include "core/surfel/shape.h"
 #include "core/tree/nearest_sequence.h"
 
 #include <optional>
@@ -38,6 +39,7 @@ class KeptSpacing {
         LocalSpacing at(const base::Vec3f& x, const base::Vec3f& n);
 
       private:
+        const KeptSpacing& m_kept;
         tree::NearestSequence m_around;
         std::vector<tree::Neighbour> m_near;
         std::vector<float> m_alike, m_all; ///< squared distances
@@ -45,6 +47,8 @@ class KeptSpacing {
     /// m at a surfel of `origin`, whose positions are those of the first version. Known or measured now.
     LocalSpacing measured(const surfel::SurfelBlock& origin, int slot, Search& search) const;
     LocalSpacing measured(const surfel::SurfelBlock& origin, int slot) const;
+    /// The support of a surfel; of an ellipsoid, that of the ball of its area.
+    float supportOf(const surfel::SurfelBlock& block, int slot) const { return surfel::ballOf(block, slot, m_shape); }
     /// s where m is `measured`, of a surfel with this support.
     float target(const LocalSpacing& measured, float support) const;
     /// What a support of this size is made for.
@@ -58,6 +62,7 @@ class KeptSpacing {
     };
     std::optional<surface::Surface> m_first;
     float m_atContact = 0;
+    int m_shape = 0;     ///< channel of the shapes of supports
     float m_ratio = 1;   ///< of the measured spacing to what supports are made for
     bool m_same = false; ///< one support for all
     std::unordered_map<const surfel::SurfelBlock*, Known> m_known;

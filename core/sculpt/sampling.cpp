@@ -129,7 +129,7 @@ surface::Surface Sampling::evened(surface::Surface surface, When when) const {
                 const surfel::BlockPtr block = surface.tree().block(each.block);
                 for (int slot = 0; slot < block->size(); ++slot)
                     if (each.slots[static_cast<std::size_t>(slot)])
-                        fn(each, slot, perSupport * block->support(slot));
+                        fn(each, slot, perSupport * m_kept.supportOf(*block, slot));
             }
         };
         forEach([&](tree::SelectedBlock&, int, float target) {
@@ -157,12 +157,12 @@ LocalSpacing Sampling::measuredOf(const Stretches::Tracked& each, int slot) cons
 }
 
 float Sampling::targetOf(const Stretches::Tracked& each, int slot) const {
-    return m_kept.target(measuredOf(each, slot), each.now->support(slot));
+    return m_kept.target(measuredOf(each, slot), m_kept.supportOf(*each.now, slot));
 }
 
 float Sampling::targetOf(const surfel::SurfelBlock& block, int slot) const {
     const Stretches::Tracked* known = m_stretches.find(block);
-    return known ? targetOf(*known, slot) : m_kept.target(m_kept.measured(block, slot), block.support(slot));
+    return known ? targetOf(*known, slot) : m_kept.target(m_kept.measured(block, slot), m_kept.supportOf(block, slot));
 }
 
 void Sampling::measureTracked(const Which& which) {

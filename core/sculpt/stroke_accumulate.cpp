@@ -1,6 +1,7 @@
 #include "core/sculpt/stroke_accumulate.h"
 
 #include "core/base/parallel.h"
+#include "core/surfel/shape.h"
 
 #include <bit>
 #include <cmath>
@@ -10,8 +11,10 @@ namespace sculpt {
 
 using surfel::SurfelBlock;
 
-/// Position, normal and footprint go together. Where neither dab moves the surfel, the last to turn it counts.
-static void takePlace(SurfelBlock& out, const SurfelBlock& first, const SurfelBlock& dab, int slot, bool& changed) {
+/// Position, normal and footprint with its shape go together. Where neither dab moves the surfel, the last to turn it
+/// counts.
+static void takePlace(SurfelBlock& out, const SurfelBlock& first, const SurfelBlock& dab, int shape, int slot,
+                      bool& changed) {
     const base::Vec3f start = first.position(slot);
     const float far = distanceSq(dab.position(slot), start), farthestYet = distanceSq(out.position(slot), start);
     const bool turns = far == 0 && farthestYet == 0 && dab.normal(slot) != first.normal(slot);
@@ -21,6 +24,8 @@ static void takePlace(SurfelBlock& out, const SurfelBlock& first, const SurfelBl
     out.setPosition(slot, dab.position(slot));
     out.setNormal(slot, dab.normal(slot));
     out.channel(cluster, surfel::Support)[lane] = dab.channel(cluster, surfel::Support)[lane];
+    if (shape > 0)
+        surfel::setShape(out, slot, shape, surfel::shapeOf(dab, slot, shape));
     changed = true;
 }
 
@@ -48,14 +53,16 @@ static void takeWord(SurfelBlock& out, const SurfelBlock& first, const SurfelBlo
     changed = true;
 }
 
-static surfel::BlockPtr farthestOf(const SurfelBlock& first, const SurfelBlock& now, const SurfelBlock& dab) {
+static surfel::BlockPtr farthestOf(const SurfelBlock& first, const SurfelBlock& now, const SurfelBlock& dab,
+                                   int shape) {
     surfel::MutableBlockPtr out = now.clone();
     bool changed = false;
     const int channels = surfel::Extra + static_cast<int>(first.extraWords());
     for (int slot = 0; slot < first.size(); ++slot) {
-        takePlace(*out, first, dab, slot, changed);
+        takePlace(*out, first, dab, shape, slot, changed);
         for (int channel = surfel::ColourWord; channel < channels; ++channel)
-            takeWord(*out, first, dab, channel, slot, changed);
+            if (shape == 0 || channel < shape || channel > shape + 2)
+                takeWord(*out, first, dab, channel, slot, changed);
     }
     if (!changed)
         return {};
@@ -65,9 +72,10 @@ static surfel::BlockPtr farthestOf(const SurfelBlock& first, const SurfelBlock& 
 
 tree::Edit farthest(const tree::SurfelTree& start, const tree::SurfelTree& now, const tree::Edit& edit) {
     std::vector<surfel::BlockPtr> changed(edit.blocks.size());
+    const int shape = surfel::shapeChannel(*start.layout());
     base::parallelFor(changed.size(), 8, [&](std::size_t i) {
         const std::uint32_t number = edit.blocks[i].block;
-        changed[i] = farthestOf(*start.block(number), *now.block(number), *edit.blocks[i].changed);
+        changed[i] = farthestOf(*start.block(number), *now.block(number), *edit.blocks[i].changed, shape);
     });
     tree::Edit out;
     out.layout = edit.layout;

@@ -1,5 +1,6 @@
 // Normals and footprints follow the Jacobian of the deformation: against finite differences of what the tools do.
 #include "core/sculpt/brush_stamp.h"
+#include "core/surfel/shape.h"
 #include "sculpt/dabs.h"
 #include "support/registry.h"
 
@@ -14,18 +15,30 @@ class JacobianTest : public QObject {
   private Q_SLOTS:
     void normalsFollowTheTangentsOfEveryFormula();
     void footprintsFollowTheStretchOfArea();
+    void ellipsesFollowTheTangentsOfEveryFormula();
+    void ellipsesKeepTheirAreaWhereFootprintsDoNotFollow();
     void swollenAndLayeredSpheresHaveTheNormalsOfTheirShape();
     void factorsBendNormalsToo();
     void masksBendNormalsToo();
 };
 
+/// Supports of some tests: ellipses that are so much longer along the first tangent than along the second.
+constexpr double longer = 2;
+
 /// A surfel and its four neighbours at e along two tangents, numbered by their colours.
-static surface::Surface cross5(const base::Vec3d& p, const base::Vec3d& u, const base::Vec3d& v, double e) {
+static surface::Surface cross5(const base::Vec3d& p, const base::Vec3d& u, const base::Vec3d& v, double e,
+                               bool shaped) {
     surfel::SurfelList list;
-    list.layout = test::orientedLayout();
+    auto layout = std::make_shared<surfel::AttributeLayout>(*test::orientedLayout());
+    if (shaped)
+        surfel::addShape(*layout);
+    list.layout = layout;
+    std::vector<std::uint32_t> words(layout->words());
+    if (shaped)
+        surfel::putShape(words, 0, base::cast<float>(v * std::sqrt(longer * longer - 1)));
     const base::Vec3d places[] = {p, p + u * e, p - u * e, p + v * e, p - v * e};
     for (unsigned k = 0; k < 5; ++k) {
-        list.append(test::surfelAt(places[k], cross(u, v), 0.02), {});
+        list.append(test::surfelAt(places[k], cross(u, v), 0.02), words);
         list.items.back().colour = k;
     }
     return test::surfaceOf(list);
@@ -47,7 +60,8 @@ static Dab randomDab(const ToolRow& row, base::Random& random) {
 
 struct Carried {
     surfel::Surfel centre;
-    base::Vec3d u, v; ///< tangents after the deformation
+    base::Vec3f shape; ///< of the centre
+    base::Vec3d u, v;  ///< tangents after the deformation
     bool moved = false;
 };
 
@@ -58,19 +72,28 @@ static Carried carriedBy(const ToolRow& row, const Dab& dab, const surface::Surf
     for (const surfel::Surfel& a : s.tree().surfels().items)
         if (a.colour == 0)
             start = a.position;
-    for (const surfel::Surfel& a : applied(row, s, dab).tree().surfels().items) {
+    const surfel::SurfelList after = applied(row, s, dab).tree().surfels();
+    for (std::size_t i = 0; i < after.size(); ++i) {
+        const surfel::Surfel& a = after.items[i];
         q[a.colour] = base::cast<double>(a.position);
-        if (a.colour == 0)
-            out.centre = a;
+        if (a.colour != 0)
+            continue;
+        out.centre = a;
+        if (surfel::shapeChannel(*after.layout) > 0)
+            out.shape = surfel::shapeIn(after.extraOf(i), surfel::shapeWord(*after.layout));
     }
     out.moved = out.centre.position != start;
     out.u = (q[1] - q[2]) / (2 * e), out.v = (q[3] - q[4]) / (2 * e);
     return out;
 }
 
+struct Supports {
+    bool shaped = false, follow = true;
+};
+
 /// law(row, what the tool made of an orthonormal pair of tangents).
 template <class Law>
-static void forFormulas(const Law& law) {
+static void forFormulas(const Law& law, Supports supports = {}) {
     constexpr double e = 3e-4;
     for (const ToolRow& row : toolTable()) {
         if (row.writes != Writes::Shape || std::string(row.id) == "smooth")
@@ -80,7 +103,9 @@ static void forFormulas(const Law& law) {
         for (int k = 0; k < 300; ++k) {
             const base::Vec3d n = random.unitVector(), u = perpendicular(n), v = cross(n, u);
             const base::Vec3d p = random.unitVector() * (0.45 * std::cbrt(random.uniform()));
-            const Carried c = carriedBy(row, randomDab(row, random), cross5(p, u, v, e), e);
+            Dab dab = randomDab(row, random);
+            dab.footprints = supports.follow;
+            const Carried c = carriedBy(row, dab, cross5(p, u, v, e, supports.shaped), e);
             moved += c.moved;
             law(row, c);
         }
@@ -103,6 +128,40 @@ void JacobianTest::footprintsFollowTheStretchOfArea() {
             std::abs(ratio * ratio - area) < 2e-3,
             qPrintable(QString("%1: %2 of %3, seed %4").arg(row.id).arg(ratio * ratio).arg(area).arg(test::seed())));
     });
+}
+
+/// The points of the ellipse go where the tangents take them, along the new normal.
+void JacobianTest::ellipsesFollowTheTangentsOfEveryFormula() {
+    const double before = double(test::surfelAt({}, {}, 0.02).support);
+    int compared = 0;
+    forFormulas(
+        [&](const ToolRow& row, const Carried& c) {
+            QVERIFY2(std::abs(dot(c.shape, c.centre.normal)) < 1e-3f, row.id);
+            if (surfel::aspectOf(c.shape) > 0.999f * surfel::mostAspect)
+                return; // capped
+            ++compared;
+            for (int k = 0; k < 8; ++k) {
+                const double t = 0.8 * k;
+                const base::Vec3d p = c.u * (before * std::cos(t)) + c.v * (before / longer * std::sin(t));
+                const double r = std::sqrt(double(surfel::shapedSq(base::cast<float>(p), c.shape)));
+                QVERIFY2(
+                    std::abs(r / double(c.centre.support) - 1) < 4e-3,
+                    qPrintable(
+                        QString("%1: %2, seed %3").arg(row.id).arg(r / double(c.centre.support)).arg(test::seed())));
+            }
+        },
+        {true, true});
+    QVERIFY(compared > 2000);
+}
+
+void JacobianTest::ellipsesKeepTheirAreaWhereFootprintsDoNotFollow() {
+    const double before = double(test::surfelAt({}, {}, 0.02).support);
+    forFormulas(
+        [&](const ToolRow& row, const Carried& c) {
+            const double radius = double(c.centre.support), area = radius * radius / double(surfel::aspectOf(c.shape));
+            QVERIFY2(std::abs(area * longer / (before * before) - 1) < 1e-4, row.id);
+        },
+        {true, false});
 }
 
 void JacobianTest::swollenAndLayeredSpheresHaveTheNormalsOfTheirShape() {

@@ -2,6 +2,7 @@
 
 #include "core/process/estimation/cloud_spacing.h"
 #include "core/process/estimation/spacing.h"
+#include "core/surfel/shape.h"
 
 #include <algorithm>
 
@@ -47,12 +48,13 @@ std::vector<SpacingSample> sampleSpacing(const tree::SurfelTree& tree) {
     std::vector<SpacingSample> out;
     if (tree.size() <= ring)
         return out;
+    const int shape = surfel::shapeChannel(*tree.layout());
     const std::uint32_t step = std::max(1u, tree.blockCount() / sampledBlocks);
     for (std::uint32_t number = 0; number < tree.blockCount(); number += step) {
         const surfel::BlockPtr block = tree.block(number);
         const int slot = block->size() / 2;
         if (const float spacing = spacingAround(tree, block->position(slot)); spacing > 0)
-            out.push_back({spacing, block->support(slot)});
+            out.push_back({spacing, surfel::ballOf(*block, slot, shape)});
     }
     return out;
 }

@@ -13,7 +13,7 @@ float spacingFromRing(std::span<const float> distancesSq);
 /// The spacing at a position of a surfel; 0 where it is alone. Cost: one search.
 float spacingAround(const tree::SurfelTree& tree, const base::Vec3f& x);
 
-/// One surfel that was looked at.
+/// One surfel that was looked at; of an ellipsoid the support is that of the ball of the same area.
 struct SpacingSample {
     float spacing = 0, support = 0;
 };

@@ -17,6 +17,7 @@ struct ClusterSplats {
     HWY_ALIGN float x[clusterSize], y[clusterSize], z[clusterSize], gradX[clusterSize], gradY[clusterSize];
     HWY_ALIGN float radius[clusterSize], back[clusterSize], rise[clusterSize];
     HWY_ALIGN float normalX[clusterSize], normalY[clusterSize], normalZ[clusterSize];
+    HWY_ALIGN float shapeX[clusterSize], shapeY[clusterSize], shapeZ[clusterSize], mean[clusterSize];
     /// First and last pixel of the tile, as whole numbers; empty where hidden.
     HWY_ALIGN float left[clusterSize], right[clusterSize], top[clusterSize], bottom[clusterSize];
 };
@@ -35,6 +36,7 @@ HWY_INLINE void pixels(D d, V centre, V half, float first, float focalPx, int co
     hn::Store(hn::Floor(hn::Min(b, hn::Set(d, static_cast<float>(count - 1)))), d, high);
 }
 
+template <bool shaped>
 HWY_INLINE void transform(const surfel::SurfelBlock& block, int cluster, const ViewFrame& view, const SplatStyle& style,
                           const TileArea& area, ClusterSplats& out) {
     const HWY_CAPPED(float, clusterSize) d;
@@ -73,17 +75,38 @@ HWY_INLINE void transform(const surfel::SurfelBlock& block, int cluster, const V
         const auto steep = hn::CopySign(hn::Max(hn::Abs(np), least), np);
         const auto radius = hn::Mul(load(surfel::Support, lane), hn::Set(d, style.radiusOfSupport));
         const auto inverseZ = parallel ? one : hn::Div(one, pz), x = hn::Mul(px, inverseZ), y = hn::Mul(py, inverseZ);
+        // Of an ellipse b in its plane, as a unit vector times what the short way lacks of the long one, and the radius
+        // of a disc of the same area.
+        auto sx = zero, sy = zero, sz = zero;
+        if constexpr (shaped) {
+            const auto ox = load(style.shape, lane), oy = load(style.shape + 1, lane), oz = load(style.shape + 2, lane);
+            const auto bx = along(d, view.right, ox, oy, oz), by = along(d, view.down, ox, oy, oz),
+                       bz = along(d, view.forward, ox, oy, oz);
+            const auto off = hn::MulAdd(nx, bx, hn::MulAdd(ny, by, hn::Mul(nz, bz)));
+            sx = hn::NegMulAdd(off, nx, bx), sy = hn::NegMulAdd(off, ny, by), sz = hn::NegMulAdd(off, nz, bz);
+            hn::Store(sx, d, out.shapeX + lane);
+            hn::Store(sy, d, out.shapeY + lane);
+            hn::Store(sz, d, out.shapeZ + lane);
+            const auto aspect = hn::Sqrt(hn::MulAdd(sx, sx, hn::MulAdd(sy, sy, hn::MulAdd(sz, sz, one))));
+            hn::Store(hn::Div(radius, hn::Sqrt(aspect)), d, out.mean + lane);
+            const auto lacks = hn::Div(one, aspect);
+            sx = hn::Mul(sx, lacks), sy = hn::Mul(sy, lacks), sz = hn::Mul(sz, lacks);
+        }
         // Half sizes of the disc along the axes; then as in screenBounds.
-        const auto extent = [&](auto n)
-                                HWY_ATTR { return hn::Mul(radius, hn::Sqrt(hn::Max(zero, hn::NegMulAdd(n, n, one)))); };
-        const auto ez = extent(nz), nearest = hn::Sub(pz, ez);
+        const auto extent = [&](auto n, auto s) HWY_ATTR {
+            auto left = hn::NegMulAdd(n, n, one);
+            if constexpr (shaped)
+                left = hn::NegMulAdd(s, s, left);
+            return hn::Mul(radius, hn::Sqrt(hn::Max(zero, left)));
+        };
+        const auto ez = extent(nz, sz), nearest = hn::Sub(pz, ez);
         const auto behind = hn::Le(pz, hn::Mul(radius, hn::Set(d, 1.02f)));
         const auto filter = hn::Set(d, filterPx * view.step);
         const auto half = [&](auto e, auto slope) HWY_ATTR {
             return hn::Max(filter, parallel ? e : hn::Div(hn::MulAdd(hn::Abs(slope), ez, e), nearest));
         };
-        pixels(d, x, half(extent(nx), x), x0, view.focalPx, area.width, out.left + lane, out.right + lane);
-        pixels(d, y, half(extent(ny), y), y0, view.focalPx, area.height, out.top + lane, out.bottom + lane);
+        pixels(d, x, half(extent(nx, sx), x), x0, view.focalPx, area.width, out.left + lane, out.right + lane);
+        pixels(d, y, half(extent(ny, sy), y), y0, view.focalPx, area.height, out.top + lane, out.bottom + lane);
         hn::Store(hn::IfThenElse(behind, hn::Set(d, -1.0f), hn::Load(d, out.right + lane)), d, out.right + lane);
         hn::Store(x, d, out.x + lane);
         hn::Store(y, d, out.y + lane);
@@ -103,9 +126,13 @@ int gather(const BinEntry& entry, const ViewFrame& view, const SplatStyle& style
     int count = 0;
     ClusterSplats s;
     const surfel::Colour* shown = style.table ? style.table->of(entry.block) : nullptr;
+    const bool shaped = style.shape > 0 && entry.block->extraWords() > 0; // what stands for many is round
     for (std::uint32_t left = entry.clusters; left; left &= left - 1) {
         const int cluster = static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero32(left));
-        transform(*entry.block, cluster, view, style, area, s);
+        if (shaped)
+            transform<true>(*entry.block, cluster, view, style, area, s);
+        else
+            transform<false>(*entry.block, cluster, view, style, area, s);
         const float* mask = entry.block->channel(cluster, surfel::Mask);
         const std::uint32_t* colour = entry.block->words(cluster, surfel::ColourWord);
         const int lanes = std::min(clusterSize, entry.block->size() - cluster * clusterSize);
@@ -118,6 +145,7 @@ int gather(const BinEntry& entry, const ViewFrame& view, const SplatStyle& style
                 code == wholeDisc ? DiscCut{} : discCut(entry.block->normal(cluster * clusterSize + i), code);
             const float radius = cut.radius * s.radius[i], z = s.z[i];
             const bool behind = style.oriented && s.back[i] > 0;
+            const float mean = shaped ? cut.radius * s.mean[i] : radius;
             const float filter = filterPx * view.pixelSize(z), range = radius + filterDepth * filter;
             out[count++] = {s.x[i],
                             s.y[i],
@@ -128,8 +156,8 @@ int gather(const BinEntry& entry, const ViewFrame& view, const SplatStyle& style
                             view.nearness(std::max(z - range, 0.01f * z)),
                             behind ? view.nearness(z - backClip * s.rise[i]) : std::numeric_limits<float>::infinity(),
                             1 / (radius * radius),
-                            (radius + filter) * layerDepth,
-                            behind ? (radius + filter) * layerDepth * backBias : 0,
+                            (mean + filter) * layerDepth,
+                            behind ? (mean + filter) * layerDepth * backBias : 0,
                             s.normalX[i],
                             s.normalY[i],
                             s.normalZ[i],
@@ -139,7 +167,8 @@ int gather(const BinEntry& entry, const ViewFrame& view, const SplatStyle& style
                             static_cast<std::uint8_t>(s.right[i]),
                             static_cast<std::uint8_t>(s.top[i]),
                             static_cast<std::uint8_t>(s.bottom[i]),
-                            cut.part > 0 ? view.turn(cut.direction) * (1 / (cut.part * s.radius[i])) : base::Vec3f{}};
+                            cut.part > 0 ? view.turn(cut.direction) * (1 / (cut.part * s.radius[i])) : base::Vec3f{},
+                            shaped ? base::Vec3f{s.shapeX[i], s.shapeY[i], s.shapeZ[i]} : base::Vec3f{}};
         }
     }
     return count;
@@ -164,7 +193,7 @@ HWY_INLINE V uncut(D d, const Splat& s, const ViewFrame& view, V dx, float dy, V
 }
 
 /// `dx`: way from the splat's centre in the image; `row`: w at dx = 0; `dy2`: squared distance down, in filter units.
-template <bool parallel, bool isCut, class D, class V>
+template <bool parallel, bool isCut, bool shaped, class D, class V>
 HWY_INLINE Fragments<D> meet(D d, const Splat& s, const ViewFrame& view, V dx, float dy, float row, float dy2,
                              float filter) {
     const V exact = hn::MulAdd(hn::Set(d, s.gradX), dx, hn::Set(d, row));
@@ -173,13 +202,18 @@ HWY_INLINE Fragments<D> meet(D d, const Splat& s, const ViewFrame& view, V dx, f
     const V dz = hn::Sub(z, hn::Set(d, s.z));
     const V ax = parallel ? dx : hn::MulAdd(dz, hn::Set(d, s.x), hn::Mul(z, dx));
     const V ay = parallel ? hn::Set(d, dy) : hn::MulAdd(dz, hn::Set(d, s.y), hn::Mul(z, hn::Set(d, dy)));
-    V onDisc = hn::Mul(hn::MulAdd(ax, ax, hn::MulAdd(ay, ay, hn::Mul(dz, dz))), hn::Set(d, s.inverseRadiusSq));
-    onDisc = hn::IfThenElse(hn::Gt(exact, hn::Set(d, s.cut)), hn::Set(d, 2.0f), onDisc);
-    if constexpr (isCut) {
-        const V along = hn::MulAdd(ax, hn::Set(d, s.edge.x),
-                                   hn::MulAdd(ay, hn::Set(d, s.edge.y), hn::Mul(dz, hn::Set(d, s.edge.z))));
-        onDisc = hn::IfThenElse(hn::Gt(along, hn::Set(d, 1.0f)), hn::Set(d, 2.0f), onDisc);
+    const auto along = [&](const base::Vec3f& to) HWY_ATTR {
+        return hn::MulAdd(ax, hn::Set(d, to.x), hn::MulAdd(ay, hn::Set(d, to.y), hn::Mul(dz, hn::Set(d, to.z))));
+    };
+    V distanceSq = hn::MulAdd(ax, ax, hn::MulAdd(ay, ay, hn::Mul(dz, dz)));
+    if constexpr (shaped) {
+        const V off = along(s.shape);
+        distanceSq = hn::MulAdd(off, off, distanceSq);
     }
+    V onDisc = hn::Mul(distanceSq, hn::Set(d, s.inverseRadiusSq));
+    onDisc = hn::IfThenElse(hn::Gt(exact, hn::Set(d, s.cut)), hn::Set(d, 2.0f), onDisc);
+    if constexpr (isCut)
+        onDisc = hn::IfThenElse(hn::Gt(along(s.edge), hn::Set(d, 1.0f)), hn::Set(d, 2.0f), onDisc);
     const V onScreen = hn::MulAdd(hn::Mul(dx, hn::Set(d, filter)), dx, hn::Set(d, dy2));
     return {z, uncut(d, s, view, dx, dy, inverse, hn::Min(onDisc, onScreen))};
 }
@@ -195,7 +229,7 @@ HWY_INLINE V weightOf(D d, V t) {
 }
 
 /// Calls fn(place, fragments) for the vectors of pixels that may lie in the splat.
-template <bool parallel, bool isCut, class D, class Fn>
+template <bool parallel, bool isCut, bool shaped, class D, class Fn>
 HWY_INLINE void forFragmentsOf(D d, const Splat& s, const ViewFrame& view, const TileArea& area, const Fn& fn) {
     constexpr float filterSq = filterPx * filterPx;
     const float filter = view.focalPx * view.focalPx / filterSq;
@@ -207,16 +241,20 @@ HWY_INLINE void forFragmentsOf(D d, const Splat& s, const ViewFrame& view, const
         const float row = (parallel ? -s.z : 1 / s.z) + s.gradY * dy, dy2 = dy * dy * filter;
         auto dx = first;
         for (int x = s.left; x <= s.right; x += static_cast<int>(hn::Lanes(d)), dx = hn::Add(dx, jump))
-            fn(y * tileStride + x, meet<parallel, isCut>(d, s, view, dx, dy, row, dy2, filter));
+            fn(y * tileStride + x, meet<parallel, isCut, shaped>(d, s, view, dx, dy, row, dy2, filter));
     }
 }
 
 template <bool parallel, class D, class Fn>
 HWY_INLINE void forFragments(D d, const Splat& s, const ViewFrame& view, const TileArea& area, const Fn& fn) {
-    if (s.edge == base::Vec3f{})
-        forFragmentsOf<parallel, false>(d, s, view, area, fn);
+    const bool isCut = !(s.edge == base::Vec3f{});
+    if (!(s.shape == base::Vec3f{}))
+        isCut ? forFragmentsOf<parallel, true, true>(d, s, view, area, fn)
+              : forFragmentsOf<parallel, false, true>(d, s, view, area, fn);
+    else if (isCut)
+        forFragmentsOf<parallel, true, false>(d, s, view, area, fn);
     else
-        forFragmentsOf<parallel, true>(d, s, view, area, fn);
+        forFragmentsOf<parallel, false, false>(d, s, view, area, fn);
 }
 
 template <bool parallel>

@@ -8,8 +8,9 @@
 //
 // A splat is a disc. Along the ray of slope d = (x, y, 1), 1/z = (n.d)/(n.p) is linear in x and y, so the exact meeting
 // of ray and plane costs one division. r^2 = |z d - p|^2 / R^2, or the squared distance from the projected centre in
-// units of the filter's pixel where that is less: splats never fall between pixels. With parallel rays -z takes the
-// place of 1/z (view_frame.h). Fragments behind a clip plane count for neither pass.
+// units of the filter's pixel where that is less: splats never fall between pixels. Where supports are ellipsoids
+// (surfel/shape.h) the disc is an ellipse: (b.(z d - p))^2 / R^2 more. With parallel rays -z takes the place of 1/z
+// (view_frame.h). Fragments behind a clip plane count for neither pass.
 #pragma once
 
 #include "core/render/shading/block_colours.h"
@@ -42,6 +43,7 @@ struct SplatStyle {
     float radiusOfSupport = splatRadiusOfSupport;
     bool oriented = false;               ///< otherwise splats turn to the eye
     bool colours = false;                ///< sum colours and masks too
+    int shape = 0;                       ///< channel of the shapes of supports; 0: discs are round
     const BlockColours* table = nullptr; ///< its colours, where it has any, instead of the surfels' own
     bool operator==(const SplatStyle&) const = default;
 };
@@ -61,6 +63,7 @@ struct Splat {
     std::uint8_t left, right, top, bottom; ///< pixels of the tile, inclusive
     /// The disc ends where (x - centre) . edge = 1, in view coordinates; zero where it is whole (disc_cuts.h).
     base::Vec3f edge;
+    base::Vec3f shape; ///< b in view coordinates, in the plane of the disc; zero where that is round
 };
 
 /// Pixels of a tile; rows are longer than the tile so that a vector may run past its end.

@@ -3,6 +3,7 @@
 
 #include "core/render/renderer.h"
 #include "core/render/splats/splat_kernels.h"
+#include "core/surfel/shape.h"
 
 namespace render {
 
@@ -11,6 +12,7 @@ inline SplatStyle splatStyle(const tree::SurfelTree& model, const RenderOptions&
     SplatStyle style;
     style.radiusOfSupport = splatRadiusOfSupport * options.splatScale;
     style.oriented = layout.normals && layout.oriented;
+    style.shape = surfel::shapeChannel(layout);
     const ShadingRow& row = shadingRow(options.shading);
     style.table = row.measure ? options.colours.get() : nullptr;
     style.colours = layout.masks || (layout.colours && row.surfelColours) || style.table;

@@ -99,6 +99,14 @@ void carry(const tree::SurfelTree& tree, const LanePlace& where, const ShiftLane
     MovedLanes moved;
     turnLanes(*where.in.block, where.cluster, by, moved);
     move(*changed, where.cluster, moved, footprints);
+    const surfel::SurfelBlock& block = *where.in.block;
+    moveShapes(*changed, block, where.cluster, surfel::shapeChannel(*tree.layout()), moved, footprints, [&](int lane) {
+        base::Mat3d f = base::Mat3d::identity();
+        for (int a = 0; a < 3; ++a)
+            for (int b = 0; b < 3; ++b)
+                f[a][b] += double(by.j[a][b][lane]);
+        return f;
+    });
 }
 
 } // namespace sculpt

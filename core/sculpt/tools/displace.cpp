@@ -47,6 +47,13 @@ void carry(const tree::SurfelTree& tree, const surfel::SurfelBlock& block, int c
     if (!changed)
         changed = block.clone();
     move(*changed, cluster, moved, footprints);
+    const float* mask = block.channel(cluster, surfel::Mask);
+    moveShapes(*changed, block, cluster, surfel::shapeChannel(*tree.layout()), moved, footprints, [&](int lane) {
+        const auto i = static_cast<std::size_t>(lane);
+        const base::Vec3f g = base::Vec3f{by.gx[i], by.gy[i], by.gz[i]} * (1 - mask[i]) -
+                              base::Vec3f{slopes.gx[i], slopes.gy[i], slopes.gz[i]} * by.amount[i];
+        return base::Mat3d::identity() + outer(base::cast<double>(d), base::cast<double>(g));
+    });
 }
 
 } // namespace sculpt
