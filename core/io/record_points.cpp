@@ -4,6 +4,7 @@
 #include "core/base/parallel.h"
 #include "core/base/unit_normal.h"
 #include "core/io/origin_choice.h"
+#include "core/io/wide_colours.h"
 #include "core/process/estimation/keep_points.h"
 
 #include <algorithm>
@@ -80,8 +81,10 @@ class PointMaker {
     const Field& field(int index) const { return m_table.fields[static_cast<std::size_t>(index)]; }
     std::vector<base::Vec3d> sample() const;
     double columnMax(int index) const;
+    bool anyFine(int index) const;
     void makeLayout(const PointOptions& options);
     void chooseScales();
+    void chooseAttributes();
     void convert(const Rows& rows, std::size_t chunk);
     void positions(const Rows& rows);
     void exactPositions(const Rows& rows);
@@ -99,6 +102,7 @@ class PointMaker {
     const RecordTable& m_table;
     const RecordRoles& m_roles;
     double m_scale[4] = {1, 1, 1, 1}; ///< of the colour channels
+    std::vector<Field> m_attributes;  ///< columns that become attributes, in their order
     std::vector<std::size_t> m_bad;   ///< per chunk
 };
 
@@ -150,15 +154,42 @@ void PointMaker::chooseScales() {
     }
 }
 
+/// Whether a column of colours holds 16 bits that its bytes do not bring back.
+bool PointMaker::anyFine(int index) const {
+    if (surfel::isReal(field(index).declared))
+        return false;
+    std::vector<std::uint8_t> fine(base::chunkCount(m_table.count, grain), 0);
+    base::parallelChunks(m_table.count, grain, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+        forColumn({m_table, begin, end}, field(index), [&](std::size_t, auto value) {
+            const double v = static_cast<double>(value);
+            fine[chunk] |= v > 0 && v < 65536 && std::fmod(v, 257) != 0 ? 1 : 0;
+        });
+    });
+    return std::find(fine.begin(), fine.end(), 1) != fine.end();
+}
+
+void PointMaker::chooseAttributes() {
+    for (const int index : m_roles.attributes)
+        m_attributes.push_back(field(index));
+    const auto& colour = m_roles.colour;
+    const bool wide = m_roles.hasColours() && std::all_of(m_scale, m_scale + 3, [](double s) { return s < 1; });
+    if (!wide || std::none_of(colour.begin(), colour.begin() + 3, [&](int index) { return anyFine(index); }))
+        return;
+    for (std::size_t k = 0; k < 3; ++k) {
+        Field& added = m_attributes.emplace_back(field(colour[k]));
+        added.name = wideColours[k];
+        added.declared = ScalarType::UInt16;
+    }
+}
+
 void PointMaker::makeLayout(const PointOptions& options) {
     auto layout = std::make_shared<surfel::AttributeLayout>();
     layout->normals = m_roles.hasNormals();
     layout->oriented = layout->normals && options.oriented;
     layout->colours = m_roles.hasColours();
     layout->masks = m_roles.mask != RecordRoles::none;
-    for (const int index : m_roles.attributes) {
-        layout->add(attributeName(field(index).name, *layout), field(index).declared);
-    }
+    for (const Field& source : m_attributes)
+        layout->add(attributeName(source.name, *layout), source.declared);
     m_points.layout = layout;
 }
 
@@ -213,8 +244,8 @@ void PointMaker::colours(const Rows& rows) {
 
 void PointMaker::attributes(const Rows& rows) {
     const std::size_t words = m_points.layout->words();
-    for (std::size_t a = 0; a < m_roles.attributes.size(); ++a) {
-        const Field& source = field(m_roles.attributes[a]);
+    for (std::size_t a = 0; a < m_attributes.size(); ++a) {
+        const Field& source = m_attributes[a];
         const surfel::Attribute& attribute = m_points.layout->attributes()[a];
         std::uint32_t* const first = m_points.extra.data();
         forColumn(rows, source, [&](std::size_t i, auto value) {
@@ -310,9 +341,10 @@ void PointMaker::judgeSupports() {
 
 void PointMaker::run(const PointOptions& options, const ProgressSpan& progress) {
     m_model.origin = options.origin ? *options.origin : chooseOrigin(sample(), m_table.count);
-    makeLayout(options);
     if (m_roles.hasColours())
         chooseScales();
+    chooseAttributes();
+    makeLayout(options);
     m_bad.assign(base::chunkCount(m_table.count, grain), 0);
     m_points.items.reserve(m_table.count);
     base::preferLargePages(m_points.items.data(), m_table.count * sizeof(surfel::Surfel));

@@ -14,6 +14,7 @@ class E57Test : public QObject {
     void checksumIsCastagnolis();
     void numbersOfAnyWidthAreUnpacked();
     void everyKindOfFieldIsRead();
+    void coloursOfSixteenBitsComeBack();
     void scansStandAtTheirPoses();
     void spheresBecomePlaces();
     void invalidPointsAreLeftOut();
@@ -222,6 +223,26 @@ void E57Test::everyKindOfFieldIsRead() {
         QCOMPARE(value(model, i, "column"), double(i % 10));
         QCOMPARE(value(model, i, "time"), 1e9 + 0.125 * i);
         QCOMPARE(value(model, i, "label"), double(i % 8) - 4);
+    }
+}
+
+void E57Test::coloursOfSixteenBitsComeBack() {
+    Section section = line(3);
+    const unsigned reds[] = {0, 0x1234, 65535};
+    Bits bits;
+    for (const char* name : {"colorRed", "colorGreen", "colorBlue"})
+        section.prototype += whole(name, 0, 65535);
+    for (const unsigned red : reds)
+        bits.add(red, 16);
+    section.streams.insert(section.streams.end(), 3, bits.bytes());
+    const test::Folder folder;
+    const io::FileModel model = io::read(folder.write("a.e57", file({section})));
+    io::write(folder.path("b.las"), model);
+    const io::FileModel again = io::read(folder.path("b.las"));
+    for (std::size_t i = 0; i < 3; ++i) {
+        QCOMPARE(model.points.items[i].colour & 255, (reds[i] + 128) / 257);
+        QCOMPARE(value(model, i, "red_16"), double(reds[i]));
+        QCOMPARE(value(again, i, "blue_16"), double(reds[i]));
     }
 }
 

@@ -23,6 +23,8 @@ class PlyRoundTripTest : public QObject {
     void shapesThatAreNotOursAreNone();
     void everyEncodingOfEveryLayoutReadsTheSame();
     void writtenFileIsPlainPly();
+    void coloursOfSixteenBitsStayBesideTheirBytes_data();
+    void coloursOfSixteenBitsStayBesideTheirBytes();
     void cancelledWritingLeavesNothing();
 };
 
@@ -300,6 +302,39 @@ void PlyRoundTripTest::writtenFileIsPlainPly() {
     const std::string body("\0\0\x80\x3f\0\0\0\x40\0\0\x40\x40\0\0\0\0\0\0\0\0\0\0\x80\x3f\1\2\3\4\0\0\0\x3f\7", 33);
     const std::string expected = head + body;
     QCOMPARE(test::contentOf(folder.path("a.ply")), expected);
+}
+
+void PlyRoundTripTest::coloursOfSixteenBitsStayBesideTheirBytes_data() {
+    QTest::addColumn<QString>("type");
+    QTest::addColumn<unsigned>("red");
+    QTest::addColumn<unsigned>("byte");
+    QTest::addColumn<bool>("kept");
+    QTest::newRow("fine") << "ushort" << 0x1234u << 0x12u << true;
+    QTest::newRow("in integers of 32 bits") << "int" << 0x1234u << 0x12u << true;
+    QTest::newRow("that bytes bring back") << "ushort" << 0x1212u << 0x12u << false;
+    QTest::newRow("of reals") << "float" << 0x1234u << 0x12u << false;
+    QTest::newRow("that are bytes") << "ushort" << 77u << 77u << false;
+}
+
+void PlyRoundTripTest::coloursOfSixteenBitsStayBesideTheirBytes() {
+    QFETCH(QString, type);
+    QFETCH(unsigned, red);
+    QFETCH(unsigned, byte);
+    QFETCH(bool, kept);
+    std::string text = "ply\nformat ascii 1.0\nelement vertex 1\n";
+    for (const char* name : {"x", "y", "z"})
+        text += std::string("property float ") + name + "\n";
+    for (const char* name : {"red", "green", "blue"})
+        text += "property " + type.toStdString() + " " + name + "\n";
+    text += "end_header\n1 2 3 " + std::to_string(red) + " 0 " + std::to_string(red) + "\n";
+    const test::Folder folder;
+    io::write(folder.path("b.ply"), io::read(folder.write("a.ply", text)));
+    const FileModel back = io::read(folder.path("b.ply"));
+    QCOMPARE(back.points.items[0].colour & 0xff, byte);
+    const surfel::Attribute* wide = back.points.layout->find("blue_16");
+    QCOMPARE(wide != nullptr, kept);
+    if (wide)
+        QCOMPARE(surfel::read(*wide, back.points.extraOf(0)), double(red));
 }
 
 void PlyRoundTripTest::cancelledWritingLeavesNothing() {

@@ -1,6 +1,7 @@
 #include "core/io/e57/scan_points.h"
 
 #include "core/base/parallel.h"
+#include "core/io/wide_colours.h"
 
 #include <algorithm>
 #include <cmath>
@@ -100,14 +101,28 @@ base::Vec3d placeOf(const Scan& scan, const Places& places, const Values& values
     return scan.pose.isIdentity() ? p : scan.pose.turned(p) + scan.pose.translation;
 }
 
-/// 0..255 from the limits that the scan tells, or from the range of the field.
-double colourByte(const Scan& scan, const PackedField& field, double value) {
-    double least = scan.colourLeast, most = scan.colourMost;
-    if (!(most > least) && field.kind == Kind::Integer)
-        least = static_cast<double>(field.least), most = static_cast<double>(field.most);
-    if (!(most > least))
-        least = 0, most = 255;
-    return std::clamp((value - least) / (most - least) * 255, 0.0, 255.0);
+/// Least and most of a colour field: the limits that the scan tells, or the range of the field.
+std::pair<double, double> colourRange(const Scan& scan, const PackedField& field) {
+    if (scan.colourMost > scan.colourLeast)
+        return {scan.colourLeast, scan.colourMost};
+    if (field.kind == Kind::Integer && field.most > field.least)
+        return {static_cast<double>(field.least), static_cast<double>(field.most)};
+    return {0, 255};
+}
+
+/// 0..1 within that range.
+double colourShare(const Scan& scan, const PackedField& field, double value) {
+    const auto [least, most] = colourRange(scan, field);
+    const double share = (value - least) / (most - least);
+    return std::isnan(share) ? 0 : std::clamp(share, 0.0, 1.0);
+}
+
+bool hasWideColours(const Scan& scan, const Places& places) {
+    return Places::all(places.colour) && std::any_of(places.colour, places.colour + 3, [&](int k) {
+               const PackedField& field = scan.fields[static_cast<std::size_t>(k)];
+               const auto [least, most] = colourRange(scan, field);
+               return field.kind == Kind::Integer && most - least > 255;
+           });
 }
 
 template <class T>
@@ -226,6 +241,7 @@ ScanPoints::ScanPoints(const FileBytes& file, const PagedBytes& pages, const std
         exact &= scan.pose.isIdentity();
         m_normals &= Places::all(places.normal);
         m_colours |= Places::all(places.colour);
+        m_wide |= hasWideColours(scan, places);
         fields += scan.fields.size();
     }
     m_names.reserve(fields); // columns point into it
@@ -236,6 +252,8 @@ ScanPoints::ScanPoints(const FileBytes& file, const PagedBytes& pages, const std
     static constexpr const char* colours[] = {"red", "green", "blue"};
     for (std::size_t k = 0; k < 3 && m_colours; ++k)
         add("", colours[k], ScalarType::UInt8, false);
+    for (std::size_t k = 0; k < 3 && m_wide; ++k)
+        add("", wideColours[k], ScalarType::UInt16, false);
     if (scans.size() > 1)
         add("", "scan", ScalarType::UInt16, false);
     for (const Scan& scan : scans)
@@ -267,14 +285,15 @@ void ScanPoints::fill(const Scan& scan, std::size_t number, const std::vector<Pa
             const base::Vec3d turned = scan.pose.isIdentity() ? n : scan.pose.turned(n);
             next(turned.x), next(turned.y), next(turned.z);
         }
-        for (const int k : places.colour) {
-            if (!m_colours)
-                break;
-            const bool there =
-                k >= 0 && Places::all(places.colour) && (places.noColour < 0 || values[places.noColour] == 0);
-            const double v = there ? colourByte(scan, scan.fields[static_cast<std::size_t>(k)], values[k]) : 255.0;
-            put(record + m_columns[column++].offset, static_cast<std::uint8_t>(v == v ? v + 0.5 : 0));
-        }
+        double shares[3] = {1, 1, 1};
+        if (Places::all(places.colour) && (places.noColour < 0 || values[places.noColour] == 0))
+            for (std::size_t k = 0; k < 3; ++k)
+                shares[k] = colourShare(scan, scan.fields[static_cast<std::size_t>(places.colour[k])],
+                                        values[places.colour[k]]);
+        for (std::size_t k = 0; k < 3 && m_colours; ++k)
+            put(record + m_columns[column++].offset, static_cast<std::uint8_t>(shares[k] * 255 + 0.5));
+        for (std::size_t k = 0; k < 3 && m_wide; ++k)
+            next(shares[k] * 65535 + 0.5);
         if (m_scans.size() > 1)
             next(static_cast<double>(number));
         for (; column < m_columns.size();) {

@@ -40,6 +40,7 @@ class ScanPoints {
     std::vector<Column> m_columns;
     std::vector<std::string> m_names; ///< those that columns point to
     bool m_normals = false, m_colours = false;
+    bool m_wide = false; ///< some scan has colours of more than 8 bits
     std::size_t m_stride = 0, m_count = 0;
     GrowingBytes m_records;
 };

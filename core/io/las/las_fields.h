@@ -31,9 +31,6 @@ constexpr unsigned lasFormats = 11;
 /// REQUIRES: format < lasFormats.
 LasLayout lasLayout(unsigned format);
 
-/// The attributes that hold colours of 16 bits which 8 do not bring back.
-constexpr const char* wideColours[3] = {"red_16", "green_16", "blue_16"};
-
 /// The value of a field in a record.
 double lasValue(const LasField& field, const char* record);
 /// Puts a value there, rounded and clamped to what the field can hold.

@@ -3,6 +3,7 @@
 #include "core/base/parallel.h"
 #include "core/io/number_text.h"
 #include "core/io/origin_choice.h"
+#include "core/io/wide_colours.h"
 
 #include <algorithm>
 #include <atomic>

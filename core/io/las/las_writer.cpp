@@ -11,6 +11,7 @@
 #include "core/io/las/las_points.h"
 #include "core/io/number_text.h"
 #include "core/io/readers.h"
+#include "core/io/wide_colours.h"
 
 #include <algorithm>
 #include <cmath>
