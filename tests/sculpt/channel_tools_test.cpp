@@ -1,7 +1,9 @@
 // What the tools that mask, colour, delete, resample and copy do.
+#include "core/process/estimation/prepare.h"
 #include "core/sculpt/stroke.h"
 #include "sculpt/dabs.h"
 #include "support/registry.h"
+#include "support/sanitized.h"
 
 #include <QTest>
 
@@ -23,6 +25,7 @@ class ChannelToolsTest : public QObject {
     void relaxEvensTheSpacingAndKeepsTheSurface();
     void densityReachesItsFactorAndKeepsTheSurface();
     void densityOfOneStrokeStopsAtItsFactor();
+    void densityKeepsToTheSamplingOfEachPlace();
     void cloneCopiesAKnownBump();
     void clonedReliefComesOnce();
 };
@@ -248,6 +251,59 @@ void ChannelToolsTest::densityOfOneStrokeStopsAtItsFactor() {
     const double five = spacingAt(densified(start, 1, 0.7, 5), count, 0.25f),
                  ten = spacingAt(densified(start, 1, 0.7, 10), count, 0.25f);
     QVERIFY2(std::abs(ten / five - 1) < 0.02, qPrintable(QString("%1 %2").arg(five).arg(ten)));
+}
+
+/// Random points of the unit sphere, 20 times as far apart at one end of x as at the other.
+static surface::Surface onePerTwenty(base::Random& random, int count) {
+    surfel::SurfelList out;
+    out.layout = test::orientedLayout();
+    while (int(out.size()) < count) {
+        const base::Vec3d u = random.unitVector();
+        if (random.uniform() > std::pow(20.0, u.x - 1))
+            continue;
+        surfel::Surfel each;
+        each.position = each.normal = base::cast<float>(u);
+        out.append(each, {});
+    }
+    return process::prepare(out, {});
+}
+
+void ChannelToolsTest::densityKeepsToTheSamplingOfEachPlace() {
+    // A brush over all densities: nothing is eaten where it is finer than in the middle, nothing drowned where coarser.
+    base::Random random(test::seed());
+    const surface::Surface start = onePerTwenty(random, test::sanitized ? 2000 : 5000);
+    for (const float strength : {1.0f, -1.0f})
+        for (const double at : {-0.6, 0.0, 0.6}) {
+            surface::Surface now = start;
+            const base::Vec3f centre = base::cast<float>(base::Vec3d{at, std::sqrt(1 - at * at), 0});
+            Dab dab = dabOf(tool("density"), centre, 1.4f, strength);
+            dab.first = &start;
+            for (int k = 0; k < 3; ++k)
+                now = applied(tool("density"), now, dab);
+            now.tree().validate();
+            for (const surfel::Surfel& each : now.tree().surfels().items)
+                QVERIFY(std::abs(length(each.position) - 1) <
+                        0.1f * process::spacingOf(now.definition(), each.support));
+            int before[4] = {}, after[4] = {}; // by quarters of x under the brush
+            const auto count = [&](const surface::Surface& of, int(&into)[4]) {
+                for (const surfel::Surfel& each : of.tree().surfels().items)
+                    if (distance(each.position, centre) < 1)
+                        ++into[std::clamp(int(2 + 2 * each.position.x), 0, 3)];
+            };
+            count(start, before), count(now, after);
+            for (int k = 0; k < 4; ++k) {
+                const double ratio = double(after[k]) / std::max(1, before[k]);
+                const QByteArray what = QString("strength %1, middle %2, quarter %3: %4 -> %5")
+                                            .arg(double(strength))
+                                            .arg(at)
+                                            .arg(k)
+                                            .arg(before[k])
+                                            .arg(after[k])
+                                            .toUtf8();
+                if (before[k] >= 30)
+                    QVERIFY2(strength > 0 ? ratio > 0.7 && ratio < 4 : ratio > 0.2 && ratio < 1.4, what.constData());
+            }
+        }
 }
 
 /// A plane with a round bump at (-0.5, 0): 0.05 high, 0.2 in radius.

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 namespace sculpt {
 
@@ -16,6 +18,11 @@ constexpr float largestChange = 1.5f;
 constexpr float grading = 0.5f;
 /// What stays inside the rim, in spacings.
 constexpr float margin = 1.5f;
+/// Where the stroke found a sampling that differs by more than this from the centre's, a dab does less and less, up to
+/// where it does nothing: searches reach as far as the coarsest asks, and there the stroke has not come yet.
+constexpr float alike = 1.6f, unlike = 2.5f;
+/// Supports under a brush that differ by less are one.
+constexpr float even = 1.2f;
 
 constexpr ToolParameter parameters[] = {
     {"factor", "Factor", "", "Spacing that the stroke leaves, as a fraction of what it found.", 0.6, 0.25, 1.0},
@@ -36,12 +43,62 @@ struct Aim {
     }
 };
 
+/// The aims of a dab, place by place: where the stroke found an even sampling, one for all.
+class Aims {
+  public:
+    explicit Aims(const Aim& same) : m_middle(same) {}
+    /// `middle`: of the centre. `found`: supports where the stroke began. `factor`: what is left of them. `change`: by
+    /// as much at once.
+    Aims(const Aim& middle, process::SpacingField found, float factor, float change)
+        : m_middle(middle), m_found(std::move(found)), m_factor(factor), m_change(change) {}
+
+    bool same() const { return !m_found; }
+    /// Of a surfel that has the support `present`.
+    Aim at(const base::Vec3f& p, float present) const {
+        if (same())
+            return m_middle;
+        const float from = m_found->at(p), goal = from * std::pow(m_factor, share(from));
+        const float most = from + grading * 0.5f * m_middle.radius; // what half the radius has room for
+        return {m_middle.centre, m_middle.radius, from,
+                std::clamp(std::min(goal, most), present / m_change, present * m_change)};
+    }
+    bool concerns(const base::Vec3f& p) const { return same() || share(m_found->at(p)) > 0; }
+    /// What the dab leaves of a surfel's support.
+    float support(const base::Vec3f& p, float present) const {
+        return concerns(p) ? at(p, present).support(p, present) : present;
+    }
+
+  private:
+    /// How much a dab does where the stroke found this support: 1 where it is like the centre's.
+    float share(float from) const {
+        const float apart = std::abs(std::log(from / m_middle.from));
+        return std::clamp((std::log(unlike) - apart) / std::log(unlike / alike), 0.0f, 1.0f);
+    }
+
+    Aim m_middle;
+    std::optional<process::SpacingField> m_found;
+    float m_factor = 1, m_change = 1;
+};
+
+/// Do the supports under the brush differ?
+bool uneven(const tree::SurfelTree& tree, const Brush& brush) {
+    float least = std::numeric_limits<float>::infinity(), most = 0;
+    tree.forBlocksInBall(brush.centre, brush.radius, [&](std::uint32_t, const surfel::SurfelBlock& block) {
+        for (int slot = 0; slot < block.size(); ++slot)
+            if (distanceSq(block.position(slot), brush.centre) < brush.radius * brush.radius)
+                least = std::min(least, block.support(slot)), most = std::max(most, block.support(slot));
+    });
+    return most > even * least;
+}
+
 /// Gives all that is under the brush and stays its graded support, on top of what `edit` does.
-tree::Edit graded(const tree::SurfelTree& tree, const Brush& brush, const Aim& aim, tree::Edit edit) {
+tree::Edit graded(const tree::SurfelTree& tree, const Brush& brush, const Aims& aims, tree::Edit edit) {
     tree::Edit out;
     out.inserted = std::move(edit.inserted);
-    for (surfel::Surfel& s : out.inserted.items)
+    for (surfel::Surfel& s : out.inserted.items) {
+        const Aim aim = aims.at(s.position, s.support);
         s.support = aim.support(s.position, aim.from);
+    }
     std::vector<BrushBlock> blocks = blocksUnder(tree, brush.centre, brush.radius);
     const int shape = surfel::shapeChannel(*tree.layout());
     out.blocks.resize(blocks.size());
@@ -60,7 +117,7 @@ tree::Edit graded(const tree::SurfelTree& tree, const Brush& brush, const Aim& a
                 brush.weigh(blocks[b], slot / surfel::clusterSize, weight);
             const float present = blocks[b].block->support(slot);
             const float support =
-                weight[slot % surfel::clusterSize] > 0 ? aim.support(now.position(slot), present) : present;
+                weight[slot % surfel::clusterSize] > 0 ? aims.support(now.position(slot), present) : present;
             if (support == now.support(slot))
                 continue;
             if (!changed)
@@ -74,18 +131,46 @@ tree::Edit graded(const tree::SurfelTree& tree, const Brush& brush, const Aim& a
     return out;
 }
 
+/// Where the sampling differs: those that the dab concerns, well inside of the rim for what they are to become.
+/// `coarsest`: of them.
+tree::Selection concerned(const tree::SurfelTree& tree, const Brush& brush, const Aims& aims, float perSpacing,
+                          float& coarsest) {
+    tree::Selection out = inside(tree, brush, brush.radius);
+    std::vector<float> most(out.size());
+    base::parallelFor(out.size(), 8, [&](std::size_t i) {
+        const surfel::BlockPtr block = tree.block(out[i].block);
+        for (int slot = 0; slot < block->size(); ++slot) {
+            const auto bit = static_cast<std::size_t>(slot);
+            if (!out[i].slots[bit])
+                continue;
+            const base::Vec3f p = block->position(slot);
+            const float present = block->support(slot), after = aims.support(p, present);
+            const float within = brush.radius - margin * std::max(present, after) / perSpacing;
+            const bool in = distance(p, brush.centre) < within && aims.concerns(p);
+            out[i].slots.set(bit, in);
+            most[i] = in ? std::max(most[i], after) : most[i];
+        }
+    });
+    std::erase_if(out, [](const tree::SelectedBlock& each) { return each.slots.none(); });
+    for (const float each : most)
+        coarsest = std::max(coarsest, each / perSpacing);
+    return out;
+}
+
 } // namespace
 
 static tree::Edit density(const surface::Surface& version, const Dab& dab) {
     const Brush brush(dab);
     const surface::SurfaceDefinition& definition = version.definition();
-    const float first = process::localSpacing(dab.first ? *dab.first : version, dab.centre);
+    const surface::Surface& began = dab.first ? *dab.first : version;
+    const float first = process::localSpacing(began, dab.centre);
     const float present = process::localSpacing(version, dab.centre);
     if (dab.strength == 0 || !(first > 0) || !(present > 0))
         return {};
-    const float factor = dab.parameter("factor"), perSpacing = process::supportOf(definition, 1.0f);
+    const float parameter = dab.parameter("factor"), factor = dab.strength < 0 ? 1 / parameter : parameter;
+    const float perSpacing = process::supportOf(definition, 1.0f);
     const bool oneSupport = definition.support > 0;
-    float goal = dab.strength < 0 ? first / factor : first * factor;
+    float goal = dab.strength < 0 ? first / parameter : first * parameter;
     if (!oneSupport)
         goal = std::min(goal, first + grading * 0.5f * dab.radius / perSpacing);
     const float change = std::pow(largestChange, std::abs(dab.strength));
@@ -94,11 +179,20 @@ static tree::Edit density(const surface::Surface& version, const Dab& dab) {
     options.support = process::supportOf(definition, options.spacing);
     options.relaxAll = true;
     const Aim aim{dab.centre, dab.radius, process::supportOf(definition, first), options.support};
+    if (!oneSupport && uneven(began.tree(), brush)) {
+        const Aims aims(aim, process::SpacingField(began.tree(), 1.0f), factor, change);
+        options.spacing = options.support = 0; // supports follow in `graded`
+        const tree::Selection which = concerned(version.tree(), brush, aims, perSpacing, options.spacing);
+        options.targetOf = [&](const surfel::SurfelBlock& block, int slot) {
+            return aims.support(block.position(slot), block.support(slot)) / perSpacing;
+        };
+        return graded(version.tree(), brush, aims, process::resample(version, which, options));
+    }
     // Coarse sampling begins only where the supports are wide enough for it.
     const float ramp = oneSupport ? 0.0f : std::max(0.0f, aim.to - aim.from) / grading;
     const float within = dab.radius - std::max(ramp, margin * std::max(present, options.spacing));
     tree::Edit edit = process::resample(version, inside(version.tree(), brush, within), options);
-    return oneSupport ? edit : graded(version.tree(), brush, aim, std::move(edit));
+    return oneSupport ? edit : graded(version.tree(), brush, Aims(aim), std::move(edit));
 }
 
 const ToolRow densityTool{"density",
