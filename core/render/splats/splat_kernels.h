@@ -42,6 +42,7 @@ struct SplatStyle {
     float radiusOfSupport = splatRadiusOfSupport;
     bool oriented = false;               ///< otherwise splats turn to the eye
     bool colours = false;                ///< sum colours and masks too
+    bool coloured = false;               ///< and shade with the colours: else only the masks are seen
     const BlockColours* table = nullptr; ///< its colours, where it has any, instead of the surfels' own
     bool operator==(const SplatStyle&) const = default;
 };
