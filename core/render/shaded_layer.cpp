@@ -10,23 +10,26 @@ using base::Vec3f;
 
 constexpr std::size_t rowsPerChunk = 8;
 
-ShadedLayer::Pixel shadeSample(const ShadingStyle& style, const ViewFrame& view, int column, int row, bool oriented,
+SampleShade sampleShade(Shading shading, const surfel::AttributeLayout& layout, bool measured) {
+    const ShadingStyle& style = shadingStyle(shading);
+    return {style, layout.normals && layout.oriented, style.usesColour || measured};
+}
+
+ShadedLayer::Pixel shadeSample(const SampleShade& shade, const ViewFrame& view, int column, int row,
                                const raycast::Sample& sample) {
     ShadedLayer::Pixel pixel;
     pixel.kind = PixelKind::Surface;
-    const Vec3f turned = view.turn(oriented ? sample.hit.outward : sample.hit.normal);
+    const Vec3f turned = view.turn(shade.oriented ? sample.hit.outward : sample.hit.normal);
     pixel.normal = {turned.x, -turned.y, -turned.z};
     const Vec3f seen = inRayFrame(pixel.normal, view.raySlopeX(column), -view.raySlopeY(row));
-    pixel.colour = shadePixel(style, seen, sample.colour, sample.mask);
+    pixel.colour = shadePixel(shade.style, seen, shade.coloured ? sample.colour : surfel::white, sample.mask);
     pixel.depth = sample.hit.t;
     return pixel;
 }
 
 ShadedLayer shadeSamples(std::span<const raycast::Sample> samples, const std::function<PixelKind(std::size_t)>& kind,
-                         const surfel::AttributeLayout& layout, const Camera& camera, Shading shading) {
+                         const SampleShade& shade, const Camera& camera) {
     const ViewFrame view(camera);
-    const ShadingStyle& style = shadingStyle(shading);
-    const bool oriented = layout.normals && layout.oriented;
     ShadedLayer out(camera.width, camera.height);
     base::parallelFor(static_cast<std::size_t>(camera.height), rowsPerChunk, [&](std::size_t y) {
         const int row = static_cast<int>(y);
@@ -34,7 +37,7 @@ ShadedLayer shadeSamples(std::span<const raycast::Sample> samples, const std::fu
             const std::size_t i = y * static_cast<std::size_t>(camera.width) + static_cast<std::size_t>(x);
             out.pixels[i].kind = kind(i);
             if (out.pixels[i].kind == PixelKind::Surface)
-                out.pixels[i] = shadeSample(style, view, x, row, oriented, samples[i]);
+                out.pixels[i] = shadeSample(shade, view, x, row, samples[i]);
         }
     });
     return out;

@@ -47,12 +47,20 @@ inline surfel::Colour over(surfel::Colour above, surfel::Colour below) {
     return surfel::rgba(channel(0), channel(8), channel(16), (alpha + 127) / 255);
 }
 
+/// How samples of a model are shaded.
+struct SampleShade {
+    const ShadingStyle& style;
+    bool oriented, coloured; ///< not coloured: whatever their colours are
+};
+/// `measured`: their colours are those of colourHits, which any shading shows.
+SampleShade sampleShade(Shading shading, const surfel::AttributeLayout& layout, bool measured);
+
 /// One sample as splats are shaded, seen at a pixel of the view.
-ShadedLayer::Pixel shadeSample(const ShadingStyle& style, const ViewFrame& view, int column, int row, bool oriented,
+ShadedLayer::Pixel shadeSample(const SampleShade& shade, const ViewFrame& view, int column, int row,
                                const raycast::Sample& sample);
 /// Shades samples as splats are shaded; a sample is a pixel of `kind(i)`. In parallel.
 ShadedLayer shadeSamples(std::span<const raycast::Sample> samples, const std::function<PixelKind(std::size_t)>& kind,
-                         const surfel::AttributeLayout& layout, const Camera& camera, Shading shading);
+                         const SampleShade& shade, const Camera& camera);
 
 /// The layer on the background, with effects and grid; unknown pixels are background.
 void showLayer(const ShadedLayer& layer, const Camera& camera, const RenderOptions& options, Image& out);

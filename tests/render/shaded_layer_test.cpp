@@ -37,7 +37,8 @@ struct Scene {
         const auto kind = [&](std::size_t i) {
             return !known(i) ? PixelKind::Unknown : samples[i].hit.hit ? PixelKind::Surface : PixelKind::Background;
         };
-        return std::make_shared<ShadedLayer>(shadeSamples(samples, kind, *model.layout(), camera, options.shading));
+        return std::make_shared<ShadedLayer>(
+            shadeSamples(samples, kind, sampleShade(options.shading, *model.layout(), false), camera));
     }
     Image cast() const {
         Image out;

@@ -5,9 +5,10 @@
 #include "support/registry.h"
 #include "ui/interaction/select_ways.h"
 #include "ui/panels/select_bar.h"
+#include "ui/panels/tool_bar.h"
 #include "ui/window_fixture.h"
+#include "ui/work/measurer.h"
 
-#include <QCheckBox>
 #include <QKeyEvent>
 #include <QToolButton>
 
@@ -24,7 +25,10 @@ class SelectToolsTest : public QObject {
     void aPolygonIsClosedByEnterAndTakenBackByBackspace();
     void escGoesBackToSculpting();
     void otherButtonsMoveTheView();
-    void selectedIsShownWhileTheBarIs();
+    void selectedIsOrangeInEveryShading_data();
+    void selectedIsOrangeInEveryShading();
+    void aToolTakesThePointerBack();
+    void menusHoldWhatTheBarHolds();
     void buttonsChangeWhatIsSelected();
     void framingTakesWhatIsSelected();
 };
@@ -91,7 +95,7 @@ void SelectToolsTest::visibleOnlyLeavesTheBack() {
     t.click("rectangle");
     t.f.drag(t.at(0.05, 0.05), t.at(0.95, 0.95));
     QCOMPARE(t.selected(), t.model().size());
-    t.bar.findChild<QCheckBox*>("select-visible")->setChecked(true);
+    t.click("visible");
     t.f.drag(t.at(0.05, 0.05), t.at(0.95, 0.95));
     QVERIFY(t.selected() > t.model().size() / 4 && t.selected() < t.model().size() * 6 / 10);
 }
@@ -179,15 +183,64 @@ void SelectToolsTest::otherButtonsMoveTheView() {
     QCOMPARE(t.selected(), std::size_t(0));
 }
 
-void SelectToolsTest::selectedIsShownWhileTheBarIs() {
+void SelectToolsTest::selectedIsOrangeInEveryShading_data() {
+    QTest::addColumn<int>("shading");
+    QTest::addColumn<bool>("rays");
+    for (const render::ShadingRow& row : render::shadingTable())
+        QTest::addRow("%s", row.id) << int(row.shading) << false;
+    QTest::addRow("matcap by rays") << int(render::Shading::Matcap) << true;
+    QTest::addRow("colour by rays") << int(render::Shading::Colour) << true;
+}
+
+/// Selecting moves the middle of the picture towards orange, deselecting brings the same pixels back.
+void SelectToolsTest::selectedIsOrangeInEveryShading() {
+    QFETCH(int, shading);
+    QFETCH(bool, rays);
     Bar t;
-    QVERIFY(t.f.window->settings().shading == render::Shading::Selection);
+    t.f.window->showShading(static_cast<render::Shading>(shading));
+    t.f.action("view", "True Surface")->setChecked(rays);
+    const auto look = [&] {
+        t.f.settle();
+        if (!QTest::qWaitFor([&] { return !t.f.window->measurer().busy(); }, 30000))
+            qWarning("measuring goes on");
+        QTest::qWait(rays ? 900 : 350); // until it rests
+        const QImage seen = t.f.view().grab().toImage();
+        double red = 0, blue = 0;
+        for (int y = -9; y <= 9; ++y)
+            for (int x = -9; x <= 9; ++x) {
+                const QColor each = seen.pixelColor(seen.width() / 2 + x, seen.height() / 3 + y);
+                red += each.redF(), blue += each.blueF();
+            }
+        return (red - blue) / 361;
+    };
+    const double before = look();
+    t.click("all");
+    const double selected = look();
+    QVERIFY2(selected > before + 0.15 && selected > 0.2, qPrintable(QString("%1 to %2").arg(before).arg(selected)));
+    t.click("none");
+    const double after = look();
+    QVERIFY2(std::abs(after - before) < 0.01, qPrintable(QString("%1 to %2").arg(before).arg(after)));
+}
+
+void SelectToolsTest::aToolTakesThePointerBack() {
+    Bar t;
+    t.click("lasso");
+    QVERIFY(t.f.window->sculptView().picker().on());
+    Q_EMIT t.f.window->findChild<ui::ToolBar*>()->chosen();
+    QVERIFY(!t.f.window->sculptView().picker().on());
+    QCOMPARE(t.bar.way(), -1);
+}
+
+void SelectToolsTest::menusHoldWhatTheBarHolds() {
+    Bar t;
     t.bar.toggleViewAction()->trigger();
-    QVERIFY(t.f.window->settings().shading == render::Shading::Matcap);
-    t.bar.toggleViewAction()->trigger();
-    t.f.window->showShading(render::Shading::Jade); // what a person chooses meanwhile stays
-    t.bar.toggleViewAction()->trigger();
-    QVERIFY(t.f.window->settings().shading == render::Shading::Jade);
+    QVERIFY(t.bar.isHidden());
+    QAction* lasso = t.f.action("select", "Lasso");
+    QVERIFY(lasso);
+    lasso->trigger();
+    QVERIFY(!t.bar.isHidden() && t.bar.way() == 1 && t.f.window->sculptView().picker().on());
+    t.f.action("select", "All")->trigger();
+    QCOMPARE(t.selected(), t.model().size());
 }
 
 void SelectToolsTest::buttonsChangeWhatIsSelected() {

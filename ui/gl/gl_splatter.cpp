@@ -184,7 +184,7 @@ void GlSplatter::shade(const Frame& frame, const Camera& camera, GLuint framebuf
     }
     setVector(m_gl, m_shade.at("maskTint"), frame.shading.maskTint);
     setVector(m_gl, m_shade.at("backTint"), frame.shading.backTint);
-    m_gl.uniform1i(m_shade.at("useColour"), frame.shading.usesColour ? 1 : 0);
+    m_gl.uniform1i(m_shade.at("useColour"), frame.style.coloured ? 1 : 0);
     m_gl.uniform1i(m_shade.at("useAttributes"), frame.style.colours ? 1 : 0);
     m_gl.uniform1i(m_shade.at("useDepth"), depth || finish ? 1 : 0);
     m_gl.bindVertexArray(m_vertexArray);

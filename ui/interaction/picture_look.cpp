@@ -1,5 +1,7 @@
 #include "ui/interaction/picture_look.h"
 
+#include "core/render/shading/selected_colours.h"
+
 #include <algorithm>
 #include <QWidget>
 
@@ -39,6 +41,12 @@ std::optional<TrueSurface> PictureLook::truth() const {
     if (row && m_scale)
         out.measured = std::make_shared<render::Measured>(
             render::Measured{row->question(now.surface, now.reference, m_settings.attribute), *m_scale});
+    else if (!row && m_colours) // something is selected
+        out.measured = std::make_shared<render::Measured>(
+            render::Measured{render::selectionQuestion(now.surface),
+                             {},
+                             render::shadingRow(m_settings.shading).surfelColours ? render::Measured::Over::Own
+                                                                                  : render::Measured::Over::White});
     return out;
 }
 

@@ -1,16 +1,15 @@
 #include "ui/panels/measure_bar.h"
 
+#include "ui/panels/action_rows.h"
 #include "ui/work/ruler_table.h"
 
-#include <QButtonGroup>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QToolButton>
 
 namespace ui {
 
-MeasureBar::MeasureBar(QWidget* parent) : QToolBar(tr("Measure"), parent), m_rows(new QButtonGroup(this)) {
+MeasureBar::MeasureBar(QWidget* parent) : QToolBar(tr("Measure"), parent) {
     setObjectName("measure");
     setMovable(false);
     auto* panel = new QWidget;
@@ -18,33 +17,25 @@ MeasureBar::MeasureBar(QWidget* parent) : QToolBar(tr("Measure"), parent), m_row
     grid->setContentsMargins(4, 2, 4, 2);
     grid->setSpacing(6);
     addWidget(panel);
-    auto* buttons = new QHBoxLayout;
-    grid->addLayout(buttons, 0, 0);
-    const auto add = [buttons](const QString& label, const QString& tip, const QString& name) {
-        auto* out = new QToolButton;
-        out->setText(label);
-        out->setToolTip(tip);
-        out->setObjectName("measure-" + name);
-        out->setFocusPolicy(Qt::NoFocus);
-        buttons->addWidget(out);
-        return out;
-    };
-    m_rows->setExclusive(false);
     for (const RulerRow& row : rulerTable()) {
-        QToolButton* each = add(tr(row.label), tr(row.tip), row.id);
+        QAction* each = barAction(*this, tr(row.label), tr(row.tip), row.id);
         each->setCheckable(true);
-        m_rows->addButton(each, static_cast<int>(m_rows->buttons().size()));
+        m_rows << each;
+        connect(each, &QAction::triggered, this, [this, id = static_cast<int>(m_rows.size()) - 1](bool on) {
+            setRow(on ? id : -1);
+            Q_EMIT rowChosen(on ? id : -1);
+        });
     }
-    connect(m_rows, &QButtonGroup::idClicked, this, [this](int id) {
-        const int chosen = m_rows->button(id)->isChecked() ? id : -1;
-        setRow(chosen);
-        Q_EMIT rowChosen(chosen);
-    });
-    QToolButton* copy = add(tr("Copy"), tr("All results to the clipboard, a line each"), "copy");
-    QToolButton* clear = add(tr("Clear"), tr("Takes the results off the picture"), "clear");
-    connect(copy, &QToolButton::clicked, this, &MeasureBar::copyWanted);
-    connect(clear, &QToolButton::clicked, this, &MeasureBar::clearWanted);
+    m_results << barAction(*this, tr("Copy"), tr("All results to the clipboard, a line each"), "copy")
+              << barAction(*this, tr("Clear"), tr("Takes the results off the picture"), "clear");
+    connect(m_results[0], &QAction::triggered, this, &MeasureBar::copyWanted);
+    connect(m_results[1], &QAction::triggered, this, &MeasureBar::clearWanted);
+    auto* buttons = new QHBoxLayout;
+    addButtons(*buttons, m_rows);
+    addGap(*buttons);
+    addButtons(*buttons, m_results);
     buttons->addStretch();
+    grid->addLayout(buttons, 0, 0);
     m_said = new QLabel(tr("Choose what to measure, then click on the model."));
     m_said->setObjectName("measure-said");
     m_said->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -52,15 +43,11 @@ MeasureBar::MeasureBar(QWidget* parent) : QToolBar(tr("Measure"), parent), m_row
 }
 
 int MeasureBar::row() const {
-    for (QAbstractButton* each : m_rows->buttons())
-        if (each->isChecked())
-            return m_rows->id(each);
-    return -1;
+    return checkedOf(m_rows);
 }
 
 void MeasureBar::setRow(int row) {
-    for (QAbstractButton* each : m_rows->buttons())
-        each->setChecked(m_rows->id(each) == row);
+    checkOnly(m_rows, row);
 }
 
 void MeasureBar::say(const QString& text) {

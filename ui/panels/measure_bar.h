@@ -4,7 +4,6 @@
 
 #include <QToolBar>
 
-class QButtonGroup;
 class QLabel;
 
 namespace ui {
@@ -18,9 +17,12 @@ class MeasureBar : public QToolBar {
     /// Of the row whose button is down; -1: none. Setting it does not emit.
     int row() const;
     void setRow(int row);
-    /// Beside the buttons: the last result, or what is to be clicked.
+    /// Below the buttons: the last result, or what is to be clicked.
     void say(const QString& text);
     QString said() const;
+    /// What the buttons do, for menus.
+    const QList<QAction*>& rows() const { return m_rows; }
+    const QList<QAction*>& results() const { return m_results; }
 
   Q_SIGNALS:
     void rowChosen(int row); ///< by the person; -1: none any more
@@ -28,7 +30,7 @@ class MeasureBar : public QToolBar {
     void clearWanted();
 
   private:
-    QButtonGroup* m_rows;
+    QList<QAction*> m_rows, m_results;
     QLabel* m_said;
 };
 

@@ -1,71 +1,66 @@
 #include "ui/panels/select_bar.h"
 
+#include "ui/panels/action_rows.h"
+
 #include <nlohmann/json.hpp>
-#include <QButtonGroup>
-#include <QCheckBox>
 #include <QComboBox>
-#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QToolButton>
+#include <QVBoxLayout>
 
 namespace ui {
 
-static QToolButton* button(const QString& label, const QString& tip, const QString& name) {
-    auto* out = new QToolButton;
-    out->setText(label);
-    out->setToolTip(tip);
-    out->setObjectName("select-" + name);
-    out->setFocusPolicy(Qt::NoFocus);
-    return out;
-}
-
-SelectBar::SelectBar(std::span<const SelectChoice> ways, QWidget* parent)
-    : QToolBar(tr("Select"), parent), m_ways(new QButtonGroup(this)) {
+SelectBar::SelectBar(std::span<const SelectChoice> ways, QWidget* parent) : QToolBar(tr("Select"), parent) {
     setObjectName("select");
     setMovable(false);
     auto* panel = new QWidget; // two rows: as wide as the other bars
-    auto* grid = new QGridLayout(panel);
-    grid->setContentsMargins(4, 2, 4, 2);
-    grid->setSpacing(6);
+    auto* rows = new QVBoxLayout(panel);
+    rows->setContentsMargins(4, 2, 4, 2);
+    rows->setSpacing(6);
     addWidget(panel);
-    addWays(ways, *grid);
-    addChanges(*grid);
+    QHBoxLayout* row[] = {new QHBoxLayout, new QHBoxLayout};
+    addWays(ways, *row[0]);
+    addGap(*row[0]);
+    addModes(*row[0]);
+    addChanges(*row[1]);
+    for (QHBoxLayout* each : row) {
+        each->addStretch();
+        rows->addLayout(each);
+    }
 }
 
 /// At most one is down, and a click on it lets go of it.
-void SelectBar::addWays(std::span<const SelectChoice> ways, QGridLayout& grid) {
-    auto* row = new QHBoxLayout;
-    m_ways->setExclusive(false);
+void SelectBar::addWays(std::span<const SelectChoice> ways, QHBoxLayout& row) {
     for (const SelectChoice& way : ways) {
-        QToolButton* each = button(tr(way.label), tr(way.tip), way.id);
+        QAction* each = barAction(*this, tr(way.label), tr(way.tip), way.id);
         each->setCheckable(true);
-        m_ways->addButton(each, static_cast<int>(m_ways->buttons().size()));
-        row->addWidget(each);
+        m_ways << each;
+        connect(each, &QAction::triggered, this, [this, id = static_cast<int>(m_ways.size()) - 1](bool on) {
+            setWay(on ? id : -1);
+            Q_EMIT wayChosen(on ? id : -1);
+        });
     }
-    connect(m_ways, &QButtonGroup::idClicked, this, [this](int id) {
-        const int chosen = m_ways->button(id)->isChecked() ? id : -1;
-        setWay(chosen);
-        Q_EMIT wayChosen(chosen);
-    });
+    addButtons(row, m_ways);
+}
+
+void SelectBar::addModes(QHBoxLayout& row) {
     m_mode = new QComboBox;
     m_mode->setObjectName("select-mode");
+    m_mode->setAccessibleName(tr("How it joins what is selected"));
     m_mode->setFocusPolicy(Qt::NoFocus);
     m_mode->setToolTip(tr("How it joins what is selected; Shift held adds, Ctrl subtracts, both keep what is common"));
     m_mode->addItem(tr("Replace"), "replace");
     m_mode->addItem(tr("Add"), "add");
     m_mode->addItem(tr("Subtract"), "subtract");
     m_mode->addItem(tr("Intersect"), "intersect");
-    row->addWidget(m_mode);
-    m_visible = new QCheckBox(tr("Visible Only"));
-    m_visible->setObjectName("select-visible");
-    m_visible->setFocusPolicy(Qt::NoFocus);
-    m_visible->setToolTip(tr("Outlines take only what is seen; else through everything"));
-    row->addWidget(m_visible);
-    row->addStretch();
-    grid.addLayout(row, 0, 0);
+    row.addWidget(m_mode);
+    m_visible =
+        barAction(*this, tr("Visible Only"), tr("Outlines take only what is seen; else through everything"), "visible");
+    m_visible->setCheckable(true);
+    addButtons(row, {m_visible});
 }
 
-void SelectBar::addChanges(QGridLayout& grid) {
+void SelectBar::addChanges(QHBoxLayout& row) {
     struct Change {
         const char *name, *label, *tip;
         nlohmann::json command; ///< null: it takes a length
@@ -90,31 +85,29 @@ void SelectBar::addChanges(QGridLayout& grid) {
          QT_TR_NOOP("Select what is protected from tools"),
          {{"op", "selection"}, {"do", "copy"}}},
     };
-    auto* row = new QHBoxLayout;
     for (const Change& change : changes) {
-        QToolButton* each = button(tr(change.label), tr(change.tip), change.name);
-        row->addWidget(each);
-        connect(each, &QToolButton::clicked, this, [this, name = QString(change.name), command = change.command] {
+        QAction* each = barAction(*this, tr(change.label), tr(change.tip), change.name);
+        m_changes << each;
+        connect(each, &QAction::triggered, this, [this, name = QString(change.name), command = change.command] {
             if (command.is_null())
                 Q_EMIT stepWanted(name);
             else
                 Q_EMIT wanted(command);
         });
     }
-    row->addStretch();
-    grid.addLayout(row, 1, 0);
+    addButtons(row, m_changes.mid(0, 3));
+    addGap(row);
+    addButtons(row, m_changes.mid(3, 2));
+    addGap(row);
+    addButtons(row, m_changes.mid(5));
 }
 
 int SelectBar::way() const {
-    for (QAbstractButton* each : m_ways->buttons())
-        if (each->isChecked())
-            return m_ways->id(each);
-    return -1;
+    return checkedOf(m_ways);
 }
 
 void SelectBar::setWay(int way) {
-    for (QAbstractButton* each : m_ways->buttons())
-        each->setChecked(m_ways->id(each) == way);
+    checkOnly(m_ways, way);
 }
 
 QString SelectBar::mode() const {

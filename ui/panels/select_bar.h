@@ -6,10 +6,8 @@
 #include <QToolBar>
 #include <span>
 
-class QButtonGroup;
-class QCheckBox;
 class QComboBox;
-class QGridLayout;
+class QHBoxLayout;
 
 namespace ui {
 
@@ -31,6 +29,10 @@ class SelectBar : public QToolBar {
     /// As `select` names it: replace, add, subtract, intersect.
     QString mode() const;
     bool visibleOnly() const;
+    /// What the buttons do, for menus.
+    const QList<QAction*>& ways() const { return m_ways; }
+    const QList<QAction*>& changes() const { return m_changes; }
+    QAction* visibleAction() const { return m_visible; }
 
   Q_SIGNALS:
     void wayChosen(int way);                    ///< by the person; -1: none any more
@@ -38,12 +40,13 @@ class SelectBar : public QToolBar {
     void stepWanted(const QString& action);     ///< "grow", "shrink": by a length that whoever listens knows
 
   private:
-    void addWays(std::span<const SelectChoice> ways, QGridLayout& grid);
-    void addChanges(QGridLayout& grid);
+    void addWays(std::span<const SelectChoice> ways, QHBoxLayout& row);
+    void addModes(QHBoxLayout& row);
+    void addChanges(QHBoxLayout& row);
 
-    QButtonGroup* m_ways;
-    QComboBox* m_mode;
-    QCheckBox* m_visible;
+    QList<QAction*> m_ways, m_changes;
+    QComboBox* m_mode = nullptr;
+    QAction* m_visible = nullptr;
 };
 
 } // namespace ui

@@ -85,6 +85,7 @@ static const char* const sheet = R"(
     QToolButton:disabled { color: @disabled; }
     QToolButton[popupMode="2"] { padding-right: 15px; }
     QToolButton::menu-indicator { subcontrol-origin: padding; subcontrol-position: center right; right: 3px; }
+    QFrame#gap { color: @strong; }
     QWidget#corner { background: @ground; }
     QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
     QWidget#corner QToolButton { padding: 2px 5px; margin: 0; border: none; }
@@ -111,6 +112,9 @@ static const char* const sheet = R"(
     QComboBox QAbstractItemView::item { min-height: 20px; padding: 1px 6px; color: @text; }
     QComboBox QAbstractItemView::item:selected { background: @selected; color: @chosen; border-radius: 3px; }
     QToolBar[floating="true"] { border: 1px solid @line; border-radius: 7px; padding: 5px 8px; spacing: 5px; }
+    QFrame#card { background: @panel; border: 1px solid @strong; border-radius: 9px; }
+    QFrame#card QToolButton#plain { padding: 5px 10px; }
+    QFrame#card QToolButton#plain:focus { border-color: @accent; }
     QCheckBox { spacing: 6px; color: @soft; }
     QLabel#cell { color: @figure; padding: 0 7px; border-left: 1px solid @line; }
     QStatusBar { background: @ground; }

@@ -1,17 +1,12 @@
 // The bars over the lower edge of the picture that the View menu shows: those of the true surface, the clip planes,
-// layers, touch, selection and measuring.
-#include "ui/interaction/select_ways.h"
+// layers and touch.
 #include "ui/panels/cut_bar.h"
 #include "ui/panels/layer_bar.h"
-#include "ui/panels/measure_bar.h"
-#include "ui/panels/select_bar.h"
 #include "ui/panels/touch_bar.h"
 #include "ui/panels/truth_bar.h"
 #include "ui/window/main_window.h"
-#include "ui/window/measure_tools.h"
 #include "ui/window/menus/menu_tools.h"
 #include "ui/window/menus/menus.h"
-#include "ui/window/select_tools.h"
 
 #include <QAction>
 #include <QInputDialog>
@@ -98,36 +93,6 @@ void addTouchBar(MainWindow& window, QMenu& view) {
         if (!on)
             touch.stop();
     });
-}
-
-void addSelectBar(MainWindow& window, QMenu& view) {
-    std::vector<SelectChoice> choices;
-    for (const SelectWay& way : selectWays())
-        choices.push_back({way.id, way.label, way.tip});
-    auto* bar = new SelectBar(choices, &window);
-    bar->hide();
-    window.bars().add(*bar);
-    QAction* shown = bar->toggleViewAction();
-    shown->setText(QObject::tr("&Select"));
-    shown->setShortcut(QKeySequence("B"));
-    shown->setToolTip(QObject::tr("Choose parts of the model with the pointer, for commands to work on"));
-    view.addAction(shown);
-    new SelectTools(window, *bar);
-}
-
-void addMeasureBar(MainWindow& window, QMenu& view) {
-    auto* bar = new MeasureBar(&window);
-    bar->hide();
-    window.bars().add(*bar);
-    QAction* shown = bar->toggleViewAction();
-    shown->setText(QObject::tr("&Measure"));
-    shown->setShortcut(QKeySequence("Shift+M"));
-    shown->setToolTip(QObject::tr("Distances, angles and thickness between places that you click"));
-    view.addAction(shown);
-    auto* tools = new MeasureTools(window, *bar);
-    window.sculptView().overlay().above = [tools](QPainter& painter, const render::Camera& seen) {
-        tools->paint(painter, seen);
-    };
 }
 
 } // namespace ui

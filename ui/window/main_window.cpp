@@ -12,6 +12,7 @@
 #include "ui/window/mesh_export.h"
 #include "ui/window/notices.h"
 #include "ui/window/status_line.h"
+#include "ui/window/welcome.h"
 #include "ui/window/work_progress.h"
 #include "ui/work/measurer.h"
 
@@ -128,12 +129,16 @@ void MainWindow::buildTools() {
 
 void MainWindow::showHint() {
     const sculpt::ToolRow& row = m_settings.toolRow();
+    const QString hand = row.needs.source ? tr("Drag: %1; Ctrl+click: where to copy from").arg(tr(row.label))
+                                          : tr("Drag: %1, with Ctrl the other way, with Shift %2")
+                                                .arg(tr(row.label), tr(sculpt::tool(m_settings.shiftTool).label));
     m_status->setHint(
-        row.needs.source
-            ? tr("Drag: %1; Ctrl+click: where to copy from; beside the model: turn the view.").arg(tr(row.label))
-            : tr("Drag: %1, with Ctrl the other way, with Shift %2; beside the model: turn "
-                 "the view.")
-                  .arg(tr(row.label), tr(sculpt::tool(m_settings.shiftTool).label)));
+        hand + tr("; beside the model or with the right button: turn the view; middle button: pan; wheel: zoom."));
+}
+
+void MainWindow::showHint(const QString& what) {
+    m_status->setHint(what);
+    tell(what);
 }
 
 void MainWindow::buildPanel() {
@@ -156,6 +161,8 @@ void MainWindow::buildMenus() {
     addEditMenu(*this);
     addBrushMenu(*this);
     addModelMenu(*this);
+    addSelectMenu(*this);
+    addMeasureMenu(*this);
     addViewMenu(*this);
     addHelpMenu(*this);
     applyKeys(paletteEntries(*menuBar()), m_settings.keys);
@@ -297,7 +304,7 @@ void MainWindow::escape() {
         return;
     if (m_view->picker().on())
         m_view->picker().end();
-    else
+    else if (!closeCards(*this))
         m_progress->stop();
 }
 

@@ -66,6 +66,8 @@ class MainWindow : public QMainWindow {
     void showShading(render::Shading shading);
     /// In the status line: what the pointer does now.
     void showHint();
+    /// The same of what else has the pointer, until the next.
+    void showHint(const QString& what);
 
   protected:
     void closeEvent(QCloseEvent* event) override;

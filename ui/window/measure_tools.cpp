@@ -36,18 +36,24 @@ void MeasureTools::choose(int row) {
                   [this] {
                       m_row = nullptr;
                       m_places.clear();
+                      m_ruler.cancel();
                       m_bar.setRow(-1);
+                      m_bar.say(m_lines.isEmpty() ? tr("Choose what to measure, then click on the model.")
+                                                  : m_lines.back());
                       m_window.showHint();
                   }});
     m_row = &rulerTable()[static_cast<std::size_t>(row)];
     m_bar.setRow(row);
+    m_bar.show(); // where a key chose
     ask();
 }
 
 void MeasureTools::ask() {
     const std::size_t left = m_row->places - m_places.size();
-    const QString clicks = left == 1 ? tr("Click one place on the model") : tr("Click %1 places on the model").arg(left);
-    m_bar.say(tr("%1: %2. %3; Esc goes back to sculpting.").arg(tr(m_row->label), tr(m_row->tip), clicks));
+    const QString clicks =
+        left == 1 ? tr("Click one place on the model") : tr("Click %1 places on the model").arg(left);
+    m_bar.say(tr("%1: %2. %3.").arg(tr(m_row->label), tr(m_row->tip), clicks));
+    m_window.showHint(clicks + tr("; Esc goes back to sculpting; beside the model nothing is picked."));
     m_window.viewport().widget()->update();
 }
 
@@ -56,6 +62,7 @@ void MeasureTools::pick(const Pick& found) {
     if (m_places.size() < m_row->places)
         return ask();
     const Snapshot& now = m_window.editor().snapshot();
+    m_bar.say(tr("Measuring…"));
     m_ruler.measure(*m_row, now.surface, std::exchange(m_places, {}), now.origin);
     m_window.viewport().widget()->update();
 }

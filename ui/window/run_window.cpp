@@ -6,6 +6,7 @@
 #include "ui/theme/theme.h"
 #include "ui/window/guarded_application.h"
 #include "ui/window/main_window.h"
+#include "ui/window/welcome.h"
 
 #include <clocale>
 #include <cstdio>
@@ -81,8 +82,10 @@ int runWindow(int argc, char** argv, const std::vector<std::filesystem::path>& m
     // Once the loop runs, so that a question about lost work has a window behind it.
     const auto start = [&] {
         const bool recovering = windows.front()->files().offerRecovery();
-        if (models.empty() && !recovering)
+        if (models.empty() && !recovering) {
             fill(*windows.front(), nullptr);
+            showStart(*windows.front());
+        }
         for (std::size_t i = 0; i < models.size(); ++i)
             fill(i == 0 && !recovering ? *windows.front() : addWindow(), &models[i]);
     };

@@ -24,13 +24,14 @@ void SelectTools::choose(int way) {
                       m_window.showHint();
                   }});
     m_bar.setWay(way);
-    m_window.tell(tr(row.tip) + ". " + tr("Shift adds, Ctrl subtracts, Esc goes back to sculpting."));
+    m_bar.show(); // where a key chose
+    m_window.showHint(tr(row.tip) + ". " + tr("Shift adds, Ctrl subtracts, Esc goes back to sculpting."));
 }
 
 void SelectTools::pick(int way, const Pick& found) {
     const Snapshot& now = m_window.editor().snapshot();
     if (now.surface.tree().empty())
-        return;
+        return m_window.tell(tr("There is no model to select from. Open one, or make one with File > New."));
     const base::Vec3d place = found.contact ? found.contact->position : m_window.sculptView().motion().view().target;
     const SelectContext context{now.surface, now.origin, m_window.sculptView().sizing().radiusAt(place),
                                 m_bar.visibleOnly()};
@@ -50,17 +51,8 @@ void SelectTools::run(const nlohmann::json& command) {
 }
 
 void SelectTools::show(bool shown) {
-    using render::Shading;
-    const Shading now = m_window.settings().shading;
-    if (shown && now != Shading::Selection) {
-        m_before = now;
-        m_window.showShading(Shading::Selection);
-    } else if (!shown) {
+    if (!shown && m_bar.way() >= 0)
         m_window.sculptView().picker().end();
-        if (m_before && now == Shading::Selection)
-            m_window.showShading(*m_before);
-        m_before.reset();
-    }
 }
 
 } // namespace ui

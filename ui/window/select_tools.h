@@ -1,11 +1,7 @@
-// Selecting with the pointer: joins the bar of selection, the picker and the editor, and shows what is selected. While
-// the bar is shown the picture is shaded by what is selected; then as it was before. Interface's thread only.
+// Selecting with the pointer: joins the bar of selection, the picker and the editor. Interface's thread only.
 #pragma once
 
-#include "core/render/shading/shading_table.h"
-
 #include <nlohmann/json_fwd.hpp>
-#include <optional>
 #include <QObject>
 
 namespace ui {
@@ -29,7 +25,6 @@ class SelectTools : public QObject {
 
     MainWindow& m_window;
     SelectBar& m_bar;
-    std::optional<render::Shading> m_before; ///< the shading, since it shows what is selected
 };
 
 } // namespace ui

@@ -157,8 +157,9 @@ void StatusLine::tell(const QString& message, bool error) {
 }
 
 void StatusLine::setHint(const QString& hint) {
+    const bool shown = m_message->text().isEmpty() || m_message->text() == m_hint;
     m_hint = hint;
-    if (m_message->text().isEmpty())
+    if (shown)
         m_stale.start(0);
 }
 

@@ -6,6 +6,7 @@ namespace ui {
 
 using render::Coloured;
 using render::ColourScale;
+using render::SelectedColours;
 
 static bool same(const surface::Surface& a, const surface::Surface& b) {
     return a.tree() == b.tree() && a.definition() == b.definition();
@@ -14,6 +15,10 @@ static bool same(const surface::Surface& a, const surface::Surface& b) {
 bool Measurer::Request::sameSubject(const Request& o) const {
     return shading == o.shading && attribute == o.attribute && models == o.models && same(reference, o.reference) &&
            surface.definition() == o.surface.definition();
+}
+
+bool Measurer::Request::selects() const {
+    return shading != render::Shading::Selection && surface.tree().layout()->find("selection");
 }
 
 bool Measurer::Request::operator==(const Request& o) const {
@@ -31,8 +36,11 @@ void Measurer::want(render::Shading shading, const std::string& attribute, const
                     const surface::Surface& reference, std::uint64_t models) {
     const auto& row = render::shadingRow(shading).measure;
     const bool deviates = row && row->quantity == process::Quantity::Deviation;
-    const Request wanted{shading, row && row->named() ? attribute : std::string(), row ? surface : surface::Surface{},
-                         deviates ? reference : surface::Surface{}, row ? models : 0};
+    Request wanted{shading, row && row->named() ? attribute : std::string(), surface,
+                   deviates ? reference : surface::Surface{}, models};
+    const bool work = row || wanted.selects();
+    if (!work)
+        wanted.surface = {}, wanted.models = 0;
     if (wanted == m_wanted)
         return;
     if (!wanted.sameSubject(m_wanted)) {
@@ -40,8 +48,8 @@ void Measurer::want(render::Shading shading, const std::string& attribute, const
         m_scale.reset();
     }
     const bool other = !wanted.sameSubject(std::exchange(m_wanted, wanted));
-    m_busy = m_busy || row;
-    if (row)
+    m_busy = m_busy || work;
+    if (work)
         m_worker.request(wanted, other);
     else
         m_worker.cancel();
@@ -62,7 +70,7 @@ static bool stillFits(const ColourScale& old, const ColourScale& now) {
 Coloured Measurer::measure(const Request& request, const base::Progress& progress) {
     const render::MeasureRow& row = *render::shadingRow(request.shading).measure;
     const process::FieldQuestion question = row.question(request.surface, request.reference, request.attribute);
-    const Coloured* before = m_last && m_last->first.sameSubject(request) ? &m_last->second : nullptr;
+    const Coloured* before = m_last && m_last->request.sameSubject(request) ? &m_last->measured : nullptr;
     Coloured out;
     out.field = process::evaluateField(question, before ? &before->field : nullptr, progress);
     out.scale = render::scaleFor(row, question, {}, &out.field, progress);
@@ -72,11 +80,21 @@ Coloured Measurer::measure(const Request& request, const base::Progress& progres
     return out;
 }
 
-void Measurer::receive(const Request& request, const Coloured& done) {
-    if (!request.sameSubject(m_wanted))
+SelectedColours Measurer::select(const Request& request, const Coloured& measured) const {
+    if (!request.selects())
+        return {measured.colours, measured.colours};
+    const bool known = m_last && m_last->request.sameSubject(request);
+    return render::showSelected(request.surface.tree(), request.shading, measured.colours,
+                                known ? &m_last->colours : nullptr);
+}
+
+void Measurer::receive(const Done& done) {
+    if (!done.request.sameSubject(m_wanted))
         return;
-    m_colours = done.colours;
-    m_scale = done.scale;
+    m_colours = done.colours.shown;
+    m_scale.reset();
+    if (render::shadingRow(done.request.shading).measure)
+        m_scale = done.measured.scale;
     Q_EMIT changed();
 }
 
@@ -93,9 +111,10 @@ void Measurer::work(const Request& request, const base::Progress& cancel) {
         if (m_busy)
             Q_EMIT progressed(share, doing);
     });
-    const Coloured done = measure(request, progress);
-    m_last.emplace(request, done);
-    post(this, [this, request, done] { receive(request, done); });
+    const Coloured measured = render::shadingRow(request.shading).measure ? measure(request, progress) : Coloured{};
+    const Done done{request, measured, select(request, measured)};
+    m_last = done;
+    post(this, [this, done] { receive(done); });
 }
 
 } // namespace ui

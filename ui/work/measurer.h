@@ -1,4 +1,5 @@
-// Measures what measuring shadings show, off the interface's thread: after an edit, only the blocks near it.
+// Measures what measuring shadings show, and colours what is selected in all of them, off the interface's thread: after
+// an edit, only the blocks near it.
 //
 //     interface                                  measuring thread
 //     want(shading, surface, reference)   -->    evaluateField, automatic scale, colours
@@ -9,6 +10,7 @@
 #pragma once
 
 #include "core/render/shading/measured_colours.h"
+#include "core/render/shading/selected_colours.h"
 #include "ui/work/latest_worker.h"
 
 #include <QObject>
@@ -29,7 +31,8 @@ class Measurer : public QObject {
     /// Stops what is being measured; it stays without colours until something else is wanted.
     void cancel();
     bool busy() const { return m_busy; }
-    /// For the shading wanted: of the last version measured, empty before the first, null where it measures nothing.
+    /// For the shading wanted: of the last version measured, empty before the first, null where it measures nothing and
+    /// nothing is selected.
     const std::shared_ptr<const render::BlockColours>& colours() const { return m_colours; }
     const std::optional<render::ColourScale>& scale() const { return m_scale; }
 
@@ -46,11 +49,12 @@ class Measurer : public QObject {
         surface::Surface surface, reference;
         std::uint64_t models = 0;
         bool sameSubject(const Request& o) const;
+        bool selects() const; ///< the model carries a selection, maybe an empty one, that the shading leaves out
         bool operator==(const Request& o) const;
     };
     void work(const Request& request, const base::Progress& progress);
     render::Coloured measure(const Request& request, const base::Progress& progress);
-    void receive(const Request& request, const render::Coloured& done);
+    render::SelectedColours select(const Request& request, const render::Coloured& measured) const;
     void rest();
 
     Request m_wanted; ///< interface's
@@ -58,8 +62,15 @@ class Measurer : public QObject {
     std::optional<render::ColourScale> m_scale;
     bool m_busy = false;
 
-    std::optional<std::pair<Request, render::Coloured>> m_last; ///< measuring thread's
-    LatestWorker<Request> m_worker;                             ///< last: it uses all of the above
+    /// Measuring thread's.
+    struct Done {
+        Request request;
+        render::Coloured measured; ///< empty where the shading measures nothing
+        render::SelectedColours colours;
+    };
+    void receive(const Done& done);
+    std::optional<Done> m_last;
+    LatestWorker<Request> m_worker; ///< last: it uses all of the above
 };
 
 } // namespace ui

@@ -39,7 +39,8 @@ void rayCast(const surface::Surface& surface, const Camera& camera, const Render
     if (look.measured)
         colourHits(*look.measured, camera.width, samples, {}, progress);
     const auto kind = [&](std::size_t i) { return samples[i].hit.hit ? PixelKind::Surface : PixelKind::Background; };
-    ShadedLayer layer = shadeSamples(samples, kind, *surface.tree().layout(), camera, options.shading);
+    const SampleShade shade = sampleShade(options.shading, *surface.tree().layout(), look.measured != nullptr);
+    ShadedLayer layer = shadeSamples(samples, kind, shade, camera);
     std::optional<raycast::LightScene> light;
     if (look.lighting.wanted()) {
         light.emplace(surface, look.lighting, viewerOf(camera, options), rays.clips);

@@ -90,14 +90,12 @@ class FineView {
         return camera;
     }
     void shade() {
-        const ShadingStyle& style = shadingStyle(m_look.shading);
-        const surfel::AttributeLayout& layout = *m_surface.tree().layout();
-        const bool oriented = layout.normals && layout.oriented;
+        const SampleShade shade = sampleShade(m_look.shading, *m_surface.tree().layout(), m_look.measured != nullptr);
         m_pixels.assign(m_samples.size(), {});
         base::parallelFor(m_samples.size(), 1024, [&](std::size_t i) {
             m_pixels[i].kind = PixelKind::Background;
             if (m_samples[i].hit.hit)
-                m_pixels[i] = shadeSample(style, m_view, m_places[i].column, m_places[i].row, oriented, m_samples[i]);
+                m_pixels[i] = shadeSample(shade, m_view, m_places[i].column, m_places[i].row, m_samples[i]);
         });
     }
     raycast::SeenSamples seen() const {

@@ -10,7 +10,9 @@ namespace render {
 
 /// Do both show the same, their versions apart?
 static bool sameLook(const TrueView::Subject& a, const TrueView::Subject& b) {
-    const bool colours = a.measured && b.measured ? a.measured->scale == b.measured->scale : a.measured == b.measured;
+    const bool colours = a.measured && b.measured
+                             ? a.measured->scale == b.measured->scale && a.measured->over == b.measured->over
+                             : a.measured == b.measured;
     return a.camera == b.camera && a.options.shading == b.options.shading && colours &&
            a.surface.definition() == b.surface.definition() && a.lighting == b.lighting &&
            (!a.lighting.wanted() || a.options.backdrop == b.options.backdrop);
@@ -76,8 +78,9 @@ TrueView::Level TrueView::shaded(const raycast::AdaptiveImage& image, const base
                : samples[i].hit.hit                      ? PixelKind::Surface
                                                          : PixelKind::Background;
     };
-    m_unlit =
-        shadeSamples(samples, kind, *m_subject.surface.tree().layout(), m_subject.camera, m_subject.options.shading);
+    const SampleShade shade =
+        sampleShade(m_subject.options.shading, *m_subject.surface.tree().layout(), m_subject.measured != nullptr);
+    m_unlit = shadeSamples(samples, kind, shade, m_subject.camera);
     auto layer = std::make_shared<ShadedLayer>(m_unlit);
     if (m_layer) // a level never knows less than was shown before
         for (std::size_t i = 0; i < layer->pixels.size(); ++i)

@@ -13,6 +13,8 @@ namespace render {
 struct Measured {
     process::FieldQuestion question;
     ColourScale scale;
+    /// Of a selection (selected_colours.h): no scale, but orange over the surfels' own colours, or over white.
+    enum class Over { Nothing, Own, White } over = Over::Nothing;
 };
 
 /// The range where one is given, else the automatic one: of the field's numbers or, without a field, of some

@@ -1,9 +1,17 @@
 #include "core/render/shading/measured_hits.h"
 
+#include "core/render/shading/selected_colours.h"
+
 namespace render {
 
 /// Pixels asked for together, in squares: neighbours in the list are neighbours in space.
 constexpr int squareSide = 128;
+
+static surfel::Colour shownAs(const Measured& measured, surfel::Colour own, float value) {
+    if (measured.over == Measured::Over::Nothing)
+        return measured.scale.of(value);
+    return underSelection(measured.over == Measured::Over::Own ? own : surfel::white, value);
+}
 
 void colourHits(const Measured& measured, int width, std::span<raycast::Sample> samples,
                 std::span<const raycast::Sample> before, const base::Progress& progress) {
@@ -30,7 +38,7 @@ void colourHits(const Measured& measured, int width, std::span<raycast::Sample> 
         values.resize(x.size());
         process::quantityAt(measured.question, x, values);
         for (std::size_t k = 0; k < pixels.size(); ++k)
-            samples[pixels[k]].colour = measured.scale.of(values[k]);
+            samples[pixels[k]].colour = shownAs(measured, samples[pixels[k]].colour, values[k]);
     };
     for (int top = 0; top < height; top += squareSide)
         for (int left = 0; left < width; left += squareSide) {

@@ -43,7 +43,8 @@ const ShadingStyle& shadingStyle(Shading shading) {
 }
 
 surfel::Colour shade(Shading shading, const Vec3f& normal, surfel::Colour colour, float mask) {
-    return shadePixel(shadingStyle(shading), normal, colour, mask);
+    const ShadingStyle& style = shadingStyle(shading);
+    return shadePixel(style, normal, style.usesColour ? colour : surfel::white, mask);
 }
 
 } // namespace render

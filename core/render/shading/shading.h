@@ -1,7 +1,7 @@
 // How a blended pixel becomes a colour. Every shading is the same formula with other tables, so that the CPU, the GL
 // shader and the ray caster agree by construction:
 //
-//     rgb = seen * (usesColour ? colour : 1) * lerp(1, maskTint, mask)
+//     rgb = seen * colour * lerp(1, maskTint, mask)                     colour white where the shading shows none
 //     seen = lerp(light[n], light[-n] * backTint, back)         back = 1 inside of an oriented surface, else 0
 //
 // `light` is a square picture of a lit ball (a matcap), made by code and looked up by the x and y of the normal in the
@@ -19,9 +19,9 @@ constexpr int lightSize = 512;
 
 struct ShadingStyle {
     std::vector<surfel::Colour> light; ///< lightSize squared; row 0 is normal y = +1
-    bool usesColour = false;
-    base::Vec3f maskTint; ///< factor where the mask is 1
-    base::Vec3f backTint; ///< factor for the inside of an oriented surface
+    bool usesColour = false;           ///< else the surfels' colours are not to be given to it
+    base::Vec3f maskTint;              ///< factor where the mask is 1
+    base::Vec3f backTint;              ///< factor for the inside of an oriented surface
 };
 
 /// Made from the row of the table on first use; safe from any thread.
@@ -50,7 +50,8 @@ inline surfel::Colour lightAt(const ShadingStyle& style, base::Vec3f n) {
     return style.light[static_cast<std::size_t>(row * lightSize + column)];
 }
 
-/// The formula above. `n` unit length, in the frame of the ray; n.z < 0 where the surface is seen from inside.
+/// The formula above, in whatever colour is given. `n` unit length, in the frame of the ray; n.z < 0 where the surface
+/// is seen from inside.
 inline surfel::Colour shadePixel(const ShadingStyle& style, const base::Vec3f& n, surfel::Colour colour, float mask) {
     const surfel::Colour light = lightAt(style, n);
     const float back = std::clamp((n.z - backFrom) / (backTo - backFrom), 0.0f, 1.0f);
@@ -60,8 +61,7 @@ inline surfel::Colour shadePixel(const ShadingStyle& style, const base::Vec3f& n
         const auto channel = [&](surfel::Colour from) { return static_cast<float>(from >> (8 * k) & 255u); };
         float c = channel(light);
         c += back * (channel(inside) * style.backTint[k] - c);
-        if (style.usesColour)
-            c *= channel(colour) * (1.0f / 255);
+        c *= channel(colour) * (1.0f / 255);
         c *= 1 + mask * (style.maskTint[k] - 1);
         out |= static_cast<surfel::Colour>(c + 0.5f) << (8 * k);
     }

@@ -55,7 +55,8 @@ Seen seenInSplats(const Frame& frame, const TileSums& sums, int i, float dx, flo
     float mask = 0;
     if (frame.style.colours) {
         const auto channel = [&](int k) { return static_cast<unsigned>(sums.colour[k][i] * inverse + 0.5f); };
-        blended = surfel::rgba(channel(0), channel(1), channel(2));
+        if (frame.style.coloured)
+            blended = surfel::rgba(channel(0), channel(1), channel(2));
         mask = sums.mask[i] * inverse;
     }
     const float z = sums.depth[i] * inverse;

@@ -44,6 +44,7 @@ struct SplatStyle {
     bool oriented = false;               ///< otherwise splats turn to the eye
     bool colours = false;                ///< sum colours and masks too
     int shape = 0;                       ///< channel of the shapes of supports; 0: discs are round
+    bool coloured = false;               ///< and shade with the colours: else only the masks are seen
     const BlockColours* table = nullptr; ///< its colours, where it has any, instead of the surfels' own
     bool operator==(const SplatStyle&) const = default;
 };

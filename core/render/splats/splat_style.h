@@ -14,7 +14,8 @@ inline SplatStyle splatStyle(const tree::SurfelTree& model, const RenderOptions&
     style.oriented = layout.normals && layout.oriented;
     style.shape = surfel::shapeChannel(layout);
     const ShadingRow& row = shadingRow(options.shading);
-    style.table = row.measure ? options.colours.get() : nullptr;
+    style.table = options.colours.get();
+    style.coloured = row.usesColour() || style.table;
     style.colours = layout.masks || (layout.colours && row.surfelColours) || style.table;
     return style;
 }

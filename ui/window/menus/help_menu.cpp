@@ -6,6 +6,7 @@
 #include "ui/window/menus/menu_tools.h"
 #include "ui/window/menus/menus.h"
 #include "ui/window/shortcuts_dialog.h"
+#include "ui/window/welcome.h"
 
 #include <QAction>
 #include <QCoreApplication>
@@ -48,6 +49,12 @@ void addHelpMenu(MainWindow& window) {
         manual->setAttribute(Qt::WA_DeleteOnClose);
         manual->show();
     })->setToolTip(QObject::tr("First steps, every tool, every command"));
+    addEntry(*help, "", QObject::tr("&Tour"), {}, [&window] {
+        showTour(window);
+    })->setToolTip(QObject::tr("Two minutes with your own hands"));
+    addEntry(*help, "", QObject::tr("Start &Card"), {}, [&window] {
+        showStart(window);
+    })->setToolTip(QObject::tr("A model to open, samples, what was open lately"));
     addEntry(*help, "keyboard", QObject::tr("&Shortcuts…"), QKeySequence("Shift+F1"),
              [&window] { showShortcuts(window); });
     addEntry(*help, "keyboard", QObject::tr("Edit &Keys…"), {}, [&window] {

@@ -1,8 +1,9 @@
 // The menus of the main window, one function for each in a file of its name, in the order of the menu bar: loops over
 // tables wherever there is one. Each makes its menu and connects it; what entries do is elsewhere.
 //
-// A menu is found by its object name: "file", "new", "recent", "edit", "brush", "model", "view", "shading",
-// "background", "effects", "around", "saved-views", "navigation", "theme", "help". Interface's thread only.
+// A menu is found by its object name: "file", "new", "recent", "edit", "brush", "model", "select", "measure", "view",
+// "shading", "attribute", "background", "effects", "around", "saved-views", "navigation", "theme", "help". Interface's
+// thread only.
 #pragma once
 
 class QMenu;
@@ -15,6 +16,8 @@ void addFileMenu(MainWindow& window);
 void addEditMenu(MainWindow& window);
 void addBrushMenu(MainWindow& window);
 void addModelMenu(MainWindow& window);
+void addSelectMenu(MainWindow& window);
+void addMeasureMenu(MainWindow& window);
 void addViewMenu(MainWindow& window);
 void addHelpMenu(MainWindow& window);
 
@@ -29,8 +32,6 @@ void addTruthBar(MainWindow& window, QMenu& view);
 void addCutBar(MainWindow& window, QMenu& view);
 void addLayerBar(MainWindow& window, QMenu& view);
 void addTouchBar(MainWindow& window, QMenu& view);
-void addSelectBar(MainWindow& window, QMenu& view);
-void addMeasureBar(MainWindow& window, QMenu& view);
 
 /// What is wanted most often, for hands that hold a pen: in the corner of the menu bar, after all menus.
 void addCornerBar(MainWindow& window);

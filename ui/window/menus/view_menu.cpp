@@ -87,8 +87,6 @@ void addViewMenu(MainWindow& window) {
     addCutBar(window, *view);
     addLayerBar(window, *view);
     addTouchBar(window, *view);
-    addSelectBar(window, *view);
-    addMeasureBar(window, *view);
     addThemeMenu(window, *view);
     view->addSeparator();
     addRenderer(window, *view);

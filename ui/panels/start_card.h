@@ -1,0 +1,40 @@
+// What a person meets who has opened nothing: a model to open, samples, what was open lately, the tour. A press beside
+// it closes it, and sculpts. It asks; what is asked for is done elsewhere. Interface's thread only.
+#pragma once
+
+#include "ui/panels/floating_card.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+class QAbstractButton;
+
+namespace ui {
+
+class StartCard : public FloatingCard {
+    Q_OBJECT
+  public:
+    /// `recent`: files, the latest first; those that are gone are left out.
+    StartCard(QWidget& canvas, const std::vector<std::string>& recent);
+
+  Q_SIGNALS:
+    // Each closes the card.
+    void openWanted();
+    void sampleWanted(const std::string& id);
+    void recentWanted(const std::string& path);
+    void tourWanted();
+
+  protected:
+    void pressedBeside() override { close(); }
+
+  private:
+    void addHeading(const QString& text);
+    void addSamples();
+    void addRecent(const std::vector<std::string>& recent);
+    void addFoot();
+    /// A flat button that closes the card and then does something.
+    QAbstractButton* button(const QString& text, const QString& name, const std::function<void()>& then);
+};
+
+} // namespace ui
