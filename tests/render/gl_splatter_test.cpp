@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/render/splats/cpu_splatter.h"
+#include "core/surfel/shape.h"
 #include "render/render_models.h"
 #include "support/registry.h"
 
@@ -17,6 +18,7 @@ class GlSplatterTest : public QObject {
     void samePictureAsTheCpu_data();
     void samePictureAsTheCpu();
     void quadsDrawWhatPointsDraw();
+    void ellipsoidsAreDiscsOfTheirArea();
     void anEditUploadsItsBlocksAlone();
     void drawsIntoAFramebufferOfOthers();
     void anUnknownBackendIsRefusedByName();
@@ -104,6 +106,29 @@ void GlSplatterTest::quadsDrawWhatPointsDraw() {
     gl->limitPointSize(0);
     const Image quads = test::drawn(*gl, model, camera);
     QVERIFY(points.colour == quads.colour && points.depth == quads.depth);
+}
+
+void GlSplatterTest::ellipsoidsAreDiscsOfTheirArea() {
+    QString reason;
+    const auto gl = offscreen("osmesa", reason);
+    if (!gl)
+        QSKIP(qPrintable(reason));
+    surfel::SurfelList balls = test::sphere({0, 0, 0}, 1, 2000, true), ellipsoids;
+    auto layout = std::make_shared<surfel::AttributeLayout>(*balls.layout);
+    surfel::addShape(*layout);
+    ellipsoids.layout = layout;
+    for (surfel::Surfel& s : balls.items) {
+        const base::Vec3f b = base::perpendicular(s.normal) * 2.5f;
+        std::vector<std::uint32_t> words(layout->words());
+        surfel::putShape(words, surfel::shapeWord(*layout), b);
+        ellipsoids.append(s, words);
+        s.support *= surfel::meanAxis(b);
+    }
+    Camera camera = smallCamera();
+    camera.eye = {1.5, 1, 2.5};
+    const test::Difference d = test::difference(test::drawn(*gl, test::built(ellipsoids), camera),
+                                                test::drawn(*gl, test::built(balls), camera));
+    QVERIFY2(d.mean < 0.5 && d.apart <= 20, qPrintable(QString("mean %1, apart %2").arg(d.mean).arg(d.apart)));
 }
 
 /// Moves the surfels near a place outwards.

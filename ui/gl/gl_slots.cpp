@@ -1,5 +1,7 @@
 #include "ui/gl/gl_slots.h"
 
+#include "core/surfel/shape.h"
+
 #include <algorithm>
 
 namespace render {
@@ -19,14 +21,19 @@ static std::uint32_t packed(float support, CutCode code) {
     return ((std::bit_cast<std::uint32_t>(support) + mask / 2) & ~mask) | code;
 }
 
-static void pack(const surfel::SurfelBlock& block, const BlockColours* colours, const CutCodes* codes, GlSurfel* out) {
+/// `shape`: the channel of the shapes of supports, 0: they are balls.
+static void pack(const surfel::SurfelBlock& block, int shape, const BlockColours* colours, const CutCodes* codes,
+                 GlSurfel* out) {
+    if (block.extraWords() == 0) // what stands for many is round
+        shape = 0;
     const surfel::Colour* shown = colours ? colours->of(&block) : nullptr;
     for (int slot = 0; slot < block.size(); ++slot) {
         const surfel::Surfel s = block.surfel(slot);
         const auto mask = static_cast<std::uint32_t>(std::clamp(s.mask, 0.0f, 1.0f) * 255 + 0.5f);
         const surfel::Colour colour = shown ? shown[slot] : s.colour;
         const CutCode code = codes ? (*codes)[static_cast<std::size_t>(slot)] : wholeDisc;
-        out[slot] = {s.position, packed(s.normal), packed(s.support, code), (colour & 0x00ffffffu) | mask << 24};
+        out[slot] = {s.position, packed(s.normal), packed(surfel::ballOf(block, slot, shape), code),
+                     (colour & 0x00ffffffu) | mask << 24};
     }
 }
 
@@ -73,7 +80,7 @@ void GlSlots::upload(std::span<const surfel::SurfelBlock* const> blocks, std::sp
         m_staging.resize((end - begin) * surfel::blockCapacity);
         for (std::size_t i = begin; i < end; ++i) {
             const auto cut = m_cut.find(blocks[i]);
-            pack(*blocks[i], m_colours.get(), cut == m_cut.end() ? nullptr : &cut->second,
+            pack(*blocks[i], m_shape, m_colours.get(), cut == m_cut.end() ? nullptr : &cut->second,
                  m_staging.data() + (i - begin) * surfel::blockCapacity);
         }
         m_gl.bindBuffer(GL_COPY_WRITE_BUFFER, m_pages[slots[begin] / slotsPerPage]);
@@ -150,6 +157,7 @@ void GlSlots::show(const tree::SurfelTree& model, std::shared_ptr<const BlockCol
     for (const surfel::BlockPtr& block : change.removed)
         release(block.get());
     recolour(std::move(colours));
+    m_shape = surfel::shapeChannel(*model.layout());
     std::vector<const surfel::SurfelBlock*> added;
     for (const surfel::BlockPtr& block : change.added)
         added.push_back(block.get());

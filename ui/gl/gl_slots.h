@@ -3,7 +3,8 @@
 //
 // Going from one version to another touches what they do not share: `diff` says which blocks go and which come; coming
 // blocks take the lowest free slots and are uploaded in runs of neighbouring slots. Representatives of nodes
-// (node_detail.h) stand in slots too, from when they are first drawn until they are dropped. 24 bytes per surfel.
+// (node_detail.h) stand in slots too, from when they are first drawn until they are dropped. 24 bytes per surfel: a
+// support that is an ellipsoid counts as the ball of the same area.
 #pragma once
 
 #include "core/render/shading/block_colours.h"
@@ -70,6 +71,7 @@ class GlSlots {
     const GlFunctions& m_gl;
     std::vector<GLuint> m_pages; ///< all but the last full
     std::size_t m_capacity = 0;  ///< in slots
+    int m_shape = 0;             ///< channel of the shapes of supports in the blocks of `m_shown`
     std::shared_ptr<const BlockColours> m_colours;
     tree::SurfelTree m_shown; ///< keeps its blocks alive, so that their addresses name them
     std::unordered_map<const surfel::SurfelBlock*, std::size_t> m_slotOf;
