@@ -3,7 +3,7 @@
 #include "core/base/error.h"
 #include "core/selection/blur.h"
 #include "core/selection/spread.h"
-#include "core/session/commands/clean_steps.h"
+#include "core/session/commands/scans/clean_steps.h"
 
 #include <nlohmann/json.hpp>
 

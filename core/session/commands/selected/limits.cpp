@@ -1,7 +1,7 @@
 #include "core/session/commands/selected/limits.h"
 
 #include "core/base/error.h"
-#include "core/session/commands/clean_steps.h"
+#include "core/session/commands/scans/clean_steps.h"
 
 #include <nlohmann/json.hpp>
 

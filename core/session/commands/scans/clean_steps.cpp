@@ -1,4 +1,4 @@
-#include "core/session/commands/clean_steps.h"
+#include "core/session/commands/scans/clean_steps.h"
 
 #include "core/base/error.h"
 #include "core/base/unit_normal.h"

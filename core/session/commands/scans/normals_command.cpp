@@ -1,5 +1,5 @@
-#include "core/session/commands/clean_steps.h"
 #include "core/session/commands/commands.h"
+#include "core/session/commands/scans/clean_steps.h"
 
 #include <nlohmann/json.hpp>
 

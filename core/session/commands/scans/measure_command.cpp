@@ -1,7 +1,7 @@
 #include "core/base/error.h"
 #include "core/process/estimation/part_progress.h"
-#include "core/session/commands/clean_steps.h"
 #include "core/session/commands/commands.h"
+#include "core/session/commands/scans/clean_steps.h"
 #include "core/session/measured_model.h"
 #include "core/session/number_lists.h"
 

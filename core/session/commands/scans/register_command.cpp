@@ -2,8 +2,8 @@
 #include "core/process/estimation/part_progress.h"
 #include "core/process/estimation/prepare.h"
 #include "core/selection/affine.h"
-#include "core/session/commands/clean_steps.h"
 #include "core/session/commands/commands.h"
+#include "core/session/commands/scans/clean_steps.h"
 #include "core/session/commands/selected/limits.h"
 #include "core/session/scans.h"
 
