@@ -3,6 +3,7 @@
 #include "ui/theme/theme.h"
 
 #include <QApplication>
+#include <QScopeGuard>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -35,12 +36,19 @@ static double contrast(const QColor& a, const QColor& b) {
 }
 
 void ApplicationTest::textIsReadableOnEveryGround() {
-    const QPalette palette = QApplication::palette();
-    QVERIFY(contrast(palette.color(QPalette::WindowText), palette.color(QPalette::Window)) > 7);
-    QVERIFY(contrast(palette.color(QPalette::Text), palette.color(QPalette::Base)) > 7);
-    QVERIFY(contrast(palette.color(QPalette::ButtonText), palette.color(QPalette::Button)) > 4.5);
-    QVERIFY(contrast(palette.color(QPalette::HighlightedText), palette.color(QPalette::Highlight)) > 4.5);
-    QVERIFY(contrast(palette.color(QPalette::ToolTipText), palette.color(QPalette::ToolTipBase)) > 4.5);
+    const auto back = qScopeGuard([] { ui::applyTheme(*qApp); });
+    for (const ui::ThemeRow& row : ui::themeTable()) {
+        ui::applyTheme(*qApp, row.id);
+        const QPalette palette = QApplication::palette();
+        const auto readable = [&](QPalette::ColorRole text, QPalette::ColorRole ground, double least) {
+            return contrast(palette.color(text), palette.color(ground)) > least;
+        };
+        QVERIFY2(readable(QPalette::WindowText, QPalette::Window, 7), row.id);
+        QVERIFY2(readable(QPalette::Text, QPalette::Base, 7), row.id);
+        QVERIFY2(readable(QPalette::ButtonText, QPalette::Button, 4.5), row.id);
+        QVERIFY2(readable(QPalette::HighlightedText, QPalette::Highlight, 4.5), row.id);
+        QVERIFY2(readable(QPalette::ToolTipText, QPalette::ToolTipBase, 4.5), row.id);
+    }
 }
 
 static const test::Registered<ApplicationTest> registered;

@@ -23,7 +23,7 @@ constexpr Role roles[] = {
     {"@checked", "#4b4034", "#f3dcc3"},      {"@heading", "#35383e", "#dcdfe4"},
     {"@ground", "#24262a", "#dfe2e6"},       {"@raised", "#3a3e45", "#d3d7dd"},
     {"@strong", "#4a4f58", "#bcc2cb"},       {"@figure", "#aeb4be", "#4b525c"},
-    {"@accent", "#d98e4a", "#c06f22"},       {"@filled", "#9c6a3c", "#dd9a5c"},
+    {"@accent", "#d98e4a", "#a95f18"},       {"@filled", "#9c6a3c", "#dd9a5c"},
     {"@chosen", "#ffffff", "#1f2329"},       {"@panel", "#2d3035", "#eceef1"},
     {"@hover", "#474c54", "#c5cad2"},        {"@field", "#1d1f22", "#ffffff"},
     {"@faint", "#b6bcc6", "#565d67"},        {"@line", "#1b1d20", "#c2c6cc"},
