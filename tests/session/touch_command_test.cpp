@@ -113,7 +113,9 @@ void TouchCommandTest::replaysWithoutAHandToTheSameBits() {
         bench.run(test::newSphere());
         bench.run(touch);
         const double strokes = bench.context.figures.at("strokes");
-        QVERIFY(strokes >= 1 && (tool == "erase" || strokes <= 2)); // who digs through presses anew
+        QVERIFY(tool == "erase" || strokes <= 2); // who digs through presses anew
+        for (const char* each : {"draw", "clay", "grab"}) // others may find nothing to do on an even ball
+            QVERIFY(tool != each || strokes >= 1);
         again.context.progress = {};
         session::replay(bench.path("j.jsonl"), again.context);
         QVERIFY2(bench.hash() == again.hash(), qPrintable(QString("seed %1").arg(test::seed())));
