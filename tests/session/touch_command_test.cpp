@@ -113,7 +113,7 @@ void TouchCommandTest::replaysWithoutAHandToTheSameBits() {
         bench.run(test::newSphere());
         bench.run(touch);
         const double strokes = bench.context.figures.at("strokes");
-        QVERIFY(tool == "erase" || strokes <= 2); // who digs through presses anew
+        QVERIFY(tool == "erase" || strokes <= 2);         // who digs through presses anew
         for (const char* each : {"draw", "clay", "grab"}) // others may find nothing to do on an even ball
             QVERIFY(tool != each || strokes >= 1);
         again.context.progress = {};
