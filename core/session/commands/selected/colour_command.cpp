@@ -1,7 +1,7 @@
 #include "core/base/error.h"
 #include "core/selection/parts.h"
-#include "core/session/commands/scans/clean_steps.h"
 #include "core/session/commands/commands.h"
+#include "core/session/commands/scans/clean_steps.h"
 #include "core/session/commands/selected/limits.h"
 #include "core/session/number_lists.h"
 

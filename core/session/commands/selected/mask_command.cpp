@@ -1,7 +1,7 @@
 #include "core/base/error.h"
 #include "core/selection/blur.h"
-#include "core/session/commands/scans/clean_steps.h"
 #include "core/session/commands/commands.h"
+#include "core/session/commands/scans/clean_steps.h"
 #include "core/session/commands/selected/field_steps.h"
 #include "core/session/commands/selected/limits.h"
 

@@ -1,6 +1,6 @@
 #include "core/selection/shape.h"
-#include "core/session/commands/scans/clean_steps.h"
 #include "core/session/commands/commands.h"
+#include "core/session/commands/scans/clean_steps.h"
 #include "core/session/commands/selected/limits.h"
 
 #include <nlohmann/json.hpp>
