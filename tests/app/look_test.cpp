@@ -23,6 +23,11 @@ void LookTest::everyShadingIsListedAndDrawn() {
         QSKIP("minutes under a sanitizer");
     const Program program;
     const std::string help = program.run({"render", "--help"}).out;
+    std::string values = "ply\nformat ascii 1.0\nelement vertex 400\nproperty float x\nproperty float y\n"
+                         "property float z\nproperty float heat\nend_header\n";
+    for (int i = 0; i < 400; ++i)
+        values += std::to_string(i % 20) + " " + std::to_string(i / 20) + " 0 " + std::to_string(i) + "\n";
+    program.write("values.ply", values);
     for (const render::ShadingRow& row : render::shadingTable()) {
         const char* id = row.id;
         QVERIFY2(help.find(std::string(id) + ":") != std::string::npos, id);
@@ -30,6 +35,9 @@ void LookTest::everyShadingIsListedAndDrawn() {
         if (std::string(id) == "deviation")
             arguments << "--reference"
                       << "sample:torus:2500";
+        if (std::string(id) == "attribute")
+            arguments[1] = "values.ply", arguments << "--attribute"
+                                                   << "heat";
         for (const char* mode : {"splats", "raycast"}) {
             const Outcome outcome = program.run(arguments + QStringList{"--mode", mode});
             QVERIFY2(outcome.code == 0, outcome.err.c_str());

@@ -162,7 +162,7 @@ Mesh closedDelaunay(const surface::Surface& surface, const DelaunayOptions& opti
     const std::vector<bool> failing = refinement.failing();
     report.missed = static_cast<std::size_t>(std::count(failing.begin(), failing.end(), true));
     shapeHeld(faces, closed, process::part(progress, 0.9, 0.92));
-    Mesh out = faces.mesh(std::vector<bool>(faces.faceCount()));
+    Mesh out = faces.mesh(bubbles(faces, closed));
     finishClosed(surface, options, out, process::part(progress, 0.92, 1));
     return out;
 }

@@ -74,6 +74,29 @@ bool shapeSide(SurfaceTriangulation& mesh, KeptClosed& closed, const Side& s) {
 
 } // namespace
 
+std::vector<bool> bubbles(const SurfaceTriangulation& mesh, const KeptClosed& closed) {
+    std::vector<bool> out(mesh.faceCount(), true);
+    std::vector<std::uint32_t> open;
+    const auto reach = [&](std::uint32_t f) {
+        if (out[f])
+            open.push_back(f);
+        out[f] = false;
+    };
+    for (std::uint32_t f = 0; f < out.size(); ++f)
+        if (mesh.alive(f) && !closed.held(f))
+            reach(f);
+    if (open.empty())
+        out.assign(out.size(), false);
+    while (!open.empty()) {
+        const std::uint32_t f = open.back();
+        open.pop_back();
+        for (int k = 0; k < 3; ++k)
+            if (const Side other = mesh.across({f, k}); other.exists())
+                reach(other.face);
+    }
+    return out;
+}
+
 void shapeHeld(SurfaceTriangulation& mesh, KeptClosed& closed, const base::Progress& progress) {
     std::vector<std::uint32_t> open;
     for (std::uint32_t f = 0; f < mesh.faceCount(); ++f)
