@@ -37,7 +37,7 @@ set_source_files_properties(core/mesh/check/self_intersections.cpp PROPERTIES CO
 pointclay_room(solid core/solid mesh)
 pointclay_link(solid Eigen3::Eigen)
 
-pointclay_room(reduce core/reduce process)
+pointclay_room(reduce core/reduce process cells)
 pointclay_link(reduce Eigen3::Eigen)
 
 pointclay_room(sculpt core/sculpt process cells layers)

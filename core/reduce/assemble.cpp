@@ -49,7 +49,9 @@ void carry(const surface::Surface& model, const Sites& sites, std::size_t i, sur
     sum.further(words);
 }
 
-surface::SurfaceDefinition definitionOf(const surface::SurfaceDefinition& model, int neighbours) {
+} // namespace
+
+surface::SurfaceDefinition reducedDefinition(const surface::SurfaceDefinition& model, int neighbours) {
     surface::SurfaceDefinition out = model;
     out.frame = surface::Frame::Normals;
     out.weight = surface::Weight::Wendland;
@@ -60,8 +62,6 @@ surface::SurfaceDefinition definitionOf(const surface::SurfaceDefinition& model,
     out.boundaryLimit = std::numeric_limits<float>::infinity();
     return out;
 }
-
-} // namespace
 
 surface::Surface assemble(const surface::Surface& model, const Sites& sites, int neighbours) {
     auto layout = std::make_shared<surfel::AttributeLayout>(*model.tree().layout());
@@ -87,7 +87,7 @@ surface::Surface assemble(const surface::Surface& model, const Sites& sites, int
     });
     if (sites.shape.empty())
         list = surfel::withoutShape(list);
-    return {tree::SurfelTree::build(list), definitionOf(model.definition(), neighbours)};
+    return {tree::SurfelTree::build(list), reducedDefinition(model.definition(), neighbours)};
 }
 
 surface::Surface bounded(const surface::Surface& model, const surface::Surface& surface, const Places& places,

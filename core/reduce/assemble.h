@@ -11,6 +11,9 @@ namespace reduce {
 /// bits at any thread count.
 surface::Surface assemble(const surface::Surface& model, const Sites& sites, int neighbours);
 
+/// The definition of such a surface, made of a model's.
+surface::SurfaceDefinition reducedDefinition(const surface::SurfaceDefinition& model, int neighbours);
+
 /// The same surface ends where the model does: with the least off-centre limit that keeps all places, and `beyond` more
 /// (in supports) where these do not go to the rim.
 surface::Surface bounded(const surface::Surface& model, const surface::Surface& surface, const Places& places,

@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/reduce/assemble.h"
+#include "core/reduce/by_cells.h"
 #include "core/reduce/coverage.h"
 #include "core/reduce/density.h"
 #include "core/reduce/density_by_result.h"
@@ -61,6 +62,12 @@ void checkCount(std::size_t size, std::size_t count) {
     if (count < fewest)
         throw base::Error(std::to_string(count) + " surfels make no surface", "reduce",
                           "choose a count of at least " + std::to_string(fewest));
+}
+
+std::size_t countFor(const surface::Surface& model, double ratio) {
+    if (!(ratio > 0 && ratio < 1))
+        throw base::Error("a ratio is above 0 and below 1", "reduce");
+    return static_cast<std::size_t>(std::max(double(fewest), std::round(ratio * double(model.tree().size()))));
 }
 
 std::size_t strideFor(std::size_t size, std::size_t count) {
@@ -202,10 +209,7 @@ Reduced reduceToCount(const surface::Surface& model, std::size_t count, Shapes s
 
 Reduced reduceByRatio(const surface::Surface& model, double ratio, Shapes shapes, const base::Progress& progress) {
     check(model);
-    if (!(ratio > 0 && ratio < 1))
-        throw base::Error("a ratio is above 0 and below 1", "reduce");
-    const double count = std::max(double(fewest), std::round(ratio * double(model.tree().size())));
-    return reduceToCount(model, static_cast<std::size_t>(count), shapes, progress);
+    return reduceToCount(model, countFor(model, ratio), shapes, progress);
 }
 
 Reduced reduceToError(const surface::Surface& model, double error, Shapes shapes, const base::Progress& progress) {
@@ -241,6 +245,16 @@ Reduced reduceToError(const surface::Surface& model, double error, Shapes shapes
 }
 
 Reduced reduceBy(const surface::Surface& model, const Wish& wish, const base::Progress& progress) {
+    if (hasCells(model)) {
+        check(model);
+        Wish own = wish;
+        if (wish.ratio > 0)
+            own.count = countFor(model, wish.ratio);
+        if (own.count > 0)
+            checkCount(model.tree().size(), own.count);
+        own.shapes = possible(model, wish.shapes);
+        return reduceCells(model, own, progress);
+    }
     if (wish.count > 0)
         return reduceToCount(model, wish.count, wish.shapes, progress);
     return wish.ratio > 0 ? reduceByRatio(model, wish.ratio, wish.shapes, progress)

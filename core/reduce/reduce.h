@@ -44,7 +44,8 @@ struct Wish {
     double ratio = 0, error = 0;
     Shapes shapes = Shapes::Auto;
 };
-/// REQUIRES: one of them is above 0.
+/// Of models with cells each cell by itself (by_cells.h); the three above take all surfels for one surface. REQUIRES:
+/// one of them is above 0.
 Reduced reduceBy(const surface::Surface& model, const Wish& wish, const base::Progress& progress = {});
 
 /// One sentence about a result: samples, distances, and what is missing.

@@ -1,5 +1,7 @@
 #include "core/render/splats/label_cuts.h"
 
+#include <limits>
+
 namespace render {
 
 using base::Vec3f;
@@ -9,10 +11,13 @@ namespace {
 
 /// Of a crease: with less both sides are nearly one, and discs blend.
 constexpr int leastSharpness = 128;
-/// Surfels of a patch this much farther off than its nearest one, in radii, tell of its plane there.
+/// Surfels of a patch this much farther off than its nearest one, in radii of the smaller disc, tell of its plane
+/// there.
 constexpr float aboutNearest = 1;
-/// Patches farther off than this, in radii, do not cut.
+/// Patches farther off than this, in radii, of the disc or of theirs, do not cut.
 constexpr float reach = 2.5f;
+/// Cosine between normals of a patch that is no plane to a disc that it cuts.
+constexpr float turned = 0.9f;
 /// A cut is rounded to 32nds of a radius: by half of one it leaves no crack.
 constexpr float slack = 0.5f / 32;
 
@@ -26,24 +31,29 @@ void LabelCuts::gather(const SurfelBlock& block) {
         [&](std::uint32_t, const SurfelBlock& each) {
             for (int slot = 0; slot < each.size(); ++slot) {
                 const cells::Label label = m_labels.at(each, slot);
-                if (label.meeting != cells::Meeting::None && box.contains(each.position(slot)))
-                    m_near.push_back({each.position(slot), each.normal(slot), m_radius * each.support(slot), label});
+                if (label.meeting == cells::Meeting::None)
+                    continue;
+                const float radius = m_radius * each.support(slot);
+                if (box.inflated(reach * radius).contains(each.position(slot)))
+                    m_near.push_back({each.position(slot), each.normal(slot), radius, label});
             }
         },
-        m_radius);
+        reach * m_radius);
 }
 
 std::optional<LabelCuts::Edge> LabelCuts::edgeTo(std::uint32_t cell, cells::Meeting meeting, const Disc& disc) const {
-    float nearestSq = reach * reach * disc.radius * disc.radius;
-    bool found = false;
-    for (const Disc& each : m_near)
-        if (each.label.cell == cell && lengthSq(each.centre - disc.centre) < nearestSq) {
-            nearestSq = lengthSq(each.centre - disc.centre);
-            found = true;
+    float nearestSq = std::numeric_limits<float>::infinity();
+    float radius = 0;
+    for (const Disc& each : m_near) {
+        const float distanceSq = lengthSq(each.centre - disc.centre), most = reach * std::max(disc.radius, each.radius);
+        if (each.label.cell == cell && distanceSq < std::min(nearestSq, most * most)) {
+            nearestSq = distanceSq;
+            radius = std::min(disc.radius, each.radius);
         }
-    if (!found)
+    }
+    if (!(radius > 0))
         return std::nullopt;
-    const float far = std::sqrt(nearestSq) + aboutNearest * disc.radius;
+    const float far = std::sqrt(nearestSq) + aboutNearest * radius;
     Vec3f normal, way;
     float total = 0;
     for (const Disc& each : m_near) {
@@ -80,6 +90,10 @@ CutCode LabelCuts::cutOf(const Disc& disc) const {
     for (const Disc& each : m_near) {
         if (corner)
             break;
+        // a patch that turns below the disc leaves no line either
+        if (each.label.cell == disc.label.partner && dot(each.normal, edge->normal) < turned &&
+            lengthSq(each.centre - disc.centre) < disc.radius * disc.radius)
+            corner = true;
         if (each.label.cell != disc.label.cell || each.label.partner == disc.label.partner ||
             lengthSq(each.centre - disc.centre) > 4 * disc.radius * disc.radius)
             continue;

@@ -1,0 +1,22 @@
+// Models with cells (cells/README): each cell is the surface of its own surfels alone, which ends where another cuts it
+// off. The surface of all of them together is rounded at creases, so each is reduced by itself (reduce/README 8).
+#pragma once
+
+#include "core/reduce/reduce.h"
+
+namespace reduce {
+
+/// Does a surface have cells?
+bool hasCells(const surface::Surface& model);
+
+/// As `reduceBy` for models with cells, to a count or an error. Surfels of cells that are too small or rough for what
+/// is asked stay as they are. The report is of the cells, each against itself: p999 is that of the worst. Throws
+/// base::Error where a count leaves a cell without a surface; base::Cancelled. REQUIRES: hasCells(model).
+Reduced reduceCells(const surface::Surface& model, const Wish& wish, const base::Progress& progress = {});
+
+/// Whole numbers that are together `total`, in proportion to `weights`, none below its `least` nor above its `most`.
+/// REQUIRES: lists of one length, weights > 0, sum of least <= total <= sum of most.
+std::vector<std::size_t> apportion(const std::vector<double>& weights, const std::vector<std::size_t>& least,
+                                   const std::vector<std::size_t>& most, std::size_t total);
+
+} // namespace reduce
