@@ -38,6 +38,8 @@ static void join(Context& context, const Scans& scans, const Vec3d& shift) {
     options.definition = context.document.surface().definition();
     options.keepSupports = false;
     const surfel::SurfelList points = together(scans, shift);
+    if (const std::string loss = lossOf(scans); !loss.empty())
+        context.messages.push_back(loss);
     context.messages.push_back(std::to_string(points.size()) + " points of " + std::to_string(scans.placed.size()) +
                                " scans; where they overlap there are points of each: \"thin\" or \"resample\" makes "
                                "one even layer of them.");
