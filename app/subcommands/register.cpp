@@ -82,6 +82,8 @@ void run(const Options& options, Console& console) {
     hint << "Where models overlap there are points of each. One even layer of them: pointclay clean --thin "
          << process::typicalSpacing(scans.placed[0].surface.tree()) << ", or resample.";
     console.tell(hint.str());
+    if (const std::string loss = session::lossOf(scans); !loss.empty())
+        console.tell(loss);
     io::write(options.out, fileOf(scans), process::part(progress, 0.9, 1));
     if (!options.report.empty())
         io::writeFile(options.report,

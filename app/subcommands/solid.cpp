@@ -37,7 +37,7 @@ void run(const Options& options, Console& console) {
 }
 
 bool isOwn(std::string_view id) {
-    return id == "path" || id == "sample" || id == "hash" || id == "operation" || id == "seams" ||
+    return id == "path" || id == "sample" || id == "hash" || id == "sources" || id == "operation" || id == "seams" ||
            id == "creases"; // of opening
 }
 

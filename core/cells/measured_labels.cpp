@@ -26,8 +26,8 @@ struct Near {
 
 class LabelMeter {
   public:
-    LabelMeter(const surface::Surface& surface, const LabelLayout& labels)
-        : m_surface(surface), m_labels(labels),
+    LabelMeter(const surface::Surface& surface, const LabelLayout& labels, Partners partners)
+        : m_surface(surface), m_labels(labels), m_kept(partners == Partners::Kept),
           m_spacing(static_cast<float>(surface::spacingOfUnit) * surface.supportScale()) {}
 
     /// The block with its labels as they are now; null where they stay. `asked` tells which surfels are meant.
@@ -73,6 +73,8 @@ class LabelMeter {
     Label labelOf(const SurfelBlock& block, int slot, const Label& before) const {
         const Vec3f p = block.position(slot), n = block.normal(slot);
         const float s = m_spacing * block.support(slot);
+        if (m_kept && before.meeting == Meeting::None)
+            return before;
         // cells that this one is known to meet hereabouts, with how far off they are
         std::map<std::uint32_t, float> others;
         for (const Near& each : m_near) {
@@ -82,13 +84,15 @@ class LabelMeter {
                 others.emplace(each.label.cell == before.cell ? each.label.partner : each.label.cell,
                                std::numeric_limits<float>::infinity());
         }
+        if (m_kept)
+            std::erase_if(others, [&](const auto& other) { return other.first != before.partner; });
         for (const Near& each : m_near)
             if (const auto other = others.find(each.label.cell); other != others.end())
                 other->second = std::min(other->second, distanceSq(each.position, p));
         Label out = before;
         out.partner = before.cell;
         out.meeting = Meeting::None;
-        float nearest = static_cast<float>(partnerReach) * s;
+        float nearest = (m_kept ? reach : static_cast<float>(partnerReach)) * s;
         bool flat = false; // is the crease still there, without an edge?
         for (const auto& [cell, farSq] : others) {
             if (!(farSq < reach * reach * s * s))
@@ -118,18 +122,19 @@ class LabelMeter {
             out.partner = cell;
             out.meeting = dot(n - normal, way) < 0 ? Meeting::Convex : Meeting::Concave;
         }
-        return flat && out.meeting == Meeting::None ? before : out;
+        return (flat || m_kept) && out.meeting == Meeting::None ? before : out;
     }
 
     const surface::Surface& m_surface;
     LabelLayout m_labels;
+    bool m_kept;     ///< partners are
     float m_spacing; ///< of a surfel's support
     std::vector<Near> m_near;
 };
 
 } // namespace
 
-tree::Edit measuredLabels(const surface::Surface& surface, std::span<const EditedBall> balls) {
+tree::Edit measuredLabels(const surface::Surface& surface, std::span<const EditedBall> balls, Partners partners) {
     tree::Edit out;
     const tree::SurfelTree& tree = surface.tree();
     const auto labels = tree.empty() ? std::nullopt : LabelLayout::of(*tree.layout());
@@ -143,7 +148,7 @@ tree::Edit measuredLabels(const surface::Surface& surface, std::span<const Edite
     const std::vector<std::pair<std::uint32_t, std::vector<const EditedBall*>>> all(near.begin(), near.end());
     std::vector<surfel::MutableBlockPtr> changed(all.size());
     base::parallelChunks(all.size(), 4, [&](std::size_t begin, std::size_t end, std::size_t) {
-        LabelMeter meter(surface, *labels);
+        LabelMeter meter(surface, *labels, partners);
         for (std::size_t i = begin; i < end; ++i) {
             const std::vector<const EditedBall*>& reaching = all[i].second;
             const surfel::BlockPtr block = tree.block(all[i].first);

@@ -81,7 +81,10 @@ Commas commasIn(std::string_view row, std::size_t columns, std::string& example)
     const auto between = partsOf(row, ",;");
     if (columns >= 3 && between.size() == columns && groupedIn(between, ' ', 1))
         return Commas::Thousands;
-    const auto parts = partsOf(row, row.find(';') != std::string_view::npos ? ";" : " \t\r");
+    auto parts = partsOf(row, row.find(';') != std::string_view::npos ? ";" : " \t\r");
+    for (std::string_view& part : parts)
+        if (part.size() > 2 && part.starts_with('"') && part.ends_with('"'))
+            part = part.substr(1, part.size() - 2);
     if (parts.size() < 3 || row.find(',') == std::string_view::npos)
         return Commas::Separators;
     if (groupedIn(parts, ',', 2) || groupedIn(parts, '.', 2))

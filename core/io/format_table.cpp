@@ -2,6 +2,7 @@
 #include "core/io/content_kind.h"
 #include "core/io/file_name.h"
 #include "core/io/formats.h"
+#include "core/io/las/las_points.h"
 #include "core/io/mesh_formats.h"
 #include "core/io/packed/gzip.h"
 #include "core/io/readers.h"
@@ -15,7 +16,7 @@ namespace io {
 using base::UpAxis;
 
 static const char* everything(std::string_view) {
-    return "normals colours alpha supports masks definition elements attributes";
+    return "normals colours alpha supports masks definition elements attributes up las-grid";
 }
 
 static const char* allOfPoints(std::string_view) {
@@ -23,7 +24,7 @@ static const char* allOfPoints(std::string_view) {
 }
 
 static const char* heldByLas(std::string_view) {
-    return "normals colours supports masks attributes las_records";
+    return "normals colours supports masks attributes las_records las-grid";
 }
 
 static const char* normalsAndColours(std::string_view) {
@@ -64,13 +65,13 @@ std::span<const FormatRow> formatTable() {
     return table;
 }
 
-/// Points as text have a line that begins with a number among their first ones, and no zero bytes.
+/// Points as text have a line that begins with a number, perhaps in quotes, among their first ones, and no zero bytes.
 static bool looksLikeText(std::string_view bytes) {
     std::string_view start = bytes.substr(0, 4096);
     if (start.find('\0') != std::string_view::npos)
         return false;
     for (int line = 0; line < 20 && !start.empty(); ++line) {
-        const std::size_t first = start.find_first_not_of(" \t");
+        const std::size_t first = start.find_first_not_of(" \t\"");
         if (first != std::string_view::npos &&
             std::string_view("0123456789+-.").find(start[first]) != std::string_view::npos)
             return true;
@@ -181,6 +182,10 @@ std::string lossOf(const path& path, const FileModel& model) {
     for (const OpaqueElement& element : model.elements)
         if (const std::string name = nameOf(element); !isAmong(name, holds))
             ask(true, "elements", "the element " + name);
+    ask(model.up && *model.up != row->up, "up", "the axis that is upwards");
+    ask(std::any_of(model.comments.begin(), model.comments.end(),
+                    [](const std::string& line) { return line.starts_with(lasGridComment); }),
+        "las-grid", "the grid of its LAS coordinates");
     return lost.empty() ? std::string() : std::string(row->label) + " cannot hold " + listed(lost) + " of the model.";
 }
 

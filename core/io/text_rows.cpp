@@ -27,13 +27,17 @@ struct TextRows::Cursor {
         return rules.comments && (*at == '#' || *at == '%' || (*at == '/' && end - at > 1 && at[1] == '/'));
     }
     bool atFieldEnd() const { return atEnd() || isBlank(*at) || atSeparator(); }
-    /// Passes over a field, quoted or not, and returns it without quotes.
+    /// Passes over a field, quoted or not, and returns it without quotes and blanks inside them.
     std::string_view takeField() {
         if (rules.separators && *at == '"') {
             const char* close =
                 static_cast<const char*>(std::memchr(at + 1, '"', static_cast<std::size_t>(end - at - 1)));
             if (close) {
-                const std::string_view inside(at + 1, static_cast<std::size_t>(close - at - 1));
+                std::string_view inside(at + 1, static_cast<std::size_t>(close - at - 1));
+                while (!inside.empty() && isBlank(inside.front()))
+                    inside.remove_prefix(1);
+                while (!inside.empty() && isBlank(inside.back()))
+                    inside.remove_suffix(1);
                 at = close + 1;
                 return inside;
             }
@@ -121,6 +125,16 @@ bool TextRows::isNumber(std::string_view field) const {
            (m_rules.decimalComma ? parseCommaNumber(begin, end, value) : parseNumber(begin, end, value)) == end;
 }
 
+/// A number in quotes, nan where they hold nothing. The cursor goes behind it.
+bool TextRows::parseQuoted(Cursor& cursor, double& out) const {
+    const std::string_view text = cursor.takeField();
+    out = std::numeric_limits<double>::quiet_NaN();
+    if (text.empty())
+        return true;
+    const char *const begin = text.data(), *const end = begin + text.size();
+    return (m_rules.decimalComma ? parseCommaNumber(begin, end, out) : parseNumber(begin, end, out)) == end;
+}
+
 TextRows::Fault TextRows::parseRow(std::string_view line, std::span<const int> targets, double* out,
                                    std::size_t& found) const {
     Cursor cursor{line.data(), line.data() + line.size(), m_rules};
@@ -135,6 +149,9 @@ TextRows::Fault TextRows::parseRow(std::string_view line, std::span<const int> t
                 out[target] = std::numeric_limits<double>::quiet_NaN();
         } else if (target < 0) {
             cursor.takeField();
+        } else if (m_rules.separators && *cursor.at == '"') {
+            if (!parseQuoted(cursor, out[target]) || !cursor.atFieldEnd())
+                return Fault::NotANumber;
         } else {
             const char* after = m_rules.decimalComma ? parseCommaNumber(cursor.at, cursor.end, out[target])
                                                      : parseNumber(cursor.at, cursor.end, out[target]);

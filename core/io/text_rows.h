@@ -48,6 +48,7 @@ class TextRows {
     enum class Fault { None, TooFew, TooMany, NotANumber };
     struct Cursor;
     bool isRow(std::string_view line) const;
+    bool parseQuoted(Cursor& cursor, double& out) const;
     Fault parseRow(std::string_view line, std::span<const int> targets, double* out, std::size_t& found) const;
     [[noreturn]] void fail(std::size_t offset, std::span<const int> targets) const;
 

@@ -4,10 +4,13 @@
 #include "core/base/hash.h"
 #include "core/base/sync_folder.h"
 #include "core/io/safe_file.h"
+#include "core/session/files_read.h"
+#include "core/session/journal_files.h"
 #include "core/session/json_text.h"
 #include "core/session/locked_file.h"
 #include "core/session/path_text.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
@@ -21,69 +24,6 @@ namespace session {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-
-fs::path stateFolder() {
-    if (const char* state = std::getenv("XDG_STATE_HOME"); state && *state == '/')
-        return fs::path(state) / "pointclay";
-    const char* home = std::getenv("HOME");
-    return (home && *home ? fs::path(home) / ".local/state" : fs::temp_directory_path()) / "pointclay";
-}
-
-fs::path keptSource(const fs::path& journal, const fs::path& source) {
-    return journal.string() + ".source" + source.extension().string();
-}
-
-/// What stands beside `journal` and belongs to it.
-static std::vector<fs::path> filesOf(const fs::path& journal) {
-    std::vector<fs::path> out;
-    std::error_code none;
-    const std::string own = journal.filename().string() + ".";
-    for (const auto& entry : fs::directory_iterator(journal.has_parent_path() ? journal.parent_path() : ".", none)) {
-        const std::string name = entry.path().filename().string();
-        for (const char* kind : {"source", "stamp-", "new-"})
-            if (name.starts_with(own + kind))
-                out.push_back(entry.path());
-    }
-    return out;
-}
-
-void removeJournal(const fs::path& journal) {
-    std::error_code ignored;
-    fs::remove(journal, ignored);
-    for (const fs::path& each : filesOf(journal))
-        if (!isLocked(each))
-            fs::remove(each, ignored);
-}
-
-void removeLeftovers(const fs::path& folder) {
-    std::error_code ignored;
-    constexpr std::string_view extension = ".jsonl.";
-    std::vector<fs::path> left;
-    for (const auto& entry : fs::directory_iterator(folder, ignored)) {
-        const std::string name = entry.path().filename().string();
-        const std::size_t end = name.find(extension);
-        if (!name.starts_with("journal-") || end == std::string::npos || isLocked(entry.path()))
-            continue;
-        const bool unfinished = name.substr(end + extension.size()).find("new-") != std::string::npos;
-        if (unfinished || !fs::exists(folder / name.substr(0, end + extension.size() - 1), ignored))
-            left.push_back(entry.path());
-    }
-    for (const fs::path& each : left)
-        fs::remove(each, ignored);
-}
-
-/// What a killed process had begun for this journal. REQUIRES: we hold it.
-static void removeUnfinished(const fs::path& journal) {
-    std::error_code ignored;
-    const std::size_t own = journal.filename().string().size();
-    for (const fs::path& each : filesOf(journal))
-        if (each.filename().string().find(".new-", own) != std::string::npos && !isLocked(each))
-            fs::remove(each, ignored);
-}
-
-bool isJournalHeld(const fs::path& journal) {
-    return isLocked(journal);
-}
 
 /// In a folder that others can write to, they could put their files in the place of ours.
 static void checkOwner(const fs::path& folder) {
@@ -110,7 +50,7 @@ static fs::path defaultPath() {
 }
 
 /// Paths that are not UTF-8 become URLs.
-static std::string lineOf(json command) {
+static std::string textOf(json command) {
     for (auto& [key, value] : command.items())
         if (value.is_string())
             value = pathText(value.get_ref<const std::string&>());
@@ -118,7 +58,11 @@ static std::string lineOf(json command) {
             for (json& each : value)
                 if (each.is_string())
                     each = pathText(each.get_ref<const std::string&>());
-    return command.dump(-1, ' ', false, json::error_handler_t::replace) + "\n";
+    return command.dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+static std::string lineOf(json command) {
+    return textOf(std::move(command)) + "\n";
 }
 
 static std::string contentOf(const fs::path& path) {
@@ -248,25 +192,38 @@ void Journal::record(const json& complete, Context& context) {
     m_untilModel &= !first;
     if (m_discarded || m_untilModel)
         return;
-    json kept = complete;
-    if (first)
+    json line = complete;
+    if (first) {
         m_source.clear();
-    if (op == "open") {
-        kept["hash"] = context.document.hash().text();
-        m_source = complete.at("path").get<std::string>();
-        if (complete.contains("source")) // kept by the journal that is being recovered, which may go
-            attempted(context, [&] { keep(complete["source"].get<std::string>(), kept); });
+        m_others.clear();
     }
-    attempted(context, [&] { keepStamp(kept); });
-    write(lineOf(std::move(kept)), first, context);
+    if (op == "open")
+        line["hash"] = context.document.hash().text();
+    attempted(context, [&] { keepAgain(line, first); });
+    attempted(context, [&] { keepStamp(line); });
+    for (const std::string& file : filesRead(line))
+        if (first)
+            m_source = file;
+        else
+            m_others.emplace_back(file);
+    write(lineOf(std::move(line)), first, context);
 }
 
-/// Copies the file that `open` reads to this journal's side and lets it read the copy.
-void Journal::keep(const fs::path& source, json& open) {
-    const fs::path kept = keptSource(m_path, source);
-    copyDurably(source, kept);
-    open["source"] = kept.string();
-    m_source = kept;
+/// Copies a file that a line reads, the `first` or another one, to this journal's side.
+fs::path Journal::kept(const fs::path& source, bool first) {
+    fs::path out = keptSource(m_path, source);
+    for (int k = 2; !first && (k == 2 || fs::exists(out)); ++k)
+        out = m_path.string() + ".source-" + std::to_string(k) + source.extension().string();
+    copyDurably(source, out);
+    return out;
+}
+
+/// What a journal kept that is being recovered, and that may go.
+void Journal::keepAgain(json& line, bool first) {
+    const std::vector<std::string> named = filesNamed(line), read = filesRead(line);
+    for (std::size_t k = 0; k < named.size(); ++k)
+        if (read[k] != named[k])
+            readInstead(line, k, kept(read[k], first).string());
 }
 
 /// Copies the image that a stroke presses in to this journal's side, under a name made of its content.
@@ -284,20 +241,64 @@ void Journal::keepStamp(json& stroke) {
     stroke["stamp"] = kept.string();
 }
 
+/// One file under two names; false where one of them is none.
+static bool isSame(const fs::path& a, const fs::path& b) {
+    std::error_code none;
+    return fs::equivalent(a, b, none);
+}
+
+bool Journal::reads(const fs::path& target) const {
+    return isSame(m_source, target) ||
+           std::any_of(m_others.begin(), m_others.end(), [&](const fs::path& each) { return isSame(each, target); });
+}
+
 void Journal::keepSource(const fs::path& target, Context& context) {
-    std::error_code unequal;
-    if (m_discarded || m_source.empty() || !fs::equivalent(m_source, target, unequal))
+    if (m_discarded || m_untilModel || !reads(target))
         return;
-    const bool kept = attempted(context, [&] {
-        const std::string content = m_anew ? m_waiting : contentOf(m_path).substr(0, m_size) + m_waiting;
-        const std::size_t end = content.find('\n');
-        json first = jsonOf(content.substr(0, end));
-        keep(m_source, first);
-        begin(lineOf(std::move(first)) + content.substr(end + 1));
+    const bool first = isSame(m_source, target);
+    const bool done = attempted(context, [&] {
+        std::istringstream lines(m_anew ? m_waiting : contentOf(m_path).substr(0, m_size) + m_waiting);
+        fs::path copy;
+        std::string content;
+        for (std::string line; std::getline(lines, line); content += line + "\n") {
+            json command = jsonOf(line);
+            const std::vector<std::string> files = filesRead(command);
+            for (std::size_t k = 0; k < files.size(); ++k)
+                if (isSame(files[k], target)) {
+                    if (copy.empty())
+                        copy = kept(files[k], first);
+                    readInstead(command, k, copy.string());
+                    line = textOf(command);
+                }
+        }
+        begin(content);
         m_waiting.clear();
         m_anew = false;
+        if (first)
+            m_source = copy;
+        for (fs::path& each : m_others)
+            if (isSame(each, target))
+                each = copy;
     });
-    m_untilModel = !kept;
+    m_untilModel = first && !done;
+}
+
+/// Copies files that begin like `own` to the side of `target` and names the copies in their place.
+static void copyBeside(json& files, const std::string& own, const fs::path& target) {
+    if (files.is_array())
+        for (json& each : files)
+            copyBeside(each, own, target);
+    if (!files.is_string() || !files.get_ref<const std::string&>().starts_with(own))
+        return;
+    const std::string file = files.get<std::string>();
+    const fs::path beside = fs::absolute(target).string() + "." + file.substr(own.size());
+    try {
+        copyDurably(file, beside);
+    } catch (const std::system_error& error) {
+        throw base::Error("cannot be copied beside the session: " + error.code().message(), file,
+                          "choose a folder with room that can be written to");
+    }
+    files = beside.string();
 }
 
 void Journal::copyTo(const fs::path& target) const {
@@ -312,18 +313,9 @@ void Journal::copyTo(const fs::path& target) const {
     const std::string own = m_path.string() + ".";
     for (std::string line; std::getline(lines, line);) {
         json command = jsonOf(line);
-        for (const char* key : {"source", "stamp"})
-            if (const auto named = command.find(key); named != command.end() && named->is_string())
-                if (const std::string file = named->get<std::string>(); file.starts_with(own)) {
-                    const fs::path beside = fs::absolute(target).string() + "." + file.substr(own.size());
-                    try {
-                        copyDurably(file, beside);
-                    } catch (const std::system_error& error) {
-                        throw base::Error("cannot be copied beside the session: " + error.code().message(), file,
-                                          "choose a folder with room that can be written to");
-                    }
-                    command[key] = beside.string();
-                }
+        for (const char* key : {"source", "sources", "stamp"})
+            if (command.contains(key))
+                copyBeside(command[key], own, target);
         out += lineOf(std::move(command));
     }
     io::writeFile(target, out);

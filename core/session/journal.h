@@ -3,9 +3,9 @@
 // A journal is a session file (session_file.h). A command is written when it has completed, as one whole line that is
 // on the disk before the next command runs; a line torn by a crash has no newline and is ignored. Since `open` and
 // `new` replace the document, each of them begins the file anew; `open` carries an absolute path and the content hash,
-// so that recovery notices a file that has changed meanwhile. Before a save writes over the file that the journal
-// begins with, that file is kept beside the journal (`keptSource`) and the journal reads the copy. Images that brushes
-// press in are kept the same way, by their content.
+// so that recovery notices a file that has changed meanwhile. Before a save writes over a file that a line reads, the
+// one that the journal begins with (`keptSource`) or another model's, that file is kept beside the journal and the line
+// reads the copy. Images that brushes press in are kept the same way, by their content.
 //
 // A disk that refuses is told once. What it refused is kept in memory and written with the next command that finds
 // room.
@@ -51,13 +51,16 @@ class Journal {
     void begin(const std::string& lines);
     void append(const std::string& lines);
     void write(const std::string& line, bool first, Context& context);
-    void keep(const std::filesystem::path& source, nlohmann::json& open);
+    std::filesystem::path kept(const std::filesystem::path& source, bool first);
+    void keepAgain(nlohmann::json& line, bool first);
+    bool reads(const std::filesystem::path& target) const;
     void keepStamp(nlohmann::json& stroke);
     template <class Work>
     bool attempted(Context& context, const Work& work);
 
     std::filesystem::path m_path;
-    std::filesystem::path m_source; ///< the file that the first line opens; empty for none
+    std::filesystem::path m_source;              ///< the file that the first line opens; empty for none
+    std::vector<std::filesystem::path> m_others; ///< that further lines read
     int m_file = -1;
     std::uint64_t m_size = 0;  ///< bytes of the file that are whole lines
     std::string m_waiting;     ///< lines that the disk has not taken yet

@@ -81,6 +81,35 @@ static surfel::AttributeLayoutPtr commonLayout(const Scans& scans) {
     return out;
 }
 
+/// What people call it.
+static std::string wordOf(const std::string& attribute) {
+    return !isOfOneModel(attribute)                  ? "\"" + attribute + "\""
+           : attribute.starts_with("layer_")         ? "the layers"
+           : attribute.starts_with("support_shape_") ? "the shapes of supports"
+                                                     : "the creases";
+}
+
+std::string lossOf(const Scans& scans) {
+    const surfel::AttributeLayoutPtr common = commonLayout(scans);
+    std::vector<std::string> lost;
+    const auto ask = [&](bool has, bool kept, const std::string& name) {
+        if (has && !kept && std::find(lost.begin(), lost.end(), name) == lost.end())
+            lost.push_back(name);
+    };
+    for (const process::Placed& p : scans.placed) {
+        const surfel::AttributeLayout& layout = layoutOf(p);
+        ask(layout.normals, common->normals, "the normals");
+        ask(layout.colours, common->colours, "the colours");
+        ask(layout.masks, common->masks, "the masks");
+        for (const surfel::Attribute& a : layout.attributes())
+            ask(true, common->find(a.name) != nullptr, wordOf(a.name));
+    }
+    std::string out;
+    for (std::size_t k = 0; k < lost.size(); ++k)
+        out += (k == 0 ? "" : k + 1 == lost.size() ? " and " : ", ") + lost[k];
+    return out.empty() ? out : "Left out, as not all models share them: " + out + ".";
+}
+
 surfel::SurfelList together(const Scans& scans, const Vec3d& shift) {
     surfel::SurfelList out;
     out.layout = commonLayout(scans);

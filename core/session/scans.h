@@ -34,6 +34,9 @@ void bring(Scans& scans, bool anywhere, std::vector<std::string>& messages, cons
 /// From the file coordinates of one scan to those of the first.
 process::Rigid betweenFiles(const Scans& scans, std::size_t m);
 
+/// One sentence that names what not all of them have alike, so that `together` leaves it out. Empty where nothing is.
+std::string lossOf(const Scans& scans);
+
 /// All of their points with the attributes that they have alike and `scan`, the number of each one's scan: the first
 /// one's is 0, or what it has already where it was put together like this; the others' follow. Relative to the first
 /// one's origin, moved by `shift`. Supports are 0: where scans overlap there are more points than in each of them.

@@ -75,9 +75,10 @@ tree::Selection beside(const tree::SurfelTree& tree, const base::Plane& plane) {
 
 } // namespace
 
-surface::Surface mirrored(const surface::Surface& model, const base::Plane& plane, const base::Progress& progress) {
+surface::Surface mirrored(const surface::Surface& model, const base::Plane& plane, const base::Progress& progress,
+                          const std::function<surfel::SurfelList(surfel::SurfelList half)>& settled) {
     progress.step(0, "Mirroring");
-    const surfel::SurfelList half = above(model.tree(), plane);
+    surfel::SurfelList half = above(model.tree(), plane);
     if (half.size() < 4)
         throw base::Error("nothing lies on that side of the plane", "mirror", "move the plane, or keep the other side");
     surface::SurfaceDefinition definition = model.definition();
@@ -92,8 +93,12 @@ surface::Surface mirrored(const surface::Surface& model, const base::Plane& plan
         options.spacing *= ratio;
         options.targetOf = [ratio](const surfel::SurfelBlock& block, int slot) { return block.support(slot) * ratio; };
         const tree::SurfelTree even = whole.tree().apply(process::resample(whole, seam, options));
-        whole = {tree::SurfelTree::build(doubled(above(even, plane), plane)), definition};
+        half = above(even, plane);
     }
+    if (settled)
+        half = settled(std::move(half));
+    if (settled || !seam.empty())
+        whole = {tree::SurfelTree::build(doubled(half, plane)), definition};
     if (definition.boundary == surface::Boundary::Auto) {
         definition.boundaryLimit = process::automaticBoundaryLimit(whole);
         whole = {whole.tree(), definition};

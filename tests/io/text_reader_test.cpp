@@ -55,6 +55,8 @@ void TextReaderTest::delimitersAndCommentsAreUnderstood_data() {
     QTest::newRow("count and names") << "2\nX Y Z\n1 2 3\n4 5 6\n";
     QTest::newRow("names in a comment") << "//X Y Z\n1 2 3\n4 5 6\n";
     QTest::newRow("quoted names") << "\"x\",\"y\",\"z\"\n1,2,3\n4,5,6\n";
+    QTest::newRow("quoted numbers") << "\"x\",\"y\",\"z\"\n\"1\",\" 2 \",3\n\"4.0\", \"5\" ,\"6e0\"\n";
+    QTest::newRow("quoted numbers without names") << "\"1\";\"2\";\"3\"\n\"4\";\"5\";\"6\"\n";
     QTest::newRow("names in other order") << "z,y,x\n3,2,1\n6,5,4\n";
 }
 

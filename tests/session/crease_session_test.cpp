@@ -3,6 +3,7 @@
 #include "core/base/parallel.h"
 #include "core/cells/labels.h"
 #include "journals.h"
+#include "layered.h"
 #include "random_strokes.h"
 #include "support/registry.h"
 #include "workbench.h"
@@ -19,6 +20,8 @@ class CreaseSessionTest : public QObject {
     void undoAndRedoComeBack();
     void journalsBringCreasesBack();
     void savedModelsGoOnAsIfTheyHadStayedOpen();
+    void strengthsOfLayersLeaveNoTraceOnCreases();
+    void edgesOfALayerTurnOverWithIt();
     void cleanup() { base::setThreadCount(0); }
 };
 
@@ -97,6 +100,48 @@ void CreaseSessionTest::savedModelsGoOnAsIfTheyHadStayedOpen() {
     strokesOn(stays, 4, later);
     strokesOn(opens, 4, later);
     QVERIFY2(opens.hash() == stays.hash(), qPrintable(QString("seed %1").arg(test::seed())));
+}
+
+void CreaseSessionTest::strengthsOfLayersLeaveNoTraceOnCreases() {
+    Workbench bench;
+    bench.run(grooved(bench, test::effort(5000)));
+    bench.run(test::layered::layer("add"));
+    base::Random random(test::seed());
+    strokesOn(bench, 4, random);
+    const std::string before = bench.hash();
+    for (const double strength : {0.0, random.uniform() * 2, 1.0})
+        bench.run(test::layered::strength(strength));
+    QVERIFY2(bench.hash() == before, qPrintable(QString("seed %1").arg(test::seed())));
+}
+
+/// How many surfels have a partner that they meet so.
+static std::size_t meeting(const Workbench& bench, cells::Meeting how) {
+    const auto labels = cells::LabelLayout::of(*bench.document.surface().tree().layout());
+    std::size_t out = 0;
+    bench.document.surface().tree().forEachBlock([&](std::uint32_t, const surfel::SurfelBlock& block) {
+        for (int slot = 0; slot < block.size(); ++slot)
+            out += labels && labels->at(block, slot).meeting == how ? 1 : 0;
+    });
+    return out;
+}
+
+/// A ridge that a layer raises: flat without it, a furrow where it is shown the other way.
+void CreaseSessionTest::edgesOfALayerTurnOverWithIt() {
+    using cells::Meeting;
+    Workbench bench;
+    bench.run(test::newSphere(20000));
+    bench.run(test::layered::layer("add"));
+    for (int k = 0; k < 3; ++k)
+        bench.run(test::strokeAt(0.05, "crease"));
+    bench.run({{"op", "crease"}, {"detect", true}});
+    const std::size_t concave = meeting(bench, Meeting::Concave), convex = meeting(bench, Meeting::Convex);
+    QVERIFY(concave + convex > 50);
+    for (const double strength : {0.0, -1.0, 1.0}) {
+        bench.run(test::layered::strength(strength));
+        const std::size_t now = meeting(bench, Meeting::Concave);
+        QCOMPARE(now + meeting(bench, Meeting::Convex), concave + convex);
+        QVERIFY2(strength > -1 || now > concave, qPrintable(QString::number(now)));
+    }
 }
 
 static const test::Registered<CreaseSessionTest> registered;

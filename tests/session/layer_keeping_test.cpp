@@ -1,5 +1,6 @@
 // What comes of layers when everything else is done to a model: they stay whole, in history and files, too.
 #include "core/base/parallel.h"
+#include "core/base/plane.h"
 #include "core/base/random.h"
 #include "layered.h"
 #include "support/registry.h"
@@ -18,6 +19,8 @@ class LayerKeepingTest : public QObject {
     void movedOrTurnedOverTheyStayWhole();
     void turningNormalsOverKeepsWhatLayersHold_data();
     void turningNormalsOverKeepsWhatLayersHold();
+    void mirroringMirrorsWhatLayersHold_data();
+    void mirroringMirrorsWhatLayersHold();
     void aNewLayerAdoptsNoWordsThatStandThere();
     void layersOfAnotherModelStayBehind();
     void historyFilesAndJournalsKeepThem();
@@ -82,6 +85,73 @@ void LayerKeepingTest::turningNormalsOverKeepsWhatLayersHold() {
     QVERIFY(isWhole(bench));
     bench.run(strength(0));
     QVERIFY(offSphere(surfels(bench)) < 1e-4);
+}
+
+/// Greatest distance of the mirror image of a surfel from the nearest surfel.
+static double asymmetry(const surfel::SurfelList& list, const base::Plane& plane) {
+    double out = 0;
+    for (const surfel::Surfel& each : list.items) {
+        const Vec3d p = base::cast<double>(each.position);
+        const Vec3f image = base::cast<float>(p - plane.normal * (2 * plane.distance(p)));
+        float nearest = 1e9f;
+        for (const surfel::Surfel& other : list.items)
+            nearest = std::min(nearest, distanceSq(other.position, image));
+        out = std::max(out, std::sqrt(double(nearest)));
+    }
+    return out;
+}
+
+static surfel::SurfelList aboveOf(const Workbench& bench, const base::Plane& plane) {
+    surfel::SurfelList out;
+    for (const surfel::Surfel& each : surfels(bench).items)
+        if (plane.distance(base::cast<double>(each.position)) >= 0)
+            out.items.push_back(each);
+    return out;
+}
+
+void LayerKeepingTest::mirroringMirrorsWhatLayersHold_data() {
+    QTest::addColumn<bool>("across");
+    QTest::newRow("a stroke over the plane") << true;
+    QTest::newRow("a stroke beside it") << false;
+}
+
+void LayerKeepingTest::mirroringMirrorsWhatLayersHold() {
+    QFETCH(bool, across);
+    Workbench bench;
+    base::Random random(test::seed());
+    const auto some = [&] { return 0.2 * random.uniform() - 0.1; };
+    const base::Plane plane{base::normalized(Vec3d{some(), across ? some() : 1.0, across ? 1e-3 : some()} +
+                                             Vec3d{across ? 1.0 : 0.0, 0, 0}),
+                            across ? some() : -0.4};
+    bench.run(test::newSphere(3000));
+    for (const char* tool : {"draw", "grab"}) {
+        bench.run(layer("add"));
+        bench.run(stroke(tool, 0, true));
+    }
+    const auto show = [&](double first, double second) {
+        bench.run(layer("strength", {{"name", "Layer 1"}, {"strength", first}}));
+        bench.run(layer("strength", {{"name", "Layer 2"}, {"strength", second}}));
+    };
+    show(0, 0);
+    const double leftBefore = offSphere(aboveOf(bench, plane)); // by resampling (layers/README 4)
+    show(1, 1);
+    std::ostringstream text;
+    text.precision(17);
+    text << plane.normal.x << ',' << plane.normal.y << ',' << plane.normal.z << ',' << plane.offset;
+    bench.run({{"op", "mirror"}, {"plane", text.str()}});
+    QCOMPARE(bench.document.layers().layers.size(), std::size_t(2));
+    QVERIFY(offSphere(surfels(bench)) > 0.05);
+    for (const auto& [first, second] : {std::pair{1.0, 1.0}, {0.5, -1.0}, {0.0, 1.0}, {0.0, 0.0}}) {
+        show(first, second);
+        QVERIFY(isWhole(bench));
+        const double off = asymmetry(surfels(bench), plane);
+        QVERIFY2(off < 2e-5,
+                 qPrintable(QString("%1 at %2, %3, seed %4").arg(off).arg(first).arg(second).arg(test::seed())));
+    }
+    // what was dragged over the plane cannot go back over it
+    const double left = offSphere(aboveOf(bench, plane));
+    QVERIFY2(across || left < leftBefore + 0.1 * spacing(bench),
+             qPrintable(QString("%1, before %2, seed %3").arg(left).arg(leftBefore).arg(test::seed())));
 }
 
 void LayerKeepingTest::aNewLayerAdoptsNoWordsThatStandThere() {

@@ -21,6 +21,8 @@ class RecoverTest : public QObject {
     void aLineThatIsNoCommandIsToldAndPassedOver();
     void aChangedFileIsNoticed();
     void savingOverTheSourceKeepsIt();
+    void savingOverAnotherModelKeepsIt_data();
+    void savingOverAnotherModelKeepsIt();
     void keptSourcesHaveTheirPictures();
     void recoveringKeepsTheSourceOfTheOldJournal();
     void leftJournalsAreThoseThatNobodyHolds();
@@ -136,6 +138,46 @@ void RecoverTest::savingOverTheSourceKeepsIt() {
     Workbench again;
     session::recover(journal.path(), again.context);
     QCOMPARE(again.document.provenance().path.string(), file);
+}
+
+void RecoverTest::savingOverAnotherModelKeepsIt_data() {
+    QTest::addColumn<QString>("line");
+    QTest::newRow("register to") << R"({"op":"register","to":"b.ply"})";
+    QTest::newRow("register moving") << R"({"op":"register","moving":["c.ply","b.ply"]})";
+    QTest::newRow("measure") << R"({"op":"measure","to":"b.ply"})";
+    QTest::newRow("solid") << R"({"op":"solid","path":"b.ply","position":"0.7,0,0"})";
+    QTest::newRow("the opened one") << R"({"op":"measure","to":"a.ply"})";
+}
+
+/// By the journal, by its copy, and by the journal of who recovered it, when the old one is gone.
+void RecoverTest::savingOverAnotherModelKeepsIt() {
+    QFETCH(QString, line);
+    Workbench bench;
+    bench.context.folder = bench.dir.path().toStdString();
+    for (const char* name : {"b.ply", "c.ply", "a.ply"}) {
+        bench.run(test::newSphere(800));
+        bench.run(test::strokeAt(name[0] == 'a' ? 0.1 : 0));
+        bench.run({{"op", "save"}, {"path", name}});
+    }
+    auto journal = std::make_unique<session::Journal>(bench.path("j.jsonl"));
+    bench.context.journal = journal.get();
+    bench.run({{"op", "open"}, {"path", "a.ply"}});
+    for (int k = 0; k < 2; ++k) { // the second time the line reads what the first save wrote
+        bench.run(json::parse(line.toStdString()));
+        bench.run(test::strokeAt(0.2 + 0.1 * k));
+        for (const char* name : {"b.ply", "a.ply"})
+            bench.run({{"op", "save"}, {"path", name}});
+    }
+    journal->copyTo(bench.path("copy.jsonl"));
+    Workbench next;
+    session::Journal after(bench.path("after.jsonl"));
+    next.context.journal = &after;
+    session::recover(journal->path(), next.context);
+    QCOMPARE(next.hash(), bench.hash());
+    journal->discard();
+    bench.context.journal = nullptr;
+    QCOMPARE(recovered(after.path()), bench.hash());
+    QCOMPARE(recovered(bench.path("copy.jsonl")), bench.hash());
 }
 
 /// A model saved over itself: the copy that the journal reads is in another folder than its picture.

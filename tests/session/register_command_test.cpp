@@ -20,6 +20,7 @@ class RegisterCommandTest : public QObject {
     void theModelMovesOntoTheOther();
     void othersMoveOntoTheModel();
     void numbersOfScansGoOn();
+    void whatNotAllHaveIsNamed();
     void journalsAndThreadsBringTheSameBits();
     void aFileThatChangedIsNoticed();
     void nonsenseIsRefused();
@@ -136,6 +137,26 @@ void RegisterCommandTest::numbersOfScansGoOn() {
     for (std::size_t i = 0; i < list.size(); ++i)
         ++counts[surfel::read(*list.layout->find("scan"), list.extraOf(i))];
     QVERIFY((counts == std::map<double, std::size_t>{{0, 4000}, {1, 4000}, {2, 4000}, {3, 4000}}));
+}
+
+void RegisterCommandTest::whatNotAllHaveIsNamed() {
+    TwoScans scans;
+    std::vector<std::string>& messages = scans.bench.context.messages;
+    const auto left = [&] {
+        return std::count_if(messages.begin(), messages.end(), [](const std::string& each) {
+            return each == "Left out, as not all models share them: the colours, \"thickness\" and the layers.";
+        });
+    };
+    scans.bench.run({{"op", "open"}, {"path", scans.front}});
+    scans.bench.run({{"op", "register"}, {"moving", {scans.side}}});
+    QVERIFY(std::none_of(messages.begin(), messages.end(),
+                         [](const std::string& each) { return each.starts_with("Left out"); }));
+    scans.bench.run({{"op", "colour"}, {"colour", {1, 2, 3}}});
+    scans.bench.run({{"op", "measure"}, {"thickness", true}});
+    scans.bench.run({{"op", "layer"}, {"do", "add"}});
+    scans.bench.run({{"op", "register"}, {"moving", {scans.side}}});
+    QCOMPARE(left(), 1);
+    QVERIFY(!scans.bench.document.surface().tree().layout()->colours);
 }
 
 void RegisterCommandTest::journalsAndThreadsBringTheSameBits() {

@@ -113,7 +113,7 @@ class LineDevice final : public Device {
 } // namespace
 
 std::unique_ptr<Device> openLineDevice(const std::string& address, const LineRow& row) {
-    const std::size_t at = address.find('@');
+    const std::size_t at = address.starts_with('/') ? std::string::npos : address.find('@'); // paths may hold some
     const std::string name = at == std::string::npos ? std::string() : address.substr(0, at);
     return std::make_unique<LineDevice>(lineAddress(at == std::string::npos ? address : address.substr(at + 1)), name,
                                         row);

@@ -31,8 +31,8 @@ struct LineRow {
     DeviceLimits limits;
 };
 
-/// `address` may have a name in front, NAME@ADDRESS, which the protocol gets. Throws base::Error for what is no
-/// address.
+/// `address` may have a name in front, NAME@ADDRESS, which the protocol gets; one that begins with a slash is a path
+/// and has none. Throws base::Error for what is no address.
 std::unique_ptr<Device> openLineDevice(const std::string& address, const LineRow& row);
 
 /// Of bytes that wait on either side; who sends or leaves more is no device.

@@ -52,12 +52,12 @@ std::size_t layerOf(const Stack& stack, const json& complete) {
     return static_cast<std::size_t>(index);
 }
 
-/// Creases measured anew where the shape did change.
+/// Edges turn over with the shape; creases stay where it is flat, as another strength brings their edges back.
 surface::Surface measured(const surface::Surface& surface, const std::vector<base::Box3f>& changed) {
     std::vector<cells::EditedBall> balls;
     for (const base::Box3f& box : changed)
         balls.push_back({box.centre(), 0.5f * box.diagonal()});
-    const tree::Edit edit = cells::measuredLabels(surface, balls);
+    const tree::Edit edit = cells::measuredLabels(surface, balls, cells::Partners::Kept);
     return edit.empty() ? surface : surface::Surface{surface.tree().apply(edit), surface.definition()};
 }
 

@@ -1,7 +1,7 @@
-#include "core/solid/mirror.h"
-
+#include "core/layers/symmetric.h"
 #include "core/session/commands/combined_model.h"
 #include "core/session/commands/commands.h"
+#include "core/solid/mirror.h"
 
 #include <nlohmann/json.hpp>
 
@@ -12,7 +12,17 @@ static void mirror(Context& context, const nlohmann::json& complete) {
     base::Plane plane = planeOf(complete.at("plane").get<std::string>(), context.document.provenance().origin);
     if (complete.at("keep") == "below")
         plane = plane.flipped();
-    context.document.commit(solid::mirrored(context.document.surface(), plane, context.progress), "Mirror");
+    const surface::Surface& before = context.document.surface();
+    const layers::Stack& stack = context.document.layers();
+    if (stack.empty())
+        return context.document.commit(solid::mirrored(before, plane, context.progress), "Mirror");
+    const auto carried = [&](const surfel::SurfelList& half) {
+        const tree::SurfelTree tree = tree::SurfelTree::build(half);
+        return layers::reconciled(before.tree(), tree, stack, layers::How::Carry).surfels();
+    };
+    const surface::Surface next = solid::mirrored(before, plane, context.progress, carried);
+    context.document.commit({layers::symmetric(next.tree(), stack, plane), next.definition()}, "Mirror",
+                            layers::How::Keep);
 }
 
 CommandRow mirrorCommand() {

@@ -2,6 +2,7 @@
 #include "core/base/unit_normal.h"
 #include "core/session/commands/combined_model.h"
 #include "core/session/commands/commands.h"
+#include "core/session/commands/other_model.h"
 #include "core/session/model_argument.h"
 #include "core/session/number_text_list.h"
 #include "core/surfel/shape.h"
@@ -12,18 +13,18 @@ namespace session {
 
 using nlohmann::json;
 
-/// The other model, opened or made as `open` and `new` do it.
-static Document otherModel(Context& context, const json& complete) {
+/// Opened or made as `open` and `new` do it.
+static Document otherSolid(Context& context, const json& complete) {
     const bool file = complete.contains("path");
     if (file == complete.contains("sample"))
         throw base::Error("\"solid\" needs a \"path\" or a \"sample\"", {}, "give one of them");
-    json open = file ? json{{"op", "open"}, {"path", complete.at("path")}}
-                     : modelCommand("sample:" + complete.at("sample").get<std::string>());
+    if (file)
+        return otherModel(context, complete, 0, context.progress);
     Document out;
     Context inner{out, context.folder, context.progress, {}, 0, {}, nullptr};
-    run(inner, open);
+    run(inner, modelCommand("sample:" + complete.at("sample").get<std::string>()));
     if (const auto wanted = complete.find("hash"); wanted != complete.end())
-        requireRecorded(context, *wanted, out, complete.value("path", std::string("the sample")));
+        requireRecorded(context, *wanted, out, "the sample");
     return out;
 }
 
@@ -46,7 +47,7 @@ static surfel::SurfelList placed(const Document& other, const solid::Pose& pose,
 
 static void solidWith(Context& context, const json& complete) {
     requireModel(context);
-    const Document other = otherModel(context, complete);
+    const Document other = otherSolid(context, complete);
     if (complete.contains("path")) { // a journal notices when the file has changed
         json pinned = complete;
         pinned["hash"] = other.hash().text();
@@ -74,6 +75,7 @@ CommandRow solidCommand() {
         {"path", "path", "", "the other model: a file; give this or sample", "null", "", 0, 0},
         {"sample", "text", "", "the other model: a sample, NAME[:COUNT[:SEED]]", "null", "", 0, 0},
         {"hash", "text", "", "content hash that the other model must have", "null", "", 0, 0},
+        sourcesParameter(),
         {"operation", "choice", "",
          "union: what is in either; difference: in this one and not in the other; intersection: in both", "\"union\"",
          operations.c_str(), 0, 0},

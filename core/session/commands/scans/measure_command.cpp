@@ -1,6 +1,7 @@
 #include "core/base/error.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/session/commands/commands.h"
+#include "core/session/commands/other_model.h"
 #include "core/session/commands/scans/clean_steps.h"
 #include "core/session/measured_model.h"
 #include "core/session/number_lists.h"
@@ -13,11 +14,7 @@ using nlohmann::json;
 
 static void measureDeviation(Context& context, const json& complete, MeasuredModel& out) {
     const auto path = complete.at("to").get<std::string>();
-    Document other;
-    Context inner{other, context.folder, process::part(context.progress, 0, 0.3), {}, 0, {}, nullptr};
-    run(inner, {{"op", "open"}, {"path", path}});
-    if (const auto wanted = complete.find("hash"); wanted != complete.end())
-        requireRecorded(context, *wanted, other, path);
+    const Document other = otherModel(context, complete, 0, process::part(context.progress, 0, 0.3));
     json pinned = complete;
     pinned["hash"] = other.hash().text();
     context.instead = std::make_shared<json>(json::array({std::move(pinned)}));
@@ -75,6 +72,7 @@ CommandRow measureCommand() {
         {"range", "list", "model units", "[low,high] that the colours span; most of the numbers unless told", "null",
          "", 0, 0},
         {"hash", "text", "", "content hash that the other model must have", "null", "", 0, 0},
+        sourcesParameter(),
     };
     return {"measure",
             "Measure",

@@ -3,6 +3,7 @@
 #include "core/process/estimation/prepare.h"
 #include "core/selection/affine.h"
 #include "core/session/commands/commands.h"
+#include "core/session/commands/other_model.h"
 #include "core/session/commands/scans/clean_steps.h"
 #include "core/session/commands/selected/limits.h"
 #include "core/session/scans.h"
@@ -15,17 +16,6 @@ namespace session {
 using base::Vec3d;
 using nlohmann::json;
 using selection::Affine, selection::Limit;
-
-/// Opened as `open` does it; `number` counts the hashes.
-static Document opened(Context& context, const json& complete, const std::string& path, std::size_t number) {
-    Document out;
-    Context inner{out, context.folder, process::part(context.progress, 0, 0.3), {}, 0, {}, nullptr};
-    run(inner, {{"op", "open"}, {"path", path}});
-    const json hashes = complete.value("hashes", json::array());
-    if (number < hashes.size())
-        requireRecorded(context, hashes[number], out, path);
-    return out;
-}
 
 static void bringTogether(Context& context, Scans& scans, const json& complete) {
     bring(scans, complete.at("global").get<bool>(), context.messages, process::part(context.progress, 0.3, 0.8));
@@ -48,6 +38,8 @@ static void join(Context& context, const Scans& scans, const Vec3d& shift) {
     options.definition = context.document.surface().definition();
     options.keepSupports = false;
     const surfel::SurfelList points = together(scans, shift);
+    if (const std::string loss = lossOf(scans); !loss.empty())
+        context.messages.push_back(loss);
     context.messages.push_back(std::to_string(points.size()) + " points of " + std::to_string(scans.placed.size()) +
                                " scans; where they overlap there are points of each: \"thin\" or \"resample\" makes "
                                "one even layer of them.");
@@ -58,7 +50,7 @@ static void join(Context& context, const Scans& scans, const Vec3d& shift) {
 static void moveTo(Context& context, const json& complete) {
     const auto path = complete.at("to").get<std::string>();
     Scans scans;
-    add(scans, path, opened(context, complete, path, 0));
+    add(scans, path, otherModel(context, complete, 0, process::part(context.progress, 0, 0.3)));
     add(scans, "the model", context.document);
     bringTogether(context, scans, complete);
     pin(context, complete, std::span(scans.documents).first(1));
@@ -78,7 +70,8 @@ static void take(Context& context, const json& complete) {
     add(scans, "the model", context.document);
     std::size_t number = 0;
     for (const json& path : complete.at("moving"))
-        add(scans, path.get<std::string>(), opened(context, complete, path.get<std::string>(), number++));
+        add(scans, path.get<std::string>(),
+            otherModel(context, complete, number++, process::part(context.progress, 0, 0.3)));
     bringTogether(context, scans, complete);
     pin(context, complete, std::span(scans.documents).subspan(1));
     join(context, scans, {});
@@ -105,6 +98,7 @@ CommandRow registerCommand() {
          "false", "", 0, 0},
         {"join", "boolean", "", "add the points of the model that this one was moved onto", "false", "", 0, 0},
         {"hashes", "list", "", "content hashes that the other models must have, in their order", "null", "", 0, 0},
+        sourcesParameter(),
     };
     return {"register",
             "Register",
