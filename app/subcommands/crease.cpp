@@ -30,8 +30,8 @@ ordered_json reportOf(const surface::Surface& surface, const std::map<std::strin
                      {"seams", seams.size()},
                      {"length", length},
                      {"corners", cells::cornersOf(seams).size()}};
-    for (const auto& [name, value] : figures)
-        out[name] = value;
+    for (const auto& [name, value] : figures) // counts, but for the noise
+        out[name] = name == "noise" ? ordered_json(value) : ordered_json(static_cast<std::size_t>(value));
     return out;
 }
 
