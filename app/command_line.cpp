@@ -100,6 +100,19 @@ static void suggest(const CLI::App& program) {
     }
 }
 
+/// The name of an option or argument that was given nothing, as by a script whose variable is not set; else "". It
+/// would count as left out: outputs would not be written, and nobody be told.
+static std::string givenNothing(const CLI::App& command) {
+    for (const CLI::Option* option : command.get_options())
+        for (const std::string& value : option->results())
+            if (value.empty())
+                return option->get_name();
+    for (const CLI::App* chosen : command.get_subcommands())
+        if (const std::string name = givenNothing(*chosen); !name.empty())
+            return name;
+    return {};
+}
+
 std::optional<int> parse(CLI::App& program, int argc, char** argv) {
     const std::vector<std::string> words = withAxes(argc, argv);
     std::vector<const char*> texts;
@@ -107,7 +120,8 @@ std::optional<int> parse(CLI::App& program, int argc, char** argv) {
         texts.push_back(word.c_str());
     try {
         program.parse(static_cast<int>(texts.size()), texts.data());
-        return {};
+        const std::string name = givenNothing(program);
+        return name.empty() ? std::optional<int>() : fail(name + " is empty; give it a value, or leave it out", 2);
     } catch (const CLI::ParseError& error) {
         if (program.exit(error) == 0)
             return 0;

@@ -77,7 +77,8 @@ std::string svgText(const std::vector<Polyline>& lines, const DrawingFrame& fram
             bottom = first ? y : std::max(bottom, y);
             first = false;
         }
-    const double width = right - left, height = bottom - top, diagonal = std::max(std::hypot(width, height), 1e-300);
+    const double width = right - left, height = bottom - top;
+    const double diagonal = width + height > 0 ? std::hypot(width, height) : 1; // no curves: an empty sheet
     const double edge = margin * diagonal;
     std::string out =
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"";

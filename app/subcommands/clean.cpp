@@ -2,9 +2,11 @@
 #include "app/open_model.h"
 #include "app/options/batch_options.h"
 #include "app/options/number_list.h"
+#include "app/options/output_names.h"
 #include "app/options/surface_options.h"
 #include "app/subcommands/subcommand.h"
 #include "app/writable_models.h"
+#include "core/io/before_writing.h"
 #include "core/io/safe_file.h"
 
 #include <nlohmann/json.hpp>
@@ -75,6 +77,8 @@ ordered_json reportOf(const nlohmann::json& command, const session::Context& con
 
 /// One file; its report.
 ordered_json cleaned(const Options& options, const BatchJob& job, Console& console) {
+    if (!options.dryRun)
+        io::requireModelFormat(job.out);
     session::Document document;
     session::Context context{document, {}, console.progress(), {}, 0, {}, nullptr};
     openModel(context, job.in, options.surface->parameters(), console);
@@ -109,6 +113,8 @@ void run(const Options& options, OptionSet set, Console& console) {
         return runBatch("clean", set, options.batch, {options.in, options.out}, {"ply", isWritableModel, true}, console,
                         [&](const BatchJob& job) { return cleaned(options, job, console); });
     }
+    if (!options.dryRun)
+        requireOutputs({{"OUT", options.out}, {"--report", options.report}});
     const ordered_json report = cleaned(options, {options.in, options.out}, console);
     if (!options.report.empty())
         io::writeFile(options.report, report.dump(2) + "\n");

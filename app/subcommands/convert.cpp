@@ -5,8 +5,10 @@
 #include "app/options/face_options.h"
 #include "app/options/number_list.h"
 #include "app/options/option_checks.h"
+#include "app/options/output_names.h"
 #include "app/subcommands/subcommand.h"
 #include "app/writable_models.h"
+#include "core/io/before_writing.h"
 #include "core/io/file_bytes.h"
 #include "core/io/file_name.h"
 #include "core/io/formats.h"
@@ -108,6 +110,8 @@ io::FileModel readInput(const Options& options, const std::string& in, bool& thi
 }
 
 void convert(const Options& options, const BatchJob& job, Console& console) {
+    requireOutputs({{"OUT", job.out}});
+    io::requireModelFormat(job.out);
     const base::Progress progress = console.progress();
     bool thinned = false;
     io::FileModel model = readInput(options, job.in, thinned, process::part(progress, 0, 0.3));

@@ -1,6 +1,7 @@
 // pointclay crease: edges that stay sharp, by the session's own command, and what there is of them.
 #include "app/number_table.h"
 #include "app/options/model_command.h"
+#include "app/options/output_names.h"
 #include "core/cells/seams.h"
 #include "core/io/safe_file.h"
 
@@ -30,8 +31,8 @@ ordered_json reportOf(const surface::Surface& surface, const std::map<std::strin
                      {"seams", seams.size()},
                      {"length", length},
                      {"corners", cells::cornersOf(seams).size()}};
-    for (const auto& [name, value] : figures)
-        out[name] = value;
+    for (const auto& [name, value] : figures) // counts, but for the noise
+        out[name] = name == "noise" ? ordered_json(value) : ordered_json(static_cast<std::size_t>(value));
     return out;
 }
 
@@ -43,6 +44,7 @@ json lineOf(const Options& options, const base::Progress& progress) {
 }
 
 void run(const Options& options, Console& console) {
+    requireOutputs({{"-o", options.out}, {"--report", options.report}});
     if (options.detect == !options.along.empty())
         throw UsageError("crease needs one of --detect and --along, and not both");
     json given;

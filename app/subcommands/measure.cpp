@@ -4,12 +4,14 @@
 #include "app/open_model.h"
 #include "app/options/number_list.h"
 #include "app/options/option_checks.h"
+#include "app/options/output_names.h"
 #include "app/options/surface_options.h"
 #include "app/polyline_file.h"
 #include "app/subcommands/subcommand.h"
 #include "core/base/cancel_scope.h"
 #include "core/base/error.h"
 #include "core/base/row_of_id.h"
+#include "core/io/before_writing.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/process/measuring/geodesic.h"
 
@@ -88,6 +90,9 @@ void checkUsage(const Options& options) {
     needs(options.colours == "thickness", options.thickness, "--colours thickness", "--thickness");
     if (!options.path.empty() && !polylineFormatOf(options.path, false))
         throw UsageError("--path: the file's name must end in " + polylineEndings(false));
+    requireOutputs({{"-o", options.out}, {"--csv", options.csv}, {"--path", options.path}});
+    if (!options.out.empty())
+        io::requireModelFormat(options.out);
 }
 
 double angleOf(const surface::Surface& surface, const std::vector<Vec3d>& places, const Vec3d& origin) {

@@ -3,6 +3,7 @@
 #include "app/open_model.h"
 #include "app/options/batch_options.h"
 #include "app/options/option_checks.h"
+#include "app/options/output_names.h"
 #include "app/options/surface_options.h"
 #include "app/subcommands/subcommand.h"
 #include "core/io/mesh_formats.h"
@@ -105,6 +106,7 @@ void run(const Options& options, OptionSet command, Console& console) {
         requireOneOutput(options.batch, options.out);
     checkUsage(options, command);
     if (!options.batch.wanted()) {
+        requireOutputs({{"-o", options.out}, {"--report", options.report}});
         meshed(options, {options.model, options.out}, console);
         return;
     }

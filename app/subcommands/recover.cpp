@@ -1,7 +1,9 @@
 // pointclay recover: the model as of the last command that a journal holds.
 #include "core/session/recover.h"
 
+#include "app/options/output_names.h"
 #include "app/subcommands/subcommand.h"
+#include "core/io/before_writing.h"
 
 #include <nlohmann/json.hpp>
 
@@ -19,6 +21,8 @@ Action addRecover(OptionSet command) {
                     "take the file that was opened as it is now, though it has changed since: strokes then meet "
                     "another model than they were drawn on");
     return [options](Console& console) {
+        requireOutputs({{"-o", options->out}});
+        io::requireModelFormat(options->out);
         session::Document document;
         session::Context context{document, {}, console.progress(), {}, 0, {}, nullptr, options->anyway};
         const int commands = session::recover(options->journal, context).commands;

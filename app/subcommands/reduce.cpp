@@ -1,5 +1,6 @@
 // pointclay reduce: a model with fewer points on the same surface, written to a file, and how near it is.
 #include "app/open_model.h"
+#include "app/options/output_names.h"
 #include "app/options/surface_options.h"
 #include "app/reduce_report.h"
 #include "app/subcommands/subcommand.h"
@@ -27,6 +28,7 @@ struct Options {
 void run(const Options& options, OptionSet command, Console& console) {
     if (!isWritableModel(options.out))
         throw UsageError("-o: the file's name must end in one of " + writableExtensions());
+    requireOutputs({{"-o", options.out}, {"--report", options.report}});
     int asked = 0;
     for (const char* wish : wishes)
         asked += command.has(std::string("--") + wish);

@@ -1,6 +1,7 @@
 // pointclay refine: the way back from a reduced model, dense and even samples on the surface that it defines.
 #include "core/reduce/refine.h"
 #include "app/open_model.h"
+#include "app/options/output_names.h"
 #include "app/options/surface_options.h"
 #include "app/reduce_report.h"
 #include "app/subcommands/subcommand.h"
@@ -36,6 +37,7 @@ reduce::Report compared(const Options& options, const surface::Surface& refined,
 void run(const Options& options, Console& console) {
     if (!isWritableModel(options.out))
         throw UsageError("-o: the file's name must end in one of " + writableExtensions());
+    requireOutputs({{"-o", options.out}, {"--report", options.report}});
     nlohmann::json wish = parametersOf(options.wish);
     wish["op"] = "refine";
     const auto spacing = session::complete(wish).at("spacing").get<float>();

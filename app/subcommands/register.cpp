@@ -1,9 +1,11 @@
 // pointclay register: scans brought together, by features where nothing is known of their places, then each one's
 // points onto the surfaces of the others; one model of all of them comes out.
 #include "app/open_model.h"
+#include "app/options/output_names.h"
 #include "app/options/surface_options.h"
 #include "app/subcommands/subcommand.h"
 #include "core/base/cancel_scope.h"
+#include "core/io/before_writing.h"
 #include "core/io/formats.h"
 #include "core/io/safe_file.h"
 #include "core/process/estimation/part_progress.h"
@@ -71,6 +73,8 @@ nlohmann::ordered_json reportOf(const Scans& scans) {
 }
 
 void run(const Options& options, Console& console) {
+    requireOutputs({{"-o", options.out}, {"--report", options.report}});
+    io::requireModelFormat(options.out);
     const base::Progress progress = console.progress();
     const base::CancelScope scope(progress.cancel);
     Scans scans = opened(options, console);

@@ -2,6 +2,7 @@
 #include "app/open_model.h"
 #include "app/options/look_options.h"
 #include "app/options/option_checks.h"
+#include "app/options/output_names.h"
 #include "app/options/surface_options.h"
 #include "app/options/view_options.h"
 #include "app/subcommands/subcommand.h"
@@ -50,6 +51,7 @@ void saveDepth(const render::Image& image, const std::filesystem::path& path) {
 }
 
 void run(Options options, Console& console) {
+    requireOutputs({{"-o", options.image}, {"--depth", options.depth}, {"--stats", options.stats}});
     session::Document document;
     const base::Progress progress = console.progress();
     session::Context context{document, {}, progress, {}, 0, {}, nullptr};

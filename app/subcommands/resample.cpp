@@ -2,9 +2,11 @@
 #include "app/open_model.h"
 #include "app/options/batch_options.h"
 #include "app/options/option_checks.h"
+#include "app/options/output_names.h"
 #include "app/options/surface_options.h"
 #include "app/subcommands/subcommand.h"
 #include "app/writable_models.h"
+#include "core/io/before_writing.h"
 #include "core/process/estimation/spacing_sample.h"
 
 #include <nlohmann/json.hpp>
@@ -24,6 +26,8 @@ struct Options {
 };
 
 nlohmann::ordered_json resampled(const Options& options, const BatchJob& job, Console& console) {
+    requireOutputs({{"-o", job.out}});
+    io::requireModelFormat(job.out);
     session::Document document;
     session::Context context{document, {}, console.progress(), {}, 0, {}, nullptr};
     openModel(context, job.in, options.surface->parameters(), console);

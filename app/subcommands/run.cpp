@@ -4,8 +4,10 @@
 #include "app/open_model.h"
 #include "app/options/face_options.h"
 #include "app/options/option_checks.h"
+#include "app/options/output_names.h"
 #include "app/subcommands/subcommand.h"
 #include "core/base/error.h"
+#include "core/io/before_writing.h"
 #include "core/io/safe_file.h"
 #include "core/process/curve_tube.h"
 #include "core/render/framed_box.h"
@@ -91,30 +93,22 @@ void savePicture(const session::Document& document, const std::string& path, con
     render::savePng(render::drawPicture(surface, camera, look, stats, progress), path);
 }
 
-/// Where a name leads, be there a file or not.
-std::filesystem::path placeOf(const std::string& name) {
-    std::error_code failed;
-    const std::filesystem::path place = std::filesystem::absolute(name, failed).lexically_normal();
-    const std::filesystem::path known = std::filesystem::weakly_canonical(place, failed);
-    return failed ? place : known;
-}
-
-/// The journal is a file of its own.
-void checkJournal(const Options& options) {
+/// The journal is a file of its own, and so is each output.
+void checkNames(const Options& options) {
     const std::pair<const std::string&, const char*> others[] = {{options.session, "the session itself"},
                                                                  {options.out, "the model to be written (-o)"},
                                                                  {options.image, "the picture (--render)"},
                                                                  {options.timings, "the timings (--timings)"}};
-    for (const auto& [name, what] : others) {
-        std::error_code unequal;
-        if (!options.journal.empty() && !name.empty() &&
-            (std::filesystem::equivalent(name, options.journal, unequal) || placeOf(name) == placeOf(options.journal)))
+    for (const auto& [name, what] : others)
+        if (!options.journal.empty() && !name.empty() && samePlace(name, options.journal))
             throw UsageError(std::string("--journal names ") + what + "; the journal needs a name of its own");
-    }
+    requireOutputs({{"-o", options.out}, {"--render", options.image}, {"--timings", options.timings}});
+    if (!options.out.empty())
+        io::requireModelFormat(options.out);
 }
 
 void run(const Options& options, Console& console) {
-    checkJournal(options);
+    checkNames(options);
     session::Document document;
     const base::Progress progress = console.progress();
     RunJournal journal(options.journal, console);

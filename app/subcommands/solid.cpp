@@ -2,6 +2,7 @@
 #include "app/open_model.h"
 #include "app/options/model_command.h"
 #include "app/options/option_checks.h"
+#include "app/options/output_names.h"
 #include "core/io/safe_file.h"
 #include "core/mesh/extent/extent.h"
 
@@ -26,6 +27,7 @@ nlohmann::ordered_json reportOf(const session::Context& context, const base::Pro
 }
 
 void run(const Options& options, Console& console) {
+    requireOutputs({{"-o", options.out}, {"--report", options.report}});
     constexpr std::string_view sample = "sample:";
     const bool made = options.other.starts_with(sample);
     const std::string what = made ? options.other.substr(sample.size()) : options.other;

@@ -1,4 +1,5 @@
 #include "core/base/row_of_id.h"
+#include "core/io/before_writing.h"
 #include "core/io/content_kind.h"
 #include "core/io/file_name.h"
 #include "core/io/formats.h"
@@ -118,7 +119,8 @@ FileModel read(const path& path, const base::Progress& progress, const std::file
     return read(FileBytes(path), progress, folder.empty() ? path.parent_path() : folder);
 }
 
-void write(const path& path, const FileModel& model, const base::Progress& progress) {
+/// Throws where there is none.
+static const FormatRow& writerOf(const path& path) {
     const FormatRow* row = rowOfExtension(table, extensionOf(path));
     if ((!row || !row->write) && meshFormatOf(path))
         throw base::Error("holds faces, which a model of points has none of", path.string(),
@@ -126,7 +128,15 @@ void write(const path& path, const FileModel& model, const base::Progress& progr
     if (!row || !row->write)
         throw base::Error("cannot be written in this format", path.string(),
                           "choose one of the extensions " + knownExtensions(true));
-    row->write(path, model, progress);
+    return *row;
+}
+
+void requireModelFormat(const path& target) {
+    writerOf(target);
+}
+
+void write(const path& path, const FileModel& model, const base::Progress& progress) {
+    writerOf(path).write(path, model, progress);
 }
 
 namespace {

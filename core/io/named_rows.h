@@ -14,6 +14,11 @@ namespace io {
 
 constexpr RowRules namedRowRules{true, true, false};
 
+/// Where a text begins: behind the byte order mark that spreadsheets put before it.
+inline std::size_t textBegin(const FileBytes& file) {
+    return file.bytes().starts_with("\xef\xbb\xbf") ? 3 : 0;
+}
+
 /// Column by column of one line; errors know where it stands.
 class NumberRow {
   public:
@@ -75,7 +80,7 @@ class NamedColumns {
 template <std::size_t N, class Take>
 void forNamedRows(const FileBytes& file, const base::Progress& progress, const typename NamedColumns<N>::Names& names,
                   const char* begin, const Take& take) {
-    const TextRows rows(file, 0, namedRowRules, {progress});
+    const TextRows rows(file, textBegin(file), namedRowRules, {progress});
     std::optional<NamedColumns<N>> columns;
     rows.forRows(0, [&](std::string_view line) {
         const NumberRow row(file, rows, line);

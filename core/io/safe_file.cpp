@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/base/sync_folder.h"
+#include "core/io/before_writing.h"
 
 #include <algorithm>
 #include <atomic>
@@ -67,14 +68,21 @@ static void removeLeftovers(const fs::path& folder, const std::string& stem) {
         fs::remove(each, none);
 }
 
-void SafeFile::openBeside() {
-    fs::path folder = m_final.parent_path();
-    if (folder.empty())
-        folder = ".";
+/// "." for a name alone.
+static fs::path folderOf(const fs::path& target) {
+    return target.has_parent_path() ? target.parent_path() : fs::path(".");
+}
+
+void requireFolder(const fs::path& target, const fs::path& shown) {
     std::error_code ignored;
-    if (!fs::is_directory(folder, ignored))
-        throw base::Error("cannot be written, because the folder " + folder.string() + " does not exist",
-                          m_target.string(), "create the folder or choose another");
+    if (!fs::is_directory(folderOf(target), ignored))
+        throw base::Error("cannot be written, because the folder " + folderOf(target).string() + " does not exist",
+                          shown.string(), "create the folder or choose another");
+}
+
+void SafeFile::openBeside() {
+    requireFolder(m_final, m_target);
+    const fs::path folder = folderOf(m_final);
     struct stat info {};
     const bool replaces = ::stat(m_final.c_str(), &info) == 0;
     // Short of the 255 bytes that file systems allow.

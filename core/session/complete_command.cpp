@@ -86,6 +86,16 @@ bool isText(const json& value) {
     return value.is_string() && !value.get_ref<const std::string&>().empty();
 }
 
+/// Several numbers in one text, "0,1,0,0.25", may come as a list, too, as places and planes do elsewhere.
+json asText(const json& value) {
+    if (!value.is_array() || !std::all_of(value.begin(), value.end(), [](const json& v) { return v.is_number(); }))
+        return value;
+    std::string out;
+    for (const json& each : value)
+        out += (out.empty() ? "" : ",") + each.dump();
+    return out;
+}
+
 /// The value in the form that commands read.
 json checked(const CommandRow& row, const CommandParameter& p, const json& value, const std::filesystem::path& folder) {
     const std::string_view type = p.type;
@@ -124,10 +134,10 @@ json checked(const CommandRow& row, const CommandParameter& p, const json& value
             each = absolutePath(each, folder);
         return out;
     } else { // path, text
-        if (!isText(value))
+        const json text = type == "text" ? asText(value) : value;
+        if (!isText(text))
             refuse(row, p, value, "text in quotation marks");
-        if (type == "path")
-            return absolutePath(value, folder);
+        return type == "path" ? absolutePath(text, folder) : text;
     }
     return value;
 }

@@ -19,6 +19,10 @@ class CommandLineTest : public QObject {
     void helpOfRunNamesEveryCommandAndTool();
     void wrongUsageIsTwo_data();
     void wrongUsageIsTwo();
+    void emptyValuesAreRefused();
+    void outputsOfOneNameAreRefused_data();
+    void outputsOfOneNameAreRefused();
+    void devicesTakeSeveralOutputs();
     void mistypedWordsAreAnsweredWithTheNearest();
     void badInputIsOneAndLeavesNothing_data();
     void badInputIsOneAndLeavesNothing();
@@ -119,6 +123,60 @@ void CommandLineTest::wrongUsageIsTwo() {
     QCOMPARE(program.dir().entryList(QDir::Files), QStringList{"p.xyz"});
 }
 
+/// As by a script whose variable is not set: nothing would be written, and nobody told.
+void CommandLineTest::emptyValuesAreRefused() {
+    const Program program;
+    program.write("s.jsonl", "{\"op\":\"new\",\"sample\":\"sphere\",\"count\":500}\n");
+    const std::pair<QStringList, const char*> rows[] = {
+        {{"run", "s.jsonl", "-o", ""}, "--output is empty"},
+        {{"run", "s.jsonl", "--timings", ""}, "--timings is empty"},
+        {{"boundary", "sample:sphere:500", "-o", ""}, "--output is empty"},
+        {{"cut", "sample:sphere:500", "--plane", "0,0,1,0", "-o", ""}, "--output is empty"},
+        {{"register", "", "--to", "sample:sphere:500", "-o", "o.ply"}, "MOVING is empty"},
+        {{"info", ""}, "MODEL is empty"},
+    };
+    for (const auto& [words, wanted] : rows) {
+        const Outcome outcome = program.run(words);
+        QVERIFY2(outcome.code == 2 && outcome.err.find(wanted) != std::string::npos,
+                 (wanted + (": " + outcome.err)).c_str());
+    }
+    QCOMPARE(program.dir().entryList(QDir::Files), QStringList{"s.jsonl"});
+}
+
+void CommandLineTest::outputsOfOneNameAreRefused_data() {
+    QTest::addColumn<QString>("arguments");
+    const auto row = [](const char* arguments) { QTest::newRow(arguments) << QString(arguments); };
+    row("mesh sample:sphere:500 -o o.obj --report ./o.obj");
+    row("render sample:sphere:500 --size 8x8 -o o.png --depth o.png");
+    row("render sample:sphere:500 --size 8x8 -o o.png --depth d.pfm --stats d.pfm");
+    row("clean sample:sphere:500 o.ply --duplicates --report o.ply");
+    row("crease sample:sphere:500 --detect -o o.ply --report o.ply");
+    row("solid sample:sphere:500 sample:sphere:500 --op union --position 1,0,0 -o o.ply --report o.ply");
+    row("reduce sample:sphere:500 --count 100 -o o.ply --report ../HERE/o.ply");
+    row("refine sample:sphere:500 --spacing 0.1 -o o.ply --report o.ply");
+    row("register sample:sphere:500 --to sample:sphere:500 -o o.ply --report o.ply");
+    row("measure sample:sphere:500 --thickness -o o.ply --csv o.ply");
+    row("run s.jsonl -o o.ply --timings o.ply");
+}
+
+/// The second would replace the first.
+void CommandLineTest::outputsOfOneNameAreRefused() {
+    QFETCH(QString, arguments);
+    const Program program;
+    program.write("s.jsonl", "{\"op\":\"new\",\"sample\":\"sphere\",\"count\":500}\n");
+    arguments.replace("HERE", program.dir().dirName());
+    const Outcome outcome = program.run(arguments.split(' '));
+    QVERIFY2(outcome.code == 2 && !outcome.err.empty(), outcome.err.c_str());
+    QCOMPARE(program.dir().entryList(QDir::Files), QStringList{"s.jsonl"});
+}
+
+void CommandLineTest::devicesTakeSeveralOutputs() {
+    const Program program;
+    const Outcome outcome = program.run({"render", "sample:sphere:500", "--size", "8x8", "-o", "o.png", "--depth",
+                                         "/dev/null", "--stats", "/dev/null"});
+    QVERIFY2(outcome.code == 0, outcome.err.c_str());
+}
+
 void CommandLineTest::mistypedWordsAreAnsweredWithTheNearest() {
     const Program program;
     program.write("p.xyz", "0 0 1\n");
@@ -168,6 +226,21 @@ void CommandLineTest::badInputIsOneAndLeavesNothing_data() {
     row("run bad.jsonl -o out.ply --render out.png --timings out.json", "bad.jsonl:2");
     row("run good.jsonl --model nowhere.ply", "nowhere.ply");
     row("recover empty.xyz -o out.ply", "empty.xyz");
+    // Of two faults the output's is told: it is known before the work.
+    row("convert bad.ply out.melted", "out.melted");
+    row("convert bad.ply nowhere/out.ply", "nowhere/out.ply");
+    row("clean bad.ply out.melted --duplicates", "out.melted");
+    row("resample bad.ply -o out.melted --count 100", "out.melted");
+    row("cut bad.ply --plane 0,0,1,0 -o out.melted", "out.melted");
+    row("cut bad.ply --plane 0,0,1,0 -o nowhere/out.ply", "nowhere/out.ply");
+    row("register bad.ply --to bad.ply -o nowhere/out.ply", "nowhere/out.ply");
+    row("reduce bad.ply --count 100 -o out.ply --report nowhere/out.json", "nowhere/out.json");
+    row("render bad.ply -o out.png --depth nowhere/out.pfm", "nowhere/out.pfm");
+    row("mesh bad.ply -o nowhere/out.stl", "nowhere/out.stl");
+    row("measure bad.ply --thickness -o out.melted", "out.melted");
+    row("run bad.jsonl -o out.melted", "out.melted");
+    row("run bad.jsonl --timings nowhere/out.json", "nowhere/out.json");
+    row("recover empty.xyz -o out.melted", "out.melted");
 }
 
 void CommandLineTest::badInputIsOneAndLeavesNothing() {

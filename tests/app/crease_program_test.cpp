@@ -50,6 +50,7 @@ void CreaseProgramTest::cubesAreFound() {
     QCOMPARE(report.at("cells").get<int>(), 6);
     QCOMPARE(report.at("seams").get<int>(), 12);
     QCOMPARE(report.at("corners").get<int>(), 8);
+    QVERIFY2(report.at("narrow").is_number_integer() && report.at("noise").is_number_float(), report.dump().c_str());
     QVERIFY2(std::abs(report.at("length").get<double>() - 12) < 0.1, report.dump().c_str());
     QCOMPARE(json::parse(program.run({"info", "out.ply", "--json"}).out).at("cells").get<int>(), 6);
     program.write("p.txt", "1.01 0.5 0.5\n1.01 1.01 0.5\n1.01 1.01 1.01\n");
@@ -69,6 +70,7 @@ void CreaseProgramTest::linesAreDrawnAndTakenBack() {
     QVERIFY2(drawn.code == 0, drawn.err.c_str());
     const json report = jsonOf(program, "r.json");
     QVERIFY(report.at("seams").get<int>() >= 1 && report.at("corners").get<int>() == 0);
+    QVERIFY(report.at("creased").is_number_integer() && report.at("changed").is_number_integer());
     const auto length = report.at("length").get<double>();
     QVERIFY2(length > 0.5 && length < 0.85, std::to_string(length).c_str());
     const Outcome gone =

@@ -28,6 +28,7 @@ class QueryTest : public QObject {
     void allHitsAndAnyHitAreTold();
     void causesAndAgreementAreTold();
     void curvesAnswerTheSameQuestions();
+    void byteOrderMarksArePassedOver();
 };
 
 static std::string number(double value) {
@@ -318,6 +319,27 @@ void QueryTest::curvesAnswerTheSameQuestions() {
                        "value", "-o", "o.csv"})
                  .code,
              1);
+}
+
+/// Spreadsheets put one before the text.
+void QueryTest::byteOrderMarksArePassedOver() {
+    const Program program;
+    const auto same = [&](QStringList arguments, const char* input, const std::string& text) {
+        std::string answers[2];
+        for (const int marked : {0, 1}) {
+            program.write(input, (marked == 1 ? "\xef\xbb\xbf" : "") + text);
+            const Outcome outcome = program.run(arguments + QStringList{"-o", "o.csv"});
+            answers[marked] = outcome.code == 0 ? program.read("o.csv") : outcome.err;
+        }
+        return answers[0] == answers[1] && answers[0].find("pointclay:") == std::string::npos;
+    };
+    const QStringList query{"query", "sample:sphere:500", "--at", "p.txt", "--what", "value"};
+    QVERIFY(same(query, "p.txt", "0 0 1.01\n0 1 0\n"));
+    QVERIFY(same(query, "p.txt", "x,y,z\r\n0,0,1.01\r\n"));
+    QVERIFY(same({"intersect", "sample:sphere:500", "--rays", "r.csv"}, "r.csv", "ox,oy,oz,dx,dy,dz\n0,0,3,0,0,-1\n"));
+    program.write("p.txt", "\xef\xbb\xbf"
+                           "0 0 1\n0 zero 1\n");
+    QVERIFY(program.run(query + QStringList{"-o", "o.csv"}).err.find("p.txt, line 2") != std::string::npos);
 }
 
 static const test::Registered<QueryTest> registered;

@@ -18,6 +18,7 @@ class SectionCommandTest : public QObject {
     void polylinesCloseWhereCurvesDo();
     void drawingsHoldTheSameCurves_data();
     void drawingsHoldTheSameCurves();
+    void aMissedModelIsAnEmptySheet();
     void wrongUsageIsRefused_data();
     void wrongUsageIsRefused();
     void turntablesAreNumbered();
@@ -138,6 +139,17 @@ void SectionCommandTest::drawingsHoldTheSameCurves() {
         least[1] = std::min(least[1], drawn[2 * i + 1]);
     }
     QVERIFY(std::abs(least[0]) < 1e-12 && std::abs(least[1]) < 1e-12); // the corner is its zero
+}
+
+void SectionCommandTest::aMissedModelIsAnEmptySheet() {
+    const Program program;
+    const Outcome outcome = program.run({"section", "sample:sphere:500", "--plane", "0,0,1,5", "-o", "s.svg"});
+    QVERIFY2(outcome.code == 0, outcome.err.c_str());
+    const std::string svg = program.read("s.svg"), box = "viewBox=\"";
+    std::istringstream numbers(svg.substr(svg.find(box) + box.size()));
+    float left = 0, top = 0, width = 0, height = 0; // what viewers count in
+    QVERIFY(numbers >> left >> top >> width >> height);
+    QVERIFY2(width > 1e-3F && height > 1e-3F && svg.find("<path") == std::string::npos, svg.c_str());
 }
 
 void SectionCommandTest::wrongUsageIsRefused_data() {

@@ -1,11 +1,14 @@
 #include "core/session/command.h"
 
+#include "core/base/error.h"
+#include "core/base/random.h"
 #include "core/process/estimation/spacing.h"
 #include "core/process/samples/samples.h"
 #include "core/sculpt/tool.h"
 #include "support/registry.h"
 #include "workbench.h"
 
+#include <cmath>
 #include <QTest>
 #include <set>
 
@@ -17,6 +20,7 @@ class CommandTest : public QObject {
   private Q_SLOTS:
     void everyRowIsWhole();
     void fallbacksPassTheirOwnCheck();
+    void numbersInOneTextMayBeAList();
     void whatIsWrongIsRefused_data();
     void whatIsWrongIsRefused();
     void everyToolsParametersAreTakenWithinTheirRange();
@@ -77,6 +81,23 @@ void CommandTest::fallbacksPassTheirOwnCheck() {
         for (const session::CommandParameter& p : row.parameters)
             QVERIFY2(whole.contains(p.id) == (std::string(p.fallback) != "null"), p.id);
     }
+}
+
+void CommandTest::numbersInOneTextMayBeAList() {
+    base::Random random(test::seed());
+    for (int k = 0; k < 100; ++k) {
+        json list = json::array();
+        for (int i = 0; i < 3; ++i)
+            list.push_back(random.uniform(-1, 1) * std::pow(10., random.uniform(-9, 9)));
+        const json complete =
+            session::complete({{"op", "drill"}, {"from", list}, {"direction", "0,0,1"}, {"radius", 1}});
+        QCOMPARE(json::parse("[" + complete.at("from").get<std::string>() + "]"), list); // no bit is lost
+        QCOMPARE(session::complete(complete), complete);
+    }
+    QCOMPARE(session::complete(json::parse(R"({"op":"cut","plane":[0,0,1,0.25]})")),
+             session::complete(json::parse(R"({"op":"cut","plane":"0,0,1,0.25"})")));
+    for (const char* wrong : {"[]", "[0,0,[1],0]", "[0,\"0\",1,0]", "[0,null,1,0]", "7", "{\"x\":1}"})
+        QVERIFY_THROWS_EXCEPTION(base::Error, session::complete({{"op", "cut"}, {"plane", json::parse(wrong)}}));
 }
 
 void CommandTest::whatIsWrongIsRefused_data() {

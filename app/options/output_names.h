@@ -1,0 +1,21 @@
+// The files that one call of the program writes.
+#pragma once
+
+#include <initializer_list>
+#include <string>
+
+namespace app {
+
+struct OutputName {
+    const char* option;      ///< "--report", for the message
+    const std::string& file; ///< empty: not asked for
+};
+
+/// Whether both names lead to one place, be there a file or not.
+bool samePlace(const std::string& a, const std::string& b);
+
+/// Throws UsageError where two of them are one file, of which the second would replace the first (devices and pipes
+/// take both), and base::Error where there is no folder for one. Called before the work.
+void requireOutputs(std::initializer_list<OutputName> outputs);
+
+} // namespace app
