@@ -177,7 +177,7 @@ void LineDeviceTest::aSilentDeviceIsSentNothing() {
 void LineDeviceTest::nothingWaitsForWhoIsNotThere() {
     QTemporaryDir dir;
     const std::string path = dir.filePath("me@home spnav.sock").toStdString(); // names stand before no path
-    const auto opened = openSpaceMouse(at(path)); // plugged in later
+    const auto opened = openSpaceMouse(at(path));                              // plugged in later
     DeviceState state;
     QVERIFY(!opened->read(state) && !opened->connected() && !opened->ended());
     opened->send({1, 2, 3});
