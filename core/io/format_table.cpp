@@ -1,3 +1,4 @@
+#include "core/base/listed.h"
 #include "core/base/row_of_id.h"
 #include "core/io/before_writing.h"
 #include "core/io/content_kind.h"
@@ -139,17 +140,7 @@ void write(const path& path, const FileModel& model, const base::Progress& progr
     writerOf(path).write(path, model, progress);
 }
 
-namespace {
-
-/// "a", "a and b", "a, b and c".
-std::string listed(const std::vector<std::string>& names) {
-    std::string out;
-    for (std::size_t k = 0; k < names.size(); ++k)
-        out += (k == 0 ? "" : k + 1 == names.size() ? " and " : ", ") + names[k];
-    return out;
-}
-
-} // namespace
+namespace {} // namespace
 
 /// Of no more than 16 bits, or a float.
 static bool isShort(surfel::ScalarType type) {
@@ -196,7 +187,8 @@ std::string lossOf(const path& path, const FileModel& model) {
     ask(std::any_of(model.comments.begin(), model.comments.end(),
                     [](const std::string& line) { return line.starts_with(lasGridComment); }),
         "las-grid", "the grid of its LAS coordinates");
-    return lost.empty() ? std::string() : std::string(row->label) + " cannot hold " + listed(lost) + " of the model.";
+    return lost.empty() ? std::string()
+                        : std::string(row->label) + " cannot hold " + base::listed(lost) + " of the model.";
 }
 
 } // namespace io

@@ -118,11 +118,15 @@ static const char* parseCommaNumber(const char* begin, const char* end, double& 
     return after ? begin + (after - text.data()) : nullptr;
 }
 
+/// Behind the number, or null.
+static const char* parseAny(const RowRules& rules, const char* begin, const char* end, double& out) {
+    return rules.decimalComma ? parseCommaNumber(begin, end, out) : parseNumber(begin, end, out);
+}
+
 bool TextRows::isNumber(std::string_view field) const {
     double value = 0;
     const char *const begin = field.data(), *const end = begin + field.size();
-    return !field.empty() &&
-           (m_rules.decimalComma ? parseCommaNumber(begin, end, value) : parseNumber(begin, end, value)) == end;
+    return !field.empty() && parseAny(m_rules, begin, end, value) == end;
 }
 
 /// A number in quotes, nan where they hold nothing. The cursor goes behind it.
@@ -132,7 +136,7 @@ bool TextRows::parseQuoted(Cursor& cursor, double& out) const {
     if (text.empty())
         return true;
     const char *const begin = text.data(), *const end = begin + text.size();
-    return (m_rules.decimalComma ? parseCommaNumber(begin, end, out) : parseNumber(begin, end, out)) == end;
+    return parseAny(m_rules, begin, end, out) == end;
 }
 
 TextRows::Fault TextRows::parseRow(std::string_view line, std::span<const int> targets, double* out,
@@ -153,8 +157,7 @@ TextRows::Fault TextRows::parseRow(std::string_view line, std::span<const int> t
             if (!parseQuoted(cursor, out[target]) || !cursor.atFieldEnd())
                 return Fault::NotANumber;
         } else {
-            const char* after = m_rules.decimalComma ? parseCommaNumber(cursor.at, cursor.end, out[target])
-                                                     : parseNumber(cursor.at, cursor.end, out[target]);
+            const char* after = parseAny(m_rules, cursor.at, cursor.end, out[target]);
             cursor.at = after ? after : cursor.at;
             if (!after || !cursor.atFieldEnd())
                 return Fault::NotANumber;

@@ -1,6 +1,7 @@
 #include "core/session/scans.h"
 
 #include "core/base/error.h"
+#include "core/base/listed.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/process/estimation/spacing_sample.h"
 #include "core/process/registering/place_all.h"
@@ -104,10 +105,7 @@ std::string lossOf(const Scans& scans) {
         for (const surfel::Attribute& a : layout.attributes())
             ask(true, common->find(a.name) != nullptr, wordOf(a.name));
     }
-    std::string out;
-    for (std::size_t k = 0; k < lost.size(); ++k)
-        out += (k == 0 ? "" : k + 1 == lost.size() ? " and " : ", ") + lost[k];
-    return out.empty() ? out : "Left out, as not all models share them: " + out + ".";
+    return lost.empty() ? std::string() : "Left out, as not all models share them: " + base::listed(lost) + ".";
 }
 
 surfel::SurfelList together(const Scans& scans, const Vec3d& shift) {

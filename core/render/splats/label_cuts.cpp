@@ -1,5 +1,6 @@
 #include "core/render/splats/label_cuts.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace render {
@@ -81,26 +82,24 @@ bool LabelCuts::reflex(const Edge& a, const Edge& b, cells::Meeting meeting) {
     return convex != (meeting == cells::Meeting::Convex);
 }
 
+/// Does no line cut the disc, as there is another crease of its patch, or the patch across turns below it?
+bool LabelCuts::isCornerBy(const Disc& each, const Edge& edge, const Disc& disc) const {
+    const float distanceSq = lengthSq(each.centre - disc.centre), radiusSq = disc.radius * disc.radius;
+    if (each.label.cell == disc.label.partner && dot(each.normal, edge.normal) < turned && distanceSq < radiusSq)
+        return true;
+    if (each.label.cell != disc.label.cell || each.label.partner == disc.label.partner || distanceSq > 4 * radiusSq)
+        return false;
+    const auto other = edgeTo(each.label.partner, each.label.meeting, disc);
+    return other && other->distance < cutRadius * disc.radius &&
+           !(each.label.meeting == disc.label.meeting && reflex(edge, *other, disc.label.meeting));
+}
+
 CutCode LabelCuts::cutOf(const Disc& disc) const {
     const auto edge = edgeTo(disc.label.partner, disc.label.meeting, disc);
     if (!edge)
         return wholeDisc;
-    // another crease of the same patch: a corner
-    bool corner = false;
-    for (const Disc& each : m_near) {
-        if (corner)
-            break;
-        // a patch that turns below the disc leaves no line either
-        if (each.label.cell == disc.label.partner && dot(each.normal, edge->normal) < turned &&
-            lengthSq(each.centre - disc.centre) < disc.radius * disc.radius)
-            corner = true;
-        if (each.label.cell != disc.label.cell || each.label.partner == disc.label.partner ||
-            lengthSq(each.centre - disc.centre) > 4 * disc.radius * disc.radius)
-            continue;
-        const auto other = edgeTo(each.label.partner, each.label.meeting, disc);
-        corner = other && other->distance < cutRadius * disc.radius &&
-                 !(each.label.meeting == disc.label.meeting && reflex(*edge, *other, disc.label.meeting));
-    }
+    const bool corner =
+        std::any_of(m_near.begin(), m_near.end(), [&](const Disc& each) { return isCornerBy(each, *edge, disc); });
     return cutCode(disc.normal, edge->direction, edge->distance / disc.radius + slack, corner);
 }
 

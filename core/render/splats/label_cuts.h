@@ -33,6 +33,7 @@ class LabelCuts {
     void gather(const surfel::SurfelBlock& block);
     std::optional<Edge> edgeTo(std::uint32_t cell, cells::Meeting meeting, const Disc& disc) const;
     static bool reflex(const Edge& a, const Edge& b, cells::Meeting meeting);
+    bool isCornerBy(const Disc& each, const Edge& edge, const Disc& disc) const;
     CutCode cutOf(const Disc& disc) const;
 
     const tree::SurfelTree& m_model;
