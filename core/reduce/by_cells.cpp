@@ -5,6 +5,7 @@
 #include "core/cells/labels.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/reduce/assemble.h"
+#include "core/reduce/counts.h"
 #include "core/reduce/coverage.h"
 #include "core/surfel/shape.h"
 
@@ -13,25 +14,22 @@
 #include <map>
 #include <numbers>
 #include <numeric>
+#include <optional>
 #include <set>
 
 namespace reduce {
 
 namespace {
 
-/// What a cell keeps at least, and for each cell that it meets.
-constexpr std::size_t fewest = 8, perPartner = 6;
+/// What a cell keeps beside the fewest for each cell that it meets.
+constexpr std::size_t perPartner = 6;
 /// Spacings of cells differ by at most this factor, each way, from what one spacing for all would be: a search for
 /// cells around a place would find far ones everywhere.
 constexpr double widest = 2;
-/// Errors fall with this power of a cell's count.
-constexpr double fall = 1.6;
 
 struct Cell {
     surfel::SurfelList surfels;
     std::size_t partners = 0;
-    double rms = 0; ///< between the surfaces, once it was tried
-    std::size_t tried = 0;
 
     std::size_t size() const { return surfels.size(); }
     std::size_t least() const { return std::min(size(), fewest + perPartner * partners); }
@@ -178,66 +176,75 @@ std::vector<std::size_t> countsFor(const std::vector<Cell>& cells, const std::ve
     return apportion(weights, least, most, count);
 }
 
-/// Reduced, or as it is where nothing is to go.
-surfel::SurfelList made(const surface::Surface& model, const Cell& cell, const Wish& wish, Sum& sum, Report& report,
-                        const base::Progress& progress) {
-    if (wish.count < cell.size() && cell.size() > fewest + 1)
-        try {
-            Reduced reduced = wish.count > 0
-                                  ? reduceToCount(surfaceOf(model, cell.surfels), wish.count, wish.shapes, progress)
-                                  : reduceToError(surfaceOf(model, cell.surfels), wish.error, wish.shapes, progress);
-            report = reduced.report;
-            sum.add(reduced.report, cell.size());
-            surfel::SurfelList out = reduced.surface.tree().surfels();
-            label(cell, out);
-            return out;
-        } catch (const base::Error&) { // no count keeps the error, or hardly any surface: the cell stays
-        }
-    report = {};
-    sum.keep(cell.size());
-    return cell.surfels;
+/// Nothing where the cell is to stay as it is: all of it is asked for, it is too small, or no count keeps the error.
+std::optional<Reduced> reducedCell(const surface::Surface& model, const Cell& cell, const Wish& wish,
+                                   const base::Progress& progress) {
+    if (wish.count >= cell.size() || cell.size() <= fewest + 1)
+        return std::nullopt;
+    try {
+        const surface::Surface own = surfaceOf(model, cell.surfels);
+        return wish.count > 0 ? reduceToCount(own, wish.count, wish.shapes, progress)
+                              : reduceToError(own, wish.error, wish.shapes, progress);
+    } catch (const base::Error&) {
+        return std::nullopt;
+    }
+}
+
+/// Each cell by its own wish, in the order of the cells.
+std::vector<std::optional<Reduced>> reducedCells(const surface::Surface& model, const std::vector<Cell>& cells,
+                                                 const std::vector<Wish>& wishes, const base::Progress& progress) {
+    std::vector<std::optional<Reduced>> out;
+    double done = 0;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        const double until = done + double(cells[i].size()) / double(model.tree().size());
+        out.push_back(reducedCell(model, cells[i], wishes[i], process::part(progress, done, until)));
+        done = until;
+    }
+    return out;
+}
+
+std::vector<Wish> wishesFor(const std::vector<std::size_t>& counts, Shapes shapes) {
+    std::vector<Wish> out;
+    for (const std::size_t count : counts)
+        out.push_back({count, 0, 0, shapes});
+    return out;
+}
+
+/// By what balls of an even spacing err: where another sample takes as much from the sum of squared errors, it is
+/// least.
+std::vector<Wish> wishesByResult(const surface::Surface& model, const std::vector<Cell>& cells, const Wish& wish,
+                                 const base::Progress& progress) {
+    const double size = double(model.tree().size());
+    std::vector<double> weights;
+    for (const Cell& cell : cells)
+        weights.push_back(double(cell.size()));
+    const auto tried =
+        reducedCells(model, cells, wishesFor(countsFor(cells, weights, size, wish.count), Shapes::Spheres), progress);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        const Report report = tried[i] ? tried[i]->report : Report{.count = cells[i].size()};
+        weights[i] = std::max(1e-30, std::pow(double(cells[i].size()) * report.surfaceRms * report.surfaceRms *
+                                                  std::pow(double(report.count), 2 * fall),
+                                              1 / (2 * fall + 1)));
+    }
+    return wishesFor(countsFor(cells, weights, size, wish.count), wish.shapes);
+}
+
+/// All surfels in one list, which has shapes where any of them has.
+surfel::SurfelList joined(std::vector<surfel::SurfelList> lists) {
+    const bool shaped = std::any_of(lists.begin(), lists.end(),
+                                    [](const auto& list) { return surfel::shapeChannel(*list.layout) > 0; });
+    surfel::SurfelList out;
+    for (surfel::SurfelList& list : lists) {
+        if (shaped)
+            list = withShapes(list);
+        out.layout = list.layout;
+        out.items.insert(out.items.end(), list.items.begin(), list.items.end());
+        out.extra.insert(out.extra.end(), list.extra.begin(), list.extra.end());
+    }
+    return out;
 }
 
 } // namespace
-
-std::vector<std::size_t> apportion(const std::vector<double>& weights, const std::vector<std::size_t>& least,
-                                   const std::vector<std::size_t>& most, std::size_t total) {
-    const auto at = [&](double factor, std::size_t i) {
-        return std::clamp(factor * weights[i], double(least[i]), double(most[i]));
-    };
-    const auto sum = [&](double factor) {
-        double out = 0;
-        for (std::size_t i = 0; i < weights.size(); ++i)
-            out += at(factor, i);
-        return out;
-    };
-    double low = 0, high = 1;
-    for (int k = 0; k < 1000 && sum(high) < double(total); ++k)
-        high *= 2;
-    for (int k = 0; k < 200; ++k) {
-        const double mid = (low + high) / 2;
-        (sum(mid) < double(total) ? low : high) = mid;
-    }
-    std::vector<std::size_t> out(weights.size());
-    std::vector<std::pair<double, std::size_t>> rest;
-    std::size_t given = 0;
-    for (std::size_t i = 0; i < out.size(); ++i) {
-        const double exact = at(high, i);
-        out[i] = std::clamp(static_cast<std::size_t>(exact), least[i], most[i]);
-        given += out[i];
-        rest.emplace_back(double(out[i]) - exact, i);
-    }
-    std::sort(rest.begin(), rest.end());
-    while (given != total) // by rounding alone: a round or two
-        for (std::size_t k = 0; k < rest.size() && given != total; ++k) {
-            const std::size_t i = rest[given < total ? k : rest.size() - 1 - k].second;
-            if (given < total && out[i] < most[i])
-                ++out[i], ++given;
-            else if (given > total && out[i] > least[i])
-                --out[i], --given;
-        }
-    return out;
-}
 
 bool hasCells(const surface::Surface& model) {
     return model.definition().manifold == surface::Manifold::Surface &&
@@ -246,58 +253,30 @@ bool hasCells(const surface::Surface& model) {
 
 Reduced reduceCells(const surface::Surface& model, const Wish& wish, const base::Progress& progress) {
     const base::CancelScope scope(progress.cancel);
-    std::vector<Cell> cells = cellsOf(model);
-    const double size = double(model.tree().size());
-    double done = 0;
-    const auto round = [&](const std::vector<std::size_t>& counts, Shapes shapes, double to, Sum& sum) {
-        std::vector<surfel::SurfelList> out;
-        const double from = done;
-        for (std::size_t i = 0; i < cells.size(); ++i) {
-            const double until = done + (to - from) * double(cells[i].size()) / size;
-            Wish own = wish;
-            own.shapes = shapes;
-            if (!counts.empty())
-                own = {counts[i], 0, 0, shapes};
-            Report report;
-            out.push_back(made(model, cells[i], own, sum, report, process::part(progress, done, until)));
-            cells[i].rms = report.surfaceRms;
-            cells[i].tried = out.back().size();
-            done = until;
-        }
-        return out;
-    };
-    std::vector<surfel::SurfelList> lists;
+    const std::vector<Cell> cells = cellsOf(model);
+    const double tried = wish.error > 0 ? 0 : 0.4;
+    const std::vector<Wish> wishes = wish.error > 0
+                                         ? std::vector(cells.size(), wish)
+                                         : wishesByResult(model, cells, wish, process::part(progress, 0, tried));
+    const auto reduced = reducedCells(model, cells, wishes, process::part(progress, tried, 0.95));
     Sum sum;
-    if (wish.error > 0)
-        lists = round({}, wish.shapes, 0.95, sum);
-    else {
-        std::vector<double> weights;
-        for (const Cell& cell : cells)
-            weights.push_back(double(cell.size()));
-        Sum ignored;
-        round(countsFor(cells, weights, size, wish.count), Shapes::Spheres, 0.4, ignored);
-        // Where another sample takes as much from the sum of squared errors, the sum is least.
-        for (std::size_t i = 0; i < cells.size(); ++i)
-            weights[i] = std::max(1e-30, std::pow(double(cells[i].size()) * cells[i].rms * cells[i].rms *
-                                                      std::pow(double(cells[i].tried), 2 * fall),
-                                                  1 / (2 * fall + 1)));
-        lists = round(countsFor(cells, weights, size, wish.count), wish.shapes, 0.95, sum);
-    }
-    const bool shaped = std::any_of(lists.begin(), lists.end(),
-                                    [](const auto& list) { return surfel::shapeChannel(*list.layout) > 0; });
-    surfel::SurfelList all;
-    for (surfel::SurfelList& list : lists) {
-        if (shaped)
-            list = withShapes(list);
-        all.layout = list.layout;
-        all.items.insert(all.items.end(), list.items.begin(), list.items.end());
-        all.extra.insert(all.extra.end(), list.extra.begin(), list.extra.end());
-    }
-    Reduced out{{tree::SurfelTree::build(all), reducedDefinition(model.definition(), static_cast<int>(supportsOver))},
-                sum.report()};
+    std::vector<surfel::SurfelList> lists;
     Places places;
-    for (const surfel::Surfel& s : model.tree().surfels().items)
-        places.position.push_back(s.position);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        for (const surfel::Surfel& s : cells[i].surfels.items)
+            places.position.push_back(s.position);
+        if (!reduced[i]) {
+            sum.keep(cells[i].size());
+            lists.push_back(cells[i].surfels);
+            continue;
+        }
+        sum.add(reduced[i]->report, cells[i].size());
+        lists.push_back(reduced[i]->surface.tree().surfels());
+        label(cells[i], lists.back());
+    }
+    Reduced out{{tree::SurfelTree::build(joined(std::move(lists))),
+                 reducedDefinition(model.definition(), static_cast<int>(supportsOver))},
+                sum.report()};
     out.surface = bounded(model, out.surface, places, 0, process::part(progress, 0.95, 1));
     return out;
 }

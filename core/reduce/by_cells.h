@@ -14,9 +14,4 @@ bool hasCells(const surface::Surface& model);
 /// base::Error where a count leaves a cell without a surface; base::Cancelled. REQUIRES: hasCells(model).
 Reduced reduceCells(const surface::Surface& model, const Wish& wish, const base::Progress& progress = {});
 
-/// Whole numbers that are together `total`, in proportion to `weights`, none below its `least` nor above its `most`.
-/// REQUIRES: lists of one length, weights > 0, sum of least <= total <= sum of most.
-std::vector<std::size_t> apportion(const std::vector<double>& weights, const std::vector<std::size_t>& least,
-                                   const std::vector<std::size_t>& most, std::size_t total);
-
 } // namespace reduce

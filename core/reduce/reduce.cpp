@@ -5,6 +5,7 @@
 #include "core/process/estimation/part_progress.h"
 #include "core/reduce/assemble.h"
 #include "core/reduce/by_cells.h"
+#include "core/reduce/counts.h"
 #include "core/reduce/coverage.h"
 #include "core/reduce/density.h"
 #include "core/reduce/density_by_result.h"
@@ -21,8 +22,6 @@ namespace reduce {
 
 namespace {
 
-/// A surface wants some samples around every place.
-constexpr std::size_t fewest = 8;
 /// Places for each sample: more say nothing new.
 constexpr std::size_t placesPerSample = 32;
 /// Rounds in which supports grow where verification misses surface.
@@ -160,8 +159,6 @@ Reduced reduced(Ground& ground, std::size_t count, Shapes shapes, bool keepTree,
     return ellipsoids && better(ellipsoids->report, balls.report) ? std::move(*ellipsoids) : std::move(balls);
 }
 
-/// Errors fall with this power of the count where the surface is resolved.
-constexpr double fall = -1.6;
 constexpr int mostTries = 14;
 constexpr double closeEnough = 1.02;
 /// A try with more than this part of the samples missed does not count as good, whatever its error.
@@ -179,7 +176,7 @@ class Search {
         if (m_last > 0) {
             const double want = excess(m_error), had = excess(m_lastError);
             if (want > 0 && had > 0)
-                guess = m_last * std::pow(want / had, 1 / fall) * (m_lastError <= m_error ? 0.995 : 1.005);
+                guess = m_last * std::pow(want / had, -1 / fall) * (m_lastError <= m_error ? 0.995 : 1.005);
         }
         const double margin = std::pow(m_high / m_low, 0.1);
         return static_cast<std::size_t>(std::lround(std::clamp(std::clamp(guess, m_low * margin, m_high / margin),

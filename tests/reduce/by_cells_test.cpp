@@ -4,6 +4,7 @@
 #include "cells/solids.h"
 #include "core/cells/cell_rays.h"
 #include "core/cells/seams.h"
+#include "core/reduce/counts.h"
 #include "support/registry.h"
 #include "support/sanitized.h"
 
