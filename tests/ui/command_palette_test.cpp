@@ -1,4 +1,5 @@
 // The palette finds every action of the menus, and what is dropped is taken for what it is.
+#include "support/patience.h"
 #include "support/registry.h"
 #include "ui/panels/header_bar.h"
 #include "ui/panels/number_slider.h"
@@ -74,7 +75,7 @@ void CommandPaletteTest::enterRunsWhatIsChosen() {
     auto& typed = *palette->findChild<QLineEdit*>();
     typed.setText("zebra");
     QTest::keyClick(&typed, Qt::Key_Return);
-    QTRY_VERIFY(f.window->settings().shading == render::Shading::Zebra);
+    QTRY_VERIFY_WITH_TIMEOUT(f.window->settings().shading == render::Shading::Zebra, test::patience);
 }
 
 void CommandPaletteTest::keysAreChosenTakenAndKept() {

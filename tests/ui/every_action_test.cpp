@@ -1,5 +1,6 @@
 // Every entry of every menu, on no model and on one with a selection, with dialogs taken as they come up and with
 // dialogs turned down: nothing breaks the model or the window, and nothing happens in silence.
+#include "support/patience.h"
 #include "support/registry.h"
 #include "ui/theme/theme.h"
 #include "ui/window/command_palette.h"
@@ -118,14 +119,14 @@ void EveryActionTest::everyEntryLeavesAWindowThatWorks() {
             QFAIL(qPrintable(QString("%1 > %2: %3").arg(entry.way, entry.label, error.what())));
         }
     }
-    QTRY_VERIFY(!QApplication::activeModalWidget());
+    QTRY_VERIFY_WITH_TIMEOUT(!QApplication::activeModalWidget(), test::patience);
     f.window->settings() = {};       // the tool chosen last may want a source first, and brushes have become any size
     QVERIFY(f.make("sphere", 2000)); // and it still works
     f.window->escape();
     f.window->sculptView().motion().frameAll();
     QTest::qWait(50);
     f.drag(f.centre() - QPointF(30, 0), f.centre() + QPointF(30, 0));
-    QTRY_VERIFY(f.editor().snapshot().canUndo);
+    QTRY_VERIFY_WITH_TIMEOUT(f.editor().snapshot().canUndo, test::patience);
 }
 
 void EveryActionTest::everyCommandTellsWhatItDidOrWhyNot_data() {
@@ -152,10 +153,13 @@ void EveryActionTest::everyCommandTellsWhatItDidOrWhyNot() {
         const QString before = f.window->statusLine().message();
         const int refused = answers.refusals();
         action->trigger();
-        QTest::qWait(30);
+        const auto answered = [&] {
+            return changed.count() + told.count() + failed.count() > 0 || answers.refusals() > refused ||
+                   f.window->statusLine().message() != before;
+        };
+        (void)QTest::qWaitFor([&] { return answered() || f.editor().busy(); }, test::patience);
         settle(f);
-        QVERIFY2(changed.count() + told.count() + failed.count() > 0 || answers.refusals() > refused ||
-                     f.window->statusLine().message() != before,
+        QVERIFY2(QTest::qWaitFor(answered, test::patience),
                  qPrintable(action->text() + ": nothing was done, nothing was said"));
     }
 }

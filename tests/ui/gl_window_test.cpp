@@ -1,5 +1,6 @@
 // The window with OpenGL: needs an X server, for example
 //     QT_QPA_PLATFORM=xcb POINTCLAY_RENDERER=gl xvfb-run -a ui_tests GlWindowTest
+#include "support/patience.h"
 #include "support/registry.h"
 #include "ui/viewport/gl_viewport.h"
 #include "window_fixture.h"
@@ -58,7 +59,7 @@ bool GlWindowTest::show() {
     bool painted = false;
     viewport.framePainted = [&](double) { painted = true; };
     m_fixture->window->sculptView().refresh();
-    const bool done = QTest::qWaitFor([&] { return painted; }, 60000);
+    const bool done = QTest::qWaitFor([&] { return painted; }, test::patience);
     viewport.framePainted = nullptr;
     return done;
 }

@@ -1,5 +1,6 @@
 #include "ui/work/latest_worker.h"
 
+#include "support/patience.h"
 #include "support/registry.h"
 
 #include <QTest>
@@ -31,7 +32,7 @@ void LatestWorkerTest::lastRequestIsAlwaysDone() {
     LatestWorker<int> worker([&](int request, const base::Progress&) { done = request; }, {});
     for (int k = 1; k <= 1000; ++k)
         worker.request(k, k % 3 == 0);
-    QVERIFY(QTest::qWaitFor([&] { return done == 1000 && !worker.busy(); }));
+    QVERIFY(QTest::qWaitFor([&] { return done == 1000 && !worker.busy(); }, test::patience));
 }
 
 void LatestWorkerTest::stoppedWorkMakesRoom() {
@@ -45,9 +46,9 @@ void LatestWorkerTest::stoppedWorkMakesRoom() {
         },
         {});
     worker.request(1, false);
-    QVERIFY(QTest::qWaitFor([&] { return started == 1; }));
+    QVERIFY(QTest::qWaitFor([&] { return started == 1; }, test::patience));
     worker.request(2, true);
-    QVERIFY(QTest::qWaitFor([&] { return done == 2; }));
+    QVERIFY(QTest::qWaitFor([&] { return done == 2; }, test::patience));
 }
 
 void LatestWorkerTest::failureIsToldAndWorkGoesOn() {
@@ -60,9 +61,9 @@ void LatestWorkerTest::failureIsToldAndWorkGoesOn() {
         },
         [&](const std::exception&) { ++failures; });
     worker.request(1, false);
-    QVERIFY(QTest::qWaitFor([&] { return failures == 1; }));
+    QVERIFY(QTest::qWaitFor([&] { return failures == 1; }, test::patience));
     worker.request(2, false);
-    QVERIFY(QTest::qWaitFor([&] { return done == 2; }));
+    QVERIFY(QTest::qWaitFor([&] { return done == 2; }, test::patience));
 }
 
 void LatestWorkerTest::cancelledWorkerRests() {
@@ -74,13 +75,13 @@ void LatestWorkerTest::cancelledWorkerRests() {
         },
         {}, [&] { ++rests; });
     worker.request(1, false);
-    QVERIFY(QTest::qWaitFor([&] { return started == 1; }));
+    QVERIFY(QTest::qWaitFor([&] { return started == 1; }, test::patience));
     worker.cancel();
-    QVERIFY(QTest::qWaitFor([&] { return rests >= 1 && !worker.busy(); }));
+    QVERIFY(QTest::qWaitFor([&] { return rests >= 1 && !worker.busy(); }, test::patience));
     const int before = rests;
     worker.request(2, false);
     worker.cancel(); // whether it had begun or not
-    QVERIFY(QTest::qWaitFor([&] { return rests > before && !worker.busy(); }));
+    QVERIFY(QTest::qWaitFor([&] { return rests > before && !worker.busy(); }, test::patience));
 }
 
 void LatestWorkerTest::endStopsWhatRuns() {
@@ -93,7 +94,7 @@ void LatestWorkerTest::endStopsWhatRuns() {
             },
             {});
         worker.request(1, false);
-        QVERIFY(QTest::qWaitFor([&] { return started.load(); }));
+        QVERIFY(QTest::qWaitFor([&] { return started.load(); }, test::patience));
     }
     QVERIFY(started);
 }

@@ -1,6 +1,7 @@
 // The bar of layers: it shows the document's list, and its controls are commands.
 #include "ui/panels/layer_bar.h"
 
+#include "support/patience.h"
 #include "support/registry.h"
 #include "ui/panels/number_slider.h"
 #include "ui/window_fixture.h"
@@ -72,7 +73,7 @@ void LayerBarTest::aSliderThatMovesAsksOnceWhenItRests() {
         slider.setValue(value);
         Q_EMIT slider.edited(value);
     }
-    QTRY_COMPARE(stackOf(f).layers.front().strength, 0.25f);
+    QTRY_COMPARE_WITH_TIMEOUT(stackOf(f).layers.front().strength, 0.25f, test::patience);
     QVERIFY(f.settle());
     f.window->undo();
     QVERIFY(f.settle());
@@ -92,7 +93,7 @@ void LayerBarTest::aStrengthIsThatOfTheLayerItWasMovedFor() {
     auto& list = *f.window->findChild<QComboBox*>("layer-list");
     list.setCurrentIndex(1);
     Q_EMIT list.activated(1);
-    QTRY_COMPARE(stackOf(f).layers[1].strength, 0.25f);
+    QTRY_COMPARE_WITH_TIMEOUT(stackOf(f).layers[1].strength, 0.25f, test::patience);
     QVERIFY(f.settle());
     QCOMPARE(stackOf(f).target(), 0);
     QCOMPARE(stackOf(f).layers[0].strength, 1.0f);

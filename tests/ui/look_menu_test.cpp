@@ -1,5 +1,6 @@
 // The View menus' switches: each is in the picture, in the settings and in the next window.
 #include "core/render/effects/effect_rows.h"
+#include "support/patience.h"
 #include "support/registry.h"
 #include "ui/window_fixture.h"
 
@@ -54,7 +55,7 @@ void LookMenuTest::outlinesBackgroundsAndTheGridAreInThePicture() {
                 last = now;
                 return true;
             },
-            20000);
+            test::patience);
     };
     QVERIFY(another());
     for (const auto& [menu, id] : {std::pair("effects", "outline"), std::pair("around", "grid"),

@@ -1,6 +1,7 @@
 // Measuring with the pointer: what clicks on the model tell, against the ball they are made on.
 #include "ui/window/measure_tools.h"
 
+#include "support/patience.h"
 #include "support/registry.h"
 #include "ui/interaction/contact.h"
 #include "ui/panels/measure_bar.h"
@@ -53,7 +54,7 @@ struct Bar {
                     out = text.toDouble(&number);
                     return number;
                 },
-                60000))
+                test::patience))
             qWarning("no number, but: %s", qPrintable(bar.said()));
         return out;
     }
@@ -82,7 +83,7 @@ void MeasureToolsTest::everyRowTellsTheBall() {
     }
     const std::string_view id = what.id;
     if (id == "place") {
-        QTRY_VERIFY(t.bar.said().count(',') == 2);
+        QTRY_VERIFY_WITH_TIMEOUT(t.bar.said().count(',') == 2, test::patience);
         const QStringList numbers = t.bar.said().split(", ");
         QVERIFY(std::abs(numbers[0].toDouble() - x[0].x) < 1e-5 && std::abs(numbers[2].toDouble() - x[0].z) < 1e-5);
         return;

@@ -1,6 +1,7 @@
 #include "ui/work/measurer.h"
 
 #include "render/render_models.h"
+#include "support/patience.h"
 #include "support/registry.h"
 #include "ui/window_fixture.h"
 
@@ -20,7 +21,7 @@ static surface::Surface torus() {
 }
 
 static bool settled(Measurer& measurer) {
-    return QTest::qWaitFor([&] { return !measurer.busy(); }, 60000);
+    return QTest::qWaitFor([&] { return !measurer.busy(); }, test::patience);
 }
 
 static std::size_t known(const Measurer& measurer, const tree::SurfelTree& tree) {

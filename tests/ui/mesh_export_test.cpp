@@ -1,6 +1,7 @@
 // Mesh export in the window: an estimate at once, a preview that follows model and view, files that can be read back.
 #include "core/io/formats.h"
 #include "core/io/mesh_formats.h"
+#include "support/patience.h"
 #include "support/registry.h"
 #include "support/sanitized.h"
 #include "ui/window/mesh_export.h"
@@ -31,7 +32,7 @@ struct Fixture : WindowFixture {
                 return made && made->model == editor().snapshot().surface.tree() &&
                        made->choice.sameMesh(mesh().bar().choice()) && !mesh().mesher().busy();
             },
-            60000);
+            test::patience);
     }
     QImage picture() { return view().grab().toImage(); }
 };
@@ -54,7 +55,7 @@ void MeshExportTest::previewShowsTheMeshOfTheModel() {
     QVERIFY(f.made());
     QVERIFY(QTest::qWaitFor(
         [&] { return f.mesh().bar().text().contains(" triangles") && !f.mesh().bar().text().contains("about"); },
-        5000));
+        test::patience));
     QTest::qWait(300); // the lines have their own thread
     const QImage with = f.picture();
     f.mesh().bar().findChild<QWidget*>("mesh-preview")->setProperty("checked", false);
@@ -92,7 +93,7 @@ void MeshExportTest::estimateIsNearTheMesh() {
     const double estimate =
         static_cast<double>(ui::estimatedTriangles(ui::estimatedArea(now.surface.tree(), spacing), spacing, choice));
     f.mesh().mesher().want(choice, now);
-    QVERIFY(QTest::qWaitFor([&] { return f.mesh().mesher().made() != nullptr; }, 60000));
+    QVERIFY(QTest::qWaitFor([&] { return f.mesh().mesher().made() != nullptr; }, test::patience));
     const double ratio = estimate / static_cast<double>(f.mesh().mesher().made()->mesh->triangles.size());
     QVERIFY2(ratio > 0.75 && ratio < 1.33, qPrintable(QString::number(ratio)));
 }
@@ -106,7 +107,7 @@ void MeshExportTest::everyFormatIsWritten() {
         QString written;
         connect(&f.mesh().mesher(), &ui::Mesher::saved, this, [&](const QString& name) { written = name; });
         f.mesh().save(path.toStdString());
-        QVERIFY(QTest::qWaitFor([&] { return written == path && !f.mesh().mesher().busy(); }, 60000));
+        QVERIFY(QTest::qWaitFor([&] { return written == path && !f.mesh().mesher().busy(); }, test::patience));
         const io::FileModel back = io::read(path.toStdString());
         QCOMPARE(back.points.items.size(), f.mesh().mesher().made()->mesh->positions.size());
         f.mesh().mesher().disconnect(this);
@@ -120,8 +121,8 @@ void MeshExportTest::newerWishReplacesTheOlder() {
     fine.cell = 0.5, coarse.cell = 4;
     f.mesh().mesher().want(fine, f.editor().snapshot());
     f.mesh().mesher().want(coarse, f.editor().snapshot());
-    QVERIFY(QTest::qWaitFor([&] { return !f.mesh().mesher().busy() && f.mesh().mesher().made(); }, 60000));
-    QVERIFY(QTest::qWaitFor([&] { return f.mesh().mesher().made()->choice.sameMesh(coarse); }, 5000));
+    QVERIFY(QTest::qWaitFor([&] { return !f.mesh().mesher().busy() && f.mesh().mesher().made(); }, test::patience));
+    QVERIFY(QTest::qWaitFor([&] { return f.mesh().mesher().made()->choice.sameMesh(coarse); }, test::patience));
 }
 
 void MeshExportTest::previewWaitsForAFile() {
@@ -138,8 +139,8 @@ void MeshExportTest::previewWaitsForAFile() {
     mesher.want(coarse, f.editor().snapshot());
     mesher.save(coarse, f.editor().snapshot(), f.file("other.ply").toStdString());
     QVERIFY(failure.contains("being written"));
-    QVERIFY(QTest::qWaitFor([&] { return written == path; }, 60000));
-    QVERIFY(QTest::qWaitFor([&] { return mesher.made()->choice.sameMesh(coarse); }, 60000));
+    QVERIFY(QTest::qWaitFor([&] { return written == path; }, test::patience));
+    QVERIFY(QTest::qWaitFor([&] { return mesher.made()->choice.sameMesh(coarse); }, test::patience));
     mesher.disconnect(this);
 }
 

@@ -1,4 +1,5 @@
 // The properties panel: one table of options, edited by slider, by typing and by hand; each tool keeps its own.
+#include "support/patience.h"
 #include "support/registry.h"
 #include "ui/panels/curve_editor.h"
 #include "ui/panels/number_slider.h"
@@ -61,7 +62,7 @@ void PanelTest::numbersAreTypedAfterAClick() {
     const auto spacing = [&] { return f.window->settings().choice(f.window->settings().toolRow()).spacing; };
     const auto click = [&] {
         QTest::mouseClick(bar, Qt::LeftButton);
-        QTRY_VERIFY(box->isVisible() && box->hasFocus());
+        QTRY_VERIFY_WITH_TIMEOUT(box->isVisible() && box->hasFocus(), test::patience);
     };
     const ui::View view = f.window->sculptView().motion().view();
     const std::string tool = f.window->settings().tool;

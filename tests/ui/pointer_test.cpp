@@ -1,5 +1,6 @@
 // What the pointer does beside sculpting: it turns the view, shows the exact contact, changes radius and strength.
 #include "reach.h"
+#include "support/patience.h"
 #include "support/registry.h"
 
 using test::reachOf;
@@ -85,7 +86,7 @@ void PointerTest::cursorLiesAtTheExactContact() {
 void PointerTest::symmetryIsShownOverThePictureOnly() {
     WindowFixture f;
     QVERIFY(f.make("sphere", 4000));
-    QTRY_VERIFY(!f.window->viewport().picture().isNull());
+    QTRY_VERIFY_WITH_TIMEOUT(!f.window->viewport().picture().isNull(), test::patience);
     const auto rest = [&] { // the last picture is the one with smooth outlines, which takes its time
         QImage last;
         for (int same = 0, waits = 0; same < 5 && waits < 100; ++waits) {
@@ -108,7 +109,7 @@ void PointerTest::symmetryIsShownOverThePictureOnly() {
          {sculpt::Symmetry{{true}}, sculpt::Symmetry{{false, true}}, sculpt::Symmetry{{}, 5, sculpt::Axis::Y}}) {
         f.window->settings().shared.symmetry = symmetry;
         f.window->sculptView().refresh();
-        QTRY_VERIFY(seen() != shown.back()); // the curve is traced in the background
+        QTRY_VERIFY_WITH_TIMEOUT(seen() != shown.back(), test::patience); // the curve is traced in the background
         rest();
         shown.push_back(seen());
         for (std::size_t i = 0; i + 1 < shown.size(); ++i)
@@ -117,7 +118,7 @@ void PointerTest::symmetryIsShownOverThePictureOnly() {
     QVERIFY(f.window->viewport().picture() == picture);
     f.window->settings().shared.symmetry = {};
     f.window->sculptView().refresh();
-    QTRY_VERIFY(seen() == plain);
+    QTRY_VERIFY_WITH_TIMEOUT(seen() == plain, test::patience);
 }
 
 void PointerTest::bracketsAndFChangeTheRadius() {

@@ -1,5 +1,6 @@
 // Lost work is shown before it is brought back, and what is on its way has its name from the first moment.
 #include "core/session/recover.h"
+#include "support/patience.h"
 #include "support/registry.h"
 #include "ui/window/recovery_dialog.h"
 #include "ui/window/status_line.h"
@@ -34,7 +35,7 @@ void RecoveryDialogTest::picturesShowWhatComesBack() {
     const session::LeftJournal journal = left(f);
     QCOMPARE(journal.commands, 2);
     ui::RecoveryDialog dialog(journal);
-    QTRY_VERIFY_WITH_TIMEOUT(!dialog.picture().isNull(), 60000);
+    QTRY_VERIFY_WITH_TIMEOUT(!dialog.picture().isNull(), test::patience);
     // The model stands in its middle, the background at its rim.
     const QImage picture = dialog.picture();
     QSet<QRgb> colours;
@@ -56,7 +57,7 @@ void RecoveryDialogTest::unreadableJournalsSayWhy() {
     session::LeftJournal journal = left(f);
     std::filesystem::remove(journal.path);
     ui::RecoveryDialog dialog(journal);
-    QTRY_VERIFY(!dialog.findChild<QLabel*>("recovered-steps")->text().isEmpty());
+    QTRY_VERIFY_WITH_TIMEOUT(!dialog.findChild<QLabel*>("recovered-steps")->text().isEmpty(), test::patience);
     QVERIFY(dialog.picture().isNull());
     dialog.findChild<QPushButton*>("discard")->click();
     QCOMPARE(dialog.result(), int(ui::RecoveryDialog::Discard));

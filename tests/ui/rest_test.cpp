@@ -1,4 +1,5 @@
 // The picture at rest: smooth outlines, which nothing that goes on has to wait for.
+#include "support/patience.h"
 #include "support/registry.h"
 #include "ui/window_fixture.h"
 #include "ui/work/render_thread.h"
@@ -31,11 +32,11 @@ static int between(const QImage& picture) {
 void RestTest::outlinesAreSmoothAtRest() {
     WindowFixture f;
     QVERIFY(f.make("sphere", 5000));
-    QTRY_VERIFY(!f.window->viewport().picture().isNull());
-    QTRY_VERIFY_WITH_TIMEOUT(between(f.window->viewport().picture()) > 200, 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(!f.window->viewport().picture().isNull(), test::patience);
+    QTRY_VERIFY_WITH_TIMEOUT(between(f.window->viewport().picture()) > 200, test::patience);
     // And again after a picture of something that moves.
     f.window->sculptView().refresh(true);
-    QTRY_VERIFY_WITH_TIMEOUT(between(f.window->viewport().picture()) > 200, 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(between(f.window->viewport().picture()) > 200, test::patience);
 }
 
 void RestTest::strokesGoOnFromTheRoughPicture() {
@@ -53,7 +54,7 @@ void RestTest::strokesGoOnFromTheRoughPicture() {
         });
         ui::Editor editor({.keepJournal = false, .journal = {}, .historyBytes = 1 << 20});
         editor.run({{"op", "new"}, {"sample", "sphere"}, {"count", 3000}});
-        (void)QTest::qWaitFor([&] { return !editor.busy(); }, 60000);
+        (void)QTest::qWaitFor([&] { return !editor.busy(); }, test::patience);
         ui::Frame frame;
         frame.model = editor.snapshot().surface.tree();
         frame.camera = render::Camera::looking(frame.model.bounds(), 200, 150);
@@ -61,10 +62,12 @@ void RestTest::strokesGoOnFromTheRoughPicture() {
         for (std::size_t k = 0; k < 3; ++k) {
             frame.camera.fovDeg = 35 + double(k);
             thread.request(frame);
-            (void)QTest::qWaitFor([&] {
-                const std::lock_guard lock(mutex);
-                return out.size() == k + 1 && (!smooth || smoothed == int(k) + 1);
-            });
+            (void)QTest::qWaitFor(
+                [&] {
+                    const std::lock_guard lock(mutex);
+                    return out.size() == k + 1 && (!smooth || smoothed == int(k) + 1);
+                },
+                test::patience);
         }
         const std::lock_guard lock(mutex);
         return out;

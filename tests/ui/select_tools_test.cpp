@@ -2,6 +2,7 @@
 #include "ui/window/select_tools.h"
 
 #include "core/selection/field.h"
+#include "support/patience.h"
 #include "support/registry.h"
 #include "ui/interaction/select_ways.h"
 #include "ui/panels/select_bar.h"
@@ -204,7 +205,7 @@ void SelectToolsTest::selectedIsOrangeInEveryShading() {
     t.f.action("view", "True Surface")->setChecked(rays);
     const auto look = [&] {
         t.f.settle();
-        if (!QTest::qWaitFor([&] { return !t.f.window->measurer().busy(); }, 30000))
+        if (!QTest::qWaitFor([&] { return !t.f.window->measurer().busy(); }, test::patience))
             qWarning("measuring goes on");
         QTest::qWait(rays ? 900 : 350); // until it rests
         const QImage seen = t.f.view().grab().toImage();

@@ -1,4 +1,5 @@
 // Feeling the model in the window: a simulated hand and the mouse get forces, sculpt where they may, and end at Esc.
+#include "support/patience.h"
 #include "support/registry.h"
 #include "ui/panels/force_plot.h"
 #include "ui/panels/touch_bar.h"
@@ -30,7 +31,7 @@ struct Fixture : WindowFixture {
         list->setCurrentIndex(list->findData(device));
     }
     bool waitUntil(const std::function<bool(const ui::TouchLook&)>& true_) {
-        return QTest::qWaitFor([&] { return true_(touch().look()); }, 60000);
+        return QTest::qWaitFor([&] { return true_(touch().look()); }, test::patience);
     }
     ~Fixture() { window.reset(); }
 };
@@ -67,7 +68,7 @@ void TouchWindowTest::pressingMakesStrokesLikeAnyOther() {
     f.touch().set(settings);
     QVERIFY(f.waitUntil([](const ui::TouchLook& look) { return look.works; }));
     QVERIFY(QTest::qWaitFor([&] { return f.editor().snapshot().input > 0 || f.editor().snapshot().dabSeconds > 0; },
-                            60000));
+                            test::patience));
     settings.on = false;
     f.touch().set(settings);
     QVERIFY(f.settle());

@@ -1,5 +1,6 @@
 // The true surface in the window: it replaces the splats where the view rests, and follows strokes.
 #include "core/render/cast/raycast_image.h"
+#include "support/patience.h"
 #include "support/registry.h"
 #include "ui/panels/truth_bar.h"
 #include "window_fixture.h"
@@ -34,7 +35,7 @@ struct Fixture : WindowFixture {
     QAction* truth() { return action("view", "True Surface"); }
     bool refined() {
         const int before = complete;
-        return QTest::qWaitFor([this, before] { return complete > before; }, 60000);
+        return QTest::qWaitFor([this, before] { return complete > before; }, test::patience);
     }
     double meanDifferenceToRays() {
         auto& scene = window->sculptView();
@@ -70,7 +71,7 @@ void TrueSurfaceTest::viewAtRestBecomesTheRayCast() {
     const double turned = f.meanDifferenceToRays();
     QVERIFY2(turned < 0.3, qPrintable(QString::number(turned)));
     f.truth()->trigger();
-    QVERIFY(QTest::qWaitFor([&] { return !f.last; }, 20000));
+    QVERIFY(QTest::qWaitFor([&] { return !f.last; }, test::patience));
 }
 
 void TrueSurfaceTest::strokesGoOnAndAreRefined() {

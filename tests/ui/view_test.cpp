@@ -1,6 +1,7 @@
 // The view as a hand moves it: what stays where it is, what comes back, and what time does not change.
 #include "core/base/random.h"
 #include "core/render/named_views.h"
+#include "support/patience.h"
 #include "support/registry.h"
 #include "ui/interaction/navigator.h"
 #include "ui/view/fly.h"
@@ -370,7 +371,7 @@ void ViewTest::transitionsLeadWhereTheyShould() {
     navigator.goTo(to);
     QVERIFY(navigator.view() == to && navigator.inTransition()); // at once, for whoever asks
     QVERIFY(!(navigator.shown() == to));
-    QTRY_VERIFY(!navigator.inTransition());
+    QTRY_VERIFY_WITH_TIMEOUT(!navigator.inTransition(), test::patience);
     QVERIFY(navigator.shown() == to);
     QVERIFY(moved.size() > 2 && moved.back().at(0).toBool() == false); // the last is at rest
     QVERIFY(between(from, to, 1) == to);

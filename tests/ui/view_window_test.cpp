@@ -1,4 +1,5 @@
 // Views, pivots, cuts and flight in the window: picking is what is drawn, whatever the camera.
+#include "support/patience.h"
 #include "support/registry.h"
 #include "ui/panels/cut_bar.h"
 #include "window_fixture.h"
@@ -125,15 +126,17 @@ void ViewWindowTest::sectionsFollowTheirPlanes() {
     auto& bar = *f.window->findChild<ui::CutBar*>();
     bar.findChild<QToolButton*>("cut-0")->click();
     QVERIFY(scene.cuts().cuts().each[0].on && scene.motion().camera().clips.all().size() == 1);
-    QTRY_VERIFY(scene.cuts().sections().size() == 1 && scene.cuts().sections()[0].size() == 2);
+    QTRY_VERIFY_WITH_TIMEOUT(scene.cuts().sections().size() == 1 && scene.cuts().sections()[0].size() == 2,
+                             test::patience);
     for (const auto& curve : scene.cuts().sections()[0])
         for (const auto& p : curve.points)
             QVERIFY(std::abs(p.position.x) < 1e-6);
     bar.findChild<QSlider*>("cut-0-place")->setValue(1500);
     const double offset = scene.cuts().cuts().each[0].offset;
     QVERIFY(offset > 0.1);
-    QTRY_VERIFY(scene.cuts().sections().size() == 1 && !scene.cuts().sections()[0].empty() &&
-                std::abs(scene.cuts().sections()[0][0].points[0].position.x - offset) < 1e-6);
+    QTRY_VERIFY_WITH_TIMEOUT(scene.cuts().sections().size() == 1 && !scene.cuts().sections()[0].empty() &&
+                                 std::abs(scene.cuts().sections()[0][0].points[0].position.x - offset) < 1e-6,
+                             test::patience);
     bar.findChild<QToolButton*>("cut-0-flip")->click();
     QVERIFY(scene.motion().camera().clips.all()[0].normal.x > 0);
     bar.findChild<QToolButton*>("cut-3")->click();
@@ -172,7 +175,7 @@ void ViewWindowTest::flightTakesLettersAndEndsWithEscape() {
     QVERIFY(letter.isAccepted());
     const Vec3d eye = scene.motion().camera().eye;
     key(f.view(), QEvent::KeyPress, Qt::Key_S);
-    QTRY_VERIFY(distance(scene.motion().camera().eye, eye) > 0.05);
+    QTRY_VERIFY_WITH_TIMEOUT(distance(scene.motion().camera().eye, eye) > 0.05, test::patience);
     key(f.view(), QEvent::KeyRelease, Qt::Key_S);
     QVERIFY(dot(scene.motion().camera().eye - eye, scene.motion().camera().forward()) < 0); // backwards
     QCOMPARE(std::string(f.window->settings().toolRow().id), tool);

@@ -1,6 +1,7 @@
 // What meets a person who has opened nothing, and the tour that they take with their own hands.
 #include "ui/window/welcome.h"
 
+#include "support/patience.h"
 #include "support/registry.h"
 #include "ui/panels/start_card.h"
 #include "ui/window/tour.h"
@@ -44,8 +45,8 @@ void WelcomeTest::theCardOpensWhatWasOpenedLately() {
     QVERIFY(recent && recent->text() == "lately.ply"); // the one that is gone is left out
     recent->click();
     QVERIFY(f.settle());
-    QTRY_COMPARE(f.surfels(), std::size_t(1500));
-    QTRY_VERIFY(!cardOf(f));
+    QTRY_COMPARE_WITH_TIMEOUT(f.surfels(), std::size_t(1500), test::patience);
+    QTRY_VERIFY_WITH_TIMEOUT(!cardOf(f), test::patience);
 }
 
 void WelcomeTest::aPressBesideTheCardSculpts() {
@@ -60,7 +61,7 @@ void WelcomeTest::aPressBesideTheCardSculpts() {
     f.press(f.centre());
     f.release(f.centre());
     QVERIFY(f.editor().snapshot().canUndo);
-    QTRY_VERIFY(!cardOf(f));
+    QTRY_VERIFY_WITH_TIMEOUT(!cardOf(f), test::patience);
 }
 
 void WelcomeTest::escClosesTheCardAfterAllElse() {
@@ -71,7 +72,7 @@ void WelcomeTest::escClosesTheCardAfterAllElse() {
     f.window->escape();
     QVERIFY(!f.window->sculptView().picker().on() && f.view().findChild<ui::Tour*>());
     f.window->escape();
-    QTRY_VERIFY(!f.view().findChild<ui::Tour*>());
+    QTRY_VERIFY_WITH_TIMEOUT(!f.view().findChild<ui::Tour*>(), test::patience);
 }
 
 void WelcomeTest::theTourGoesOnWhenAStepWasDone() {
@@ -82,15 +83,15 @@ void WelcomeTest::theTourGoesOnWhenAStepWasDone() {
     QTest::qWait(300);
     QCOMPARE(tour.step(), 0); // nothing was done
     f.drag({900, 600}, {850, 560}, {}, Qt::RightButton);
-    QTRY_COMPARE_WITH_TIMEOUT(tour.step(), 1, 10000);
+    QTRY_COMPARE_WITH_TIMEOUT(tour.step(), 1, test::patience);
     f.drag(f.centre() - QPointF(20, 0), f.centre() + QPointF(20, 0));
-    QTRY_COMPARE_WITH_TIMEOUT(tour.step(), 2, 10000);
+    QTRY_COMPARE_WITH_TIMEOUT(tour.step(), 2, test::patience);
     f.drag(f.centre() - QPointF(20, 0), f.centre() + QPointF(20, 0), Qt::ShiftModifier);
-    QTRY_COMPARE_WITH_TIMEOUT(tour.step(), 3, 10000);
+    QTRY_COMPARE_WITH_TIMEOUT(tour.step(), 3, test::patience);
     f.window->sculptView().sizing().scaleRadius(1.5);
-    QTRY_COMPARE_WITH_TIMEOUT(tour.step(), 4, 10000);
+    QTRY_COMPARE_WITH_TIMEOUT(tour.step(), 4, test::patience);
     f.window->undo();
-    QTRY_COMPARE_WITH_TIMEOUT(tour.step(), 5, 10000);
+    QTRY_COMPARE_WITH_TIMEOUT(tour.step(), 5, test::patience);
 }
 
 void WelcomeTest::theTourEndsAtItsEnd() {
@@ -103,7 +104,7 @@ void WelcomeTest::theTourEndsAtItsEnd() {
         QVERIFY(f.view().rect().contains(tour.geometry()));
         tour.go(step + 1);
     }
-    QTRY_VERIFY(!f.view().findChild<ui::Tour*>());
+    QTRY_VERIFY_WITH_TIMEOUT(!f.view().findChild<ui::Tour*>(), test::patience);
 }
 
 static const test::Registered<WelcomeTest> registered;

@@ -1,6 +1,7 @@
 // A main window with its files in a temporary folder, and the hand that uses it.
 #pragma once
 
+#include "support/patience.h"
 #include "ui/window/main_window.h"
 
 #include <memory>
@@ -47,7 +48,7 @@ class WindowFixture {
     std::size_t surfels() { return editor().snapshot().surface.tree().size(); }
 
     bool settle() {
-        return QTest::qWaitFor([this] { return !editor().busy(); }, 120000);
+        return QTest::qWaitFor([this] { return !editor().busy(); }, test::patience);
     }
     base::Hash128 hash() {
         const base::Hash128 out = editor().hashWhenDone();

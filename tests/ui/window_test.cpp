@@ -1,6 +1,7 @@
 // The main window on any platform: what it offers comes from the tables, what the hand does reaches the model.
 #include "core/process/samples/samples.h"
 #include "core/session/journal.h"
+#include "support/patience.h"
 #include "support/registry.h"
 #include "ui/panels/number_slider.h"
 #include "ui/panels/properties_panel.h"
@@ -144,10 +145,10 @@ static bool waitForPicture(WindowFixture& f) {
         if (shown)
             shown(seconds);
     };
-    const bool first = QTest::qWaitFor([&] { return painted; }, 60000);
+    const bool first = QTest::qWaitFor([&] { return painted; }, test::patience);
     painted = false;
     f.window->sculptView().refresh();
-    const bool second = first && QTest::qWaitFor([&] { return painted; }, 60000);
+    const bool second = first && QTest::qWaitFor([&] { return painted; }, test::patience);
     f.window->viewport().framePainted = shown;
     return second;
 }
@@ -244,7 +245,7 @@ void WindowTest::titleTellsTheFileAndWhetherItIsSaved() {
 
 /// Answers the next question on the screen.
 static void answer(QMessageBox::StandardButton button) {
-    QTRY_VERIFY(QApplication::activeModalWidget() != nullptr);
+    QTRY_VERIFY_WITH_TIMEOUT(QApplication::activeModalWidget() != nullptr, test::patience);
     auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
     QVERIFY(box);
     QVERIFY(box->button(button));
@@ -261,7 +262,8 @@ void WindowTest::closingAsksAboutUnsavedWork() {
     f.window->close();
     answer(QMessageBox::Discard);
     QVERIFY(!f.window->isVisible());
-    QTRY_VERIFY(!std::filesystem::exists(f.journal())); // at once: other windows may go on for long, and crash
+    QTRY_VERIFY_WITH_TIMEOUT(!std::filesystem::exists(f.journal()),
+                             test::patience); // at once: other windows may go on for long, and crash
     f.window.reset();
     QVERIFY(!std::filesystem::exists(f.journal())); // nothing to recover from a proper end
     f.open();
@@ -293,7 +295,7 @@ void WindowTest::unreadableFilesLeaveTheModelAndSayWhy() {
     bad.close();
     f.window->files().open(std::filesystem::path(bad.fileName().toStdString()));
     QVERIFY(f.settle());
-    QTRY_VERIFY(QApplication::activeModalWidget() != nullptr);
+    QTRY_VERIFY_WITH_TIMEOUT(QApplication::activeModalWidget() != nullptr, test::patience);
     auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
     QVERIFY(box && box->text().contains("bad.ply"));
     box->button(QMessageBox::Ok)->click();
@@ -351,7 +353,7 @@ void WindowTest::settingsOutliveACrash() {
     f.window->toolBar().toolActions().back()->trigger();
     f.window->sculptView().sizing().scaleRadius(1.5);
     const auto onDisk = [&] { return ui::SettingsFile(f.file("settings.ini")).read(); };
-    QTRY_COMPARE(onDisk().radiusPx, 75.0);
+    QTRY_COMPARE_WITH_TIMEOUT(onDisk().radiusPx, 75.0, test::patience);
     QCOMPARE(onDisk().tool, std::string(sculpt::toolTable().back().id));
 }
 

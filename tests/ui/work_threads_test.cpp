@@ -1,5 +1,6 @@
 // The threads beside the interface's, without a window: the model's owner publishes versions while the drawing thread
 // draws those before. TSan looks here.
+#include "support/patience.h"
 #include "support/registry.h"
 #include "ui/work/editor.h"
 #include "ui/work/render_thread.h"
@@ -25,7 +26,7 @@ static Frame frameOf(const Editor& editor) {
 }
 
 static bool settled(const Editor& editor) {
-    return QTest::qWaitFor([&] { return !editor.busy(); }, 120000);
+    return QTest::qWaitFor([&] { return !editor.busy(); }, test::patience);
 }
 
 /// An editor without a journal, of a sphere.
@@ -61,7 +62,7 @@ void WorkThreadsTest::versionsAreDrawnWhileAStrokeGoesOn() {
     const base::Hash128 before = editor->hashWhenDone();
     stroke(*editor, 40);
     QVERIFY(settled(*editor));
-    QVERIFY(QTest::qWaitFor([&] { return pictures > 0; }, 120000));
+    QVERIFY(QTest::qWaitFor([&] { return pictures > 0; }, test::patience));
     QVERIFY(versions > 0 && !(editor->hashWhenDone() == before));
     editor->run({{"op", "undo"}});
     QVERIFY(settled(*editor));
@@ -82,7 +83,7 @@ void WorkThreadsTest::theTrueSurfaceIsInterrupted() {
         drawing.request(frame);
         QTest::qWait(200);
     }
-    QVERIFY(QTest::qWaitFor([&] { return levels > 0; }, 120000));
+    QVERIFY(QTest::qWaitFor([&] { return levels > 0; }, test::patience));
 }
 
 void WorkThreadsTest::cancelledWorkLeavesTheModel() {
