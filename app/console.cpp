@@ -16,8 +16,14 @@ static void onInterrupt(int signal) {
 }
 
 const std::atomic<bool>& catchInterrupts() {
-    std::signal(SIGINT, onInterrupt);
-    std::signal(SIGTERM, onInterrupt);
+    struct sigaction action {};
+    action.sa_handler = onInterrupt; // without SA_RESTART: who waits for a pipe sees the flag
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        struct sigaction before {};
+        ::sigaction(signal, nullptr, &before);
+        if (before.sa_handler != SIG_IGN) // by nohup, or by a shell for what runs in the background
+            ::sigaction(signal, &action, nullptr);
+    }
     std::signal(SIGXFSZ, SIG_IGN); // a limit on file sizes is an error of writing, told as such
     return interrupted;
 }

@@ -38,7 +38,7 @@ class Console {
     std::chrono::steady_clock::time_point m_last;
 };
 
-/// Turns Ctrl-C and SIGTERM into Console::progress's cancellation; returns the flag that says so.
+/// Turns Ctrl-C, SIGTERM and SIGHUP into Console::progress's cancellation; returns the flag that says so.
 const std::atomic<bool>& catchInterrupts();
 
 } // namespace app

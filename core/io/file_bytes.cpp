@@ -1,5 +1,6 @@
 #include "core/io/file_bytes.h"
 
+#include "core/base/cancel_scope.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 
@@ -16,7 +17,10 @@ namespace io {
 static const char* const lostFile = "check the name and the permissions";
 
 FileBytes::FileBytes(const std::filesystem::path& path) : m_path(path), m_shown(path) {
-    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    int descriptor = -1;
+    do // a pipe is opened when somebody opens its other end
+        base::CancelScope::check();
+    while ((descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC)) < 0 && errno == EINTR);
     if (descriptor < 0)
         fail(std::string("cannot be opened (") + std::strerror(errno) + ")", lostFile);
     try {
@@ -86,6 +90,7 @@ void FileBytes::readFile(int descriptor, std::size_t size) {
 void FileBytes::readStream(int descriptor) {
     char block[1 << 16];
     while (true) {
+        base::CancelScope::check();
         const ssize_t got = ::read(descriptor, block, sizeof block);
         if (got < 0 && errno == EINTR)
             continue;

@@ -2,9 +2,13 @@
 #include "demo_session.h"
 #include "program.h"
 #include "support/registry.h"
+#include "support/sanitized.h"
 
 #include <csignal>
+#include <fcntl.h>
 #include <QTest>
+#include <sys/stat.h>
+#include <unistd.h>
 
 using nlohmann::json;
 using test::Outcome;
@@ -22,6 +26,9 @@ class RunTest : public QObject {
     void changedFilesAreTakenWhenAsked();
     void picturesAreThoseOfRender();
     void aModelIsNoJournal();
+    void lineWithoutEndIsNoSession();
+    void whoWaitsForAPipeCanBeEnded_data();
+    void whoWaitsForAPipeCanBeEnded();
     void theDemoIsWhatItsGeneratorWrites();
     void theDemoSessionRuns();
 };
@@ -162,6 +169,42 @@ void RunTest::aModelIsNoJournal() {
     QCOMPARE(outcome.code, 1);
     QVERIFY2(outcome.err.find("model.ply: is not a journal") != std::string::npos, outcome.err.c_str());
     QCOMPARE(program.read("model.ply"), before);
+}
+
+void RunTest::lineWithoutEndIsNoSession() {
+    const Outcome outcome = Program().run({"run", "/dev/zero"});
+    QCOMPARE(outcome.code, 1);
+    QVERIFY2(outcome.err.find("/dev/zero: has a line of more than") != std::string::npos, outcome.err.c_str());
+}
+
+void RunTest::whoWaitsForAPipeCanBeEnded_data() {
+    QTest::addColumn<QString>("command");
+    QTest::addColumn<bool>("written");
+    for (const char* command : {"run", "info"})
+        for (const bool written : {false, true})
+            QTest::addRow("%s, %s", command, written ? "somebody writes" : "nobody writes")
+                << QString(command) << written;
+}
+
+void RunTest::whoWaitsForAPipeCanBeEnded() {
+    QFETCH(QString, command);
+    QFETCH(bool, written);
+    for (const int signal : {SIGTERM, SIGINT, SIGHUP}) {
+        const Program program;
+        QCOMPARE(::mkfifo(program.path("pipe").c_str(), 0600), 0);
+        QProcess process;
+        program.prepare(process, {command, "pipe"});
+        process.start();
+        QVERIFY(process.waitForStarted());
+        const int writer = written ? ::open(program.path("pipe").c_str(), O_WRONLY) : -1; // waits for the reader
+        QTest::qWait(test::sanitized ? 3000 : 1000);                                      // until it waits itself
+        ::kill(static_cast<pid_t>(process.processId()), signal);
+        const Outcome outcome = test::outcomeOf(process, 60000);
+        if (writer >= 0)
+            ::close(writer);
+        QCOMPARE(outcome.code, 1);
+        QVERIFY2(outcome.err.find("cancelled") != std::string::npos, outcome.err.c_str());
+    }
 }
 
 static int linesOf(const std::string& text) {
