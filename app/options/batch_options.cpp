@@ -1,6 +1,7 @@
 #include "app/options/batch_options.h"
 
 #include "app/batch_plan.h"
+#include "app/options/output_names.h"
 #include "app/usage_error.h"
 #include "core/base/error.h"
 #include "core/io/file_name.h"
@@ -88,12 +89,11 @@ static std::vector<BatchJob> jobsOf(const std::vector<std::string>& inputs, cons
             throw UsageError("--into: two inputs would become " + job.out + "; put them into folders of their own");
         jobs.push_back(job);
     }
-    std::error_code unknown;
     std::map<fs::path, std::string> read;
     for (const std::string& in : inputs)
-        read.emplace(fs::weakly_canonical(in, unknown), in);
+        read.emplace(placeOf(in), in);
     for (const BatchJob& job : jobs)
-        if (const auto at = read.find(fs::weakly_canonical(job.out, unknown)); at != read.end())
+        if (const auto at = read.find(placeOf(job.out)); at != read.end())
             throw UsageError("--into: " + at->second + " would be written over; name another folder");
     return jobs;
 }

@@ -3,12 +3,9 @@
 #include "app/usage_error.h"
 #include "core/io/before_writing.h"
 
-#include <filesystem>
-
 namespace app {
 
-/// Where a name leads, be there a file or not.
-static std::filesystem::path placeOf(const std::string& name) {
+std::filesystem::path placeOf(const std::string& name) {
     std::error_code failed;
     const std::filesystem::path place = std::filesystem::absolute(name, failed).lexically_normal();
     const std::filesystem::path known = std::filesystem::weakly_canonical(place, failed);

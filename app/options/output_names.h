@@ -1,6 +1,7 @@
 // The files that one call of the program writes.
 #pragma once
 
+#include <filesystem>
 #include <initializer_list>
 #include <string>
 
@@ -10,6 +11,9 @@ struct OutputName {
     const char* option;      ///< "--report", for the message
     const std::string& file; ///< empty: not asked for
 };
+
+/// Where a name leads, without links and dots, be there a file or not; the same for all names of one place.
+std::filesystem::path placeOf(const std::string& name);
 
 /// Whether both names lead to one place, be there a file or not.
 bool samePlace(const std::string& a, const std::string& b);

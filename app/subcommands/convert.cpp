@@ -146,15 +146,14 @@ Action addConvert(OptionSet command) {
     auto options = std::make_shared<Options>();
     command.add("IN", options->in, modelHelp).required();
     command.add("OUT", options->out, "file to write: " + writableExtensions());
-    command
-        .add("--thin", options->thin,
-             "thin to points that are no closer than this to each other, in model units; LAS while it is read, however "
-             "large it is")
-        .typeName("S")
-        .check(above(0));
+    Option thin = command.add("--thin", options->thin,
+                              "thin to points that are no closer than this to each other, in model units; LAS while it "
+                              "is read, however large it is");
+    thin.typeName("S").check(above(0));
     command.add("--memory", options->memory, "memory that thinning LAS may take; the result is the same whatever it is")
         .typeName("BYTES[K|M|G]")
         .check({memoryFault})
+        .needs(thin)
         .showDefault();
     addFaceOptions(command, options->faces);
     addBatchOptions(command, options->batch);

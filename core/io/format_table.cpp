@@ -140,8 +140,6 @@ void write(const path& path, const FileModel& model, const base::Progress& progr
     writerOf(path).write(path, model, progress);
 }
 
-namespace {} // namespace
-
 /// Of no more than 16 bits, or a float.
 static bool isShort(surfel::ScalarType type) {
     return type == surfel::ScalarType::Float32 || sizeOf(type) <= 2;

@@ -31,9 +31,10 @@ struct CommandParameter {
     const char* type;
     const char* unit;
     const char* tip;
-    const char* fallback; ///< as JSON text; "" where the parameter is required, "null" where it may be left out
-    const char* choices;  ///< for choices: separated by blanks
-    double min, max;      ///< for numbers
+    const char* fallback;  ///< as JSON text; "" where the parameter is required, "null" where it may be left out
+    const char* choices;   ///< for choices: separated by blanks
+    double min, max;       ///< for numbers
+    bool recorded = false; ///< journals fill it in, so that dialogs do not ask for it
     /// Ends that stand for "any number above zero" and "any number that float32 holds".
     static constexpr double positive = std::numeric_limits<float>::min();
     static constexpr double largest = std::numeric_limits<float>::max();

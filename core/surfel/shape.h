@@ -3,7 +3,7 @@
 //     r^2 = (|q|^2 + (b.q)^2) / h^2                 its weight ends where r = 1 (surfel/README 2.4)
 //
 // h is the large semi-axis, h / sqrt(1 + |b|^2) that along b; b = 0 is the ball. b lies in the tangent plane where it
-// was made, stays as it is where a stroke turns the normal, and has no unit and no sign. As h bounds the support,
+// was made, follows what strokes do to its surroundings, and has no unit and no sign. As h bounds the support,
 // whatever b is, bounds and queries of trees know nothing of shapes.
 //
 // b is stored as three further attributes that stand next to each other in the layout. Models without them have no

@@ -290,6 +290,7 @@ void BatchTest::convertThinsInAnyMemory() {
         QVERIFY2(count > 200 && count < 420, (in + std::to_string(count)).c_str());
     }
     QCOMPARE(program.run({"convert", "a.las", "b.las", "--thin", "0.2", "--memory", "some"}).code, 2);
+    QCOMPARE(program.run({"convert", "a.las", "b.las", "--memory", "1G"}).code, 2); // of nothing
     QCOMPARE(program.run({"convert", "a.las", "b.las", "--thin", "0.001", "--memory", "1K"}).code, 1);
 }
 

@@ -256,6 +256,11 @@ void CommandTest::exportLeavesTheDocumentUnsaved() {
     bench.run({{"op", "save"}, {"path", bench.path("a.xyz").string()}});
     QVERIFY(std::filesystem::file_size(bench.path("a.xyz")) > 0);
     QVERIFY(bench.document.modified());
+    // What this format cannot hold is said, and PLY holds everything.
+    QVERIFY(bench.context.messages.back().find("cannot hold") != std::string::npos);
+    bench.context.messages.clear();
+    bench.run({{"op", "save"}, {"path", bench.path("a.ply").string()}});
+    QVERIFY(bench.context.messages.empty());
 }
 
 void CommandTest::everySampleCanBeMade() {

@@ -63,11 +63,20 @@ void HistoryTest::aNewStepDropsThoseAhead() {
 }
 
 void HistoryTest::theBudgetIsKept() {
+    constexpr std::size_t most = std::size_t(64) << 20;
     Steps steps;
+    steps.run({{"op", "new"}, {"sample", "sphere"}, {"count", 100000}});
+    const auto held = [&] { return steps.editor().snapshot().historyBytes; };
+    for (int red = 0; red < 100 && held() <= most; ++red)
+        steps.run({{"op", "colour"}, {"colour", {red, 0, 0}}});
+    QVERIFY(held() > most);
+    const int before = steps.list().count();
     auto& budget = *steps.panel().findChild<QComboBox*>();
     budget.setCurrentIndex(budget.findData(64));
     QVERIFY(steps.settle());
     QCOMPARE(steps.window->settings().historyMib, 64);
+    QVERIFY(held() <= most && held() > most / 2);
+    QVERIFY(steps.list().count() < before && steps.list().count() > before / 2); // the oldest go, and no more than must
 }
 
 static const test::Registered<HistoryTest> registered;

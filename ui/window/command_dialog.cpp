@@ -70,7 +70,8 @@ CommandDialog::CommandDialog(const session::CommandRow& row, const Snapshot& mod
     auto* form = new QFormLayout;
     QString taken = "oc"; // of the buttons
     for (const auto& parameter : row.parameters)
-        add(*form, parameter, taken);
+        if (!parameter.recorded)
+            add(*form, parameter, taken);
     layout->addLayout(form);
     m_outcome = new QLabel;
     m_outcome->setObjectName("outcome");

@@ -23,8 +23,8 @@ Document otherModel(Context& context, const json& complete, std::size_t number, 
 }
 
 CommandParameter sourcesParameter() {
-    return {"sources", "paths", "", "files to read in place of those that are named, kept by a journal",
-            "null",    "",      0,  0};
+    return {"sources", "paths", "",  "files to read in place of those that are named, kept by a journal", "null", "",
+            0,         0,       true};
 }
 
 } // namespace session

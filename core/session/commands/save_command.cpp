@@ -22,7 +22,7 @@ static bool isNative(const std::filesystem::path& path) {
 }
 
 /// What is selected, or all else, as a model of its own.
-static void savePart(Context& context, const std::filesystem::path& path, bool selected) {
+static io::FileModel partOf(Context& context, bool selected) {
     requireSelection(context);
     io::FileModel model = context.document.fileModel();
     model.points = selection::partOf(context.document.surface().tree(), selected);
@@ -34,7 +34,7 @@ static void savePart(Context& context, const std::filesystem::path& path, bool s
             {tree::SurfelTree::build(model.points), *model.definition}, context.progress);
     model.faces = model.dropped = 0;
     model.elements.clear(); // they tell of surfels by number
-    io::write(path, model, context.progress);
+    return model;
 }
 
 static void save(Context& context, const json& complete) {
@@ -47,10 +47,11 @@ static void save(Context& context, const json& complete) {
     if (context.journal)
         context.journal->keepSource(path, context);
     const bool linked = io::hasOtherNames(path), whole = complete.at("part") == "all";
-    if (whole)
-        io::write(path, context.document.fileModel(), context.progress);
-    else
-        savePart(context, path, complete.at("part") == "selection");
+    const io::FileModel model =
+        whole ? context.document.fileModel() : partOf(context, complete.at("part") == "selection");
+    io::write(path, model, context.progress);
+    if (const std::string loss = io::lossOf(path, model); !loss.empty())
+        context.messages.push_back(loss);
     if (linked)
         context.messages.push_back(path.string() +
                                    ": other names of this file (hard links) still hold what it held before");

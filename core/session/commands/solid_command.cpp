@@ -74,7 +74,7 @@ CommandRow solidCommand() {
     static const CommandParameter parameters[] = {
         {"path", "path", "", "the other model: a file; give this or sample", "null", "", 0, 0},
         {"sample", "text", "", "the other model: a sample, NAME[:COUNT[:SEED]]", "null", "", 0, 0},
-        {"hash", "text", "", "content hash that the other model must have", "null", "", 0, 0},
+        {"hash", "text", "", "content hash that the other model must have", "null", "", 0, 0, true},
         sourcesParameter(),
         {"operation", "choice", "",
          "union: what is in either; difference: in this one and not in the other; intersection: in both", "\"union\"",

@@ -71,7 +71,7 @@ CommandRow measureCommand() {
         {"colours", "choice", "", "colour the points by one of them", "null", measuredNames, 0, 0},
         {"range", "list", "model units", "[low,high] that the colours span; most of the numbers unless told", "null",
          "", 0, 0},
-        {"hash", "text", "", "content hash that the other model must have", "null", "", 0, 0},
+        {"hash", "text", "", "content hash that the other model must have", "null", "", 0, 0, true},
         sourcesParameter(),
     };
     return {"measure",

@@ -97,7 +97,8 @@ CommandRow registerCommand() {
          "look for their places everywhere, by what the surfaces look like; otherwise they begin where they are",
          "false", "", 0, 0},
         {"join", "boolean", "", "add the points of the model that this one was moved onto", "false", "", 0, 0},
-        {"hashes", "list", "", "content hashes that the other models must have, in their order", "null", "", 0, 0},
+        {"hashes", "list", "", "content hashes that the other models must have, in their order", "null", "", 0, 0,
+         true},
         sourcesParameter(),
     };
     return {"register",
