@@ -30,7 +30,7 @@ std::string labelEdges(const FaceTopology& topology, const FaceOptions& options,
         return {};
     return "Rounded " + grouped(chains.leftOut) + " of " +
            counted(topology.sharpEdges.size(), "sharp edge", "sharp edges") +
-           ", which look like noise; --creases on keeps them all sharp.";
+           ", which look like noise; with creases on, all stay sharp.";
 }
 
 } // namespace mesh
