@@ -104,6 +104,7 @@ class InnerWall {
     }
     bool accept(const Place& place) {
         constexpr double apart = 0.72; // of a spacing, as resampling fills (process/README 4.2)
+        base::CancelScope::check();    // millions one after the other
         bool free = true;
         m_grid.forNear(base::cast<float>(place.position), static_cast<float>(apart * place.spacing),
                        [&](const process::PointGrid::Entry& entry) {
