@@ -28,7 +28,7 @@ CellClusters::CellClusters(const CellSurface& surface, const base::Box3f& box)
         if (each.label.meeting != Meeting::None)
             m_beside.push_back({each.block->position(each.slot), surfel::shapeOf(*each.block, each.slot, m_shape),
                                 scale * each.block->support(each.slot), place(each.label.cell),
-                                place(each.label.partner), each.label.meeting});
+                                place(each.label.partner), each.label});
     packFades(found);
     for (std::size_t at = 0; at < m_packed.size(); at += m_channels)
         m_pointers.push_back(m_packed[at].lanes);

@@ -22,8 +22,8 @@ class CellClusters {
     struct Beside {
         base::Vec3f position, shape;
         float support;              ///< scaled
-        std::uint32_t own, partner; ///< places among the cells; the partner has surfels here
-        Meeting meeting;
+        std::uint32_t own, partner; ///< places among the cells; beyond them where the partner has no surfels here
+        Label label;
     };
 
     /// Surfels beside the crease of two cells, packed with its sharpness in place of the normal's x.

@@ -236,7 +236,7 @@ CellFoot project(const CellSurface& surface, const Vec3d& x, const ProjectOption
     if (out.projection.status != Status::Ok && out.projection.status != Status::BeyondBoundary)
         return projectCells(surface, x, options);
     source.moveTo(out.projection.foot);
-    if (source.count() != 1)
+    if (source.count() != 1 || cutOff(source, 0, cutTolerance(out.projection.at.unit, length(out.projection.foot))))
         return projectCells(surface, x, options);
     out.feature = Feature::Face;
     out.cells = {source.cell(0)};

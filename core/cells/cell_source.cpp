@@ -109,6 +109,23 @@ std::size_t CellSource::find(std::uint32_t cell) const {
     return at == m_cells.end() || at->cell != cell ? none : static_cast<std::size_t>(at - m_cells.begin());
 }
 
+void AbsentCell::add(const Label& label, double theta, std::vector<AbsentCell>& all) {
+    auto at = std::find_if(all.begin(), all.end(), [&](const AbsentCell& each) { return each.cell == label.partner; });
+    if (at == all.end())
+        at = all.insert(at, AbsentCell{label.partner});
+    at->weight += theta;
+    at->convex += label.meeting == Meeting::Convex ? theta : -theta;
+    at->sharpness += theta * label.sharpness / 255;
+}
+
+std::vector<AbsentCell> CellSource::absent(std::size_t i) const {
+    std::vector<AbsentCell> out;
+    for (const Found& each : m_found)
+        if (each.cell == i && each.of->label.meeting != Meeting::None && find(each.of->label.partner) == none)
+            AbsentCell::add(each.of->label, weightOf(each), out);
+    return out;
+}
+
 Meeting CellSource::meeting(std::size_t i, std::size_t j) const {
     if (m_votes.empty())
         meet();

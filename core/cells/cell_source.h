@@ -15,6 +15,17 @@
 
 namespace cells {
 
+/// A cell that surfels in support have as partner, while none of its own is in support: where it is sampled more
+/// finely.
+struct AbsentCell {
+    std::uint32_t cell = 0;
+    double weight = 0, convex = 0, sharpness = 0; ///< sums of weights: all, with sign, times sharpness
+
+    Meeting meeting() const { return convex > 0 ? Meeting::Convex : convex < 0 ? Meeting::Concave : Meeting::None; }
+    /// Of one more surfel, to the partner that it has among them.
+    static void add(const Label& label, double theta, std::vector<AbsentCell>& all);
+};
+
 class CellSource {
   public:
     static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
@@ -44,6 +55,9 @@ class CellSource {
     /// surfel in support has: walls of a thin plate do not cut each other off. Surfels of j alone tell nothing where
     /// none of i is beside any crease: theirs may lie beyond a wall.
     Meeting meeting(std::size_t i, std::size_t j) const;
+
+    /// Partners of surfels of cell i in support that have none in support themselves.
+    std::vector<AbsentCell> absent(std::size_t i) const;
 
     /// How sharp the crease between cells i and j is, 0 to 1: the mean of the surfels beside it. Zero without a crease.
     double sharpness(std::size_t i, std::size_t j) { return meeting(i, j) == Meeting::None ? 0 : 1 - shareOf(i, j).v; }

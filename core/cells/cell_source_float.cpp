@@ -149,8 +149,23 @@ void CellSourcef::meet() {
             continue;
         const auto theta =
             static_cast<double>(surface::weightAt(m_surface->surface().definition().weight, distanceSq, each.support));
-        vote(each.own, each.partner) += each.meeting == Meeting::Convex ? theta : -theta;
+        vote(each.own, each.partner) += each.label.meeting == Meeting::Convex ? theta : -theta;
     }
+}
+
+std::vector<AbsentCell> CellSourcef::absent(std::size_t i) {
+    std::vector<AbsentCell> out;
+    for (const CellClusters::Beside& each : m_cube->beside()) {
+        if (each.own != i || (each.partner < m_near.size() && there(each.partner)))
+            continue;
+        const float distanceSq = surfel::shapedSq(each.position - m_xf, each.shape);
+        if (distanceSq < each.support * each.support)
+            AbsentCell::add(each.label,
+                            static_cast<double>(
+                                surface::weightAt(m_surface->surface().definition().weight, distanceSq, each.support)),
+                            out);
+    }
+    return out;
 }
 
 Meeting CellSourcef::meeting(std::size_t i, std::size_t j) {

@@ -52,6 +52,7 @@ class CellSourcef {
     bool alone();
 
     Meeting meeting(std::size_t i, std::size_t j);
+    std::vector<AbsentCell> absent(std::size_t i);
     double sharpness(std::size_t i, std::size_t j);
     const CellField& at(std::size_t i, surface::Need need);
     CellSource::Tangent tangent(std::size_t i);

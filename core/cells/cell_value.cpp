@@ -44,6 +44,12 @@ CellValue evaluate(CellSource& source, const base::Vec3d& x, Need need) {
     }
     out.at = source.at(i, need);
     out.cell = source.cell(i);
+    if (valid(out.at))
+        if (const auto plane = cutOffByPlane(source, i, cutTolerance(out.at.unit, length(x)))) {
+            out.at.value = plane->height;
+            out.at.gradient = plane->normal;
+            out.mixed = true;
+        }
     if (out.mixed && valid(out.at))
         out.at.status = beyondBoundary(source, i) ? surface::Status::BeyondBoundary : surface::Status::Ok;
     return out;

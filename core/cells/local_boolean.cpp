@@ -11,14 +11,22 @@ namespace {
 
 constexpr double leastSharpness = 0.02; ///< of a crease; with less both sides are nearly the same function
 
+/// A cell that another one meets, as a plane.
+struct Other {
+    std::size_t place; ///< among the source's cells, or none
+    Meeting how;
+    CellSource::Tangent plane;
+};
+
 /// How two cells meet by where they are, for those that no surfel has as partners: neighbours of a third one.
 template <class Source>
-Meeting measured(Source& source, std::size_t j, std::size_t k) {
-    for (const Meeting known : {source.meeting(j, k), source.meeting(k, j)})
-        if (known != Meeting::None)
-            return known;
-    const CellSource::Tangent a = source.tangent(j), b = source.tangent(k);
-    return dot(a.normal - b.normal, b.centroid - a.centroid) < 0 ? Meeting::Convex : Meeting::Concave;
+Meeting measured(Source& source, const Other& a, const Other& b) {
+    if (a.place != Source::none && b.place != Source::none)
+        for (const Meeting known : {source.meeting(a.place, b.place), source.meeting(b.place, a.place)})
+            if (known != Meeting::None)
+                return known;
+    return dot(a.plane.normal - b.plane.normal, b.plane.centroid - a.plane.centroid) < 0 ? Meeting::Convex
+                                                                                         : Meeting::Concave;
 }
 
 /// At corners a face has its surfels to one side, the more so the narrower it is; others end it there.
@@ -31,11 +39,10 @@ double mostOffCentre(Source& source, std::size_t i) {
     return meets >= 2 ? atCorners : surface::maxOffCentre;
 }
 
-/// Do surfels of the cell, and of those smooth to it, lie all around? At a seam they are to one side, and beyond it the
-/// more so.
+/// How far aside of the position is the centre of the cell's surfels, and of those smooth to it, along the surface, in
+/// h? At a seam they are to one side, and beyond it the more so.
 template <class Source>
-bool surrounded(Source& source, std::size_t i) {
-    constexpr double within = 0.08; // of h: their centre along the surface; .11 at the corner of a face of 270 degrees
+double aside(Source& source, std::size_t i) {
     const auto& at = source.at(i, Need::Value);
     CellSource::Sums sums = source.sums(i);
     for (std::size_t j = 0; j < source.count(); ++j)
@@ -45,48 +52,127 @@ bool surrounded(Source& source, std::size_t i) {
             sums.way += other.way;
         }
     const Vec3d along = sums.way - at.normal * dot(sums.way, at.normal);
-    return sums.weight > 0 && length(along) < within * at.unit * sums.weight;
+    return sums.weight > 0 ? length(along) / (at.unit * sums.weight) : std::numeric_limits<double>::infinity();
 }
+
+/// Nothing cuts a cell off whose surfels lie all around: .11 at the corner of a face of 270 degrees, .23 at a straight
+/// seam. Cells without surfels in support are told of by one plane alone, so they cut it off beyond its rim only.
+constexpr double allAround = 0.08, beyondRim = 0.2;
+
+constexpr double nearlyFlat = 0.9; ///< cosine between planes
 
 /// Is there something of cell j where it cuts i off? Where both are nearly one plane and j is not, nothing would be:
 /// its zeros are looked for no farther from its surfels (cells/README 4).
 template <class Source>
 bool isThere(Source& source, std::size_t i, std::size_t j, const CellSource::Tangent& plane) {
-    constexpr double flat = 0.9; // cosine
-    if (dot(source.at(i, Need::Value).normal, plane.normal) < flat)
+    if (dot(source.at(i, Need::Value).normal, plane.normal) < nearlyFlat)
         return true;
     const auto& at = source.at(j, Need::Value);
     return valid(at) && at.offCentre <= mostOffCentre(source, j) * at.unit && source.reaches(j);
 }
 
+/// The plane of the cell's surfel nearest to x, unless that is a stranger: the cell has none in support, so it is
+/// sampled so finely that its surfels are many here. Where both planes are nearly one, x must be over it.
+std::optional<CellSource::Tangent> nearestPlane(const CellSurface& cells, std::uint32_t cell, const Vec3d& x,
+                                                const Vec3d& normal) {
+    constexpr std::size_t looked = 32;
+    std::vector<tree::Neighbour> near;
+    cells.surface().tree().nearest(base::cast<float>(x), looked, near);
+    for (const tree::Neighbour& each : near) {
+        if (cells.labels().cellAt(*each.block, each.slot) != cell)
+            continue;
+        const Vec3d p = base::cast<double>(each.block->position(each.slot));
+        const Vec3d n = base::normalized(base::cast<double>(each.block->normal(each.slot))), q = x - p;
+        const double reach = static_cast<double>(surfel::surfaceReach * each.block->support(each.slot));
+        const double height = dot(n, q);
+        if (dot(n, normal) > nearlyFlat && lengthSq(q) - height * height > reach * reach)
+            return std::nullopt;
+        return CellSource::Tangent{n, p, height};
+    }
+    return std::nullopt;
+}
+
+double beyond(const Other& other, double level) {
+    return other.how == Meeting::Convex ? other.plane.height - level : level - other.plane.height;
+}
+
+/// Cuts and keeps of cell i by the cells around, present and absent.
+template <class Source>
+class Cutters {
+  public:
+    Cutters(Source& source, std::size_t i, double tolerance)
+        : m_source(source), m_i(i), m_level(source.at(i, Need::Value).value), m_tolerance(tolerance) {}
+
+    /// Of those that cut and are not excused the one that cuts most; where so asked, of those that nothing but their
+    /// plane is known of.
+    std::optional<Other> find(bool planesOnly) {
+        for (std::size_t j = 0; j < m_source.count(); ++j)
+            take(j);
+        const std::vector<AbsentCell> absent = m_source.absent(m_i);
+        if (m_cuts.empty() && absent.empty())
+            return std::nullopt;
+        const double far = aside(m_source, m_i);
+        if (far < allAround)
+            return std::nullopt;
+        if (far > beyondRim)
+            for (const AbsentCell& each : absent)
+                take(each);
+        std::optional<Other> most;
+        for (const Other& cut : m_cuts)
+            if (!(planesOnly && hasValue(cut)) && !excused(cut) &&
+                (!most || beyond(cut, m_level) > beyond(*most, m_level)))
+                most = cut;
+        return most;
+    }
+
+  private:
+    bool hasValue(const Other& other) {
+        return other.place != Source::none && valid(m_source.at(other.place, Need::Value));
+    }
+    bool excused(const Other& cut) {
+        return std::any_of(m_keeps.begin(), m_keeps.end(), [&](const Other& keep) {
+            return keep.how == cut.how && measured(m_source, cut, keep) == opposite(cut.how);
+        });
+    }
+    void take(std::size_t j) {
+        const Meeting how = j == m_i ? Meeting::None : m_source.meeting(m_i, j);
+        if (how == Meeting::None)
+            return;
+        const Other other{j, how, m_source.tangent(j)};
+        if (!std::isfinite(other.plane.height) || !(m_source.sharpness(m_i, j) > leastSharpness))
+            return;
+        if (!(beyond(other, m_level) > m_tolerance))
+            m_keeps.push_back(other);
+        else if (isThere(m_source, m_i, j, other.plane))
+            m_cuts.push_back(other);
+    }
+    void take(const AbsentCell& absent) {
+        if (absent.meeting() == Meeting::None || !(absent.sharpness > leastSharpness * absent.weight))
+            return;
+        const auto plane =
+            nearestPlane(m_source.surface(), absent.cell, m_source.position(), m_source.at(m_i, Need::Value).normal);
+        if (!plane)
+            return;
+        const Other other{Source::none, absent.meeting(), *plane};
+        (beyond(other, m_level) > m_tolerance ? m_cuts : m_keeps).push_back(other);
+    }
+
+    Source& m_source;
+    std::size_t m_i;
+    double m_level, m_tolerance;
+    std::vector<Other> m_cuts, m_keeps;
+};
+
 } // namespace
 
 template <class Source>
 bool cutOff(Source& source, std::size_t i, double tolerance) {
-    const double level = source.at(i, Need::Value).value;
-    std::vector<std::size_t> cuts, keeps;
-    for (std::size_t j = 0; j < source.count(); ++j) {
-        const Meeting how = j == i ? Meeting::None : source.meeting(i, j);
-        if (how == Meeting::None)
-            continue;
-        const CellSource::Tangent other = source.tangent(j);
-        if (!std::isfinite(other.height) || !(source.sharpness(i, j) > leastSharpness))
-            continue;
-        const double beyond = how == Meeting::Convex ? other.height - level : level - other.height;
-        if (!(beyond > tolerance))
-            keeps.push_back(j);
-        else if (isThere(source, i, j, other))
-            cuts.push_back(j);
-    }
-    for (const std::size_t cut : cuts) {
-        const Meeting how = source.meeting(i, cut);
-        const bool excused = std::any_of(keeps.begin(), keeps.end(), [&](std::size_t keep) {
-            return source.meeting(i, keep) == how && measured(source, cut, keep) == opposite(how);
-        });
-        if (!excused)
-            return !surrounded(source, i);
-    }
-    return false;
+    return Cutters(source, i, tolerance).find(false).has_value();
+}
+
+std::optional<CellSource::Tangent> cutOffByPlane(CellSource& source, std::size_t i, double tolerance) {
+    const auto cut = Cutters(source, i, tolerance).find(true);
+    return cut ? std::optional(cut->plane) : std::nullopt;
 }
 
 namespace {

@@ -12,6 +12,10 @@ namespace cells {
 template <class Source>
 bool cutOff(Source& source, std::size_t i, double tolerance);
 
+/// The plane of the cell that does so most, of those that have no value there: with too few surfels in support, or, as
+/// they are sampled more finely, with none (cells/README 3).
+std::optional<CellSource::Tangent> cutOffByPlane(CellSource& source, std::size_t i, double tolerance);
+
 /// Is the off-centre value of cell i at the source's position larger than the boundary limit, the surfels of cells that
 /// it meets laid out flat as its own are? At an edge, however acute, the surface does not end.
 template <class Source>

@@ -5,17 +5,17 @@
 #include "core/cells/labels.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/reduce/assemble.h"
+#include "core/reduce/cell_parts.h"
 #include "core/reduce/counts.h"
 #include "core/reduce/coverage.h"
-#include "core/surfel/shape.h"
+#include "core/reduce/ground.h"
+#include "core/reduce/report_sum.h"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <numbers>
 #include <numeric>
 #include <optional>
-#include <set>
+#include <sstream>
 
 namespace reduce {
 
@@ -26,222 +26,238 @@ constexpr std::size_t perPartner = 6;
 /// Spacings of cells differ by at most this factor, each way, from what one spacing for all would be: a search for
 /// cells around a place would find far ones everywhere.
 constexpr double widest = 2;
+/// Steps in which that for partners is given up where the count does not do, all but the last.
+constexpr int leastSteps = 6;
 
-struct Cell {
-    surfel::SurfelList surfels;
-    std::size_t partners = 0;
+/// A cell, and what is known of it.
+struct Part {
+    Cell cell;
+    std::optional<Ground> ground; ///< nothing where its surfels define hardly any surface of their own
+    std::size_t fixed = 0;        ///< a count that it is to have; 0: any
 
-    std::size_t size() const { return surfels.size(); }
-    std::size_t least() const { return std::min(size(), fewest + perPartner * partners); }
+    std::size_t size() const { return cell.size(); }
+    /// With `share` of what each cell that it meets asks for.
+    std::size_t least(double share) const {
+        const auto more = static_cast<std::size_t>(share * double(perPartner * cell.partners));
+        return size() <= fewest + 1 ? size() : std::min(size(), fewest + more);
+    }
 };
 
-std::vector<Cell> cellsOf(const surface::Surface& model) {
-    const surfel::SurfelList all = model.tree().surfels();
-    const cells::LabelLayout labels = *cells::LabelLayout::of(*all.layout);
-    std::map<std::uint32_t, Cell> byLabel;
-    std::map<std::uint32_t, std::set<std::uint32_t>> partners;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        const cells::Label label = labels.at(all.extraOf(i));
-        Cell& cell = byLabel[label.cell];
-        cell.surfels.layout = all.layout;
-        cell.surfels.append(all.items[i], all.extraOf(i));
-        if (label.partner != label.cell)
-            partners[label.cell].insert(label.partner);
-    }
-    std::vector<Cell> out;
-    for (auto& [label, cell] : byLabel) {
-        cell.partners = partners[label].size();
-        out.push_back(std::move(cell));
-    }
+std::size_t sumOf(const std::vector<std::size_t>& counts) {
+    return std::accumulate(counts.begin(), counts.end(), std::size_t(0));
+}
+
+std::vector<std::size_t> leastCounts(const std::vector<Part>& parts, double share) {
+    std::vector<std::size_t> out;
+    for (const Part& part : parts)
+        out.push_back(part.least(share));
     return out;
 }
 
-/// Of its surfels alone, without an end of its own.
-surface::Surface surfaceOf(const surface::Surface& model, const surfel::SurfelList& surfels) {
-    surface::SurfaceDefinition definition = model.definition();
-    definition.boundaryLimit = std::numeric_limits<float>::infinity();
-    return {tree::SurfelTree::build(surfels), definition};
+/// What each cell keeps at least, of few samples less for each cell that it meets.
+std::vector<std::size_t> leastCounts(const std::vector<Part>& parts, std::size_t count) {
+    std::vector<std::size_t> out;
+    for (int step = leastSteps; step > 0; --step)
+        if (out = leastCounts(parts, double(step) / leastSteps); sumOf(out) <= count)
+            return out;
+    throw base::Error(std::to_string(count) + " surfels do not keep the edges between " + std::to_string(parts.size()) +
+                          " cells",
+                      "reduce", "choose a count of at least " + std::to_string(sumOf(out)));
 }
 
-/// The spacing that a support stands for, of an ellipsoid that along its long axis.
-float spacingOf(const surfel::Surfel& s) {
-    return s.support * std::sqrt(std::numbers::pi_v<float> / supportsOver);
-}
-
-/// Surfels of a reduced cell are further apart, so creases have theirs within another reach: those of the cell's
-/// surfels beside a crease that are nearest, within two spacings, tell all five words of the label.
-void label(const Cell& cell, surfel::SurfelList& reduced) {
-    const cells::LabelLayout from = *cells::LabelLayout::of(*cell.surfels.layout);
-    surfel::SurfelList beside;
-    beside.layout = cell.surfels.layout;
-    for (std::size_t i = 0; i < cell.size(); ++i)
-        if (const cells::Label l = from.at(cell.surfels.extraOf(i)); l.partner != l.cell)
-            beside.append(cell.surfels.items[i], cell.surfels.extraOf(i));
-    if (beside.items.empty())
-        return;
-    const tree::SurfelTree creases = tree::SurfelTree::build(beside);
-    const cells::LabelLayout at = *cells::LabelLayout::of(*reduced.layout);
-    std::vector<cells::Label> labels(reduced.size());
-    std::vector<tree::Neighbour> near;
-    for (std::size_t i = 0; i < reduced.size(); ++i) {
-        const surfel::Surfel& s = reduced.items[i];
-        constexpr float reach = 2;
-        labels[i] = at.at(reduced.extraOf(i));
-        near.clear();
-        creases.nearest(s.position, 1, near);
-        const cells::Label l = from.at(*near.front().block, near.front().slot);
-        if (distance(near.front().block->position(near.front().slot), s.position) <= reach * spacingOf(s))
-            labels[i] = l;
-        else
-            labels[i].partner = labels[i].cell, labels[i].meeting = cells::Meeting::None;
+/// Counts for the cells by their weights, within what each may have.
+std::vector<std::size_t> countsFor(const std::vector<Part>& parts, const std::vector<double>& weights, double size,
+                                   std::size_t count) {
+    const std::vector<std::size_t> keeps = leastCounts(parts, count);
+    std::vector<std::size_t> least, most;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const double even = double(count) * double(parts[i].size()) / size;
+        const auto floor = static_cast<std::size_t>(even / (widest * widest));
+        least.push_back(std::clamp(floor, keeps[i], parts[i].size()));
+        most.push_back(
+            std::clamp(static_cast<std::size_t>(std::ceil(even * widest * widest)), least.back(), parts[i].size()));
+        if (parts[i].fixed > 0)
+            least.back() = most.back() = parts[i].fixed;
     }
-    cells::setLabels(reduced, labels);
+    if (sumOf(least) > count)
+        least = keeps;
+    if (sumOf(most) < count)
+        for (std::size_t i = 0; i < parts.size(); ++i)
+            most[i] = parts[i].size();
+    return apportion(weights, least, most, count);
 }
 
-/// With shapes as the last words, balls where there were none.
-surfel::SurfelList withShapes(const surfel::SurfelList& list) {
-    surfel::SurfelList out = surfel::withoutShape(list);
-    auto layout = std::make_shared<surfel::AttributeLayout>(*out.layout);
-    const std::size_t before = layout->words();
-    surfel::addShape(*layout);
-    const std::size_t words = layout->words(), first = surfel::shapeWord(*layout);
-    const bool shaped = surfel::shapeChannel(*list.layout) > 0;
-    std::vector<std::uint32_t> extra(list.size() * words);
-    for (std::size_t i = 0; i < list.size(); ++i) {
-        const auto own = std::span(extra).subspan(i * words, words);
-        std::copy_n(out.extra.begin() + static_cast<std::ptrdiff_t>(i * before), before, own.begin());
-        surfel::putShape(own, first,
-                         shaped ? surfel::shapeIn(list.extraOf(i), surfel::shapeWord(*list.layout)) : base::Vec3f{});
+/// Looks at each cell once, for as many samples.
+void findGrounds(const surface::Surface& model, const std::vector<std::size_t>& counts, std::vector<Part>& parts,
+                 const base::Progress& progress) {
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        progress.step(double(i) / double(parts.size()), "Measuring the surface");
+        if (counts[i] >= parts[i].size() || parts[i].size() <= fewest + 1)
+            continue;
+        try {
+            parts[i].ground = groundFor(surfaceOf(model, parts[i].cell), counts[i], {{}, progress.cancel});
+        } catch (const base::Error&) { // its surfels are few, on one line, or rough
+        }
     }
-    out.layout = std::move(layout);
-    out.extra = std::move(extra);
-    return out;
 }
 
-/// What several reports of different samples say together.
-class Sum {
+/// Nothing where the cell stays as it is, or no samples can be fitted to it.
+std::optional<Reduced> fitted(Part& part, std::size_t count, Shapes shapes, bool last, const base::Progress& progress) {
+    if (count >= part.size() || !part.ground)
+        return std::nullopt;
+    try {
+        return reduced(*part.ground, count, shapes, !last, progress);
+    } catch (const base::Error&) { // too few of its surfels have feet
+        return std::nullopt;
+    }
+}
+
+/// fn(i, progress of its own) for each of the cells in their order.
+template <class Fn>
+void forParts(const std::vector<Part>& parts, const base::Progress& progress, const Fn& fn) {
+    double size = 0, done = 0;
+    for (const Part& part : parts)
+        size += double(part.size());
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const double until = done + double(parts[i].size()) / size;
+        fn(i, process::part(progress, done, until));
+        done = until;
+    }
+}
+
+/// By what balls of an even spacing err: where another sample takes as much from the sum of squared errors, it is
+/// least. Cells that nothing can be fitted to keep what they had of the even ones.
+std::vector<std::size_t> countsByResult(const surface::Surface& model, std::vector<Part>& parts, std::size_t count,
+                                        const base::Progress& progress) {
+    const double size = double(model.tree().size());
+    std::vector<double> weights;
+    for (const Part& part : parts)
+        weights.push_back(double(part.size()));
+    const std::vector<std::size_t> even = countsFor(parts, weights, size, count);
+    findGrounds(model, even, parts, process::part(progress, 0, 0.2));
+    forParts(parts, process::part(progress, 0.2, 1), [&](std::size_t i, const base::Progress& own) {
+        const std::optional<Reduced> tried = fitted(parts[i], even[i], Shapes::Spheres, false, own);
+        if (!tried && even[i] < parts[i].size())
+            parts[i].fixed = even[i];
+        const Report report = tried ? tried->report : Report{.count = parts[i].size()};
+        weights[i] = std::max(1e-30, std::pow(double(parts[i].size()) * report.surfaceRms * report.surfaceRms *
+                                                  std::pow(double(report.count), 2 * fall),
+                                              1 / (2 * fall + 1)));
+    });
+    return countsFor(parts, weights, size, count);
+}
+
+/// The error that cells may have of which fewer samples are taken, so that all samples together keep the one asked
+/// for: those whose own samples are no nearer to their surface stay whole, and have a part in it.
+double errorLeft(const std::vector<Part>& parts, double error, double size) {
+    double left = error;
+    for (std::size_t k = 0; k <= parts.size(); ++k) {
+        double sum = size * error * error, samples = 0, own = 0;
+        for (const Part& part : parts) {
+            const double n = double(part.size()), d = part.ground ? part.ground->dense.rms : 0;
+            own += n * d * d;
+            if (part.ground && d < left)
+                samples += n;
+            else
+                sum -= n * d * d;
+        }
+        if (!(sum > 0)) {
+            std::ostringstream said;
+            said << "no count keeps an error of " << error << ": the cells' own surfaces are " << std::sqrt(own / size)
+                 << " from their points";
+            throw base::Error(said.str(), "reduce", "choose a larger error");
+        }
+        const double next = samples > 0 ? std::min(error, std::sqrt(sum / samples)) : error;
+        if (next >= left)
+            return left;
+        left = next;
+    }
+    return left;
+}
+
+/// Puts cells together again as they come.
+class Assembly {
   public:
-    void add(const Report& r, std::size_t samples) {
-        const double n = double(samples);
-        m_samples += n;
-        m_out.count += r.count;
-        m_rms += n * r.rms * r.rms, m_dense += n * r.denseRms * r.denseRms,
-            m_surface += n * r.surfaceRms * r.surfaceRms;
-        m_normals += n * r.normalsDeg * r.normalsDeg;
-        m_out.p999 = std::max(m_out.p999, r.p999), m_out.max = std::max(m_out.max, r.max);
-        m_out.surfaceMax = std::max(m_out.surfaceMax, r.surfaceMax);
-        m_out.leastSupports = m_any ? std::min(m_out.leastSupports, r.leastSupports) : r.leastSupports;
-        m_out.holes += r.holes, m_out.strays += r.strays;
-        m_out.ellipsoids = m_out.ellipsoids || r.ellipsoids;
-        m_any = true;
+    explicit Assembly(const surface::Surface& model) : m_model(model) {}
+
+    void fit(const Part& part, const Reduced& reduced) {
+        m_sum.add(reduced.report, part.size());
+        add(part, reduced.surface.tree().surfels());
+        label(part.cell, m_lists.back());
     }
-    void keep(std::size_t samples) { m_out.count += samples, m_samples += double(samples); }
-    Report report() const {
-        Report out = m_out;
-        const auto mean = [&](double sum) { return m_samples > 0 ? std::sqrt(sum / m_samples) : 0; };
-        out.rms = mean(m_rms), out.denseRms = mean(m_dense), out.surfaceRms = mean(m_surface);
-        out.normalsDeg = mean(m_normals);
+    void keep(const Part& part) {
+        m_sum.keep(part.size(), part.size(), part.ground ? part.ground->dense.rms : 0);
+        add(part, part.cell.surfels);
+    }
+    void pick(const Part& part, std::size_t count) {
+        m_sum.keep(count, part.size(), 0);
+        m_sum.pick(count);
+        add(part, thinned(part.cell, count));
+    }
+    Reduced result(const base::Progress& progress) {
+        Reduced out{{tree::SurfelTree::build(joined(std::move(m_lists))),
+                     reducedDefinition(m_model.definition(), static_cast<int>(supportsOver))},
+                    m_sum.report()};
+        out.surface = bounded(m_model, out.surface, m_places, 0, progress);
         return out;
     }
 
   private:
-    Report m_out;
-    double m_samples = 0, m_rms = 0, m_dense = 0, m_surface = 0, m_normals = 0;
-    bool m_any = false;
+    void add(const Part& part, surfel::SurfelList list) {
+        for (const surfel::Surfel& s : part.cell.surfels.items)
+            m_places.position.push_back(s.position);
+        m_lists.push_back(std::move(list));
+    }
+
+    const surface::Surface& m_model;
+    ReportSum m_sum;
+    std::vector<surfel::SurfelList> m_lists;
+    Places m_places;
 };
 
-/// Counts for the cells by their weights, within what each may have.
-std::vector<std::size_t> countsFor(const std::vector<Cell>& cells, const std::vector<double>& weights, double size,
-                                   std::size_t count) {
-    std::vector<std::size_t> least, most;
-    for (const Cell& cell : cells) {
-        const double even = double(count) * double(cell.size()) / size;
-        const auto floor = static_cast<std::size_t>(even / (widest * widest));
-        least.push_back(std::clamp(floor, cell.least(), cell.size()));
-        most.push_back(
-            std::clamp(static_cast<std::size_t>(std::ceil(even * widest * widest)), least.back(), cell.size()));
-    }
-    const std::size_t sum = std::accumulate(least.begin(), least.end(), std::size_t(0));
-    if (sum > count)
-        for (std::size_t i = 0; i < cells.size(); ++i)
-            least[i] = cells[i].least();
-    const std::size_t fewestOfAll = std::accumulate(least.begin(), least.end(), std::size_t(0));
-    if (fewestOfAll > count)
-        throw base::Error(std::to_string(count) + " surfels do not keep the edges between " +
-                              std::to_string(cells.size()) + " cells",
-                          "reduce", "choose a count of at least " + std::to_string(fewestOfAll));
-    if (std::accumulate(most.begin(), most.end(), std::size_t(0)) < count)
-        for (std::size_t i = 0; i < cells.size(); ++i)
-            most[i] = cells[i].size();
-    return apportion(weights, least, most, count);
+Reduced toCount(const surface::Surface& model, std::vector<Part>& parts, const Wish& wish,
+                const base::Progress& progress) {
+    const std::vector<std::size_t> counts = countsByResult(model, parts, wish.count, process::part(progress, 0, 0.4));
+    Assembly out(model);
+    forParts(parts, process::part(progress, 0.4, 0.95), [&](std::size_t i, const base::Progress& own) {
+        Part& part = parts[i];
+        if (const std::optional<Reduced> reduced = fitted(part, counts[i], wish.shapes, true, own))
+            out.fit(part, *reduced);
+        else if (counts[i] >= part.size())
+            out.keep(part);
+        else
+            out.pick(part, counts[i]);
+        part.ground.reset();
+    });
+    return out.result(process::part(progress, 0.95, 1));
 }
 
-/// Nothing where the cell is to stay as it is: all of it is asked for, it is too small, or no count keeps the error.
-std::optional<Reduced> reducedCell(const surface::Surface& model, const Cell& cell, const Wish& wish,
-                                   const base::Progress& progress) {
-    if (wish.count >= cell.size() || cell.size() <= fewest + 1)
-        return std::nullopt;
-    try {
-        const surface::Surface own = surfaceOf(model, cell.surfels);
-        return wish.count > 0 ? reduceToCount(own, wish.count, wish.shapes, progress)
-                              : reduceToError(own, wish.error, wish.shapes, progress);
-    } catch (const base::Error&) {
-        return std::nullopt;
-    }
-}
-
-/// Each cell by its own wish, in the order of the cells.
-std::vector<std::optional<Reduced>> reducedCells(const surface::Surface& model, const std::vector<Cell>& cells,
-                                                 const std::vector<Wish>& wishes, const base::Progress& progress) {
-    std::vector<std::optional<Reduced>> out;
-    double done = 0;
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-        const double until = done + double(cells[i].size()) / double(model.tree().size());
-        out.push_back(reducedCell(model, cells[i], wishes[i], process::part(progress, done, until)));
-        done = until;
-    }
-    return out;
-}
-
-std::vector<Wish> wishesFor(const std::vector<std::size_t>& counts, Shapes shapes) {
-    std::vector<Wish> out;
-    for (const std::size_t count : counts)
-        out.push_back({count, 0, 0, shapes});
-    return out;
-}
-
-/// By what balls of an even spacing err: where another sample takes as much from the sum of squared errors, it is
-/// least.
-std::vector<Wish> wishesByResult(const surface::Surface& model, const std::vector<Cell>& cells, const Wish& wish,
-                                 const base::Progress& progress) {
-    const double size = double(model.tree().size());
-    std::vector<double> weights;
-    for (const Cell& cell : cells)
-        weights.push_back(double(cell.size()));
-    const auto tried =
-        reducedCells(model, cells, wishesFor(countsFor(cells, weights, size, wish.count), Shapes::Spheres), progress);
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-        const Report report = tried[i] ? tried[i]->report : Report{.count = cells[i].size()};
-        weights[i] = std::max(1e-30, std::pow(double(cells[i].size()) * report.surfaceRms * report.surfaceRms *
-                                                  std::pow(double(report.count), 2 * fall),
-                                              1 / (2 * fall + 1)));
-    }
-    return wishesFor(countsFor(cells, weights, size, wish.count), wish.shapes);
-}
-
-/// All surfels in one list, which has shapes where any of them has.
-surfel::SurfelList joined(std::vector<surfel::SurfelList> lists) {
-    const bool shaped = std::any_of(lists.begin(), lists.end(),
-                                    [](const auto& list) { return surfel::shapeChannel(*list.layout) > 0; });
-    surfel::SurfelList out;
-    for (surfel::SurfelList& list : lists) {
-        if (shaped)
-            list = withShapes(list);
-        out.layout = list.layout;
-        out.items.insert(out.items.end(), list.items.begin(), list.items.end());
-        out.extra.insert(out.extra.end(), list.extra.begin(), list.extra.end());
-    }
-    return out;
+Reduced toError(const surface::Surface& model, std::vector<Part>& parts, const Wish& wish,
+                const base::Progress& progress) {
+    std::vector<std::size_t> counts;
+    for (const Part& part : parts)
+        counts.push_back(part.size() / 10);
+    findGrounds(model, counts, parts, process::part(progress, 0, 0.1));
+    const double error = errorLeft(parts, wish.error, double(model.tree().size()));
+    Assembly out(model);
+    bool any = false;
+    forParts(parts, process::part(progress, 0.1, 0.95), [&](std::size_t i, const base::Progress& own) {
+        Part& part = parts[i];
+        std::optional<Reduced> reduced;
+        try {
+            if (part.ground && part.ground->dense.rms < error)
+                reduced = reducedToError(*part.ground, error, wish.shapes, own);
+        } catch (const base::Error&) { // fewer surfels do not keep it
+        }
+        if (reduced)
+            out.fit(part, *reduced), any = true;
+        else
+            out.keep(part);
+        part.ground.reset();
+    });
+    if (!any)
+        throw base::Error("fewer surfels than the model has do not keep that error", "reduce", "choose a larger error");
+    return out.result(process::part(progress, 0.95, 1));
 }
 
 } // namespace
@@ -253,32 +269,10 @@ bool hasCells(const surface::Surface& model) {
 
 Reduced reduceCells(const surface::Surface& model, const Wish& wish, const base::Progress& progress) {
     const base::CancelScope scope(progress.cancel);
-    const std::vector<Cell> cells = cellsOf(model);
-    const double tried = wish.error > 0 ? 0 : 0.4;
-    const std::vector<Wish> wishes = wish.error > 0
-                                         ? std::vector(cells.size(), wish)
-                                         : wishesByResult(model, cells, wish, process::part(progress, 0, tried));
-    const auto reduced = reducedCells(model, cells, wishes, process::part(progress, tried, 0.95));
-    Sum sum;
-    std::vector<surfel::SurfelList> lists;
-    Places places;
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-        for (const surfel::Surfel& s : cells[i].surfels.items)
-            places.position.push_back(s.position);
-        if (!reduced[i]) {
-            sum.keep(cells[i].size());
-            lists.push_back(cells[i].surfels);
-            continue;
-        }
-        sum.add(reduced[i]->report, cells[i].size());
-        lists.push_back(reduced[i]->surface.tree().surfels());
-        label(cells[i], lists.back());
-    }
-    Reduced out{{tree::SurfelTree::build(joined(std::move(lists))),
-                 reducedDefinition(model.definition(), static_cast<int>(supportsOver))},
-                sum.report()};
-    out.surface = bounded(model, out.surface, places, 0, process::part(progress, 0.95, 1));
-    return out;
+    std::vector<Part> parts;
+    for (Cell& cell : cellsOf(model))
+        parts.push_back({std::move(cell), {}, 0});
+    return wish.error > 0 ? toError(model, parts, wish, progress) : toCount(model, parts, wish, progress);
 }
 
 } // namespace reduce

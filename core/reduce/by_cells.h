@@ -9,9 +9,11 @@ namespace reduce {
 /// Does a surface have cells?
 bool hasCells(const surface::Surface& model);
 
-/// As `reduceBy` for models with cells, to a count or an error. Surfels of cells that are too small or rough for what
-/// is asked stay as they are. The report is of the cells, each against itself: p999 is that of the worst. Throws
-/// base::Error where a count leaves a cell without a surface; base::Cancelled. REQUIRES: hasCells(model).
+/// As `reduceBy` for models with cells, to a count, which is exact, or an error, which all of the model's surfels
+/// together keep. Of cells that nothing can be fitted to, as they have hardly any surface, surfels are picked to the
+/// count (Report::picked), or all of them stay to the error. The report is of the cells, each against itself: p999 is
+/// that of the worst. Throws base::Error where a count leaves a cell without a surface or no count keeps the error;
+/// base::Cancelled. REQUIRES: hasCells(model).
 Reduced reduceCells(const surface::Surface& model, const Wish& wish, const base::Progress& progress = {});
 
 } // namespace reduce

@@ -10,6 +10,7 @@
 #include "core/reduce/density.h"
 #include "core/reduce/density_by_result.h"
 #include "core/reduce/fit.h"
+#include "core/reduce/ground.h"
 #include "core/reduce/placement.h"
 #include "core/reduce/shapes_by_error.h"
 #include "core/surfel/shape.h"
@@ -73,13 +74,6 @@ std::size_t strideFor(std::size_t size, std::size_t count) {
     return std::max<std::size_t>(1, size / (placesPerSample * count));
 }
 
-/// The model's feet with their areas, and their tree while it is needed.
-struct Ground {
-    Dense dense;
-    NumberedTree tree;
-    std::size_t stride = 0;
-};
-
 Ground groundOf(const surface::Surface& model, std::size_t stride, const base::Progress& progress) {
     Ground out{denseOf(model, stride, progress), {}, stride};
     if (out.dense.feet <= fewest)
@@ -138,7 +132,15 @@ bool better(const Report& ellipsoids, const Report& balls) {
     return ellipsoids.holes <= balls.holes && ellipsoids.surfaceRms < worth * balls.surfaceRms;
 }
 
+} // namespace
+
+Ground groundFor(const surface::Surface& model, std::size_t count, const base::Progress& progress) {
+    return groundOf(model, strideFor(model.tree().size(), count), progress);
+}
+
 Reduced reduced(Ground& ground, std::size_t count, Shapes shapes, bool keepTree, const base::Progress& progress) {
+    if (const std::size_t stride = strideFor(ground.dense.surface.tree().size(), count); stride != ground.stride)
+        ground = groundOf(ground.dense.surface, stride, {{}, progress.cancel});
     const std::size_t most = ground.dense.places.size();
     if (count > most)
         throw base::Error("only " + std::to_string(most) + " of the model's points lie on a surface, fewer than the " +
@@ -159,8 +161,13 @@ Reduced reduced(Ground& ground, std::size_t count, Shapes shapes, bool keepTree,
     return ellipsoids && better(ellipsoids->report, balls.report) ? std::move(*ellipsoids) : std::move(balls);
 }
 
+namespace {
+
 constexpr int mostTries = 14;
 constexpr double closeEnough = 1.02;
+std::size_t firstTry(std::size_t size) {
+    return std::max(fewest, size / 10);
+}
 /// A try with more than this part of the samples missed does not count as good, whatever its error.
 constexpr double heldMisses = 1e-4;
 
@@ -200,7 +207,7 @@ Reduced reduceToCount(const surface::Surface& model, std::size_t count, Shapes s
     checkCount(model.tree().size(), count);
     shapes = possible(model, shapes);
     const base::CancelScope scope(progress.cancel);
-    Ground ground = groundOf(model, strideFor(model.tree().size(), count), process::part(progress, 0, 0.15));
+    Ground ground = groundFor(model, count, process::part(progress, 0, 0.15));
     return reduced(ground, count, shapes, false, process::part(progress, 0.15, 1));
 }
 
@@ -209,27 +216,19 @@ Reduced reduceByRatio(const surface::Surface& model, double ratio, Shapes shapes
     return reduceToCount(model, countFor(model, ratio), shapes, progress);
 }
 
-Reduced reduceToError(const surface::Surface& model, double error, Shapes shapes, const base::Progress& progress) {
-    check(model);
-    if (!(error > 0))
-        throw base::Error("an error is a length above 0", "reduce");
-    shapes = possible(model, shapes);
-    const base::CancelScope scope(progress.cancel);
-    const std::size_t size = model.tree().size();
-    std::size_t count = std::max(fewest, size / 10);
-    Ground ground = groundOf(model, strideFor(size, count), process::part(progress, 0, 0.05));
+Reduced reducedToError(Ground& ground, double error, Shapes shapes, const base::Progress& progress) {
+    const std::size_t size = ground.dense.surface.tree().size();
     if (ground.dense.rms > error) {
         std::ostringstream said;
         said << "no count keeps an error of " << error << ": the model's own surface is " << ground.dense.rms
              << " from its points";
         throw base::Error(said.str(), "reduce", "choose a larger error");
     }
+    std::size_t count = firstTry(size);
     Search search(std::min(size, ground.dense.feet), error, ground.dense.rms);
     Reduced best;
     for (int k = 0; k < mostTries && search.wide(); ++k, count = search.next()) {
-        if (const std::size_t stride = strideFor(size, count); stride != ground.stride)
-            ground = groundOf(model, stride, {{}, progress.cancel});
-        Reduced tried = reduced(ground, count, shapes, true, process::part(progress, 0.05 + 0.06 * k, 0.11 + 0.06 * k));
+        Reduced tried = reduced(ground, count, shapes, true, process::part(progress, 0.06 * k, 0.06 * (k + 1)));
         const bool whole = double(tried.report.holes) <= heldMisses * double(ground.dense.feet);
         const bool good = tried.report.rms <= error && whole;
         search.learn(count, good ? tried.report.rms : std::max(tried.report.rms, 1.05 * error));
@@ -239,6 +238,16 @@ Reduced reduceToError(const surface::Surface& model, double error, Shapes shapes
     if (best.surface.tree().empty())
         throw base::Error("fewer surfels than the model has do not keep that error", "reduce", "choose a larger error");
     return best;
+}
+
+Reduced reduceToError(const surface::Surface& model, double error, Shapes shapes, const base::Progress& progress) {
+    check(model);
+    if (!(error > 0))
+        throw base::Error("an error is a length above 0", "reduce");
+    shapes = possible(model, shapes);
+    const base::CancelScope scope(progress.cancel);
+    Ground ground = groundFor(model, firstTry(model.tree().size()), process::part(progress, 0, 0.05));
+    return reducedToError(ground, error, shapes, process::part(progress, 0.05, 1));
 }
 
 Reduced reduceBy(const surface::Surface& model, const Wish& wish, const base::Progress& progress) {
@@ -266,6 +275,8 @@ std::string summaryOf(const Report& report) {
         << " (99.9 %), " << report.max << " (most), and " << report.denseRms << " from their own (rms)";
     if (report.holes > 0)
         out << "; " << report.holes << " of them miss it: a hole";
+    if (report.picked > 0)
+        out << "; " << report.picked << " of the surfels are the model's own, of cells that have hardly any surface";
     if (report.strays > 0)
         out << "; " << report.strays << " had no surface and do not count";
     return out.str();

@@ -5,12 +5,17 @@
 #include "core/base/parallel.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/reduce/assemble.h"
+#include "core/reduce/by_cells.h"
+#include "core/reduce/cell_parts.h"
 #include "core/reduce/coverage.h"
 #include "core/reduce/density.h"
 #include "core/reduce/placement.h"
+#include "core/reduce/refine_cells.h"
+#include "core/reduce/report_sum.h"
 
 #include <algorithm>
 #include <numbers>
+#include <optional>
 #include <sstream>
 
 namespace reduce {
@@ -104,16 +109,14 @@ void check(const surface::Surface& model, float spacing) {
                           "refine", "choose a larger one");
 }
 
-} // namespace
-
-Refined refine(const surface::Surface& model, float spacing, const base::Progress& progress) {
-    check(model, spacing);
-    const base::CancelScope scope(progress.cancel);
+/// Samples with that spacing where the places are.
+struct Resampled {
+    surface::Surface surface;
+    Places places;
+};
+std::optional<Resampled> resampled(const surface::Surface& model, Places places, float spacing,
+                                   const base::Progress& progress) {
     const surface::SurfaceDefinition usual;
-    Dense dense;
-    dense.surface = model;
-    dense.places = placesAllOver(model, spacing / placesPerSpacing, process::part(progress, 0, 0.3));
-    Places& places = dense.places;
     NumberedTree tree(places.position, places.normal, {});
     measureAreas(places, tree);
     const std::vector<float> shares = sharesBySpacing(places, spacing);
@@ -122,15 +125,62 @@ Refined refine(const surface::Surface& model, float spacing, const base::Progres
         sum += double(share);
     const auto count = static_cast<std::size_t>(std::llround(sum));
     if (count < 4)
-        throw base::Error("that spacing leaves no surface", "refine", "choose a smaller one");
-    Sites sites = place(model, places, std::move(tree), shares, std::min(count, places.size()),
-                        process::part(progress, 0.3, 0.8));
+        return std::nullopt;
+    Sites sites = place(model, places, std::move(tree), shares, std::min(count, places.size()), progress);
     for (float& s : sites.spacing)
         s = spacing;
     cover(places, static_cast<float>(usual.neighbours), sites);
+    return Resampled{assemble(model, sites, usual.neighbours), std::move(places)};
+}
+
+/// Each cell by itself, as far as the others leave it. Cells that the spacing leaves nothing of stay as they are.
+Refined refineCells(const surface::Surface& model, float spacing, const base::Progress& progress) {
+    const cells::CellSurface cells = *cells::CellSurface::of(model);
+    const surface::SurfaceDefinition usual;
+    std::vector<surfel::SurfelList> lists;
+    Places all;
+    ReportSum sum;
+    const std::vector<Cell> parts = cellsOf(model);
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+        const auto at = [&](double share) { return 0.9 * (double(k) + share) / double(parts.size()); };
+        const surface::Surface own = surfaceOf(model, parts[k]);
+        Places places = placesAllOver(own, spacing / placesPerSpacing, process::part(progress, at(0), at(0.3)));
+        keepOnFace(cells, parts[k].label, places);
+        std::optional<Resampled> fine;
+        if (places.size() > 0)
+            fine = resampled(own, std::move(places), spacing, process::part(progress, at(0.3), at(0.9)));
+        if (!fine) {
+            sum.keep(parts[k].size(), 0, 0);
+            lists.push_back(parts[k].surfels);
+            continue;
+        }
+        sum.add(verifyPlaces(fine->places, fine->surface, process::part(progress, at(0.9), at(1))),
+                fine->places.size());
+        all.position.insert(all.position.end(), fine->places.position.begin(), fine->places.position.end());
+        lists.push_back(fine->surface.tree().surfels());
+    }
+    surfel::SurfelList fine = joined(std::move(lists));
+    labelBySeams(cells, spacing, fine);
+    const surface::Surface whole{tree::SurfelTree::build(fine),
+                                 reducedDefinition(model.definition(), usual.neighbours)};
+    return {bounded(model, whole, all, lastStep, process::part(progress, 0.9, 1)), sum.report()};
+}
+
+} // namespace
+
+Refined refine(const surface::Surface& model, float spacing, const base::Progress& progress) {
+    check(model, spacing);
+    const base::CancelScope scope(progress.cancel);
+    if (hasCells(model))
+        return refineCells(model, spacing, progress);
+    std::optional<Resampled> fine =
+        resampled(model, placesAllOver(model, spacing / placesPerSpacing, process::part(progress, 0, 0.3)), spacing,
+                  process::part(progress, 0.3, 0.8));
+    if (!fine)
+        throw base::Error("that spacing leaves no surface", "refine", "choose a smaller one");
     Refined out;
-    out.surface = bounded(model, assemble(model, sites, usual.neighbours), places, lastStep);
-    out.report = verifyPlaces(places, out.surface, process::part(progress, 0.8, 1));
+    out.surface = bounded(model, fine->surface, fine->places, lastStep);
+    out.report = verifyPlaces(fine->places, out.surface, process::part(progress, 0.8, 1));
     return out;
 }
 

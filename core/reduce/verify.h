@@ -17,6 +17,7 @@ struct Report {
     double denseRms = 0;                   ///< the model's samples to its own surface
     bool ellipsoids = false;               ///< are supports ellipsoids?
     std::size_t strays = 0;                ///< samples without a foot on the model's own surface: not counted above
+    std::size_t picked = 0; ///< surfels that are the model's own, thinned: of cells that nothing can be fitted to
 };
 
 /// Where a hole is, on the model's surface.

@@ -2,6 +2,7 @@
 #include "core/cells/cell_rays.h"
 
 #include "cells/solids.h"
+#include "core/cells/cell_projection.h"
 #include "support/registry.h"
 
 #include <QTest>
@@ -27,6 +28,8 @@ class CellRaysTest : public QObject {
     void openEdgesAreWhole_data();
     void openEdgesAreWhole();
     void smallFlatCellsTearNoHoles();
+    void cellsEndAtFinerOnes_data();
+    void cellsEndAtFinerOnes();
 };
 
 namespace {
@@ -413,6 +416,88 @@ void CellRaysTest::smallFlatCellsTearNoHoles() {
             QVERIFY2(hit.hit.hit && std::abs(hit.hit.position.z) < 1.2 * spacing, where);
         }
     }
+}
+
+void CellRaysTest::cellsEndAtFinerOnes_data() {
+    QTest::addColumn<bool>("convex");
+    QTest::newRow("cube") << true;
+    QTest::newRow("L-block") << false;
+}
+
+/// One face has surfels so far apart that it goes on beyond the supports of those across its edges: it ends there all
+/// the same, for rays in either precision, values and feet.
+void CellRaysTest::cellsEndAtFinerOnes() {
+    QFETCH(bool, convex);
+    Random random(test::seed());
+    const Solid solid = convex ? cube(0.5) : lBlock(0.6);
+    constexpr double fine = 0.025, coarse = 0.15;
+    constexpr std::uint32_t face = 4; // z is up
+    surfel::SurfelList list = sampled(solid, 2, fine, random).surfels, mixed;
+    mixed.layout = list.layout;
+    const cells::LabelLayout labels = *cells::LabelLayout::of(*list.layout);
+    for (std::size_t i = 0; i < list.size(); ++i)
+        if (labels.at(list.extraOf(i)).cell != face)
+            mixed.append(list.items[i], list.extraOf(i));
+    list = sampled(solid, 2, coarse, random).surfels;
+    for (std::size_t i = 0; i < list.size(); ++i)
+        if (labels.at(list.extraOf(i)).cell == face)
+            mixed.append(list.items[i], list.extraOf(i));
+    const CellSurface surface = cellsOf(mixed);
+    const double top = solid.planes[face].d, reach = convex ? 0.5 : 0.6;
+    std::vector<base::Rayf> rays;
+    std::vector<double> expected;
+    int beyond = 0;
+    while (rays.size() < 2000) {
+        const Vec3d x{random.uniform(-reach, reach) * 1.5, random.uniform(-reach, reach) * 1.5, top};
+        const Vec3d d = normalized(Vec3d{random.uniform(-0.4, 0.4), random.uniform(-0.4, 0.4), -1});
+        const Rayd ray{x - d * 2, d};
+        std::size_t plane = 0;
+        const double t = solid.hit(ray, plane), value = solid.value(x);
+        if (std::abs(value) < 1e-3 && t < 0)
+            continue;
+        rays.push_back({base::cast<float>(ray.origin), base::cast<float>(d)});
+        expected.push_back(t);
+        if (value > 2 * fine && value < 0.3) {
+            ++beyond;
+            const cells::CellValue here = cells::evaluate(surface, x, surface::Need::Value);
+            QVERIFY2(!(here.at.value < fine), QString("seed %1: %2, not %3, at %4 %5 %6 of cell %7")
+                                                  .arg(test::seed())
+                                                  .arg(here.at.value)
+                                                  .arg(value)
+                                                  .arg(x.x)
+                                                  .arg(x.y)
+                                                  .arg(x.z)
+                                                  .arg(here.cell)
+                                                  .toUtf8());
+            const cells::CellFoot foot = cells::project(surface, x);
+            QVERIFY(foot.projection.ok());
+            // past a corner the largest height is no distance
+            int past = 0;
+            for (const Plane& each : solid.planes)
+                past += each.f(x) > 1e-3;
+            QVERIFY(past != 1 || std::abs(base::distance(foot.projection.foot, x) - value) < 0.5 * fine);
+        }
+    }
+    QVERIFY(beyond > 100);
+    std::vector<surface::RayHit<float>> hits(rays.size());
+    cells::intersect(surface, rays, {}, hits);
+    int wrong = 0, wrongInDouble = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const auto differs = [&](bool hit, double t) {
+            return hit != (expected[i] > 0) || (hit && std::abs(t - expected[i]) > fine);
+        };
+        const auto exact = cells::intersectReference(
+            surface, Rayd{base::cast<double>(rays[i].origin), base::cast<double>(rays[i].direction)}, {});
+        wrong += differs(hits[i].hit, static_cast<double>(hits[i].t));
+        wrongInDouble += differs(exact.hit, exact.t);
+    }
+    const QByteArray told = QString("seed %1: %2 and %3 of %4 rays")
+                                .arg(test::seed())
+                                .arg(wrong)
+                                .arg(wrongInDouble)
+                                .arg(rays.size())
+                                .toUtf8();
+    QVERIFY2(wrong <= 4 && wrongInDouble <= 4, told);
 }
 
 static const test::Registered<CellRaysTest> registered;

@@ -38,16 +38,21 @@ void DiscCutsTest::codesTellDirectionAndDistance() {
         const auto n = base::cast<float>(k == 0 ? Vec3d{1, 0, 0} : random.unitVector());
         const auto any = base::cast<float>(random.unitVector());
         const Vec3f direction = normalized(any - n * dot(n, any), Vec3f{1, 0, 0});
-        const auto part = static_cast<float>(random.uniform(0.05, 0.95));
-        const bool corner = random.uniform() < 0.5;
-        const DiscCut cut = discCut(n, cutCode(n, direction, part, corner));
-        QCOMPARE(cut.radius, corner ? cornerRadius : cutRadius);
+        constexpr float radii[] = {cutRadius, cornerRadius, tipRadius};
+        const std::size_t which = random.below(3);
+        const auto beside = static_cast<Beside>(which);
+        const auto part = static_cast<float>(random.uniform(0.05, beside == Beside::Edge ? 0.95 : 0.46));
+        const DiscCut cut = discCut(n, cutCode(n, direction, part, beside));
+        QCOMPARE(cut.radius, radii[which]);
         QVERIFY(std::abs(cut.part - part) <= 1 / 64.0f + 1e-6f);
         QVERIFY(dot(cut.direction, direction) > std::cos(0.025f));
         QVERIFY(std::abs(dot(cut.direction, n)) < 1e-5f);
-        QVERIFY(cutCode(n, direction, part, corner) < 1 << cutBits);
+        QVERIFY(cutCode(n, direction, part, beside) < 1 << cutBits);
     }
     QCOMPARE(cutCode({0, 0, 1}, {1, 0, 0}, 1), wholeDisc);
+    // what is left of the radius is the bound then
+    QVERIFY(discCut({0, 0, 1}, cutCode({0, 0, 1}, {1, 0, 0}, 2, Beside::Corner)).part >= cornerRadius);
+    QVERIFY(discCut({0, 0, 1}, cutCode({0, 0, 1}, {1, 0, 0}, 2, Beside::Tip)).part >= tipRadius);
     QCOMPARE(discCut({0, 0, 1}, wholeDisc).part, 0.0f);
     QCOMPARE(discCut({0, 0, 1}, acrossDisc).part, 0.0f);
 }

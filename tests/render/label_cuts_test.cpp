@@ -13,12 +13,21 @@ class LabelCutsTest : public QObject {
   private Q_SLOTS:
     void discsEndAtCreases_data();
     void discsEndAtCreases();
+    void cornersHoldTheirDiscs_data();
+    void cornersHoldTheirDiscs();
 };
 
 namespace {
 
 constexpr double spacing = 0.1;
 constexpr float radiusOfSupport = 0.35f;
+
+/// Faces with corners of that angle, and an edge.
+plane_solids::Solid prism(double degrees) {
+    const double half = degrees * plane_solids::pi / 360, s = std::sin(half), c = std::cos(half);
+    return plane_solids::intersection(
+        {{{s, c, 0}, 0.9 * s}, {{s, -c, 0}, 0.9 * s}, {{-1, 0, 0}, 0.9}, {{0, 0, 1}, 0.5}, {{0, 0, -1}, 0.5}});
+}
 
 struct Disc {
     Vec3f centre, normal;
@@ -51,6 +60,9 @@ void LabelCutsTest::discsEndAtCreases_data() {
     QTest::newRow("cube") << 0;
     QTest::newRow("L-block") << 1;
     QTest::newRow("blunt pyramid") << 2;
+    QTest::newRow("slender pyramid") << 3;
+    QTest::newRow("acute prism") << 4;
+    QTest::newRow("acute wedge") << 5;
 }
 
 void LabelCutsTest::discsEndAtCreases() {
@@ -58,7 +70,10 @@ void LabelCutsTest::discsEndAtCreases() {
     Random random(test::seed());
     const plane_solids::Solid solid = kind == 0   ? plane_solids::cube(0.8)
                                       : kind == 1 ? plane_solids::lBlock(0.9)
-                                                  : plane_solids::pyramid(6, 1, 0.4); // 40 degrees at the base
+                                      : kind == 2 ? plane_solids::pyramid(6, 1, 0.4) // 40 degrees at the base
+                                      : kind == 3 ? plane_solids::pyramid(4, 0.5, 1.8)
+                                      : kind == 4 ? prism(20)
+                                                  : prism(35);
     const auto s = plane_solids::sampled(solid, 2.4, spacing, random);
     const surface::Surface surface = plane_solids::surfaceOf(s.surfels);
     const std::vector<Disc> discs = discsOf(surface.tree());
@@ -94,8 +109,46 @@ void LabelCutsTest::discsEndAtCreases() {
                                 .arg(places)
                                 .toUtf8();
     QVERIFY2(places > 2000 && points > 2000, told);
-    QVERIFY2(out <= points / 500, told); // a corner has two edges and a disc one cut
-    QVERIFY2(bare <= places / 200, told);
+    QVERIFY2(out <= points / 500, told);                     // a corner has two edges and a disc one cut
+    QVERIFY2(bare <= places / (kind < 3 ? 200 : 100), told); // tips are narrower than a spacing
+}
+
+void LabelCutsTest::cornersHoldTheirDiscs_data() {
+    QTest::addColumn<double>("degrees");
+    for (const double degrees : {35.0, 50.0, 60.0, 75.0})
+        QTest::addRow("%g", degrees) << degrees;
+}
+
+/// Faces with corners of that angle: nothing of a disc is past an edge by more than a fifth of its radius or so.
+void LabelCutsTest::cornersHoldTheirDiscs() {
+    QFETCH(double, degrees);
+    Random random(test::seed());
+    int corners = 0, out = 0;
+    for (int round = 0; round < 12; ++round) {
+        const plane_solids::Solid solid = prism(degrees);
+        const std::vector<Disc> discs =
+            discsOf(plane_solids::surfaceOf(plane_solids::sampled(solid, 2.4, spacing, random).surfels).tree());
+        for (const Disc& disc : discs) {
+            int near = 0;
+            for (const plane_solids::Plane& plane : solid.planes)
+                near += plane.f(base::cast<double>(disc.centre)) > -spacing;
+            if (near < 3)
+                continue;
+            ++corners;
+            const Vec3f u = base::perpendicular(disc.normal), v = cross(disc.normal, u);
+            double most = 0; // over the rim of what is drawn
+            for (int k = 0; k < 64; ++k) {
+                const auto angle = static_cast<float>(2 * plane_solids::pi * k / 64);
+                const Vec3f way = (u * std::cos(angle) + v * std::sin(angle)) * disc.radius;
+                for (float part = 0.02f; part <= 1; part += 0.02f)
+                    if (const Vec3f x = disc.centre + way * part; disc.covers(x))
+                        most = std::max(most, solid.value(base::cast<double>(x)));
+            }
+            out += most > 0.27 * static_cast<double>(disc.radius) ? 1 : 0;
+        }
+    }
+    const QByteArray told = QString("seed %1: %2 of %3").arg(test::seed()).arg(out).arg(corners).toUtf8();
+    QVERIFY2(corners > 50 && out <= corners / 200, told);
 }
 
 static const test::Registered<LabelCutsTest> registered;

@@ -12,7 +12,7 @@ static std::string head() {
                                         {"backClip", backClip},         {"minCosine", minCosine},
                                         {"backFrom", backFrom},         {"backTo", backTo},
                                         {"acrossRadius", acrossRadius}, {"cutRadius", cutRadius},
-                                        {"cornerRadius", cornerRadius}};
+                                        {"cornerRadius", cornerRadius}, {"tipRadius", tipRadius}};
     return "#version 330 core\n" + glslConstants(constants) +
            "const int mostClips = " + std::to_string(ClipPlanes::most) + ";\n" +
            "const uint cutMask = " + std::to_string((1u << cutBits) - 1) +
@@ -64,10 +64,11 @@ void main() {
     float facing = dot(n, ray), radius = uintBitsToFloat(floatBitsToUint(support) & ~cutMask) * image.w;
     if (code == acrossDisc)
         radius *= acrossRadius;
-    float part = float(code & 31u) / 32.0;
+    bool corner = (code >> 12 & 1u) != 0u; // distances end at 15 there, and are 16 more at tips
+    float part = float(code & (corner ? 15u : 31u)) / 32.0;
     edge = part > 0.0 ? turn(cutDirection(normalize(packedNormal.xyz), code)) / (part * radius) : vec3(0.0);
     if (part > 0.0)
-        radius *= (code >> 12 & 1u) != 0u ? cornerRadius : cutRadius;
+        radius *= !corner ? cutRadius : (code & 31u) > 16u ? tipRadius : cornerRadius;
     bool away = facing > 0.0;
     if (away && !oriented) {
         n = -n;

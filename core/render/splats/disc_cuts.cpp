@@ -24,25 +24,30 @@ Vec3f zeroAngle(const Vec3f& n, bool yAxis) {
 
 } // namespace
 
-CutCode cutCode(const Vec3f& n, const Vec3f& direction, float part, bool corner) {
-    const long steps = std::max(1l, std::lround(part * 32));
-    if (steps > 31)
+CutCode cutCode(const Vec3f& n, const Vec3f& direction, float part, Beside beside) {
+    long steps = std::max(1l, std::lround(part * 32));
+    if (beside == Beside::Edge && steps > 31)
         return wholeDisc;
+    if (beside != Beside::Edge) // farther off than what is left of the radius
+        steps = std::min(steps, 15l) + (beside == Beside::Tip ? 16 : 0);
     const bool yAxis = std::abs(n.x) > 0.8f;
     const Vec3f u = zeroAngle(n, yAxis), v = cross(n, u);
     const float turns = std::atan2(dot(direction, v), dot(direction, u)) / (2 * std::numbers::pi_v<float>);
     const auto angle = static_cast<unsigned>(std::lround(turns * 128)) & 127u;
-    return static_cast<CutCode>((yAxis ? 1u << 13 : 0u) | (corner ? 1u << 12 : 0u) | angle << 5 |
+    return static_cast<CutCode>((yAxis ? 1u << 13 : 0u) | (beside != Beside::Edge ? 1u << 12 : 0u) | angle << 5 |
                                 static_cast<unsigned>(steps));
 }
 
 DiscCut discCut(const Vec3f& n, CutCode code) {
-    if ((code & 31u) == 0)
+    const unsigned steps = code & 31u;
+    if (steps == 0)
         return {{}, 0, code == acrossDisc ? acrossRadius : 1};
     const Vec3f u = zeroAngle(n, (code >> 13 & 1u) != 0), v = cross(n, u);
     const float angle = static_cast<float>(code >> 5 & 127u) * (2 * std::numbers::pi_v<float> / 128);
-    return {u * std::cos(angle) + v * std::sin(angle), static_cast<float>(code & 31u) / 32,
-            (code >> 12 & 1u) != 0 ? cornerRadius : cutRadius};
+    const Vec3f direction = u * std::cos(angle) + v * std::sin(angle);
+    if ((code >> 12 & 1u) == 0)
+        return {direction, static_cast<float>(steps) / 32, cutRadius};
+    return {direction, static_cast<float>(steps & 15u) / 32, steps > 16 ? tipRadius : cornerRadius};
 }
 
 void DiscCuts::use(const surface::SurfaceDefinition& definition, float radiusOfSupport) {

@@ -7,7 +7,7 @@
 // supports:
 //
 //     axis (1 bit) << 13 | corner (1 bit) << 12 | angle about the normal (7 bits) << 5 | distance in 32nds of the
-//     disc's radius, 1 to 31
+//     disc's radius, 1 to 31; at corners 1 to 15, and 16 more at tips
 //     0: the whole disc     32: its radius times acrossRadius
 //
 // The angle counts from axis x normal towards normal x (axis x normal); the axis is x, or y where the normal is near x.
@@ -32,11 +32,15 @@ constexpr float acrossRadius = 0.35f;
 constexpr float cutRadius = 0.8f;
 /// The same where a second edge is near.
 constexpr float cornerRadius = 0.45f;
+/// And where both are so near, and meet at so acute an angle, that this would reach over one of them.
+constexpr float tipRadius = 0.25f;
 /// Discs smaller than this many pixels stay whole: less than a pixel would go.
 constexpr float cutPx = 1.5f;
 
-/// The code of a disc cut at `part` of its radius in a tangential direction; part >= 1 is whole.
-CutCode cutCode(const base::Vec3f& normal, const base::Vec3f& direction, float part, bool corner = false);
+/// What is left of a disc's radius that is cut: cutRadius, cornerRadius, tipRadius.
+enum class Beside { Edge, Corner, Tip };
+/// The code of a disc cut at `part` of its radius in a tangential direction; beside an edge part >= 1 is whole.
+CutCode cutCode(const base::Vec3f& normal, const base::Vec3f& direction, float part, Beside beside = Beside::Edge);
 
 struct DiscCut {
     base::Vec3f direction; ///< unit, tangential

@@ -5,6 +5,8 @@
 #include "core/cells/labels.h"
 #include "core/render/splats/disc_cuts.h"
 
+#include <span>
+
 namespace render {
 
 /// Finds cuts block by block. A worker of one thread, which keeps its memory.
@@ -28,12 +30,14 @@ class LabelCuts {
         base::Vec3f direction;   ///< unit, along the disc and away from what is kept
         float distance = 0;      ///< from the centre; negative where that lies beyond
         base::Vec3f normal, way; ///< of the patch; from the centre to it
+        std::uint32_t cell = 0;
     };
 
     void gather(const surfel::SurfelBlock& block);
     std::optional<Edge> edgeTo(std::uint32_t cell, cells::Meeting meeting, const Disc& disc) const;
     static bool reflex(const Edge& a, const Edge& b, cells::Meeting meeting);
-    bool isCornerBy(const Disc& each, const Edge& edge, const Disc& disc) const;
+    bool turnsAway(const Edge& edge, const Disc& disc) const;
+    std::vector<Edge> edgesOf(const Disc& disc) const;
     CutCode cutOf(const Disc& disc) const;
 
     const tree::SurfelTree& m_model;

@@ -108,7 +108,7 @@ CutCode SharpCuts::cutOf(const Disc& disc) {
         return wholeDisc;
     const float distance = dot(side.way, side.normal) / sine;
     return cutCode(disc.normal, across / sine, distance / disc.radius + slack,
-                   side.flat && hasSecondEdge(side.normal, cutRadius * disc.radius));
+                   side.flat && hasSecondEdge(side.normal, cutRadius * disc.radius) ? Beside::Corner : Beside::Edge);
 }
 
 /// Of those that `which` chooses, the one whose edge is nearest.
