@@ -17,6 +17,7 @@ class OrientationTest : public QObject {
     void spheresAndBoxesLookOutwards();
     void piecesApartAgree();
     void openPartsOfABodyAgree();
+    void straysDoNotTurnTheBody();
     void flippedPatchesAreInDoubt();
     void threadsDoNotShow();
 };
@@ -108,6 +109,34 @@ void OrientationTest::openPartsOfABodyAgree() {
         }
     const double share = outwardShare(caps, random);
     QVERIFY2(share == 1, qPrintable(QString("%1 seed %2").arg(share).arg(test::seed())));
+}
+
+/// Strays all around a body, whose normals mean nothing: they stand outermost, and do not tell which side is outside.
+void OrientationTest::straysDoNotTurnTheBody() {
+    base::Random random(test::seed());
+    for (int k = 0; k < 12; ++k) {
+        Body body = sphere(2000 + random.below(4000));
+        const std::size_t whole = body.positions.size(), strays = whole * (1 + random.below(8)) / 200;
+        for (std::size_t i = 0; i < strays; ++i)
+            body.positions.push_back(base::cast<float>(
+                Vec3d{random.uniform(-1.6, 1.6), random.uniform(-1.6, 1.6), random.uniform(-1.6, 1.6)}));
+        const surfel::SurfelList list = listOf(body);
+        const Cloud cloud(list.items);
+        const NeighbourTable links = nearestTable(cloud, 12);
+        for (const bool global : {false, true}) {
+            std::vector<Vec3f> normals = normalsOf(cloud);
+            QVERIFY(global ? orientGlobally(cloud, links, normals) : orient(cloud, links, normals));
+            std::size_t inwards = 0;
+            for (std::size_t i = 0; i < whole; ++i)
+                inwards += dot(normals[cloud.places()[i]], body.outwards[i]) < 0;
+            QVERIFY2(inwards < whole / 100, qPrintable(QString("%1 of %2 inwards among %3 strays, global %4, seed %5")
+                                                           .arg(inwards)
+                                                           .arg(whole)
+                                                           .arg(strays)
+                                                           .arg(global)
+                                                           .arg(test::seed())));
+        }
+    }
 }
 
 void OrientationTest::flippedPatchesAreInDoubt() {

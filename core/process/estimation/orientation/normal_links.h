@@ -41,6 +41,9 @@ class NormalLinks {
     /// Whether the edge from i to its neighbour j was found before, from j on.
     bool foundBefore(std::uint32_t i, std::uint32_t j) const { return j < i && m_table.names(j, i); }
 
+    /// Whether i is also among the neighbours of its neighbour j.
+    bool isMutual(std::uint32_t i, std::uint32_t j) const { return m_table.names(j, i); }
+
     /// body(i, neighbours, likeness) for a range of points; count() of both are valid. An edge that is found from both
     /// its ends has the same bits from both.
     template <class Body>

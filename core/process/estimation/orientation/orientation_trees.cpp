@@ -1,9 +1,8 @@
 #include "core/process/estimation/orientation/orientation_trees.h"
 
-#include "core/process/estimation/orientation/outside.h"
-
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace process {
 
@@ -17,6 +16,12 @@ constexpr std::size_t grain = 16384, slab = 16 * grain;
 constexpr std::int32_t certain = unlikeClasses / 20;
 constexpr double seamLength = 0.3; ///< in sqrt(n) points, from which there is a seam
 constexpr std::size_t leastSeam = 4;
+
+/// Strays stand outermost, and their normals mean nothing: where the vote is no clearer than this, only points are
+/// asked that lie on a surface with others, with so many of which they agree so well (process/README 2.3).
+constexpr double clearlyOutside = 0.7;
+constexpr std::int32_t agreed = unlikeClasses * 3 / 10;
+constexpr int leastAgreed = 4, rounds = 4;
 
 /// body(begin, end, chunk) for n points, in parallel.
 template <class Body>
@@ -153,6 +158,38 @@ bool OrientationTrees::hasSeam(const base::Progress& progress) {
     return length >= leastSeam && static_cast<double>(length) >= least;
 }
 
+/// Which points lie on a surface together with others: neighbours of neighbours of theirs, with normals alike. Few
+/// strays do, by chance, and hardly any with others that do.
+std::vector<std::uint8_t> OrientationTrees::borneOut() const {
+    std::vector<std::uint8_t> out(m_links.size(), 1);
+    for (int round = 0; round < rounds; ++round) {
+        const std::vector<std::uint8_t> before = out;
+        base::parallelChunks(m_links.size(), grain, [&](std::size_t begin, std::size_t end, std::size_t) {
+            m_links.forRows(begin, end, [&](std::uint32_t i, const NeighbourTable::Row& row, const Likeness& along) {
+                int found = 0;
+                for (std::size_t k = 0; k < m_links.count(); ++k)
+                    found += along.unlike[k] < agreed && before[row[k]] != 0 && m_links.isMutual(i, row[k]) ? 1 : 0;
+                out[i] = found >= leastAgreed ? 1 : 0;
+            });
+        });
+    }
+    return out;
+}
+
+/// How the outermost points of a component vote. `witnesses` are found when they are first needed.
+double OrientationTrees::votesFor(const Outside& outside, std::span<const std::uint32_t> component,
+                                  std::vector<std::uint8_t>& witnesses) const {
+    const double all = outside.vote(m_normals, component);
+    if (std::abs(all) >= clearlyOutside)
+        return all;
+    if (witnesses.empty())
+        witnesses = borneOut();
+    std::vector<std::uint32_t> some;
+    std::copy_if(component.begin(), component.end(), std::back_inserter(some),
+                 [&](std::uint32_t i) { return witnesses[i] != 0; });
+    return some.empty() || some.size() == component.size() ? all : outside.vote(m_normals, some);
+}
+
 void OrientationTrees::takeSigns(Sides given, const base::Progress& progress) {
     shorten();
     const std::size_t n = m_links.size();
@@ -168,6 +205,7 @@ void OrientationTrees::takeSigns(Sides given, const base::Progress& progress) {
     for (auto i = static_cast<std::uint32_t>(n); i-- > 0;)
         members[--start[m_signs.look(i).root]] = i; // and then begins
     const Outside outside(m_positions);
+    std::vector<std::uint8_t> witnesses;
     const auto mostlyTurned = [&](std::span<const std::uint32_t> component) {
         const auto turned = static_cast<std::size_t>(std::count_if(
             component.begin(), component.end(), [&](std::uint32_t i) { return m_signs.look(i).opposite; }));
@@ -178,8 +216,9 @@ void OrientationTrees::takeSigns(Sides given, const base::Progress& progress) {
         if (component.empty())
             continue;
         progress.step(static_cast<double>(root) / static_cast<double>(n), orienting);
-        const bool unclear = given == Sides::Mostly && std::abs(outside.vote(m_normals, component)) < Outside::clear;
-        if (unclear ? mostlyTurned(component) : outside.inward(m_normals, component))
+        const double votes = votesFor(outside, component, witnesses);
+        const bool unclear = given == Sides::Mostly && std::abs(votes) < Outside::clear;
+        if (unclear ? mostlyTurned(component) : outside.inward(m_normals, component, votes))
             for (const std::uint32_t i : component)
                 m_normals[i] = -m_normals[i];
     }

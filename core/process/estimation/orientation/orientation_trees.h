@@ -6,6 +6,7 @@
 #include "core/base/large_array.h"
 #include "core/process/estimation/cloud_normals.h"
 #include "core/process/estimation/orientation/normal_links.h"
+#include "core/process/estimation/orientation/outside.h"
 
 namespace process {
 
@@ -40,6 +41,9 @@ class OrientationTrees {
     std::vector<Edge> candidates(std::size_t begin, std::size_t end) const;
     void sort(std::vector<std::vector<Edge>>& parts);
     void shorten();
+    std::vector<std::uint8_t> borneOut() const;
+    double votesFor(const Outside& outside, std::span<const std::uint32_t> component,
+                    std::vector<std::uint8_t>& witnesses) const;
 
     std::span<const base::Vec3f> m_positions;
     std::span<base::Vec3f> m_normals;
