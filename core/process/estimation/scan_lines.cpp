@@ -53,6 +53,26 @@ std::optional<Vec3d> lineThrough(std::span<const base::Vec3f> positions, std::ui
     return eigen.vector[2];
 }
 
+/// Whether supports of a spacing bridge both gaps beside the line already, by neighbours that are at hand: most of
+/// those that are on a line by chance.
+bool isBridged(std::span<const base::Vec3f> positions, std::uint32_t i, const Vec3d& u,
+               std::span<const std::uint32_t> row, float spacing) {
+    const double reach = static_cast<double>(spacing) / spacingOfGap;
+    Vec3d first;
+    for (const std::uint32_t j : row) {
+        const Vec3d d = base::cast<double>(positions[j]) - base::cast<double>(positions[i]);
+        const double along = dot(d, u);
+        const Vec3d across = d - u * along;
+        if (lengthSq(across) < along * along || lengthSq(d) > reach * reach)
+            continue;
+        if (first == Vec3d())
+            first = across;
+        else if (dot(across, first) < 0)
+            return true;
+    }
+    return false;
+}
+
 struct Beside {
     std::uint32_t position = 0;
     NeighbourTable::Row row{};
@@ -157,9 +177,11 @@ std::size_t lookBesideLines(const Cloud& cloud, CloudNeighbours& near, const bas
             LineRow line(cloud, count, !near.normals.empty());
             for (auto i = static_cast<std::uint32_t>(from + begin); i < from + end; ++i) {
                 const NeighbourTable::Row row = near.table.row(i);
-                if (const auto u = lineThrough(cloud.positions(), i, std::span(row).first(ownLine)))
-                    if (const auto each = line.at(i, *u, near.spacing[i]))
-                        parts[chunk].push_back(*each);
+                const auto u = lineThrough(cloud.positions(), i, std::span(row).first(ownLine));
+                if (!u || isBridged(cloud.positions(), i, *u, std::span(row).first(count), near.spacing[i]))
+                    continue;
+                if (const auto each = line.at(i, *u, near.spacing[i]))
+                    parts[chunk].push_back(*each);
             }
         });
         for (const auto& part : parts)

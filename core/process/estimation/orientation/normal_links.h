@@ -41,6 +41,7 @@ class NormalLinks {
     /// Whether the edge from i to its neighbour j was found before, from j on.
     bool foundBefore(std::uint32_t i, std::uint32_t j) const { return j < i && m_table.names(j, i); }
 
+    NeighbourTable::Row row(std::size_t i) const { return m_table.row(i); }
     /// Whether i is also among the neighbours of its neighbour j.
     bool isMutual(std::uint32_t i, std::uint32_t j) const { return m_table.names(j, i); }
 

@@ -19,7 +19,7 @@ constexpr std::size_t leastSeam = 4;
 
 /// Strays stand outermost, and their normals mean nothing: where the vote is no clearer than this, only points are
 /// asked that lie on a surface with others, with so many of which they agree so well (process/README 2.3).
-constexpr double clearlyOutside = 0.7;
+constexpr double clearlyOutside = 0.4; ///< what strays alone say is below 0.1
 constexpr std::int32_t agreed = unlikeClasses * 3 / 10;
 constexpr int leastAgreed = 4, rounds = 4;
 
@@ -161,16 +161,27 @@ bool OrientationTrees::hasSeam(const base::Progress& progress) {
 /// Which points lie on a surface together with others: neighbours of neighbours of theirs, with normals alike. Few
 /// strays do, by chance, and hardly any with others that do.
 std::vector<std::uint8_t> OrientationTrees::borneOut() const {
-    std::vector<std::uint8_t> out(m_links.size(), 1);
+    static_assert(NeighbourTable::most <= 16);
+    base::LargeArray<std::uint16_t> alike(m_links.size()); // a bit for each neighbour
+    base::parallelChunks(m_links.size(), grain, [&](std::size_t begin, std::size_t end, std::size_t) {
+        m_links.forRows(begin, end, [&](std::uint32_t i, const NeighbourTable::Row& row, const Likeness& along) {
+            unsigned bits = 0;
+            for (std::size_t k = 0; k < m_links.count(); ++k)
+                bits |= along.unlike[k] < agreed && m_links.isMutual(i, row[k]) ? 1u << k : 0u;
+            alike[i] = static_cast<std::uint16_t>(bits);
+        });
+    });
+    std::vector<std::uint8_t> out(m_links.size(), 1), before;
     for (int round = 0; round < rounds; ++round) {
-        const std::vector<std::uint8_t> before = out;
-        base::parallelChunks(m_links.size(), grain, [&](std::size_t begin, std::size_t end, std::size_t) {
-            m_links.forRows(begin, end, [&](std::uint32_t i, const NeighbourTable::Row& row, const Likeness& along) {
-                int found = 0;
-                for (std::size_t k = 0; k < m_links.count(); ++k)
-                    found += along.unlike[k] < agreed && before[row[k]] != 0 && m_links.isMutual(i, row[k]) ? 1 : 0;
-                out[i] = found >= leastAgreed ? 1 : 0;
-            });
+        before = out;
+        base::parallelFor(m_links.size(), grain, [&](std::size_t i) {
+            if (before[i] == 0)
+                return;
+            const NeighbourTable::Row row = m_links.row(i);
+            int found = 0;
+            for (std::size_t k = 0; k < m_links.count(); ++k)
+                found += alike[i] >> k & before[row[k]];
+            out[i] = found >= leastAgreed ? 1 : 0;
         });
     }
     return out;
