@@ -91,9 +91,10 @@ class Surroundings {
     }
     /// Beside lines too, where the scan is made of these.
     CloudNeighbours& neighbours() {
+        nearest();
         if (!m_isCurve && !std::exchange(m_besideLines, true))
-            lookBesideLines(cloud(), nearest(), m_searching);
-        return nearest();
+            lookBesideLines(cloud(), *m_neighbours, {nullptr, m_searching.cancel}); // too short a time to report
+        return *m_neighbours;
     }
     /// From the next search on.
     void wantNormals() { m_wantNormals = true; }
