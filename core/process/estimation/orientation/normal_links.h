@@ -15,6 +15,7 @@ struct Likeness {
     static constexpr int most = 16;
     std::int32_t flip[most];   ///< 1 where one of the two has to be turned
     std::int32_t unlike[most]; ///< 0 certain to unlikeClasses - 1
+    float stepSq[most];        ///< of one, how far the neighbour stands above or below the sheet, squared
 };
 
 static_assert(NeighbourTable::most <= Likeness::most);

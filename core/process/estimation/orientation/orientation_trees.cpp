@@ -1,5 +1,7 @@
 #include "core/process/estimation/orientation/orientation_trees.h"
 
+#include "core/process/estimation/part_progress.h"
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -14,8 +16,15 @@ constexpr std::size_t grain = 16384, slab = 16 * grain;
 /// Edges this unlike or less are certain: on two-sided scans, raw ones included, next to none of them contradicts the
 /// others (at most 0.07 sqrt(n) points, found on 30 models), while a Moebius strip's seam of them cannot vanish.
 constexpr std::int32_t certain = unlikeClasses / 20;
+/// But not where points stand among layers, which noise of a fifth of the spacing does not make of one.
+constexpr auto amongLayers = static_cast<std::int32_t>(0.08 * unlikeClasses);
 constexpr double seamLength = 0.3; ///< in sqrt(n) points, from which there is a seam
 constexpr std::size_t leastSeam = 4;
+
+/// Edges at points that stand among layers come late (process/README 2.2): so much of the mean squared step to their
+/// neighbours is added to what edges are sorted by, and the whole is put into the classes at half the scale.
+constexpr float layersWeigh = 2;
+constexpr std::int32_t scale = 2;
 
 /// Strays stand outermost, and their normals mean nothing: where the vote is no clearer than this, only points are
 /// asked that lie on a surface with others, with so many of which they agree so well (process/README 2.3).
@@ -56,11 +65,27 @@ class OrientationTrees::Edge {
 OrientationTrees::OrientationTrees(const Cloud& cloud, const NeighbourTable& links, std::span<base::Vec3f> normals,
                                    const base::Progress& progress)
     : m_positions(cloud.positions()), m_normals(normals), m_links(m_positions, links, normals), m_signs(cloud.size()) {
+    lookForLayers(part(progress, 0, 0.4));
     std::vector<std::vector<Edge>> parts(base::chunkCount(m_links.size(), grain));
-    forChunks(m_links.size(), progress,
+    forChunks(m_links.size(), part(progress, 0.4, 0.95),
               [&](std::size_t begin, std::size_t end, std::size_t chunk) { parts[chunk] = candidates(begin, end); });
     progress.step(0.95, orienting);
     sort(parts);
+}
+
+/// At the tip of an acute wedge, and in thin parts, both sides are among the neighbours: the plane through these is
+/// neither's, and a chain of small turns leads round the tip, the wrong way.
+void OrientationTrees::lookForLayers(const base::Progress& progress) {
+    m_layered = base::LargeArray<std::int32_t>(m_links.size());
+    forChunks(m_links.size(), progress, [&](std::size_t begin, std::size_t end, std::size_t) {
+        m_links.forRows(begin, end, [&](std::uint32_t i, const NeighbourTable::Row&, const Likeness& along) {
+            float sum = 0;
+            for (std::size_t k = 0; k < m_links.count(); ++k)
+                sum += along.stepSq[k];
+            m_layered[i] = static_cast<std::int32_t>(layersWeigh * sum / static_cast<float>(m_links.count()) *
+                                                     static_cast<float>(unlikeClasses));
+        });
+    });
 }
 
 /// The chunk's edges that may be in a tree, in the order of its points. Most edges are found from both their ends, with
@@ -73,7 +98,10 @@ std::vector<OrientationTrees::Edge> OrientationTrees::candidates(std::size_t beg
         for (std::size_t k = 0; k < m_links.count(); ++k) {
             if (m_links.foundBefore(i, row[k]))
                 continue;
-            edges.emplace_back(static_cast<std::uint32_t>(i - begin), along.unlike[k], along.flip[k] != 0, row[k]);
+            const std::int32_t order = (along.unlike[k] + std::max(m_layered[i], m_layered[row[k]])) / scale;
+            edges.emplace_back(static_cast<std::uint32_t>(i - begin),
+                               std::min(order, static_cast<std::int32_t>(unlikeClasses) - 1), along.flip[k] != 0,
+                               row[k]);
             ++next[edges.back().unlike() + 1];
         }
     });
@@ -118,7 +146,7 @@ void OrientationTrees::sort(std::vector<std::vector<Edge>>& parts) {
 }
 
 void OrientationTrees::joinBelow(double unlike, const base::Progress& progress) {
-    const double wanted = std::ceil(unlike * static_cast<double>(unlikeClasses));
+    const double wanted = std::ceil(unlike / scale * static_cast<double>(unlikeClasses));
     const auto below = static_cast<std::size_t>(std::clamp(wanted, 0.0, static_cast<double>(unlikeClasses)));
     const std::size_t end = below > 0 ? m_classEnd[below - 1] : 0, begin = m_joined;
     for (; m_joined < end; ++m_joined) {
@@ -141,7 +169,7 @@ bool OrientationTrees::hasSeam(const base::Progress& progress) {
         m_links.forRows(begin, end, [&](std::uint32_t i, const NeighbourTable::Row& row, const Likeness& along) {
             const auto a = m_signs.look(i);
             for (std::size_t k = 0; k < m_links.count(); ++k) {
-                if (along.unlike[k] >= certain)
+                if (along.unlike[k] >= certain || std::max(m_layered[i], m_layered[row[k]]) > amongLayers)
                     continue;
                 const auto b = m_signs.look(row[k]);
                 if (a.root == b.root && (a.opposite != b.opposite) != (along.flip[k] != 0))
