@@ -14,7 +14,7 @@ namespace {
 
 using base::Vec3d;
 
-constexpr std::size_t grain = 1024, slab = 64 * grain;
+constexpr std::size_t grain = 512, slab = 16 * grain; ///< a tenth of a second where all are sought again
 /// The nearest that lie on one line where others are more than four times as far apart as points on them.
 constexpr std::size_t ownLine = 8;
 /// Of the variance along: across it so many of an even sampling, by chance as it may be, have more in all but one of

@@ -188,10 +188,10 @@ bool OrientationTrees::hasSeam(const base::Progress& progress) {
 
 /// Which points lie on a surface together with others: neighbours of neighbours of theirs, with normals alike. Few
 /// strays do, by chance, and hardly any with others that do.
-std::vector<std::uint8_t> OrientationTrees::borneOut() const {
+std::vector<std::uint8_t> OrientationTrees::borneOut(const base::Progress& progress) const {
     static_assert(NeighbourTable::most <= 16);
     base::LargeArray<std::uint16_t> alike(m_links.size()); // a bit for each neighbour
-    base::parallelChunks(m_links.size(), grain, [&](std::size_t begin, std::size_t end, std::size_t) {
+    forChunks(m_links.size(), progress, [&](std::size_t begin, std::size_t end, std::size_t) {
         m_links.forRows(begin, end, [&](std::uint32_t i, const NeighbourTable::Row& row, const Likeness& along) {
             unsigned bits = 0;
             for (std::size_t k = 0; k < m_links.count(); ++k)
@@ -202,14 +202,16 @@ std::vector<std::uint8_t> OrientationTrees::borneOut() const {
     std::vector<std::uint8_t> out(m_links.size(), 1), before;
     for (int round = 0; round < rounds; ++round) {
         before = out;
-        base::parallelFor(m_links.size(), grain, [&](std::size_t i) {
-            if (before[i] == 0)
-                return;
-            const NeighbourTable::Row row = m_links.row(i);
-            int found = 0;
-            for (std::size_t k = 0; k < m_links.count(); ++k)
-                found += alike[i] >> k & before[row[k]];
-            out[i] = found >= leastAgreed ? 1 : 0;
+        forChunks(m_links.size(), progress, [&](std::size_t begin, std::size_t end, std::size_t) {
+            for (std::size_t i = begin; i < end; ++i) {
+                if (before[i] == 0)
+                    continue;
+                const NeighbourTable::Row row = m_links.row(i);
+                int found = 0;
+                for (std::size_t k = 0; k < m_links.count(); ++k)
+                    found += alike[i] >> k & before[row[k]];
+                out[i] = found >= leastAgreed ? 1 : 0;
+            }
         });
     }
     return out;
@@ -217,12 +219,12 @@ std::vector<std::uint8_t> OrientationTrees::borneOut() const {
 
 /// How the outermost points of a component vote. `witnesses` are found when they are first needed.
 double OrientationTrees::votesFor(const Outside& outside, std::span<const std::uint32_t> component,
-                                  std::vector<std::uint8_t>& witnesses) const {
+                                  std::vector<std::uint8_t>& witnesses, const base::Progress& progress) const {
     const double all = outside.vote(m_normals, component);
     if (std::abs(all) >= clearlyOutside)
         return all;
     if (witnesses.empty())
-        witnesses = borneOut();
+        witnesses = borneOut(progress);
     std::vector<std::uint32_t> some;
     std::copy_if(component.begin(), component.end(), std::back_inserter(some),
                  [&](std::uint32_t i) { return witnesses[i] != 0; });
@@ -255,7 +257,7 @@ void OrientationTrees::takeSigns(Sides given, const base::Progress& progress) {
         if (component.empty())
             continue;
         progress.step(static_cast<double>(root) / static_cast<double>(n), orienting);
-        const double votes = votesFor(outside, component, witnesses);
+        const double votes = votesFor(outside, component, witnesses, {nullptr, progress.cancel});
         const bool unclear = given == Sides::Mostly && std::abs(votes) < Outside::clear;
         if (unclear ? mostlyTurned(component) : outside.inward(m_normals, component, votes))
             for (const std::uint32_t i : component)
