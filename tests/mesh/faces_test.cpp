@@ -27,6 +27,7 @@ class FacesTest : public QObject {
     void brokenFacesLendNoNormals();
     void roughVerticesAreSampled();
     void thinWallsAskForMore();
+    void acuteEdgesAskForNoMore();
     void tooManyAndTooFewSamplesAreRefused();
 };
 
@@ -181,6 +182,29 @@ void FacesTest::thinWallsAskForMore() {
     const double spacing = std::sqrt(plate.topology().area / static_cast<double>(fitting(plate)));
     QVERIFY2(std::abs(spacing - 0.006 / 3) < 2e-5, qPrintable(QString::number(spacing)));
     QCOMPARE(fitting(box({1, 1, 0.001f})), std::size_t(1'000'000)); // walls get no more
+}
+
+/// Walls end in acute edges however many samples there are; what is thin beside them counts as ever.
+void FacesTest::acuteEdgesAskForNoMore() {
+    base::Random random(test::seed());
+    const auto fitting = [](const Faces& faces) {
+        return fittingCount(faces.topology(), thinnestWall(faces.topology(), faces.positions));
+    };
+    for (int k = 0; k < 6; ++k) {
+        const double degrees = random.uniform(5, 25), flat = random.uniform(0.2, 1);
+        const auto wedge = [&](double angle) {
+            const auto z = static_cast<float>(std::tan(angle * std::numbers::pi / 360));
+            Faces out;
+            for (const float y : {0.0f, 1.0f + 0.1f * static_cast<float>(k)})
+                out.positions.insert(out.positions.end(), {{0, y, 0}, {1, y, -z}, {1, y, z}});
+            out.triangles = {{0, 1, 2}, {3, 5, 4}, {0, 3, 4}, {0, 4, 1}, {1, 4, 5}, {1, 5, 2}, {2, 5, 3}, {2, 3, 0}};
+            return out;
+        };
+        QVERIFY2(fitting(wedge(degrees)) == 100'000,
+                 qPrintable(QString("%1 degrees, seed %2").arg(degrees).arg(test::seed())));
+        QVERIFY2(fitting(wedge(flat)) > 500'000,
+                 qPrintable(QString("%1 degrees, seed %2").arg(flat).arg(test::seed())));
+    }
 }
 
 void FacesTest::tooManyAndTooFewSamplesAreRefused() {

@@ -257,6 +257,12 @@ static std::pair<int, bool> comparedAlong(const base::Vec3f& a, const base::Vec3
     return {static_cast<int>(std::clamp(1 - std::abs(arc) * (1 - steep), 0.0f, 1.0f) * 16383), arc < 0};
 }
 
+/// How far a neighbour stands above or below the sheet, as part of its distance: nothing along an arc.
+static float stepTo(const base::Vec3f& a, const base::Vec3f& na, const base::Vec3f& b, const base::Vec3f& nb) {
+    const base::Vec3f e = base::normalized(b - a);
+    return (dot(na, e) + (dot(na, nb) < 0 ? -dot(nb, e) : dot(nb, e))) / 2;
+}
+
 void NormalsTest::signsAreThoseOfKruskalOverAllEdges() {
     base::Random random(test::seed());
     surfel::SurfelList list = sample("torus").make(static_cast<std::size_t>(test::effort(40000)), 1);
@@ -272,16 +278,25 @@ void NormalsTest::signsAreThoseOfKruskalOverAllEdges() {
     };
     std::vector<Edge> edges;
     const std::vector<base::Vec3f> normals = normalsOf(cloud);
+    std::vector<int> layered(n);
     Neighbours near;
     for (std::uint32_t i = 0; i < n; ++i) {
         cloud.nearest(i, 12, near);
         links.set(i, near.index);
+        float sum = 0;
+        for (const std::uint32_t j : near.index) {
+            const float step = stepTo(cloud.positions()[i], normals[i], cloud.positions()[j], normals[j]);
+            sum += step * step;
+        }
+        layered[i] = static_cast<int>(2 * sum / 12 * 16384);
         for (const std::uint32_t j : near.index) {
             const auto [unlike, flip] =
                 comparedAlong(cloud.positions()[i], normals[i], cloud.positions()[j], normals[j]);
             edges.push_back({unlike, i, j, flip});
         }
     }
+    for (Edge& edge : edges)
+        edge.unlike = std::min((edge.unlike + std::max(layered[edge.a], layered[edge.b])) / 2, 16383);
     std::stable_sort(edges.begin(), edges.end(), [](const Edge& p, const Edge& q) { return p.unlike < q.unlike; });
     base::ParitySets trees(n);
     std::size_t against = 0;

@@ -1,4 +1,5 @@
 // Orientation by agreement of the whole, and how much of an orientation is in doubt.
+#include "core/base/cells.h"
 #include "core/base/parallel.h"
 #include "core/base/random.h"
 #include "core/process/estimation/cloud_normals.h"
@@ -6,6 +7,7 @@
 #include "process/even_shapes.h"
 #include "support/registry.h"
 
+#include <numbers>
 #include <QTest>
 
 using namespace process;
@@ -17,6 +19,8 @@ class OrientationTest : public QObject {
     void spheresAndBoxesLookOutwards();
     void piecesApartAgree();
     void openPartsOfABodyAgree();
+    void straysDoNotTurnTheBody();
+    void wedgesLookOutwards();
     void flippedPatchesAreInDoubt();
     void threadsDoNotShow();
 };
@@ -108,6 +112,85 @@ void OrientationTest::openPartsOfABodyAgree() {
         }
     const double share = outwardShare(caps, random);
     QVERIFY2(share == 1, qPrintable(QString("%1 seed %2").arg(share).arg(test::seed())));
+}
+
+/// Strays all around a body, whose normals mean nothing: they stand outermost, and do not tell which side is outside.
+void OrientationTest::straysDoNotTurnTheBody() {
+    base::Random random(test::seed());
+    for (int k = 0; k < 12; ++k) {
+        Body body = sphere(2000 + random.below(4000));
+        const std::size_t whole = body.positions.size(), strays = whole * (1 + random.below(8)) / 200;
+        for (std::size_t i = 0; i < strays; ++i)
+            body.positions.push_back(base::cast<float>(
+                Vec3d{random.uniform(-1.6, 1.6), random.uniform(-1.6, 1.6), random.uniform(-1.6, 1.6)}));
+        const surfel::SurfelList list = listOf(body);
+        const Cloud cloud(list.items);
+        const NeighbourTable links = nearestTable(cloud, 12);
+        for (const bool global : {false, true}) {
+            std::vector<Vec3f> normals = normalsOf(cloud);
+            QVERIFY(global ? orientGlobally(cloud, links, normals) : orient(cloud, links, normals));
+            std::size_t inwards = 0;
+            for (std::size_t i = 0; i < whole; ++i)
+                inwards += dot(normals[cloud.places()[i]], body.outwards[i]) < 0;
+            QVERIFY2(inwards < whole / 100, qPrintable(QString("%1 of %2 inwards among %3 strays, global %4, seed %5")
+                                                           .arg(inwards)
+                                                           .arg(whole)
+                                                           .arg(strays)
+                                                           .arg(global)
+                                                           .arg(test::seed())));
+        }
+    }
+}
+
+/// At the tip of an acute wedge a chain of small turns leads from one flank to the other, the wrong way round.
+void OrientationTest::wedgesLookOutwards() {
+    base::Random random(test::seed());
+    for (int k = 0; k < 12; ++k) {
+        const double angle = random.uniform(0.25, 0.7), sine = std::sin(angle / 2), cosine = std::cos(angle / 2);
+        const Vec3f normals[5] = {base::cast<float>(Vec3d{-sine, cosine, 0}),
+                                  base::cast<float>(Vec3d{-sine, -cosine, 0}),
+                                  {1, 0, 0},
+                                  {0, 0, 1},
+                                  {0, 0, -1}};
+        const double areas[5] = {1, 1, 2 * sine, sine * cosine, sine * cosine};
+        Body body;
+        const double spacing = 0.02;
+        base::CellMap<std::vector<Vec3d>> taken;
+        for (int tries = 0; tries < 200'000; ++tries) { // no two closer than the spacing
+            std::size_t face = 0;
+            for (double at = random.uniform(0, 2 + 2 * sine + 2 * sine * cosine); face < 4 && at >= areas[face]; ++face)
+                at -= areas[face];
+            const double u = random.uniform(), v = random.uniform(), w = std::sqrt(random.uniform());
+            const Vec3d flank{u * cosine, u * sine, v}, end{w * cosine, w * sine * (2 * v - 1), face == 3 ? 1.0 : 0.0};
+            const Vec3d p = face == 0   ? flank
+                            : face == 1 ? Vec3d{flank.x, -flank.y, flank.z}
+                            : face == 2 ? Vec3d{cosine, sine * (2 * u - 1), v}
+                                        : end;
+            bool free = true;
+            base::forCellsAround(base::cellOf(p, {}, 1 / spacing), [&](const base::Cell& cell) {
+                if (const auto* found = taken.find(cell))
+                    for (const Vec3d& other : *found)
+                        free &= distance(p, other) > 0.8 * spacing;
+            });
+            if (!free)
+                continue;
+            taken.at(base::cellOf(p, {}, 1 / spacing)).push_back(p);
+            body.positions.push_back(base::cast<float>(p));
+            body.outwards.push_back(normals[face]);
+        }
+        const surfel::SurfelList list = listOf(body);
+        const Cloud cloud(list.items);
+        std::vector<Vec3f> found = normalsOf(cloud);
+        QVERIFY(orient(cloud, nearestTable(cloud, 12), found));
+        std::size_t inwards = 0;
+        for (std::size_t i = 0; i < list.size(); ++i)
+            inwards += dot(found[cloud.places()[i]], body.outwards[i]) < -0.3f;
+        QVERIFY2(inwards < list.size() / 10, qPrintable(QString("%1 of %2 inwards, %3 degrees, seed %4")
+                                                            .arg(inwards)
+                                                            .arg(list.size())
+                                                            .arg(angle * 180 / std::numbers::pi)
+                                                            .arg(test::seed())));
+    }
 }
 
 void OrientationTest::flippedPatchesAreInDoubt() {

@@ -67,8 +67,36 @@ bool sampleWell(const FaceTopology& topology, std::span<const Vec3f> positions) 
            quantile(turns, 0.95) < 2 * resolvedTurn && quantile(spacings, 0.95) < 2.5f * quantile(spacings, 0.05);
 }
 
+constexpr double opposite = -0.9;    ///< cosine of walls that meet at less than 26 degrees
+constexpr double parallel = -0.9986; ///< of 3 degrees: nearer than that walls run on as those of a plate do
+
+/// Patches of which two meet in edges of acute wedges. Between them walls get thinner up to the edge, however fine the
+/// samples are: it is no thickness that more of these resolve.
+class Wedges {
+  public:
+    explicit Wedges(const FaceTopology& topology) : m_topology(topology) {
+        for (const SharpEdge& edge : topology.sharpEdges)
+            if (edge.convex && dot(topology.normals[edge.left], topology.normals[edge.right]) < opposite)
+                m_pairs.push_back(pairOf(edge.left, edge.right));
+        std::sort(m_pairs.begin(), m_pairs.end());
+        m_pairs.erase(std::unique(m_pairs.begin(), m_pairs.end()), m_pairs.end());
+    }
+    bool has(std::uint32_t one, std::uint32_t other) const {
+        return dot(m_topology.normals[one], m_topology.normals[other]) > parallel &&
+               std::binary_search(m_pairs.begin(), m_pairs.end(), pairOf(one, other));
+    }
+
+  private:
+    std::uint64_t pairOf(std::uint32_t one, std::uint32_t other) const {
+        const std::uint64_t a = m_topology.patches[one], b = m_topology.patches[other];
+        return std::min(a, b) << 32 | std::max(a, b);
+    }
+    const FaceTopology& m_topology;
+    std::vector<std::uint64_t> m_pairs;
+};
+
 /// Distance to the wall behind, for points spread over the faces, as far as a few of their own spacings; infinity
-/// beyond.
+/// beyond. Where two flanks run together to a sharp edge there is none.
 static std::vector<float> wallsBehind(const FaceTopology& topology, std::span<const Vec3f> positions,
                                       std::size_t probes, const base::Progress& progress, const InnerPlaces* inside) {
     const std::vector<FacePoint> points = spreadPoints(topology, positions, probes, progress, inside);
@@ -83,7 +111,7 @@ static std::vector<float> wallsBehind(const FaceTopology& topology, std::span<co
     const double area = topology.area * (inside ? inside->outerShare() : 1);
     const float reach = static_cast<float>(std::sqrt(area / static_cast<double>(probes)));
     constexpr std::size_t neighbours = 32;
-    constexpr double opposite = -0.9; // walls that meet at less than 26 degrees
+    const Wedges wedges(topology);
     cloud.forEach(neighbours, progress, "Measuring walls", [&](std::size_t i, const process::Neighbours& near) {
         const std::uint32_t self = some[i];
         const Vec3d n = topology.normals[points[self].triangle];
@@ -92,7 +120,8 @@ static std::vector<float> wallsBehind(const FaceTopology& topology, std::span<co
             const Vec3d to = base::cast<double>(places[other].position) - base::cast<double>(places[self].position);
             const double depth = -dot(to, n);
             if (dot(n, topology.normals[points[other].triangle]) < opposite && depth > 0 &&
-                lengthSq(to) - depth * depth < static_cast<double>(reach * reach))
+                lengthSq(to) - depth * depth < static_cast<double>(reach * reach) &&
+                !wedges.has(points[self].triangle, points[other].triangle))
                 out[self] = std::min(out[self], static_cast<float>(depth));
         }
     });

@@ -11,12 +11,14 @@
 #include "core/process/estimation/normals.h"
 #include "core/process/estimation/orientation/outside.h"
 #include "core/process/estimation/part_progress.h"
+#include "core/process/estimation/scan_lines.h"
 #include "core/process/estimation/supports.h"
 #include "core/surfel/shape.h"
 
 #include <algorithm>
 #include <atomic>
 #include <optional>
+#include <utility>
 
 namespace process {
 
@@ -75,8 +77,9 @@ bool hasNormal(const surfel::Surfel& s) {
 /// are put in the order of the curve, in which all that follows, the tree included, finds them side by side.
 class Surroundings {
   public:
-    Surroundings(surfel::SurfelList& points, const base::Progress& progress)
-        : m_points(points), m_indexing(part(progress, 0, 0.3)), m_searching(part(progress, 0.3, 1)) {}
+    Surroundings(surfel::SurfelList& points, surface::Manifold manifold, const base::Progress& progress)
+        : m_points(points), m_indexing(part(progress, 0, 0.3)), m_searching(part(progress, 0.3, 1)),
+          m_isCurve(manifold == surface::Manifold::Curve) {}
 
     const Cloud& cloud() {
         if (!m_cloud) {
@@ -86,9 +89,11 @@ class Surroundings {
         }
         return *m_cloud;
     }
+    /// Beside lines too, where the scan is made of these.
     CloudNeighbours& neighbours() {
-        if (!m_neighbours)
-            m_neighbours = neighboursOf(cloud(), m_wantNormals ? normalNeighbours : 0, m_searching);
+        nearest();
+        if (!m_isCurve && !std::exchange(m_besideLines, true))
+            lookBesideLines(cloud(), *m_neighbours, {nullptr, m_searching.cancel}); // too short a time to report
         return *m_neighbours;
     }
     /// From the next search on.
@@ -96,7 +101,7 @@ class Surroundings {
     std::span<base::Vec3f> normals() {
         m_wantNormals = true;
         if (neighbours().normals.empty())
-            m_neighbours.reset();
+            m_neighbours.reset(), m_besideLines = false;
         return neighbours().normals;
     }
     void dropNormals() {
@@ -106,12 +111,12 @@ class Surroundings {
     }
     CloudNeighbours take() {
         CloudNeighbours out = std::move(neighbours());
-        m_neighbours.reset();
+        m_neighbours.reset(), m_besideLines = false;
         return out;
     }
     /// Merges what stands in one place. Returns how many points went.
     std::size_t merge(const base::Progress& progress) {
-        const CloudNeighbours& near = neighbours();
+        const CloudNeighbours& near = nearest();
         const std::vector<std::uint32_t> first = firstOfDuplicates(cloud(), near, progress, m_numbers);
         m_numbers = {};
         if (first.empty())
@@ -120,7 +125,7 @@ class Surroundings {
         for (std::uint32_t i = 0; i < first.size(); ++i)
             if (first[i] == i)
                 stays[m_cloud->places()[i]] = 1;
-        KeptNeighbours kept(*m_cloud, take(), stays);
+        KeptNeighbours kept(*m_cloud, std::move(*m_neighbours), stays);
         m_cloud.reset();
         const std::size_t merged = mergeDuplicates(m_points, first);
         m_indexing.report = m_searching.report = nullptr; // so far it was already
@@ -129,9 +134,15 @@ class Surroundings {
     }
 
   private:
+    CloudNeighbours& nearest() {
+        if (!m_neighbours)
+            m_neighbours = neighboursOf(cloud(), m_wantNormals ? normalNeighbours : 0, m_searching);
+        return *m_neighbours;
+    }
+
     surfel::SurfelList& m_points;
     base::Progress m_indexing, m_searching;
-    bool m_wantNormals = false;
+    bool m_isCurve, m_wantNormals = false, m_besideLines = false;
     base::LargeArray<std::uint32_t> m_numbers; ///< that the points had in the file; none where they stay
     std::optional<Cloud> m_cloud;
     std::optional<CloudNeighbours> m_neighbours;
@@ -294,7 +305,7 @@ surface::Surface prepare(surfel::SurfelList points, const PrepareOptions& option
                        options.definition.manifold == surface::Manifold::Surface && allOf(points, hasNormal);
     {
         const base::Progress looking = part(progress, 0, 0.3);
-        Surroundings around(points, looking);
+        Surroundings around(points, options.definition.manifold, looking);
         if (options.definition.manifold == surface::Manifold::Surface &&
             !(points.layout->normals && allOf(points, hasNormal)))
             around.wantNormals();

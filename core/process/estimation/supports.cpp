@@ -4,6 +4,7 @@
 #include "core/process/estimation/graded_field.h"
 #include "core/process/estimation/outliers.h"
 #include "core/process/estimation/part_progress.h"
+#include "core/process/estimation/scan_lines.h"
 
 #include <algorithm>
 
@@ -99,8 +100,11 @@ void assignSupports(surfel::SurfelList& points, const surface::SurfaceDefinition
         return;
     const Cloud cloud(points.items, part(progress, 0, 0.2));
     CloudNeighbours near;
-    if (!(definition.support > 0))
-        near = neighboursOf(cloud, 0, part(progress, 0.2, 0.6));
+    if (!(definition.support > 0)) {
+        near = neighboursOf(cloud, 0, part(progress, 0.2, 0.5));
+        if (definition.manifold == surface::Manifold::Surface)
+            lookBesideLines(cloud, near, part(progress, 0.5, 0.6));
+    }
     const std::vector<float> h = supportsOf(cloud, points, definition, std::move(near), part(progress, 0.6, 1));
     base::parallelFor(points.size(), grain, [&](std::size_t i) { points.items[i].support = h[cloud.places()[i]]; });
 }

@@ -24,6 +24,9 @@ static void likeness(const Beside& b, Likeness& out) {
         const float steepA = alongA * alongA, steepB = alongB * alongB;
         const float unlike = 1 - std::abs(arc) * (1 - (steepA < steepB ? steepB : steepA));
         const float clamped = unlike < 0 ? 0 : 1 < unlike ? 1 : unlike;
+        const float side = b.na.x * b.nx[k] + b.na.y * b.ny[k] + b.na.z * b.nz[k] < 0 ? -alongB : alongB;
+        const float step = (alongA + side) / 2; // none along an arc, however it bends
+        out.stepSq[k] = step * step;
         out.flip[k] = arc < 0;
         out.unlike[k] = static_cast<std::int32_t>(clamped * (unlikeClasses - 1));
     }

@@ -15,6 +15,7 @@ struct Likeness {
     static constexpr int most = 16;
     std::int32_t flip[most];   ///< 1 where one of the two has to be turned
     std::int32_t unlike[most]; ///< 0 certain to unlikeClasses - 1
+    float stepSq[most];        ///< of one, how far the neighbour stands above or below the sheet, squared
 };
 
 static_assert(NeighbourTable::most <= Likeness::most);
@@ -40,6 +41,10 @@ class NormalLinks {
 
     /// Whether the edge from i to its neighbour j was found before, from j on.
     bool foundBefore(std::uint32_t i, std::uint32_t j) const { return j < i && m_table.names(j, i); }
+
+    NeighbourTable::Row row(std::size_t i) const { return m_table.row(i); }
+    /// Whether i is also among the neighbours of its neighbour j.
+    bool isMutual(std::uint32_t i, std::uint32_t j) const { return m_table.names(j, i); }
 
     /// body(i, neighbours, likeness) for a range of points; count() of both are valid. An edge that is found from both
     /// its ends has the same bits from both.

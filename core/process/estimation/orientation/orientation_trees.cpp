@@ -1,9 +1,10 @@
 #include "core/process/estimation/orientation/orientation_trees.h"
 
-#include "core/process/estimation/orientation/outside.h"
+#include "core/process/estimation/part_progress.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace process {
 
@@ -15,8 +16,21 @@ constexpr std::size_t grain = 16384, slab = 16 * grain;
 /// Edges this unlike or less are certain: on two-sided scans, raw ones included, next to none of them contradicts the
 /// others (at most 0.07 sqrt(n) points, found on 30 models), while a Moebius strip's seam of them cannot vanish.
 constexpr std::int32_t certain = unlikeClasses / 20;
+/// But not where points stand among layers, which noise of a fifth of the spacing does not make of one.
+constexpr auto amongLayers = static_cast<std::int32_t>(0.08 * unlikeClasses);
 constexpr double seamLength = 0.3; ///< in sqrt(n) points, from which there is a seam
 constexpr std::size_t leastSeam = 4;
+
+/// Edges at points that stand among layers come late (process/README 2.2): so much of the mean squared step to their
+/// neighbours is added to what edges are sorted by, and the whole is put into the classes at half the scale.
+constexpr float layersWeigh = 2;
+constexpr std::int32_t scale = 2;
+
+/// Strays stand outermost, and their normals mean nothing: where the vote is no clearer than this, only points are
+/// asked that lie on a surface with others, with so many of which they agree so well (process/README 2.3).
+constexpr double clearlyOutside = 0.4; ///< what strays alone say is below 0.1
+constexpr std::int32_t agreed = unlikeClasses * 3 / 10;
+constexpr int leastAgreed = 4, rounds = 4;
 
 /// body(begin, end, chunk) for n points, in parallel.
 template <class Body>
@@ -51,11 +65,27 @@ class OrientationTrees::Edge {
 OrientationTrees::OrientationTrees(const Cloud& cloud, const NeighbourTable& links, std::span<base::Vec3f> normals,
                                    const base::Progress& progress)
     : m_positions(cloud.positions()), m_normals(normals), m_links(m_positions, links, normals), m_signs(cloud.size()) {
+    lookForLayers(part(progress, 0, 0.4));
     std::vector<std::vector<Edge>> parts(base::chunkCount(m_links.size(), grain));
-    forChunks(m_links.size(), progress,
+    forChunks(m_links.size(), part(progress, 0.4, 0.95),
               [&](std::size_t begin, std::size_t end, std::size_t chunk) { parts[chunk] = candidates(begin, end); });
     progress.step(0.95, orienting);
     sort(parts);
+}
+
+/// At the tip of an acute wedge, and in thin parts, both sides are among the neighbours: the plane through these is
+/// neither's, and a chain of small turns leads round the tip, the wrong way.
+void OrientationTrees::lookForLayers(const base::Progress& progress) {
+    m_layered = base::LargeArray<std::int32_t>(m_links.size());
+    forChunks(m_links.size(), progress, [&](std::size_t begin, std::size_t end, std::size_t) {
+        m_links.forRows(begin, end, [&](std::uint32_t i, const NeighbourTable::Row&, const Likeness& along) {
+            float sum = 0;
+            for (std::size_t k = 0; k < m_links.count(); ++k)
+                sum += along.stepSq[k];
+            m_layered[i] = static_cast<std::int32_t>(layersWeigh * sum / static_cast<float>(m_links.count()) *
+                                                     static_cast<float>(unlikeClasses));
+        });
+    });
 }
 
 /// The chunk's edges that may be in a tree, in the order of its points. Most edges are found from both their ends, with
@@ -68,7 +98,10 @@ std::vector<OrientationTrees::Edge> OrientationTrees::candidates(std::size_t beg
         for (std::size_t k = 0; k < m_links.count(); ++k) {
             if (m_links.foundBefore(i, row[k]))
                 continue;
-            edges.emplace_back(static_cast<std::uint32_t>(i - begin), along.unlike[k], along.flip[k] != 0, row[k]);
+            const std::int32_t order = (along.unlike[k] + std::max(m_layered[i], m_layered[row[k]])) / scale;
+            edges.emplace_back(static_cast<std::uint32_t>(i - begin),
+                               std::min(order, static_cast<std::int32_t>(unlikeClasses) - 1), along.flip[k] != 0,
+                               row[k]);
             ++next[edges.back().unlike() + 1];
         }
     });
@@ -113,7 +146,7 @@ void OrientationTrees::sort(std::vector<std::vector<Edge>>& parts) {
 }
 
 void OrientationTrees::joinBelow(double unlike, const base::Progress& progress) {
-    const double wanted = std::ceil(unlike * static_cast<double>(unlikeClasses));
+    const double wanted = std::ceil(unlike / scale * static_cast<double>(unlikeClasses));
     const auto below = static_cast<std::size_t>(std::clamp(wanted, 0.0, static_cast<double>(unlikeClasses)));
     const std::size_t end = below > 0 ? m_classEnd[below - 1] : 0, begin = m_joined;
     for (; m_joined < end; ++m_joined) {
@@ -136,7 +169,7 @@ bool OrientationTrees::hasSeam(const base::Progress& progress) {
         m_links.forRows(begin, end, [&](std::uint32_t i, const NeighbourTable::Row& row, const Likeness& along) {
             const auto a = m_signs.look(i);
             for (std::size_t k = 0; k < m_links.count(); ++k) {
-                if (along.unlike[k] >= certain)
+                if (along.unlike[k] >= certain || std::max(m_layered[i], m_layered[row[k]]) > amongLayers)
                     continue;
                 const auto b = m_signs.look(row[k]);
                 if (a.root == b.root && (a.opposite != b.opposite) != (along.flip[k] != 0))
@@ -151,6 +184,51 @@ bool OrientationTrees::hasSeam(const base::Progress& progress) {
     const auto length = static_cast<std::size_t>(std::unique(seam.begin(), seam.end()) - seam.begin());
     const double least = seamLength * std::sqrt(static_cast<double>(m_links.size()));
     return length >= leastSeam && static_cast<double>(length) >= least;
+}
+
+/// Which points lie on a surface together with others: neighbours of neighbours of theirs, with normals alike. Few
+/// strays do, by chance, and hardly any with others that do.
+std::vector<std::uint8_t> OrientationTrees::borneOut(const base::Progress& progress) const {
+    static_assert(NeighbourTable::most <= 16);
+    base::LargeArray<std::uint16_t> alike(m_links.size()); // a bit for each neighbour
+    forChunks(m_links.size(), progress, [&](std::size_t begin, std::size_t end, std::size_t) {
+        m_links.forRows(begin, end, [&](std::uint32_t i, const NeighbourTable::Row& row, const Likeness& along) {
+            unsigned bits = 0;
+            for (std::size_t k = 0; k < m_links.count(); ++k)
+                bits |= along.unlike[k] < agreed && m_links.isMutual(i, row[k]) ? 1u << k : 0u;
+            alike[i] = static_cast<std::uint16_t>(bits);
+        });
+    });
+    std::vector<std::uint8_t> out(m_links.size(), 1), before;
+    for (int round = 0; round < rounds; ++round) {
+        before = out;
+        forChunks(m_links.size(), progress, [&](std::size_t begin, std::size_t end, std::size_t) {
+            for (std::size_t i = begin; i < end; ++i) {
+                if (before[i] == 0)
+                    continue;
+                const NeighbourTable::Row row = m_links.row(i);
+                int found = 0;
+                for (std::size_t k = 0; k < m_links.count(); ++k)
+                    found += alike[i] >> k & before[row[k]];
+                out[i] = found >= leastAgreed ? 1 : 0;
+            }
+        });
+    }
+    return out;
+}
+
+/// How the outermost points of a component vote. `witnesses` are found when they are first needed.
+double OrientationTrees::votesFor(const Outside& outside, std::span<const std::uint32_t> component,
+                                  std::vector<std::uint8_t>& witnesses, const base::Progress& progress) const {
+    const double all = outside.vote(m_normals, component);
+    if (std::abs(all) >= clearlyOutside)
+        return all;
+    if (witnesses.empty())
+        witnesses = borneOut(progress);
+    std::vector<std::uint32_t> some;
+    std::copy_if(component.begin(), component.end(), std::back_inserter(some),
+                 [&](std::uint32_t i) { return witnesses[i] != 0; });
+    return some.empty() || some.size() == component.size() ? all : outside.vote(m_normals, some);
 }
 
 void OrientationTrees::takeSigns(Sides given, const base::Progress& progress) {
@@ -168,6 +246,7 @@ void OrientationTrees::takeSigns(Sides given, const base::Progress& progress) {
     for (auto i = static_cast<std::uint32_t>(n); i-- > 0;)
         members[--start[m_signs.look(i).root]] = i; // and then begins
     const Outside outside(m_positions);
+    std::vector<std::uint8_t> witnesses;
     const auto mostlyTurned = [&](std::span<const std::uint32_t> component) {
         const auto turned = static_cast<std::size_t>(std::count_if(
             component.begin(), component.end(), [&](std::uint32_t i) { return m_signs.look(i).opposite; }));
@@ -178,8 +257,9 @@ void OrientationTrees::takeSigns(Sides given, const base::Progress& progress) {
         if (component.empty())
             continue;
         progress.step(static_cast<double>(root) / static_cast<double>(n), orienting);
-        const bool unclear = given == Sides::Mostly && std::abs(outside.vote(m_normals, component)) < Outside::clear;
-        if (unclear ? mostlyTurned(component) : outside.inward(m_normals, component))
+        const double votes = votesFor(outside, component, witnesses, {nullptr, progress.cancel});
+        const bool unclear = given == Sides::Mostly && std::abs(votes) < Outside::clear;
+        if (unclear ? mostlyTurned(component) : outside.inward(m_normals, component, votes))
             for (const std::uint32_t i : component)
                 m_normals[i] = -m_normals[i];
     }

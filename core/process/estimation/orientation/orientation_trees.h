@@ -6,6 +6,7 @@
 #include "core/base/large_array.h"
 #include "core/process/estimation/cloud_normals.h"
 #include "core/process/estimation/orientation/normal_links.h"
+#include "core/process/estimation/orientation/outside.h"
 
 namespace process {
 
@@ -21,7 +22,7 @@ class OrientationTrees {
 
     /// Joins along all edges that are less unlike, of 1, and were not asked for before.
     void joinBelow(double unlike, const base::Progress& progress);
-    void joinAll(const base::Progress& progress) { joinBelow(2, progress); }
+    void joinAll(const base::Progress& progress) { joinBelow(4, progress); }
     /// What is known by now; more may be added.
     base::ParitySets& signs() { return m_signs; }
 
@@ -37,13 +38,18 @@ class OrientationTrees {
     struct Joint {
         std::uint32_t a, b; ///< b << 1 | flip
     };
+    void lookForLayers(const base::Progress& progress);
     std::vector<Edge> candidates(std::size_t begin, std::size_t end) const;
     void sort(std::vector<std::vector<Edge>>& parts);
     void shorten();
+    std::vector<std::uint8_t> borneOut(const base::Progress& progress) const;
+    double votesFor(const Outside& outside, std::span<const std::uint32_t> component,
+                    std::vector<std::uint8_t>& witnesses, const base::Progress& progress) const;
 
     std::span<const base::Vec3f> m_positions;
     std::span<base::Vec3f> m_normals;
     NormalLinks m_links;
+    base::LargeArray<std::int32_t> m_layered; ///< what edges of a point are put back by, in classes
     base::LargeArray<Joint> m_joints;
     std::vector<std::size_t> m_classEnd; ///< of joints
     std::size_t m_joined = 0;

@@ -64,8 +64,7 @@ double Outside::vote(std::span<const Vec3f> normals, std::span<const std::uint32
     return std::accumulate(votes.begin(), votes.end(), 0.0) / directions;
 }
 
-bool Outside::inward(std::span<const Vec3f> normals, std::span<const std::uint32_t> members) const {
-    const double votes = vote(normals, members);
+bool Outside::inward(std::span<const Vec3f> normals, std::span<const std::uint32_t> members, double votes) const {
     const Vec3d facing = mean(normals, members);
     if (std::abs(votes) >= clear || !(length(facing) >= facesOneWay))
         return votes < 0;

@@ -19,8 +19,9 @@ class Outside {
     /// From which on the vote decides, either way: a plate has 0, a crater -0.15, a cap of 30 degrees 0.4.
     static constexpr double clear = 1 / 3.0;
 
-    /// Do the normals of a component point inwards? REQUIRES: members, whose normals agree.
-    bool inward(std::span<const base::Vec3f> normals, std::span<const std::uint32_t> members) const;
+    /// Do the normals of a component point inwards, where so many voted that they do not? REQUIRES: members, whose
+    /// normals agree.
+    bool inward(std::span<const base::Vec3f> normals, std::span<const std::uint32_t> members, double votes) const;
 
   private:
     std::span<const base::Vec3f> m_positions;
