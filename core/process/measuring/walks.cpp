@@ -87,7 +87,8 @@ Walks::Field Walks::walked(const Vec3d& from, const std::vector<std::uint32_t>& 
         reach(i, distance(from, m_position[i]), nobody);
     std::size_t open = goals.size(), looked = 0;
     while (!waiting.empty() && (goals.empty() || open > 0)) {
-        const auto [length, i] = waiting.top();
+        const double length = waiting.top().first; // no structured binding: clang captures none
+        const std::uint32_t i = waiting.top().second;
         waiting.pop();
         if (length > out.distance[i])
             continue;
