@@ -142,8 +142,11 @@ void ByCellsTest::anyModelKeepsItsEdges_data() {
     QTest::addColumn<double>("uneven");
     int k = 0;
     for (const char* name : {"cylinder", "cylinders that cross", "lens", "box with a ball and a hole", "small bosses",
-                             "gear", "acute wedge", "thin plate"})
-        QTest::newRow(name) << k++ << 1.0;
+                             "gear", "acute wedge", "thin plate"}) {
+        if (!test::sanitized || k == 3 || k == 6) // minutes each there
+            QTest::newRow(name) << k << 1.0;
+        ++k;
+    }
     QTest::newRow("uneven cylinder") << 0 << 20.0;
 }
 
