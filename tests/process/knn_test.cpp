@@ -121,7 +121,7 @@ bool same(const std::vector<Near>& expected, const Neighbours& found) {
 
 template <class Item>
 bool sameBytes(std::span<const Item> a, std::span<const Item> b) {
-    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size_bytes()) == 0;
+    return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size_bytes()) == 0);
 }
 
 } // namespace
