@@ -271,7 +271,7 @@ static surface::Surface onePerTwenty(base::Random& random, int count) {
 void ChannelToolsTest::densityKeepsToTheSamplingOfEachPlace() {
     // A brush over all densities: nothing is eaten where it is finer than in the middle, nothing drowned where coarser.
     base::Random random(test::seed());
-    const surface::Surface start = onePerTwenty(random, test::sanitized ? 2000 : 5000);
+    const surface::Surface start = onePerTwenty(random, 5000);
     for (const float strength : {1.0f, -1.0f})
         for (const double at : {-0.6, 0.0, 0.6}) {
             surface::Surface now = start;
