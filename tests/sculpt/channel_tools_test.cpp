@@ -3,7 +3,6 @@
 #include "core/sculpt/stroke.h"
 #include "sculpt/dabs.h"
 #include "support/registry.h"
-#include "support/sanitized.h"
 
 #include <QTest>
 
