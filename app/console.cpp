@@ -18,12 +18,12 @@ static void onInterrupt(int signal) {
 const std::atomic<bool>& catchInterrupts() {
     struct sigaction action {};
     action.sa_handler = onInterrupt; // without SA_RESTART: who waits for a pipe sees the flag
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-        struct sigaction before {};
-        ::sigaction(signal, nullptr, &before);
-        if (before.sa_handler != SIG_IGN) // by nohup, or by a shell for what runs in the background
-            ::sigaction(signal, &action, nullptr);
-    }
+    ::sigaction(SIGINT, &action, nullptr); // even where a shell has it ignored for what runs in the background
+    ::sigaction(SIGTERM, &action, nullptr);
+    struct sigaction before {};
+    ::sigaction(SIGHUP, nullptr, &before);
+    if (before.sa_handler != SIG_IGN) // by nohup
+        ::sigaction(SIGHUP, &action, nullptr);
     std::signal(SIGXFSZ, SIG_IGN); // a limit on file sizes is an error of writing, told as such
     return interrupted;
 }

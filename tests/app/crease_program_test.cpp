@@ -46,6 +46,7 @@ void CreaseProgramTest::cubesAreFound() {
     writePoints(program, 24);
     const Outcome found = program.run({"crease", "cube.xyz", "-o", "out.ply", "--detect", "--report", "r.json"});
     QVERIFY2(found.code == 0, found.err.c_str());
+    QVERIFY2(found.err.find("6 smooth patches meet in creases, 12 pairs") != std::string::npos, found.err.c_str());
     const json report = jsonOf(program, "r.json");
     QCOMPARE(report.at("cells").get<int>(), 6);
     QCOMPARE(report.at("seams").get<int>(), 12);

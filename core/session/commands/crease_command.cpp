@@ -1,4 +1,5 @@
 #include "core/base/error.h"
+#include "core/cells/cell_surface.h"
 #include "core/cells/creases/detect_creases.h"
 #include "core/cells/creases/draw_crease.h"
 #include "core/cells/creases/labelled_surface.h"
@@ -58,10 +59,14 @@ static void detect(Context& context, const json& complete) {
     if (result.narrow > 0)
         context.messages.push_back(std::to_string(result.narrow) +
                                    " patches are too narrow for their spacing: they stay smooth");
-    if (!result.found)
+    if (!result.found) {
         context.messages.push_back("no creases were found");
-    else
-        context.document.commit(std::move(result.surface), "Find creases");
+        return;
+    }
+    const cells::CellCounts counts = cells::countCells(result.surface.tree().surfels());
+    context.messages.push_back(std::to_string(counts.cells) + " smooth patches meet in creases, " +
+                               std::to_string(counts.pairs) + " pairs of them");
+    context.document.commit(std::move(result.surface), "Find creases");
 }
 
 static void draw(Context& context, const json& complete) {
