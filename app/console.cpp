@@ -17,7 +17,7 @@ static void onInterrupt(int signal) {
 
 const std::atomic<bool>& catchInterrupts() {
     struct sigaction action {};
-    action.sa_handler = onInterrupt; // without SA_RESTART: who waits for a pipe sees the flag
+    action.sa_handler = onInterrupt;       // without SA_RESTART: who waits for a pipe sees the flag
     ::sigaction(SIGINT, &action, nullptr); // even where a shell has it ignored for what runs in the background
     ::sigaction(SIGTERM, &action, nullptr);
     struct sigaction before {};
