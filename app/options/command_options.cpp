@@ -51,6 +51,16 @@ Option addParameter(OptionSet command, const std::string& op, const session::Com
     return option.check({[op, id](const std::string& value) { return fault(op, id, value); }});
 }
 
+/// What holds where nothing is given, as it would be written; "" where that is nothing.
+static std::string fallbackOf(const session::CommandParameter& p) {
+    if (!*p.fallback)
+        return {};
+    const json value = json::parse(p.fallback);
+    if (value.is_boolean())
+        return value.get<bool>() ? "on" : "off";
+    return value.is_null() ? std::string() : value.is_string() ? value.get<std::string>() : value.dump();
+}
+
 std::string helpOf(const session::CommandParameter& p) {
     const std::string_view type = p.type;
     std::string choices = type == "boolean" ? "on off" : p.choices;
@@ -62,6 +72,8 @@ std::string helpOf(const session::CommandParameter& p) {
         out += ": " + (type == "number or choice" ? "NUMBER|" + choices : choices);
     if (type == "choices")
         out += ", or several with commas";
+    if (const std::string fallback = fallbackOf(p); !fallback.empty())
+        out += " [" + fallback + "]";
     return out;
 }
 

@@ -21,7 +21,7 @@ nlohmann::json parametersOf(const GivenParameters& given);
 Option addParameter(OptionSet command, const std::string& op, const session::CommandParameter& parameter,
                     const std::string& help, GivenParameters& given);
 
-/// What a parameter takes, for help: its tip, its unit, its choices.
+/// What a parameter takes, for help: its tip, its unit, its choices, its default in brackets.
 std::string helpOf(const session::CommandParameter& parameter);
 
 } // namespace app

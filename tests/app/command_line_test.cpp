@@ -17,6 +17,7 @@ class CommandLineTest : public QObject {
   private Q_SLOTS:
     void helpNamesEverySubcommandWithAnExample();
     void helpOfRunNamesEveryCommandAndTool();
+    void helpNamesWhatHoldsWithoutAnOption();
     void wrongUsageIsTwo_data();
     void wrongUsageIsTwo();
     void emptyValuesAreRefused();
@@ -69,6 +70,28 @@ void CommandLineTest::helpOfRunNamesEveryCommandAndTool() {
     }
     for (const sculpt::ToolRow& tool : sculpt::toolTable())
         QVERIFY2(help.find(std::string("\n  ") + tool.id + ": " + tool.tip) != std::string::npos, tool.id);
+}
+
+/// Of subcommands that are commands of sessions: the table's defaults.
+void CommandLineTest::helpNamesWhatHoldsWithoutAnOption() {
+    for (const char* op : {"fill", "reduce", "crease", "cut", "solid"}) {
+        const std::string help = Program().run({op, "--help"}).out;
+        int named = 0;
+        for (const session::CommandParameter& p : session::command(op).parameters) {
+            const std::string text = *p.fallback ? p.fallback : "null";
+            const std::size_t at = help.find("\n  --" + std::string(p.id) + ' ');
+            if (text == "null" || std::string_view(p.type) == "boolean" || at == std::string::npos)
+                continue;
+            std::string wanted = text;
+            std::erase(wanted, '"');
+            // the text of an option ends where the next one's begins
+            const std::size_t end = help.find('[' + wanted + "]\n", at);
+            QVERIFY2(end != std::string::npos && end < help.find("\n  -", at + 3),
+                     (op + (" --" + std::string(p.id))).c_str());
+            ++named;
+        }
+        QVERIFY2(named > 0, op);
+    }
 }
 
 void CommandLineTest::wrongUsageIsTwo_data() {
