@@ -1,14 +1,13 @@
 #include "core/io/file_bytes.h"
 
-#include "core/base/cancel_scope.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/io/waiting.h"
 
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <cstring>
-#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -17,10 +16,7 @@ namespace io {
 static const char* const lostFile = "check the name and the permissions";
 
 FileBytes::FileBytes(const std::filesystem::path& path) : m_path(path), m_shown(path) {
-    int descriptor = -1;
-    do // a pipe is opened when somebody opens its other end
-        base::CancelScope::check();
-    while ((descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC)) < 0 && errno == EINTR);
+    const int descriptor = openToRead(path);
     if (descriptor < 0)
         fail(std::string("cannot be opened (") + std::strerror(errno) + ")", lostFile);
     try {
@@ -90,10 +86,7 @@ void FileBytes::readFile(int descriptor, std::size_t size) {
 void FileBytes::readStream(int descriptor) {
     char block[1 << 16];
     while (true) {
-        base::CancelScope::check();
-        const ssize_t got = ::read(descriptor, block, sizeof block);
-        if (got < 0 && errno == EINTR)
-            continue;
+        const ssize_t got = readSome(descriptor, block, sizeof block);
         if (got < 0)
             failToRead(errno);
         if (got == 0)

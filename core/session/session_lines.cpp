@@ -1,20 +1,16 @@
 #include "core/session/session_lines.h"
 
-#include "core/base/cancel_scope.h"
 #include "core/base/error.h"
+#include "core/io/waiting.h"
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <fcntl.h>
 #include <unistd.h>
 
 namespace session {
 
-SessionLines::SessionLines(const std::filesystem::path& file) : m_name(file.string()) {
-    do // a pipe is opened when somebody opens its other end
-        base::CancelScope::check();
-    while ((m_file = ::open(file.c_str(), O_RDONLY | O_CLOEXEC)) < 0 && errno == EINTR);
+SessionLines::SessionLines(const std::filesystem::path& file) : m_name(file.string()), m_file(io::openToRead(file)) {
     if (m_file < 0 || std::filesystem::is_directory(file)) {
         if (m_file >= 0)
             ::close(m_file);
@@ -31,10 +27,7 @@ bool SessionLines::fill() {
         return true;
     m_block.resize(std::size_t(1) << 16);
     m_at = 0;
-    ssize_t got = 0;
-    do
-        base::CancelScope::check();
-    while ((got = ::read(m_file, m_block.data(), m_block.size())) < 0 && errno == EINTR);
+    const ssize_t got = io::readSome(m_file, m_block.data(), m_block.size());
     m_block.resize(static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
     if (got < 0)
         throw base::Error(std::string("cannot be read to its end (") + std::strerror(errno) + ")", m_name,
