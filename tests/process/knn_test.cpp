@@ -1,9 +1,9 @@
 // Neighbours, to the bit, against the distances to all others.
-#include "core/process/estimation/knn.h"
+#include "core/process/neighbours/knn.h"
 
 #include "core/base/random.h"
-#include "core/process/estimation/cloud_neighbours.h"
-#include "core/process/estimation/curve_order.h"
+#include "core/process/neighbours/cloud_neighbours.h"
+#include "core/process/neighbours/curve_order.h"
 #include "support/registry.h"
 
 #include <algorithm>

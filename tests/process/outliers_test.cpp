@@ -1,8 +1,8 @@
 // Outliers about a dense model leave its supports alone.
 #include "core/base/random.h"
-#include "core/process/estimation/knn.h"
 #include "core/process/estimation/spacing.h"
 #include "core/process/estimation/supports.h"
+#include "core/process/neighbours/knn.h"
 #include "process/uneven_sphere.h"
 #include "support/registry.h"
 

@@ -1,7 +1,7 @@
 #include "core/mesh/faces/face_spacing.h"
 
 #include "core/mesh/faces/face_points.h"
-#include "core/process/estimation/knn.h"
+#include "core/process/neighbours/knn.h"
 
 #include <algorithm>
 #include <cmath>

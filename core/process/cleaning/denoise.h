@@ -6,7 +6,7 @@
 // that stands out of it few do. Quadrics reproduce spheres, so that nothing shrinks.
 #pragma once
 
-#include "core/process/estimation/knn.h"
+#include "core/process/neighbours/knn.h"
 
 namespace process {
 

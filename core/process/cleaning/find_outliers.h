@@ -10,7 +10,7 @@
 // model sees (estimation/outliers.h).
 #pragma once
 
-#include "core/process/estimation/knn.h"
+#include "core/process/neighbours/knn.h"
 
 #include <optional>
 

@@ -7,7 +7,7 @@
 // another, so that fits to more and more of them cost one solution each. Values; no allocation.
 #pragma once
 
-#include "core/process/estimation/knn.h"
+#include "core/process/neighbours/knn.h"
 
 namespace process {
 

@@ -2,7 +2,7 @@
 // strays tell themselves apart (process/README 11.1).
 #pragma once
 
-#include "core/process/estimation/knn.h"
+#include "core/process/neighbours/knn.h"
 
 #include <algorithm>
 

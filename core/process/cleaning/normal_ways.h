@@ -2,7 +2,7 @@
 // bends, and from the rows and columns in which a scanner measured.
 #pragma once
 
-#include "core/process/estimation/knn.h"
+#include "core/process/neighbours/knn.h"
 
 #include <optional>
 

@@ -1,12 +1,12 @@
 #include "core/process/cleaning/take_out.h"
 
 #include "core/process/cleaning/list_change.h"
-#include "core/process/estimation/cloud_neighbours.h"
 #include "core/process/estimation/cloud_supports.h"
 #include "core/process/estimation/keep_points.h"
-#include "core/process/estimation/neighbour_graph.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/process/estimation/prepare.h"
+#include "core/process/neighbours/cloud_neighbours.h"
+#include "core/process/neighbours/neighbour_graph.h"
 
 #include <algorithm>
 

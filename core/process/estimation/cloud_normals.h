@@ -1,7 +1,7 @@
 // Normals of the distinct positions of a cloud, for work that has the cloud already.
 #pragma once
 
-#include "core/process/estimation/neighbour_table.h"
+#include "core/process/neighbours/neighbour_table.h"
 
 namespace process {
 

@@ -1,7 +1,7 @@
 // Spacing of the distinct positions of a cloud, for work that has the cloud already.
 #pragma once
 
-#include "core/process/estimation/knn.h"
+#include "core/process/neighbours/knn.h"
 
 #include <cmath>
 

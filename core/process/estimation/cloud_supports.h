@@ -1,7 +1,7 @@
 // Support radii of the distinct positions of a cloud, for work that has the cloud already.
 #pragma once
 
-#include "core/process/estimation/cloud_neighbours.h"
+#include "core/process/neighbours/cloud_neighbours.h"
 #include "core/surface/definition.h"
 
 namespace process {

@@ -5,7 +5,7 @@
 // neighbourhood. Time is linear in the points but for sorting; the result is the same at any thread count.
 #pragma once
 
-#include "core/process/estimation/cloud_neighbours.h"
+#include "core/process/neighbours/cloud_neighbours.h"
 
 namespace process {
 

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "core/base/progress.h"
-#include "core/process/estimation/neighbour_graph.h"
+#include "core/process/neighbours/neighbour_graph.h"
 
 namespace process {
 

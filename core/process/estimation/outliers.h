@@ -3,7 +3,7 @@
 // carried into the model and smooth its details away; instead they take the radii of what they stand beside.
 #pragma once
 
-#include "core/process/estimation/neighbour_graph.h"
+#include "core/process/neighbours/neighbour_graph.h"
 
 namespace process {
 

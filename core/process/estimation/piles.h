@@ -3,7 +3,7 @@
 // and something else (process/README 1.5). Whether they are one place is decided elsewhere (duplicates.h).
 #pragma once
 
-#include "core/process/estimation/knn.h"
+#include "core/process/neighbours/knn.h"
 
 namespace process {
 

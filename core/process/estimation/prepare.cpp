@@ -2,10 +2,8 @@
 
 #include "core/base/unit_normal.h"
 #include "core/process/estimation/boundary_limit.h"
-#include "core/process/estimation/cloud_neighbours.h"
 #include "core/process/estimation/cloud_normals.h"
 #include "core/process/estimation/cloud_supports.h"
-#include "core/process/estimation/curve_order.h"
 #include "core/process/estimation/duplicates.h"
 #include "core/process/estimation/keep_points.h"
 #include "core/process/estimation/normals.h"
@@ -13,6 +11,8 @@
 #include "core/process/estimation/part_progress.h"
 #include "core/process/estimation/scan_lines.h"
 #include "core/process/estimation/supports.h"
+#include "core/process/neighbours/cloud_neighbours.h"
+#include "core/process/neighbours/curve_order.h"
 #include "core/surfel/shape.h"
 
 #include <algorithm>

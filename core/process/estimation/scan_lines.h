@@ -2,7 +2,7 @@
 // neighbours are all of the own line, and tell nothing of the surface between the lines (process/README 1.7).
 #pragma once
 
-#include "core/process/estimation/cloud_neighbours.h"
+#include "core/process/neighbours/cloud_neighbours.h"
 
 namespace process {
 

@@ -1,8 +1,8 @@
 #include "core/process/measuring/walks.h"
 
 #include "core/base/disjoint_sets.h"
-#include "core/process/estimation/knn.h"
 #include "core/process/estimation/part_progress.h"
+#include "core/process/neighbours/knn.h"
 
 #include <algorithm>
 #include <numeric>

@@ -4,7 +4,7 @@
 #include "core/base/parallel.h"
 #include "core/process/cleaning/thin.h"
 #include "core/process/estimation/keep_points.h"
-#include "core/process/estimation/knn.h"
+#include "core/process/neighbours/knn.h"
 
 #include <nanoflann.hpp>
 #include <numbers>

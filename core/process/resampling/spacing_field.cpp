@@ -1,7 +1,7 @@
 #include "core/process/resampling/spacing_field.h"
 
 #include "core/base/parallel.h"
-#include "core/process/estimation/knn.h"
+#include "core/process/neighbours/knn.h"
 #include "core/surface/curvature.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // judgements of an orientation, are made of. Const functions may run on any thread.
 #pragma once
 
-#include "core/process/estimation/neighbour_table.h"
+#include "core/process/neighbours/neighbour_table.h"
 
 namespace process {
 

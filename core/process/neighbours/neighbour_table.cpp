@@ -1,4 +1,4 @@
-#include "core/process/estimation/neighbour_table.h"
+#include "core/process/neighbours/neighbour_table.h"
 
 #include <cassert>
 

@@ -1,7 +1,7 @@
 // The neighbours that supports are compared with: of every distinct position the nearest on its own side.
 #pragma once
 
-#include "core/process/estimation/neighbour_table.h"
+#include "core/process/neighbours/neighbour_table.h"
 
 namespace process {
 

@@ -1,8 +1,8 @@
 // The search for neighbours, compiled once per instruction set and chosen at run time (Google Highway).
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "core/process/estimation/nearest_kernel.cpp"
+#define HWY_TARGET_INCLUDE "core/process/neighbours/nearest_kernel.cpp"
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
-#include "core/process/estimation/nearest_kernel.h"
+#include "core/process/neighbours/nearest_kernel.h"
 
 #include <algorithm>
 #include <array>
@@ -15,7 +15,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 // After the main header.
-#include "core/process/estimation/nearest_walk.h"
+#include "core/process/neighbours/nearest_walk.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace process {

@@ -5,7 +5,7 @@
 // of boxes one by one. Both ways give the same answer, on any machine.
 #pragma once
 
-#include "core/process/estimation/point_cells.h"
+#include "core/process/neighbours/point_cells.h"
 
 #include <vector>
 

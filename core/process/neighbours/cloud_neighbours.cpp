@@ -1,4 +1,4 @@
-#include "core/process/estimation/cloud_neighbours.h"
+#include "core/process/neighbours/cloud_neighbours.h"
 
 #include "core/process/estimation/cloud_normals.h"
 #include "core/process/estimation/cloud_spacing.h"

@@ -1,4 +1,4 @@
-#include "core/process/estimation/point_cells.h"
+#include "core/process/neighbours/point_cells.h"
 
 #include "core/base/parallel.h"
 

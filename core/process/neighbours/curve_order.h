@@ -6,7 +6,7 @@
 #pragma once
 
 #include "core/base/large_array.h"
-#include "core/process/estimation/point_cells.h"
+#include "core/process/neighbours/point_cells.h"
 #include "core/surfel/surfel.h"
 
 namespace process {

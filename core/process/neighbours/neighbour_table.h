@@ -6,7 +6,7 @@
 #pragma once
 
 #include "core/base/large_array.h"
-#include "core/process/estimation/knn.h"
+#include "core/process/neighbours/knn.h"
 
 #include <array>
 #include <memory>

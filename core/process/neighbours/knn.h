@@ -9,7 +9,7 @@
 #include "core/base/large_array.h"
 #include "core/base/parallel.h"
 #include "core/base/progress.h"
-#include "core/process/estimation/nearest_kernel.h"
+#include "core/process/neighbours/nearest_kernel.h"
 #include "core/surfel/surfel.h"
 
 namespace process {

@@ -1,6 +1,6 @@
-#include "core/process/estimation/knn.h"
+#include "core/process/neighbours/knn.h"
 
-#include "core/process/estimation/curve_order.h"
+#include "core/process/neighbours/curve_order.h"
 
 #include <atomic>
 

@@ -1,4 +1,4 @@
-#include "core/process/estimation/neighbour_graph.h"
+#include "core/process/neighbours/neighbour_graph.h"
 
 #include "core/process/estimation/cloud_spacing.h"
 #include "core/process/estimation/part_progress.h"

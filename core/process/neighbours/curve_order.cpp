@@ -1,4 +1,4 @@
-#include "core/process/estimation/curve_order.h"
+#include "core/process/neighbours/curve_order.h"
 
 #include "core/base/parallel.h"
 #include "core/base/radix_sort.h"

@@ -2,7 +2,7 @@
 // told by, and normals where they are wanted (process/README 1.6).
 #pragma once
 
-#include "core/process/estimation/neighbour_table.h"
+#include "core/process/neighbours/neighbour_table.h"
 
 namespace process {
 

@@ -7,7 +7,7 @@
 #define POINTCLAY_NEAREST_WALK_H
 #endif
 
-#include "core/process/estimation/point_cells.h"
+#include "core/process/neighbours/point_cells.h"
 
 #include <array>
 #include <cassert>
