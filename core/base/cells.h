@@ -16,6 +16,12 @@ struct Cell {
         constexpr std::int64_t half = 1 << 20, mask = (1 << 21) - 1;
         return static_cast<std::uint64_t>(((x + half) & mask) << 42 | ((y + half) & mask) << 21 | ((z + half) & mask));
     }
+    /// Is the key that of no other cell that says so? Of those, order by key is order by coordinates.
+    constexpr bool hasOwnKey() const {
+        constexpr std::int64_t half = 1 << 20;
+        const auto inside = [](std::int64_t c) { return c >= -half && c < half; };
+        return inside(x) && inside(y) && inside(z);
+    }
 };
 
 /// The cell of p in a grid of `scale` cells per length with a corner at `origin`.

@@ -7,7 +7,7 @@ namespace process {
 /// Samples that are looked around at once, at most.
 constexpr std::size_t together = 16;
 /// Of the cells that one sample looks through, so many times as many pay for two, four, eight and sixteen.
-constexpr std::size_t fairGrowth = 2;
+constexpr double fairGrowth = 2;
 
 static base::Box3f around(const SampleSet& set, std::span<const std::uint32_t> samples, float reach) {
     base::Box3f out;
@@ -18,10 +18,10 @@ static base::Box3f around(const SampleSet& set, std::span<const std::uint32_t> s
 
 void NearSamples::gather(std::span<const std::uint32_t> samples, float reach) {
     m_box = around(m_set, samples.first(1), reach);
-    std::size_t cells = m_set.grid.cellsIn(m_box);
+    double cells = m_set.grid.cellsIn(m_box);
     for (std::size_t count = 2; count <= std::min(together, samples.size()); count *= 2) {
         const base::Box3f larger = around(m_set, samples.first(count), reach);
-        const std::size_t more = m_set.grid.cellsIn(larger);
+        const double more = m_set.grid.cellsIn(larger);
         if (more > fairGrowth * cells)
             break;
         m_box = larger, cells = more;

@@ -26,23 +26,28 @@ struct Keyed {
 
 } // namespace
 
-/// Keys count cells in the box of the occupied ones, so that few digits are to be sorted; their order is that of the
-/// cells' own keys.
+/// Those of the cells themselves, or, where these do not wrap, counted in the box of the occupied ones, so that few
+/// digits are to be sorted: their order is the same.
 std::vector<std::uint32_t> PointGrid::orderOf(std::span<const base::Cell> cells) const {
     base::Cell lo = cells[0], hi = cells[0];
     for (const base::Cell& each : cells) {
         lo = {std::min(lo.x, each.x), std::min(lo.y, each.y), std::min(lo.z, each.z)};
         hi = {std::max(hi.x, each.x), std::max(hi.y, each.y), std::max(hi.z, each.z)};
     }
-    const int zBits = std::bit_width(static_cast<std::uint64_t>(hi.z - lo.z)),
-              yBits = std::bit_width(static_cast<std::uint64_t>(hi.y - lo.y)),
-              xBits = std::bit_width(static_cast<std::uint64_t>(hi.x - lo.x));
+    const bool wraps = !lo.hasOwnKey() || !hi.hasOwnKey();
+    const auto bits = [&](std::int64_t from, std::int64_t to) {
+        return wraps ? 21 : std::bit_width(static_cast<std::uint64_t>(to - from));
+    };
+    const int zBits = bits(lo.z, hi.z), yBits = bits(lo.y, hi.y), xBits = bits(lo.x, hi.x);
+    const auto keyOf = [&](const base::Cell& cell) {
+        return wraps
+                   ? cell.key()
+                   : static_cast<std::uint64_t>(cell.x - lo.x) << (yBits + zBits) |
+                         static_cast<std::uint64_t>(cell.y - lo.y) << zBits | static_cast<std::uint64_t>(cell.z - lo.z);
+    };
     std::vector<Keyed> keyed(cells.size());
     base::parallelFor(cells.size(), 2048, [&](std::size_t i) {
-        keyed[i] = {static_cast<std::uint64_t>(cells[i].x - lo.x) << (yBits + zBits) |
-                        static_cast<std::uint64_t>(cells[i].y - lo.y) << zBits |
-                        static_cast<std::uint64_t>(cells[i].z - lo.z),
-                    static_cast<std::uint32_t>(i)};
+        keyed[i] = {keyOf(cells[i]), static_cast<std::uint32_t>(i)};
     });
     base::radixSort(keyed, xBits + yBits + zBits, [](const Keyed& each) { return each.key; });
     std::vector<std::uint32_t> out(cells.size());

@@ -19,7 +19,8 @@ class PointGrid {
         std::uint32_t index = 0;
     };
 
-    /// REQUIRES: cell > 0, and all points within 10^6 cells of `origin` along each axis.
+    /// Points further than 10^6 cells from `origin` along an axis may share a cell with others: slower, not wrong.
+    /// REQUIRES: cell > 0.
     PointGrid(const base::Vec3f& origin, float cell) : m_origin(origin), m_scale(1 / cell) {}
 
     void build(std::span<const Entry> entries);
@@ -34,10 +35,11 @@ class PointGrid {
     /// fn(entry) for a superset of the entries in a box.
     template <class Fn>
     void forIn(const base::Box3f& box, const Fn& fn) const;
-    /// Cells that a box meets, occupied or not.
-    std::size_t cellsIn(const base::Box3f& box) const {
+    /// Cells that a box meets, occupied or not: whole numbers, which for boxes of any size a double holds.
+    double cellsIn(const base::Box3f& box) const {
         const base::Cell lo = cellOf(box.lo), hi = cellOf(box.hi);
-        return static_cast<std::size_t>((hi.x - lo.x + 1) * (hi.y - lo.y + 1) * (hi.z - lo.z + 1));
+        const auto along = [](std::int64_t from, std::int64_t to) { return double(to) - double(from) + 1; };
+        return along(lo.x, hi.x) * along(lo.y, hi.y) * along(lo.z, hi.z);
     }
 
     // --- cell by cell, for work that is done for all points of a cell at once; only after `build`, before `insert` ---

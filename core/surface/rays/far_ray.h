@@ -19,7 +19,7 @@ struct FarRay {
 /// tell the model's place on it, comes back without a direction, and has no hit.
 template <class T>
 std::optional<FarRay<T>> farRay(const RaySetting& setting, const base::Ray<T>& ray) {
-    constexpr double far = 1e4, near = 4; // diagonals of the bounds
+    constexpr double far = 100, near = 4; // diagonals of the bounds
     const base::Box3d box{base::cast<double>(setting.bounds.lo), base::cast<double>(setting.bounds.hi)};
     const double diagonal = box.diagonal();
     const base::Rayd exact{base::cast<double>(ray.origin), base::normalized(base::cast<double>(ray.direction))};

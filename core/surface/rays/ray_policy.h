@@ -54,9 +54,9 @@ class RayPolicy {
             hit.t = static_cast<T>(double(hit.t) + m_far->skipped);
     }
     bool valid() const { return m_setting.any && lengthSq(m_probe.direction()) > 0; }
-    /// Far enough behind a hit to find the next.
+    /// Far enough behind a hit to find the next: further than its t, which is a T, may lie before it.
     double past(const RayHit<T>& hit) const {
-        const double size = length(m_probe.position(double(hit.t)));
+        const double size = std::max(length(m_probe.position(double(hit.t))), double(hit.t));
         const double rounding = 4 * double(std::numeric_limits<float>::epsilon()) * size;
         return double(hit.t) + std::max(secondaryEpsilon * spacingOfUnit * double(hit.unit), rounding);
     }

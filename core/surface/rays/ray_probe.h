@@ -121,7 +121,8 @@ class RayProbe {
     double precision(const Evaluation<T>& at, double t) const {
         constexpr double ofUnit = std::is_same_v<T, float> ? 1e-6 : 1e-12;
         const double rounding = 4 * double(std::numeric_limits<T>::epsilon()) * length(position(t));
-        return std::max(ofUnit * double(at.unit), rounding);
+        const double along = 4 * std::numeric_limits<double>::epsilon() * std::max(length(m_origin), std::abs(t));
+        return std::max({ofUnit * double(at.unit), rounding, along});
     }
     /// How close to the root is close enough.
     double tolerance(const Evaluation<T>& at, double t) const {

@@ -323,14 +323,17 @@ void IntersectTest::raysEndFromAnyDistance() {
     const Surface surface = shapes::surfaceOf(list);
     IntersectOptions options;
     options.robust = robust;
-    for (const float from : {1e2f, 1e5f, 1e7f, 1e8f, 1e9f, 1e12f, 1e15f, 1e17f, 1.8446744e19f, 1e30f}) {
+    for (const float from : {1e2f, 3e3f, 3e4f, 1e5f, 1e7f, 1e8f, 1e9f, 1e12f, 1e15f, 1e17f, 1.8446744e19f, 1e30f}) {
         const base::Rayf ray{{0.3f, 0.1f, from}, {0, 0, -1}};
         const RayHit<float> hit = intersect(surface, ray, options);
         const auto all = intersectAll(surface, ray, options);
+        const auto exact = intersectAllReference(
+            surface, {base::cast<double>(ray.origin), base::cast<double>(ray.direction)}, options);
         const bool any = intersectAny(surface, ray, options);
         const QByteArray where = QByteArray::number(from);
         if (from <= 1e9f) {
             QVERIFY2(hit.hit && any && std::abs(hit.position.z - std::sqrt(0.9f)) < 0.01f, where.constData());
+            QVERIFY2(all.size() == 2 && exact.size() == 2, where.constData());
         }
         for (const RayHit<float>& each : all)
             QVERIFY2(std::abs(length(each.position) - 1) < 0.01f, where.constData());
