@@ -9,8 +9,13 @@
 
 namespace app {
 
+/// "-" is what comes in by a pipe.
+static nlohmann::json commandOf(const std::string& model) {
+    return session::modelCommand(model == "-" ? "/dev/stdin" : model);
+}
+
 io::FileModel readModel(const std::string& model, const base::Progress& progress) {
-    const nlohmann::json command = session::complete(session::modelCommand(model));
+    const nlohmann::json command = session::complete(commandOf(model));
     if (command.at("op") == "open")
         return io::read(command.at("path").get<std::string>(), progress);
     const process::SampleRow& sample = process::sample(command.at("sample").get<std::string>());
@@ -22,7 +27,7 @@ io::FileModel readModel(const std::string& model, const base::Progress& progress
 }
 
 void openModel(session::Context& context, const std::string& model, const nlohmann::json& surface, Console& console) {
-    nlohmann::json command = session::modelCommand(model);
+    nlohmann::json command = commandOf(model);
     command.update(surface);
     if (command.at("op") != "open") { // a sample has no faces
         session::refuseSamples(session::faceOptions(command), model);

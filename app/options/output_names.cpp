@@ -25,8 +25,12 @@ static bool takesAll(const std::string& name) {
 
 void requireOutputs(std::initializer_list<OutputName> outputs) {
     for (const OutputName& output : outputs)
-        if (!output.file.empty())
+        if (!output.file.empty()) {
+            if (output.file == "-")
+                throw UsageError(std::string(output.option) +
+                                 " needs the name of a file; what has no format to choose also goes to /dev/stdout");
             io::requireFolder(output.file, output.file);
+        }
     for (const OutputName& a : outputs)
         for (const OutputName& b : outputs)
             if (&a < &b && !a.file.empty() && !b.file.empty() && !takesAll(a.file) && samePlace(a.file, b.file))

@@ -4,6 +4,7 @@
 #include "app/number_table.h"
 #include "app/open_model.h"
 #include "app/options/option_checks.h"
+#include "app/options/output_names.h"
 #include "app/options/surface_options.h"
 #include "app/subcommands/subcommand.h"
 #include "core/base/parallel.h"
@@ -139,6 +140,7 @@ const char* headerOf(const std::string& hits) {
 }
 
 void run(const Options& options, Console& console) {
+    requireOutputs({{"-o", options.out}});
     session::Document document;
     const base::Progress progress = console.progress();
     session::Context context{document, {}, progress, {}, 0, {}, nullptr};

@@ -3,6 +3,7 @@
 #include "app/curve_answers.h"
 #include "app/number_table.h"
 #include "app/open_model.h"
+#include "app/options/output_names.h"
 #include "app/options/surface_options.h"
 #include "app/query_columns.h"
 #include "app/subcommands/subcommand.h"
@@ -109,6 +110,7 @@ struct Options {
 };
 
 void query(const Options& options, Console& console) {
+    requireOutputs({{"-o", options.out}});
     const Question question = parseQuestion(options.what);
     session::Document document;
     const base::Progress progress = console.progress();

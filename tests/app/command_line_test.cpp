@@ -24,6 +24,7 @@ class CommandLineTest : public QObject {
     void outputsOfOneNameAreRefused_data();
     void outputsOfOneNameAreRefused();
     void devicesTakeSeveralOutputs();
+    void aDashIsStandardInput();
     void mistypedWordsAreAnsweredWithTheNearest();
     void badInputIsOneAndLeavesNothing_data();
     void badInputIsOneAndLeavesNothing();
@@ -180,6 +181,7 @@ void CommandLineTest::outputsOfOneNameAreRefused_data() {
     row("register sample:sphere:500 --to sample:sphere:500 -o o.ply --report o.ply");
     row("measure sample:sphere:500 --thickness -o o.ply --csv o.ply");
     row("run s.jsonl -o o.ply --timings o.ply");
+    row("query sample:sphere:500 --at s.jsonl --what value -o -");
 }
 
 /// The second would replace the first.
@@ -198,6 +200,18 @@ void CommandLineTest::devicesTakeSeveralOutputs() {
     const Outcome outcome = program.run({"render", "sample:sphere:500", "--size", "8x8", "-o", "o.png", "--depth",
                                          "/dev/null", "--stats", "/dev/null"});
     QVERIFY2(outcome.code == 0, outcome.err.c_str());
+}
+
+void CommandLineTest::aDashIsStandardInput() {
+    const Program program;
+    program.run({"convert", "sample:sphere:500", "a.ply"});
+    QProcess process;
+    program.prepare(process, {"info", "-", "--json"});
+    process.setStandardInputFile(program.path("a.ply").c_str());
+    process.start();
+    const Outcome outcome = test::outcomeOf(process, 60000);
+    QVERIFY2(outcome.code == 0, outcome.err.c_str());
+    QCOMPARE(test::json::parse(outcome.out).at("hash").get<std::string>(), program.hash("a.ply"));
 }
 
 void CommandLineTest::mistypedWordsAreAnsweredWithTheNearest() {
