@@ -2,7 +2,9 @@
 
 #include "core/sculpt/tool.h"
 
+#include <map>
 #include <sstream>
+#include <vector>
 
 namespace app {
 
@@ -37,15 +39,60 @@ static std::string toolHelp() {
     return out.str();
 }
 
-std::string commandHelp() {
-    std::string out =
-        "Commands: one JSON object per line; lines that begin with # are comments; relative paths start in "
-        "the session's folder:\n";
-    for (const session::CommandRow& row : session::commandTable()) {
-        out += std::string("  ") + row.op + ": " + row.tip + "\n";
+static std::string parameterHelp(const CommandParameter& p) {
+    return std::string("    ") + p.id + " (" + detailsOf(p) + "): " + p.tip + "\n";
+}
+
+/// The first command in the table that tells of the parameter in the same words.
+static const char* firstToTell(const CommandParameter& wanted) {
+    const std::string text = parameterHelp(wanted);
+    for (const session::CommandRow& row : session::commandTable())
         for (const CommandParameter& p : row.parameters)
-            out += std::string("    ") + p.id + " (" + detailsOf(p) + "): " + p.tip + "\n";
+            if (parameterHelp(p) == text)
+                return row.op;
+    return "";
+}
+
+constexpr std::size_t many = 5;
+
+/// As many parameters as that which another command has as well, such as all of the surface's, are told there.
+static std::string parametersHelp(const session::CommandRow& row) {
+    std::map<std::string, std::vector<std::string>> elsewhere;
+    for (const CommandParameter& p : row.parameters)
+        if (const std::string first = firstToTell(p); *p.fallback && first != row.op)
+            elsewhere[first].push_back(p.id);
+    std::erase_if(elsewhere, [](const auto& each) { return each.second.size() < many; });
+    std::string out;
+    for (const CommandParameter& p : row.parameters)
+        if (!*p.fallback || !elsewhere.contains(firstToTell(p)))
+            out += parameterHelp(p);
+    for (const auto& [op, ids] : elsewhere) {
+        out += "    as for " + op + ":";
+        for (const std::string& id : ids)
+            out += ' ' + id;
+        out += '\n';
     }
+    return out;
+}
+
+/// To copy and change.
+static constexpr const char* exampleSession =
+    "Example of a session, which draws a ridge across a ball, strokes it smooth and saves the ball:\n"
+    R"(  {"op":"new","sample":"sphere","count":50000})"
+    "\n"
+    R"(  {"op":"stroke","tool":"draw","radius":0.2,"samples":[[-0.5,0,3,0,0,-1,1,0],[0.5,0.2,3,0,0,-1,1,0.5]]})"
+    "\n"
+    R"(  {"op":"stroke","tool":"smooth","radius":0.3,"samples":[[0,0.1,3,0,0,-1,1,0]]})"
+    "\n"
+    R"(  {"op":"save","path":"ridge.ply"})"
+    "\n\n";
+
+std::string commandHelp() {
+    std::string out = std::string(exampleSession) +
+                      "Commands: one JSON object per line; lines that begin with # are comments; relative paths start "
+                      "in the session's folder:\n";
+    for (const session::CommandRow& row : session::commandTable())
+        out += std::string("  ") + row.op + ": " + row.tip + "\n" + parametersHelp(row);
     return out + "Stroke tools and their own parameters:\n" + toolHelp();
 }
 

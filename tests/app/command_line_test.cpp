@@ -17,6 +17,7 @@ class CommandLineTest : public QObject {
   private Q_SLOTS:
     void helpNamesEverySubcommandWithAnExample();
     void helpOfRunNamesEveryCommandAndTool();
+    void theSessionInHelpRuns();
     void helpNamesWhatHoldsWithoutAnOption();
     void wrongUsageIsTwo_data();
     void wrongUsageIsTwo();
@@ -65,12 +66,37 @@ void CommandLineTest::helpNamesEverySubcommandWithAnExample() {
 void CommandLineTest::helpOfRunNamesEveryCommandAndTool() {
     const std::string help = Program().run({"run", "--help"}).out;
     for (const session::CommandRow& row : session::commandTable()) {
-        QVERIFY2(help.find(std::string("\n  ") + row.op + ": " + row.tip) != std::string::npos, row.op);
-        for (const session::CommandParameter& p : row.parameters)
-            QVERIFY2(help.find(std::string("\n    ") + p.id + " (") != std::string::npos, p.id);
+        const std::size_t at = help.find(std::string("\n  ") + row.op + ": " + row.tip);
+        QVERIFY2(at != std::string::npos, row.op);
+        // What others share is listed.
+        std::size_t end = help.find("\n  ", at + 1);
+        while (end != std::string::npos && help[end + 3] == ' ')
+            end = help.find("\n  ", end + 1);
+        const std::string own = help.substr(at, end - at);
+        for (const session::CommandParameter& p : row.parameters) {
+            const std::size_t shared = own.find("\n    as for ");
+            QVERIFY2(own.find(std::string("\n    ") + p.id + " (") != std::string::npos ||
+                         (shared != std::string::npos && (own.find(std::string(" ") + p.id + " ", shared) < end ||
+                                                          own.find(std::string(" ") + p.id + "\n", shared) < end ||
+                                                          own.ends_with(std::string(" ") + p.id))),
+                     (row.op + std::string(" ") + p.id).c_str());
+        }
     }
     for (const sculpt::ToolRow& tool : sculpt::toolTable())
         QVERIFY2(help.find(std::string("\n  ") + tool.id + ": " + tool.tip) != std::string::npos, tool.id);
+}
+
+void CommandLineTest::theSessionInHelpRuns() {
+    const Program program;
+    std::istringstream lines(program.run({"run", "--help"}).out);
+    std::string session;
+    for (std::string line; std::getline(lines, line);)
+        if (line.starts_with("  {"))
+            session += line + '\n';
+    program.write("s.jsonl", session);
+    const Outcome outcome = program.run({"run", "s.jsonl"});
+    QVERIFY2(outcome.code == 0, outcome.err.c_str());
+    QVERIFY(program.hash("ridge.ply") != program.hash("sample:sphere:50000"));
 }
 
 /// Of subcommands that are commands of sessions: the table's defaults.
