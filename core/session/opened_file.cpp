@@ -60,6 +60,7 @@ MadeModel made(OpenedFile& file, const base::Progress& progress) {
     options.definition = definition;
     options.keepSupports = kept;
     options.keepLimit = model.limitDecided && definition == model.definition;
+    options.keepSides = !model.shape.empty(); // saved from a surface, whose last strip may have two sides now
     options.merged = file.faces.sampled || model.hasSupports ? nullptr : &merged;
     options.turned = file.ownNormals && model.faces == 0 && !model.hasSupports ? &turned : nullptr;
     options.shape = &model.shape;

@@ -16,6 +16,7 @@ class ReopenTest : public QObject {
   private Q_SLOTS:
     void savedModelsGoOnAsIfTheyHadStayedOpen_data();
     void savedModelsGoOnAsIfTheyHadStayedOpen();
+    void whatHadOneSideKeepsIt();
     void othersMayChangeTheFile();
     void undoEndsAtTheOpening();
     void cleanup() { base::setThreadCount(0); }
@@ -90,6 +91,19 @@ void ReopenTest::savedModelsGoOnAsIfTheyHadStayedOpen() {
                      qPrintable(QString("round %1, %2 threads, seed %3").arg(round).arg(threads).arg(test::seed())));
         }
     }
+}
+
+/// A strip that was cut through could be oriented now; who goes on without closing it has it unoriented still.
+void ReopenTest::whatHadOneSideKeepsIt() {
+    Workbench bench;
+    bench.run({{"op", "new"}, {"sample", "moebius"}, {"count", 6000}});
+    bench.run({{"op", "select"}, {"by", "box"}, {"least", {0.2, -2, -0.2}}, {"most", {2, 2, 0.2}}});
+    bench.run({{"op", "delete"}});
+    QVERIFY(!bench.document.surface().tree().layout()->oriented);
+    const std::string hash = bench.hash();
+    bench.run({{"op", "save"}, {"path", bench.path("a.ply").string()}});
+    bench.run({{"op", "open"}, {"path", bench.path("a.ply").string()}});
+    QCOMPARE(bench.hash(), hash);
 }
 
 /// Another program has moved, shuffled or left out points and kept the rest of the file, or turned it into another

@@ -190,8 +190,9 @@ std::size_t fewDistinct(const surfel::SurfelList& points) {
     return seen.size();
 }
 
-void prepareNormals(surfel::SurfelList& points, Surroundings& around, const SurfaceDefinition& definition,
+void prepareNormals(surfel::SurfelList& points, Surroundings& around, const PrepareOptions& options,
                     const base::Progress& progress) {
+    const SurfaceDefinition& definition = options.definition;
     const bool declared = points.layout->normals;
     if (!declared)
         base::parallelFor(points.size(), grain, [&](std::size_t i) { points.items[i].normal = {}; });
@@ -203,7 +204,7 @@ void prepareNormals(surfel::SurfelList& points, Surroundings& around, const Surf
         oriented &= completeNormals(points, around, part(progress, 0, 0.7));
     if (oriented || !declared)
         setOriented(points, oriented);
-    else if (definition.frame == surface::Frame::Normals)
+    else if (definition.frame == surface::Frame::Normals && !options.keepSides)
         orientNormals(points, orientNeighbours, part(progress, 0.7, 1));
 }
 
@@ -311,7 +312,7 @@ surface::Surface prepare(surfel::SurfelList points, const PrepareOptions& option
             around.wantNormals();
         if (options.merged)
             *options.merged = around.merge(part(progress, 0.3, 0.4));
-        prepareNormals(points, around, options.definition, part(progress, 0.4, 0.6));
+        prepareNormals(points, around, options, part(progress, 0.4, 0.6));
         prepareSupports(points, around, options, part(progress, 0.6, 0.8));
     }
     tree =
