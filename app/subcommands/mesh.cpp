@@ -137,7 +137,9 @@ void addDelaunayOptions(OptionSet command, mesh::DelaunayOptions& options) {
 }
 
 void addMarchingOptions(OptionSet command, mesh::MarchingOptions& options) {
-    command.add("--cell", options.cell, "edge length of the cubes, in model units [the median spacing]")
+    command
+        .add("--cell", options.cell,
+             "edge length of the cubes, in model units [the median spacing, of each body that stands apart]")
         .check(above(0))
         .group("Marching cubes");
 }

@@ -18,10 +18,13 @@ std::span<const CommandParameter> faceParameters() {
          "auto (the default) keeps the vertices of dense, even meshes and samples all others",
          "null", "auto sample vertices", 0, 0},
         {"sample_spacing", "number", "model units",
-         "spacing of samples on the faces; by default it follows from sample_count", "null", "", positive, largest},
+         "spacing of samples on the faces, of all bodies alike; by default it follows from sample_count and from what "
+         "each body needs",
+         "null", "", positive, largest},
         {"sample_count", "integer", "",
-         "number of samples on the faces, within a percent; by default what the shape needs, at least 100,000", "null",
-         "", 4, 200'000'000},
+         "number of samples on the faces, within a percent, small bodies denser than large ones; by default what the "
+         "shapes need, at least 100,000",
+         "null", "", 4, 200'000'000},
         {"sharp", "number or choice", "degrees",
          "edges of the faces stay sharp where the normals on both sides differ by more than this, in pictures, meshes, "
          "measures, queries and strokes; off rounds them all; 40 by default",

@@ -279,7 +279,8 @@ void SoupsTest::whatLiesApartStays() {
                 std::swap(t[1], t[2]);
         append(faces, in);
         std::size_t count = 0;
-        const OpenedFaces found = sampled(faces, 10000);
+        const OpenedFaces found =
+            mesh::openFaces(faces.list(), faces.triangles, {}, {.use = mesh::FaceUse::Sample, .spacing = 0.0256});
         for (const surfel::Surfel& s : found.points.items)
             if (std::abs(inner.height(at(s))) < 1e-5) {
                 ++count;

@@ -13,6 +13,7 @@
 #include "core/mesh/finish/trim_folds.h"
 #include "core/mesh/finish/untangle.h"
 #include "core/mesh/marching/marching_cubes.h"
+#include "core/mesh/surface_parts.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/process/estimation/spacing_sample.h"
 #include "core/process/resampling/spacing_field.h"
@@ -191,12 +192,8 @@ std::optional<Mesh> marchedDelaunay(const surface::Surface& surface, const Delau
     return out;
 }
 
-} // namespace
-
-Mesh restrictedDelaunay(const surface::Surface& surface, const DelaunayOptions& options, DelaunayReport& report,
-                        const base::Progress& progress) {
-    if (surface.tree().empty() || surface.definition().manifold == surface::Manifold::Curve)
-        throw base::Error("only a surface can be meshed", "", "choose a model with points of a surface");
+Mesh partDelaunay(const surface::Surface& surface, const DelaunayOptions& options, DelaunayReport& report,
+                  const base::Progress& progress) {
     const double unit = unitOf(surface);
     const FaceDemand demand = demandOf(surface, options, unit, process::part(progress, 0, 0.05));
     report = {};
@@ -211,6 +208,36 @@ Mesh restrictedDelaunay(const surface::Surface& surface, const DelaunayOptions& 
     if (closedCell != cell)
         cubes = cubesOf(surface, closedCell, process::part(second, 0, 0.3));
     return closedDelaunay(surface, options, demand, closedCell, cubes, report, second);
+}
+
+void add(DelaunayReport& report, const DelaunayReport& more) {
+    for (const auto count : {&DelaunayReport::unrefined, &DelaunayReport::removed, &DelaunayReport::trimmed,
+                             &DelaunayReport::foldsClosed, &DelaunayReport::missed})
+        report.*count += more.*count;
+}
+
+} // namespace
+
+Mesh restrictedDelaunay(const surface::Surface& surface, const DelaunayOptions& options, DelaunayReport& report,
+                        const base::Progress& progress) {
+    if (surface.tree().empty() || surface.definition().manifold == surface::Manifold::Curve)
+        throw base::Error("only a surface can be meshed", "", "choose a model with points of a surface");
+    report = {};
+    if (options.size > 0)
+        return partDelaunay(surface, options, report, progress);
+    const std::vector<surface::Surface> parts = partsOf(surface, process::part(progress, 0, 0.02));
+    if (parts.size() < 2)
+        return partDelaunay(surface, options, report, progress);
+    Mesh out;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const auto share = [&](std::size_t k) {
+            return 0.02 + 0.98 * static_cast<double>(k) / static_cast<double>(parts.size());
+        };
+        DelaunayReport own;
+        append(out, partDelaunay(parts[i], options, own, process::part(progress, share(i), share(i + 1))));
+        add(report, own);
+    }
+    return out;
 }
 
 } // namespace mesh

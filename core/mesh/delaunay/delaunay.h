@@ -28,8 +28,10 @@
 namespace mesh {
 
 struct DelaunayOptions {
-    double angle = 25;   ///< least angle of triangles, in degrees; at most 30, beyond which refinement may not end
-    double size = 0;     ///< largest radius of a triangle's ball, in model units; 0: the median spacing
+    double angle = 25; ///< least angle of triangles, in degrees; at most 30, beyond which refinement may not end
+    /// Largest radius of a triangle's ball, in model units; 0: the median spacing, of each part that stands apart
+    /// (surface_parts.h).
+    double size = 0;
     double distance = 0; ///< of triangles from the surface, in model units; 0: a tenth of the median spacing
     double adaptive = 0; ///< sizes by curvature, for triangles this close to the surface; 0: one size
     Finishing finishing;

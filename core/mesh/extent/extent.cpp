@@ -6,7 +6,9 @@
 #include "core/cells/cell_projection.h"
 #include "core/mesh/check/topology.h"
 #include "core/mesh/marching/marching_cubes.h"
+#include "core/mesh/surface_parts.h"
 #include "core/process/estimation/part_progress.h"
+#include "core/process/estimation/spacing_sample.h"
 #include "core/surface/curves/boundary.h"
 #include "core/surface/projection/project.h"
 
@@ -166,7 +168,8 @@ static Mesh halved(const surface::Surface& surface, const Mesh& mesh, std::size_
     return out;
 }
 
-Extent extentOf(const surface::Surface& surface, double cell, const base::Progress& progress) {
+/// Volumes are signed.
+static Extent extentOfPart(const surface::Surface& surface, double cell, const base::Progress& progress) {
     MarchingOptions options;
     options.cell = cell;
     MarchingReport report;
@@ -188,7 +191,31 @@ Extent extentOf(const surface::Surface& surface, double cell, const base::Progre
     out.orientable = topology.orientable && topology.opposedEdges == 0;
     out.closed = topology.boundaryEdges == 0 && out.orientable && !coarse.triangles.empty();
     if (out.closed)
-        out.volume = std::abs(extrapolated(volumeOf(coarse), volumeOf(fine), out.volumeError));
+        out.volume = extrapolated(volumeOf(coarse), volumeOf(fine), out.volumeError);
+    return out;
+}
+
+Extent extentOf(const surface::Surface& surface, double cell, const base::Progress& progress) {
+    std::vector<surface::Surface> parts{surface};
+    if (!(cell > 0))
+        parts = partsOf(surface, process::part(progress, 0, 0.02));
+    Extent out;
+    out.closed = true;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const auto share = [&](std::size_t k) {
+            return 0.02 + 0.98 * static_cast<double>(k) / static_cast<double>(parts.size());
+        };
+        const double own = parts.size() > 1 ? static_cast<double>(process::typicalSpacing(parts[i].tree())) : cell;
+        const Extent part = extentOfPart(parts[i], own, process::part(progress, share(i), share(i + 1)));
+        out.area += part.area, out.areaError += part.areaError;
+        out.volume += part.volume, out.volumeError += part.volumeError;
+        out.triangles += part.triangles, out.flat += part.flat;
+        out.boundaryEdges += part.boundaryEdges, out.foldLoops += part.foldLoops;
+        out.orientable = out.orientable && part.orientable;
+        out.closed = out.closed && part.closed;
+    }
+    out.volume = out.closed ? std::abs(out.volume) : 0;
+    out.volumeError = out.closed ? out.volumeError : 0;
     return out;
 }
 

@@ -25,7 +25,8 @@ struct Extent {
     bool orientable = true;
 };
 
-/// `cell`: size of the coarser mesh's triangles; 0: the median spacing. Throws base::Error where there is no surface to
+/// `cell`: size of the coarser mesh's triangles; 0: the median spacing, of each part that stands apart
+/// (surface_parts.h), whose sums these are then. Throws base::Error where there is no surface to
 /// mesh, base::Cancelled. The same bits at any thread count.
 Extent extentOf(const surface::Surface& surface, double cell = 0, const base::Progress& progress = {});
 

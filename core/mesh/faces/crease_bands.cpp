@@ -44,11 +44,10 @@ double sideOf(const FaceTopology& topology, const SharpEdge& edge, const Vec3d& 
 
 CreaseBands::CreaseBands(const FaceTopology& topology, const SampleGrid& grid, std::span<const surfel::Surfel> samples,
                          std::span<const std::uint32_t> faces, std::span<const SharpEdge> edges,
-                         std::span<const std::uint32_t> edgeFaces, double spacing, double support)
+                         std::span<const std::uint32_t> edgeFaces, double spacing, double support,
+                         std::uint32_t firstBand)
     : m_topology(topology), m_grid(grid), m_samples(samples), m_faces(faces), m_edges(edges), m_edgeFaces(edgeFaces),
-      m_spacing(spacing), m_support(support), m_cells(faces.begin(), faces.end()) {
-    for (const std::uint32_t face : faces)
-        m_firstBand = std::max(m_firstBand, face + 1);
+      m_spacing(spacing), m_support(support), m_firstBand(firstBand), m_cells(faces.begin(), faces.end()) {
     if (edges.empty())
         return;
     findTips();

@@ -14,12 +14,13 @@ double sideOf(const FaceTopology& topology, const SharpEdge& edge, const base::V
 class CreaseBands {
   public:
     /// `faces`: of each sample. `edges`: those with the same face on both sides, which is `edgeFaces` of each.
-    /// `support` is that of the samples, which the grid finds within 2.2 spacings.
+    /// `support` is that of the samples, which the grid finds within 2.2 spacings. Bands are numbered from `firstBand`,
+    /// above all faces.
     CreaseBands(const FaceTopology& topology, const SampleGrid& grid, std::span<const surfel::Surfel> samples,
                 std::span<const std::uint32_t> faces, std::span<const SharpEdge> edges,
-                std::span<const std::uint32_t> edgeFaces, double spacing, double support);
+                std::span<const std::uint32_t> edgeFaces, double spacing, double support, std::uint32_t firstBand);
 
-    /// Of each sample: its face, or a number of its own for each band, from the largest face on.
+    /// Of each sample: its face, or a number of its own for each band.
     const std::vector<std::uint32_t>& cells() const { return m_cells; }
     /// Partner, sign and sharpness between bands; other labels stay as they are.
     void fade(std::span<cells::Label> labels) const;

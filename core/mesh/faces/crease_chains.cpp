@@ -52,7 +52,7 @@ CreaseChains allChains(const FaceTopology& topology) {
     return {topology.sharpEdges, topology.patches, topology.patchCount, 0, 0};
 }
 
-CreaseChains clearChains(const FaceTopology& topology, double spacing) {
+CreaseChains clearChains(const FaceTopology& topology, std::span<const double> spacings) {
     const std::vector<SharpEdge>& edges = topology.sharpEdges;
     const std::vector<std::uint32_t> chainOf = chainsOf(edges);
     std::map<std::uint32_t, int> meeting; // sharp edges at a place
@@ -72,8 +72,11 @@ CreaseChains clearChains(const FaceTopology& topology, double spacing) {
     }
     CreaseChains out;
     base::DisjointSets sets(topology.patchCount);
+    const auto spacingAt = [&](const SharpEdge& edge) {
+        return spacings.size() == 1 ? spacings[0] : spacings[topology.pieces[edge.left]];
+    };
     for (std::size_t e = 0; e < edges.size(); ++e)
-        if (chains[chainOf[e]].clear(spacing))
+        if (chains[chainOf[e]].clear(spacingAt(edges[chainOf[e]])))
             out.edges.push_back(edges[e]);
         else
             sets.join(topology.patches[edges[e].left], topology.patches[edges[e].right]);

@@ -18,7 +18,10 @@ struct CreaseChains {
 /// All of them.
 CreaseChains allChains(const FaceTopology& topology);
 
-/// Those that are no noise, for samples about `spacing` apart.
-CreaseChains clearChains(const FaceTopology& topology, double spacing);
+/// Those that are no noise, for samples about that far apart: `spacings` of each piece, or one for all.
+CreaseChains clearChains(const FaceTopology& topology, std::span<const double> spacings);
+inline CreaseChains clearChains(const FaceTopology& topology, double spacing) {
+    return clearChains(topology, std::span(&spacing, 1));
+}
 
 } // namespace mesh

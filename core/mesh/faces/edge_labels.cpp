@@ -4,6 +4,7 @@
 #include "core/mesh/faces/face_creases.h"
 #include "core/mesh/faces/figures.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace mesh {
@@ -15,8 +16,25 @@ bool hasSureCreases(const FaceTopology& topology) {
     return clearChains(topology, spacing).sure > std::sqrt(topology.area);
 }
 
+/// In the median, of each piece.
+static std::vector<double> spacingsOfPieces(const FaceTopology& topology, const std::vector<FacePoint>& points,
+                                            std::span<const double> spacings) {
+    if (spacings.size() == 1)
+        return {spacings[0]};
+    std::vector<std::vector<double>> all(topology.pieceCount);
+    for (std::size_t i = 0; i < points.size(); ++i)
+        all[topology.pieces[points[i].triangle]].push_back(spacings[i]);
+    std::vector<double> out;
+    for (std::vector<double>& each : all) {
+        const auto middle = each.begin() + static_cast<std::ptrdiff_t>(each.size() / 2);
+        std::nth_element(each.begin(), middle, each.end());
+        out.push_back(each.empty() ? 0 : *middle);
+    }
+    return out;
+}
+
 std::string labelEdges(const FaceTopology& topology, const FaceOptions& options, const std::vector<FacePoint>& points,
-                       double spacing, surfel::SurfelList& samples) {
+                       std::span<const double> spacings, surfel::SurfelList& samples) {
     if (topology.sharpEdges.empty())
         return {};
     if (topology.oneSided)
@@ -24,8 +42,9 @@ std::string labelEdges(const FaceTopology& topology, const FaceOptions& options,
     if (options.creases == false)
         return "Sharp edges of the faces are rounded a little, over about a support; without --creases off they stay "
                "sharp.";
-    const CreaseChains chains = options.asksForCreases() ? allChains(topology) : clearChains(topology, spacing);
-    labelCreases(topology, chains, points, spacing, samples);
+    const std::vector<double> ofPieces = spacingsOfPieces(topology, points, spacings);
+    const CreaseChains chains = options.asksForCreases() ? allChains(topology) : clearChains(topology, ofPieces);
+    labelCreases(topology, chains, points, ofPieces, samples);
     if (chains.leftOut == 0)
         return {};
     return "Rounded " + grouped(chains.leftOut) + " of " +

@@ -10,8 +10,8 @@ namespace mesh {
 bool hasSureCreases(const FaceTopology& topology);
 
 /// Labels the samples beside sharp edges; returns what became of the edges that do not stay sharp, as a sentence, else
-/// nothing. `samples` are those of `points`.
+/// nothing. `samples` are those of `points`, `spacings` that of each, or one for all.
 std::string labelEdges(const FaceTopology& topology, const FaceOptions& options, const std::vector<FacePoint>& points,
-                       double spacing, surfel::SurfelList& samples);
+                       std::span<const double> spacings, surfel::SurfelList& samples);
 
 } // namespace mesh

@@ -1,5 +1,6 @@
 #include "core/mesh/faces/face_creases.h"
 
+#include "core/base/cancel_scope.h"
 #include "core/base/disjoint_sets.h"
 #include "core/cells/crease_labels.h"
 #include "core/mesh/faces/crease_bands.h"
@@ -9,6 +10,7 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <numeric>
 
 namespace mesh {
 
@@ -118,49 +120,115 @@ std::uint32_t cellBeside(const SampleGrid& grid, std::span<const std::uint32_t> 
     return out;
 }
 
-} // namespace
+/// Samples that know nothing of others: all, or those of one piece of the faces.
+class Labelling {
+  public:
+    Labelling(const FaceTopology& topology, std::span<const surfel::Surfel> samples,
+              std::span<const std::uint32_t> faces, double spacing)
+        : m_topology(topology), m_samples(samples), m_faces(faces), m_spacing(spacing),
+          m_grid(samples, linkReach * spacing) {}
 
-void labelCreases(const FaceTopology& topology, const CreaseChains& chains, std::span<const FacePoint> points,
-                  double spacing, surfel::SurfelList& samples) {
-    if (chains.edges.empty() || samples.items.empty() || !samples.layout->oriented)
-        return;
-    const std::vector<std::uint32_t> cellOf = cellsOfPatches(chains, points);
-    std::vector<std::uint32_t> faces(samples.size());
-    for (std::size_t i = 0; i < faces.size(); ++i)
-        faces[i] = cellOf[chains.patches[points[i].triangle]];
-    std::vector<SharpEdge> within;
-    std::vector<std::uint32_t> withinFaces;
-    for (const SharpEdge& edge : chains.edges)
-        if (const std::uint32_t face = cellOf[chains.patches[edge.left]]; face == cellOf[chains.patches[edge.right]]) {
-            within.push_back(edge);
-            withinFaces.push_back(face);
-        }
-    const SampleGrid grid(samples.items, linkReach * spacing);
-    const double support = static_cast<double>(samples.items.front().support);
-    const CreaseBands bands(topology, grid, samples.items, faces, within, withinFaces, spacing, support);
+    /// `edges`: between the faces of these samples; `cellOf`: faces, by patches. Bands are numbered from `firstBand`
+    /// on, which becomes the next free number.
+    std::vector<cells::Label> run(std::span<const SharpEdge> edges, const std::vector<std::uint32_t>& patches,
+                                  const std::vector<std::uint32_t>& cellOf, std::uint32_t& firstBand) const {
+        std::vector<SharpEdge> within;
+        std::vector<std::uint32_t> withinFaces;
+        for (const SharpEdge& edge : edges)
+            if (const std::uint32_t face = cellOf[patches[edge.left]]; face == cellOf[patches[edge.right]]) {
+                within.push_back(edge);
+                withinFaces.push_back(face);
+            }
+        const auto support = static_cast<double>(m_samples.front().support);
+        const CreaseBands bands(m_topology, m_grid, m_samples, m_faces, within, withinFaces, m_spacing, support,
+                                firstBand);
+        std::vector<cells::CreasePiece> pieces;
+        for (const SharpEdge& edge : edges)
+            addPieces(edge, cellOf[patches[edge.left]], cellOf[patches[edge.right]], bands.cells(), pieces);
+        std::vector<cells::Label> labels = cells::labelsByCreases(m_samples, bands.cells(), pieces, m_spacing);
+        for (std::size_t i = 0; i < labels.size(); ++i)
+            labels[i].face = m_faces[i];
+        bands.fade(labels);
+        for (const std::uint32_t cell : bands.cells())
+            firstBand = std::max(firstBand, cell + 1);
+        return labels;
+    }
 
-    std::vector<cells::CreasePiece> pieces;
-    for (const SharpEdge& edge : chains.edges) {
-        const std::uint32_t left = cellOf[chains.patches[edge.left]], right = cellOf[chains.patches[edge.right]];
-        const auto parts = static_cast<std::size_t>(std::ceil(base::distance(edge.from, edge.to) / spacing));
+  private:
+    void addPieces(const SharpEdge& edge, std::uint32_t left, std::uint32_t right,
+                   const std::vector<std::uint32_t>& cells, std::vector<cells::CreasePiece>& out) const {
+        const auto parts = static_cast<std::size_t>(std::ceil(base::distance(edge.from, edge.to) / m_spacing));
         const Vec3d step = (edge.to - edge.from) / std::max(1.0, static_cast<double>(parts));
         for (std::size_t k = 0; k < parts; ++k) {
             const Vec3d from = edge.from + step * static_cast<double>(k), middle = from + step / 2;
             const auto cell = [&](std::uint32_t face, double sign) {
-                return cellBeside(grid, bands.cells(), faces, face, middle, [&](const Vec3d& p) {
-                    return left != right || sideOf(topology, edge, p) * sign > 0;
+                return cellBeside(m_grid, cells, m_faces, face, middle, [&](const Vec3d& p) {
+                    return left != right || sideOf(m_topology, edge, p) * sign > 0;
                 });
             };
             const std::uint32_t l = cell(left, 1), r = cell(right, -1);
             if (l != r)
-                pieces.push_back(
+                out.push_back(
                     {from, from + step, l, r, edge.convex ? cells::Meeting::Convex : cells::Meeting::Concave});
         }
     }
-    std::vector<cells::Label> labels = cells::labelsByCreases(samples.items, bands.cells(), pieces, spacing);
-    for (std::size_t i = 0; i < labels.size(); ++i)
-        labels[i].face = faces[i];
-    bands.fade(labels);
+
+    const FaceTopology& m_topology;
+    std::span<const surfel::Surfel> m_samples;
+    std::span<const std::uint32_t> m_faces;
+    double m_spacing;
+    SampleGrid m_grid;
+};
+
+/// Things by the piece that they are of, in their order.
+template <class T, class PieceOf>
+std::vector<std::vector<T>> byPieces(std::size_t count, std::span<const T> all, const PieceOf& pieceOf) {
+    std::vector<std::vector<T>> out(count);
+    for (const T& each : all)
+        out[pieceOf(each)].push_back(each);
+    return out;
+}
+
+} // namespace
+
+void labelCreases(const FaceTopology& topology, const CreaseChains& chains, std::span<const FacePoint> points,
+                  std::span<const double> spacings, surfel::SurfelList& samples) {
+    if (chains.edges.empty() || samples.items.empty() || !samples.layout->oriented)
+        return;
+    const std::vector<std::uint32_t> cellOf = cellsOfPatches(chains, points);
+    std::vector<std::uint32_t> faces(samples.size());
+    std::uint32_t firstBand = 0;
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+        faces[i] = cellOf[chains.patches[points[i].triangle]];
+        firstBand = std::max(firstBand, faces[i] + 1);
+    }
+    if (spacings.size() == 1) {
+        cells::setLabels(samples, Labelling(topology, samples.items, faces, spacings[0])
+                                      .run(chains.edges, chains.patches, cellOf, firstBand));
+        return;
+    }
+    std::vector<std::uint32_t> numbers(samples.size());
+    std::iota(numbers.begin(), numbers.end(), 0u);
+    const auto samplesBy = byPieces(topology.pieceCount, std::span<const std::uint32_t>(numbers),
+                                    [&](std::uint32_t i) { return topology.pieces[points[i].triangle]; });
+    const auto edgesBy = byPieces(topology.pieceCount, std::span<const SharpEdge>(chains.edges),
+                                  [&](const SharpEdge& edge) { return topology.pieces[edge.left]; });
+    std::vector<cells::Label> labels(samples.size());
+    for (std::uint32_t piece = 0; piece < topology.pieceCount; ++piece) {
+        base::CancelScope::check();
+        std::vector<surfel::Surfel> own;
+        std::vector<std::uint32_t> ownFaces;
+        for (const std::uint32_t i : samplesBy[piece]) {
+            own.push_back(samples.items[i]);
+            ownFaces.push_back(faces[i]);
+        }
+        if (own.empty())
+            continue;
+        const std::vector<cells::Label> found =
+            Labelling(topology, own, ownFaces, spacings[piece]).run(edgesBy[piece], chains.patches, cellOf, firstBand);
+        for (std::size_t k = 0; k < found.size(); ++k)
+            labels[samplesBy[piece][k]] = found[k];
+    }
     cells::setLabels(samples, labels);
 }
 

@@ -15,8 +15,9 @@
 
 namespace mesh {
 
-/// REQUIRES: `samples` are those of `points`, about `spacing` apart. Nothing happens without chains.
+/// REQUIRES: `samples` are those of `points`, about as far apart as `spacings` tells of each piece, or one for all.
+/// Nothing happens without chains.
 void labelCreases(const FaceTopology& topology, const CreaseChains& chains, std::span<const FacePoint> points,
-                  double spacing, surfel::SurfelList& samples);
+                  std::span<const double> spacings, surfel::SurfelList& samples);
 
 } // namespace mesh

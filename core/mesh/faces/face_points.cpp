@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 
 namespace mesh {
 
@@ -27,18 +28,32 @@ constexpr float tooClose = 0.7f;
 constexpr float flatness = 3; ///< weight of heights over the tangent plane
 constexpr double awayCosine = -0.5;
 constexpr int groups = 27;
+/// By so much the spacing changes within itself at most: neighbours of candidates beyond that from a power of two are
+/// of the same one.
+constexpr float spacingsDiffer = 1.25f;
 
 struct Candidate {
     Vec3f position;
     FacePoint point;
+    float scale = 1; ///< its spacing over the least one
     /// To the nearest point taken when that was last asked. It only shrinks: below r the candidate need not be asked.
     float nearest = std::numeric_limits<float>::infinity();
+
+    /// Of its cell's side over the least one.
+    std::uint32_t level() const { return static_cast<std::uint32_t>(std::ceil(std::log2(scale))); }
 };
 
 /// Areas added up, for choosing triangles by area.
 std::vector<double> cumulated(const std::vector<double>& areas) {
     std::vector<double> out(areas.size());
     std::inclusive_scan(areas.begin(), areas.end(), out.begin());
+    return out;
+}
+
+std::vector<double> weightsOf(const std::vector<FacePart>& parts) {
+    std::vector<double> out;
+    for (const FacePart& part : parts)
+        out.push_back(part.weight);
     return out;
 }
 
@@ -59,10 +74,15 @@ FacePoint drawn(const std::vector<double>& sums, std::size_t i, std::size_t n) {
 class DartThrower {
   public:
     DartThrower(const FaceTopology& topology, std::span<const Vec3f> positions, std::size_t count,
-                const InnerPlaces* inside)
-        : m_topology(topology), m_positions(positions), m_inside(inside), m_count(count),
-          m_side(
-              static_cast<float>(std::sqrt(firstShare * topology.area * outerShare() / static_cast<double>(count)))) {}
+                const InnerPlaces* inside, const FaceDensity* density)
+        : m_topology(topology), m_positions(positions), m_inside(inside), m_density(density), m_count(count) {
+        double area = topology.area * outerShare(); // were the spacing the least one everywhere
+        if (density) {
+            m_parts = density->parts(positions);
+            area = samplesOn(m_parts, topology, inside) * density->least() * density->least();
+        }
+        m_side = static_cast<float>(std::sqrt(firstShare * area / static_cast<double>(count)));
+    }
 
     std::vector<FacePoint> run(const base::Progress& progress) {
         draw();
@@ -89,30 +109,46 @@ class DartThrower {
     struct Cell {
         std::uint64_t key;
         std::uint32_t first, taken, end; ///< in m_candidates: first the points taken, then what is still open
+        std::uint32_t level;
+
+        bool isBefore(std::uint32_t otherLevel, std::uint64_t other) const {
+            return level != otherLevel ? level < otherLevel : key < other;
+        }
     };
     struct Key {
         std::uint64_t cell, rank;
-        std::uint32_t index;
-        bool operator<(const Key& o) const { return cell != o.cell ? cell < o.cell : rank < o.rank; }
+        std::uint32_t index, level;
+        float scale;
+        bool operator<(const Key& o) const {
+            return level != o.level ? level < o.level : cell != o.cell ? cell < o.cell : rank < o.rank;
+        }
+    };
+    struct Place {
+        std::int64_t c[3]; ///< of a cell
     };
 
     double outerShare() const { return m_inside ? m_inside->outerShare() : 1; }
+    FacePoint within(const FacePoint& point) const;
     void draw();
     void findCells();
+    void addCell(std::uint32_t level, const Place& place, std::vector<std::uint32_t>& out) const;
+    std::vector<std::uint32_t> otherLevels(const Cell& cell) const;
     std::size_t throwAll(float r, std::size_t most);
     std::uint32_t throwInto(std::size_t cell, float r);
     float nearestTaken(std::size_t cell, const Candidate& candidate, float enough) const;
-    std::uint64_t keyOf(const Vec3f& p) const;
+    Place placeOfCell(const Vec3f& p, std::uint32_t level) const;
 
     const FaceTopology& m_topology;
     std::span<const Vec3f> m_positions;
-    const InnerPlaces* m_inside; ///< null: nothing is
+    const InnerPlaces* m_inside;  ///< null: nothing is
+    const FaceDensity* m_density; ///< null: all evenly
+    std::vector<FacePart> m_parts;
     std::size_t m_count;
-    float m_side; ///< of a cell: the distance of neighbours in a hexagonal layout of so many points
+    float m_side; ///< of the least cell: the distance of neighbours in a hexagonal layout of so many points
     std::vector<Candidate> m_candidates;
     std::vector<Cell> m_cells;                      ///< by key
     std::vector<std::uint32_t> m_nearFirst, m_near; ///< occupied cells around each, itself first
-    std::vector<std::uint32_t> m_groups[groups];    ///< cells of which no two are neighbours
+    std::vector<std::uint32_t> m_groups[groups];    ///< cells of which no two of a level are neighbours; by levels
 };
 
 constexpr std::uint64_t axisBits = 21, axisMask = (1u << axisBits) - 1;
@@ -123,29 +159,48 @@ std::uint64_t packed(const std::int64_t (&c)[3]) {
     return bits(0) << 2 * axisBits | bits(1) << axisBits | bits(2);
 }
 
-std::uint64_t DartThrower::keyOf(const Vec3f& p) const {
-    std::int64_t c[3];
+DartThrower::Place DartThrower::placeOfCell(const Vec3f& p, std::uint32_t level) const {
+    Place out;
+    const double side = std::ldexp(static_cast<double>(m_side), static_cast<int>(level));
     for (std::size_t k = 0; k < 3; ++k)
-        c[k] = static_cast<std::int64_t>(std::floor(static_cast<double>(p[k]) / static_cast<double>(m_side)));
-    return packed(c);
+        out.c[k] = static_cast<std::int64_t>(std::floor(static_cast<double>(p[k]) / side));
+    return out;
+}
+
+/// A point of a part of a triangle as one of the triangle.
+FacePoint DartThrower::within(const FacePoint& point) const {
+    const FacePart& part = m_parts[point.triangle];
+    const float a = 1 - point.b - point.c;
+    const float b = std::clamp(a * part.b[0] + point.b * part.b[1] + point.c * part.b[2], 0.0f, 1.0f);
+    const float c = std::clamp(a * part.c[0] + point.b * part.c[1] + point.c * part.c[2], 0.0f, 1.0f - b);
+    return {part.triangle, b, c};
 }
 
 /// Candidates in the order of their cells, within one in that of their ranks.
 void DartThrower::draw() {
-    const std::vector<double> sums = cumulated(m_topology.areas);
-    const auto all = static_cast<std::size_t>(static_cast<double>(candidatesPerPoint * m_count) / outerShare());
-    const auto candidate = [&](std::size_t i) {
+    const std::vector<double> sums = cumulated(m_density ? weightsOf(m_parts) : m_topology.areas);
+    const double share = m_density ? samplesOn(m_parts, m_topology, m_inside) / sums.back() : outerShare();
+    const auto all = static_cast<std::size_t>(static_cast<double>(candidatesPerPoint * m_count) / share);
+    const auto candidate = [&](std::size_t i, std::optional<float> scale = {}) {
         const FacePoint point = drawn(sums, i, all);
         Candidate out;
-        out.position = base::cast<float>(placeOf(point, m_topology, m_positions));
-        out.point = point;
+        out.point = m_density ? within(point) : point;
+        const Vec3d place = placeOf(out.point, m_topology, m_positions);
+        out.position = base::cast<float>(place);
+        if (scale)
+            out.scale = *scale;
+        else if (m_density)
+            out.scale =
+                static_cast<float>(std::max(1.0, m_density->at(place, m_parts[point.triangle]) / m_density->least()));
         return out;
     };
     const auto keyFor = [&](const Candidate& each, std::size_t i) -> Key {
-        return {keyOf(each.position), base::mix(i ^ ~seed), static_cast<std::uint32_t>(i)};
+        const std::uint32_t level = each.level();
+        return {packed(placeOfCell(each.position, level).c), base::mix(i ^ ~seed), static_cast<std::uint32_t>(i), level,
+                each.scale};
     };
     std::vector<Key> keys;
-    if (outerShare() < 1) { // only what stays is kept: it may be a small part
+    if (share < 1) { // only what stays is kept: it may be a small part
         std::vector<std::vector<Key>> parts(base::chunkCount(all, 65536));
         base::parallelChunks(all, 65536, [&](std::size_t begin, std::size_t end, std::size_t part) {
             for (std::size_t i = begin; i < end; ++i)
@@ -162,34 +217,64 @@ void DartThrower::draw() {
     std::sort(keys.begin(), keys.end());
     const std::size_t n = keys.size();
     m_candidates.resize(n);
-    base::parallelFor(n, 4096, [&](std::size_t i) { m_candidates[i] = candidate(keys[i].index); });
+    base::parallelFor(n, 4096, [&](std::size_t i) { m_candidates[i] = candidate(keys[i].index, keys[i].scale); });
     for (std::uint32_t i = 0; i < n; ++i) {
-        if (m_cells.empty() || m_cells.back().key != keys[i].cell)
-            m_cells.push_back({keys[i].cell, i, i, i});
+        if (m_cells.empty() || m_cells.back().isBefore(keys[i].level, keys[i].cell))
+            m_cells.push_back({keys[i].cell, i, i, i, keys[i].level});
         m_cells.back().end = i + 1;
     }
 }
 
+void DartThrower::addCell(std::uint32_t level, const Place& place, std::vector<std::uint32_t>& out) const {
+    const std::uint64_t wanted = packed(place.c);
+    const auto found = std::lower_bound(m_cells.begin(), m_cells.end(), wanted,
+                                        [&](const Cell& cell, std::uint64_t key) { return cell.isBefore(level, key); });
+    if (found != m_cells.end() && found->level == level && found->key == wanted)
+        out.push_back(static_cast<std::uint32_t>(found - m_cells.begin()));
+}
+
+/// Cells twice and half as large that reach into those around it.
+std::vector<std::uint32_t> DartThrower::otherLevels(const Cell& cell) const {
+    std::vector<std::uint32_t> out;
+    float least = std::numeric_limits<float>::infinity(), most = 0;
+    for (std::uint32_t i = cell.first; i < cell.end; ++i) {
+        least = std::min(least, m_candidates[i].scale);
+        most = std::max(most, m_candidates[i].scale);
+    }
+    const float side = std::ldexp(1.0f, static_cast<int>(cell.level));
+    const Place at = placeOfCell(m_candidates[cell.first].position, cell.level);
+    const auto add = [&](std::uint32_t level, const Place& lo, std::int64_t wide) {
+        for (std::int64_t x = 0; x < wide; ++x)
+            for (std::int64_t y = 0; y < wide; ++y)
+                for (std::int64_t z = 0; z < wide; ++z)
+                    addCell(level, {{lo.c[0] + x, lo.c[1] + y, lo.c[2] + z}}, out);
+    };
+    const auto scaled = [&](const auto& fn) { return Place{{fn(at.c[0]), fn(at.c[1]), fn(at.c[2])}}; };
+    if (cell.level > 0 && least < side / 2 * spacingsDiffer)
+        add(cell.level - 1, scaled([](std::int64_t c) { return 2 * (c - 1); }), 6);
+    if (most * spacingsDiffer > side)
+        add(cell.level + 1, scaled([](std::int64_t c) { return (c - 1) >> 1; }), 2);
+    return out;
+}
+
 void DartThrower::findCells() {
-    std::vector<std::array<std::uint32_t, 28>> around(m_cells.size()); // a count, then cells
+    std::vector<std::vector<std::uint32_t>> around(m_cells.size());
     base::parallelFor(m_cells.size(), 1024, [&](std::size_t i) {
         const std::uint64_t key = m_cells[i].key;
         const std::int64_t at[3] = {static_cast<std::int64_t>(key >> 2 * axisBits),
                                     static_cast<std::int64_t>(key >> axisBits & axisMask),
                                     static_cast<std::int64_t>(key & axisMask)};
-        around[i][0] = 0;
-        for (int k = 0; k < groups; ++k) {
-            const std::uint64_t wanted = packed({at[0] + k / 9 - 1, at[1] + k / 3 % 3 - 1, at[2] + k % 3 - 1});
-            const auto found = std::lower_bound(m_cells.begin(), m_cells.end(), wanted,
-                                                [](const Cell& cell, std::uint64_t value) { return cell.key < value; });
-            if (found != m_cells.end() && found->key == wanted)
-                around[i][++around[i][0]] = static_cast<std::uint32_t>(found - m_cells.begin());
+        for (int k = 0; k < groups; ++k)
+            addCell(m_cells[i].level, {{at[0] + k / 9 - 1, at[1] + k / 3 % 3 - 1, at[2] + k % 3 - 1}}, around[i]);
+        if (m_density) {
+            const std::vector<std::uint32_t> others = otherLevels(m_cells[i]);
+            around[i].insert(around[i].end(), others.begin(), others.end());
         }
     });
     m_nearFirst.assign(1, 0);
     for (std::uint32_t i = 0; i < m_cells.size(); ++i) {
-        std::swap(around[i][1], *std::find(around[i].begin() + 1, around[i].end(), i)); // what is nearest first
-        m_near.insert(m_near.end(), around[i].begin() + 1, around[i].begin() + 1 + around[i][0]);
+        std::swap(around[i][0], *std::find(around[i].begin(), around[i].end(), i)); // what is nearest first
+        m_near.insert(m_near.end(), around[i].begin(), around[i].end());
         m_nearFirst.push_back(static_cast<std::uint32_t>(m_near.size()));
         const std::uint64_t key = m_cells[i].key;
         m_groups[(key >> 2 * axisBits) % 3 * 9 + (key >> axisBits & axisMask) % 3 * 3 + (key & axisMask) % 3].push_back(
@@ -197,13 +282,13 @@ void DartThrower::findCells() {
     }
 }
 
-/// Distance in the metric of a sheet to the nearest point taken so far: infinity beyond the cells around, 0 where any
-/// is nearer than `enough`, which most candidates learn from their own cell.
+/// Distance in the metric of a sheet to the nearest point taken so far, over the candidate's scale: infinity beyond the
+/// cells around, 0 where any is nearer than `enough`, which most candidates learn from their own cell.
 float DartThrower::nearestTaken(std::size_t cell, const Candidate& candidate, float enough) const {
     const Vec3d& n = m_topology.normals[candidate.point.triangle];
     const Vec3f normal = base::cast<float>(n);
     float best = std::numeric_limits<float>::infinity();
-    const float enoughSq = enough * enough;
+    const float enoughSq = enough * candidate.scale * (enough * candidate.scale);
     for (std::uint32_t e = m_nearFirst[cell]; e < m_nearFirst[cell + 1] && best >= enoughSq; ++e) {
         const Cell& near = m_cells[m_near[e]];
         for (std::uint32_t i = near.first; i < near.taken; ++i) {
@@ -213,7 +298,7 @@ float DartThrower::nearestTaken(std::size_t cell, const Candidate& candidate, fl
                 best = d;
         }
     }
-    return best < enoughSq ? 0 : std::sqrt(best);
+    return best < enoughSq ? 0 : std::sqrt(best) / candidate.scale;
 }
 
 std::uint32_t DartThrower::throwInto(std::size_t index, float r) {
@@ -239,12 +324,17 @@ std::uint32_t DartThrower::throwInto(std::size_t index, float r) {
 std::size_t DartThrower::throwAll(float r, std::size_t most) {
     std::size_t taken = 0;
     for (const auto& group : m_groups) {
-        std::vector<std::uint32_t> counts(base::chunkCount(group.size(), 256));
-        base::parallelChunks(group.size(), 256, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
-            for (std::size_t i = begin; i < end; ++i)
-                counts[chunk] += throwInto(group[i], r);
-        });
-        taken = std::accumulate(counts.begin(), counts.end(), taken);
+        const auto levelOf = [&](std::size_t i) { return m_cells[group[i]].level; };
+        for (std::size_t from = 0, to; from < group.size(); from = to) {
+            for (to = from + 1; to < group.size() && levelOf(to) == levelOf(from);)
+                ++to;
+            std::vector<std::uint32_t> counts(base::chunkCount(to - from, 256));
+            base::parallelChunks(to - from, 256, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+                for (std::size_t i = begin; i < end; ++i)
+                    counts[chunk] += throwInto(group[from + i], r);
+            });
+            taken = std::accumulate(counts.begin(), counts.end(), taken);
+        }
         if (taken >= most)
             break;
     }
@@ -254,8 +344,9 @@ std::size_t DartThrower::throwAll(float r, std::size_t most) {
 } // namespace
 
 std::vector<FacePoint> spreadPoints(const FaceTopology& topology, std::span<const Vec3f> positions, std::size_t count,
-                                    const base::Progress& progress, const InnerPlaces* inside) {
-    return DartThrower(topology, positions, count, inside).run(progress);
+                                    const base::Progress& progress, const InnerPlaces* inside,
+                                    const FaceDensity* density) {
+    return DartThrower(topology, positions, count, inside, density).run(progress);
 }
 
 Vec3d placeOf(const FacePoint& point, const FaceTopology& topology, std::span<const Vec3f> positions) {

@@ -7,10 +7,13 @@
 //
 // Distances are those of a sheet: d^2 + 3 (n.d)^2, and faces that look away from each other (by more than 120 degrees)
 // do not see each other, so that both sides of a thin wall get all their points.
+//
+// Where a density asks for several spacings, distances are taken over the spacing at the candidate. Candidates lie in
+// cells of the power of two above their spacing then, and see those of the powers next to it.
 #pragma once
 
 #include "core/base/progress.h"
-#include "core/mesh/faces/inner_places.h"
+#include "core/mesh/faces/face_density.h"
 
 namespace mesh {
 
@@ -20,10 +23,11 @@ struct FacePoint {
 };
 
 /// `count` points, or a few percent fewer where the faces are too small for so many; none at places that are inside. In
-/// the order of cells. REQUIRES: an area above 0. Throws base::Cancelled.
+/// the order of cells. `density`: how they are spread, up to a factor; evenly without. REQUIRES: an area above 0.
+/// Throws base::Cancelled.
 std::vector<FacePoint> spreadPoints(const FaceTopology& topology, std::span<const base::Vec3f> positions,
                                     std::size_t count, const base::Progress& progress = {},
-                                    const InnerPlaces* inside = nullptr);
+                                    const InnerPlaces* inside = nullptr, const FaceDensity* density = nullptr);
 
 /// Where a point is.
 base::Vec3d placeOf(const FacePoint& point, const FaceTopology& topology, std::span<const base::Vec3f> positions);

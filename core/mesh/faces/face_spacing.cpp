@@ -1,6 +1,5 @@
 #include "core/mesh/faces/face_spacing.h"
 
-#include "core/mesh/faces/face_points.h"
 #include "core/process/neighbours/knn.h"
 
 #include <algorithm>
@@ -96,10 +95,10 @@ class Wedges {
 };
 
 /// Distance to the wall behind, for points spread over the faces, as far as a few of their own spacings; infinity
-/// beyond. Where two flanks run together to a sharp edge there is none.
+/// beyond. Where two flanks run together to a sharp edge there is none. `spacings`: of each piece, or one for all.
 static std::vector<float> wallsBehind(const FaceTopology& topology, std::span<const Vec3f> positions,
-                                      std::size_t probes, const base::Progress& progress, const InnerPlaces* inside) {
-    const std::vector<FacePoint> points = spreadPoints(topology, positions, probes, progress, inside);
+                                      std::span<const FacePoint> points, std::span<const double> spacings,
+                                      const base::Progress& progress) {
     std::vector<surfel::Surfel> places(points.size());
     for (std::size_t i = 0; i < points.size(); ++i)
         places[i].position = base::cast<float>(placeOf(points[i], topology, positions));
@@ -108,13 +107,13 @@ static std::vector<float> wallsBehind(const FaceTopology& topology, std::span<co
     std::vector<std::uint32_t> some(cloud.size()); // of points at one place, one speaks
     for (std::uint32_t i = 0; i < points.size(); ++i)
         some[cloud.places()[i]] = i;
-    const double area = topology.area * (inside ? inside->outerShare() : 1);
-    const float reach = static_cast<float>(std::sqrt(area / static_cast<double>(probes)));
     constexpr std::size_t neighbours = 32;
     const Wedges wedges(topology);
     cloud.forEach(neighbours, progress, "Measuring walls", [&](std::size_t i, const process::Neighbours& near) {
         const std::uint32_t self = some[i];
         const Vec3d n = topology.normals[points[self].triangle];
+        const std::uint32_t piece = topology.pieces[points[self].triangle];
+        const auto reach = static_cast<float>(spacings.size() == 1 ? spacings[0] : spacings[piece]);
         for (std::size_t k = 0; k < near.size(); ++k) {
             const std::uint32_t other = some[near.index[k]];
             const Vec3d to = base::cast<double>(places[other].position) - base::cast<double>(places[self].position);
@@ -131,8 +130,26 @@ static std::vector<float> wallsBehind(const FaceTopology& topology, std::span<co
 double thinnestWall(const FaceTopology& topology, std::span<const Vec3f> positions, const base::Progress& progress,
                     const InnerPlaces* inside) {
     constexpr std::size_t probes = leastCount / 5; // what is thinner than three spacings of leastCount is found
-    std::vector<float> walls = wallsBehind(topology, positions, probes, progress, inside);
+    const double area = topology.area * (inside ? inside->outerShare() : 1);
+    const double spacing = std::sqrt(area / static_cast<double>(probes));
+    std::vector<float> walls =
+        wallsBehind(topology, positions, spreadPoints(topology, positions, probes, progress, inside),
+                    std::span(&spacing, 1), progress);
     return walls.empty() ? std::numeric_limits<double>::infinity() : static_cast<double>(quantile(walls, 0.01));
+}
+
+std::vector<double> thinnestWalls(const FaceTopology& topology, std::span<const Vec3f> positions,
+                                  std::span<const FacePoint> points, std::span<const double> spacings,
+                                  const base::Progress& progress) {
+    const std::vector<float> walls = wallsBehind(topology, positions, points, spacings, progress);
+    std::vector<std::vector<float>> ofPieces(topology.pieceCount);
+    for (std::size_t i = 0; i < points.size(); ++i)
+        ofPieces[topology.pieces[points[i].triangle]].push_back(walls[i]);
+    std::vector<double> out;
+    for (std::vector<float>& each : ofPieces)
+        out.push_back(each.empty() ? std::numeric_limits<double>::infinity()
+                                   : static_cast<double>(quantile(each, 0.01)));
+    return out;
 }
 
 std::size_t fittingCount(const FaceTopology& topology, double thinnestWall, double share) {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/progress.h"
-#include "core/mesh/faces/inner_places.h"
+#include "core/mesh/faces/face_points.h"
 
 namespace mesh {
 
@@ -18,6 +18,11 @@ bool sampleWell(const FaceTopology& topology, std::span<const base::Vec3f> posit
 /// infinity where walls are thicker.
 double thinnestWall(const FaceTopology& topology, std::span<const base::Vec3f> positions,
                     const base::Progress& progress = {}, const InnerPlaces* inside = nullptr);
+
+/// The same of each piece, measured between points spread over them; `spacings`: of these points, of each piece.
+std::vector<double> thinnestWalls(const FaceTopology& topology, std::span<const base::Vec3f> positions,
+                                  std::span<const FacePoint> points, std::span<const double> spacings,
+                                  const base::Progress& progress = {});
 
 /// Samples that the shape needs: as many as it has faces, so many that its thinnest walls are three spacings thick;
 /// at least 100,000 and at most 5 million. `share`: of the faces' area, what is sampled.

@@ -1,10 +1,10 @@
 #include "core/mesh/faces/face_topology.h"
 
 #include "core/base/box.h"
-#include "core/base/cells.h"
 #include "core/base/disjoint_sets.h"
 #include "core/base/parallel.h"
 #include "core/mesh/faces/face_cells.h"
+#include "core/mesh/faces/join_boundary.h"
 #include "core/mesh/faces/turn_outwards.h"
 
 #include <algorithm>
@@ -22,55 +22,6 @@ using base::Vec3f;
 
 /// Of the extent: coordinates that differ by this came from one number, computed twice.
 constexpr double roundOff = 5e-7;
-/// But at most this part of the longest edge of the boundary there: small parts of large scenes keep their shape.
-constexpr double mostOfEdge = 0.01;
-
-/// For each place on the boundary.
-std::vector<double> tolerances(std::span<const Vec3f> positions, double most, const std::vector<std::uint64_t>& edges,
-                               const std::vector<std::uint32_t>& boundary) {
-    std::vector<double> longest(boundary.size());
-    for (const std::uint64_t edge : edges) {
-        const double length = edgeLength(positions, edge);
-        for (const std::uint64_t end : {edge >> 32, edge & 0xffffffffu}) {
-            const auto at = std::lower_bound(boundary.begin(), boundary.end(), end) - boundary.begin();
-            double& known = longest[static_cast<std::size_t>(at)];
-            known = std::max(known, length);
-        }
-    }
-    for (double& each : longest)
-        each = std::min(most, mostOfEdge * each);
-    return longest;
-}
-
-/// Joins places on the boundary that are the same but for round-off: the first of them stands for all. False where
-/// there are none.
-bool joinBoundary(std::vector<std::uint32_t>& places, std::span<const Vec3f> positions, double tolerance,
-                  const std::vector<std::uint64_t>& edges, const std::vector<std::uint32_t>& boundary) {
-    const std::vector<double> near = tolerances(positions, tolerance, edges, boundary);
-    const Vec3d origin = base::cast<double>(positions[boundary.front()]);
-    base::CellMap<std::vector<std::uint32_t>> cells;
-    std::vector<std::uint32_t> joined(places.size());
-    std::iota(joined.begin(), joined.end(), 0u);
-    bool any = false;
-    for (std::size_t i = 0; i < boundary.size(); ++i) {
-        const std::uint32_t place = boundary[i];
-        const Vec3d p = base::cast<double>(positions[place]);
-        const base::Cell cell = base::cellOf(p, origin, 1 / tolerance);
-        base::forCellsAround(cell, [&](const base::Cell& beside) {
-            if (const auto* found = cells.find(beside); found && joined[place] == place)
-                for (const std::uint32_t other : *found)
-                    if (distance(base::cast<double>(positions[other]), p) <= near[i])
-                        joined[place] = other;
-        });
-        if (joined[place] == place)
-            cells.at(cell).push_back(place);
-        else
-            any = true;
-    }
-    for (std::uint32_t& place : places)
-        place = joined[place];
-    return any;
-}
 
 constexpr std::int8_t repetition = std::numeric_limits<std::int8_t>::max();
 
@@ -291,11 +242,14 @@ void joinSmooth(FaceTopology& out, std::span<const Vec3f> positions, const Place
                 const std::vector<FaceSide>& sides, double sharp) {
     out.patches.assign(out.triangles.size(), 0);
     out.fans.assign(3 * out.triangles.size(), 0);
-    base::DisjointSets patches(out.patches.size()), fans(out.fans.size());
+    out.pieces.assign(out.triangles.size(), 0);
+    base::DisjointSets patches(out.patches.size()), fans(out.fans.size()), pieces(out.pieces.size());
     double length = 0, sharpLength = 0;
     const auto next = [](std::uint32_t corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; };
     const auto placeOf = [&](std::uint32_t corner) { return places.of[out.triangles[corner / 3][corner % 3]]; };
     forEdges(sides, [&](std::span<const FaceSide> edge) {
+        for (const FaceSide& side : edge.subspan(1))
+            pieces.join(edge[0].corner / 3, side.corner / 3);
         if (edge.size() != 2)
             return;
         const std::uint32_t a = edge[0].corner, b = edge[1].corner;
@@ -320,6 +274,7 @@ void joinSmooth(FaceTopology& out, std::span<const Vec3f> positions, const Place
     });
     out.sharpShare = length > 0 ? sharpLength / length : 0;
     out.patchCount = numbered(patches, out.patches);
+    out.pieceCount = numbered(pieces, out.pieces);
     out.fanCount = numbered(fans, out.fans);
 }
 

@@ -44,8 +44,9 @@ struct FaceTopology {
     std::vector<std::uint32_t> patches; ///< of each triangle, numbered from 0 in the order of their first triangles
     std::vector<std::uint32_t> bodies;  ///< of each triangle: the closed piece of faces it belongs to, or noBody
     std::vector<std::uint8_t> sealed;   ///< of each body: 1 where it has no hole at all
+    std::vector<std::uint32_t> pieces;  ///< of each triangle: what hangs together over edges, of however many faces
     std::vector<std::uint32_t> fans;    ///< of each corner (3 t + k), numbered from 0
-    std::size_t patchCount = 0, fanCount = 0;
+    std::size_t patchCount = 0, pieceCount = 0, fanCount = 0;
     std::size_t repeated = 0;                 ///< triangles left out because another one has the same corners
     std::size_t inside = 0;                   ///< triangles left out because the solid is on both of their sides
     std::vector<std::uint32_t> insideCorners; ///< of those

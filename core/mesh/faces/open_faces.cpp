@@ -6,7 +6,7 @@
 #include "core/base/parallel.h"
 #include "core/mesh/faces/edge_labels.h"
 #include "core/mesh/faces/face_normals.h"
-#include "core/mesh/faces/face_points.h"
+#include "core/mesh/faces/face_sampling.h"
 #include "core/mesh/faces/face_spacing.h"
 #include "core/mesh/faces/figures.h"
 #include "core/mesh/faces/large_faces.h"
@@ -25,9 +25,6 @@ namespace {
 using base::Vec3f;
 using surfel::SurfelList;
 
-constexpr std::size_t mostSamples = 200'000'000;
-constexpr double fewestSamples = 64;  ///< of a spacing: fewer are a slip of the unit
-constexpr double resolvedWall = 2.5;  ///< spacings
 constexpr double besideCorner = 0.01; ///< of the way to the middle of a triangle
 constexpr double smoothOver = 3; ///< spacings: triangles of this size and smaller lend their corners' normals whole
 
@@ -62,13 +59,19 @@ class FaceSampler {
         : m_vertices(vertices), m_topology(topology), m_positions(positions), m_paint(paint),
           m_normals(fanNormals(topology, positions)), m_layout(std::move(layout)) {}
 
-    SurfelList run(std::span<const FacePoint> points, float support, double spacing) const {
+    struct Size {
+        float support = 0;
+        double spacing = 0;
+    };
+    /// `sizeOf`: of each point, by number.
+    template <class SizeOf>
+    SurfelList run(std::span<const FacePoint> points, const SizeOf& sizeOf) const {
         SurfelList out;
         out.layout = m_layout;
         out.items.resize(points.size());
         out.extra.resize(points.size() * m_layout->words());
         base::parallelFor(points.size(), 2048, [&](std::size_t i) {
-            out.items[i] = surfelAt(points[i], support, spacing);
+            out.items[i] = surfelAt(points[i], sizeOf(i));
             writeExtra(points[i], std::span(out.extra).subspan(i * m_layout->words(), m_layout->words()));
         });
         return out;
@@ -80,11 +83,11 @@ class FaceSampler {
     };
     static Weights weightsOf(const FacePoint& point) { return {{1 - point.b - point.c, point.b, point.c}}; }
 
-    surfel::Surfel surfelAt(const FacePoint& point, float support, double spacing) const {
+    surfel::Surfel surfelAt(const FacePoint& point, const Size& size) const {
         const auto [w] = weightsOf(point);
         surfel::Surfel out;
         out.position = base::cast<float>(placeOf(point, m_topology, m_positions));
-        out.support = support;
+        out.support = size.support;
         surfel::Colour colours[3];
         for (std::size_t k = 0; k < 3; ++k) {
             const surfel::Surfel& corner = m_vertices.items[m_topology.triangles[point.triangle][k]];
@@ -93,8 +96,8 @@ class FaceSampler {
             colours[k] = corner.colour;
         }
         const Vec3f face = base::cast<float>(m_topology.normals[point.triangle]);
-        const double size = std::sqrt(2 * m_topology.areas[point.triangle]);
-        const auto t = static_cast<float>(size > smoothOver * spacing ? smoothOver * spacing / size : 1);
+        const double wide = std::sqrt(2 * m_topology.areas[point.triangle]), smooth = smoothOver * size.spacing;
+        const auto t = static_cast<float>(wide > smooth ? smooth / wide : 1);
         out.normal = normalized(normalized(out.normal, face) * t + face * (1 - t), face);
         out.colour = blended(colours, w);
         if (m_paint)
@@ -186,7 +189,10 @@ std::size_t fillLargeFaces(SurfelList& vertices, const FaceTopology& topology, s
                       [&](const FacePoint& p) { return inside->has(placeOf(p, topology, positions), p.triangle); });
     if (points.empty())
         return 0;
-    const SurfelList more = FaceSampler(vertices, topology, positions, paint, vertices.layout).run(points, 0, 0);
+    const SurfelList more =
+        FaceSampler(vertices, topology, positions, paint, vertices.layout).run(points, [](std::size_t) {
+            return FaceSampler::Size{};
+        });
     for (std::size_t i = 0; i < more.size(); ++i)
         vertices.append(more.items[i], more.extraOf(i));
     return more.size();
@@ -280,21 +286,6 @@ std::size_t leaveOutCrossing(SurfelList& vertices, const FaceTopology& topology,
     return before - vertices.size();
 }
 
-std::size_t samplesFor(const FaceTopology& topology, double share, double wall, const FaceOptions& options) {
-    if (options.count == 0 && options.spacing <= 0)
-        return fittingCount(topology, wall, share);
-    const double wanted = options.count > 0 ? static_cast<double>(options.count)
-                                            : std::ceil(topology.area * share / (options.spacing * options.spacing));
-    if (!(wanted / share <= static_cast<double>(mostSamples))) // with candidates for those that are inside
-        throw base::Error("sampling the faces so finely takes more than " + grouped(mostSamples) + " surfels", "",
-                          "choose a larger spacing or a smaller count");
-    if (options.count == 0 && wanted < fewestSamples)
-        throw base::Error("a spacing of " + rounded(options.spacing) + " leaves only " +
-                              grouped(static_cast<std::size_t>(wanted)) + " surfels of the faces",
-                          "", "choose a smaller spacing");
-    return std::max<std::size_t>(4, static_cast<std::size_t>(wanted));
-}
-
 } // namespace
 
 OpenedFaces openFaces(SurfelList vertices, std::span<const Triangle> triangles,
@@ -354,17 +345,18 @@ OpenedFaces openFaces(SurfelList vertices, std::span<const Triangle> triangles,
     if (share < 1)
         out.messages.push_back("Left out what lies inside of the solid, " + rounded(100 * (1 - share)) +
                                " % of the faces' area.");
-    const double wall = thinnestWall(topology, positions, process::part(progress, 0, 0.3), &inside);
-    const std::size_t count = samplesFor(topology, share, wall, options);
-    const auto points = spreadPoints(topology, positions, count, process::part(progress, 0.3, 0.9), &inside);
-    const double spacing = std::sqrt(topology.area * share / static_cast<double>(points.size()));
+    const FaceSampling sampling = sampleFaces(topology, positions, inside, definition, options, progress);
+    const std::vector<FacePoint>& points = sampling.points;
     out.points = FaceSampler(vertices, topology, positions, paint, layoutFor(vertices.layout, topology, paint))
-                     .run(points, process::supportOf(definition, static_cast<float>(spacing)), spacing);
+                     .run(points, [&](std::size_t i) {
+                         const double spacing = sampling.spacings[sampling.spacings.size() == 1 ? 0 : i];
+                         return FaceSampler::Size{process::supportOf(definition, static_cast<float>(spacing)), spacing};
+                     });
     out.sampled = true;
-    const std::string edges = labelEdges(topology, options, points, spacing, out.points);
-    out.apart = wall >= resolvedWall * spacing;
+    const std::string edges = labelEdges(topology, options, points, sampling.spacings, out.points);
+    out.apart = sampling.apart;
     out.messages.push_back(counted(topology.triangles.size(), "triangle", "triangles") + " sampled to " +
-                           counted(points.size(), "surfel", "surfels") + ", spacing " + rounded(spacing) +
+                           counted(points.size(), "surfel", "surfels") + ", spacing " + sampling.toldSpacing() +
                            "; --faces vertices keeps the " + counted(vertices.size(), "vertex", "vertices") + ".");
     if (!edges.empty())
         out.messages.push_back(edges);

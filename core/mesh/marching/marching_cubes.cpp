@@ -11,6 +11,7 @@
 #include "core/mesh/marching/hold_tolerance.h"
 #include "core/mesh/marching/relax_mesh.h"
 #include "core/mesh/seams/keep_creases.h"
+#include "core/mesh/surface_parts.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/process/estimation/spacing_sample.h"
 
@@ -269,6 +270,29 @@ void finishFolds(Mesh& mesh, const surface::Surface& surface, const MarchingOpti
         report.foldsClosed += close(mesh, surface, closing, shaping, process::part(progress, 0.4, 1)).size();
 }
 
+void add(MarchingReport& report, const MarchingReport& more) {
+    report.cell = report.cell > 0 ? std::min(report.cell, more.cell) : more.cell;
+    report.largestCell = std::max(report.largestCell, more.largestCell);
+    for (const auto count : {&MarchingReport::cubes, &MarchingReport::limitEnds, &MarchingReport::foldEnds,
+                             &MarchingReport::foldsClosed, &MarchingReport::trimmed, &MarchingReport::pieces,
+                             &MarchingReport::smallPieces, &MarchingReport::parityConflicts})
+        report.*count += more.*count;
+}
+
+/// Each in cubes of its own.
+Mesh marchParts(std::span<const surface::Surface> parts, MarchingOptions options, MarchingReport& report,
+                const base::Progress& progress) {
+    Mesh out;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const auto share = [&](std::size_t k) { return static_cast<double>(k) / static_cast<double>(parts.size()); };
+        options.cell = static_cast<double>(process::typicalSpacing(parts[i].tree()));
+        MarchingReport own;
+        append(out, marchingCubes(parts[i], options, own, process::part(progress, share(i), share(i + 1))));
+        add(report, own);
+    }
+    return out;
+}
+
 } // namespace
 
 Mesh marchingCubes(const surface::Surface& surface, const MarchingOptions& options, MarchingReport& report,
@@ -278,6 +302,10 @@ Mesh marchingCubes(const surface::Surface& surface, const MarchingOptions& optio
     if (surface.tree().empty())
         throw base::Error("the model has no surfels");
     report = {};
+    if (!(options.cell > 0))
+        if (const std::vector<surface::Surface> parts = partsOf(surface, process::part(progress, 0, 0.02));
+            parts.size() > 1)
+            return marchParts(parts, options, report, process::part(progress, 0.02, 1));
     Mesh out = cutMesh(surface, options, report, process::part(progress, 0, 0.7));
     if (out.triangles.empty())
         throw base::Error("no surface was found to mesh", "", "check normals, supports and the boundary limit");

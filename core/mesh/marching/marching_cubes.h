@@ -31,7 +31,8 @@
 namespace mesh {
 
 struct MarchingOptions {
-    double cell = 0; ///< side of a cube in model units; 0: the median spacing
+    /// Side of a cube in model units; 0: the median spacing, of each part that stands apart (surface_parts.h).
+    double cell = 0;
     /// Rows: directions of the grid's axes. A rotation.
     base::Mat3d turned = base::Mat3d::identity();
     base::Vec3d shift; ///< of the grid, in cells

@@ -1,0 +1,206 @@
+// Files of several bodies: each is sampled, meshed and measured by its own size, whatever stands beside it.
+#include "core/base/parallel.h"
+#include "core/mesh/check/topology.h"
+#include "core/mesh/extent/extent.h"
+#include "core/mesh/faces/open_faces.h"
+#include "core/mesh/marching/marching_cubes.h"
+#include "core/mesh/surface_parts.h"
+#include "core/surface/surface.h"
+#include "mesh/soups.h"
+#include "support/registry.h"
+#include "support/sanitized.h"
+
+#include <QTest>
+
+using namespace soups;
+using mesh::OpenedFaces;
+
+class ScenesTest : public QObject {
+    Q_OBJECT
+  private Q_SLOTS:
+    void everyBodyGetsItsSamples();
+    void densityFollowsTouchingBodies();
+    void aCountIsSharedOut();
+    void oneSpacingThatWasAskedForHolds();
+    void bodiesMeshAsIfAlone();
+    void bodiesAreMeasuredTogether();
+    void threadsDoNotShow();
+};
+
+namespace {
+
+OpenedFaces opened(const Faces& faces, std::size_t count = 0) {
+    return mesh::openFaces(faces.list(), faces.triangles, {}, {.use = mesh::FaceUse::Sample, .count = count});
+}
+
+/// Boxes apart, each of the next ones up to 1000 times smaller.
+std::vector<Box> scene(base::Random& random, std::size_t count, double ratio, double offset = 0) {
+    std::vector<Box> out;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double size = i == 0 ? 1 : i == 1 ? 1 / ratio : std::pow(ratio, -random.uniform());
+        Box box = tilted(random, 0, 0.3 * size, size);
+        box.centre = Vec3d{4.0 * double(i), random.uniform(-1, 1), random.uniform(-1, 1)} + Vec3d{1, -1, 1} * offset;
+        out.push_back(box);
+    }
+    return out;
+}
+
+Faces together(const std::vector<Box>& boxes) {
+    Faces out;
+    for (const Box& each : boxes)
+        append(out, each.faces());
+    return out;
+}
+
+std::size_t boxOf(const std::vector<Box>& boxes, const Vec3d& p) {
+    std::size_t out = 0;
+    for (std::size_t i = 1; i < boxes.size(); ++i)
+        if (std::abs(boxes[i].height(p)) < std::abs(boxes[out].height(p)))
+            out = i;
+    return out;
+}
+
+surface::Surface surfaceOf(const OpenedFaces& found) {
+    surface::SurfaceDefinition definition;
+    definition.boundary = surface::Boundary::None;
+    definition.boundaryLimit = std::numeric_limits<float>::infinity();
+    definition.oneSheet = !found.apart;
+    return {tree::SurfelTree::build(found.points), definition};
+}
+
+QByteArray toldSeed(std::uint64_t seed) {
+    return "seed " + QByteArray::number(qulonglong(seed));
+}
+
+} // namespace
+
+void ScenesTest::everyBodyGetsItsSamples() {
+    for (int round = 0; round < test::effort(test::sanitized ? 1 : 3); ++round) {
+        const std::uint64_t seed = test::seed() + static_cast<std::uint64_t>(round);
+        base::Random random(seed);
+        const std::vector<Box> boxes = scene(random, 2 + random.below(8), 1000);
+        Faces faces = together(boxes);
+        const OpenedFaces found = opened(shuffled(faces, random));
+        std::vector<std::size_t> counts(boxes.size());
+        for (const surfel::Surfel& s : found.points.items)
+            ++counts[boxOf(boxes, base::cast<double>(s.position))];
+        for (std::size_t i = 0; i < boxes.size(); ++i)
+            QVERIFY2(counts[i] > 1900, toldSeed(seed) + ": " + QByteArray::number(qulonglong(counts[i])));
+        QVERIFY2(found.points.size() < 150'000, toldSeed(seed));
+    }
+}
+
+/// A small box that stands in a large one's side: nowhere do supports differ by more than half the distance, so that
+/// neither is lost in those of the other, and away from the small one the large one is as sparse as ever.
+void ScenesTest::densityFollowsTouchingBodies() {
+    for (int round = 0; round < test::effort(test::sanitized ? 1 : 3); ++round) {
+        const std::uint64_t seed = test::seed() + static_cast<std::uint64_t>(round);
+        base::Random random(seed);
+        const double size = std::pow(10, random.uniform(-2.5, -1));
+        Box small = tilted(random, 0, 0.4 * size, size);
+        small.centre = {random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5), 1};
+        const std::vector<Box> boxes{aligned({-1, -1, -1}, {1, 1, 1}), small};
+        const OpenedFaces found = opened(together(boxes), 30000);
+        const auto& items = found.points.items;
+        double least = 1e9, most = 0;
+        for (const surfel::Surfel& s : items) {
+            least = std::min(least, double(s.support));
+            most = std::max(most, double(s.support));
+        }
+        QVERIFY2(most > 5 * least * std::pow(0.1 / size, 0.9) / 3, toldSeed(seed));
+        for (std::size_t i = 0; i < items.size(); i += 7)
+            for (std::size_t k = i % 5; k < items.size(); k += 5) {
+                const double apart = double(distance(items[i].position, items[k].position));
+                QVERIFY2(std::abs(double(items[i].support - items[k].support)) <= 0.53 * apart + 1e-4 * most,
+                         toldSeed(seed));
+            }
+        // The density is what supports tell: some 38 neighbours in each, half as many at edges.
+        for (std::size_t i = 0; i < items.size(); i += items.size() / 200) {
+            std::size_t near = 0;
+            for (const surfel::Surfel& s : items)
+                near += distance(s.position, items[i].position) < items[i].support;
+            QVERIFY2(near > 18 && near < 90, toldSeed(seed) + ": " + QByteArray::number(qulonglong(near)));
+        }
+    }
+}
+
+void ScenesTest::aCountIsSharedOut() {
+    base::Random random(test::seed());
+    const std::vector<Box> boxes = scene(random, 5, 200);
+    const OpenedFaces found = opened(together(boxes), 12000);
+    QVERIFY2(found.points.size() > 11200 && found.points.size() < 12400,
+             toldSeed(test::seed()) + ": " + QByteArray::number(qulonglong(found.points.size())));
+    std::vector<std::size_t> counts(boxes.size());
+    for (const surfel::Surfel& s : found.points.items)
+        ++counts[boxOf(boxes, base::cast<double>(s.position))];
+    QVERIFY2(*std::min_element(counts.begin(), counts.end()) > 600, toldSeed(test::seed()));
+}
+
+void ScenesTest::oneSpacingThatWasAskedForHolds() {
+    base::Random random(test::seed());
+    const Faces faces = together(scene(random, 3, 4));
+    const OpenedFaces found =
+        mesh::openFaces(faces.list(), faces.triangles, {}, {.use = mesh::FaceUse::Sample, .spacing = 0.05});
+    for (const surfel::Surfel& s : found.points.items)
+        QVERIFY(s.support == found.points.items[0].support);
+}
+
+void ScenesTest::bodiesMeshAsIfAlone() {
+    for (int round = 0; round < test::effort(test::sanitized ? 1 : 2); ++round) {
+        const std::uint64_t seed = test::seed() + static_cast<std::uint64_t>(round);
+        base::Random random(seed);
+        const std::vector<Box> boxes = scene(random, 4, 1000, round % 2 == 0 ? 0 : 3e4);
+        std::vector<Box> moved = boxes; // as files come in: relative to an origin of their own
+        for (Box& each : moved)
+            each.centre = each.centre - boxes[0].centre;
+        const surface::Surface surface = surfaceOf(opened(together(moved), 10000));
+        mesh::MarchingReport report;
+        const mesh::Mesh m = mesh::marchingCubes(surface, {}, report);
+        const mesh::Topology t = mesh::topologyOf(m.triangles, m.positions.size(), m.kinds);
+        QVERIFY2(t.manifold() && t.boundaryEdges == 0 && t.genus() == 0 && t.components == boxes.size(),
+                 toldSeed(seed) + ": " + QByteArray::number(qulonglong(t.components)) + " pieces");
+        for (std::size_t i = 0; i < moved.size(); ++i) {
+            mesh::Mesh own = m;
+            std::erase_if(own.triangles, [&](const mesh::Triangle& f) { return boxOf(moved, m.positions[f[0]]) != i; });
+            const Vec3d h = moved[i].half;
+            const double volume = std::abs(mesh::volumeOf(own)) / (8 * h.x * h.y * h.z);
+            QVERIFY2(std::abs(volume - 1) < 0.01, toldSeed(seed) + ": volume " + QByteArray::number(volume));
+        }
+    }
+}
+
+void ScenesTest::bodiesAreMeasuredTogether() {
+    base::Random random(test::seed());
+    const std::vector<Box> boxes = scene(random, 3, 3);
+    const surface::Surface surface = surfaceOf(opened(together(boxes), 6000));
+    QVERIFY(mesh::partsOf(surface).size() > 1);
+    const mesh::Extent all = mesh::extentOf(surface);
+    double area = 0, volume = 0;
+    for (const Box& each : boxes) {
+        const Vec3d h = each.half;
+        area += 8 * (h.x * h.y + h.y * h.z + h.z * h.x);
+        volume += 8 * h.x * h.y * h.z;
+    }
+    QVERIFY2(all.closed && std::abs(all.volume / volume - 1) < 1e-3 && std::abs(all.area / area - 1) < 1e-3,
+             toldSeed(test::seed()) + ": " + QByteArray::number(all.volume / volume));
+}
+
+void ScenesTest::threadsDoNotShow() {
+    base::Random random(test::seed());
+    const Faces faces = together(scene(random, 4, 100));
+    const int threads = base::threadCount();
+    std::vector<OpenedFaces> found;
+    std::vector<std::vector<Vec3d>> places;
+    for (const int count : {1, 2}) {
+        base::setThreadCount(count);
+        found.push_back(opened(faces, 8000));
+        mesh::MarchingReport report;
+        places.push_back(mesh::marchingCubes(surfaceOf(found.back()), {}, report).positions);
+    }
+    base::setThreadCount(threads);
+    QVERIFY(found[0].points.items == found[1].points.items && found[0].points.extra == found[1].points.extra);
+    QVERIFY(places[0] == places[1]);
+}
+
+static const test::Registered<ScenesTest> registered;
+#include "scenes_test.moc"
