@@ -79,7 +79,7 @@ KeptPatch kept(const CastView& view, const AdaptivePicture& picture, const Split
         stretch[k] = view.lens.stretch(p.column, p.row);
         patch.knots[k] = Knot::of(*sample, view.lens, stretch[k]);
         const surface::RayHit<float>& h = sample->hit;
-        const auto byte = [&](int n) { return static_cast<float>(sample->colour >> (8 * n) & 255u); };
+        const auto byte = [colour = sample->colour](int n) { return static_cast<float>(colour >> (8 * n) & 255u); };
         out.knots[k] = {h.position.x, h.position.y, h.position.z, h.normal.x, h.normal.y, h.normal.z,
                         h.unit,       h.agreement,  byte(0),      byte(1),    byte(2),    sample->mask};
         out.behind = dot(h.normal, h.outward) < 0;

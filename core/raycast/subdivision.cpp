@@ -114,14 +114,14 @@ class Subdivision {
     }
     /// Cells that the surface covers in part are not split but grown into.
     void moveOutlines(std::vector<Cell>& cells) {
-        const auto regular = std::ranges::stable_partition(cells, [&](const Cell& cell) {
+        const auto regular = std::stable_partition(cells.begin(), cells.end(), [&](const Cell& cell) {
             int count = 0;
             for (int i = 0; i < 4; ++i)
                 count += hits({cell.at.column + (i & 1) * cell.size, cell.at.row + (i >> 1) * cell.size}) ? 1 : 0;
             return count == 4;
         });
-        m_outlines.insert(m_outlines.end(), regular.begin(), regular.end());
-        cells.erase(regular.begin(), regular.end());
+        m_outlines.insert(m_outlines.end(), regular, cells.end());
+        cells.erase(regular, cells.end());
     }
     /// Casts the pixels of outline cells that lie beside a hit, or that a disc covers, until there are no more: of the
     /// misses only those along the outline cost a ray.

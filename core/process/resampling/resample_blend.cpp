@@ -71,8 +71,8 @@ void Blender::forWeights(const base::Vec3f& x, Near& near, const Fn& fn) const {
         for (unsigned left = block->boundsLanes().supporting(x); left != 0; left &= left - 1) {
             surface::forWeights(
                 *block, std::countr_zero(left), kind, x,
-                [&, first = which * surfel::blockCapacity](int slot, float w) {
-                    fn(*block, slot, first + static_cast<std::size_t>(slot), w);
+                [&, &of = *block, first = which * surfel::blockCapacity](int slot, float w) {
+                    fn(of, slot, first + static_cast<std::size_t>(slot), w);
                 },
                 shape);
         }
