@@ -3,6 +3,9 @@
 
 #include "cells/solids.h"
 #include "core/base/parallel.h"
+#include "core/base/random.h"
+#include "core/mesh/faces/open_faces.h"
+#include "mesh/face_models.h"
 #include "mesh/models.h"
 #include "support/registry.h"
 #include "support/sanitized.h"
@@ -21,6 +24,7 @@ class ExtentTest : public QObject {
     void toriAreWithinAThousandth();
     void boxesGainWithTheirPoints();
     void creasesAreMeasuredSharp();
+    void errorsAtAcuteEdgesAreTold();
     void openSurfacesHaveAreaAndNoVolume();
     void oneSidedSurfacesHaveNoVolume();
     void theSideOfNormalsDoesNotMatter();
@@ -82,6 +86,37 @@ void ExtentTest::creasesAreMeasuredSharp() {
     QVERIFY2(a.closed && std::abs(a.volume / (1.6 * 1.6 * 1.6) - 1) < 1e-3, told(a.volume, 1.6 * 1.6 * 1.6));
     QVERIFY2(std::abs(b.area / (1.25 * pi) - 1) < 2e-3, told(b.area, 1.25 * pi));
     QVERIFY2(b.closed && std::abs(b.volume / (pi / 6) - 1) < 2e-3, told(b.volume, pi / 6));
+}
+
+void ExtentTest::errorsAtAcuteEdgesAreTold() {
+    std::size_t rounds = 0, missed = 0;
+    QByteArray all;
+    for (; rounds < std::size_t(test::effort(test::sanitized ? 1 : 6)); ++rounds) {
+        const std::uint64_t seed = test::seed() + rounds;
+        base::Random random(seed);
+        const double a = random.uniform(12, 80) * pi / 360, h = random.uniform(0.3, 1), turn = random.uniform(0, 1);
+        faces::Faces wedge; // with the z axis as its edge, turned about x
+        const double c = std::cos(turn), s = std::sin(turn);
+        for (const double z : {0.0, h})
+            for (const auto& [x, y] : {std::pair(0.0, 0.0), {1.0, -std::tan(a)}, {1.0, std::tan(a)}})
+                wedge.positions.push_back(base::cast<float>(base::Vec3d{x, c * y - s * z, s * y + c * z}));
+        wedge.triangles = {{0, 2, 1}, {3, 4, 5}, {0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}, {2, 0, 3}, {2, 3, 5}};
+        const mesh::OpenedFaces found = mesh::openFaces(wedge.list(), wedge.triangles, {},
+                                                        {.use = mesh::FaceUse::Sample, .count = 4000, .creases = true});
+        surface::SurfaceDefinition definition;
+        definition.boundary = surface::Boundary::None;
+        definition.boundaryLimit = std::numeric_limits<float>::infinity();
+        definition.oneSheet = !found.apart;
+        const Extent e = extentOf({tree::SurfelTree::build(found.points), definition});
+        const double volume = std::tan(a) * h, area = 2 * std::tan(a) + 2 * h * std::tan(a) + 2 * h / std::cos(a);
+        const bool holds =
+            e.closed && std::abs(e.volume - volume) <= e.volumeError && std::abs(e.area - area) <= e.areaError;
+        missed += holds ? 0 : 1;
+        all += "seed " + QByteArray::number(qulonglong(seed)) + ": " + told(e.volume, volume) + " +- " +
+               QByteArray::number(e.volumeError) + ", " + told(e.area, area) + " +- " +
+               QByteArray::number(e.areaError) + "\n";
+    }
+    QVERIFY2(missed * 6 <= rounds, all);
 }
 
 void ExtentTest::openSurfacesHaveAreaAndNoVolume() {

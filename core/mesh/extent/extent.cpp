@@ -5,6 +5,7 @@
 #include "core/base/radix_sort.h"
 #include "core/cells/cell_projection.h"
 #include "core/mesh/check/topology.h"
+#include "core/mesh/extent/edge_shortfall.h"
 #include "core/mesh/marching/marching_cubes.h"
 #include "core/mesh/surface_parts.h"
 #include "core/process/estimation/part_progress.h"
@@ -21,6 +22,9 @@ namespace mesh {
 using base::Vec3d;
 
 namespace {
+
+constexpr double lackingFactor = 8; ///< so well is known what is lacking at edges: that at corners is not counted
+constexpr double aboutAll = 4;      ///< the way about a square, over its side
 
 struct Edge {
     std::uint32_t a, b; ///< a < b
@@ -168,6 +172,15 @@ static Mesh halved(const surface::Surface& surface, const Mesh& mesh, std::size_
     return out;
 }
 
+/// Of float coordinates.
+static double roundingOf(const base::Box3f& bounds) {
+    double most = 0;
+    for (const base::Vec3f& p : {bounds.lo, bounds.hi})
+        for (std::size_t k = 0; k < 3; ++k)
+            most = std::max(most, std::abs(static_cast<double>(p[k])));
+    return std::ldexp(most, -24);
+}
+
 /// Volumes are signed.
 static Extent extentOfPart(const surface::Surface& surface, double cell, const base::Progress& progress) {
     MarchingOptions options;
@@ -177,7 +190,7 @@ static Extent extentOfPart(const surface::Surface& surface, double cell, const b
     std::erase_if(coarse.triangles, [](const Triangle& t) { return !isProper(t); });
     const Topology topology = topologyOf(coarse.triangles, coarse.positions.size(), coarse.kinds);
     Extent out;
-    const Mesh fine = halved(surface, coarse, out.flat, process::part(progress, 0.6, 1));
+    const Mesh fine = halved(surface, coarse, out.flat, process::part(progress, 0.6, 0.9));
     // errors go with the square of the triangles' size
     const auto extrapolated = [](double wide, double narrow, double& error) {
         const double more = (narrow - wide) / 3;
@@ -192,6 +205,12 @@ static Extent extentOfPart(const surface::Surface& surface, double cell, const b
     out.closed = topology.boundaryEdges == 0 && out.orientable && !coarse.triangles.empty();
     if (out.closed)
         out.volume = extrapolated(volumeOf(coarse), volumeOf(fine), out.volumeError);
+    const Shortfall lacks = shortfallAtEdges(surface, fine, report.cell, process::part(progress, 0.9, 1));
+    out.areaError += lackingFactor * lacks.area;
+    out.volumeError += out.closed ? lackingFactor * lacks.volume : 0;
+    const double rounding = roundingOf(surface.tree().bounds());
+    out.areaError += aboutAll * std::sqrt(out.area) * rounding;
+    out.volumeError += out.closed ? out.area * rounding : 0;
     return out;
 }
 

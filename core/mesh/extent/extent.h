@@ -13,7 +13,8 @@ namespace mesh {
 
 struct Extent {
     double area = 0;
-    /// What the extrapolation may be wrong by: what it added.
+    /// What this may be wrong by: what extrapolation added, what the mesh lacks at creases (edge_shortfall.h), and what
+    /// float coordinates round.
     double areaError = 0;
     bool closed = false; ///< no boundary, and two sides: it has a volume
     double volume = 0;   ///< > 0; parts whose normals point inwards, as those of caves, count against the others
