@@ -14,10 +14,13 @@ constexpr std::size_t mostSamples = 20000;                 ///< a quantile of 1 
 constexpr float closedGap = std::numbers::pi_v<float> / 2; ///< a neighbourhood with no larger gap is closed
 constexpr float tightest = 0.15f;
 constexpr float bandLimit = 0.3f; ///< for bands so narrow that all their samples see a rim
-/// By chance alone P(o > L) = exp(-(L / rms)^2). The 99 % quantile of closed neighbourhoods tells rms; this
-/// times that is what one sample in 1e5 exceeds: (6) of process/README 3. (1.3 is what one in 2400 exceeds: a handful
-/// of pinholes in every scan.)
+/// By chance alone P(o > L) = exp(-(L / rms)^2), whose rms a quantile of 1 % tells. L at surfels is what one sample in
+/// 1e5 exceeds: (6) of process/README 3. (1.3 times the quantile is what one in 2400 exceeds: a handful of pinholes in
+/// every scan.)
 constexpr float rareOverQuantile = 1.58f; // sqrt(ln 1e5 / ln 100)
+/// Gaps have their maximum of o where no surfel is: so far off, in h, towards where there are fewer. One in so many
+/// times as many as there are surfels may exceed L there; beyond `widestGap` this would rather close holes.
+constexpr float intoGap = 0.25f, gapsPerFalse = 1e5f, widestGap = 0.32f;
 
 /// Surfels at equal distances in tree order.
 std::vector<RimPlace> samplePlaces(const tree::SurfelTree& tree) {
@@ -32,22 +35,50 @@ std::vector<RimPlace> samplePlaces(const tree::SurfelTree& tree) {
     return out;
 }
 
+/// What one in `rare` exceeds, by the 99 % quantile.
+float rarelyExceeded(std::vector<float> values, double factor) {
+    if (values.empty())
+        return 0;
+    const auto quantile = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) * 99 / 100);
+    std::nth_element(values.begin(), quantile, values.end());
+    return static_cast<float>(factor) * *quantile;
+}
+
+/// Off-centre values beside samples, towards where there are fewer, at closed neighbourhoods.
+std::vector<float> offCentreInGaps(const surface::Surface& surface, std::span<const RimSample> closed,
+                                   const base::Progress& progress) {
+    std::vector<base::Vec3f> x(closed.size());
+    std::transform(closed.begin(), closed.end(), x.begin(), [](const RimSample& each) { return each.foot; });
+    std::vector<surface::Evaluationf> at(x.size());
+    surface.evaluate(x, surface::Need::Value, at);
+    std::vector<RimPlace> places;
+    for (std::size_t i = 0; i < x.size(); ++i)
+        if (at[i].ok() && at[i].offCentre > 0)
+            places.push_back(
+                {closed[i].at.key, x[i] + (x[i] - at[i].centroid) * (intoGap * at[i].unit / at[i].offCentre)});
+    std::vector<float> out;
+    for (const RimSample& each : lookAt(surface, places, progress))
+        if (each.gap < closedGap)
+            out.push_back(each.offCentre);
+    return out;
+}
+
 } // namespace
 
 float automaticBoundaryLimit(const surface::Surface& surface, const base::Progress& progress) {
-    const std::vector<RimSample> samples = lookAt(surface, samplePlaces(surface.tree()), part(progress, 0, 0.7));
-
-    std::vector<float> closed;
-    for (const RimSample& s : samples)
-        if (s.gap < closedGap)
-            closed.push_back(s.offCentre);
-    if (!hasOpenRun(surface, samples, part(progress, 0.7, 1)))
+    std::vector<RimSample> samples = lookAt(surface, samplePlaces(surface.tree()), part(progress, 0, 0.6));
+    if (!hasOpenRun(surface, samples, part(progress, 0.6, 0.9)))
         return std::numeric_limits<float>::infinity();
-    if (closed.empty())
+    std::erase_if(samples, [](const RimSample& each) { return !(each.gap < closedGap); });
+    if (samples.empty())
         return bandLimit;
-    const auto quantile = closed.begin() + static_cast<std::ptrdiff_t>((closed.size() - 1) * 99 / 100);
-    std::nth_element(closed.begin(), quantile, closed.end());
-    return std::clamp(rareOverQuantile * *quantile, tightest, loosestLimit);
+    std::vector<float> here(samples.size());
+    std::transform(samples.begin(), samples.end(), here.begin(), [](const RimSample& each) { return each.offCentre; });
+    const float atSurfels = rarelyExceeded(std::move(here), rareOverQuantile);
+    const double rare = gapsPerFalse * static_cast<double>(surface.tree().size());
+    const float inGaps = rarelyExceeded(offCentreInGaps(surface, samples, part(progress, 0.9, 1)),
+                                        std::sqrt(std::log(rare) / std::log(100.0)));
+    return std::clamp(std::max(atSurfels, std::min(inGaps, widestGap)), tightest, loosestLimit);
 }
 
 } // namespace process

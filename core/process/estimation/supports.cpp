@@ -7,6 +7,7 @@
 #include "core/process/estimation/scan_lines.h"
 
 #include <algorithm>
+#include <atomic>
 
 namespace process {
 
@@ -33,6 +34,57 @@ std::vector<float> withoutOutliers(std::span<const float> spacing, const Neighbo
         out[i] = std::min(spacing[i], sparsest * near[g.count() / 2]);
     });
     return out;
+}
+
+/// Where the nearest neighbour is on the mean at so much of the spacing, samples lie by chance: .55 where each was
+/// drawn without regard to the others, .7 and more in scans, .8 where they keep their distance, 1 on a lattice.
+/// Supports there reach farther, over the gaps that chance leaves (process/README 1.2).
+constexpr float byChance = 0.6f, evenEnough = 0.68f, reachOverGaps = 1.3f;
+
+/// Means over a position and its neighbours.
+std::vector<float> meansAround(std::span<const float> values, const NeighbourGraph& g) {
+    std::vector<float> out(values.size());
+    base::parallelFor(values.size(), grain, [&](std::size_t i) {
+        const NeighbourGraph::Row row = g.row(i);
+        float sum = values[i];
+        for (std::size_t k = 0; k < g.count(); ++k)
+            sum += values[row[k]];
+        out[i] = sum / static_cast<float>(g.count() + 1);
+    });
+    return out;
+}
+
+/// How much farther each is to reach.
+std::vector<float> reachByChance(std::span<const float> spacing, const NeighbourGraph& g) {
+    std::vector<float> out(spacing.size());
+    base::parallelFor(out.size(), grain, [&](std::size_t i) {
+        out[i] = std::min(g.distance(i, g.row(i)[0]) / std::max(spacing[i], 1e-18f), 1.0f);
+    });
+    out = meansAround(meansAround(out, g), g);
+    base::parallelFor(out.size(), grain, [&](std::size_t i) {
+        const float share = std::clamp((evenEnough - out[i]) / (evenEnough - byChance), 0.0f, 1.0f);
+        out[i] = 1 + (reachOverGaps - 1) * share;
+    });
+    return out;
+}
+
+/// As far as it goes: what grading has raised beyond its own reaches over gaps already, and grading still holds.
+/// `own`: what every place asks for by itself; `wider`: how much farther it is to reach.
+void widen(std::vector<float>& h, std::span<const float> own, std::span<const float> wider, const NeighbourGraph& g,
+           const base::Progress& progress) {
+    constexpr float raised = 2;
+    std::vector<float> below(h.size());
+    std::atomic<bool> any = false;
+    base::parallelFor(h.size(), grain, [&](std::size_t i) {
+        const float share = std::clamp(1 + raised - h[i] / own[i], 0.0f, 1.0f) * (wider[i] - 1);
+        below[i] = -h[i] * (1 + share);
+        if (share > 0)
+            any.store(true, std::memory_order_relaxed);
+    });
+    if (!any)
+        return;
+    raise(below, g, steepest, progress);
+    base::parallelFor(h.size(), grain, [&](std::size_t i) { h[i] = -below[i]; });
 }
 
 /// What grading has made this many times as wide as its own place asks for holds no more than so many times the
@@ -76,6 +128,9 @@ std::vector<float> supportsOf(const Cloud& cloud, const surfel::SurfelList& poin
     base::LargeArray<float> own = std::move(near.spacing);
     near = {};
     std::vector<float> h = withoutOutliers(own, graph);
+    // On a curve the nearest are along it: no mean over a ring, and no gap that reaching farther would bridge.
+    std::vector<float> wider = definition.manifold == surface::Manifold::Curve ? std::vector<float>(cloud.size(), 1.0f)
+                                                                               : reachByChance(own, graph);
     const float perSpacing = definition.unitInSpacings();
     base::parallelFor(h.size(), grain, [&](std::size_t i) {
         for (float* const value : {&own[i], &h[i]})
@@ -87,7 +142,10 @@ std::vector<float> supportsOf(const Cloud& cloud, const surfel::SurfelList& poin
         lowerOutliers(h, graph, outliers, steepest);
         raise(h, graph, steepest, part(progress, 0.9, 1)); // what they see was graded without them
     }
-    spareDense(h, own, cloud.positions(), static_cast<std::size_t>(definition.neighbours), progress);
+    for (const std::uint32_t i : outliers.members)
+        wider[i] = 1;
+    widen(h, own, wider, graph, {nullptr, progress.cancel});
+    spareDense(h, own, cloud.positions(), static_cast<std::size_t>(definition.neighbours), {nullptr, progress.cancel});
     if (gaussian)
         for (float& value : h)
             value *= surface::gaussianScale * reach;
