@@ -54,7 +54,7 @@ void RandomSamplesTest::gapsAreNoHoles_data() {
     QTest::newRow("with normals") << true;
 }
 
-/// One rim each, that of the hole. (One in some ten boxes has another one yet, on an edge.)
+/// One rim each, that of the hole. (Boxes may have false ones yet, on their edges.)
 void RandomSamplesTest::gapsAreNoHoles() {
     QFETCH(bool, normals);
     base::Random random(test::seed());
