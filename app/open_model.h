@@ -9,7 +9,8 @@
 namespace app {
 
 /// What --help says about MODEL.
-constexpr const char* modelHelp = "model file, - for standard input, or sample:NAME[:COUNT[:SEED]] for one made by code";
+constexpr const char* modelHelp =
+    "model file, - for standard input, or sample:NAME[:COUNT[:SEED]] for one made by code";
 
 /// The points of the file or sample as they are, before anything is estimated.
 io::FileModel readModel(const std::string& model, const base::Progress& progress);

@@ -18,8 +18,8 @@ std::filesystem::path placeOf(const std::string& name);
 /// Whether both names lead to one place, be there a file or not.
 bool samePlace(const std::string& a, const std::string& b);
 
-/// Throws UsageError where one is "-" or two of them are one file, of which the second would replace the first (devices and pipes
-/// take both), and base::Error where there is no folder for one. Called before the work.
+/// Throws UsageError where one is "-" or two of them are one file, of which the second would replace the first (devices
+/// and pipes take both), and base::Error where there is no folder for one. Called before the work.
 void requireOutputs(std::initializer_list<OutputName> outputs);
 
 } // namespace app
