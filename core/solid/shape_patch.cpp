@@ -2,11 +2,14 @@
 
 #include "core/base/cancel_scope.h"
 #include "core/base/parallel.h"
+#include "core/process/estimation/part_progress.h"
 #include "core/surface/projection/project.h"
 
 #include <Eigen/SparseCholesky>
 #include <numbers>
+#include <optional>
 #include <queue>
+#include <span>
 
 namespace solid {
 
@@ -21,6 +24,7 @@ struct Ringed {
     std::vector<Vec3d> positions;
     std::vector<mesh::Triangle> triangles;
     std::vector<std::uint8_t> free; ///< of each position
+    std::size_t inner = 0;          ///< positions of the patch, which stand first
 };
 
 constexpr int rings = 2;
@@ -28,10 +32,10 @@ constexpr int rings = 2;
 /// How far one ring lies from the next, in spacings: a part of the hole's radius where that is more, up to this many.
 /// Beside the loop surfels are on one side only, and the surface leans by some hundredths: narrow rings would carry
 /// that, and the noise of a scan, up to the middle.
-constexpr double widestStep = 3, stepOfRadius = 0.3;
+constexpr double widestStep = 2, stepOfRadius = 0.3;
 
 Ringed ringed(const surface::Surface& surface, const Loop& loop, const Patch& patch) {
-    Ringed out{patch.positions, patch.triangles, {}};
+    Ringed out{patch.positions, patch.triangles, {}, patch.positions.size()};
     const auto n = static_cast<std::uint32_t>(loop.size()), first = static_cast<std::uint32_t>(patch.positions.size());
     out.free.assign(patch.positions.size(), 1);
     std::fill_n(out.free.begin(), n, 0);
@@ -60,8 +64,12 @@ Ringed ringed(const surface::Surface& surface, const Loop& loop, const Patch& pa
     return out;
 }
 
-/// Stiffness by cotangents and lumped areas, of lengths in units of `unit`. Weights are kept above zero, so that the
-/// system has one solution whatever the triangles.
+/// Areas of triangles count as no less than so much of the sum of their sides' squares (0.14 where these are equal).
+constexpr double thinnest = 0.02;
+
+/// Stiffness by cotangents and lumped areas, of lengths in units of `unit`. It is never negative, as a sum of what
+/// triangles contribute, nor does it see planes, while weights of single edges, of obtuse angles, may well be below
+/// zero: kept above, they would look like curvature, which bends large patches more than the surface around does.
 struct Measures {
     Matrix stiffness;
     Eigen::VectorXd areas;
@@ -76,7 +84,8 @@ Measures measuresOf(const std::vector<Vec3d>& x, const std::vector<mesh::Triangl
             const auto a = static_cast<int>(t[k]), b = static_cast<int>(t[(k + 1) % 3]);
             const Vec3d c = x[t[(k + 2) % 3]], u = (x[t[k]] - c) / unit, v = (x[t[(k + 1) % 3]] - c) / unit;
             const double twice = length(cross(u, v));
-            const double weight = 0.5 * dot(u, v) / std::max(twice, 1e-12);
+            const double sides = lengthSq(u) + lengthSq(v) + lengthSq(u - v);
+            const double weight = 0.5 * dot(u, v) / std::max({twice, 2 * thinnest * sides, 1e-12});
             entries.emplace_back(a, b, weight), entries.emplace_back(b, a, weight);
             out.areas[a] += twice / 6;
         }
@@ -85,8 +94,7 @@ Measures measuresOf(const std::vector<Vec3d>& x, const std::vector<mesh::Triangl
     entries.clear();
     for (int column = 0; column < sums.outerSize(); ++column)
         for (Matrix::InnerIterator it(sums, column); it; ++it) {
-            const double weight = std::clamp(it.value(), 0.01, 10.0);
-            entries.emplace_back(it.row(), column, -weight), entries.emplace_back(column, column, weight);
+            entries.emplace_back(it.row(), column, -it.value()), entries.emplace_back(column, column, it.value());
         }
     out.stiffness.setFromTriplets(entries.begin(), entries.end());
     return out;
@@ -132,46 +140,68 @@ bool solve(const Measures& measures, const std::vector<std::uint8_t>& free, int 
     return true;
 }
 
-/// Does a solution stay about its loop?
-bool staysNear(const Loop& loop, const std::vector<Vec3d>& positions) {
-    double extent = 0;
+double extentOf(const Loop& loop) {
+    double out = 0;
     for (const LoopPoint& p : loop.points)
-        extent = std::max(extent, distance(p.position, loop.middle));
+        out = std::max(out, distance(p.position, loop.middle));
+    return out;
+}
+
+/// Does a solution stay about its loop?
+bool staysNear(const Loop& loop, std::span<const Vec3d> positions) {
+    const double most = 2 * extentOf(loop) + 4 * loop.meanSpacing();
     return std::all_of(positions.begin(), positions.end(),
-                       [&](const Vec3d& p) { return distance(p, loop.middle) <= 2 * extent + 4 * loop.meanSpacing(); });
+                       [&](const Vec3d& p) { return distance(p, loop.middle) <= most; });
+}
+
+using Positions = std::optional<std::vector<Vec3d>>;
+
+/// Of the patch and its rings, of least energy of that order. Nothing where it swings away from the loop.
+Positions shaped(const Ringed& from, const Loop& loop, int order, const base::Progress& progress) {
+    constexpr int passes = 12;   // areas and angles are those of the last shape
+    constexpr double step = 0.6; // of the way: all of it goes to and fro where noise around the hole decides
+    const double unit = loop.meanSpacing();
+    std::vector<Vec3d> out = from.positions;
+    Columns values(static_cast<Eigen::Index>(out.size()), 3);
+    for (int pass = 0; pass < passes; ++pass) {
+        progress.step(static_cast<double>(pass) / passes, "Shaping");
+        for (std::size_t v = 0; v < out.size(); ++v)
+            for (std::size_t k = 0; k < 3; ++k)
+                values(static_cast<Eigen::Index>(v), static_cast<Eigen::Index>(k)) =
+                    (out[v][k] - loop.middle[k]) / unit;
+        if (!solve(measuresOf(out, from.triangles, unit), from.free, order, values))
+            return {};
+        for (std::size_t v = 0; v < out.size(); ++v) {
+            const auto row = static_cast<Eigen::Index>(v);
+            if (from.free[v])
+                out[v] += (loop.middle + Vec3d{values(row, 0), values(row, 1), values(row, 2)} * unit - out[v]) * step;
+        }
+        if (!staysNear(loop, std::span(out).first(from.inner)))
+            return {};
+    }
+    return out;
+}
+
+bool take(const Positions& found, const Loop& loop, Patch& patch) {
+    for (std::size_t v = loop.size(); found && v < patch.positions.size(); ++v)
+        patch.positions[v] = (*found)[v];
+    return found.has_value();
 }
 
 } // namespace
 
 bool shapePatch(const surface::Surface& surface, const Loop& loop, Shape shape, Patch& patch,
                 const base::Progress& progress) {
-    constexpr int passes = 10; // areas and angles are those of the last shape
-    const double unit = loop.meanSpacing();
-    Ringed all = ringed(surface, loop, patch);
-    Columns values(static_cast<Eigen::Index>(all.positions.size()), 3);
-    for (int pass = 0; pass < passes; ++pass) {
-        progress.step(static_cast<double>(pass) / passes, "Shaping");
-        for (std::size_t v = 0; v < all.positions.size(); ++v)
-            for (std::size_t k = 0; k < 3; ++k)
-                values(static_cast<Eigen::Index>(v), static_cast<Eigen::Index>(k)) =
-                    (all.positions[v][k] - loop.middle[k]) / unit;
-        const Measures measures = measuresOf(all.positions, all.triangles, unit);
-        if (!solve(measures, all.free, shape == Shape::Flat ? 1 : 3, values))
-            return false;
-        std::vector<Vec3d> moved(all.positions.size());
-        for (std::size_t v = 0; v < moved.size(); ++v)
-            moved[v] =
-                loop.middle + Vec3d{values(static_cast<Eigen::Index>(v), 0), values(static_cast<Eigen::Index>(v), 1),
-                                    values(static_cast<Eigen::Index>(v), 2)} *
-                                  unit;
-        moved.resize(patch.positions.size());
-        if (!staysNear(loop, moved))
-            return false;
-        std::copy(moved.begin(), moved.end(), all.positions.begin());
-    }
-    for (std::size_t v = loop.size(); v < patch.positions.size(); ++v)
-        patch.positions[v] = all.positions[v];
-    return true;
+    constexpr double beyond = 0.15; // of the loop's extent
+    const Ringed from = ringed(surface, loop, patch);
+    if (shape == Shape::Flat)
+        return take(shaped(from, loop, 1, progress), loop, patch);
+    const auto bent = shaped(from, loop, 2, process::part(progress, 0, 0.4));
+    const auto smooth = shaped(from, loop, 3, process::part(progress, 0.4, 1));
+    double apart = 0;
+    for (std::size_t v = 0; bent && smooth && v < patch.positions.size(); ++v)
+        apart = std::max(apart, distance((*bent)[v], (*smooth)[v]));
+    return take(smooth && apart <= beyond * extentOf(loop) ? smooth : bent, loop, patch);
 }
 
 std::vector<Vec3d> patchNormals(const Loop& loop, const Patch& patch) {

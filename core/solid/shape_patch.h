@@ -11,7 +11,7 @@ namespace solid {
 
 enum class Shape {
     Flat,  ///< least area: the plane of a plane loop
-    Smooth ///< tangent planes and curvatures of the surface around go on into the patch
+    Smooth ///< tangent planes of the surface around go on into the patch, and curvatures where noise lets them be told
 };
 
 /// Moves the vertices inside. False, and nothing moved, where no surface of that shape comes to lie about the loop (it
