@@ -44,7 +44,7 @@ void BlurTest::blurKeepsConstantsAndBounds() {
 void BlurTest::blurIsTheWeightedMeanOfAllPairs() {
     const surface::Surface ball = test::unevenBall(test::seed(), 500, 0.02);
     const surface::Surface start = test::withField(ball, [](const surfel::Surfel& s) { return s.colour % 5 / 4.0; });
-    const double radius = 0.6;
+    const double radius = 0.9; // above what links reach over: these would count instead
     const tree::SurfelTree soft = blurred(start, Field::Selection, radius);
     std::vector<std::pair<Place, surfel::Surfel>> all;
     test::forSurfels(start.tree(), [&](const Place& at, const surfel::Surfel& s) { all.push_back({at, s}); });

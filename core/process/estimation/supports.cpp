@@ -1,5 +1,6 @@
 #include "core/process/estimation/supports.h"
 
+#include "core/process/estimation/chance.h"
 #include "core/process/estimation/cloud_supports.h"
 #include "core/process/estimation/graded_field.h"
 #include "core/process/estimation/outliers.h"
@@ -36,11 +37,6 @@ std::vector<float> withoutOutliers(std::span<const float> spacing, const Neighbo
     return out;
 }
 
-/// Where the nearest neighbour is on the mean at so much of the spacing, samples lie by chance: .55 where each was
-/// drawn without regard to the others, .7 and more in scans, .8 where they keep their distance, 1 on a lattice.
-/// Supports there reach farther, over the gaps that chance leaves (process/README 1.2).
-constexpr float byChance = 0.6f, evenEnough = 0.68f, reachOverGaps = 1.3f;
-
 /// Means over a position and its neighbours.
 std::vector<float> meansAround(std::span<const float> values, const NeighbourGraph& g) {
     std::vector<float> out(values.size());
@@ -55,16 +51,13 @@ std::vector<float> meansAround(std::span<const float> values, const NeighbourGra
 }
 
 /// How much farther each is to reach.
-std::vector<float> reachByChance(std::span<const float> spacing, const NeighbourGraph& g) {
+std::vector<float> reachesByChance(std::span<const float> spacing, const NeighbourGraph& g) {
     std::vector<float> out(spacing.size());
     base::parallelFor(out.size(), grain, [&](std::size_t i) {
         out[i] = std::min(g.distance(i, g.row(i)[0]) / std::max(spacing[i], 1e-18f), 1.0f);
     });
     out = meansAround(meansAround(out, g), g);
-    base::parallelFor(out.size(), grain, [&](std::size_t i) {
-        const float share = std::clamp((evenEnough - out[i]) / (evenEnough - byChance), 0.0f, 1.0f);
-        out[i] = 1 + (reachOverGaps - 1) * share;
-    });
+    base::parallelFor(out.size(), grain, [&](std::size_t i) { out[i] = reachByChance(out[i]); });
     return out;
 }
 
@@ -130,7 +123,7 @@ std::vector<float> supportsOf(const Cloud& cloud, const surfel::SurfelList& poin
     std::vector<float> h = withoutOutliers(own, graph);
     // On a curve the nearest are along it: no mean over a ring, and no gap that reaching farther would bridge.
     std::vector<float> wider = definition.manifold == surface::Manifold::Curve ? std::vector<float>(cloud.size(), 1.0f)
-                                                                               : reachByChance(own, graph);
+                                                                               : reachesByChance(own, graph);
     const float perSpacing = definition.unitInSpacings();
     base::parallelFor(h.size(), grain, [&](std::size_t i) {
         for (float* const value : {&own[i], &h[i]})

@@ -1,6 +1,7 @@
 #include "core/sculpt/tools/density.h"
 
 #include "core/base/parallel.h"
+#include "core/process/estimation/chance.h"
 #include "core/process/resampling/resample.h"
 #include "core/sculpt/tools/inside.h"
 #include "core/surfel/shape.h"
@@ -180,7 +181,8 @@ static tree::Edit density(const surface::Surface& version, const Dab& dab) {
     options.relaxAll = true;
     const Aim aim{dab.centre, dab.radius, process::supportOf(definition, first), options.support};
     if (!oneSupport && uneven(began.tree(), brush)) {
-        const Aims aims(aim, process::SpacingField(began.tree(), 1.0f), factor, change);
+        const float reach = process::reachByChance(began, dab.centre);
+        const Aims aims(aim, process::SpacingField(began.tree(), 1.0f), factor / reach, change);
         options.spacing = options.support = 0; // supports follow in `graded`
         const tree::Selection which = concerned(version.tree(), brush, aims, perSpacing, options.spacing);
         options.targetOf = [&](const surfel::SurfelBlock& block, int slot) {
