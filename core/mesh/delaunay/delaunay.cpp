@@ -1,6 +1,7 @@
 #include "core/mesh/delaunay/delaunay.h"
 
 #include "core/base/error.h"
+#include "core/mesh/cell_size.h"
 #include "core/mesh/check/self_intersections.h"
 #include "core/mesh/check/shape.h"
 #include "core/mesh/delaunay/delaunay_finish.h"
@@ -29,9 +30,9 @@ namespace {
 
 constexpr double degree = 3.14159265358979323846 / 180;
 
-/// The median spacing; of a model too small to have one what its support tells.
+/// The usual size of cells; of a model too small to have one what its support tells.
 double unitOf(const surface::Surface& surface) {
-    const double spacing = double(process::typicalSpacing(surface.tree()));
+    const double spacing = usualCell(surface.tree());
     return spacing > 0 ? spacing : double(surface.tree().maxSupport()) * surface::spacingOfUnit;
 }
 

@@ -4,12 +4,12 @@
 #include "core/base/parallel.h"
 #include "core/base/radix_sort.h"
 #include "core/cells/cell_projection.h"
+#include "core/mesh/cell_size.h"
 #include "core/mesh/check/topology.h"
 #include "core/mesh/extent/edge_shortfall.h"
 #include "core/mesh/marching/marching_cubes.h"
 #include "core/mesh/surface_parts.h"
 #include "core/process/estimation/part_progress.h"
-#include "core/process/estimation/spacing_sample.h"
 #include "core/surface/curves/boundary.h"
 #include "core/surface/projection/project.h"
 
@@ -224,7 +224,7 @@ Extent extentOf(const surface::Surface& surface, double cell, const base::Progre
         const auto share = [&](std::size_t k) {
             return 0.02 + 0.98 * static_cast<double>(k) / static_cast<double>(parts.size());
         };
-        const double own = parts.size() > 1 ? static_cast<double>(process::typicalSpacing(parts[i].tree())) : cell;
+        const double own = parts.size() > 1 ? usualCell(parts[i].tree()) : cell;
         const Extent part = extentOfPart(parts[i], own, process::part(progress, share(i), share(i + 1)));
         out.area += part.area, out.areaError += part.areaError;
         out.volume += part.volume, out.volumeError += part.volumeError;

@@ -1,6 +1,7 @@
 #include "core/mesh/marching/marching_cubes.h"
 
 #include "core/base/parallel.h"
+#include "core/mesh/cell_size.h"
 #include "core/mesh/finish/close_folds.h"
 #include "core/mesh/finish/drop_triangles.h"
 #include "core/mesh/finish/mesh_attributes.h"
@@ -13,7 +14,6 @@
 #include "core/mesh/seams/keep_creases.h"
 #include "core/mesh/surface_parts.h"
 #include "core/process/estimation/part_progress.h"
-#include "core/process/estimation/spacing_sample.h"
 
 #include <algorithm>
 #include <optional>
@@ -35,7 +35,7 @@ SurfaceTraits traitsOf(const surface::Surface& surface, const MarchingOptions& o
 
 Lattice latticeFor(const surface::Surface& surface, const MarchingOptions& options) {
     Lattice out;
-    out.cell = options.cell > 0 ? options.cell : static_cast<double>(process::typicalSpacing(surface.tree()));
+    out.cell = options.cell > 0 ? options.cell : usualCell(surface.tree());
     if (!(out.cell > 0) || !std::isfinite(out.cell))
         throw base::Error("the model has no spacing to take the cell size from", "", "give a cell size");
     out.turned = options.turned;
@@ -285,7 +285,7 @@ Mesh marchParts(std::span<const surface::Surface> parts, MarchingOptions options
     Mesh out;
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const auto share = [&](std::size_t k) { return static_cast<double>(k) / static_cast<double>(parts.size()); };
-        options.cell = static_cast<double>(process::typicalSpacing(parts[i].tree()));
+        options.cell = usualCell(parts[i].tree());
         MarchingReport own;
         append(out, marchingCubes(parts[i], options, own, process::part(progress, share(i), share(i + 1))));
         add(report, own);
