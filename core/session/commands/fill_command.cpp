@@ -1,4 +1,5 @@
 #include "core/session/commands/commands.h"
+#include "core/session/place_text.h"
 #include "core/solid/fill.h"
 
 #include <nlohmann/json.hpp>
@@ -19,18 +20,11 @@ static solid::FillOptions fillOptions(const nlohmann::json& complete) {
     return out;
 }
 
-static std::string placeText(const base::Vec3d& place) {
-    std::ostringstream out;
-    out.precision(4);
-    out << place.x << ' ' << place.y << ' ' << place.z;
-    return out.str();
-}
-
 static std::string told(const solid::LoopFate& fate, const base::Vec3d& origin) {
     std::ostringstream out;
     out.precision(4);
     out << "boundary loop " << fate.number << " of length " << fate.length << " about "
-        << placeText(fate.middle + origin);
+        << placeText(fate.middle + origin, fate.length);
     if (*fate.why)
         out << " was left: " << fate.why;
     else if (fate.flattened)
