@@ -93,7 +93,9 @@ std::string commandHelp() {
                       "in the session's folder:\n";
     for (const session::CommandRow& row : session::commandTable())
         out += std::string("  ") + row.op + ": " + row.tip + "\n" + parametersHelp(row);
-    return out + "Stroke tools and their own parameters:\n" + toolHelp();
+    out += "Stroke tools and their own parameters:\n" + toolHelp();
+    out.pop_back(); // help ends its last line
+    return out;
 }
 
 } // namespace app

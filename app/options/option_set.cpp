@@ -106,8 +106,9 @@ std::vector<std::string> OptionSet::given() const {
     return out;
 }
 
-void OptionSet::addFooter(const std::string& text) {
-    m_app->footer(m_app->get_footer() + text);
+void OptionSet::addFooter(std::function<std::string()> text) {
+    m_app->footer([before = m_app->get_footer(), text = std::move(text)] { return before + text(); });
+    m_app->footer(std::string()); // which would follow
 }
 
 } // namespace app

@@ -63,7 +63,8 @@ class OptionSet {
     bool has(const std::string& name) const;
     /// The options that the arguments have, as they would be written again; arguments without a name are left out.
     std::vector<std::string> given() const;
-    void addFooter(const std::string& text);
+    /// `text` is made when help is asked for, and without a last line's end.
+    void addFooter(std::function<std::string()> text);
 
   private:
     CLI::App* m_app;

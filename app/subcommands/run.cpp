@@ -157,7 +157,7 @@ Action addRun(OptionSet command) {
                     "take files as they are now that have changed since the session was recorded: strokes then meet "
                     "another model than they were drawn on");
     addFaceOptions(command, options->faces, model);
-    command.addFooter("\n\n" + commandHelp());
+    command.addFooter([] { return "\n\n" + commandHelp(); });
     return [options](Console& console) { run(*options, console); };
 }
 

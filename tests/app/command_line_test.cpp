@@ -72,14 +72,13 @@ void CommandLineTest::helpOfRunNamesEveryCommandAndTool() {
         std::size_t end = help.find("\n  ", at + 1);
         while (end != std::string::npos && help[end + 3] == ' ')
             end = help.find("\n  ", end + 1);
-        const std::string own = help.substr(at, end - at);
+        const std::string own = help.substr(at, end - at) + '\n';
+        const std::string shared = own.substr(std::min(own.find("\n    as for "), own.size()));
         for (const session::CommandParameter& p : row.parameters) {
-            const std::size_t shared = own.find("\n    as for ");
+            const std::string word = std::string(" ") + p.id;
             QVERIFY2(own.find(std::string("\n    ") + p.id + " (") != std::string::npos ||
-                         (shared != std::string::npos && (own.find(std::string(" ") + p.id + " ", shared) < end ||
-                                                          own.find(std::string(" ") + p.id + "\n", shared) < end ||
-                                                          own.ends_with(std::string(" ") + p.id))),
-                     (row.op + std::string(" ") + p.id).c_str());
+                         shared.find(word + ' ') != std::string::npos || shared.find(word + '\n') != std::string::npos,
+                     (row.op + word).c_str());
         }
     }
     for (const sculpt::ToolRow& tool : sculpt::toolTable())
