@@ -1,5 +1,6 @@
 #include "core/mesh/cell_size.h"
 
+#include "core/process/estimation/spacing.h"
 #include "core/process/estimation/spacing_sample.h"
 
 #include <algorithm>
@@ -10,12 +11,14 @@ namespace mesh {
 double usualCell(const tree::SurfelTree& tree) {
     constexpr double most = 25, least = 4, enough = 1.5e6; // squares to a surfel, and of all
     double area = 0;
-    const std::vector<process::SpacingSample> samples = process::sampleSpacing(tree);
-    for (const process::SpacingSample& sample : samples)
+    std::vector<float> spacings;
+    for (const process::SpacingSample& sample : process::sampleSpacing(tree)) {
+        spacings.push_back(sample.spacing);
         area += double(sample.spacing) * double(sample.spacing);
-    const double mean = samples.empty() ? 0 : area / static_cast<double>(samples.size());
+    }
+    const double mean = spacings.empty() ? 0 : area / static_cast<double>(spacings.size());
     const double each = std::clamp(enough / std::max(1.0, static_cast<double>(tree.size())), least, most);
-    return std::max(double(process::typicalSpacing(tree)), std::sqrt(mean / each));
+    return std::max(double(process::summarise(std::move(spacings)).median), std::sqrt(mean / each));
 }
 
 } // namespace mesh

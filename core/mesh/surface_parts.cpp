@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <unordered_map>
 
@@ -94,11 +95,15 @@ class Reaching {
     std::uint32_t m_count = 0;
 };
 
-bool uneven(const surfel::SurfelList& surfels) {
-    const auto [least, most] =
-        std::minmax_element(surfels.items.begin(), surfels.items.end(),
-                            [](const surfel::Surfel& a, const surfel::Surfel& b) { return a.support < b.support; });
-    return most->support > unevenFrom * least->support;
+bool uneven(const tree::SurfelTree& tree) {
+    float least = std::numeric_limits<float>::infinity(), most = 0;
+    tree.forEachBlock([&](std::uint32_t, const surfel::SurfelBlock& block) {
+        for (int slot = 0; slot < block.size(); ++slot) {
+            least = std::min(least, block.support(slot));
+            most = std::max(most, block.support(slot));
+        }
+    });
+    return most > unevenFrom * least;
 }
 
 /// Of each surfel the number of its part; how many there are.
@@ -146,11 +151,9 @@ std::uint32_t numberParts(const surfel::SurfelList& surfels, std::vector<std::ui
 } // namespace
 
 std::vector<surface::Surface> partsOf(const surface::Surface& surface, const base::Progress& progress) {
-    if (surface.tree().empty())
+    if (!uneven(surface.tree()))
         return {surface};
     const surfel::SurfelList surfels = surface.tree().surfels();
-    if (!uneven(surfels))
-        return {surface};
     std::vector<std::uint32_t> numbers = Reaching(surface.tree()).sets(progress);
     const std::uint32_t count = numberParts(surfels, numbers);
     if (count < 2)

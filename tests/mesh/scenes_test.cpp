@@ -45,13 +45,6 @@ std::vector<Box> scene(base::Random& random, std::size_t count, double ratio, do
     return out;
 }
 
-Faces together(const std::vector<Box>& boxes) {
-    Faces out;
-    for (const Box& each : boxes)
-        append(out, each.faces());
-    return out;
-}
-
 std::size_t boxOf(const std::vector<Box>& boxes, const Vec3d& p) {
     std::size_t out = 0;
     for (std::size_t i = 1; i < boxes.size(); ++i)

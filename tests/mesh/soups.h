@@ -167,4 +167,11 @@ inline void halveSome(Faces& faces, base::Random& random, int times) {
     }
 }
 
+inline Faces together(const std::vector<Box>& boxes) {
+    Faces out;
+    for (const Box& b : boxes)
+        append(out, b.faces());
+    return out;
+}
+
 } // namespace soups

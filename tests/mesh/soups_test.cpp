@@ -85,13 +85,6 @@ std::vector<Box> bars(base::Random& random, int corners, bool closed) {
     return out;
 }
 
-Faces together(const std::vector<Box>& boxes) {
-    Faces out;
-    for (const Box& b : boxes)
-        append(out, b.faces());
-    return out;
-}
-
 } // namespace
 
 /// Bricks with their walls once or twice, cut into needles, turned by chance and with corners of their own: closed, as

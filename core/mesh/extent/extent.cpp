@@ -224,7 +224,7 @@ Extent extentOf(const surface::Surface& surface, double cell, const base::Progre
         const auto share = [&](std::size_t k) {
             return 0.02 + 0.98 * static_cast<double>(k) / static_cast<double>(parts.size());
         };
-        const double own = parts.size() > 1 ? usualCell(parts[i].tree()) : cell;
+        const double own = cell > 0 ? cell : usualCell(parts[i].tree());
         const Extent part = extentOfPart(parts[i], own, process::part(progress, share(i), share(i + 1)));
         out.area += part.area, out.areaError += part.areaError;
         out.volume += part.volume, out.volumeError += part.volumeError;
