@@ -3,6 +3,7 @@
 #include "core/mesh/check/check.h"
 #include "core/mesh/check/self_intersections.h"
 #include "core/mesh/connectivity/triangulation.h"
+#include "core/mesh/delaunay/delaunay.h"
 #include "core/mesh/marching/marching_cubes.h"
 
 #include "cells/solids.h"
@@ -19,6 +20,7 @@ class CreaseMeshTest : public QObject {
   private Q_SLOTS:
     void solidsKeepTheirEdges_data();
     void solidsKeepTheirEdges();
+    void everyCornerHasOneVertex();
     void octantsKeepTheirEdges();
     void narrowSolidsDoNotCutThemselves();
     void threadsDoNotShow();
@@ -29,7 +31,16 @@ namespace {
 
 constexpr double spacing = 0.1;
 
-Mesh meshOf(const surface::Surface& surface, double cell) {
+enum class Method { MarchingCubes, Delaunay };
+
+/// `cell`: the side of cubes, or the size of triangles.
+Mesh meshOf(const surface::Surface& surface, double cell, Method method = Method::MarchingCubes) {
+    if (method == Method::Delaunay) {
+        mesh::DelaunayOptions options;
+        options.size = cell;
+        mesh::DelaunayReport report;
+        return mesh::restrictedDelaunay(surface, options, report);
+    }
     mesh::MarchingOptions options;
     options.cell = cell;
     mesh::MarchingReport report;
@@ -84,17 +95,22 @@ QString told(const mesh::Topology& t, const Creases& c, std::size_t cuts) {
 void CreaseMeshTest::solidsKeepTheirEdges_data() {
     QTest::addColumn<int>("kind");
     QTest::addColumn<double>("cell"); // in spacings
-    for (const double cell : {1.0, 1.7}) {
-        const QByteArray how = " " + QByteArray::number(cell);
-        QTest::newRow("cube" + how) << 0 << cell;
-        QTest::newRow("L-block" + how) << 1 << cell;
-        QTest::newRow("random polyhedron" + how) << 2 << cell;
-    }
+    QTest::addColumn<Method>("method");
+    const auto rows = [](const QByteArray& how, double cell, Method method) {
+        QTest::newRow("cube" + how) << 0 << cell << method;
+        QTest::newRow("L-block" + how) << 1 << cell << method;
+        QTest::newRow("random polyhedron" + how) << 2 << cell << method;
+    };
+    rows(" 1", 1, Method::MarchingCubes);
+    rows(" 1.7", 1.7, Method::MarchingCubes);
+    rows(" delaunay 1", 1, Method::Delaunay);
+    rows(" delaunay 3", 3, Method::Delaunay);
 }
 
 void CreaseMeshTest::solidsKeepTheirEdges() {
     QFETCH(int, kind);
     QFETCH(double, cell);
+    QFETCH(Method, method);
     if (test::sanitized && (kind != 0 || cell != 1))
         return;
     Random random(test::seed());
@@ -103,7 +119,7 @@ void CreaseMeshTest::solidsKeepTheirEdges() {
                                                   : plane_solids::polyhedron(random);
     const SampledSolid s = plane_solids::sampled(solid, 2.4, spacing, random);
     const surface::Surface surface = plane_solids::surfaceOf(s.surfels);
-    const Mesh mesh = meshOf(surface, cell * spacing);
+    const Mesh mesh = meshOf(surface, cell * spacing, method);
     const mesh::Topology topology = mesh::topologyOf(mesh.triangles, mesh.positions.size());
     const std::size_t cuts = mesh::selfIntersections(mesh).size();
     const Creases creases = creasesOf(mesh, solid);
@@ -119,6 +135,28 @@ void CreaseMeshTest::solidsKeepTheirEdges() {
     for (const Vec3d& each : mesh.positions)
         worst = std::max(worst, std::abs(solid.value(each)));
     QVERIFY2(worst < 0.02 * spacing, QByteArray::number(worst / spacing) + " spacings off; " + all);
+}
+
+/// Triangles beside each other that see the same corner used to make two, which cut each other and were taken back.
+void CreaseMeshTest::everyCornerHasOneVertex() {
+    constexpr std::array outline{std::array{-.9, -.9}, std::array{.9, -.9}, std::array{.9, 0.},
+                                 std::array{0., 0.},   std::array{0., .9},  std::array{-.9, .9}};
+    Random random(test::seed());
+    for (int round = 0; round < test::effort(8); ++round) {
+        const SampledSolid s = plane_solids::sampled(plane_solids::lBlock(0.9), 2.4, spacing, random);
+        const surface::Surface surface = plane_solids::surfaceOf(s.surfels);
+        for (const Method method : {Method::MarchingCubes, Method::Delaunay}) {
+            const Mesh mesh = meshOf(surface, random.uniform(1, 2) * spacing, method);
+            for (const auto& [x, y] : outline)
+                for (const double z : {-.45, .45}) {
+                    const auto there = std::count_if(mesh.positions.begin(), mesh.positions.end(), [&](const Vec3d& v) {
+                        return base::distance(v, {x, y, z}) < 1e-3 * spacing;
+                    });
+                    const QString where("seed %1, round %2: %3 vertices at %4 %5 %6");
+                    QVERIFY2(there == 1, where.arg(test::seed()).arg(round).arg(there).arg(x).arg(y).arg(z).toUtf8());
+                }
+        }
+    }
 }
 
 /// Three planes and a ball: seams that are bent.

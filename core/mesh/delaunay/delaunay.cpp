@@ -14,6 +14,7 @@
 #include "core/mesh/finish/trim_folds.h"
 #include "core/mesh/finish/untangle.h"
 #include "core/mesh/marching/marching_cubes.h"
+#include "core/mesh/seams/keep_creases.h"
 #include "core/mesh/surface_parts.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/process/estimation/spacing_sample.h"
@@ -193,8 +194,9 @@ std::optional<Mesh> marchedDelaunay(const surface::Surface& surface, const Delau
     return out;
 }
 
-Mesh partDelaunay(const surface::Surface& surface, const DelaunayOptions& options, DelaunayReport& report,
-                  const base::Progress& progress) {
+/// Round where cells meet.
+Mesh smoothDelaunay(const surface::Surface& surface, const DelaunayOptions& options, DelaunayReport& report,
+                    const base::Progress& progress) {
     const double unit = unitOf(surface);
     const FaceDemand demand = demandOf(surface, options, unit, process::part(progress, 0, 0.05));
     report = {};
@@ -209,6 +211,14 @@ Mesh partDelaunay(const surface::Surface& surface, const DelaunayOptions& option
     if (closedCell != cell)
         cubes = cubesOf(surface, closedCell, process::part(second, 0, 0.3));
     return closedDelaunay(surface, options, demand, closedCell, cubes, report, second);
+}
+
+Mesh partDelaunay(const surface::Surface& surface, const DelaunayOptions& options, DelaunayReport& report,
+                  const base::Progress& progress) {
+    Mesh out = smoothDelaunay(surface, options, report, process::part(progress, 0, 0.9));
+    if (options.creases)
+        keepCreases(out, surface, process::part(progress, 0.9, 1));
+    return out;
 }
 
 void add(DelaunayReport& report, const DelaunayReport& more) {

@@ -34,6 +34,8 @@ struct DelaunayOptions {
     double size = 0;
     double distance = 0; ///< of triangles from the surface, in model units; 0: a tenth of the median spacing
     double adaptive = 0; ///< sizes by curvature, for triangles this close to the surface; 0: one size
+    /// Of models with cells seams are chains of edges (seams/keep_creases.h); angles are promised away from them.
+    bool creases = true;
     Finishing finishing;
 };
 

@@ -2,6 +2,7 @@
 
 #include "core/base/parallel.h"
 #include "core/mesh/connectivity/triangulation.h"
+#include "core/mesh/seams/corner_vertices.h"
 #include "core/process/estimation/part_progress.h"
 
 #include <unordered_map>
@@ -15,25 +16,28 @@ namespace {
 constexpr std::size_t grain = 128;
 constexpr double seamSnap = 0.3, cornerSnap = 0.5; ///< of the edges about a vertex: how near it moves to a crease
 constexpr double reach = 3;                        ///< of an edge: how far from its middle a seam may be
+constexpr int rounds = 3;                          ///< of cuts, in which vertices go to corners
 constexpr std::uint32_t none = Triangulation::none;
 
 class CreaseCutter {
   public:
     CreaseCutter(const cells::CellSurface& surface, Mesh mesh, std::vector<CreaseVertex> onFaces)
         : m_surface(surface), m_mesh(std::move(mesh)), m_triangulation(m_mesh), m_vertices(std::move(onFaces)),
-          m_faces(m_vertices), m_before{m_mesh.positions, m_mesh.normals} {}
+          m_faces(m_vertices), m_triangles(std::move(m_mesh.triangles)), m_before{m_mesh.positions, m_mesh.normals} {}
 
     CutMesh run(const base::Progress& progress) {
         progress.step(0, "finding creases");
         snap();
-        progress.step(0.5, "finding creases");
-        for (std::size_t v = 0; v < m_vertices.size(); ++v)
-            if (m_vertices[v].mixed) {
-                m_mesh.positions[v] = m_vertices[v].position;
-                m_mesh.normals[v] = m_vertices[v].normal;
-            }
-        splitEdges();
-        return cut();
+        for (int round = 1;; ++round) {
+            progress.step(0.5 * round / rounds, "finding creases");
+            begin();
+            splitEdges();
+            cut();
+            if (round == rounds || !m_cornerVertices.settle(m_corners))
+                break;
+        }
+        return {std::move(m_mesh),  std::move(m_vertices), std::move(m_facing),
+                std::move(m_cells), std::move(m_before),   std::move(m_between)};
     }
 
   private:
@@ -41,14 +45,36 @@ class CreaseCutter {
         std::optional<CreasePlace> corner, seam;
     };
 
+    /// Vertices where they have moved to, and nothing cut yet.
+    void begin() {
+        const std::size_t count = m_faces.size();
+        m_vertices.resize(count);
+        m_mesh.positions.resize(count);
+        m_mesh.normals.resize(count);
+        if (!m_mesh.kinds.empty())
+            m_mesh.kinds.resize(count);
+        m_before.positions.resize(count);
+        m_before.normals.resize(count);
+        m_between.clear();
+        m_corners.clear();
+        m_split.clear();
+        m_mesh.triangles.clear();
+        m_facing.clear();
+        m_cells.clear();
+        for (std::size_t v = 0; v < count; ++v)
+            if (m_vertices[v].mixed) {
+                m_mesh.positions[v] = m_vertices[v].position;
+                m_mesh.normals[v] = m_vertices[v].normal;
+            }
+    }
+
     bool known(std::uint32_t v) const { return m_vertices[v].cells.count() > 0; }
     Vec3d place(std::uint32_t v) const { return m_vertices[v].position; }
-    bool movable(std::uint32_t v) const { return m_mesh.kinds.empty() || m_mesh.kinds[v] == VertexKind::Inner; }
 
     /// What a vertex beside other cells could move to.
     Snap snapOf(CreaseFinder& finder, std::uint32_t v, std::vector<std::uint32_t>& ring) const {
         Snap out;
-        if (!m_vertices[v].mixed || !known(v) || !movable(v))
+        if (!m_vertices[v].mixed || !known(v) || !movable(m_mesh, v))
             return out;
         m_triangulation.neighbours(v, ring);
         double size = 0;
@@ -94,35 +120,11 @@ class CreaseCutter {
         };
         std::sort(order.begin(), order.end(),
                   [&](std::uint32_t a, std::uint32_t b) { return far(a) != far(b) ? far(a) < far(b) : a < b; });
-        std::vector<std::uint32_t> ring, second;
-        for (const std::uint32_t v : order) {
-            const CreasePlace& corner = *found[v].corner;
-            const auto taken = [&](std::uint32_t w) {
-                return m_vertices[w].cells.count() >= 3 &&
-                       base::distance(m_vertices[w].position, corner.position) < 1e-3 * (far(v) + 1e-9);
-            };
-            const auto same = [&](std::uint32_t w) {
-                return m_vertices[w].cells.count() >= 3 && m_vertices[w].cells.sameAs(corner.cells);
-            };
-            m_triangulation.neighbours(v, ring);
-            bool free = true;
-            for (const std::uint32_t w : ring) {
-                free = free && !taken(w) && !same(w);
-                m_triangulation.neighbours(w, second);
-                for (const std::uint32_t u : second)
-                    free = free && (u == v || (!taken(u) && !same(u)));
-            }
-            if (free)
-                moveTo(v, corner);
-        }
+        for (const std::uint32_t v : order)
+            m_cornerVertices.goIfFree(v, *found[v].corner);
         for (std::uint32_t v = 0; v < found.size(); ++v)
             if (found[v].seam && m_vertices[v].cells.count() == 1 && !flattens(v, found[v].seam->cells))
-                moveTo(v, *found[v].seam);
-    }
-    void moveTo(std::uint32_t v, const CreasePlace& to) {
-        m_vertices[v].cells = to.cells;
-        m_vertices[v].position = to.position;
-        m_vertices[v].normal = to.normal;
+                m_vertices[v].goTo(*found[v].seam);
     }
     /// Would all corners of a triangle be on the same seam?
     bool flattens(std::uint32_t v, const CellsAt& cells) const {
@@ -185,14 +187,12 @@ class CreaseCutter {
         return found == m_split.end() ? none : found->second;
     }
 
-    CutMesh cut() {
-        const std::vector<Triangle> before = std::move(m_mesh.triangles);
-        m_mesh.triangles.clear();
-        for (const Triangle& t : before)
-            if (isProper(t))
+    void cut() {
+        for (const Triangle& t : m_triangles)
+            if (isProper(t)) {
+                m_current = t;
                 cut(t);
-        return {std::move(m_mesh),  std::move(m_vertices), std::move(m_facing),
-                std::move(m_cells), std::move(m_before),   std::move(m_between)};
+            }
     }
     void cut(Triangle t) {
         std::array<std::uint32_t, 3> m; // m[k] between corners k and k + 1
@@ -240,8 +240,10 @@ class CreaseCutter {
                 all.add(cell);
         const double size = base::distance(place(t[0]), place(t[1])) + base::distance(place(t[1]), place(t[2]));
         CreasePlace centre{all, middle, m_mesh.normals[m[0]]};
-        if (const auto corner = m_finder.corner(all, middle, reach * size))
+        if (const auto corner = m_finder.corner(all, middle, reach * size)) {
             centre = *corner;
+            m_corners.push_back({centre, m_current});
+        }
         const std::uint32_t c = addVertex(centre, {t[0], t[1], t[2]});
         for (std::size_t k = 0; k < 3; ++k) {
             const std::uint32_t v = t[(k + 1) % 3];
@@ -269,6 +271,7 @@ class CreaseCutter {
             const double size = base::distance(place(t[0]), place(t[1])) + base::distance(place(t[1]), place(t[2]));
             const Vec3d middle = (place(t[0]) + place(t[1]) + place(t[2])) / 3;
             if (const auto corner = all.count() < 3 ? std::nullopt : m_finder.corner(all, middle, reach * size)) {
+                m_corners.push_back({*corner, m_current});
                 const std::uint32_t c = addVertex(*corner, {t[0], t[1], t[2]});
                 for (std::size_t k = 0; k < 3; ++k)
                     put({t[k], t[(k + 1) % 3], c}, from);
@@ -296,6 +299,10 @@ class CreaseCutter {
     Triangulation m_triangulation;
     std::vector<CreaseVertex> m_vertices; ///< as they are now
     std::vector<CreaseVertex> m_faces;    ///< as they came to rest on their faces
+    std::vector<Triangle> m_triangles;    ///< that are cut
+    Triangle m_current{};                 ///< the one that is being cut
+    std::vector<NewCorner> m_corners;
+    CornerVertices m_cornerVertices{m_triangulation, m_mesh, m_faces, m_vertices};
     std::unordered_map<std::uint64_t, std::uint32_t> m_split;
     std::vector<Vec3d> m_facing;
     std::vector<std::uint32_t> m_cells;

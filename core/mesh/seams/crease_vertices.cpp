@@ -19,10 +19,6 @@ constexpr double settled = 1e-7;       ///< of h: steps after which none is need
 constexpr double loose = 3e-4;         ///< of h: how far a seam may be beyond what cuts it off
 constexpr double leastSharpness = 0.3; ///< of a crease that is to be a chain of edges
 
-bool movable(const Mesh& mesh, std::size_t v) {
-    return mesh.kinds.empty() || mesh.kinds[v] == VertexKind::Inner;
-}
-
 /// Newton's method along the gradient of whichever cell is surface there.
 void land(cells::CellSource& source, const Vec3d& start, CreaseVertex& out) {
     Vec3d x = start;

@@ -41,6 +41,13 @@ class CellsAt {
     std::uint32_t m_count = 0;
 };
 
+/// A place on a seam or at a corner.
+struct CreasePlace {
+    CellsAt cells;
+    base::Vec3d position;
+    base::Vec3f normal; ///< mean of those of the cells
+};
+
 /// A vertex on the surface of its cell.
 struct CreaseVertex {
     CellsAt cells;         ///< that it lies on
@@ -48,14 +55,19 @@ struct CreaseVertex {
     base::Vec3d position;
     base::Vec3f normal; ///< of its own cell
     bool mixed = false; ///< other cells are near
+
+    void goTo(const CreasePlace& place) {
+        cells = place.cells;
+        position = place.position;
+        normal = place.normal;
+    }
+    bool atCorner() const { return cells.count() >= 3; }
 };
 
-/// A place on a seam or at a corner.
-struct CreasePlace {
-    CellsAt cells;
-    base::Vec3d position;
-    base::Vec3f normal; ///< mean of those of the cells
-};
+/// May creases move a vertex? Not those where the mesh ends.
+inline bool movable(const Mesh& mesh, std::size_t v) {
+    return mesh.kinds.empty() || mesh.kinds[v] == VertexKind::Inner;
+}
 
 /// Vertices near creases come to rest on the face of their cell; others stay as they are, to the bit. In parallel, the
 /// same at any thread count.
