@@ -158,6 +158,8 @@ void HeaderParser::parseProperty() {
     properties.push_back(std::move(property));
 }
 
+constexpr std::size_t longestLine = 5; ///< words of a line that declares anything
+
 PlyHeader HeaderParser::parse() {
     if (!nextLine() || m_line != "ply")
         fail("does not start with 'ply'");
@@ -179,6 +181,8 @@ PlyHeader HeaderParser::parse() {
             m_header.comments.push_back(restAfter(word));
         else if (word == "obj_info")
             m_header.comments.emplace_back(m_line);
+        else if (m_words.size() > longestLine)
+            m_header.comments.emplace_back(m_line); // some exporters forget the word
         else if (!word.empty())
             fail(inQuotes(m_line) + " is not a line of a PLY header");
     }

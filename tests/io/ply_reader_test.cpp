@@ -19,6 +19,7 @@ class PlyReaderTest : public QObject {
     void supportsCountOnlyWhenAllArePositive();
     void masksAreSharesAndLabelsAreAttributes();
     void farCoordinatesGetAnOrigin();
+    void commentsThatLackTheWordAreComments();
     void unknownOwnCommentsAreTold();
     void namesTakenByChannelsAreMadeUnique();
     void whatFollowsTheDeclaredElementsIsTold();
@@ -201,6 +202,14 @@ void PlyReaderTest::farCoordinatesGetAnOrigin() {
         readText(ascii("comment pointclay origin 0 0 0\nelement vertex 1\n" + xyz, "5648350 1 2\n"));
     QCOMPARE(native.origin, base::Vec3d());
     QVERIFY(native.comments.empty());
+}
+
+/// As an exporter of 2008 wrote them.
+void PlyReaderTest::commentsThatLackTheWordAreComments() {
+    const std::string line = "Created by Modeller 2.4 - www.example.org, source file: ";
+    const FileModel model = readText(ascii(line + "\nelement vertex 1\n" + xyz, "1 2 3\n"));
+    QCOMPARE(model.points.items[0].position, base::Vec3f({1, 2, 3}));
+    QVERIFY(test::anyContains(model.comments, "www.example.org"));
 }
 
 void PlyReaderTest::unknownOwnCommentsAreTold() {
