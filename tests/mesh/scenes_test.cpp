@@ -1,5 +1,6 @@
 // Files of several bodies: each is sampled, meshed and measured by its own size, whatever stands beside it.
 #include "core/base/parallel.h"
+#include "core/cells/labels.h"
 #include "core/mesh/check/topology.h"
 #include "core/mesh/extent/extent.h"
 #include "core/mesh/faces/open_faces.h"
@@ -20,6 +21,7 @@ class ScenesTest : public QObject {
   private Q_SLOTS:
     void everyBodyGetsItsSamples();
     void densityFollowsTouchingBodies();
+    void edgesHaveTheirSurfelsAtAnyDensity();
     void aCountIsSharedOut();
     void oneSpacingThatWasAskedForHolds();
     void bodiesMeshAsIfAlone();
@@ -115,6 +117,33 @@ void ScenesTest::densityFollowsTouchingBodies() {
             QVERIFY2(near > 18 && near < 90, toldSeed(seed) + ": " + QByteArray::number(qulonglong(near)));
         }
     }
+}
+
+/// Of bodies that touch, the edges of the large one belong to its sparse surfels, two of their own spacings away.
+void ScenesTest::edgesHaveTheirSurfelsAtAnyDensity() {
+    base::Random random(test::seed());
+    std::vector<Box> boxes{aligned({-1, -1, -1}, {1, 1, 1})};
+    for (int i = 0; i < 36; ++i) { // so that most surfels of the large one are about them
+        const Vec3d at{0.12 * (i % 6) - 0.3, 0.12 * (i / 6) - 0.3, 1};
+        boxes.push_back(aligned(at, at + Vec3d{0.004, 0.004, 0.006}));
+    }
+    const OpenedFaces found = opened(together(boxes), 60000);
+    const auto layout = cells::LabelLayout::of(*found.points.layout);
+    QVERIFY(layout);
+    int beside = 0;
+    for (std::size_t i = 0; i < found.points.size(); ++i) {
+        const surfel::Surfel& s = found.points.items[i];
+        std::array<double, 3> far{std::abs(s.position.x), std::abs(s.position.y), std::abs(s.position.z)};
+        std::sort(far.begin(), far.end());
+        const double spacing = double(s.support) / 3.5;
+        if (std::abs(far[2] - 1) > 1e-6 || 1 - far[1] > 1.2 * spacing)
+            continue;
+        ++beside;
+        const cells::Label label = layout->at(found.points.extraOf(i));
+        QVERIFY2(label.partner != label.cell && label.meeting == cells::Meeting::Convex,
+                 toldSeed(test::seed()) + ": " + QByteArray::number((1 - far[1]) / spacing) + " spacings");
+    }
+    QVERIFY(beside > 500);
 }
 
 void ScenesTest::aCountIsSharedOut() {

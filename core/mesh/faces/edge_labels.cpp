@@ -44,7 +44,7 @@ std::string labelEdges(const FaceTopology& topology, const FaceOptions& options,
                "sharp.";
     const std::vector<double> ofPieces = spacingsOfPieces(topology, points, spacings);
     const CreaseChains chains = options.asksForCreases() ? allChains(topology) : clearChains(topology, ofPieces);
-    labelCreases(topology, chains, points, ofPieces, samples);
+    labelCreases(topology, chains, points, spacings, samples);
     if (chains.leftOut == 0)
         return {};
     return "Rounded " + grouped(chains.leftOut) + " of " +

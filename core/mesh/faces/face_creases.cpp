@@ -10,7 +10,6 @@
 #include <functional>
 #include <limits>
 #include <map>
-#include <numeric>
 
 namespace mesh {
 
@@ -180,12 +179,42 @@ class Labelling {
     SampleGrid m_grid;
 };
 
-/// Things by the piece that they are of, in their order.
-template <class T, class PieceOf>
-std::vector<std::vector<T>> byPieces(std::size_t count, std::span<const T> all, const PieceOf& pieceOf) {
-    std::vector<std::vector<T>> out(count);
-    for (const T& each : all)
-        out[pieceOf(each)].push_back(each);
+/// Samples of one piece that are about as far apart: within a factor of 1.4 of each other's middle.
+struct AlikeSamples {
+    std::uint32_t piece = 0;
+    double spacing = 0; ///< in the median
+    std::vector<std::uint32_t> samples;
+};
+
+double medianOf(std::vector<double> all) {
+    const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
+    std::nth_element(all.begin(), middle, all.end());
+    return *middle;
+}
+
+/// By piece, and within it from fine to coarse: where bodies of a scene touch, one piece is sampled at many spacings.
+std::vector<AlikeSamples> alike(const FaceTopology& topology, std::span<const FacePoint> points,
+                                std::span<const double> spacings) {
+    std::vector<std::vector<std::uint32_t>> ofPieces(topology.pieceCount);
+    for (std::uint32_t i = 0; i < points.size(); ++i)
+        ofPieces[topology.pieces[points[i].triangle]].push_back(i);
+    const auto median = [&](const std::vector<std::uint32_t>& samples) {
+        std::vector<double> all;
+        for (const std::uint32_t i : samples)
+            all.push_back(spacings[i]);
+        return medianOf(std::move(all));
+    };
+    std::vector<AlikeSamples> out;
+    for (std::uint32_t piece = 0; piece < ofPieces.size(); ++piece) {
+        if (ofPieces[piece].empty())
+            continue;
+        const double usual = median(ofPieces[piece]);
+        std::map<long, std::vector<std::uint32_t>> octaves;
+        for (const std::uint32_t i : ofPieces[piece])
+            octaves[std::lround(std::log2(spacings[i] / usual))].push_back(i);
+        for (auto& [octave, samples] : octaves)
+            out.push_back({piece, median(samples), std::move(samples)});
+    }
     return out;
 }
 
@@ -207,27 +236,22 @@ void labelCreases(const FaceTopology& topology, const CreaseChains& chains, std:
                                       .run(chains.edges, chains.patches, cellOf, firstBand));
         return;
     }
-    std::vector<std::uint32_t> numbers(samples.size());
-    std::iota(numbers.begin(), numbers.end(), 0u);
-    const auto samplesBy = byPieces(topology.pieceCount, std::span<const std::uint32_t>(numbers),
-                                    [&](std::uint32_t i) { return topology.pieces[points[i].triangle]; });
-    const auto edgesBy = byPieces(topology.pieceCount, std::span<const SharpEdge>(chains.edges),
-                                  [&](const SharpEdge& edge) { return topology.pieces[edge.left]; });
+    std::vector<std::vector<SharpEdge>> edges(topology.pieceCount);
+    for (const SharpEdge& edge : chains.edges)
+        edges[topology.pieces[edge.left]].push_back(edge);
     std::vector<cells::Label> labels(samples.size());
-    for (std::uint32_t piece = 0; piece < topology.pieceCount; ++piece) {
+    for (const AlikeSamples& group : alike(topology, points, spacings)) {
         base::CancelScope::check();
         std::vector<surfel::Surfel> own;
         std::vector<std::uint32_t> ownFaces;
-        for (const std::uint32_t i : samplesBy[piece]) {
+        for (const std::uint32_t i : group.samples) {
             own.push_back(samples.items[i]);
             ownFaces.push_back(faces[i]);
         }
-        if (own.empty())
-            continue;
-        const std::vector<cells::Label> found =
-            Labelling(topology, own, ownFaces, spacings[piece]).run(edgesBy[piece], chains.patches, cellOf, firstBand);
+        const std::vector<cells::Label> found = Labelling(topology, own, ownFaces, group.spacing)
+                                                    .run(edges[group.piece], chains.patches, cellOf, firstBand);
         for (std::size_t k = 0; k < found.size(); ++k)
-            labels[samplesBy[piece][k]] = found[k];
+            labels[group.samples[k]] = found[k];
     }
     cells::setLabels(samples, labels);
 }

@@ -15,7 +15,7 @@
 
 namespace mesh {
 
-/// REQUIRES: `samples` are those of `points`, about as far apart as `spacings` tells of each piece, or one for all.
+/// REQUIRES: `samples` are those of `points`, about as far apart as `spacings` tells of each, or one for all.
 /// Nothing happens without chains.
 void labelCreases(const FaceTopology& topology, const CreaseChains& chains, std::span<const FacePoint> points,
                   std::span<const double> spacings, surfel::SurfelList& samples);
