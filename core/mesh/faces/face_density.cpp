@@ -20,8 +20,8 @@ constexpr double evenEnough = 0.2; ///< spacings differ by so much within a part
 /// Halves the longest sides until the spacing is nearly one.
 class Cutting {
   public:
-    Cutting(const FaceDensity& density, double own, double slope, std::vector<FacePart>& out)
-        : m_density(density), m_own(own), m_slope(slope), m_out(out) {}
+    Cutting(const NearSpacings* near, double own, double slope, std::vector<FacePart>& out)
+        : m_near(near), m_own(own), m_slope(slope), m_out(out) {}
 
     void run(std::uint32_t triangle, const std::array<Vec3d, 3>& corners) {
         cut({triangle, {0, 1, 0}, {0, 0, 1}}, corners);
@@ -34,8 +34,9 @@ class Cutting {
         double radiusSq = 0;
         for (const Vec3d& corner : p)
             radiusSq = std::max(radiusSq, distanceSq(corner, middle));
-        const double spacing = m_density.at(middle, part.triangle), varies = m_slope * std::sqrt(radiusSq);
-        part.even = m_density.above(middle, m_own + varies);
+        const double varies = m_slope * std::sqrt(radiusSq), nobodyAsks = m_own + varies;
+        const double asked = m_near ? m_near->at(middle, nobodyAsks) : nobodyAsks, spacing = std::min(m_own, asked);
+        part.even = asked >= nobodyAsks;
         if (part.even || varies <= evenEnough * spacing) {
             part.most = part.even ? m_own : std::min(m_own, spacing + (1 + slack) * varies);
             part.weight = length(cross(p[1] - p[0], p[2] - p[0])) / 2 / (spacing * spacing);
@@ -57,20 +58,20 @@ class Cutting {
         }
     }
 
-    const FaceDensity& m_density;
+    const NearSpacings* m_near; ///< null: nobody asks for less
     double m_own, m_slope;
     std::vector<FacePart>& m_out;
 };
 
 } // namespace
 
-FaceDensity::FaceDensity(const FaceTopology& topology, std::vector<double> spacings)
+FaceDensity::FaceDensity(const FaceTopology& topology, std::span<const Vec3f> positions, std::vector<double> spacings,
+                         std::vector<SpacedPlace> places, double slope)
     : m_topology(topology), m_spacings(std::move(spacings)),
-      m_least(*std::min_element(m_spacings.begin(), m_spacings.end())) {}
-
-void FaceDensity::grade(std::vector<SpacedPlace> places, double slope) {
-    m_near.emplace(std::move(places), slope);
-    m_slope = slope;
+      m_least(*std::min_element(m_spacings.begin(), m_spacings.end())) {
+    if (!places.empty())
+        m_near.emplace(std::move(places), slope);
+    cut(positions, slope);
 }
 
 double FaceDensity::at(const Vec3d& place, std::uint32_t triangle) const {
@@ -82,28 +83,28 @@ double FaceDensity::at(const Vec3d& place, const FacePart& part) const {
     return m_near && !part.even ? m_near->at(place, part.most) : part.most;
 }
 
-bool FaceDensity::above(const Vec3d& place, double spacing) const {
-    return !m_near || m_near->at(place, spacing) >= spacing;
-}
-
-std::vector<FacePart> FaceDensity::parts(std::span<const Vec3f> positions) const {
+void FaceDensity::cut(std::span<const Vec3f> positions, double slope) {
     constexpr std::size_t grain = 256;
     std::vector<std::vector<FacePart>> found(base::chunkCount(m_topology.triangles.size(), grain));
-    base::parallelChunks(m_topology.triangles.size(), grain,
-                         [&](std::size_t begin, std::size_t end, std::size_t chunk) {
-                             for (std::size_t t = begin; t < end; ++t) {
-                                 std::array<Vec3d, 3> corners;
-                                 for (std::size_t k = 0; k < 3; ++k)
-                                     corners[k] = base::cast<double>(positions[m_topology.triangles[t][k]]);
-                                 if (m_topology.areas[t] > 0)
-                                     Cutting(*this, m_spacings[m_topology.pieces[t]], m_slope, found[chunk])
-                                         .run(static_cast<std::uint32_t>(t), corners);
-                             }
-                         });
-    std::vector<FacePart> out;
+    base::parallelChunks(
+        m_topology.triangles.size(), grain, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+            for (std::size_t t = begin; t < end; ++t) {
+                std::array<Vec3d, 3> corners;
+                for (std::size_t k = 0; k < 3; ++k)
+                    corners[k] = base::cast<double>(positions[m_topology.triangles[t][k]]);
+                if (m_topology.areas[t] > 0)
+                    Cutting(m_near ? &*m_near : nullptr, m_spacings[m_topology.pieces[t]], slope, found[chunk])
+                        .run(static_cast<std::uint32_t>(t), corners);
+            }
+        });
+    std::size_t count = 0;
     for (const auto& each : found)
-        out.insert(out.end(), each.begin(), each.end());
-    return out;
+        count += each.size();
+    m_parts.reserve(count);
+    for (std::vector<FacePart>& each : found) {
+        m_parts.insert(m_parts.end(), each.begin(), each.end());
+        each = {};
+    }
 }
 
 double samplesOn(std::span<const FacePart> parts, const FaceTopology& topology, const InnerPlaces* inside) {

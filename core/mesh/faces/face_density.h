@@ -23,25 +23,27 @@ struct FacePart {
 
 class FaceDensity {
   public:
-    /// `spacings`: of each piece, > 0. The topology must outlive this.
-    FaceDensity(const FaceTopology& topology, std::vector<double> spacings);
-    /// What is near the places of finer pieces is sampled as these ask (near_spacings.h).
-    void grade(std::vector<SpacedPlace> places, double slope);
+    /// `spacings`: of each piece, > 0. The topology must outlive this. What is near the places of finer pieces is
+    /// sampled as these ask (near_spacings.h), with spacings that differ by `slope` over a distance. The same at any
+    /// thread count. Throws base::Cancelled.
+    FaceDensity(const FaceTopology& topology, std::span<const base::Vec3f> positions, std::vector<double> spacings,
+                std::vector<SpacedPlace> places = {}, double slope = 0);
 
     double at(const base::Vec3d& place, std::uint32_t triangle) const;
     /// The same, sooner, of a place in one of the parts below.
     double at(const base::Vec3d& place, const FacePart& part) const;
     double least() const { return m_least; }
-    /// Whether no piece but the place's own asks for less than `spacing` there.
-    bool above(const base::Vec3d& place, double spacing) const;
-    /// Of all pieces: the parts whose spacings differ little. The same at any thread count. Throws base::Cancelled.
-    std::vector<FacePart> parts(std::span<const base::Vec3f> positions) const;
+    /// Of all pieces: the parts whose spacings differ little.
+    const std::vector<FacePart>& parts() const { return m_parts; }
 
   private:
+    void cut(std::span<const base::Vec3f> positions, double slope);
+
     const FaceTopology& m_topology;
     std::vector<double> m_spacings;
-    double m_least, m_slope = 0;
+    double m_least;
     std::optional<NearSpacings> m_near;
+    std::vector<FacePart> m_parts;
 };
 
 /// Samples that parts are to have, without those of places that are inside.

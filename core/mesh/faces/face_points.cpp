@@ -50,7 +50,7 @@ std::vector<double> cumulated(const std::vector<double>& areas) {
     return out;
 }
 
-std::vector<double> weightsOf(const std::vector<FacePart>& parts) {
+std::vector<double> weightsOf(std::span<const FacePart> parts) {
     std::vector<double> out;
     for (const FacePart& part : parts)
         out.push_back(part.weight);
@@ -78,7 +78,7 @@ class DartThrower {
         : m_topology(topology), m_positions(positions), m_inside(inside), m_density(density), m_count(count) {
         double area = topology.area * outerShare(); // were the spacing the least one everywhere
         if (density) {
-            m_parts = density->parts(positions);
+            m_parts = density->parts();
             area = samplesOn(m_parts, topology, inside) * density->least() * density->least();
         }
         m_side = static_cast<float>(std::sqrt(firstShare * area / static_cast<double>(count)));
@@ -140,9 +140,9 @@ class DartThrower {
 
     const FaceTopology& m_topology;
     std::span<const Vec3f> m_positions;
-    const InnerPlaces* m_inside;  ///< null: nothing is
-    const FaceDensity* m_density; ///< null: all evenly
-    std::vector<FacePart> m_parts;
+    const InnerPlaces* m_inside;       ///< null: nothing is
+    const FaceDensity* m_density;      ///< null: all evenly
+    std::span<const FacePart> m_parts; ///< of the density
     std::size_t m_count;
     float m_side; ///< of the least cell: the distance of neighbours in a hexagonal layout of so many points
     std::vector<Candidate> m_candidates;

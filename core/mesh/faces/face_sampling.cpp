@@ -69,9 +69,9 @@ FaceSampling piecewise(const FaceTopology& topology, std::span<const Vec3f> posi
     double wanted = 0, all = 0;
     for (int round = 0; round < fewRounds; ++round) { // what is graded gets less as all of it gets coarser
         progress.step(0.3, "Sampling faces");
-        density.emplace(topology, pieces.spacings);
-        density->grade(pieces.places, slope);
-        wanted = samplesOn(density->parts(positions), topology, &inside);
+        density.reset();
+        density.emplace(topology, positions, pieces.spacings, pieces.places, slope);
+        wanted = samplesOn(density->parts(), topology, &inside);
         all = count > 0 ? static_cast<double>(count) : std::min(wanted, mostSamplesOf(topology, pieces.spacings));
         if (std::abs(wanted - all) < nearlyAll * all)
             break;

@@ -82,8 +82,8 @@ PieceSpacings pieceSpacings(const FaceTopology& topology, std::span<const Vec3f>
         counts.push_back(std::max({piece.area / evenly, fewest * shape, triangles}));
         probes.push_back(spacingOf(piece, counts.back() / samplesOfProbe));
     }
-    const FaceDensity sparse(topology, probes);
-    const double all = samplesOn(sparse.parts(positions), topology, &inside);
+    const FaceDensity sparse(topology, positions, probes);
+    const double all = samplesOn(sparse.parts(), topology, &inside);
     const std::vector<FacePoint> points =
         spreadPoints(topology, positions, static_cast<std::size_t>(std::max(4.0, std::min(all, mostCount))),
                      process::part(progress, 0, 0.5), &inside, &sparse);
