@@ -15,7 +15,7 @@ using base::Vec3f;
 namespace {
 
 constexpr double slack = 1e-3;     ///< for what float coordinates round
-constexpr double evenEnough = 0.2; ///< spacings differ by so much within a part, over that of its middle
+constexpr double evenEnough = 0.35; ///< spacings differ by so much within a part, over that of its middle
 
 /// Halves the longest sides until the spacing is nearly one.
 class Cutting {
