@@ -25,6 +25,8 @@ class FaceCreasesTest : public QObject {
     void smoothMeshesHaveNone();
     void ofBentPairsTheSignIsThatOfTheNormals();
     void smallPatchesJoinTheirFlattestNeighbour();
+    void narrowChamfersAreNoCells();
+    void sidesOfThinPlatesAreCells();
     void creasesThatEndFadeBetweenTwoBands();
     void openBoxesAreHitAtTheirEdges();
     void sharpEdgesAmongBumpsAreNoCreases();
@@ -62,6 +64,25 @@ Faces sheet(int n, const Height& height) {
             out.triangles.push_back({at(i, k), at(i + 1, k), at(i + 1, k + 1)});
             out.triangles.push_back({at(i, k), at(i + 1, k + 1), at(i, k + 1)});
         }
+    return out;
+}
+
+/// A prism from y = 0 to 1 over a convex outline.
+Faces extruded(const std::vector<Vec3f>& outline) {
+    Faces out;
+    for (const float y : {0.0f, 1.0f})
+        for (const Vec3f& p : outline)
+            out.positions.push_back({p.x, y, p.z});
+    const auto n = static_cast<std::uint32_t>(outline.size());
+    for (std::uint32_t i = 0; i < n; ++i) {
+        const std::uint32_t next = (i + 1) % n;
+        out.triangles.push_back({i, next, next + n});
+        out.triangles.push_back({i, next + n, i + n});
+    }
+    for (std::uint32_t i = 1; i + 1 < n; ++i) {
+        out.triangles.push_back({0, i + 1, i});
+        out.triangles.push_back({n, n + i, n + i + 1});
+    }
     return out;
 }
 
@@ -107,23 +128,43 @@ void FaceCreasesTest::ofBentPairsTheSignIsThatOfTheNormals() {
 
 void FaceCreasesTest::smallPatchesJoinTheirFlattestNeighbour() {
     // a box with one edge cut off, so narrowly that hardly a sample lies there
-    Faces f;
-    const float e = 0.0005f;
-    const Vec3f profile[] = {{0, 0, 0}, {1, 0, 0}, {1, 0, 1 - 2 * e}, {1 - e, 0, 1}, {0, 0, 1}};
-    for (const float y : {0.0f, 1.0f})
-        for (const Vec3f& p : profile)
-            f.positions.push_back({p.x, y, p.z});
-    for (std::uint32_t i = 0; i < 5; ++i) {
-        const std::uint32_t next = (i + 1) % 5;
-        f.triangles.push_back({i, next, next + 5});
-        f.triangles.push_back({i, next + 5, i + 5});
-    }
-    for (std::uint32_t i = 1; i + 1 < 5; ++i) {
-        f.triangles.push_back({0, i + 1, i});
-        f.triangles.push_back({5, 5 + i, 5 + i + 1});
-    }
+    constexpr float e = 0.0005f;
+    const Faces f = extruded({{0, 0, 0}, {1, 0, 0}, {1, 0, 1 - 2 * e}, {1 - e, 0, 1}, {0, 0, 1}});
     QCOMPARE(f.topology(20 * std::numbers::pi / 180).patchCount, std::size_t(7));
     const mesh::OpenedFaces open = opened(f, 1500, true, 20 * std::numbers::pi / 180);
+    QCOMPARE(cells::countCells(open.points).cells, std::size_t(6));
+}
+
+/// Strips with dozens of samples in a row, none beside the other: as cells they were torn.
+void FaceCreasesTest::narrowChamfersAreNoCells() {
+    constexpr std::size_t count = 6000;
+    constexpr float spacing = 0.0316f;
+    for (const float width : {0.25f, 0.5f, 0.75f, 1.5f}) {
+        const float e = width * spacing * 0.7071f;
+        const Faces f = extruded({{0, 0, 0}, {1, 0, 0}, {1, 0, 1 - e}, {1 - e, 0, 1}, {0, 0, 1}});
+        const mesh::OpenedFaces open = opened(f, count);
+        QCOMPARE(cells::countCells(open.points).cells, std::size_t(width < 0.9f ? 6 : 7));
+        surface::SurfaceDefinition definition;
+        definition.oneSheet = false;
+        const auto surface = cells::CellSurface::of({tree::SurfelTree::build(open.points), definition});
+        QVERIFY(surface);
+        base::Random random(test::seed());
+        for (int i = 0; i < test::effort(200); ++i) {
+            const Vec3d at{1 - double(e) / 2, random.uniform(0.1, 0.9), 1 - double(e) / 2};
+            const Vec3d way = base::normalized(Vec3d{-1, 0, -1} + random.unitVector() * 0.6);
+            const cells::CellHit hit = intersectCells(*surface, {at - way, way});
+            const QString where("seed %1, width %2: %3 spacings off");
+            const Vec3d p = hit.hit.position;
+            const double off = std::max({p.x - 1, p.z - 1, (p.x + p.z - 2 + double(e)) / std::numbers::sqrt2});
+            QVERIFY2(hit.hit.hit && std::abs(off) < 0.3 * double(spacing),
+                     where.arg(test::seed()).arg(double(width)).arg(off / double(spacing)).toUtf8());
+        }
+    }
+}
+
+/// They turn by as much, but to two sides: as one with either the plate would end in a slope.
+void FaceCreasesTest::sidesOfThinPlatesAreCells() {
+    const mesh::OpenedFaces open = opened(box({1, 1, 0.012f}), 6000); // of 0.65 spacings
     QCOMPARE(cells::countCells(open.points).cells, std::size_t(6));
 }
 

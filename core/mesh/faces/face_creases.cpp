@@ -10,6 +10,7 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <numbers>
 
 namespace mesh {
 
@@ -18,26 +19,34 @@ using base::Vec3d;
 namespace {
 
 constexpr std::size_t fewestSamples = 8; ///< of a cell
-constexpr double linkReach = 2.2;        ///< spacings
+constexpr double narrow = 0.9;           ///< spacings: mean width of a strip that is no cell of its own,
+constexpr double fewTurns = 70 * std::numbers::pi / 180; ///< unless it turns by more, as the sides of thin plates
+constexpr double linkReach = 2.2;                        ///< spacings
 
 /// Patches that become one another's, with the edges around them.
 class PatchMerge {
   public:
-    PatchMerge(const CreaseChains& chains, std::span<const FacePoint> points)
-        : m_chains(chains), m_sets(chains.patchCount), m_counts(chains.patchCount), m_edges(chains.patchCount) {
+    PatchMerge(const FaceTopology& topology, const CreaseChains& chains, std::span<const FacePoint> points)
+        : m_chains(chains), m_sets(chains.patchCount), m_counts(chains.patchCount), m_areas(chains.patchCount),
+          m_edges(chains.patchCount) {
         for (const FacePoint& point : points)
             ++m_counts[chains.patches[point.triangle]];
+        for (std::size_t t = 0; t < topology.triangles.size(); ++t)
+            m_areas[chains.patches[t]] += topology.areas[t];
         for (std::uint32_t e = 0; e < chains.edges.size(); ++e)
             for (const std::uint32_t triangle : {chains.edges[e].left, chains.edges[e].right})
                 m_edges[chains.patches[triangle]].push_back(e);
     }
 
-    /// Those of too few samples join the neighbour that they turn to least.
+    /// Those of too few samples, and strips too narrow for them, join the neighbour that they turn to least.
     void joinSmall() {
         for (std::uint32_t p = 0; p < m_counts.size(); ++p)
-            for (std::uint32_t own = m_sets.find(p); m_counts[own] < fewestSamples; own = m_sets.find(p)) {
-                const std::uint32_t other = flattest(own);
-                if (other == own)
+            for (std::uint32_t own = m_sets.find(p);; own = m_sets.find(p)) {
+                const bool few = m_counts[own] < fewestSamples;
+                if (!few && !isNarrow(own))
+                    break;
+                const auto [other, turn] = flattest(own);
+                if (other == own || (!few && turn > fewTurns))
                     break;
                 join(own, other);
             }
@@ -54,9 +63,19 @@ class PatchMerge {
     }
 
   private:
+    /// Is the mean width, twice the area over the border's length, less than a part of the samples' spacing?
+    bool isNarrow(std::uint32_t own) {
+        double border = 0;
+        for (const std::uint32_t e : m_edges[own])
+            if (setOf(m_chains.edges[e].left) != setOf(m_chains.edges[e].right))
+                border += base::distance(m_chains.edges[e].from, m_chains.edges[e].to);
+        return 4 * m_areas[own] * static_cast<double>(m_counts[own]) < narrow * narrow * border * border;
+    }
+
     std::uint32_t setOf(std::uint32_t triangle) { return m_sets.find(m_chains.patches[triangle]); }
 
-    std::uint32_t flattest(std::uint32_t own) {
+    /// The neighbour, and by how much it turns on average; itself without any.
+    std::pair<std::uint32_t, double> flattest(std::uint32_t own) {
         struct Border {
             double length = 0, turn = 0;
         };
@@ -79,12 +98,13 @@ class PatchMerge {
                 least = border.turn / border.length;
                 out = other;
             }
-        return out;
+        return {out, least};
     }
     void join(std::uint32_t a, std::uint32_t b) {
         m_sets.join(a, b);
         const std::uint32_t root = m_sets.find(a), child = root == a ? b : a;
         m_counts[root] += m_counts[child];
+        m_areas[root] += m_areas[child];
         if (m_edges[root].size() < m_edges[child].size())
             m_edges[root].swap(m_edges[child]);
         m_edges[root].insert(m_edges[root].end(), m_edges[child].begin(), m_edges[child].end());
@@ -94,12 +114,14 @@ class PatchMerge {
     const CreaseChains& m_chains;
     base::DisjointSets m_sets;
     std::vector<std::size_t> m_counts;
+    std::vector<double> m_areas;
     std::vector<std::vector<std::uint32_t>> m_edges;
 };
 
 /// Of each patch the cell that it belongs to.
-std::vector<std::uint32_t> cellsOfPatches(const CreaseChains& chains, std::span<const FacePoint> points) {
-    PatchMerge merge(chains, points);
+std::vector<std::uint32_t> cellsOfPatches(const FaceTopology& topology, const CreaseChains& chains,
+                                          std::span<const FacePoint> points) {
+    PatchMerge merge(topology, chains, points);
     merge.joinSmall();
     return merge.numbers();
 }
@@ -224,7 +246,12 @@ void labelCreases(const FaceTopology& topology, const CreaseChains& chains, std:
                   std::span<const double> spacings, surfel::SurfelList& samples) {
     if (chains.edges.empty() || samples.items.empty() || !samples.layout->oriented)
         return;
-    const std::vector<std::uint32_t> cellOf = cellsOfPatches(chains, points);
+    const std::vector<std::uint32_t> cellOf = cellsOfPatches(topology, chains, points);
+    std::vector<SharpEdge> edges = chains.edges;
+    std::erase_if(edges, [&](const SharpEdge& edge) { // between patches that are one now
+        const std::uint32_t left = chains.patches[edge.left], right = chains.patches[edge.right];
+        return left != right && cellOf[left] == cellOf[right];
+    });
     std::vector<std::uint32_t> faces(samples.size());
     std::uint32_t firstBand = 0;
     for (std::size_t i = 0; i < faces.size(); ++i) {
@@ -232,13 +259,14 @@ void labelCreases(const FaceTopology& topology, const CreaseChains& chains, std:
         firstBand = std::max(firstBand, faces[i] + 1);
     }
     if (spacings.size() == 1) {
-        cells::setLabels(samples, Labelling(topology, samples.items, faces, spacings[0])
-                                      .run(chains.edges, chains.patches, cellOf, firstBand));
+        cells::setLabels(
+            samples,
+            Labelling(topology, samples.items, faces, spacings[0]).run(edges, chains.patches, cellOf, firstBand));
         return;
     }
-    std::vector<std::vector<SharpEdge>> edges(topology.pieceCount);
-    for (const SharpEdge& edge : chains.edges)
-        edges[topology.pieces[edge.left]].push_back(edge);
+    std::vector<std::vector<SharpEdge>> edgesOf(topology.pieceCount);
+    for (const SharpEdge& edge : edges)
+        edgesOf[topology.pieces[edge.left]].push_back(edge);
     std::vector<cells::Label> labels(samples.size());
     for (const AlikeSamples& group : alike(topology, points, spacings)) {
         base::CancelScope::check();
@@ -249,7 +277,7 @@ void labelCreases(const FaceTopology& topology, const CreaseChains& chains, std:
             ownFaces.push_back(faces[i]);
         }
         const std::vector<cells::Label> found = Labelling(topology, own, ownFaces, group.spacing)
-                                                    .run(edges[group.piece], chains.patches, cellOf, firstBand);
+                                                    .run(edgesOf[group.piece], chains.patches, cellOf, firstBand);
         for (std::size_t k = 0; k < found.size(); ++k)
             labels[group.samples[k]] = found[k];
     }
