@@ -4,6 +4,7 @@
 #include "core/base/parallel.h"
 #include "core/base/radix_sort.h"
 #include "core/cells/cell_projection.h"
+#include "core/cells/cell_source.h"
 #include "core/mesh/cell_size.h"
 #include "core/mesh/check/topology.h"
 #include "core/mesh/extent/edge_shortfall.h"
@@ -69,20 +70,28 @@ struct Middle {
     bool flat = true;
 };
 
+Middle middleAt(const Mesh& mesh, const Edge& edge, const Vec3d& place) {
+    constexpr double farthest = 0.5; ///< of the edge
+    const Vec3d &a = mesh.positions[edge.a], &b = mesh.positions[edge.b], straight = (a + b) / 2;
+    return distance(place, straight) <= farthest * distance(a, b) ? Middle{place, false} : Middle{straight};
+}
+
+/// Not the closest point, but as near to the middle, but for the square of how far that is.
+surface::ProjectOptions toTheSurface() {
+    surface::ProjectOptions out;
+    out.projector = surface::Projector::Almost;
+    out.checkBoundary = false;
+    return out;
+}
+
 Middle middleOf(const surface::Surface& surface, const std::optional<cells::CellSurface>& cells, const Mesh& mesh,
                 const Edge& edge, bool boundary) {
-    constexpr double farthest = 0.5; ///< of the edge
     const Vec3d &a = mesh.positions[edge.a], &b = mesh.positions[edge.b];
     Middle out{(a + b) / 2};
-    const double reach = farthest * distance(a, b);
     surface::OrientationHint hint;
     if (!mesh.normals.empty())
         hint.direction = mesh.normals[edge.a] + mesh.normals[edge.b];
-    const auto take = [&](const Vec3d& p) {
-        if (!(distance(p, out.position) <= reach))
-            return;
-        out = {p, false};
-    };
+    const auto take = [&](const Vec3d& p) { out = middleAt(mesh, edge, p); };
     const auto isLimit = [&](std::uint32_t v) { return mesh.kinds.empty() || mesh.kinds[v] == VertexKind::Limit; };
     if (boundary) {
         if (isLimit(edge.a) && isLimit(edge.b))
@@ -90,17 +99,18 @@ Middle middleOf(const surface::Surface& surface, const std::optional<cells::Cell
                 take(found.point.position);
         return out;
     }
-    surface::ProjectOptions options;
-    options.checkBoundary = false;
+    surface::ProjectOptions options = toTheSurface();
+    options.tolerance = 1e-9;
     if (cells)
-        if (const cells::CellFoot found = cells::project(*cells, out.position, options);
-            found.mixed && found.projection.ok()) {
+        if (const cells::CellFoot found = cells::project(*cells, out.position, options); found.projection.ok()) {
             take(found.projection.foot);
-            return out;
+            if (found.mixed || !out.flat)
+                return out;
         }
     for (const surface::OrientationHint& asked : {surface::OrientationHint{}, hint})
-        if (const auto found = surface::projectReference(surface, out.position, options, asked); found.ok() && out.flat)
-            take(found.foot);
+        if (out.flat)
+            if (const auto found = surface::projectReference(surface, out.position, options, asked); found.ok())
+                take(found.foot);
     return out;
 }
 
@@ -142,19 +152,57 @@ double volumeOf(const Mesh& mesh) {
     });
 }
 
+/// Vertices with several cells about them.
+static std::vector<std::uint8_t> mixedVertices(const std::optional<cells::CellSurface>& cells, const Mesh& mesh) {
+    std::vector<std::uint8_t> out(mesh.positions.size());
+    if (cells)
+        base::parallelChunks(out.size(), 256, [&](std::size_t begin, std::size_t end, std::size_t) {
+            cells::CellSource source(*cells);
+            for (std::size_t v = begin; v < end; ++v) {
+                source.moveTo(mesh.positions[v]);
+                out[v] = source.count() > 1;
+            }
+        });
+    return out;
+}
+
+/// The middles of all edges. Within faces in float32, many at once: what that rounds is among the errors told.
+static std::vector<Middle> middlesOf(const surface::Surface& surface, const Mesh& mesh, const Edges& edges,
+                                     const base::Progress& progress) {
+    constexpr std::size_t slab = 1 << 14;
+    const std::optional<cells::CellSurface> cells = cells::CellSurface::of(surface);
+    const std::vector<std::uint8_t> mixed = mixedVertices(cells, mesh);
+    const surface::ProjectOptions options = toTheSurface();
+    std::vector<Middle> out(edges.list.size());
+    std::vector<base::Vec3f> starts;
+    std::vector<surface::Projection<float>> found;
+    for (std::size_t first = 0; first < out.size(); first += slab) {
+        progress.step(static_cast<double>(first) / static_cast<double>(out.size()), "Measuring area");
+        const std::size_t count = std::min(slab, out.size() - first);
+        starts.resize(count);
+        found.resize(count);
+        for (std::size_t i = 0; i < count; ++i) {
+            const Edge& edge = edges.list[first + i];
+            starts[i] = base::cast<float>((mesh.positions[edge.a] + mesh.positions[edge.b]) / 2);
+        }
+        surface::project(surface, starts, options, found);
+        base::parallelFor(count, 64, [&](std::size_t i) {
+            const Edge& edge = edges.list[first + i];
+            Middle& middle = out[first + i];
+            if (edges.boundary[first + i] == 0 && !mixed[edge.a] && !mixed[edge.b] && found[i].ok())
+                middle = middleAt(mesh, edge, base::cast<double>(found[i].foot));
+            if (middle.flat)
+                middle = middleOf(surface, cells, mesh, edge, edges.boundary[first + i] != 0);
+        });
+    }
+    return out;
+}
+
 /// Every edge halved; `flat` counts middles that stay on the straight edge.
 static Mesh halved(const surface::Surface& surface, const Mesh& mesh, std::size_t& flat,
                    const base::Progress& progress) {
-    constexpr std::size_t slab = 1 << 14;
     const Edges edges(mesh);
-    const std::optional<cells::CellSurface> cells = cells::CellSurface::of(surface);
-    std::vector<Middle> middles(edges.list.size());
-    for (std::size_t first = 0; first < middles.size(); first += slab) {
-        progress.step(static_cast<double>(first) / static_cast<double>(middles.size()), "Measuring area");
-        base::parallelFor(std::min(slab, middles.size() - first), 64, [&](std::size_t i) {
-            middles[first + i] = middleOf(surface, cells, mesh, edges.list[first + i], edges.boundary[first + i] != 0);
-        });
-    }
+    const std::vector<Middle> middles = middlesOf(surface, mesh, edges, progress);
     Mesh out;
     out.positions = mesh.positions;
     for (const Middle& m : middles) {

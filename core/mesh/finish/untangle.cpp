@@ -7,11 +7,22 @@
 
 namespace mesh {
 
+/// Where few have moved, as at creases, only what is near them can cut anything that did not before.
+static std::vector<std::pair<std::uint32_t, std::uint32_t>> cutsOfMoved(const Mesh& mesh, const VertexPlaces& before,
+                                                                        double cell, const base::Progress& progress) {
+    constexpr std::size_t few = 4; // of so many vertices one
+    std::vector<std::uint32_t> moved;
+    for (std::uint32_t v = 0; v < mesh.positions.size(); ++v)
+        if (mesh.positions[v] != before.positions[v])
+            moved.push_back(v);
+    return few * moved.size() < mesh.positions.size() ? cutsNear(mesh, moved, cell) : selfIntersections(mesh, progress);
+}
+
 std::vector<std::pair<std::uint32_t, std::uint32_t>> untangle(Mesh& mesh, const VertexPlaces& before, double cell,
                                                               const base::Progress& progress) {
     constexpr int rounds = 16; // what goes back may now cut its neighbours
     std::vector<std::pair<std::uint32_t, std::uint32_t>> left;
-    auto cuts = selfIntersections(mesh, progress);
+    auto cuts = cutsOfMoved(mesh, before, cell, progress);
     for (int round = 0; round < rounds && !cuts.empty(); ++round) {
         progress.step(1, "untangling triangles");
         std::vector<std::uint32_t> around;
