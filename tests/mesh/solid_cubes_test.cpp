@@ -18,6 +18,7 @@ class SolidCubesTest : public QObject {
     void solidsHaveNoBoundary_data();
     void solidsHaveNoBoundary();
     void normalsMayAllPointInwards();
+    void partsThatLookInwardsEndNearBy();
     void partsThatRunIntoEachOtherBecomeOne();
     void gapsAreClosed();
     void threadsDoNotShow();
@@ -104,6 +105,21 @@ void SolidCubesTest::normalsMayAllPointInwards() {
     QVERIFY(isClosed(topologyOf(m)));
     QCOMPARE(topologyOf(m).components, std::size_t(1));
     QCOMPARE(topologyOf(m).genus(), std::optional<long long>(1));
+}
+
+/// A ball that is inside out beside one that is not, as noise leaves some clouds: all space nearer to it was inside.
+void SolidCubesTest::partsThatLookInwardsEndNearBy() {
+    const double s = shapes::sphereSpacing(3000, 1);
+    surfel::SurfelList list = shapes::sphere(3000, 1, 3.5 * s);
+    for (surfel::Surfel each : shapes::sphere(750, 0.5, 3.5 * s).items) {
+        each.position.x += static_cast<float>(1.5 + s);
+        each.normal = -each.normal;
+        list.items.push_back(each);
+    }
+    const Mesh m = meshOf(shapes::surfaceOf(list), s);
+    QVERIFY(isClosed(topologyOf(m)));
+    for (const Vec3d& p : m.positions)
+        QVERIFY(std::min(length(p) - 1, length(p - Vec3d{1.5 + s, 0, 0}) - 0.5) < 4 * s);
 }
 
 /// Each with all its points, also those inside of the other; crumbs where they cross.

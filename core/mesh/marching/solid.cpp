@@ -82,8 +82,12 @@ int Solid::turnsNear(const Vec3d& x) const {
         return 0;
     thread_local std::vector<tree::Neighbour> nearest;
     m_surface.tree().nearest(base::cast<float>(x), 1, nearest);
-    const auto found = m_turns.find(nearest.front().block);
-    return found == m_turns.end() ? 0 : found->second[std::size_t(nearest.front().slot / surfel::clusterSize)];
+    const tree::Neighbour& beside = nearest.front();
+    const float support = beside.block->support(beside.slot);
+    const auto found = m_turns.find(beside.block);
+    if (found == m_turns.end() || beside.distanceSq > support * support)
+        return 0;
+    return found->second[std::size_t(beside.slot / surfel::clusterSize)];
 }
 
 /// Where one sheet is alone it makes no difference what is done about near ones.

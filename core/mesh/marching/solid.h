@@ -42,7 +42,8 @@ class Solid {
 
     int turnsOn(const surfel::SurfelBlock& block, int cluster) const;
     void classify();
-    /// Whole turns that the nearest sheet is away from winding numbers of 0 and 1 on its sides; mostly none.
+    /// Whole turns that the nearest sheet is away from winding numbers of 0 and 1 on its sides; mostly none. Nor any
+    /// beyond its support: else one that is inside out would have all space up to the next one inside.
     int turnsNear(const base::Vec3d& x) const;
     double winding(const base::Vec3d& x, int turns) const { return m_winding.at(x) - m_around - std::min(turns, 0); }
 
