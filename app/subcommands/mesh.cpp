@@ -118,7 +118,7 @@ void run(const Options& options, OptionSet command, Console& console) {
 }
 
 void addDelaunayOptions(OptionSet command, mesh::DelaunayOptions& options) {
-    command.add("--angle", options.angle, "smallest angle of a triangle, in degrees")
+    command.add("--angle", options.angle, "smallest angle of a triangle away from sharp edges, in degrees")
         .check(between(0, 30))
         .showDefault()
         .group("Delaunay");

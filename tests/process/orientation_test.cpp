@@ -20,6 +20,7 @@ class OrientationTest : public QObject {
     void piecesApartAgree();
     void openPartsOfABodyAgree();
     void straysDoNotTurnTheBody();
+    void bodiesThatStraysJoinLookOutwardsEach();
     void wedgesLookOutwards();
     void flippedPatchesAreInDoubt();
     void threadsDoNotShow();
@@ -139,6 +140,39 @@ void OrientationTest::straysDoNotTurnTheBody() {
                                                            .arg(global)
                                                            .arg(test::seed())));
         }
+    }
+}
+
+/// Noisy bodies beside each other with strays between them, by which the tree goes from one to the next: its way says
+/// nothing of their sides.
+void OrientationTest::bodiesThatStraysJoinLookOutwardsEach() {
+    base::Random random(test::seed());
+    for (int k = 0; k < test::effort(10); ++k) {
+        Body all;
+        for (int body = 0; body < 3; ++body) {
+            const std::size_t count = 1000 + random.below(2000);
+            const double spacing = std::sqrt(4 * std::numbers::pi / double(count));
+            const Body one = sphere(count);
+            const Vec3f centre{2.3f * float(body), float(random.uniform(-0.3, 0.3)), float(random.uniform(-0.3, 0.3))};
+            for (std::size_t i = 0; i < one.positions.size(); ++i) {
+                const double out = 1 + random.uniform(0, 0.4) * spacing * random.normal();
+                all.positions.push_back(centre + one.positions[i] * float(out));
+                all.outwards.push_back(one.outwards[i]);
+            }
+        }
+        const std::size_t whole = all.positions.size();
+        for (std::size_t i = 0; i < whole / 50; ++i)
+            all.positions.push_back(base::cast<float>(
+                Vec3d{random.uniform(-1.5, 6.1), random.uniform(-1.5, 1.5), random.uniform(-1.5, 1.5)}));
+        const surfel::SurfelList list = listOf(all);
+        const Cloud cloud(list.items);
+        std::vector<Vec3f> normals = normalsOf(cloud);
+        QVERIFY(orient(cloud, nearestTable(cloud, 12), normals));
+        std::size_t inwards = 0;
+        for (std::size_t i = 0; i < whole; ++i)
+            inwards += dot(normals[cloud.places()[i]], all.outwards[i]) < 0;
+        const QString told("%1 of %2 inwards, seed %3, round %4");
+        QVERIFY2(inwards < whole / 50, qPrintable(told.arg(inwards).arg(whole).arg(test::seed()).arg(k)));
     }
 }
 

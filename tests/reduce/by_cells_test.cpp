@@ -177,7 +177,7 @@ void ByCellsTest::anyModelKeepsItsEdges() {
     QFETCH(int, kind);
     QFETCH(double, uneven);
     base::Random random(test::seed());
-    const double s = test::sanitized ? 0.06 : 0.03, least = uneven > 1 ? s / 4 : s;
+    const double s = test::sanitized ? 0.06 : 0.04, least = uneven > 1 ? s / 4 : s;
     const creased::Model model = creasedModel(kind, s);
     const creased::Spacing spacing = [&](const Vec3d& x) {
         return least * std::pow(uneven, std::clamp((x.x + 0.6) / 1.2, 0.0, 1.0));

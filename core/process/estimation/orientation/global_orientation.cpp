@@ -1,6 +1,7 @@
 #include "core/process/estimation/orientation/global_orientation.h"
 
 #include "core/process/estimation/cloud_spacing.h"
+#include "core/process/estimation/orientation/orientation_pieces.h"
 #include "core/process/estimation/orientation/orientation_trees.h"
 #include "core/process/estimation/part_progress.h"
 
@@ -13,10 +14,6 @@ using base::Vec3d, base::Vec3f;
 namespace {
 
 constexpr const char* orienting = "Orienting normals";
-/// Pieces are joined by edges less unlike than this (of 1): what noise leaves certain, and what thin parts do not.
-constexpr double pieceUnlike = 0.3;
-/// Pieces that are judged: of so many points, and of no less than this share of all. The rest follows its neighbours.
-constexpr std::size_t fewest = 50, mostPieces = 2000;
 /// Groups of points that count as one dipole, about so many.
 constexpr std::size_t mostDipoles = 4000;
 constexpr double doubtfulShare = 0.25;
@@ -93,28 +90,6 @@ class Pieces {
     std::vector<double> m_field;
     std::vector<int> m_sign;
 };
-
-/// The pieces worth judging, the largest first, each with its members in the order of the curve.
-std::vector<std::vector<std::uint32_t>> largePieces(base::ParitySets& trees, std::size_t n) {
-    std::vector<std::uint32_t> size(n);
-    for (std::uint32_t i = 0; i < n; ++i)
-        ++size[trees.find(i).root];
-    std::vector<std::uint32_t> roots;
-    const std::size_t least = std::max(fewest, n / mostPieces);
-    for (std::uint32_t i = 0; i < n; ++i)
-        if (size[i] >= least)
-            roots.push_back(i);
-    std::stable_sort(roots.begin(), roots.end(), [&](std::uint32_t a, std::uint32_t b) { return size[a] > size[b]; });
-    constexpr std::uint32_t none = ~0u;
-    std::vector<std::uint32_t> pieceOf(n, none);
-    for (std::uint32_t p = 0; p < roots.size(); ++p)
-        pieceOf[roots[p]] = p;
-    std::vector<std::vector<std::uint32_t>> out(roots.size());
-    for (std::uint32_t i = 0; i < n; ++i)
-        if (const std::uint32_t p = pieceOf[trees.find(i).root]; p != none)
-            out[p].push_back(i);
-    return out;
-}
 
 /// Runs along the curve are compact: some points in a row make a dipole.
 std::vector<Dipole> dipolesOf(const std::vector<std::vector<std::uint32_t>>& pieces, base::ParitySets& trees,

@@ -1,0 +1,22 @@
+// Pieces of a cloud whose normals certainly agree, and bodies among them that only strays join (process/README 2.2,
+// 2.4). Inside this folder.
+#pragma once
+
+#include "core/base/disjoint_sets.h"
+#include "core/process/estimation/cloud_normals.h"
+
+#include <vector>
+
+namespace process {
+
+/// Pieces are joined by edges less unlike than this (of 1): what noise leaves certain, and what thin parts do not.
+constexpr double pieceUnlike = 0.3;
+
+/// The pieces worth judging, the largest first, each with its members in the order of the curve.
+std::vector<std::vector<std::uint32_t>> largePieces(base::ParitySets& trees, std::size_t n);
+
+/// Bodies that enclose something each and lie beside each other look outwards each by its own vote
+/// (process/README 2.3), before strays between them are asked. `trees` are joined below pieceUnlike.
+void relateBodiesApart(const Cloud& cloud, std::span<const base::Vec3f> normals, base::ParitySets& trees);
+
+} // namespace process
