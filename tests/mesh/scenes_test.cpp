@@ -121,6 +121,8 @@ void ScenesTest::densityFollowsTouchingBodies() {
 
 /// Of bodies that touch, the edges of the large one belong to its sparse surfels, two of their own spacings away.
 void ScenesTest::edgesHaveTheirSurfelsAtAnyDensity() {
+    if (test::sanitized) // half a minute there
+        return;
     base::Random random(test::seed());
     std::vector<Box> boxes{aligned({-1, -1, -1}, {1, 1, 1})};
     for (int i = 0; i < 36; ++i) { // so that most surfels of the large one are about them
