@@ -14,7 +14,7 @@ using base::Vec3f;
 
 namespace {
 
-constexpr double slack = 1e-3;     ///< for what float coordinates round
+constexpr double slack = 1e-3;      ///< for what float coordinates round
 constexpr double evenEnough = 0.35; ///< spacings differ by so much within a part, over that of its middle
 
 /// Halves the longest sides until the spacing is nearly one.
