@@ -107,8 +107,7 @@ void TouchWindowTest::whatIsNotThereIsWaitedFor() {
     QVERIFY(f.make("sphere", 2000));
     f.choose("inverse3");
     f.on().setChecked(true);
-    QTest::qWait(100);
-    QVERIFY(f.touch().on() && f.touch().state().contains("waiting"));
+    QTRY_VERIFY_WITH_TIMEOUT(f.touch().on() && f.touch().state().contains("waiting"), test::patience);
     f.choose("hand"); // and another takes its place
     QVERIFY(f.waitUntil([](const ui::TouchLook& look) { return look.shown; }));
 }
