@@ -27,6 +27,7 @@ class FaceCreasesTest : public QObject {
     void smallPatchesJoinTheirFlattestNeighbour();
     void narrowChamfersAreNoCells();
     void sidesOfThinPlatesAreCells();
+    void narrowSidesHaveRowsOfTheirOwn();
     void creasesThatEndFadeBetweenTwoBands();
     void openBoxesAreHitAtTheirEdges();
     void sharpEdgesAmongBumpsAreNoCreases();
@@ -166,6 +167,30 @@ void FaceCreasesTest::narrowChamfersAreNoCells() {
 void FaceCreasesTest::sidesOfThinPlatesAreCells() {
     const mesh::OpenedFaces open = opened(box({1, 1, 0.012f}), 6000); // of 0.65 spacings
     QCOMPARE(cells::countCells(open.points).cells, std::size_t(6));
+}
+
+/// Samples on the plate's large sides do not push those of its rim away.
+void FaceCreasesTest::narrowSidesHaveRowsOfTheirOwn() {
+    constexpr std::size_t count = 6000;
+    const double spacing = std::sqrt(2.0 / count);
+    for (const auto& [width, longest] : {std::pair(0.25, 6.0), std::pair(0.5, 3.0), std::pair(0.75, 2.0)}) {
+        const mesh::OpenedFaces open = opened(box({1, 1, static_cast<float>(width * spacing)}), count);
+        std::vector<double> along[4];
+        for (const surfel::Surfel& s : open.points.items) {
+            if (std::abs(s.normal.x) > 0.9f)
+                along[s.normal.x > 0].push_back(static_cast<double>(s.position.y));
+            if (std::abs(s.normal.y) > 0.9f)
+                along[s.normal.y > 0 ? 3 : 2].push_back(static_cast<double>(s.position.x));
+        }
+        for (std::vector<double>& side : along) {
+            side.insert(side.end(), {0, 1});
+            std::sort(side.begin(), side.end());
+            double gap = 0;
+            for (std::size_t i = 1; i < side.size(); ++i)
+                gap = std::max(gap, side[i] - side[i - 1]);
+            QVERIFY2(gap < longest * spacing, qPrintable(QString("%1: %2").arg(width).arg(gap / spacing)));
+        }
+    }
 }
 
 /// A ridge that flattens out half-way: sharp at its beginning, and nothing of it is left at the other side.

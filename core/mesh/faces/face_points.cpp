@@ -27,6 +27,8 @@ constexpr double firstShare = 0.98;
 constexpr float tooClose = 0.7f;
 constexpr float flatness = 3; ///< weight of heights over the tangent plane
 constexpr double awayCosine = -0.5;
+constexpr double alikeCosine = 0.94; ///< 20 degrees: patches on top of each other have no edge between them
+constexpr float acrossSharp = 0.4f;  ///< of r: how near a point across a sharp edge may be
 constexpr int groups = 27;
 /// By so much the spacing changes within itself at most: neighbours of candidates beyond that from a power of two are
 /// of the same one.
@@ -74,8 +76,9 @@ FacePoint drawn(const std::vector<double>& sums, std::size_t i, std::size_t n) {
 class DartThrower {
   public:
     DartThrower(const FaceTopology& topology, std::span<const Vec3f> positions, std::size_t count,
-                const InnerPlaces* inside, const FaceDensity* density)
-        : m_topology(topology), m_positions(positions), m_inside(inside), m_density(density), m_count(count) {
+                const InnerPlaces* inside, const FaceDensity* density, std::span<const std::uint32_t> patches)
+        : m_topology(topology), m_positions(positions), m_inside(inside), m_density(density), m_patches(patches),
+          m_count(count) {
         double area = topology.area * outerShare(); // were the spacing the least one everywhere
         if (density) {
             m_parts = density->parts();
@@ -136,13 +139,17 @@ class DartThrower {
     std::size_t throwAll(float r, std::size_t most);
     std::uint32_t throwInto(std::size_t cell, float r);
     float nearestTaken(std::size_t cell, const Candidate& candidate, float enough) const;
+    bool otherPatch(std::uint32_t a, std::uint32_t b) const {
+        return !m_patches.empty() && m_patches[a] != m_patches[b];
+    }
     Place placeOfCell(const Vec3f& p, std::uint32_t level) const;
 
     const FaceTopology& m_topology;
     std::span<const Vec3f> m_positions;
-    const InnerPlaces* m_inside;       ///< null: nothing is
-    const FaceDensity* m_density;      ///< null: all evenly
-    std::span<const FacePart> m_parts; ///< of the density
+    const InnerPlaces* m_inside;              ///< null: nothing is
+    const FaceDensity* m_density;             ///< null: all evenly
+    std::span<const FacePart> m_parts;        ///< of the density
+    std::span<const std::uint32_t> m_patches; ///< of the triangles; empty: one
     std::size_t m_count;
     float m_side; ///< of the least cell: the distance of neighbours in a hexagonal layout of so many points
     std::vector<Candidate> m_candidates;
@@ -282,8 +289,9 @@ void DartThrower::findCells() {
     }
 }
 
-/// Distance in the metric of a sheet to the nearest point taken so far, over the candidate's scale: infinity beyond the
-/// cells around, 0 where any is nearer than `enough`, which most candidates learn from their own cell.
+/// Distance in the metric of a sheet, longer across edges, to the nearest point taken so far, over the candidate's
+/// scale: infinity beyond the cells around, 0 where any is nearer than `enough`, which most candidates learn from their
+/// own cell.
 float DartThrower::nearestTaken(std::size_t cell, const Candidate& candidate, float enough) const {
     const Vec3d& n = m_topology.normals[candidate.point.triangle];
     const Vec3f normal = base::cast<float>(n);
@@ -293,8 +301,13 @@ float DartThrower::nearestTaken(std::size_t cell, const Candidate& candidate, fl
         const Cell& near = m_cells[m_near[e]];
         for (std::uint32_t i = near.first; i < near.taken; ++i) {
             const Vec3f offset = m_candidates[i].position - candidate.position;
-            const float height = dot(offset, normal), d = lengthSq(offset) + flatness * height * height;
-            if (d < best && dot(n, m_topology.normals[m_candidates[i].point.triangle]) > awayCosine)
+            const float height = dot(offset, normal);
+            const std::uint32_t other = m_candidates[i].point.triangle;
+            float d = lengthSq(offset) + flatness * height * height;
+            const double alike = dot(n, m_topology.normals[other]);
+            if (alike < alikeCosine && otherPatch(candidate.point.triangle, other))
+                d *= 1 / (acrossSharp * acrossSharp);
+            if (d < best && alike > awayCosine)
                 best = d;
         }
     }
@@ -345,8 +358,8 @@ std::size_t DartThrower::throwAll(float r, std::size_t most) {
 
 std::vector<FacePoint> spreadPoints(const FaceTopology& topology, std::span<const Vec3f> positions, std::size_t count,
                                     const base::Progress& progress, const InnerPlaces* inside,
-                                    const FaceDensity* density) {
-    return DartThrower(topology, positions, count, inside, density).run(progress);
+                                    const FaceDensity* density, std::span<const std::uint32_t> patches) {
+    return DartThrower(topology, positions, count, inside, density, patches).run(progress);
 }
 
 Vec3d placeOf(const FacePoint& point, const FaceTopology& topology, std::span<const Vec3f> positions) {

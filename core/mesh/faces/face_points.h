@@ -6,7 +6,9 @@
 // (mesh/README 8.3).
 //
 // Distances are those of a sheet: d^2 + 3 (n.d)^2, and faces that look away from each other (by more than 120 degrees)
-// do not see each other, so that both sides of a thin wall get all their points.
+// do not see each other, so that both sides of a thin wall get all their points. Across an edge that stays sharp,
+// points may come two and a half times as near as within a patch: a narrow strip has a row of its own beside its
+// neighbours'.
 //
 // Where a density asks for several spacings, distances are taken over the spacing at the candidate. Candidates lie in
 // cells of the power of two above their spacing then, and see those of the powers next to it.
@@ -23,11 +25,12 @@ struct FacePoint {
 };
 
 /// `count` points, or a few percent fewer where the faces are too small for so many; none at places that are inside. In
-/// the order of cells. `density`: how they are spread, up to a factor; evenly without. REQUIRES: an area above 0.
-/// Throws base::Cancelled.
+/// the order of cells. `density`: how they are spread, up to a factor; evenly without. `patches`: of each triangle the
+/// one between sharp edges; none are sharp without. REQUIRES: an area above 0. Throws base::Cancelled.
 std::vector<FacePoint> spreadPoints(const FaceTopology& topology, std::span<const base::Vec3f> positions,
                                     std::size_t count, const base::Progress& progress = {},
-                                    const InnerPlaces* inside = nullptr, const FaceDensity* density = nullptr);
+                                    const InnerPlaces* inside = nullptr, const FaceDensity* density = nullptr,
+                                    std::span<const std::uint32_t> patches = {});
 
 /// Where a point is.
 base::Vec3d placeOf(const FacePoint& point, const FaceTopology& topology, std::span<const base::Vec3f> positions);

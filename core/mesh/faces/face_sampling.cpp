@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/mesh/faces/crease_chains.h"
 #include "core/mesh/faces/face_spacing.h"
 #include "core/mesh/faces/figures.h"
 #include "core/mesh/faces/piece_spacings.h"
@@ -49,9 +50,11 @@ FaceSampling evenly(const FaceTopology& topology, std::span<const Vec3f> positio
                     const FaceOptions& options, const base::Progress& progress) {
     const double share = inside.outerShare();
     const double wall = thinnestWall(topology, positions, process::part(progress, 0, 0.3), &inside);
+    const std::size_t count = samplesFor(topology, share, wall, options);
+    const double spacing = std::sqrt(topology.area * share / static_cast<double>(count));
     FaceSampling out;
-    out.points = spreadPoints(topology, positions, samplesFor(topology, share, wall, options),
-                              process::part(progress, 0.3, 0.9), &inside);
+    out.points = spreadPoints(topology, positions, count, process::part(progress, 0.3, 0.9), &inside, nullptr,
+                              clearChains(topology, spacing).patches);
     out.spacings = {std::sqrt(topology.area * share / static_cast<double>(out.points.size()))};
     out.apart = wall >= resolvedWall * out.spacings[0];
     return out;
@@ -79,7 +82,8 @@ FaceSampling piecewise(const FaceTopology& topology, std::span<const Vec3f> posi
     }
     FaceSampling out;
     out.points = spreadPoints(topology, positions, std::max<std::size_t>(4, static_cast<std::size_t>(all)),
-                              process::part(progress, 0.3, 0.9), &inside, &*density);
+                              process::part(progress, 0.3, 0.9), &inside, &*density,
+                              clearChains(topology, pieces.spacings).patches);
     const double wider = std::sqrt(wanted / static_cast<double>(out.points.size()));
     out.spacings.resize(out.points.size());
     base::parallelFor(out.points.size(), 1024, [&](std::size_t i) {
