@@ -23,10 +23,11 @@ struct Provenance {
     std::filesystem::path path; ///< where it was opened from or last saved to; empty for a new one
     base::Vec3d origin;
     std::size_t faces = 0;
-    std::size_t dropped = 0; ///< points that were not finite
-    std::size_t merged = 0;  ///< points that opening merged with others in their place
-    bool sampled = false;    ///< the surfels are samples of the file's faces
-    bool closed = false;     ///< the file's faces have no boundary
+    std::size_t dropped = 0;   ///< points that were not finite
+    std::size_t merged = 0;    ///< points that opening merged with others in their place
+    bool sampled = false;      ///< the surfels are samples of the file's faces
+    bool closed = false;       ///< the file's faces have no boundary
+    bool guessedSides = false; ///< opening estimated the normals, and which way they look
     std::string format;
     std::vector<std::string> comments;
     std::vector<io::OpaqueElement> elements;

@@ -21,6 +21,7 @@ class OrientationTest : public QObject {
     void openPartsOfABodyAgree();
     void straysDoNotTurnTheBody();
     void bodiesThatStraysJoinLookOutwardsEach();
+    void manyStraysTurnNoBodyInsideOut();
     void wedgesLookOutwards();
     void flippedPatchesAreInDoubt();
     void threadsDoNotShow();
@@ -168,6 +169,35 @@ void OrientationTest::bodiesThatStraysJoinLookOutwardsEach() {
         const Cloud cloud(list.items);
         std::vector<Vec3f> normals = normalsOf(cloud);
         QVERIFY(orient(cloud, nearestTable(cloud, 12), normals));
+        std::size_t inwards = 0;
+        for (std::size_t i = 0; i < whole; ++i)
+            inwards += dot(normals[cloud.places()[i]], all.outwards[i]) < 0;
+        const QString told("%1 of %2 inwards, seed %3, round %4");
+        QVERIFY2(inwards < whole / 50, qPrintable(told.arg(inwards).arg(whole).arg(test::seed()).arg(k)));
+    }
+}
+
+/// Among many strays some lie on a sheet of a handful by chance: these had a say about which side is outside.
+void OrientationTest::manyStraysTurnNoBodyInsideOut() {
+    base::Random random(test::seed());
+    for (int k = 0; k < test::effort(12); ++k) {
+        constexpr std::size_t whole = 6000;
+        const double minor = random.uniform(0.25, 0.45), spacing = 2 * std::numbers::pi * std::sqrt(minor / whole);
+        Body all;
+        for (std::size_t i = 0; i < whole; ++i) {
+            const double a = random.uniform(0, 2 * std::numbers::pi), b = random.uniform(0, 2 * std::numbers::pi);
+            const Vec3d n{std::cos(a) * std::cos(b), std::sin(a) * std::cos(b), std::sin(b)};
+            const Vec3d p = Vec3d{std::cos(a), std::sin(a), 0} + n * (minor + 0.3 * spacing * random.normal());
+            all.positions.push_back(base::cast<float>(p));
+            all.outwards.push_back(base::cast<float>(n));
+        }
+        for (std::size_t i = 0; i < whole / 4; ++i)
+            all.positions.push_back(base::cast<float>(
+                Vec3d{random.uniform(-1.7, 1.7), random.uniform(-1.7, 1.7), random.uniform(-1.7, 1.7)}));
+        const surfel::SurfelList list = listOf(all);
+        const Cloud cloud(list.items);
+        std::vector<Vec3f> normals = normalsOf(cloud);
+        orient(cloud, nearestTable(cloud, 12), normals);
         std::size_t inwards = 0;
         for (std::size_t i = 0; i < whole; ++i)
             inwards += dot(normals[cloud.places()[i]], all.outwards[i]) < 0;

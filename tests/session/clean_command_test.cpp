@@ -20,6 +20,7 @@ class CleanCommandTest : public QObject {
     void whatHasNothingToDoLeavesNoStep();
     void maskedSurfelsAreProtected();
     void othersKeepEveryBit();
+    void sidesGuessedAmongStraysAreGuessedAgain();
     void viewpointsTurnNormals();
     void gridsGiveNormals();
     void nonsenseIsRefused();
@@ -46,6 +47,37 @@ std::string scan(double offset = 0, bool masked = false) {
 
 json open(Workbench& bench, const std::string& content) {
     return {{"op", "open"}, {"path", test::write(bench.path("scan.ply"), content).string()}};
+}
+
+/// A box in a shell that is no part of it, without normals.
+std::string boxInShell(std::uint64_t seed) {
+    base::Random random(seed);
+    const Vec3d half{random.uniform(0.5, 0.85), random.uniform(0.5, 0.85), random.uniform(0.5, 0.85)};
+    std::ostringstream out;
+    for (int i = 0; i < 8800; ++i) {
+        Vec3d p = random.unitVector() * 2;
+        if (i < 8000) {
+            const std::size_t axis = random.below(3);
+            p = {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
+            p[axis] = p[axis] < 0 ? -1 : 1;
+            p = {p.x * half.x, p.y * half.y, p.z * half.z};
+        }
+        out << p.x << ' ' << p.y << ' ' << p.z << '\n';
+    }
+    return out.str();
+}
+
+bool looksOutwards(const Workbench& bench) {
+    Vec3d middle;
+    const surfel::SurfelList points = bench.document.surface().tree().surfels();
+    for (const surfel::Surfel& s : points.items)
+        if (length(s.position) < 1.6f)
+            middle += base::cast<double>(s.position) / 8000.0;
+    double sum = 0;
+    for (const surfel::Surfel& s : points.items)
+        if (length(s.position) < 1.6f)
+            sum += dot(base::cast<double>(s.position) - middle, base::cast<double>(s.normal));
+    return sum > 0;
 }
 
 double meanRadius(const Workbench& bench) {
@@ -151,6 +183,29 @@ void CleanCommandTest::othersKeepEveryBit() {
     for (const surfel::Surfel& s : after.items)
         same += std::find(before.items.begin(), before.items.end(), s) != before.items.end();
     QVERIFY2(same > after.size() * 95 / 100, qPrintable(QString::number(same)));
+}
+
+/// Normals that opening estimated look wherever strays led them. A file's own, and those that were turned since, stay.
+void CleanCommandTest::sidesGuessedAmongStraysAreGuessedAgain() {
+    int inwards = 0;
+    for (std::uint64_t k = 0; k < (test::sanitized ? 2 : 8); ++k)
+        for (const char* line : {R"({"op":"outliers","method":"islands","limit":1000})",
+                                 R"({"op":"clean","outliers":"islands","limit":1000})"}) {
+            Workbench bench;
+            bench.run(
+                {{"op", "open"}, {"path", test::write(bench.path("scan.xyz"), boxInShell(test::seed() + k)).string()}});
+            const bool before = looksOutwards(bench);
+            inwards += before ? 0 : 1;
+            bench.run(json::parse(line));
+            QVERIFY(bench.size() <= 8000);
+            QVERIFY2(looksOutwards(bench), qPrintable(QString("seed %1 + %2").arg(test::seed()).arg(k)));
+            bench.run({{"op", "undo"}});
+            QCOMPARE(looksOutwards(bench), before);
+            bench.run({{"op", "flip"}});
+            bench.run(json::parse(line));
+            QCOMPARE(looksOutwards(bench), !before);
+        }
+    QVERIFY(inwards > 0 || test::sanitized); // else nothing was shown
 }
 
 void CleanCommandTest::viewpointsTurnNormals() {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <map>
 
 namespace process {
 
@@ -26,11 +26,12 @@ constexpr std::size_t leastSeam = 4;
 constexpr float layersWeigh = 2;
 constexpr std::int32_t scale = 2;
 
-/// Strays stand outermost, and their normals mean nothing: where the vote is no clearer than this, only points are
-/// asked that lie on a surface with others, with so many of which they agree so well (process/README 2.3).
-constexpr double clearlyOutside = 0.4; ///< what strays alone say is below 0.1
+/// Strays stand outermost, and their normals mean nothing: only points are asked that lie on a surface with others,
+/// with so many of which they agree so well (process/README 2.3).
 constexpr std::int32_t agreed = unlikeClasses * 3 / 10;
 constexpr int leastAgreed = 4, rounds = 4;
+constexpr std::size_t smallSheet = 10; ///< times as large is another: strays by chance on a sheet have no say
+constexpr std::uint32_t nowhere = ~0u;
 
 /// body(begin, end, chunk) for n points, in parallel.
 template <class Body>
@@ -187,8 +188,9 @@ bool OrientationTrees::hasSeam(const base::Progress& progress) {
 }
 
 /// Which points lie on a surface together with others: neighbours of neighbours of theirs, with normals alike. Few
-/// strays do, by chance, and hardly any with others that do.
-std::vector<std::uint8_t> OrientationTrees::borneOut(const base::Progress& progress) const {
+/// strays do, by chance, and those that do only with a handful of others. Of each the surface that it lies on, by one
+/// of its points, or `nowhere`.
+std::vector<std::uint32_t> OrientationTrees::borneOut(const base::Progress& progress) const {
     static_assert(NeighbourTable::most <= 16);
     base::LargeArray<std::uint16_t> alike(m_links.size()); // a bit for each neighbour
     forChunks(m_links.size(), progress, [&](std::size_t begin, std::size_t end, std::size_t) {
@@ -214,21 +216,33 @@ std::vector<std::uint8_t> OrientationTrees::borneOut(const base::Progress& progr
             }
         });
     }
-    return out;
+    base::DisjointSets sheets(m_links.size());
+    for (std::uint32_t i = 0; i < m_links.size(); ++i) {
+        const NeighbourTable::Row row = m_links.row(i);
+        for (std::size_t k = 0; k < m_links.count() && out[i] != 0; ++k)
+            if ((alike[i] >> k & out[row[k]]) != 0)
+                sheets.join(i, row[k]);
+    }
+    std::vector<std::uint32_t> sheetOf(m_links.size(), nowhere);
+    for (std::uint32_t i = 0; i < m_links.size(); ++i)
+        if (out[i] != 0)
+            sheetOf[i] = sheets.find(i);
+    return sheetOf;
 }
 
-/// How the outermost points of a component vote. `witnesses` are found when they are first needed.
+/// How the outermost points of a component vote that lie on sheets.
 double OrientationTrees::votesFor(const Outside& outside, std::span<const std::uint32_t> component,
-                                  std::vector<std::uint8_t>& witnesses, const base::Progress& progress) const {
-    const double all = outside.vote(m_normals, component);
-    if (std::abs(all) >= clearlyOutside)
-        return all;
-    if (witnesses.empty())
-        witnesses = borneOut(progress);
+                                  std::span<const std::uint32_t> sheetOf) const {
+    std::map<std::uint32_t, std::size_t> sizes;
+    std::size_t largest = 0;
+    for (const std::uint32_t i : component)
+        if (sheetOf[i] != nowhere)
+            largest = std::max(largest, ++sizes[sheetOf[i]]);
     std::vector<std::uint32_t> some;
-    std::copy_if(component.begin(), component.end(), std::back_inserter(some),
-                 [&](std::uint32_t i) { return witnesses[i] != 0; });
-    return some.empty() || some.size() == component.size() ? all : outside.vote(m_normals, some);
+    for (const std::uint32_t i : component)
+        if (sheetOf[i] != nowhere && sizes[sheetOf[i]] * smallSheet >= largest)
+            some.push_back(i);
+    return outside.vote(m_normals, some.empty() ? component : std::span<const std::uint32_t>(some));
 }
 
 void OrientationTrees::takeSigns(Sides given, const base::Progress& progress) {
@@ -246,7 +260,7 @@ void OrientationTrees::takeSigns(Sides given, const base::Progress& progress) {
     for (auto i = static_cast<std::uint32_t>(n); i-- > 0;)
         members[--start[m_signs.look(i).root]] = i; // and then begins
     const Outside outside(m_positions);
-    std::vector<std::uint8_t> witnesses;
+    const std::vector<std::uint32_t> sheetOf = borneOut({nullptr, progress.cancel});
     const auto mostlyTurned = [&](std::span<const std::uint32_t> component) {
         const auto turned = static_cast<std::size_t>(std::count_if(
             component.begin(), component.end(), [&](std::uint32_t i) { return m_signs.look(i).opposite; }));
@@ -257,7 +271,7 @@ void OrientationTrees::takeSigns(Sides given, const base::Progress& progress) {
         if (component.empty())
             continue;
         progress.step(static_cast<double>(root) / static_cast<double>(n), orienting);
-        const double votes = votesFor(outside, component, witnesses, {nullptr, progress.cancel});
+        const double votes = votesFor(outside, component, sheetOf);
         const bool unclear = given == Sides::Mostly && std::abs(votes) < Outside::clear;
         if (unclear ? mostlyTurned(component) : outside.inward(m_normals, component, votes))
             for (const std::uint32_t i : component)

@@ -42,9 +42,9 @@ class OrientationTrees {
     std::vector<Edge> candidates(std::size_t begin, std::size_t end) const;
     void sort(std::vector<std::vector<Edge>>& parts);
     void shorten();
-    std::vector<std::uint8_t> borneOut(const base::Progress& progress) const;
+    std::vector<std::uint32_t> borneOut(const base::Progress& progress) const;
     double votesFor(const Outside& outside, std::span<const std::uint32_t> component,
-                    std::vector<std::uint8_t>& witnesses, const base::Progress& progress) const;
+                    std::span<const std::uint32_t> sheetOf) const;
 
     std::span<const base::Vec3f> m_positions;
     std::span<base::Vec3f> m_normals;

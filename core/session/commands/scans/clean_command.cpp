@@ -47,6 +47,8 @@ static void runClean(Context& context, const json& complete) {
         surface = clean::duplicates(context, surface);
     if (wanted("outliers"))
         surface = withoutOutliers(context, surface, complete);
+    if (wanted("outliers") && !wanted("normals") && !wanted("orient"))
+        surface = clean::guessedAgain(context, surface);
     if (wanted("denoise"))
         surface = clean::denoise(context, surface, complete.at("denoise"));
     if (wanted("thin"))

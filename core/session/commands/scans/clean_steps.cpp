@@ -318,4 +318,21 @@ Surface orient(Context& context, const Surface& surface, const std::string& way,
     return withNormals(context, surface, std::move(change), oriented);
 }
 
+Surface guessedAgain(Context& context, const Surface& surface) {
+    const Document& document = context.document;
+    const surfel::AttributeLayout& layout = *surface.tree().layout();
+    if (surface.definition().manifold == surface::Manifold::Curve || !document.provenance().guessedSides ||
+        document.canUndo() || !layout.normals || !layout.oriented ||
+        surface.tree().size() == document.surface().tree().size())
+        return surface;
+    const auto figures = context.figures;
+    const std::size_t told = context.messages.size();
+    const Surface out = orient(context, surface, "tree", nullptr);
+    if (context.figures.at("flipped") > 0 && out.tree().layout()->oriented)
+        return out;
+    context.figures = figures;
+    context.messages.resize(told);
+    return surface;
+}
+
 } // namespace session::clean

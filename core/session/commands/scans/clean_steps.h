@@ -39,6 +39,9 @@ surface::Surface duplicates(Context& context, const surface::Surface& surface);
 /// `limit`: null for the way's own.
 surface::Surface outliers(Context& context, const surface::Surface& surface, const std::string& way,
                           const nlohmann::json& limit);
+/// What strays may have turned: where sides of normals are still as opening guessed them, among strays, and some points
+/// have gone since, they are guessed again.
+surface::Surface guessedAgain(Context& context, const surface::Surface& surface);
 /// `sigma`: "auto" or a length.
 surface::Surface denoise(Context& context, const surface::Surface& surface, const nlohmann::json& sigma);
 surface::Surface thin(Context& context, const surface::Surface& surface, float spacing);

@@ -8,10 +8,9 @@ namespace session {
 static void runOutliers(Context& context, const nlohmann::json& complete) {
     requireModel(context);
     const surface::Surface surface = context.document.surface();
-    clean::commit(context,
-                  clean::outliers(context, surface, complete.at("method").get<std::string>(),
-                                  complete.value("limit", nlohmann::json())),
-                  "Remove outliers");
+    const surface::Surface left = clean::outliers(context, surface, complete.at("method").get<std::string>(),
+                                                  complete.value("limit", nlohmann::json()));
+    clean::commit(context, clean::guessedAgain(context, left), "Remove outliers");
 }
 
 CommandRow outliersCommand() {
@@ -21,7 +20,9 @@ CommandRow outliersCommand() {
     };
     return {"outliers",
             "Remove outliers",
-            "Takes out points that are not of the model; masked ones stay.",
+            "Takes out points that are not of the model; masked ones stay. Which way normals look that opening "
+            "estimated is "
+            "guessed again.",
             parameters,
             true,
             false,
