@@ -248,6 +248,8 @@ void RunTest::theDemoIsWhatItsGeneratorWrites() {
 }
 
 void RunTest::theDemoSessionRuns() {
+    if (test::sanitized)
+        QSKIP("a minute under a sanitizer");
     const Program program;
     const QString demo = QString(POINTCLAY_DEMO);
     const Outcome outcome = program.run({"run", demo, "--render", "demo.png", "--timings", "demo.json"});

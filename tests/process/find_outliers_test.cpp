@@ -5,6 +5,7 @@
 #include "process/uneven_sphere.h"
 #include "support/registry.h"
 
+#include <numbers>
 #include <QTest>
 
 using namespace process;
@@ -17,6 +18,8 @@ class FindOutliersTest : public QObject {
     void unevenModelsLoseNothing();
     void straysAreFound_data();
     void straysAreFound();
+    void aSixthInStraysIsFound();
+    void noisySparseBodiesAreNoOutliers();
     void sparsePatchesAreNoOutliers();
     void smallPiecesApartAreIslands();
     void whatStandsOffASheetIsOffItsSurface();
@@ -98,6 +101,46 @@ void FindOutliersTest::straysAreFound() {
     QVERIFY2(found >= strays * 9 / 10, told(found));
     const std::size_t lost = foundAmong(model, {OutlierWay(way), {}}, 0, own);
     QVERIFY2(lost <= own / 500, told(lost));
+}
+
+/// A ball whose points are drawn by chance, with noise of a part of their spacing.
+void addBall(surfel::SurfelList& list, std::size_t count, const Vec3d& centre, double radius, double noise,
+             base::Random& random) {
+    const double spacing = radius * std::sqrt(4 * std::numbers::pi / double(count));
+    for (std::size_t k = 0; k < count; ++k)
+        list.items.push_back(at(centre + random.unitVector() * (radius + noise * spacing * random.normal())));
+}
+
+/// So many strays that they hang together, as sparse parts of a model do.
+void FindOutliersTest::aSixthInStraysIsFound() {
+    base::Random random(test::seed());
+    surfel::SurfelList list;
+    const std::size_t own = test::effort(8000);
+    addBall(list, own, {}, 1, 0.2, random);
+    for (std::size_t k = 0; k < own / 5; ++k) {
+        Vec3d p;
+        do
+            p = Vec3d{random.uniform(-1.6, 1.6), random.uniform(-1.6, 1.6), random.uniform(-1.6, 1.6)};
+        while (std::abs(length(p) - 1) < 0.1);
+        list.items.push_back(at(p));
+    }
+    const std::size_t found = foundAmong(list, {}, own, list.size());
+    QVERIFY2(found > own / 5 * 93 / 100, told(found));
+    QVERIFY(foundAmong(list, {}, 0, own) <= own / 500);
+}
+
+/// Two and a half times as coarse, and noisy: it fills space better than a surface does, but not as strays do.
+void FindOutliersTest::noisySparseBodiesAreNoOutliers() {
+    base::Random random(test::seed());
+    for (const double noise : {0.0, 0.35, 0.55})
+        for (const double away : {3.05, 2.8, 0.0}) { // beside, touching, and a small one within
+            surfel::SurfelList list;
+            addBall(list, std::size_t(test::effort(12000)), {}, 1, noise, random);
+            const std::size_t count = list.size() / 8 + random.below(list.size() / 8);
+            addBall(list, count, {away, 0, 0}, away > 0 ? 2 : 0.8, noise, random);
+            const std::size_t lost = foundAmong(list, {}, 0, list.size());
+            QVERIFY2(lost <= list.size() / 150, told(lost) + ", noise " + QByteArray::number(noise));
+        }
 }
 
 /// Round holes of a dense sphere, filled with a ninth of its density: no way to tell may call these strays.

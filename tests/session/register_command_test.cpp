@@ -90,10 +90,10 @@ QByteArray told(double value) {
 void RegisterCommandTest::theModelMovesOntoTheOther_data() {
     QTest::addColumn<double>("offset");
     QTest::addColumn<bool>("join");
-    QTest::newRow("joined") << 0.0 << true;
     QTest::newRow("far from zero") << 1e7 << false;
-    if (test::sanitized)
+    if (test::sanitized) // some ten seconds each there
         return;
+    QTest::newRow("joined") << 0.0 << true;
     QTest::newRow("alone") << 0.0 << false;
     QTest::newRow("far from zero, joined") << 1e7 << true;
 }

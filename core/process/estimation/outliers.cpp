@@ -11,9 +11,6 @@ using base::Vec3f;
 
 /// Of a neighbour's radius: what wants more and is not seen by it may be an outlier.
 constexpr float farWider = 1.25f;
-/// Outliers hang together, by neighbours that see each other, in groups below a twentieth of all positions, and this
-/// many.
-constexpr std::size_t largestGroup = 10000;
 /// See each other: among the nearest of both. Few of them keep a swarm apart that comes near a sparse part of the
 /// model.
 constexpr std::size_t mutualNeighbours = 8;
@@ -24,8 +21,10 @@ constexpr double steepestSight = 0.25;
 /// Tells small groups of positions from the model, looking at no more of it than it must.
 class Groups {
   public:
-    explicit Groups(const NeighbourGraph& graph)
-        : m_graph(graph), m_limit(std::min(graph.size() / 20, largestGroup)), m_kind(graph.size(), Kind::Unknown) {}
+    Groups(const NeighbourGraph& graph, const SwarmLimit& limit)
+        : m_graph(graph),
+          m_limit(std::min(static_cast<std::size_t>(limit.share * static_cast<double>(graph.size())), limit.count)),
+          m_kind(graph.size(), Kind::Unknown) {}
 
     bool isModel(std::uint32_t i) {
         take(i);
@@ -134,10 +133,10 @@ void redirect(NeighbourGraph& g, const Outliers::Sight& sight, std::uint32_t to)
 
 } // namespace
 
-Outliers cutOutliers(NeighbourGraph& graph, std::span<const float> wanted) {
+Outliers cutOutliers(NeighbourGraph& graph, std::span<const float> wanted, const SwarmLimit& limit) {
     std::vector<std::uint8_t> suspect(graph.size());
     base::parallelFor(graph.size(), 4096, [&](std::size_t i) { suspect[i] = isSuspect(graph, wanted, i); });
-    Groups groups(graph);
+    Groups groups(graph, limit);
     std::vector<std::vector<std::uint32_t>> small;
     for (std::uint32_t i = 0; i < suspect.size(); ++i)
         if (suspect[i])
@@ -149,6 +148,7 @@ Outliers cutOutliers(NeighbourGraph& graph, std::span<const float> wanted) {
         if (sights.empty() || !standApart(graph, sights, groups))
             continue;
         out.members.insert(out.members.end(), group.begin(), group.end());
+        out.ends.push_back(out.members.size());
         out.sights.insert(out.sights.end(), sights.begin(), sights.end());
     }
     for (const Outliers::Sight& sight : out.sights)

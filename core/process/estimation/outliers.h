@@ -13,14 +13,21 @@ struct Outliers {
         std::uint32_t outlier, seen;
         std::uint32_t place; ///< in the outlier's row
     };
-    std::vector<std::uint32_t> members;
+    std::vector<std::uint32_t> members; ///< group by group
+    std::vector<std::size_t> ends;      ///< of groups, in members
     std::vector<Sight> sights;
+};
+
+/// Positions that may hang together as outliers.
+struct SwarmLimit {
+    double share = 0.05; ///< of all
+    std::size_t count = 10000;
 };
 
 /// Finds the outliers by the radii that positions want, and cuts their edges to it: there they become their own
 /// neighbours, at no distance. Sparse parts of the model stay in it: they lie beside the dense ones, in their tangent
 /// planes. The same at any thread count.
-Outliers cutOutliers(NeighbourGraph& graph, std::span<const float> wanted);
+Outliers cutOutliers(NeighbourGraph& graph, std::span<const float> wanted, const SwarmLimit& limit = {});
 
 /// No outlier wider than the least that it sees of the model and `slope` allows, nor than another one plus `slope`
 /// times their distance.
