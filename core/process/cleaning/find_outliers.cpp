@@ -10,7 +10,6 @@
 #include "core/process/estimation/part_progress.h"
 
 #include <algorithm>
-#include <functional>
 #include <limits>
 #include <numeric>
 
@@ -145,13 +144,26 @@ double steepness(const Cloud& cloud, const Neighbours& near, std::span<const bas
     return sum / static_cast<double>(near.size());
 }
 
+/// The mean steepness of a group as if it stood alone.
+double steepnessAlone(const Cloud& cloud, std::span<const std::uint32_t> group, const base::Progress& quiet) {
+    std::vector<surfel::Surfel> points(group.size());
+    for (std::size_t m = 0; m < group.size(); ++m)
+        points[m].position = cloud.positions()[group[m]];
+    const Cloud alone(points, quiet);
+    const std::vector<base::Vec3f> normals = normalsOf(alone, 18, quiet);
+    std::vector<double> steep(alone.size());
+    alone.forEach(gradedNeighbours, quiet, "Looking for swarms",
+                  [&](std::size_t i, const Neighbours& near) { steep[i] = steepness(alone, near, normals, i); });
+    return std::accumulate(steep.begin(), steep.end(), 0.0) / static_cast<double>(steep.size());
+}
+
 /// Swarms about the model: few sparse points that see it and that nothing of it sees, above it and not beside it, and
 /// that are no surface themselves.
 void addSwarms(const Cloud& cloud, Flags& found, const base::Progress& progress) {
     constexpr double fillsSpace = 0.17;
-    /// Of a large group's mean: samples of a surface by chance, with noise of half their spacing, have 0.19, a cloud of
-    /// strays 0.23 to 0.28.
-    constexpr double largeFillsSpace = 0.215;
+    /// Of a large group's mean: samples of a surface by chance, with noise of half their spacing, have 0.18, clouds of
+    /// strays 0.22 to 0.24.
+    constexpr double largeFillsSpace = 0.2;
     constexpr SwarmLimit limit{1 / 3.0, std::numeric_limits<std::size_t>::max()};
     NeighbourGraph graph(nearestTable(cloud, gradedNeighbours, part(progress, 0, 0.3)), cloud.positions());
     const std::vector<float> spacing = spacingsOf(cloud, part(progress, 0.3, 0.5));
@@ -169,11 +181,9 @@ void addSwarms(const Cloud& cloud, Flags& found, const base::Progress& progress)
     std::size_t from = 0;
     for (const std::size_t end : swarms.ends) {
         const std::span<const std::uint32_t> group(members.data() + from, end - from);
-        const double mean = std::transform_reduce(group.begin(), group.end(), 0.0, std::plus<>(),
-                                                  [&](std::uint32_t i) { return steep[i]; }) /
-                            static_cast<double>(group.size());
         const bool large = group.size() > static_cast<std::size_t>(SwarmLimit().share * double(cloud.size()));
-        for (std::size_t m = from; m < end && (!large || mean > largeFillsSpace); ++m) {
+        const bool judged = !large || steepnessAlone(cloud, group, {nullptr, progress.cancel}) > largeFillsSpace;
+        for (std::size_t m = from; m < end && judged; ++m) {
             double sum = steep[members[m]], count = 1; // few directions tell little: those beside it count too
             for (const std::uint32_t j : near[m].index)
                 if (const double beside = steep[j]; beside >= 0)
