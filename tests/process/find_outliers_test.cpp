@@ -44,6 +44,14 @@ surfel::SurfelList sheet(std::size_t count, base::Random& random) {
     return out;
 }
 
+/// A ball whose points are drawn by chance, with noise of a part of their spacing.
+void addBall(surfel::SurfelList& list, std::size_t count, const Vec3d& centre, double radius, double noise,
+             base::Random& random) {
+    const double spacing = radius * std::sqrt(4 * std::numbers::pi / double(count));
+    for (std::size_t k = 0; k < count; ++k)
+        list.items.push_back(at(centre + random.unitVector() * (radius + noise * spacing * random.normal())));
+}
+
 /// Of the points from `from` to `to`.
 std::size_t foundAmong(const surfel::SurfelList& points, const OutlierQuestion& question, std::size_t from,
                        std::size_t to) {
@@ -102,14 +110,6 @@ void FindOutliersTest::straysAreFound() {
     QVERIFY2(found >= strays * 9 / 10, told(found));
     const std::size_t lost = foundAmong(model, {OutlierWay(way), {}}, 0, own);
     QVERIFY2(lost <= own / 500, told(lost));
-}
-
-/// A ball whose points are drawn by chance, with noise of a part of their spacing.
-void addBall(surfel::SurfelList& list, std::size_t count, const Vec3d& centre, double radius, double noise,
-             base::Random& random) {
-    const double spacing = radius * std::sqrt(4 * std::numbers::pi / double(count));
-    for (std::size_t k = 0; k < count; ++k)
-        list.items.push_back(at(centre + random.unitVector() * (radius + noise * spacing * random.normal())));
 }
 
 /// So many strays that they hang together, as sparse parts of a model do.

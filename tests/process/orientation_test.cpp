@@ -78,6 +78,23 @@ double outwardShare(const Body& body, base::Random& random) {
     return right / double(list.size());
 }
 
+struct Estimate {
+    bool sided;
+    std::size_t inwards; ///< of the points whose normals are known
+};
+
+/// Of a cloud that begins with a body's points, strays behind them.
+Estimate estimated(const Body& body, bool global = false) {
+    const surfel::SurfelList list = listOf(body);
+    const Cloud cloud(list.items);
+    std::vector<Vec3f> normals = normalsOf(cloud);
+    const NeighbourTable links = nearestTable(cloud, 12);
+    Estimate out{global ? orientGlobally(cloud, links, normals) : orient(cloud, links, normals), 0};
+    for (std::size_t i = 0; i < body.outwards.size(); ++i)
+        out.inwards += dot(normals[cloud.places()[i]], body.outwards[i]) < 0;
+    return out;
+}
+
 } // namespace
 
 void OrientationTest::spheresAndBoxesLookOutwards() {
@@ -125,15 +142,9 @@ void OrientationTest::straysDoNotTurnTheBody() {
         for (std::size_t i = 0; i < strays; ++i)
             body.positions.push_back(base::cast<float>(
                 Vec3d{random.uniform(-1.6, 1.6), random.uniform(-1.6, 1.6), random.uniform(-1.6, 1.6)}));
-        const surfel::SurfelList list = listOf(body);
-        const Cloud cloud(list.items);
-        const NeighbourTable links = nearestTable(cloud, 12);
         for (const bool global : {false, true}) {
-            std::vector<Vec3f> normals = normalsOf(cloud);
-            QVERIFY(global ? orientGlobally(cloud, links, normals) : orient(cloud, links, normals));
-            std::size_t inwards = 0;
-            for (std::size_t i = 0; i < whole; ++i)
-                inwards += dot(normals[cloud.places()[i]], body.outwards[i]) < 0;
+            const auto [sided, inwards] = estimated(body, global);
+            QVERIFY(sided);
             QVERIFY2(inwards < whole / 100, qPrintable(QString("%1 of %2 inwards among %3 strays, global %4, seed %5")
                                                            .arg(inwards)
                                                            .arg(whole)
@@ -165,13 +176,8 @@ void OrientationTest::bodiesThatStraysJoinLookOutwardsEach() {
         for (std::size_t i = 0; i < whole / 50; ++i)
             all.positions.push_back(base::cast<float>(
                 Vec3d{random.uniform(-1.5, 6.1), random.uniform(-1.5, 1.5), random.uniform(-1.5, 1.5)}));
-        const surfel::SurfelList list = listOf(all);
-        const Cloud cloud(list.items);
-        std::vector<Vec3f> normals = normalsOf(cloud);
-        QVERIFY(orient(cloud, nearestTable(cloud, 12), normals));
-        std::size_t inwards = 0;
-        for (std::size_t i = 0; i < whole; ++i)
-            inwards += dot(normals[cloud.places()[i]], all.outwards[i]) < 0;
+        const auto [sided, inwards] = estimated(all);
+        QVERIFY(sided);
         const QString told("%1 of %2 inwards, seed %3, round %4");
         QVERIFY2(inwards < whole / 50, qPrintable(told.arg(inwards).arg(whole).arg(test::seed()).arg(k)));
     }
@@ -194,13 +200,7 @@ void OrientationTest::manyStraysTurnNoBodyInsideOut() {
         for (std::size_t i = 0; i < whole / 4; ++i)
             all.positions.push_back(base::cast<float>(
                 Vec3d{random.uniform(-1.7, 1.7), random.uniform(-1.7, 1.7), random.uniform(-1.7, 1.7)}));
-        const surfel::SurfelList list = listOf(all);
-        const Cloud cloud(list.items);
-        std::vector<Vec3f> normals = normalsOf(cloud);
-        orient(cloud, nearestTable(cloud, 12), normals);
-        std::size_t inwards = 0;
-        for (std::size_t i = 0; i < whole; ++i)
-            inwards += dot(normals[cloud.places()[i]], all.outwards[i]) < 0;
+        const std::size_t inwards = estimated(all).inwards;
         const QString told("%1 of %2 inwards, seed %3, round %4");
         QVERIFY2(inwards < whole / 50, qPrintable(told.arg(inwards).arg(whole).arg(test::seed()).arg(k)));
     }

@@ -304,6 +304,8 @@ float DartThrower::nearestTaken(std::size_t cell, const Candidate& candidate, fl
             const float height = dot(offset, normal);
             const std::uint32_t other = m_candidates[i].point.triangle;
             float d = lengthSq(offset) + flatness * height * height;
+            if (d >= best)
+                continue;
             const double alike = dot(n, m_topology.normals[other]);
             if (alike < alikeCosine && otherPatch(candidate.point.triangle, other))
                 d *= 1 / (acrossSharp * acrossSharp);

@@ -181,7 +181,7 @@ void addSwarms(const Cloud& cloud, Flags& found, const base::Progress& progress)
     std::size_t from = 0;
     for (const std::size_t end : swarms.ends) {
         const std::span<const std::uint32_t> group(members.data() + from, end - from);
-        const bool large = group.size() > static_cast<std::size_t>(SwarmLimit().share * double(cloud.size()));
+        const bool large = group.size() > SwarmLimit().of(cloud.size());
         const bool judged = !large || steepnessAlone(cloud, group, {nullptr, progress.cancel}) > largeFillsSpace;
         for (std::size_t m = from; m < end && judged; ++m) {
             double sum = steep[members[m]], count = 1; // few directions tell little: those beside it count too

@@ -22,9 +22,7 @@ constexpr double steepestSight = 0.25;
 class Groups {
   public:
     Groups(const NeighbourGraph& graph, const SwarmLimit& limit)
-        : m_graph(graph),
-          m_limit(std::min(static_cast<std::size_t>(limit.share * static_cast<double>(graph.size())), limit.count)),
-          m_kind(graph.size(), Kind::Unknown) {}
+        : m_graph(graph), m_limit(limit.of(graph.size())), m_kind(graph.size(), Kind::Unknown) {}
 
     bool isModel(std::uint32_t i) {
         take(i);

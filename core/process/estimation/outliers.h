@@ -5,6 +5,8 @@
 
 #include "core/process/neighbours/neighbour_graph.h"
 
+#include <algorithm>
+
 namespace process {
 
 struct Outliers {
@@ -22,6 +24,10 @@ struct Outliers {
 struct SwarmLimit {
     double share = 0.05; ///< of all
     std::size_t count = 10000;
+
+    std::size_t of(std::size_t all) const {
+        return std::min(static_cast<std::size_t>(share * static_cast<double>(all)), count);
+    }
 };
 
 /// Finds the outliers by the radii that positions want, and cuts their edges to it: there they become their own

@@ -43,7 +43,7 @@ static void open(Context& context, const json& complete) {
     OpenedFile file = opened(path.string(), std::move(model), complete, process::part(context.progress, 0.4, 0.7));
     provenance.sampled = file.faces.sampled;
     provenance.closed = file.faces.closed;
-    provenance.guessedSides = !file.ownNormals && !file.faces.sampled && file.model.faces == 0;
+    provenance.guessedSides = !file.ownNormals && file.model.faces == 0;
     MadeModel fresh = made(file, process::part(context.progress, 0.7, 1));
     provenance.merged = fresh.merged;
     layers::Stack stack = layersIn(provenance.comments, fresh.surface, file.model.messages);

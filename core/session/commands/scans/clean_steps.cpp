@@ -281,13 +281,22 @@ Surface normals(Context& context, const Surface& surface, const std::string& way
     return withNormals(context, surface, std::move(change), oriented);
 }
 
-Surface orient(Context& context, const Surface& surface, const std::string& way, const json& viewpoint) {
-    refuseCurve(surface);
+namespace {
+
+/// Normals as a way to orient them turns them, nothing committed and nothing told.
+struct Orientation {
+    std::vector<Vec3f> normals; ///< of each surfel
+    std::size_t flipped = 0;
+    double doubtful = 0; ///< share
+    bool sided = true;   ///< else the surface has no two sides
+};
+
+Orientation orientation(Context& context, const Surface& surface, const std::string& way, const json& viewpoint) {
     const surfel::SurfelList points = surface.tree().surfels();
     const process::Cloud cloud(points.items, process::part(context.progress, 0, 0.1));
     std::vector<Vec3f> turned = normalsIn(cloud, points);
     std::size_t flat = 0;
-    bool oriented = true;
+    Orientation out;
     const bool sided = points.layout->normals && points.layout->oriented;
     const auto given = sided ? process::Sides::Mostly : process::Sides::Unknown;
     const process::NeighbourTable links =
@@ -296,26 +305,37 @@ Surface orient(Context& context, const Surface& surface, const std::string& way,
     if (way == "viewpoint")
         flat = turnTo(viewpointOf(context, viewpoint), cloud, turned);
     else
-        oriented = way == "global" ? process::orientGlobally(cloud, links, turned, turning, given)
-                                   : process::orient(cloud, links, turned, turning, given);
+        out.sided = way == "global" ? process::orientGlobally(cloud, links, turned, turning, given)
+                                    : process::orient(cloud, links, turned, turning, given);
     const std::vector<std::uint8_t> doubts =
         process::doubtfulSigns(cloud, links, turned, process::part(context.progress, 0.7, 0.8));
     const auto contradicted = static_cast<std::size_t>(std::count(doubts.begin(), doubts.end(), 1));
-    const double doubtful = static_cast<double>(std::max(contradicted, flat)) / static_cast<double>(cloud.size());
-    process::ListChange change;
+    out.doubtful = static_cast<double>(std::max(contradicted, flat)) / static_cast<double>(cloud.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
         const Vec3f &was = points.items[i].normal, &side = turned[cloud.places()[i]];
-        change.normals.push_back(dot(was, side) < 0 ? -was : was);
+        out.normals.push_back(dot(was, side) < 0 ? -was : was);
     }
-    const std::size_t flipped = flippedBetween(points, change.normals);
-    context.figures["flipped"] = static_cast<double>(flipped);
-    context.figures["doubtful"] = doubtful;
-    context.messages.push_back("Orientation (" + way + "): " + countOf(flipped, points.size()) + " turned over, " +
-                               percent(doubtful) + " in doubt" +
-                               (oriented ? "." : "; the surface has no two sides, its normals stay unoriented."));
-    if (!oriented)
-        change.normals.clear();
-    return withNormals(context, surface, std::move(change), oriented);
+    out.flipped = flippedBetween(points, out.normals);
+    return out;
+}
+
+Surface withOrientation(Context& context, const Surface& surface, const std::string& way, Orientation found) {
+    context.figures["flipped"] = static_cast<double>(found.flipped);
+    context.figures["doubtful"] = found.doubtful;
+    context.messages.push_back("Orientation (" + way + "): " + countOf(found.flipped, surface.tree().size()) +
+                               " turned over, " + percent(found.doubtful) + " in doubt" +
+                               (found.sided ? "." : "; the surface has no two sides, its normals stay unoriented."));
+    process::ListChange change;
+    if (found.sided)
+        change.normals = std::move(found.normals);
+    return withNormals(context, surface, std::move(change), found.sided);
+}
+
+} // namespace
+
+Surface orient(Context& context, const Surface& surface, const std::string& way, const json& viewpoint) {
+    refuseCurve(surface);
+    return withOrientation(context, surface, way, orientation(context, surface, way, viewpoint));
 }
 
 Surface guessedAgain(Context& context, const Surface& surface) {
@@ -325,14 +345,8 @@ Surface guessedAgain(Context& context, const Surface& surface) {
         document.canUndo() || !layout.normals || !layout.oriented ||
         surface.tree().size() == document.surface().tree().size())
         return surface;
-    const auto figures = context.figures;
-    const std::size_t told = context.messages.size();
-    const Surface out = orient(context, surface, "tree", nullptr);
-    if (context.figures.at("flipped") > 0 && out.tree().layout()->oriented)
-        return out;
-    context.figures = figures;
-    context.messages.resize(told);
-    return surface;
+    Orientation found = orientation(context, surface, "tree", nullptr);
+    return found.flipped == 0 || !found.sided ? surface : withOrientation(context, surface, "tree", std::move(found));
 }
 
 } // namespace session::clean
