@@ -20,7 +20,10 @@ io::FileModel readModel(const std::string& model, const base::Progress& progress
         return io::read(command.at("path").get<std::string>(), progress);
     const process::SampleRow& sample = process::sample(command.at("sample").get<std::string>());
     io::FileModel out;
-    out.points = sample.make(command.value("count", sample.count), command.at("seed").get<std::uint64_t>());
+    const std::size_t count = command.value("count", sample.count);
+    out.points = sample.make(count, command.at("seed").get<std::uint64_t>());
+    if (sample.manifold == surface::Manifold::Complex)
+        out.definition = process::definitionOf(sample, count);
     out.up = base::UpAxis::Y; // samples stand as they are made
     out.format = std::string("sample ") + sample.id;
     return out;

@@ -24,7 +24,9 @@ pointclay_room(layers core/layers tree)
 # As for sculpt below.
 target_compile_options(pointclay_layers PRIVATE -fno-math-errno -fno-trapping-math)
 
-pointclay_room(cells core/cells surface)
+pointclay_room(complexes core/complexes surface)
+
+pointclay_room(cells core/cells complexes)
 
 pointclay_room(raycast core/raycast cells)
 

@@ -26,9 +26,10 @@ void addPolylineOptions(OptionSet command, PolylineOptions& options, const std::
     }
     tip.replace(tip.size() - 2, 2, ". Without it the curves are only counted and measured");
     command.add("-o,--output", options.out, tip).typeName(type);
-    command.add("--turn", options.turn, "angle by which a " + what + " turns from point to point, in radians")
-        .check(between(0.001, 1))
-        .showDefault();
+    if (!options.complexes)
+        command.add("--turn", options.turn, "angle by which a " + what + " turns from point to point, in radians")
+            .check(between(0.001, 1))
+            .showDefault();
     command.add("--least", options.least, "leave out " + what + "s shorter than this, in model units")
         .check(atLeast(0))
         .showDefault();
@@ -41,7 +42,10 @@ void openForPolylines(const PolylineOptions& options, session::Document& documen
         throw UsageError("-o: the file's name must end in " + polylineEndings(options.planar));
     session::Context context{document, {}, progress, {}, 0, {}, nullptr};
     openModel(context, options.model, options.surface->parameters(), console);
-    if (document.surface().definition().manifold == surface::Manifold::Curve)
+    const surface::Manifold manifold = document.surface().definition().manifold;
+    if (manifold == surface::Manifold::Complex && !options.complexes)
+        throw base::Error("a complex has no such curves yet", options.model, "use --manifold surface");
+    if (manifold == surface::Manifold::Curve)
         throw base::Error(fault, options.model, "use --manifold surface");
 }
 

@@ -1,4 +1,4 @@
-// What the subcommands that trace curves on a surface have in common: `boundary` and `section`.
+// What the subcommands that trace curves on a surface have in common: `boundary`, `section`, `seams`.
 #pragma once
 
 #include "app/console.h"
@@ -14,7 +14,8 @@ namespace app {
 struct PolylineOptions {
     std::string model, out; ///< no `out`: only counted and measured
     double turn = 0.1, least = 0;
-    bool planar = false; ///< all in one plane: drawings serve, too
+    bool planar = false;    ///< all in one plane: drawings serve, too
+    bool complexes = false; ///< complexes have such curves, and steps along these are not asked for
     std::shared_ptr<SurfaceOptions> surface;
 
     surface::TraceOptions tracing() const;

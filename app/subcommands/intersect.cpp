@@ -9,6 +9,7 @@
 #include "app/subcommands/subcommand.h"
 #include "core/base/parallel.h"
 #include "core/cells/cell_rays.h"
+#include "core/complexes/complex_rays.h"
 #include "core/io/safe_file.h"
 #include "core/process/curve_tube.h"
 
@@ -152,6 +153,7 @@ void run(const Options& options, Console& console) {
 
     const surface::Surface surface = process::shownAs(document.surface(), progress); // a curve's tube
     const auto byCells = cells::CellSurface::of(surface);
+    const auto complex = complexes::Complex::of(surface);
     io::SafeFile file(options.out);
     CsvWriter csv(options.surface->inDouble(), origin);
     file.write(headerOf(options.hits));
@@ -160,7 +162,9 @@ void run(const Options& options, Console& console) {
     for (std::size_t begin = 0; begin < rays.size(); begin += batchSize) {
         progress.step(static_cast<double>(begin) / static_cast<double>(rays.size()), "Intersecting");
         const auto some = std::span(rays).subspan(begin, std::min(batchSize, rays.size() - begin));
-        if (byCells)
+        if (complex)
+            writeBatch(csv, Batch(*complex, some, how, options.surface->inDouble()), options.hits, begin, origin);
+        else if (byCells)
             writeBatch(csv, Batch(*byCells, some, how, options.surface->inDouble()), options.hits, begin, origin);
         else
             writeBatch(csv, Batch(surface, some, how, options.surface->inDouble()), options.hits, begin, origin);

@@ -14,6 +14,7 @@
 #include "core/io/before_writing.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/process/measuring/geodesic.h"
+#include "core/surface/definition_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -68,9 +69,10 @@ std::optional<std::pair<double, double>> rangeOf(const Options& options) {
 }
 
 void refuseCurve(const surface::Surface& surface, const std::string& model) {
-    if (surface.definition().manifold == surface::Manifold::Curve)
-        throw base::Error("a curve has neither area nor volume, and no distances to it are told", model,
-                          "use --manifold surface");
+    if (surface.definition().manifold != surface::Manifold::Surface)
+        throw base::Error(surface::nounOf(surface.definition().manifold) +
+                              " has neither area nor volume that is told, nor distances to it",
+                          model, "use --manifold surface");
 }
 
 /// What options belong to is asked for, too.

@@ -8,6 +8,7 @@
 #include "app/subcommands/subcommand.h"
 #include "core/io/mesh_formats.h"
 #include "core/io/safe_file.h"
+#include "core/mesh/complexes/complex_mesh.h"
 #include "core/mesh/delaunay/delaunay.h"
 #include "core/mesh/marching/marching_cubes.h"
 #include "core/process/curve_tube.h"
@@ -74,6 +75,13 @@ mesh::Mesh makeByDelaunay(const Options& options, const surface::Surface& surfac
     return out;
 }
 
+mesh::Mesh makeByPatches(const Options& options, const complexes::Complex& complex, const base::Progress& progress) {
+    if (options.isDelaunay() || options.adaptive > 0)
+        throw base::Error("a complex is meshed patch by patch, in cubes of one size", options.model,
+                          "leave out --method and --adaptive");
+    return mesh::meshOfComplex(complex, {options.marching.cell}, progress);
+}
+
 void judge(const Options& options, const mesh::Mesh& mesh, const surface::Surface& surface,
            const base::Progress& progress) {
     const double spacing = double(process::typicalSpacing(surface.tree()));
@@ -93,8 +101,10 @@ nlohmann::ordered_json meshed(const Options& options, const BatchJob& job, Conso
     const surface::Surface surface = process::shownAs(document.surface(), progress); // a curve's tube
     const bool judged = options.check || !options.report.empty();
     const base::Progress making = process::part(progress, 0, judged ? 0.7 : 1);
-    const mesh::Mesh mesh = options.isDelaunay() ? makeByDelaunay(options, surface, console, making)
-                                                 : makeByCubes(options, surface, console, making);
+    const auto complex = complexes::Complex::of(surface);
+    const mesh::Mesh mesh = complex                ? makeByPatches(options, *complex, making)
+                            : options.isDelaunay() ? makeByDelaunay(options, surface, console, making)
+                                                   : makeByCubes(options, surface, console, making);
     io::writeMesh(job.out, mesh, document.provenance().origin, progress);
     if (judged)
         judge(options, mesh, surface, process::part(progress, 0.7, 1));

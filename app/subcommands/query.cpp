@@ -1,5 +1,6 @@
 // pointclay query: f, its derivatives and projections at positions, as CSV rows in their order.
 #include "app/cell_answers.h"
+#include "app/complex_answers.h"
 #include "app/curve_answers.h"
 #include "app/number_table.h"
 #include "app/open_model.h"
@@ -83,8 +84,8 @@ void addCurvature(const Surface& surface, std::span<const Vec3d> x, bool inDoubl
 }
 
 /// Answers at positions relative to the origin. What is not finite is nowhere: Status::Outside.
-std::vector<Answer> answer(const Surface& surface, const CellAnswers* byCells, const Question& question,
-                           std::span<const Vec3d> x, bool inDouble) {
+std::vector<Answer> answer(const Surface& surface, const CellAnswers* byCells, const complexes::Complex* complex,
+                           const Question& question, std::span<const Vec3d> x, bool inDouble) {
     std::vector<std::size_t> places;
     std::vector<Vec3d> finite;
     for (std::size_t i = 0; i < x.size(); ++i)
@@ -94,8 +95,11 @@ std::vector<Answer> answer(const Surface& surface, const CellAnswers* byCells, c
         }
     std::vector<Answer> found(finite.size()), out(x.size());
     const bool curve = surface.definition().manifold == surface::Manifold::Curve;
-    (curve ? answerOnCurve : inDouble ? answerInDouble : answerInFloat)(surface, question, finite, found);
-    if (question.curvature && !curve)
+    if (complex)
+        answerOnComplex(*complex, question, finite, found);
+    else
+        (curve ? answerOnCurve : inDouble ? answerInDouble : answerInFloat)(surface, question, finite, found);
+    if (question.curvature && !curve && !complex)
         addCurvature(surface, finite, inDouble, found);
     if (byCells)
         byCells->answer(question, finite, found);
@@ -118,7 +122,8 @@ void query(const Options& options, Console& console) {
     const std::vector<Vec3d> points = readPoints(options.points, progress);
     openModel(context, options.model, options.surface->parameters(), console);
     const auto byCells = CellAnswers::of(document.surface(), question);
-    question.check(document.surface().definition().manifold, byCells.has_value());
+    const auto complex = complexes::Complex::of(document.surface());
+    question.check(document.surface().definition().manifold, byCells || complex);
     const Vec3d origin = document.provenance().origin;
 
     io::SafeFile file(options.out);
@@ -132,7 +137,8 @@ void query(const Options& options, Console& console) {
         for (Vec3d& p : x)
             p -= origin;
         const std::vector<Answer> answers =
-            answer(document.surface(), byCells ? &*byCells : nullptr, question, x, options.surface->inDouble());
+            answer(document.surface(), byCells ? &*byCells : nullptr, complex ? &*complex : nullptr, question, x,
+                   options.surface->inDouble());
         for (std::size_t i = 0; i < answers.size(); ++i) {
             csv.place(points[begin + i]).word(surface::statusName(question.status(answers[i])));
             for (const WhatRow* row : question.rows)

@@ -105,6 +105,7 @@ Action addRender(OptionSet command) {
                     "the model has no openings: do not draw parts that face away");
     command.addFlag("--section", options->picture.sections,
                     "draw the curves where the planes of --clip meet the surface");
+    command.addFlag("--seams", options->picture.seams, "draw the edges that stay sharp, of models that have some");
     command
         .add("--quality", options->picture.quality,
              "with --mode raycast: 1 interpolates between rays where normals stay within 2 degrees and depths "

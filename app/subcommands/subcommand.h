@@ -33,6 +33,7 @@ Action addResample(OptionSet command);
 Action addQuery(OptionSet command);
 Action addIntersect(OptionSet command);
 Action addBoundary(OptionSet command);
+Action addSeams(OptionSet command);
 Action addSection(OptionSet command);
 Action addMesh(OptionSet command);
 Action addHaptic(OptionSet command);

@@ -20,6 +20,8 @@ std::span<const SubcommandRow> subcommandTable() {
          "pointclay intersect bunny.ply --rays rays.csv -o hits.csv", addIntersect},
         {"boundary", "Trace the boundary of an open surface, into a CSV, OBJ or DXF file",
          "pointclay boundary sample:moebius -o rims.obj", addBoundary},
+        {"seams", "Trace the edges that a model keeps sharp, into a CSV, OBJ or DXF file",
+         "pointclay seams part.stl -o edges.obj", addSeams},
         {"section", "Trace the curves where a plane cuts the surface, into a CSV, OBJ, DXF or SVG file",
          "pointclay section bunny.ply --plane 0,1,0,0.1 -o section.obj", addSection},
         {"mesh", "Triangulate the surface, into a mesh file",

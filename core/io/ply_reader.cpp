@@ -1,5 +1,6 @@
 #include "core/io/face_pictures.h"
 #include "core/io/ply_comments.h"
+#include "core/io/ply_complex.h"
 #include "core/io/ply_elements.h"
 #include "core/io/ply_faces.h"
 #include "core/io/ply_tree_shape.h"
@@ -49,6 +50,7 @@ class PlyReader {
     void takeFaces(const PlyElement& element, std::string_view body, std::size_t offset, bool bigEndian);
     void matchLooks();
     void takePictures();
+    void takeComplex();
     void judgeSplats();
     void finish();
 
@@ -58,11 +60,14 @@ class PlyReader {
     PlyHeader m_header;
     std::size_t m_vertex = none;
     RecordTable m_table;
+    PlyComplex m_complex;
     FileModel m_model;
 };
 
 void PlyReader::keepOther(const PlyElement& element, const std::function<std::string()>& body) {
-    if (isTreeShape(element))
+    if (isOfComplex(element))
+        m_complex.take(m_file, element, body());
+    else if (isTreeShape(element))
         m_model.shape = treeShapeOf(m_file, element, body());
     else if (!refersToVertices(element))
         m_model.elements.push_back({element.declaration(), body()});
@@ -157,6 +162,18 @@ void PlyReader::takePictures() {
     readPictures(m_model, m_folder, names);
 }
 
+/// A file that says nothing else of its surface is that complex.
+void PlyReader::takeComplex() {
+    if (!m_complex.any())
+        return;
+    if (!m_model.definition) {
+        m_model.definition.emplace();
+        m_model.definition->manifold = surface::Manifold::Complex;
+    }
+    m_model.definition->connectivity =
+        std::make_shared<const surface::Connectivity>(m_complex.made(m_file, m_model.origin));
+}
+
 /// Which splats are surface enough, and what the person should know of them.
 void PlyReader::judgeSplats() {
     const std::size_t all = m_model.points.size(), dropped = dropTransparent(m_model);
@@ -185,6 +202,7 @@ void PlyReader::finish() {
     makePoints(m_model, m_file, m_table, roles, {native.origin, native.oriented.value_or(true)},
                {m_progress, begun, 1});
     takePictures();
+    takeComplex();
     if (splats)
         judgeSplats();
     for (const PlyProperty& property : m_header.elements[m_vertex].properties)

@@ -1,6 +1,7 @@
 // The native format: binary little-endian PLY that every other program can read, too (io/README 2.3).
 #include "core/io/channel_columns.h"
 #include "core/io/ply_comments.h"
+#include "core/io/ply_complex.h"
 #include "core/io/ply_header.h"
 #include "core/io/ply_tree_shape.h"
 #include "core/io/readers.h"
@@ -17,6 +18,9 @@ class PlyWriter {
 
   private:
     std::string header() const;
+    const surface::Connectivity* complex() const {
+        return m_model.definition ? m_model.definition->connectivity.get() : nullptr;
+    }
     std::string declaration() const;
 
     SafeFile m_file;
@@ -48,7 +52,7 @@ std::string PlyWriter::header() const {
             c = c == '\n' || c == '\r' ? ' ' : c;
         out += comment.starts_with("obj_info ") ? comment + "\n" : "comment " + comment + "\n";
     }
-    out += declaration();
+    out += declaration() + complexDeclaration(complex());
     for (const OpaqueElement& element : m_model.elements)
         out += element.declaration;
     return out + treeShapeDeclaration(m_model.shape) + "end_header\n";
@@ -57,6 +61,7 @@ std::string PlyWriter::header() const {
 void PlyWriter::write(const base::Progress& progress) {
     m_file.write(header());
     m_columns.write(m_file, progress);
+    m_file.write(complexBody(complex(), m_model.origin));
     for (const OpaqueElement& element : m_model.elements)
         m_file.write(element.body);
     m_file.write(treeShapeBody(m_model.shape));

@@ -66,8 +66,8 @@ static surface::Evaluationf evaluationAt(const cells::AnySurface& surface, const
 /// Newton steps along the gradient: of a fifth of a spacing two of them leave far less than any epsilon.
 static void settle(const cells::AnySurface& surface, LightPoint& point) {
     constexpr int steps = 2;
-    constexpr float enough = 1e-4f, most = 0.5f; // of h
-    for (int k = 0; k < steps; ++k) {
+    constexpr float enough = 1e-4f, most = 0.5f;            // of h
+    for (int k = 0; k < steps && !surface.complex(); ++k) { // whose rays are exact
         const surface::Evaluationf at = evaluationAt(surface, point.x);
         if (!at.ok() && at.status != surface::Status::BeyondBoundary)
             return;

@@ -13,6 +13,7 @@
 #include "core/reduce/ground.h"
 #include "core/reduce/placement.h"
 #include "core/reduce/shapes_by_error.h"
+#include "core/surface/definition_text.h"
 #include "core/surfel/shape.h"
 
 #include <algorithm>
@@ -32,8 +33,8 @@ constexpr int mends = 4;
 constexpr double worth = 0.95, worthTrying = 0.93;
 
 void check(const surface::Surface& model) {
-    if (model.definition().manifold == surface::Manifold::Curve)
-        throw base::Error("curves cannot be reduced, only surfaces", "reduce",
+    if (model.definition().manifold != surface::Manifold::Surface)
+        throw base::Error(surface::nounOf(model.definition().manifold) + " cannot be reduced, only surfaces", "reduce",
                           "open a model whose points sample a surface");
     if (model.tree().size() <= fewest)
         throw base::Error("a model of " + std::to_string(model.tree().size()) + " surfels cannot be reduced", "reduce",

@@ -12,6 +12,7 @@
 #include "core/reduce/placement.h"
 #include "core/reduce/refine_cells.h"
 #include "core/reduce/report_sum.h"
+#include "core/surface/definition_text.h"
 
 #include <algorithm>
 #include <numbers>
@@ -91,8 +92,8 @@ Places placesAllOver(const surface::Surface& surface, float step, const base::Pr
 
 /// What the surface can be worth in places of that step, by the supports.
 void check(const surface::Surface& model, float spacing) {
-    if (model.definition().manifold == surface::Manifold::Curve)
-        throw base::Error("curves cannot be refined, only surfaces", "refine",
+    if (model.definition().manifold != surface::Manifold::Surface)
+        throw base::Error(surface::nounOf(model.definition().manifold) + " cannot be refined, only surfaces", "refine",
                           "open a model whose points sample a surface");
     if (!(spacing > 0) || !std::isfinite(spacing))
         throw base::Error("spacing must be a length greater than 0", "refine");

@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/cells/cell_section.h"
+#include "core/cells/seam_lines.h"
 #include "core/render/cast/raycast_image.h"
 #include "core/render/overlay/annotation_canvas.h"
 #include "core/render/overlay/section_lines.h"
@@ -31,6 +32,7 @@ struct PictureMaker::Kept {
     RenderOptions style; ///< of splats
     ClipPlanes clips;    ///< that the curves belong to
     SectionCurves curves;
+    std::optional<std::vector<surface::SectionCurve>> seams; ///< drawn like these
     std::optional<raycast::AdaptiveCast> caster;
 };
 
@@ -80,7 +82,33 @@ void PictureMaker::drawSplats(const Camera& camera, const base::Progress& progre
         m_kept->renderer->render(model, camera, m_kept->style, out);
 }
 
-void PictureMaker::addSections(const Camera& camera, const base::Progress& progress, Image& out) {
+static std::vector<surface::SectionCurve> seamCurves(const surface::Surface& surface, const base::Progress& progress) {
+    std::vector<surface::SectionCurve> out;
+    for (const cells::SeamLine& line : cells::seamLines(surface, progress)) {
+        surface::SectionCurve& curve = out.emplace_back();
+        curve.closed = line.closed;
+        for (const cells::SeamPoint& p : line.points) {
+            surface::SectionPoint& at = curve.points.emplace_back();
+            at.position = p.position;
+            at.normal = p.normal;
+            at.unit = p.unit;
+        }
+    }
+    return out;
+}
+
+/// Sections and seams; what cuts the one cuts the other, but a plane does not cut its own sections.
+void PictureMaker::addLines(const Camera& camera, const base::Progress& progress, Image& out) {
+    if (m_options.seams) {
+        if (!m_kept->seams)
+            m_kept->seams = seamCurves(m_surface, progress);
+        SectionCurves beside(camera.clips.all().size() + 1);
+        beside.back() = *m_kept->seams;
+        drawSections(beside, camera, out);
+    }
+    const bool complex = m_surface.definition().manifold == surface::Manifold::Complex;
+    if (!m_options.sections || complex)
+        return;
     if (!(m_kept->clips == camera.clips)) {
         m_kept->curves.clear();
         for (const base::Plane& plane : camera.clips.all())
@@ -103,8 +131,7 @@ Image PictureMaker::draw(const Camera& camera, PictureStats& stats, const base::
             castRays(camera, stats, progress, out);
         else
             drawSplats(camera, progress, out);
-        if (m_options.sections)
-            addSections(camera, progress, out);
+        addLines(camera, progress, out);
         const RenderOptions& style = m_options.style;
         paint(annotate(m_options.annotated, camera, stats.scale, style.backdrop, style.pixelScale), out);
         stats.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

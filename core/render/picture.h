@@ -20,6 +20,7 @@ struct PictureOptions {
     bool smoothRays = false;    ///< cast rays: nine for pixels at edges
     raycast::Lighting lighting; ///< of cast rays
     bool sections = false;      ///< draw the curves where the camera's clip planes meet the surface
+    bool seams = false;         ///< draw the edges that stay sharp
     Annotated annotated = 0;    ///< drawn over the picture; a legend where the shading measures
     RenderOptions style;        ///< its splatScale comes on top of splatScaleOf the model
     surface::Surface reference; ///< that deviations are measured from; empty: unknown
@@ -62,7 +63,7 @@ class PictureMaker {
     void measure(const base::Progress& progress);
     void castRays(const Camera& camera, PictureStats& stats, const base::Progress& progress, Image& out);
     void drawSplats(const Camera& camera, const base::Progress& progress, Image& out);
-    void addSections(const Camera& camera, const base::Progress& progress, Image& out);
+    void addLines(const Camera& camera, const base::Progress& progress, Image& out);
 
     surface::Surface m_surface;
     PictureOptions m_options;

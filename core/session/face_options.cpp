@@ -74,7 +74,7 @@ void refuseSamples(const mesh::FaceOptions& options, const std::string& where) {
 
 FacesOpened openFaces(io::FileModel& model, surface::SurfaceDefinition& definition, const mesh::FaceOptions& options,
                       const base::Progress& progress) {
-    if (model.polygons.size() == 0 || definition.manifold == surface::Manifold::Curve) {
+    if (model.polygons.size() == 0 || definition.manifold != surface::Manifold::Surface) {
         refuseSamples(options, {});
         return {};
     }

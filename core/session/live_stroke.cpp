@@ -6,6 +6,7 @@
 #include "core/session/command.h"
 #include "core/session/commands/commands.h"
 #include "core/session/stroke_json.h"
+#include "core/surface/definition_text.h"
 
 #include <nlohmann/json.hpp>
 
@@ -14,9 +15,10 @@ namespace session {
 static surface::Surface startOf(const Context& context, const sculpt::StrokeSettings& settings) {
     requireModel(context);
     sculpt::check(settings);
-    if (context.document.surface().definition().manifold == surface::Manifold::Curve)
-        throw base::Error("the model is a curve, which has nothing to sculpt", {},
-                          "set the surface option manifold to surface");
+    if (context.document.surface().definition().manifold != surface::Manifold::Surface)
+        throw base::Error("the model is " + surface::nounOf(context.document.surface().definition().manifold) +
+                              ", which no tool sculpts",
+                          {}, "set the surface option manifold to surface");
     const layers::Stack& stack = context.document.layers();
     if (!layers::takesStrokes(stack))
         throw base::Error("the layer \"" + stack.layers[static_cast<std::size_t>(stack.target())].name +

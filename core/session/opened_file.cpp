@@ -36,7 +36,7 @@ OpenedFile opened(const std::string& name, io::FileModel model, const json& para
 
 static base::UpAxis upOf(const OpenedFile& file, const surface::Surface& surface) {
     const io::FileModel& model = file.model;
-    const bool curve = surface.definition().manifold == surface::Manifold::Curve;
+    const bool curve = surface.definition().manifold != surface::Manifold::Surface;
     if (model.up || curve)
         return model.up.value_or(model.usualUp);
     // Scanners see the side that they scan; faces wind as programs like.

@@ -1,5 +1,6 @@
 // The one executor: check, run, roll back on failure, validate in debug builds, journal.
 #include "core/base/cancel_scope.h"
+#include "core/complexes/complex.h"
 #include "core/session/command.h"
 #include "core/session/journal.h"
 
@@ -7,11 +8,19 @@
 
 namespace session {
 
+/// A command that would leave a complex without what its cells need is refused.
+static void requireSound(const surface::Surface& now, const surface::Surface& before) {
+    if (now.definition().manifold == surface::Manifold::Complex &&
+        !(now.tree() == before.tree() && now.definition() == before.definition()))
+        complexes::Complex::of(now);
+}
+
 static void execute(const CommandRow& row, Context& context, const nlohmann::json& complete) {
     const base::CancelScope scope(context.progress.cancel);
     const Document before = context.document;
     try {
         row.run(context, complete);
+        requireSound(context.document.surface(), before.surface());
 #ifndef NDEBUG
         context.document.surface().tree().validate();
 #endif

@@ -5,6 +5,7 @@
 #include "core/process/estimation/part_progress.h"
 #include "core/process/estimation/spacing_sample.h"
 #include "core/process/registering/place_all.h"
+#include "core/surface/definition_text.h"
 
 #include <algorithm>
 #include <sstream>
@@ -17,8 +18,9 @@ using process::Rigid;
 void add(Scans& scans, const std::string& name, const Document& document) {
     if (document.surface().tree().empty())
         throw base::Error("there is no model to register", name, "open one first");
-    if (document.surface().definition().manifold == surface::Manifold::Curve)
-        throw base::Error("a curve cannot be registered", name, "use --manifold surface");
+    if (document.surface().definition().manifold != surface::Manifold::Surface)
+        throw base::Error(surface::nounOf(document.surface().definition().manifold) + " cannot be registered", name,
+                          "use --manifold surface");
     scans.names.push_back(name);
     scans.documents.push_back(document);
     process::Placed placed{document.surface(), {}};

@@ -6,6 +6,7 @@
 #include "core/base/row_of_id.h"
 #include "core/process/resampling/resample.h"
 #include "core/solid/seam_labels.h"
+#include "core/surface/definition_text.h"
 #include "core/surfel/shape.h"
 
 #include <optional>
@@ -358,8 +359,9 @@ class Combining {
 
 Combined combine(const surface::Surface& model, const Operand& operand, Operation operation,
                  const CombineOptions& options, const base::Progress& progress) {
-    if (model.definition().manifold == surface::Manifold::Curve)
-        throw base::Error("a curve bounds no solid", "", "open the model as a surface");
+    if (model.definition().manifold != surface::Manifold::Surface)
+        throw base::Error(surface::nounOf(model.definition().manifold) + " bounds no solid", "",
+                          "open the model as a surface");
     if (!model.tree().layout()->normals || !model.tree().layout()->oriented)
         throw base::Error("the points have no normals that tell inside from outside", "",
                           "give them some first, with \"normals\" and \"orient\"");

@@ -6,6 +6,7 @@
 #include "core/process/estimation/part_progress.h"
 #include "core/solid/relief.h"
 #include "core/surface/curves/boundary_curves.h"
+#include "core/surface/definition_text.h"
 #include "core/surface/evaluation/attribute_sum.h"
 #include "core/surface/evaluation/weights.h"
 
@@ -134,8 +135,9 @@ class Filler {
 };
 
 void check(const surface::Surface& surface) {
-    if (surface.definition().manifold == surface::Manifold::Curve)
-        throw base::Error("a curve has no holes", "fill", "open the model as a surface");
+    if (surface.definition().manifold != surface::Manifold::Surface)
+        throw base::Error(surface::nounOf(surface.definition().manifold) + " has no holes to fill", "fill",
+                          "open the model as a surface");
     if (!std::isfinite(surface.definition().boundaryLimit))
         throw base::Error("the surface has no boundary: it is closed, or its boundary limit is none", "fill",
                           "give it a limit, 0.25 for example, if it has holes");

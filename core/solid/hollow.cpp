@@ -159,7 +159,7 @@ class InnerWall {
 } // namespace
 
 Combined hollowed(const surface::Surface& model, double thickness, const base::Progress& progress) {
-    if (model.definition().manifold == surface::Manifold::Curve || !model.tree().layout()->oriented)
+    if (model.definition().manifold != surface::Manifold::Surface || !model.tree().layout()->oriented)
         throw base::Error("only a solid whose normals point outwards can be made hollow", "hollow",
                           "orient the normals first");
     tree::Edit edit;

@@ -2,15 +2,19 @@
 // value with defaults, compared with ==, written to files and sessions; its options: definition_options.h.
 #pragma once
 
+#include "core/surface/connectivity.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numbers>
 
 namespace surface {
 
 /// What the points sample. On a curve the surfels' normal channel holds unit tangents, or nothing (surface/README 7.1).
-enum class Manifold { Surface, Curve };
+/// A complex is made of points, curves and patches that are glued to each other (complexes/README).
+enum class Manifold { Surface, Curve, Complex };
 /// Wendland's C2 and C4 kernels, and the Gaussian cut where it falls below 1e-8 (surface/README 2.1).
 enum class Weight { Wendland, WendlandC4, Gaussian };
 /// Where n comes from (surface/README 2.4): Normals, Hyperplanes, Covariance and so on, a row each of that file.
@@ -41,6 +45,8 @@ struct SurfaceDefinition {
     float curvatureSpacings = 6;
     float apssBeta = 1;      ///< 1 fits spheres, 0 planes (surface/README 2.8)
     float rimlsSigma = 0.8f; ///< by how much normals may differ on one side of an edge (surface/README 2.9)
+    /// Of a complex how its cells hang together; null for others. Compared by identity.
+    std::shared_ptr<const Connectivity> connectivity;
 
     float mu() const { return shrinkFree ? 0.5f : 0.0f; }
     /// h / s of supports from neighbours.

@@ -9,7 +9,8 @@
 
 namespace surface {
 
-static constexpr Named<Manifold> manifolds[] = {{Manifold::Surface, "surface"}, {Manifold::Curve, "curve"}};
+static constexpr Named<Manifold> manifolds[] = {
+    {Manifold::Surface, "surface"}, {Manifold::Curve, "curve"}, {Manifold::Complex, "complex"}};
 static constexpr Named<Weight> weights[] = {
     {Weight::Wendland, "wendland"}, {Weight::WendlandC4, "wendland-c4"}, {Weight::Gaussian, "gaussian"}};
 static constexpr auto frames = [] {
@@ -54,6 +55,9 @@ static E parseIn(std::span<const Named<E>> table, const char* what, std::string_
 
 const char* nameOf(Manifold manifold) {
     return nameIn(manifoldNames(), manifold);
+}
+std::string nounOf(Manifold manifold) {
+    return std::string("a ") + nameOf(manifold);
 }
 const char* nameOf(Weight weight) {
     return nameIn(weightNames(), weight);

@@ -16,13 +16,14 @@ struct Named {
     const char* name;
 };
 
-std::span<const Named<Manifold>> manifoldNames();   ///< surface, curve
+std::span<const Named<Manifold>> manifoldNames();   ///< surface, curve, complex
 std::span<const Named<Weight>> weightNames();       ///< wendland, wendland-c4, gaussian
 std::span<const Named<Frame>> frameNames();         ///< those of frame_table.h
 std::span<const Named<Boundary>> boundaryNames();   ///< auto, limit, none; written, a limit is its number
 std::span<const Named<Projector>> projectorNames(); ///< basic, almost, orthogonal; `query` puts "project-" before them
 
 const char* nameOf(Manifold manifold);
+std::string nounOf(Manifold manifold); ///< "a surface", "a curve"...
 const char* nameOf(Weight weight);
 const char* nameOf(Frame frame);
 const char* nameOf(Boundary boundary);

@@ -33,6 +33,11 @@ void SamplesTest::everySampleHasTheCountAskedForAndUnitSize() {
     const SampleRow& row = sample(id.toStdString());
     for (const std::size_t count : {std::size_t{1000}, std::size_t{7777}, row.count}) {
         const surfel::SurfelList list = row.make(count, 1);
+        if (row.manifold == surface::Manifold::Complex) { // whole rows of points across whole faces
+            QVERIFY2(list.size() > count * 3 / 4 && list.size() < count * 4 / 3,
+                     qPrintable(QString("%1 for %2").arg(list.size()).arg(count)));
+            continue;
+        }
         QCOMPARE(list.size(), count);
         base::Box3f box;
         for (const auto& s : list.items) {
@@ -56,7 +61,8 @@ void SamplesTest::evenSamplesKeepTheirSpacing_data() {
     QTest::addColumn<QString>("id");
     QTest::addColumn<int>("count");
     for (const SampleRow& row : sampleTable())
-        if (std::string_view(row.id) != "scan" && std::string_view(row.id) != "moebius") // layers, a rim
+        if (std::string_view(row.id) != "scan" && std::string_view(row.id) != "moebius" && // layers, a rim
+            row.manifold != surface::Manifold::Complex)
             for (const int count : {1000, 5000, 40000, 200000})
                 QTest::addRow("%s %d", row.id, count) << QString(row.id) << count;
 }
@@ -87,14 +93,18 @@ void SamplesTest::normalsAreExact() {
     }
     for (const SampleRow& row : sampleTable())
         if (const auto list = row.make(2000, 1); list.layout->normals)
-            for (const auto& s : list.items)
-                QVERIFY2(std::abs(length(s.normal) - 1) < 1e-6f, row.id);
+            for (const auto& s : list.items) // points of curves and corners have none
+                QVERIFY2(std::abs(length(s.normal) - 1) < 1e-6f ||
+                             (row.manifold == surface::Manifold::Complex && s.normal == base::Vec3f{}),
+                         row.id);
 }
 
 /// The flux of the position through a closed surface is three times its volume: positive for outward normals, and
 /// the flux of a constant field is zero when normals and areas belong together.
 void SamplesTest::normalsPointOutward() {
     for (const SampleRow& row : sampleTable()) {
+        if (row.manifold == surface::Manifold::Complex)
+            continue; // open, or in unlike parts
         const auto list = row.make(20000, 1);
         if (!list.layout->normals)
             continue;

@@ -16,7 +16,7 @@ static std::string head() {
     return "#version 330 core\n" + glslConstants(constants) +
            "const int mostClips = " + std::to_string(ClipPlanes::most) + ";\n" +
            "const uint cutMask = " + std::to_string((1u << cutBits) - 1) +
-           "u, acrossDisc = " + std::to_string(acrossDisc) + "u;\n" +
+           "u, acrossDisc = " + std::to_string(acrossDisc) + "u, noDisc = " + std::to_string(noDisc) + "u;\n" +
            "const int lightSize = " + std::to_string(lightSize) + ";\n";
 }
 
@@ -62,6 +62,11 @@ void main() {
     n = dot(n, n) < 0.25 ? ray / -distance : turn(normalize(n));
     uint code = floatBitsToUint(support) & cutMask;
     float facing = dot(n, ray), radius = uintBitsToFloat(floatBitsToUint(support) & ~cutMask) * image.w;
+    if (code == noDisc) {
+        gl_Position = vec4(2.0, 2.0, 2.0, 1.0); // out of the picture
+        gl_PointSize = 1.0;
+        return;
+    }
     if (code == acrossDisc)
         radius *= acrossRadius;
     bool corner = (code >> 12 & 1u) != 0u; // distances end at 15 there, and are 16 more at tips

@@ -37,7 +37,7 @@ void CutPlanes::turnFreePlane(const base::Vec3d& towardsEye) {
 void CutPlanes::trace() {
     const render::ClipPlanes planes = m_cuts.planes();
     const surface::Surface& surface = m_editor.snapshot().surface;
-    if (!m_cuts.section || planes.empty() || surface.definition().manifold == surface::Manifold::Curve) {
+    if (!m_cuts.section || planes.empty() || surface.definition().manifold != surface::Manifold::Surface) {
         m_sections.clear();
         m_tracedRoot = nullptr;
         return;

@@ -31,7 +31,8 @@ void SymmetryCurves::trace(const sculpt::MirrorPlanes& planes) {
         else
             m_curves[static_cast<std::size_t>(axis)].clear();
     }
-    const bool traceable = !now.surface.tree().empty() && now.surface.definition().manifold != surface::Manifold::Curve;
+    const bool traceable =
+        !now.surface.tree().empty() && now.surface.definition().manifold == surface::Manifold::Surface;
     if (wanted.empty() || !traceable) {
         m_curves = {};
         m_root = nullptr;

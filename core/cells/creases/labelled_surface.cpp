@@ -1,6 +1,7 @@
 #include "core/cells/creases/labelled_surface.h"
 
 #include "core/base/error.h"
+#include "core/surface/definition_text.h"
 
 #include <algorithm>
 #include <array>
@@ -26,7 +27,8 @@ tree::SurfelTree withSurfels(const tree::SurfelTree& tree, const surfel::SurfelL
 
 void requireSides(const surface::Surface& surface) {
     if (surface.definition().manifold != surface::Manifold::Surface)
-        throw base::Error("a curve has no creases", {}, "open it as a surface");
+        throw base::Error(surface::nounOf(surface.definition().manifold) + " has no creases of this kind", {},
+                          "open it as a surface");
     if (surface.tree().empty())
         throw base::Error("there is nothing to crease");
     const surfel::AttributeLayout& layout = *surface.tree().layout();

@@ -2,6 +2,7 @@
 
 #include "core/base/parallel.h"
 #include "core/cells/cell_projection.h"
+#include "core/complexes/complex_projection.h"
 #include "core/surface/curves/boundary.h"
 #include "core/surface/projection/project.h"
 
@@ -29,13 +30,17 @@ double byOneEvaluation(const surface::Surface& surface, const Vec3d& x, const su
     return std::abs(e.value) / slope;
 }
 
-/// Of models with cells: to the local Boolean, where several of them are near.
+/// Of models with cells: to the local Boolean, where several of them are near; of complexes to the nearest cell.
 class DistanceTo {
   public:
     explicit DistanceTo(const surface::Surface& surface)
-        : m_surface(surface), m_cells(cells::CellSurface::of(surface)) {}
+        : m_surface(surface), m_cells(cells::CellSurface::of(surface)), m_complex(complexes::Complex::of(surface)) {}
 
     double operator()(const Vec3d& x, const surface::OrientationHint& hint) const {
+        if (m_complex) {
+            const complexes::CellFoot foot = project(*m_complex, x, surface::Projector::Almost);
+            return foot.ok() ? distance(x, foot.position) : none;
+        }
         if (m_cells) {
             cells::CellSource source(*m_cells);
             source.moveTo(x);
@@ -50,6 +55,7 @@ class DistanceTo {
   private:
     const surface::Surface& m_surface;
     std::optional<cells::CellSurface> m_cells;
+    std::optional<complexes::Complex> m_complex;
 };
 
 /// `each(i)` tells the distance of the i-th place.

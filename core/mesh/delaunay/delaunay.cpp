@@ -231,7 +231,7 @@ void add(DelaunayReport& report, const DelaunayReport& more) {
 
 Mesh restrictedDelaunay(const surface::Surface& surface, const DelaunayOptions& options, DelaunayReport& report,
                         const base::Progress& progress) {
-    if (surface.tree().empty() || surface.definition().manifold == surface::Manifold::Curve)
+    if (surface.tree().empty() || surface.definition().manifold != surface::Manifold::Surface)
         throw base::Error("only a surface can be meshed", "", "choose a model with points of a surface");
     report = {};
     if (options.size > 0)

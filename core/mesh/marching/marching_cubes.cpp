@@ -14,6 +14,7 @@
 #include "core/mesh/seams/keep_creases.h"
 #include "core/mesh/surface_parts.h"
 #include "core/process/estimation/part_progress.h"
+#include "core/surface/definition_text.h"
 
 #include <algorithm>
 #include <optional>
@@ -297,8 +298,9 @@ Mesh marchParts(std::span<const surface::Surface> parts, MarchingOptions options
 
 Mesh marchingCubes(const surface::Surface& surface, const MarchingOptions& options, MarchingReport& report,
                    const base::Progress& progress) {
-    if (surface.definition().manifold == surface::Manifold::Curve)
-        throw base::Error("curves have no surface to mesh", "", "choose the manifold 'surface'");
+    if (surface.definition().manifold != surface::Manifold::Surface)
+        throw base::Error(surface::nounOf(surface.definition().manifold) + " has no surface to mesh", "",
+                          "choose the manifold 'surface'");
     if (surface.tree().empty())
         throw base::Error("the model has no surfels");
     report = {};

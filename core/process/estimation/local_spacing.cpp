@@ -51,7 +51,7 @@ Around around(const surface::Surface& surface, const base::Vec3f& x) {
 
 /// One support for all, and curves, know nothing of chance.
 float reachOf(const surface::SurfaceDefinition& definition, const Around& here) {
-    if (here.measured == 0 || definition.support > 0 || definition.manifold == surface::Manifold::Curve)
+    if (here.measured == 0 || definition.support > 0 || definition.manifold != surface::Manifold::Surface)
         return 1;
     return std::min(reachByChance(here.nearest), std::max(1.0f, spacingOf(definition, here.support) / here.measured));
 }

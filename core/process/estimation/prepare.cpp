@@ -4,6 +4,7 @@
 #include "core/process/estimation/boundary_limit.h"
 #include "core/process/estimation/cloud_normals.h"
 #include "core/process/estimation/cloud_supports.h"
+#include "core/process/estimation/complex_supports.h"
 #include "core/process/estimation/duplicates.h"
 #include "core/process/estimation/keep_points.h"
 #include "core/process/estimation/normals.h"
@@ -296,8 +297,24 @@ tree::SurfelTree withSupports(const tree::SurfelTree& tree, const SurfaceDefinit
 
 } // namespace
 
+/// Of a complex nothing is estimated but supports: its points say what they are on.
+static surface::Surface prepareComplex(surfel::SurfelList points, const PrepareOptions& options,
+                                       const base::Progress& progress) {
+    if (!options.definition.connectivity)
+        throw base::Error("the model does not tell how the cells of a complex hang together", "",
+                          "open a file with an element complex_cell, or choose another manifold");
+    if (points.size() == 0)
+        throw base::Error("the complex has no points", "", "open a model with some");
+    makeUnit(points);
+    assignComplexSupports(points, options.definition, options.keepSupports);
+    return {tree::SurfelTree::build(points, options.shape ? *options.shape : tree::TreeShape(), progress),
+            options.definition};
+}
+
 surface::Surface prepare(surfel::SurfelList points, const PrepareOptions& options, const base::Progress& progress) {
     dropNonFinite(points);
+    if (options.definition.manifold == surface::Manifold::Complex)
+        return prepareComplex(std::move(points), options, progress);
     if (const std::size_t distinct = fewDistinct(points); distinct < 4)
         throw base::Error("a surface needs at least 4 distinct points, but there are only " + std::to_string(distinct),
                           "", "open a model with more points");

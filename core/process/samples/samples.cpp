@@ -2,6 +2,7 @@
 
 #include "core/base/row_of_id.h"
 #include "core/process/samples/block_of_clay.h"
+#include "core/process/samples/complex_samples.h"
 #include "core/process/samples/simulated_scan.h"
 #include "core/process/samples/tube.h"
 
@@ -103,6 +104,17 @@ surfel::SurfelList makeCoil(std::size_t count, std::uint64_t) {
     return out;
 }
 
+/// A row's functions of a complex.
+template <ComplexSample (*make)(std::size_t)>
+surfel::SurfelList pointsOf(std::size_t count, std::uint64_t) {
+    return make(count).points;
+}
+template <ComplexSample (*make)(std::size_t)>
+surface::Connectivity connectivityOf(std::size_t count) {
+    return make(count).connectivity;
+}
+
+constexpr surface::Manifold complex = surface::Manifold::Complex;
 constexpr SampleRow table[] = {
     {"sphere", "Sphere", "A ball of clay, evenly sampled", makeSphere, 40000},
     {"torus", "Torus", "A ring", makeTorus, 40000},
@@ -112,12 +124,34 @@ constexpr SampleRow table[] = {
     {"coil", "Coil", "A curve in space with a radius per point: a wound wire", makeCoil, 2000,
      surface::Manifold::Curve},
     {"moebius", "M\u00f6bius strip", "A strip with half a turn: one side, one rim", makeMoebius, 20000},
+    {"square", "Square", "A complex: one open patch between four edges", pointsOf<makeSquareComplex>, 2000, complex,
+     connectivityOf<makeSquareComplex>},
+    {"gasket", "Gasket", "A complex: Sierpinski's triangle, patches that meet in corners only",
+     pointsOf<makeGasketComplex>, 6000, complex, connectivityOf<makeGasketComplex>},
+    {"octant", "Octant", "A complex: an eighth of a ball, sharp where its faces meet", pointsOf<makeOctantComplex>,
+     4000, complex, connectivityOf<makeOctantComplex>},
+    {"cone", "Cone", "A complex: eight triangles about an apex, smooth from one to the next", pointsOf<makeConeComplex>,
+     4000, complex, connectivityOf<makeConeComplex>},
+    {"icosahedron", "Icosahedron", "A complex: twenty flat faces, sharp edges and corners",
+     pointsOf<makeIcosahedronComplex>, 6000, complex, connectivityOf<makeIcosahedronComplex>},
+    {"bulged", "Bulged icosahedron", "A complex: round faces between straight, sharp edges",
+     pointsOf<makeBulgedComplex>, 6000, complex, connectivityOf<makeBulgedComplex>},
+    {"rounded", "Rounded icosahedron", "A complex: twenty faces of a ball that share planes along their edges",
+     pointsOf<makeRoundedComplex>, 6000, complex, connectivityOf<makeRoundedComplex>},
 };
 
 } // namespace
 
 std::span<const SampleRow> sampleTable() {
     return table;
+}
+
+surface::SurfaceDefinition definitionOf(const SampleRow& sample, std::size_t count) {
+    surface::SurfaceDefinition out;
+    out.manifold = sample.manifold;
+    if (sample.connectivity)
+        out.connectivity = std::make_shared<const surface::Connectivity>(sample.connectivity(count));
+    return out;
 }
 
 const SampleRow& sample(std::string_view id) {

@@ -11,13 +11,18 @@
 namespace process {
 
 struct SampleRow {
-    const char* id;    ///< "sphere", "torus", "knot", "clay", "scan", "coil", "moebius"
+    const char* id;    ///< "sphere", "torus", "knot", "clay", "scan", "coil", "moebius", "square", "gasket"...
     const char* label; ///< as a menu shows it
     const char* tip;
     surfel::SurfelList (*make)(std::size_t count, std::uint64_t seed);
     std::size_t count;                                       ///< surfels unless another number is asked for
     surface::Manifold manifold = surface::Manifold::Surface; ///< what they sample
+    /// Of complexes, how the points that `make` gives for the same count hang together.
+    surface::Connectivity (*connectivity)(std::size_t count) = nullptr;
 };
+
+/// What such a model is, as its row says.
+surface::SurfaceDefinition definitionOf(const SampleRow& sample, std::size_t count);
 
 std::span<const SampleRow> sampleTable();
 /// Throws base::Error naming the known samples.

@@ -2,6 +2,7 @@
 
 #include "core/base/parallel.h"
 #include "core/render/splats/boundary_cuts.h"
+#include "core/render/splats/complex_cuts.h"
 #include "core/render/splats/label_cuts.h"
 #include "core/render/splats/sharp_cuts.h"
 
@@ -41,7 +42,7 @@ CutCode cutCode(const Vec3f& n, const Vec3f& direction, float part, Beside besid
 DiscCut discCut(const Vec3f& n, CutCode code) {
     const unsigned steps = code & 31u;
     if (steps == 0)
-        return {{}, 0, code == acrossDisc ? acrossRadius : 1};
+        return {{}, 0, code == acrossDisc ? acrossRadius : code == noDisc ? 0.0f : 1.0f};
     const Vec3f u = zeroAngle(n, (code >> 13 & 1u) != 0), v = cross(n, u);
     const float angle = static_cast<float>(code >> 5 & 127u) * (2 * std::numbers::pi_v<float> / 128);
     const Vec3f direction = u * std::cos(angle) + v * std::sin(angle);
@@ -63,6 +64,7 @@ DiscCuts::Found DiscCuts::look(std::span<const SurfelBlock* const> blocks) const
     if (std::isfinite(m_definition.boundaryLimit))
         bounded.emplace(m_model, m_definition, m_radiusOfSupport);
     const auto labels = cells::LabelLayout::of(*m_model.layout());
+    const auto complex = ComplexCuts::of(m_model, m_definition, m_radiusOfSupport);
     Found out(blocks.size());
     base::parallelChunks(blocks.size(), 4, [&](std::size_t begin, std::size_t end, std::size_t) {
         std::optional<BoundaryCuts> boundary;
@@ -74,6 +76,11 @@ DiscCuts::Found DiscCuts::look(std::span<const SurfelBlock* const> blocks) const
             creases.emplace(m_model, *labels, m_radiusOfSupport);
         for (std::size_t b = begin; b < end; ++b) {
             CutCodes codes{};
+            if (complex) {
+                if (complex->cut(*blocks[b], codes))
+                    out[b] = std::make_unique<CutCodes>(codes);
+                continue;
+            }
             bool any = boundary && boundary->cut(*blocks[b], codes);
             any |= creases ? creases->cut(*blocks[b], codes) : sharp.cut(*blocks[b], codes);
             if (any)

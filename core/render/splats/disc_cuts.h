@@ -1,6 +1,6 @@
 // Where the discs of splats end before their radius does: at the boundaries of open surfaces, where the surface itself
-// ends (off-centre value beyond its limit, surface/README 5.1), at sharp edges (sharp_cuts.h), and where a surfel's own
-// normal stands across the surface about it.
+// ends (off-centre value beyond its limit, surface/README 5.1), at sharp edges (sharp_cuts.h, label_cuts.h,
+// complex_cuts.h), and where a surfel's own normal stands across the surface about it.
 //
 // A disc at the boundary is cut by a line: across the direction from the centroid of its surroundings, where the
 // off-centre value reaches the limit. Codes of 14 bits say so, alike for the CPU and for the low bits of the GPU's
@@ -8,7 +8,7 @@
 //
 //     axis (1 bit) << 13 | corner (1 bit) << 12 | angle about the normal (7 bits) << 5 | distance in 32nds of the
 //     disc's radius, 1 to 31; at corners 1 to 15, and 16 more at tips
-//     0: the whole disc     32: its radius times acrossRadius
+//     0: the whole disc     32: its radius times acrossRadius     64: no disc
 //
 // The angle counts from axis x normal towards normal x (axis x normal); the axis is x, or y where the normal is near x.
 //
@@ -25,7 +25,7 @@ namespace render {
 
 using CutCode = std::uint16_t;
 constexpr int cutBits = 14;
-constexpr CutCode wholeDisc = 0, acrossDisc = 32;
+constexpr CutCode wholeDisc = 0, acrossDisc = 32, noDisc = 64;
 /// What is left of the radius of a disc that stands across the surface.
 constexpr float acrossRadius = 0.35f;
 /// What is left of the radius of a disc that is cut: sideways the boundary may be bent.
@@ -45,7 +45,7 @@ CutCode cutCode(const base::Vec3f& normal, const base::Vec3f& direction, float p
 struct DiscCut {
     base::Vec3f direction; ///< unit, tangential
     float part = 0;        ///< of the radius, 0 where nothing is cut
-    float radius = 1;      ///< what is left of it
+    float radius = 1;      ///< what is left of it; 0: nothing
 };
 DiscCut discCut(const base::Vec3f& normal, CutCode code);
 
@@ -56,7 +56,7 @@ class DiscCuts {
   public:
     /// Whether splats are cut at all under this definition.
     static bool any(const surface::SurfaceDefinition& definition) {
-        return definition.manifold == surface::Manifold::Surface;
+        return definition.manifold != surface::Manifold::Curve;
     }
     /// What codes depend on beside the version; forgets all if it changes.
     void use(const surface::SurfaceDefinition& definition, float radiusOfSupport);

@@ -143,6 +143,8 @@ int gather(const BinEntry& entry, const ViewFrame& view, const SplatStyle& style
                 entry.cuts ? (*entry.cuts)[static_cast<std::size_t>(cluster * clusterSize + i)] : wholeDisc;
             const DiscCut cut =
                 code == wholeDisc ? DiscCut{} : discCut(entry.block->normal(cluster * clusterSize + i), code);
+            if (!(cut.radius > 0))
+                continue;
             const float radius = cut.radius * s.radius[i], z = s.z[i];
             const bool behind = style.oriented && s.back[i] > 0;
             const float mean = shaped ? cut.radius * s.mean[i] : radius;

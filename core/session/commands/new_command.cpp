@@ -12,9 +12,7 @@ using nlohmann::json;
 static void make(Context& context, const json& complete) {
     const process::SampleRow& sample = process::sample(complete.at("sample").get<std::string>());
     const std::size_t count = complete.value("count", sample.count);
-    surface::SurfaceDefinition fallback;
-    fallback.manifold = sample.manifold;
-    const auto surface = changed(fallback, complete);
+    const auto surface = changed(process::definitionOf(sample, count), complete);
     surface::Surface made = process::prepare(sample.make(count, complete.at("seed").get<std::uint64_t>()),
                                              {surface.definition, false}, context.progress);
     Provenance provenance;

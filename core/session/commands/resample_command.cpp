@@ -30,6 +30,9 @@ static process::ResampleResult resampled(const Context& context, const nlohmann:
 
 static void resample(Context& context, const nlohmann::json& complete) {
     requireModel(context);
+    if (context.document.surface().definition().manifold == surface::Manifold::Complex)
+        throw base::Error("a complex cannot be resampled: its points belong to their cells", "resample",
+                          "open it as a surface");
     process::ResampleResult result = resampled(context, complete);
     if (!result.settled)
         context.messages.push_back("resampling stopped after " + std::to_string(result.rounds) +

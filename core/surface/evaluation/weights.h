@@ -6,28 +6,31 @@
 #include "core/surfel/shape.h"
 
 #include <bit>
+#include <concepts>
 
 namespace surface {
 
 /// Wendland's C2 function at r = distance / support < 1.
-constexpr float wendlandC2(float r) {
-    const float t = (1 - r) * (1 - r);
+template <std::floating_point T>
+constexpr T wendlandC2(T r) {
+    const T t = (1 - r) * (1 - r);
     return t * t * (4 * r + 1);
 }
 
 /// theta (surface/README 2.1); 0 from the support on. Whether the definition interpolates has no say: over r^2 the
 /// nearest surfel would be all that counts.
-inline float weightAt(Weight weight, float distanceSq, float support) {
+template <std::floating_point T>
+T weightAt(Weight weight, T distanceSq, std::type_identity_t<T> support) {
     if (!(distanceSq < support * support))
         return 0;
     if (weight == Weight::Gaussian) {
-        const float scale = unitOf(weight, support);
+        const T scale = support / static_cast<T>(gaussianReach);
         return std::exp(-distanceSq / (scale * scale));
     }
-    const float r = std::sqrt(distanceSq) / support;
+    const T r = std::sqrt(distanceSq) / support;
     if (weight == Weight::Wendland)
         return wendlandC2(r);
-    const float t = (1 - r) * (1 - r);
+    const T t = (1 - r) * (1 - r);
     return t * t * t * ((35 * r + 18) * r + 3) / 3;
 }
 

@@ -75,7 +75,7 @@ QString seedText() {
 
 void WeightsTest::valuesAreThoseOfTheFormulas() {
     for (const Weight weight : everyWeight) {
-        QCOMPARE(weightAt(weight, 0, 2), 1.0f);
+        QCOMPARE(weightAt(weight, 0.0f, 2), 1.0f);
         for (const float r : {0.01f, 0.25f, 0.5f, 0.75f, 0.99f}) {
             const double plain = plainWeight(weight, 2 * double(r), 2);
             QVERIFY(std::abs(double(weightAt(weight, 4 * r * r, 2)) - plain) < 1e-6 + 1e-5 * plain);
@@ -83,7 +83,7 @@ void WeightsTest::valuesAreThoseOfTheFormulas() {
     }
     QCOMPARE(wendlandC2(0.5f), 3.0f / 16);
     QVERIFY(std::abs(weightAt(Weight::WendlandC4, 0.25f, 1) - 83.0f / 768) < 1e-7f);
-    QVERIFY(std::abs(weightAt(Weight::Gaussian, 1, gaussianReach) - std::exp(-1.0f)) < 1e-6f);
+    QVERIFY(std::abs(weightAt(Weight::Gaussian, 1.0f, gaussianReach) - std::exp(-1.0f)) < 1e-6f);
 }
 
 void WeightsTest::nothingWeighsFromTheSupportOn() {

@@ -13,6 +13,7 @@
 #include "core/process/estimation/orientation/global_orientation.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/process/estimation/prepare.h"
+#include "core/surface/definition_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -49,8 +50,9 @@ bool isMasked(const surfel::SurfelList& points, std::size_t i) {
 }
 
 void refuseCurve(const Surface& surface) {
-    if (surface.definition().manifold == surface::Manifold::Curve)
-        throw base::Error("a curve has no such thing", {}, "use it on surfaces");
+    if (surface.definition().manifold != surface::Manifold::Surface)
+        throw base::Error(surface::nounOf(surface.definition().manifold) + " has no such thing", {},
+                          "use it on surfaces");
 }
 
 Vec3d viewpointOf(const Context& context, const json& value) {
@@ -341,7 +343,7 @@ Surface orient(Context& context, const Surface& surface, const std::string& way,
 Surface guessedAgain(Context& context, const Surface& surface) {
     const Document& document = context.document;
     const surfel::AttributeLayout& layout = *surface.tree().layout();
-    if (surface.definition().manifold == surface::Manifold::Curve || !document.provenance().guessedSides ||
+    if (surface.definition().manifold != surface::Manifold::Surface || !document.provenance().guessedSides ||
         document.canUndo() || !layout.normals || !layout.oriented ||
         surface.tree().size() == document.surface().tree().size())
         return surface;

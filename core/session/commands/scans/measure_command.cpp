@@ -5,6 +5,7 @@
 #include "core/session/commands/scans/clean_steps.h"
 #include "core/session/measured_model.h"
 #include "core/session/number_lists.h"
+#include "core/surface/definition_text.h"
 
 #include <nlohmann/json.hpp>
 
@@ -18,8 +19,9 @@ static void measureDeviation(Context& context, const json& complete, MeasuredMod
     json pinned = complete;
     pinned["hash"] = other.hash().text();
     context.instead = std::make_shared<json>(json::array({std::move(pinned)}));
-    if (other.surface().definition().manifold == surface::Manifold::Curve)
-        throw base::Error("distances to a curve are not told", path, "use --manifold surface");
+    if (other.surface().definition().manifold != surface::Manifold::Surface)
+        throw base::Error("distances to " + surface::nounOf(other.surface().definition().manifold) + " are not told",
+                          path, "use --manifold surface");
     const Document& own = context.document;
     out.deviation = process::deviationsOf(own.surface().tree(), other.surface(),
                                           own.provenance().origin - other.provenance().origin,
@@ -37,8 +39,10 @@ static void measureDeviation(Context& context, const json& complete, MeasuredMod
 static void measure(Context& context, const json& complete) {
     requireModel(context);
     const surface::Surface now = context.document.surface();
-    if (now.definition().manifold == surface::Manifold::Curve)
-        throw base::Error("a curve has no thickness, and no distances from it are told", {}, "use it on surfaces");
+    if (now.definition().manifold != surface::Manifold::Surface)
+        throw base::Error(surface::nounOf(now.definition().manifold) +
+                              " has no thickness, and no distances from it are told",
+                          {}, "use it on surfaces");
     MeasuredModel found;
     if (complete.contains("to"))
         measureDeviation(context, complete, found);

@@ -1,0 +1,86 @@
+#include "core/cells/seam_lines.h"
+
+#include "core/base/parallel.h"
+#include "core/cells/cell_source.h"
+#include "core/cells/seams.h"
+#include "core/complexes/cell_frame.h"
+#include "core/complexes/curve_trace.h"
+
+#include <algorithm>
+
+namespace cells {
+
+using base::Vec3d;
+
+double SeamLine::length() const {
+    double out = 0;
+    for (std::size_t i = 1; i < points.size(); ++i)
+        out += base::distance(points[i - 1].position, points[i].position);
+    return out;
+}
+
+/// `standsOut`: does the edge, rather than being a groove?
+static SeamPoint pointOf(const Vec3d& x, const Vec3d& a, const Vec3d& b, bool standsOut, double unit) {
+    const double turn = std::atan2(length(cross(a, b)), dot(a, b)) * 57.29577951308232;
+    return {x, normalized(a + b), standsOut ? turn : -turn, unit};
+}
+
+static std::vector<SeamLine> ofCells(const CellSurface& surface, const base::Progress& progress) {
+    const std::vector<Seam> seams = traceSeams(surface, progress);
+    std::vector<SeamLine> out(seams.size());
+    base::parallelFor(seams.size(), 1, [&](std::size_t s) {
+        CellSource source(surface);
+        out[s] = {seams[s].a, seams[s].b, {}, seams[s].closed};
+        for (const Vec3d& x : seams[s].points) {
+            source.moveTo(x);
+            const std::size_t a = source.find(seams[s].a), b = source.find(seams[s].b);
+            if (a == CellSource::none || b == CellSource::none)
+                continue;
+            const bool standsOut = source.meeting(a, b) != Meeting::Concave;
+            const surface::Evaluationd first = source.at(a, surface::Need::Gradient),
+                                       second = source.at(b, surface::Need::Gradient);
+            out[s].points.push_back(
+                pointOf(x, normalized(first.gradient), normalized(second.gradient), standsOut, first.unit));
+        }
+    });
+    return out;
+}
+
+static std::vector<SeamLine> ofComplex(const complexes::Complex& complex) {
+    std::vector<SeamLine> out;
+    for (std::uint32_t curve = 0; curve < complex.cells().size(); ++curve) {
+        if (complex[curve].dimension != 1)
+            continue;
+        std::vector<std::uint32_t> patches;
+        for (std::uint32_t c = 0; c < complex.cells().size(); ++c)
+            if (const auto& b = complex[c].boundary;
+                complex[c].dimension == 2 && std::find(b.begin(), b.end(), curve) != b.end())
+                patches.push_back(c);
+        if (patches.empty())
+            patches.push_back(curve);
+        const complexes::TracedCurve traced = trace(complex, curve);
+        SeamLine line{patches.front(), patches.back(), {}, traced.closed};
+        for (const Vec3d& x : traced.points) {
+            const complexes::CellFrame a = frameOf(complex, line.a, x), b = frameOf(complex, line.b, x, a.axis);
+            const bool patch = complex[line.a].dimension == 2;
+            const bool standsOut = dot(a.axis - b.axis, b.ownCentre - a.ownCentre) < 0;
+            line.points.push_back(patch ? pointOf(x, a.axis, b.axis, standsOut, a.unit) : SeamPoint{x, {}, 0, a.unit});
+        }
+        out.push_back(std::move(line));
+    }
+    return out;
+}
+
+std::vector<SeamLine> seamLines(const surface::Surface& surface, const base::Progress& progress) {
+    std::vector<SeamLine> out;
+    if (const auto complex = complexes::Complex::of(surface))
+        out = ofComplex(*complex);
+    else if (const auto byCells = CellSurface::of(surface))
+        out = ofCells(*byCells, progress);
+    std::erase_if(out, [](const SeamLine& line) { return line.points.size() < 2; });
+    std::stable_sort(out.begin(), out.end(),
+                     [](const SeamLine& a, const SeamLine& b) { return a.length() > b.length(); });
+    return out;
+}
+
+} // namespace cells

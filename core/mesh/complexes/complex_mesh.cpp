@@ -1,0 +1,211 @@
+#include "core/mesh/complexes/complex_mesh.h"
+
+#include "core/base/error.h"
+#include "core/mesh/check/topology.h"
+#include "core/mesh/complexes/rim_chains.h"
+#include "core/mesh/finish/drop_triangles.h"
+#include "core/mesh/finish/mesh_attributes.h"
+#include "core/mesh/seams/crease_tidy.h"
+#include "core/process/estimation/part_progress.h"
+
+#include <algorithm>
+
+namespace mesh {
+
+using base::Vec3d, base::Vec3f;
+
+namespace {
+
+using Side = std::pair<std::uint32_t, std::uint32_t>;
+
+/// A patch's triangles with the vertices of the whole mesh.
+class Sewing {
+  public:
+    Sewing(const RimChains& chains, Mesh& mesh) : m_chains(chains), m_mesh(mesh) {
+        for (const RimVertex& each : chains.vertices()) {
+            m_mesh.positions.push_back(each.position);
+            m_mesh.normals.push_back({});
+            m_mesh.kinds.push_back(VertexKind::Limit); // until two patches meet there
+        }
+    }
+
+    void add(std::uint32_t patch, const PatchMesh& part) {
+        std::vector<std::uint32_t> name(part.on.size());
+        m_normals.clear();
+        for (std::uint32_t v = 0; v < name.size(); ++v) {
+            if (part.on[v] != PatchMesh::inside) {
+                name[v] = m_chains.vertexOf(patch, v);
+                m_normals[name[v]] = part.mesh.normals[v];
+                continue;
+            }
+            name[v] = static_cast<std::uint32_t>(m_mesh.positions.size());
+            m_mesh.positions.push_back(part.mesh.positions[v]);
+            m_mesh.normals.push_back(part.mesh.normals[v]);
+            m_mesh.kinds.push_back(VertexKind::Inner);
+        }
+        std::vector<Triangle> triangles;
+        for (const Triangle& t : part.mesh.triangles)
+            if (const Triangle named{name[t[0]], name[t[1]], name[t[2]]}; isProper(named))
+                triangles.push_back(named);
+        fit(patch, triangles);
+        for (const auto& [v, normal] : m_normals) // those of all its patches
+            m_mesh.normals[v] += normal;
+        tidy(patch, triangles);
+        m_mesh.triangles.insert(m_mesh.triangles.end(), triangles.begin(), triangles.end());
+    }
+
+  private:
+    bool onRim(std::uint32_t v) const { return v < m_chains.vertices().size(); }
+
+    /// Sides on the boundary get all vertices that the curves have there.
+    void fit(std::uint32_t patch, std::vector<Triangle>& triangles) {
+        std::map<Side, int> sides = sidesOf(triangles);
+        while (dropFlat(patch, triangles, sides))
+            continue;
+        for (std::size_t i = 0; i < triangles.size(); ++i) // what is added at the end is looked at, too
+            for (std::size_t k = 0; k < 3; ++k) {
+                const Triangle t = triangles[i];
+                const std::uint32_t a = t[k], b = t[(k + 1) % 3], opposite = t[(k + 2) % 3];
+                const auto side = sides.find(std::minmax(a, b));
+                if (!onRim(a) || !onRim(b) || side == sides.end() || side->second != 1)
+                    continue;
+                sides.erase(side);
+                std::vector<std::uint32_t> way = m_chains.between(patch, a, b);
+                if (way.empty())
+                    continue;
+                for (const std::uint32_t v : way)
+                    m_normals.try_emplace(v, normalOf(opposite));
+                way.push_back(b);
+                triangles[i] = {a, way.front(), opposite};
+                for (std::size_t n = 1; n < way.size(); ++n)
+                    triangles.push_back({way[n - 1], way[n], opposite});
+                --i; // its other sides
+                break;
+            }
+    }
+
+    /// Takes triangles out that lie on the boundary wholly: the third corner is between the others on the curves. False
+    /// where there are none.
+    bool dropFlat(std::uint32_t patch, std::vector<Triangle>& triangles, std::map<Side, int>& sides) {
+        const auto isFlat = [&](const Triangle& t) {
+            if (!onRim(t[0]) || !onRim(t[1]) || !onRim(t[2]))
+                return false;
+            for (std::size_t k = 0; k < 3; ++k) {
+                const std::uint32_t a = t[k], b = t[(k + 1) % 3], opposite = t[(k + 2) % 3];
+                if (sides.at(std::minmax(a, b)) != 1)
+                    continue;
+                const std::vector<std::uint32_t> way = m_chains.between(patch, a, b);
+                if (std::count(way.begin(), way.end(), opposite) > 0)
+                    return true;
+            }
+            return false;
+        };
+        const std::size_t before = triangles.size();
+        std::erase_if(triangles, isFlat);
+        sides = sidesOf(triangles);
+        return triangles.size() < before;
+    }
+
+    /// Of the present patch.
+    Vec3f normalOf(std::uint32_t v) const {
+        const auto found = m_normals.find(v);
+        return found != m_normals.end() ? found->second : m_mesh.normals[v];
+    }
+
+    /// Better triangles beside the boundary, which stays.
+    void tidy(std::uint32_t patch, std::vector<Triangle>& triangles) const {
+        CutMesh local;
+        std::map<std::uint32_t, std::uint32_t> names;
+        std::vector<std::uint32_t> back;
+        const auto nameOf = [&](std::uint32_t v) {
+            const auto [at, fresh] = names.try_emplace(v, static_cast<std::uint32_t>(back.size()));
+            if (fresh) {
+                back.push_back(v);
+                local.mesh.positions.push_back(m_mesh.positions[v]);
+                local.mesh.normals.push_back(normalOf(v));
+                local.mesh.kinds.push_back(VertexKind::Inner);
+                local.vertices.push_back({{patch}, patch, m_mesh.positions[v], normalOf(v), onRim(v)});
+            }
+            return at->second;
+        };
+        for (const Triangle& t : triangles) {
+            const Triangle named{nameOf(t[0]), nameOf(t[1]), nameOf(t[2])};
+            local.mesh.triangles.push_back(named);
+            local.cells.push_back(patch);
+            local.facing.push_back(normalized(base::cast<double>(normalOf(t[0]) + normalOf(t[1]) + normalOf(t[2]))));
+        }
+        if (!topologyOf(local.mesh.triangles, back.size(), local.mesh.kinds).manifold())
+            return;
+        for (int ring = 0; ring < 2; ++ring) {
+            const std::vector<CreaseVertex> before = local.vertices;
+            for (const Triangle& t : local.mesh.triangles)
+                if (before[t[0]].mixed || before[t[1]].mixed || before[t[2]].mixed)
+                    for (const std::uint32_t v : t)
+                        local.vertices[v].mixed = true;
+        }
+        tidyCreases(local);
+        triangles.clear();
+        for (const Triangle& t : local.mesh.triangles)
+            triangles.push_back({back[t[0]], back[t[1]], back[t[2]]});
+    }
+
+    static std::map<Side, int> sidesOf(std::span<const Triangle> triangles) {
+        std::map<Side, int> out;
+        for (const Triangle& t : triangles)
+            for (std::size_t k = 0; k < 3; ++k)
+                ++out[std::minmax(t[k], t[(k + 1) % 3])];
+        return out;
+    }
+
+    const RimChains& m_chains;
+    Mesh& m_mesh;
+    std::map<std::uint32_t, Vec3f> m_normals; ///< of the present patch, at vertices that others may share
+};
+
+void finish(Mesh& mesh) {
+    std::map<Side, int> sides;
+    for (const Triangle& t : mesh.triangles)
+        for (std::size_t k = 0; k < 3; ++k)
+            ++sides[std::minmax(t[k], t[(k + 1) % 3])];
+    std::vector<std::uint8_t> open(mesh.positions.size(), 0);
+    for (const auto& [side, count] : sides)
+        if (count == 1)
+            open[side.first] = open[side.second] = 1;
+    for (std::size_t v = 0; v < open.size(); ++v) {
+        mesh.kinds[v] = open[v] ? VertexKind::Limit : VertexKind::Inner;
+        mesh.normals[v] = normalized(mesh.normals[v], Vec3f{0, 0, 1});
+    }
+    dropUnused(mesh);
+}
+
+} // namespace
+
+Mesh meshOfComplex(const complexes::Complex& complex, const ComplexMeshOptions& options,
+                   const base::Progress& progress) {
+    const std::size_t cells = complex.cells().size();
+    std::vector<PatchMesh> patches(cells);
+    for (std::uint32_t c = 0; c < cells; ++c) {
+        if (complex[c].dimension != 2)
+            continue;
+        if (complex[c].own.tree().empty())
+            throw base::Error("patch " + std::to_string(c) + " of the complex has no points of its own to mesh", {},
+                              "give it some");
+        const double done = static_cast<double>(c) / static_cast<double>(cells);
+        patches[c] = meshOfPatch(complex, c, options.cell,
+                                 process::part(progress, 0.9 * done, 0.9 * (done + 1.0 / static_cast<double>(cells))));
+    }
+    progress.step(0.9, "sewing patches");
+    const RimChains chains(complex, patches);
+    Mesh out;
+    Sewing sewing(chains, out);
+    for (std::uint32_t c = 0; c < cells; ++c)
+        if (complex[c].dimension == 2)
+            sewing.add(c, patches[c]);
+    if (out.triangles.empty())
+        throw base::Error("no surface was found to mesh", "", "check the complex's patches");
+    finish(out);
+    takeAttributes(out, complex.surface());
+    return out;
+}
+
+} // namespace mesh
