@@ -32,6 +32,7 @@ constexpr double looseWhereFlat = 0.1; ///< spacings
 constexpr int mostFlatSteps = 12;
 constexpr double flatStep = 0.3;    ///< of h, for all of the weight on one side
 constexpr double leastWeight = 0.1; ///< of a cell, of the other's
+constexpr double leastOwn = 0.02;   ///< the same on sharp seams
 
 struct Start {
     Vec3d position;
@@ -81,6 +82,10 @@ class PairTracer {
         const double tolerance = (m_flat ? looseWhereFlat : loose) * spacing;
         if (i == CellSource::none || j == CellSource::none || !isFace(m_source, i, tolerance) ||
             !isFace(m_source, j, tolerance) || !(m_source.sharpness(i, j) > leastSharpness))
+            return std::nullopt;
+        // far from one of them both go on as what is smooth to both, and agree without meeting
+        const double a = m_source.sums(i).weight, b = m_source.sums(j).weight;
+        if (std::min(a, b) < leastOwn * std::max(a, b))
             return std::nullopt;
         return foot;
     }

@@ -34,6 +34,13 @@ static bool turned(const ToolRow&, const StrokeSettings& settings) {
 static bool stamped(const ToolRow&, const StrokeSettings& settings) {
     return !settings.stamp.empty();
 }
+static bool drawsLines(const ToolRow& tool, const StrokeSettings&) {
+    const std::string_view id = tool.id;
+    return id == "crease" || id == "pinch" || id == "draw-sharp";
+}
+static bool smooths(const ToolRow& tool, const StrokeSettings&) {
+    return std::string_view(tool.id) == "smooth";
+}
 static bool onPlane(const ToolRow& tool, const StrokeSettings&) {
     return tool.needs.plane;
 }
@@ -68,6 +75,14 @@ std::span<const StrokeOption> strokeOptionTable() {
         {"auto-smooth", "Auto-smooth", "", "Strength of smoothing after every dab.", "", Brush, &S::autoSmooth, shapes},
         {"invert", "Invert", "", "Does the opposite: pushes in, carves.", "Ctrl does it while held.", Brush, &S::invert,
          always},
+        {"edge", "Edge", "",
+         "How sharp an edge the stroke leaves along its way, one that later strokes keep; 0: none, the line is as "
+         "round "
+         "as points make it.",
+         "", Brush, &S::edge, drawsLines},
+        {"fade-edges", "Fade edges", "",
+         "Edges that stay sharp give way under the brush, by its strength and falloff; off: they are kept.", "", Brush,
+         &S::fadeEdges, smooths},
         {"accumulate", "Accumulate", "",
          "Dabs build on each other; off: they work on the surface as the stroke found it, and do not pile up.", "",
          Brush, &S::accumulate, pilesUp},

@@ -100,6 +100,9 @@ struct StrokeSettings {
     /// A stroke that stays in its place, and a stamp that is anchored, are as strong there as a stroke that goes over
     /// it.
     bool fullTap = false;
+    /// Sharpness of the edge that tools which draw lines leave along the stroke, 0 to 1; 0: none.
+    float edge = 0;
+    bool fadeEdges = false; ///< smoothing takes the sharpness of edges that it goes over
 
     bool operator==(const StrokeSettings&) const = default;
 };

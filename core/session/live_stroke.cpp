@@ -5,6 +5,7 @@
 #include "core/io/grey_image.h"
 #include "core/session/command.h"
 #include "core/session/commands/commands.h"
+#include "core/session/stroke_edges.h"
 #include "core/session/stroke_json.h"
 #include "core/surface/definition_text.h"
 
@@ -24,6 +25,9 @@ static surface::Surface startOf(const Context& context, const sculpt::StrokeSett
         throw base::Error("the layer \"" + stack.layers[static_cast<std::size_t>(stack.target())].name +
                               "\" does not show what would be sculpted on it",
                           {}, "show it, raise its strength, or make another layer the active one");
+    if ((leavesEdge(settings) || fadesEdges(settings)) && !stack.empty())
+        throw base::Error("strokes on layers neither leave nor fade edges", {},
+                          "merge the layers, or leave \"edge\" and \"fade-edges\" as they are");
     return context.document.surface();
 }
 
@@ -59,14 +63,35 @@ bool LiveStroke::settle() {
     return m_stroke.finishSlice();
 }
 
+surface::Surface LiveStroke::withItsEdges() {
+    const base::Vec3d& origin = m_context.document.provenance().origin;
+    if (fadesEdges(m_settings))
+        return withFadedEdges(m_stroke.surface(), m_settings, m_samples, origin);
+    if (!leavesEdge(m_settings) || !changed())
+        return m_stroke.surface();
+    std::string message;
+    const surface::Surface start = withEdges(m_context.document.surface(), m_stroke.surface(), m_settings, m_samples,
+                                             origin, message, m_context.progress);
+    if (!message.empty())
+        m_context.messages.push_back(message);
+    if (start.tree() == m_context.document.surface().tree())
+        return m_stroke.surface();
+    sculpt::Stroke again(start, m_settings, origin, stampOf(m_settings.stamp), m_context.progress.cancel);
+    for (const sculpt::StrokeSample& sample : m_samples)
+        again.add(sample);
+    again.finish();
+    return again.surface();
+}
+
 bool LiveStroke::finish() {
     const base::CancelScope scope(m_context.progress.cancel);
     m_stroke.finish();
     m_context.dabs = m_stroke.dabs();
     m_context.dabSeconds.assign(m_stroke.dabSeconds().begin(), m_stroke.dabSeconds().end());
-    if (!changed())
+    const surface::Surface done = depth() ? withItsEdges() : m_stroke.surface();
+    if (done.tree() == m_context.document.surface().tree())
         return false;
-    m_context.document.commit(m_stroke.surface(), label(), layers::How::Keep);
+    m_context.document.commit(done, label(), layers::How::Keep);
     record(m_context, line());
     return true;
 }

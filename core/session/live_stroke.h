@@ -39,6 +39,8 @@ class LiveStroke {
     std::optional<float> depth() const { return m_stroke.depth(); }
 
   private:
+    surface::Surface withItsEdges();
+
     Context& m_context;
     sculpt::StrokeSettings m_settings;
     sculpt::Stroke m_stroke;

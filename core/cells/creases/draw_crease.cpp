@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -152,7 +153,40 @@ class Drawer {
         return isLeft(a, atA) != isLeft(b, atB);
     }
 
+    /// Bands reach farther than their crease does: what lies beyond is given back to the rest of their face, so that a
+    /// line there does not run along the end of a band.
+    void shrinkBands() {
+        constexpr double reach = 1.2;                // of h
+        std::map<std::uint32_t, std::uint32_t> rest; // cell of a face
+        for (const Label& label : m_labels) {
+            const auto [at, fresh] = rest.emplace(label.face, label.cell);
+            at->second = std::min(at->second, label.cell);
+        }
+        constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+        std::vector<std::uint32_t> source(m_labels.size(), none), front;
+        for (std::uint32_t i = 0; i < m_labels.size(); ++i)
+            if (m_labels[i].meeting != Meeting::None) {
+                source[i] = i;
+                front.push_back(i);
+            }
+        for (std::size_t at = 0; at < front.size(); ++at) {
+            const std::uint32_t i = front[at];
+            for (const std::uint32_t j : m_links.near(i)) {
+                const double far = reach * static_cast<double>(m_surfels.items[j].support);
+                if (source[j] == none && m_labels[j].cell == m_labels[i].cell &&
+                    base::distance(m_links.at(j), m_links.at(source[i])) < far) {
+                    source[j] = source[i];
+                    front.push_back(j);
+                }
+            }
+        }
+        for (std::uint32_t i = 0; i < m_labels.size(); ++i)
+            if (source[i] == none)
+                m_labels[i].cell = m_labels[i].partner = rest[m_labels[i].face];
+    }
+
     void crease() {
+        shrinkBands();
         std::vector<Vec3f> normals(m_links.size());
         std::vector<std::uint32_t> before(m_links.size()), faces(m_links.size());
         for (std::size_t i = 0; i < m_links.size(); ++i) {

@@ -26,6 +26,7 @@ static void stroke(Context& context, const json& complete) {
         context.messages.push_back("a stroke of " + std::to_string(samples.size()) +
                                    (samples.size() == 1 ? " sample " : " samples ") +
                                    (live.depth() ? "met the model and changed nothing" : "missed the model"));
+    context.messages.insert(context.messages.end(), quiet.messages.begin(), quiet.messages.end());
     context.dabs += quiet.dabs;
     context.dabSeconds.insert(context.dabSeconds.end(), quiet.dabSeconds.begin(), quiet.dabSeconds.end());
 }

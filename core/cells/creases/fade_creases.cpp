@@ -1,0 +1,31 @@
+#include "core/cells/creases/fade_creases.h"
+
+#include "core/base/parallel.h"
+#include "core/cells/creases/labelled_surface.h"
+
+#include <algorithm>
+
+namespace cells {
+
+FadedCreases fadeCreases(const surface::Surface& surface, const std::function<double(const base::Vec3f&)>& share) {
+    FadedCreases out{surface, 0};
+    if (!LabelLayout::of(*surface.tree().layout()))
+        return out;
+    surfel::SurfelList surfels = surface.tree().surfels();
+    std::vector<Label> labels = labelsOf(surface.tree());
+    std::vector<std::uint8_t> faded(labels.size(), 0);
+    base::parallelFor(labels.size(), 1024, [&](std::size_t i) {
+        if (labels[i].meeting == Meeting::None)
+            return;
+        const double left = 1 - std::clamp(share(surfels.items[i].position), 0.0, 1.0);
+        const auto sharpness = static_cast<std::uint8_t>(std::lround(left * labels[i].sharpness));
+        faded[i] = sharpness < labels[i].sharpness ? 1 : 0;
+        labels[i].sharpness = sharpness;
+    });
+    out.faded = static_cast<std::size_t>(std::count(faded.begin(), faded.end(), 1));
+    if (out.faded > 0)
+        out.surface = labelled(surface, std::move(surfels), labels);
+    return out;
+}
+
+} // namespace cells
