@@ -1,6 +1,7 @@
 #include "core/sculpt/stroke.h"
 
 #include "core/base/error.h"
+#include "core/sculpt/seam_snap.h"
 #include "core/sculpt/stroke_methods.h"
 #include "core/sculpt/stroke_stabiliser.h"
 
@@ -34,6 +35,7 @@ struct Stroke::State {
     Dabs dabs;
     Stabiliser stabiliser;
     std::unique_ptr<Method> method;
+    std::optional<SeamSnap> snap;          ///< from the first sample on, where asked for
     std::optional<surface::Surface> shown; ///< with what waits, once somebody asks
 
     State(surface::Surface start, const StrokeSettings& settings, const base::Vec3d& origin,
@@ -56,7 +58,12 @@ void Stroke::onLayers(std::shared_ptr<const layers::Stack> stack) {
 }
 
 bool Stroke::add(const StrokeSample& sample) {
-    const StrokeSample unit = checked(sample);
+    StrokeSample unit = checked(sample);
+    if (const StrokeSettings& settings = m_state->dabs.settings(); settings.snap > 0) {
+        if (!m_state->snap)
+            m_state->snap.emplace(m_state->dabs.surface(), settings.snap * settings.radius);
+        unit.ray = m_state->snap->snapped(unit.ray);
+    }
     const tree::SurfelTree before = m_state->dabs.surface().tree();
     const int count = dabs();
     const bool waited = m_state->method->waits();

@@ -102,6 +102,7 @@ struct StrokeSettings {
     bool fullTap = false;
     /// Sharpness of the edge that tools which draw lines leave along the stroke, 0 to 1; 0: none.
     float edge = 0;
+    float snap = 0;         ///< in radii: the stroke keeps to seams and corners that are so near; 0: to none
     bool fadeEdges = false; ///< smoothing takes the sharpness of edges that it goes over
 
     bool operator==(const StrokeSettings&) const = default;

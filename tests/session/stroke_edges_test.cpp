@@ -20,6 +20,7 @@ class StrokeEdgesTest : public QObject {
     void smoothingKeepsEdgesUnlessTold();
     void othersTakeNoNotice();
     void journalsBringEdgesBack();
+    void snappingKeepsToSeams();
     void layersAreRefused();
 };
 
@@ -147,6 +148,55 @@ void StrokeEdgesTest::journalsBringEdgesBack() {
     fading["fade-edges"] = true;
     bench.run(fading);
     QCOMPARE(test::recovered(bench.path("journal.jsonl")), bench.hash());
+}
+
+void StrokeEdgesTest::snappingKeepsToSeams() {
+    Workbench bench;
+    const std::string box = "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nv 0 0 1\nv 2 0 1\nv 2 1 1\nv 0 1 1\n"
+                            "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+    bench.run({{"op", "open"},
+               {"path", test::write(bench.path("box.obj"), box).string()},
+               {"faces", "sample"},
+               {"sample_count", 8000}});
+    json samples = json::array();
+    for (int k = 0; k <= 10; ++k) // along the upper edge y = 1, but on top, beside it
+        samples.push_back({0.5 + 0.1 * k, 0.93 + 0.04 * (k % 2), 5.0, 0.0, 0.0, -1.0, 1.0, 0.02 * k});
+    json stroke{{"op", "stroke"}, {"tool", "mask"},     {"radius", 0.1},
+                {"strength", 1},  {"samples", samples}, {"snap", 1}};
+    bench.run(stroke);
+    double least = 2, most = 0, onTop = 0, onSide = 0;
+    bench.document.surface().tree().forEachBlock([&](std::uint32_t, const surfel::SurfelBlock& block) {
+        for (int slot = 0; slot < block.size(); ++slot)
+            if (block.mask(slot) > 0.5f) {
+                const base::Vec3f p = block.position(slot);
+                least = std::min(least, double(p.y));
+                most = std::max(most, double(p.y));
+                onTop += p.z > 0.999f ? 1 : 0;
+                onSide += p.y > 0.999f ? 1 : 0;
+            }
+    });
+    QVERIFY2(least > 0.9 && most > 0.999, qPrintable(QString("%1 %2").arg(least).arg(most)));
+    QVERIFY2(onTop > 50 && onSide > 0.7 * onTop && onSide < 1.4 * onTop,
+             qPrintable(QString("%1 %2").arg(onTop).arg(onSide)));
+    // to a corner
+    bench.document.undo();
+    stroke["samples"] = {{1.93, 0.94, 5.0, 0.0, 0.0, -1.0, 1.0, 0.0}};
+    stroke["snap"] = 2;
+    bench.run(stroke);
+    base::Box3f masked;
+    bench.document.surface().tree().forEachBlock([&](std::uint32_t, const surfel::SurfelBlock& block) {
+        for (int slot = 0; slot < block.size(); ++slot)
+            if (block.mask(slot) > 0)
+                masked.extend(block.position(slot));
+    });
+    QVERIFY2(masked.lo.x > 1.88f && masked.lo.y > 0.88f && masked.lo.z > 0.88f && masked.hi.x > 1.99f,
+             qPrintable(QString("%1 %2 %3 to %4 %5 %6")
+                            .arg(masked.lo.x)
+                            .arg(masked.lo.y)
+                            .arg(masked.lo.z)
+                            .arg(masked.hi.x)
+                            .arg(masked.hi.y)
+                            .arg(masked.hi.z)));
 }
 
 void StrokeEdgesTest::layersAreRefused() {
