@@ -76,8 +76,8 @@ class Combining {
     Combining(const surface::Surface& model, const Operand& operand, Operation operation, const CombineOptions& options)
         : m_definition(model.definition()), m_operation(operation), m_options(options),
           m_other(operand.surfels.size() > 0 ? tree::SurfelTree::build(operand.surfels) : tree::SurfelTree()),
-          m_labels(options.creases &&
-                   (!(options.fillet > 0) || hasLabels(model.tree()) || (!m_other.empty() && hasLabels(m_other)))),
+          m_labels(options.creases && (!(options.fillet > 0) || options.chamfer > 0 || hasLabels(model.tree()) ||
+                                       (!m_other.empty() && hasLabels(m_other)))),
           m_tree(m_labels ? labelled(model.tree(), m_other) : model.tree()),
           m_modelSide(surface::Surface(m_tree, m_definition)), m_operandSide(operand.side) {}
 
@@ -91,11 +91,11 @@ class Combining {
         Combined out;
         if (m_labels)
             m_offset = firstFree(m_tree);
-        if (m_options.creases || m_options.seams || m_options.fillet > 0)
+        if (m_options.creases || m_options.seams || m_options.ball() > 0)
             findFeet();
-        if (m_options.seams || m_options.fillet > 0)
+        if (m_options.seams || m_options.ball() > 0)
             out.seams = traceSeams(m_sides, seeds());
-        if (m_options.fillet > 0 && !out.seams.empty())
+        if (m_options.ball() > 0 && !out.seams.empty())
             round(out.seams);
         progress.step(0.8, "Joining");
         tree::Edit edit;
@@ -113,6 +113,10 @@ class Combining {
   private:
     static bool hasLabels(const tree::SurfelTree& tree) { return cells::LabelLayout::of(*tree.layout()).has_value(); }
     bool sharpSeam() const { return m_labels && !m_fillet; }
+    bool chamfers() const { return m_fillet && m_options.chamfer > 0; }
+    bool edgeOfChamfer(bool ofOperand, const Vec3d& x, const Vec3d& normal) const {
+        return chamfers() && m_labels && m_fillet->besideEdge(ofOperand, x, normal);
+    }
 
     /// A foot on the seam of surfel `index`, in tree order.
     struct Foot {
@@ -172,10 +176,14 @@ class Combining {
     }
     void round(const std::vector<SeamCurve>& seams) {
         const FilletSides sides{m_modelSide, m_operandSide, m_operation == Operation::Union,
-                                m_operation != Operation::Intersection};
-        m_fillet.emplace(sides, m_options.fillet, seams, [&](const Vec3d& x) { return spacingAt(m_tree, x); });
+                                m_operation != Operation::Intersection, m_options.chamfer > 0};
+        m_fillet.emplace(sides, m_options.ball(), seams, [&](const Vec3d& x) { return spacingAt(m_tree, x); });
         if (!m_labels)
             return;
+        if (chamfers()) {
+            m_chamferCell = m_offset + firstFree(m_other);
+            return;
+        }
         m_faces.emplace(m_tree, m_other, m_offset, m_offset + firstFree(m_other), m_fillet->contacts());
         m_tree = m_faces->in(m_tree);
     }
@@ -204,6 +212,8 @@ class Combining {
                 }
                 here.edit.removed[static_cast<std::size_t>(slot)] = !stays;
             }
+            if (chamfers() && m_labels)
+                labelChamferEdge(*block, *layout, here.edit, here.atSeam);
             if (!sharpSeam() || m_modelFeet[b].empty())
                 return;
             const surfel::MutableBlockPtr copy = block->clone();
@@ -230,6 +240,28 @@ class Combining {
         }
     }
 
+    /// Of the model's surfels that stay beside a chamfer.
+    void labelChamferEdge(const surfel::SurfelBlock& block, const cells::LabelLayout& layout, tree::BlockEdit& edit,
+                          std::size_t& count) const {
+        surfel::MutableBlockPtr copy;
+        for (int slot = 0; slot < block.size(); ++slot) {
+            if (edit.removed[static_cast<std::size_t>(slot)] ||
+                !edgeOfChamfer(false, base::cast<double>(block.position(slot)), base::cast<double>(block.normal(slot))))
+                continue;
+            if (!copy)
+                copy = block.clone();
+            std::vector<std::uint32_t> words(block.extraWords());
+            block.extra(slot, words);
+            writeLabel(*m_tree.layout(), besideSeam(layout.at(block, slot), m_chamferCell, m_operation), words);
+            copy->setExtra(slot, words);
+            ++count;
+        }
+        if (!copy)
+            return;
+        copy->seal();
+        edit.changed = copy;
+    }
+
     /// The operand's own label among the model's.
     Label moved(Label label) const {
         label.cell += m_offset, label.partner += m_offset, label.face += m_offset;
@@ -254,6 +286,10 @@ class Combining {
         std::vector<Label> labels(m_labels ? all.size() : 0);
         for (std::size_t i = 0; i < labels.size(); ++i)
             labels[i] = moved(own ? own->at(all.extraOf(i)) : Label{});
+        for (std::size_t i = 0; i < labels.size() && chamfers(); ++i)
+            if (stays[i] &&
+                edgeOfChamfer(true, base::cast<double>(all.items[i].position), base::cast<double>(all.items[i].normal)))
+                labels[i] = besideSeam(labels[i], m_chamferCell, m_operation);
         if (sharpSeam())
             for (const std::vector<Foot>& block : m_operandFeet)
                 for (const Foot& foot : block)
@@ -330,8 +366,17 @@ class Combining {
         if (m_labels) {
             Label label =
                 nearModel ? nearestLabel(m_tree, place.onModel) : moved(nearestLabel(m_other, place.onOperand));
-            label.partner = label.cell;
-            label.meeting = Meeting::None;
+            if (chamfers()) {
+                const double toEdge = place.chord() * (nearModel ? place.across : 1 - place.across);
+                const std::uint32_t side = label.cell;
+                label.cell = label.face = m_chamferCell;
+                label = toEdge < 2 * place.spacing
+                            ? besideSeam(label, side, m_operation)
+                            : Label{m_chamferCell, m_chamferCell, Meeting::None, 255, m_chamferCell};
+            } else {
+                label.partner = label.cell;
+                label.meeting = Meeting::None;
+            }
             writeLabel(*m_tree.layout(), label, words);
         }
         to.append(s, words);
@@ -351,6 +396,7 @@ class Combining {
     std::vector<std::vector<Foot>> m_modelFeet, m_operandFeet;
     std::uint32_t m_offset = 0;
     std::optional<Fillet> m_fillet;
+    std::uint32_t m_chamferCell = 0;
     std::optional<JoinedFaces> m_faces;
     std::vector<Vec3d> m_beside; ///< places of surfels that stay beside a fillet
 };

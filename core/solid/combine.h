@@ -29,7 +29,11 @@ struct Operand {
 struct CombineOptions {
     bool creases = true; ///< label both sides of the seam, so that it stays sharp
     double fillet = 0;   ///< radius of a ball that rounds the seam; 0: it stays sharp
+    double chamfer = 0;  ///< the seam is cut flat between where a ball of that radius touches both; 0: it is not
     bool seams = false;  ///< trace them
+
+    /// Of the ball that rolls along the seam; 0: there is none.
+    double ball() const { return std::max(fillet, chamfer); }
 };
 
 struct Combined {
@@ -37,12 +41,12 @@ struct Combined {
     std::size_t removed = 0;      ///< surfels of the model that went
     std::size_t inserted = 0;     ///< of the operand that came
     std::size_t atSeam = 0;       ///< surfels beside the seam, where it is a crease
-    std::size_t rounded = 0;      ///< surfels of the fillet
+    std::size_t rounded = 0;      ///< surfels of the fillet or chamfer
     std::vector<SeamCurve> seams; ///< where both surfaces cross; traced where asked for, or for a fillet
 };
 
 /// The model's surfels that stay keep every bit but their labels. Throws base::Error where the model has no oriented
-/// normals or is a curve, where nothing would be left, and where no fillet of that radius fits; base::Cancelled.
+/// normals or is a curve, where nothing would be left, and where no ball of that radius fits; base::Cancelled.
 Combined combine(const surface::Surface& model, const Operand& operand, Operation operation,
                  const CombineOptions& options = {}, const base::Progress& progress = {});
 

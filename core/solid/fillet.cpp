@@ -23,6 +23,8 @@ namespace {
     throw base::Error(text.str(), "fillet", "make it smaller, or leave the seam sharp");
 }
 
+constexpr double besideEdgeReach = 2; ///< spacings, as far as surfels have partners across an edge (cells/README 1.1)
+
 /// Where the ball's middle would be if both surfaces were planes.
 Vec3d middleOverPlanes(const SeamPoint& seam, const Vec3d& riseA, const Vec3d& riseB, double radius) {
     return seam.position + (riseA + riseB) * (radius / std::max(0.05, 1 + dot(riseA, riseB)));
@@ -131,7 +133,7 @@ Fillet::Fillet(const FilletSides& sides, double radius, const std::vector<SeamCu
     }
 }
 
-Fillet::Cover Fillet::cover(bool ofOperand, const Vec3d& x, const Vec3d& normal) const {
+const Fillet::Station* Fillet::stationNear(bool ofOperand, const Vec3d& x, const Vec3d& normal) const {
     const int k = ofOperand ? 1 : 0;
     const Vec3d rise = (ofOperand ? m_sides.outsideOperand : m_sides.outsideModel) ? normal : -normal;
     const Station* nearest = nullptr;
@@ -143,9 +145,21 @@ Fillet::Cover Fillet::cover(bool ofOperand, const Vec3d& x, const Vec3d& normal)
         if (const double apart = distance(each->touch[k], x); apart < least)
             least = apart, nearest = each;
     });
-    if (!nearest || least > nearest->reach)
+    return nearest && least <= nearest->reach ? nearest : nullptr;
+}
+
+Fillet::Cover Fillet::cover(bool ofOperand, const Vec3d& x, const Vec3d& normal) const {
+    const Station* at = stationNear(ofOperand, x, normal);
+    if (!at)
         return Cover::Away;
-    return dot(x - nearest->touch[k], nearest->toSeam[k]) > 0 ? Cover::Taken : Cover::Beside;
+    const int k = ofOperand ? 1 : 0;
+    return dot(x - at->touch[k], at->toSeam[k]) > 0 ? Cover::Taken : Cover::Beside;
+}
+
+bool Fillet::besideEdge(bool ofOperand, const Vec3d& x, const Vec3d& normal) const {
+    const Station* at = stationNear(ofOperand, x, normal);
+    const int k = ofOperand ? 1 : 0;
+    return at && std::abs(dot(x - at->touch[k], at->toSeam[k])) < besideEdgeReach * at->spacing;
 }
 
 /// From the touch on the ball to its middle, along the arc from one touch to the other.
@@ -157,7 +171,14 @@ Vec3d Fillet::towards(const SeamPoint& middle, double across) const {
 }
 
 FilletPlace Fillet::place(const Station& at, double across) const {
-    const Vec3d up = towards(at.middle, across);
+    const Vec3d up = towards(at.middle, m_sides.flat ? 0.5 : across);
+    if (m_sides.flat)
+        return {at.touch[0] + (at.touch[1] - at.touch[0]) * across,
+                m_sides.concave() ? up : -up,
+                at.touch[0],
+                at.touch[1],
+                across,
+                at.spacing};
     return {
         at.middle.position - up * m_radius, m_sides.concave() ? up : -up, at.touch[0], at.touch[1], across, at.spacing};
 }
@@ -167,7 +188,8 @@ void Fillet::rows(const Way& way, std::vector<FilletPlace>& out) const {
     double widest = 0, spacing = 0;
     for (const Station& each : way) {
         const double angle = std::acos(std::clamp(dot(each.middle.risesA, each.middle.risesB), -1.0, 1.0));
-        widest = std::max(widest, angle * m_radius / each.spacing);
+        const double length = m_sides.flat ? distance(each.touch[0], each.touch[1]) : angle * m_radius;
+        widest = std::max(widest, length / each.spacing);
         spacing += each.spacing / static_cast<double>(way.size());
     }
     const int count = std::max(1, static_cast<int>(std::round(widest / rowStep)));

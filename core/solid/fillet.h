@@ -1,4 +1,5 @@
-// A seam rounded by a ball that rolls along it and touches both surfaces (solid/README 2.6).
+// A seam rounded by a ball that rolls along it and touches both surfaces, or cut flat from one touch to the other: a
+// chamfer (solid/README 2.6).
 //
 //     Fillet fillet(model, operand, ...)     the way of the ball's middle, traced by heights; refused where none fits
 //     fillet.cover(...)                      which surfels the ball takes away
@@ -16,6 +17,7 @@ namespace solid {
 struct FilletSides {
     const Side &model, &operand;
     bool outsideModel = true, outsideOperand = true;
+    bool flat = false; ///< a chamfer
     /// The solid's normals lead to the ball's middle, as in the corner of a union; else away from it.
     bool concave() const { return outsideModel && outsideOperand; }
 };
@@ -24,6 +26,8 @@ struct FilletPlace {
     base::Vec3d position, normal;   ///< the solid's outward unit normal
     base::Vec3d onModel, onOperand; ///< where the ball touches them
     double across = 0;              ///< 0 at the model to 1 at the operand
+
+    double chord() const { return base::distance(onModel, onOperand); }
     double spacing = 0;
 };
 
@@ -43,6 +47,8 @@ class Fillet {
     };
     /// `normal`: outwards, of that surface at x.
     Cover cover(bool ofOperand, const base::Vec3d& x, const base::Vec3d& normal) const;
+    /// Is x so near to where the ball touches that surface that a chamfer's edge is beside it?
+    bool besideEdge(bool ofOperand, const base::Vec3d& x, const base::Vec3d& normal) const;
 
     /// About one spacing apart, from where the ball touches one surface to where it touches the other.
     std::vector<FilletPlace> places() const;
@@ -59,6 +65,8 @@ class Fillet {
     };
     using Way = std::vector<Station>; ///< closed
 
+    /// The nearest place of the ball's way, for x on one of the surfaces; null where none is near.
+    const Station* stationNear(bool ofOperand, const base::Vec3d& x, const base::Vec3d& normal) const;
     TwoSides heights() const;
     Station station(const SeamPoint& middle, double spacing) const;
     static double farthestTouch(const Station& station, const std::vector<SeamCurve>& seams);

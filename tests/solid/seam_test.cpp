@@ -4,6 +4,7 @@
 #include "core/base/parallel.h"
 #include "core/base/random.h"
 #include "core/cells/cell_projection.h"
+#include "core/cells/seam_lines.h"
 #include "core/mesh/extent/extent.h"
 #include "core/solid/fillet.h"
 #include "placed_shapes.h"
@@ -26,6 +27,8 @@ class SeamTest : public QObject {
     void boxesThatCrossHaveOneClosedSeam();
     void filletsOfBallsLieOnTheirTorus_data();
     void filletsOfBallsLieOnTheirTorus();
+    void chamfersAreFlatBetweenSharpEdges_data();
+    void chamfersAreFlatBetweenSharpEdges();
     void aCylinderOnABoxGetsARoundFoot();
     void edgesAwayFromAFilletStaySharp();
     void otherWallsStayUnderAFillet();
@@ -37,11 +40,12 @@ class SeamTest : public QObject {
 namespace {
 
 solid::Combined combined(const surface::Surface& model, const char* id, const solid::Size& size, double spacing,
-                         const solid::Pose& pose, Operation operation, double fillet = 0) {
+                         const solid::Pose& pose, Operation operation, double fillet = 0, double chamfer = 0) {
     const solid::PrimitiveRow& row = solid::primitive(id);
     solid::CombineOptions options;
     options.seams = true;
     options.fillet = fillet;
+    options.chamfer = chamfer;
     return solid::combine(
         model, {solid::PrimitiveSide(row, size, pose), test::placed(solid::surfelsOf(row, size, spacing, {}), pose)},
         operation, options);
@@ -218,6 +222,49 @@ void SeamTest::filletsOfBallsLieOnTheirTorus() {
         return;
     const double wanted = pi * integral(-1, 1.9, profile);
     QVERIFY2(std::abs(extent.volume / wanted - 1) < 0.002, QByteArray::number(extent.volume / wanted));
+}
+
+void SeamTest::chamfersAreFlatBetweenSharpEdges_data() {
+    filletsOfBallsLieOnTheirTorus_data();
+}
+
+void SeamTest::chamfersAreFlatBetweenSharpEdges() {
+    QFETCH(int, operation);
+    QFETCH(double, signA);
+    QFETCH(double, signB);
+    constexpr double s = 0.03, radius = 0.2;
+    const Rolling roll{1, 0.8, 1.1, radius, signA, signB};
+    const solid::Combined result = combined(shapeAt("ball", {1, 0, 0}, s), "ball", {0.8, 0, 0}, s,
+                                            solid::poseAlong({1.1, 0, 0}, {0, 0, 1}), Operation(operation), 0, radius);
+    QVERIFY(result.rounded > 0 && result.atSeam > 0);
+    // where it touches, as (along, about the axis); a cone is between
+    const double touchA = roll.x() / roll.toA(), ringA = roll.ring() / roll.toA();
+    const double touchB = 1.1 + (roll.x() - 1.1) * 0.8 / roll.toB(), ringB = roll.ring() * 0.8 / roll.toB();
+    std::size_t flat = 0;
+    for (const surfel::Surfel& each : result.surface.tree().surfels().items) {
+        const Vec3d p = base::cast<double>(each.position);
+        if (std::min(std::abs(length(p) - 1), std::abs(distance(p, {1.1, 0, 0}) - 0.8)) < 1e-5)
+            continue;
+        ++flat;
+        const double share = (p.x - touchA) / (touchB - touchA), ring = ringA + (ringB - ringA) * share;
+        QVERIFY2(share > -0.01 && share < 1.01 && std::abs(std::hypot(p.y, p.z) - ring) < 0.02 * s,
+                 qPrintable(QString("%1 %2").arg(share).arg(std::hypot(p.y, p.z) - ring)));
+    }
+    QVERIFY(flat > result.rounded / 2);
+    // both edges, sharp
+    std::vector<double> lengths;
+    for (const cells::SeamLine& line : cells::seamLines(result.surface)) {
+        QVERIFY(line.closed);
+        lengths.push_back(line.length() / (2 * pi));
+        for (const cells::SeamPoint& point : line.points)
+            QVERIFY((point.turn < 0) == (operation == int(Operation::Union)));
+    }
+    QCOMPARE(lengths.size(), std::size_t(2));
+    std::sort(lengths.begin(), lengths.end());
+    QVERIFY2(std::abs(lengths[0] - std::min(ringA, ringB)) < 2e-3 &&
+                 std::abs(lengths[1] - std::max(ringA, ringB)) < 2e-3,
+             qPrintable(QString("%1 %2").arg(lengths[0]).arg(lengths[1])));
+    QVERIFY(mesh::extentOf(result.surface).closed);
 }
 
 void SeamTest::aCylinderOnABoxGetsARoundFoot() {

@@ -45,11 +45,27 @@ CommandParameter filletParameter() {
             CommandParameter::largest};
 }
 
+CommandParameter chamferParameter() {
+    return {"chamfer",
+            "number",
+            "model units",
+            "cuts the seam flat, between where a ball of this radius touches both sides; on planes at right angles it "
+            "takes as much of each",
+            "null",
+            "",
+            CommandParameter::positive,
+            CommandParameter::largest};
+}
+
 solid::CombineOptions combineOptions(const nlohmann::json& complete) {
     solid::CombineOptions out;
     out.creases = complete.at("creases").get<bool>();
     if (const auto fillet = complete.find("fillet"); fillet != complete.end())
         out.fillet = fillet->get<double>();
+    if (const auto chamfer = complete.find("chamfer"); chamfer != complete.end())
+        out.chamfer = chamfer->get<double>();
+    if (out.fillet > 0 && out.chamfer > 0)
+        throw base::Error("\"fillet\" and \"chamfer\" exclude each other", {}, "give one of them");
     return out;
 }
 

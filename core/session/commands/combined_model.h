@@ -11,10 +11,11 @@ namespace session {
 /// The result becomes the document's, with a message and figures of what came and went.
 void take(Context& context, solid::Combined result, const char* label);
 
-/// "creases": are seams sharp? "fillet": or rounded by a ball?
+/// "creases": are seams sharp? "fillet": or rounded by a ball? "chamfer": or cut flat?
 CommandParameter creasesParameter();
 CommandParameter filletParameter();
-/// Of a command that has both.
+CommandParameter chamferParameter();
+/// Of a command that has all of them. Throws base::Error where they exclude each other.
 solid::CombineOptions combineOptions(const nlohmann::json& complete);
 
 /// "nx,ny,nz,d" in coordinates of the file, relative to the model's origin. Throws base::Error.

@@ -73,6 +73,7 @@ CommandRow primitiveCommand() {
          largest},
         creasesParameter(),
         filletParameter(),
+        chamferParameter(),
     };
     return {"primitive",
             "Add a shape",
@@ -127,6 +128,7 @@ CommandRow drillCommand() {
          "", 0, largest},
         creasesParameter(),
         filletParameter(),
+        chamferParameter(),
     };
     return {"drill", "Drill", "Drills a round hole, through the model or to a depth.", parameters, true, false,
             drill,   nullptr};

@@ -86,6 +86,7 @@ CommandRow solidCommand() {
         {"scale", "number", "", "by which it is enlarged first", "1", "", positive, largest},
         creasesParameter(),
         filletParameter(),
+        chamferParameter(),
         {"seams", "boolean", "", "trace the curves where both surfaces cross, and tell their number and length",
          "false", "", 0, 0},
     };
