@@ -2,10 +2,9 @@
 
 #include "core/base/error.h"
 #include "core/cells/cell_section.h"
-#include "core/cells/seam_lines.h"
 #include "core/render/cast/raycast_image.h"
 #include "core/render/overlay/annotation_canvas.h"
-#include "core/render/overlay/section_lines.h"
+#include "core/render/overlay/seam_curves.h"
 #include "core/render/shading/measured_colours.h"
 #include "core/render/smooth_image.h"
 #include "core/render/splats/cpu_splatter.h"
@@ -80,21 +79,6 @@ void PictureMaker::drawSplats(const Camera& camera, const base::Progress& progre
         renderSmooth(*m_kept->renderer, model, camera, m_kept->style, out);
     else
         m_kept->renderer->render(model, camera, m_kept->style, out);
-}
-
-static std::vector<surface::SectionCurve> seamCurves(const surface::Surface& surface, const base::Progress& progress) {
-    std::vector<surface::SectionCurve> out;
-    for (const cells::SeamLine& line : cells::seamLines(surface, progress)) {
-        surface::SectionCurve& curve = out.emplace_back();
-        curve.closed = line.closed;
-        for (const cells::SeamPoint& p : line.points) {
-            surface::SectionPoint& at = curve.points.emplace_back();
-            at.position = p.position;
-            at.normal = p.normal;
-            at.unit = p.unit;
-        }
-    }
-    return out;
 }
 
 /// Sections and seams; what cuts the one cuts the other, but a plane does not cut its own sections.

@@ -8,15 +8,16 @@
 namespace ui {
 
 SculptView::SculptView(Editor& editor, Settings& settings, Viewport& viewport, QObject* parent)
-    : QObject(parent), m_editor(editor), m_settings(settings), m_viewport(viewport), m_cuts(editor), m_symmetry(editor),
-      m_motion(editor, m_cuts, *viewport.widget()), m_sizing(settings, m_motion, *viewport.widget()), m_source(editor),
+    : QObject(parent), m_editor(editor), m_settings(settings), m_viewport(viewport), m_cuts(editor), m_edges(editor),
+      m_symmetry(editor), m_motion(editor, m_cuts, *viewport.widget()),
+      m_sizing(settings, m_motion, *viewport.widget()), m_source(editor),
       m_strokes(editor, settings, m_motion, m_sizing, m_source),
       m_flight(m_motion.navigator(), editor, *viewport.widget()), m_look(editor, settings, *viewport.widget()),
       m_cursor(editor, settings, m_motion, m_sizing, *viewport.widget()),
       m_pointer({editor, settings, m_motion, m_flight, m_sizing, m_source, m_strokes, m_cursor}, *viewport.widget()),
       m_touch({editor, settings, m_motion, m_sizing, m_source, m_pointer}, *viewport.widget()),
       m_picker(editor, m_motion, *viewport.widget()),
-      m_overlay({editor, settings, m_motion, m_cuts, m_symmetry, m_source, m_strokes, m_look, m_pointer,
+      m_overlay({editor, settings, m_motion, m_cuts, m_edges, m_symmetry, m_source, m_strokes, m_look, m_pointer,
                  m_cursor.cursor(), m_touch, m_picker}) {
     viewport.paintOverlay = [this](QPainter& painter) {
         m_overlay.paint(painter, m_viewport.widget()->devicePixelRatioF());
@@ -37,6 +38,8 @@ void SculptView::connectParts() {
     connect(&m_sizing, &BrushSizing::changed, &m_pointer, &PointerRouter::followCursor);
     connect(&m_cuts, &CutPlanes::moved, this, [this] { refresh(true); });
     connect(&m_cuts, &CutPlanes::traced, this, [this] { m_viewport.widget()->update(); });
+    connect(&m_edges, &EdgeLines::traced, this, [this] { m_viewport.widget()->update(); });
+    connect(&m_edges, &EdgeLines::failed, this, &SculptView::hinted);
     connect(&m_symmetry, &SymmetryCurves::traced, this, [this] { m_viewport.widget()->update(); });
     connect(&m_cuts, &CutPlanes::failed, this, &SculptView::hinted);
     connect(&m_touch, &TouchInput::felt, this, [this] { m_viewport.widget()->update(); });
@@ -73,6 +76,8 @@ void SculptView::followModel() {
         m_motion.stand(now.up);
     }
     m_cuts.trace();
+    if (!busy())
+        m_edges.trace();
     refresh(busy());
 }
 

@@ -18,6 +18,7 @@ class SculptView : public QObject {
     ~SculptView() override;
 
     CutPlanes& cuts() { return m_cuts; }
+    EdgeLines& edges() { return m_edges; }
     ViewMotion& motion() { return m_motion; }
     BrushSizing& sizing() { return m_sizing; }
     CloneSource& source() { return m_source; }
@@ -51,6 +52,7 @@ class SculptView : public QObject {
     const Settings& m_settings;
     Viewport& m_viewport;
     CutPlanes m_cuts;
+    EdgeLines m_edges;
     SymmetryCurves m_symmetry;
     ViewMotion m_motion;
     BrushSizing m_sizing;

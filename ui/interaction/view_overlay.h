@@ -1,7 +1,8 @@
-// All that is painted over the picture: section curves, the pivot, symmetry, the clone source, annotations, the brush,
-// a notice of what is still working. Interface's thread only.
+// All that is painted over the picture: section curves, sharp edges, the pivot, symmetry, the clone source,
+// annotations, the brush, a notice of what is still working. Interface's thread only.
 #pragma once
 
+#include "ui/interaction/edge_lines.h"
 #include "ui/interaction/picker.h"
 #include "ui/interaction/picture_look.h"
 #include "ui/interaction/pointer_router.h"
@@ -19,6 +20,7 @@ class ViewOverlay {
         const Settings& settings;
         const ViewMotion& motion;
         const CutPlanes& cuts;
+        const EdgeLines& edges;
         const SymmetryCurves& symmetry;
         const CloneSource& source;
         const StrokeInput& strokes;

@@ -149,6 +149,7 @@ static void readTableRows(const QSettings& store, Settings& out) {
     readSet(store, "view/effects", render::effectTable(), &render::EffectRow::effect, out.effects);
     readSet(store, "view/annotations", render::annotationTable(), &render::AnnotationRow::annotation, out.annotated);
     out.grid = store.value("view/grid", out.grid).toBool();
+    out.edges = store.value("view/edges", out.edges).toBool();
     out.truth.on = store.value("view/trueSurface", out.truth.on).toBool();
     readNumber(store, "view/trueQuality", TruthSettings::minQuality, TruthSettings::maxQuality, out.truth.quality);
     raycast::Lighting& lighting = out.truth.lighting;
@@ -223,6 +224,7 @@ Entries entriesOf(const Settings& settings) {
     out["view/annotations"] =
         storedSet(render::annotationTable(), &render::AnnotationRow::annotation, settings.annotated);
     out["view/grid"] = settings.grid;
+    out["view/edges"] = settings.edges;
     out["view/trueSurface"] = settings.truth.on;
     out["view/trueQuality"] = settings.truth.quality;
     const raycast::Lighting& lighting = settings.truth.lighting;

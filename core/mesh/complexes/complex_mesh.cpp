@@ -1,6 +1,7 @@
 #include "core/mesh/complexes/complex_mesh.h"
 
 #include "core/base/error.h"
+#include "core/mesh/check/shape.h"
 #include "core/mesh/check/topology.h"
 #include "core/mesh/complexes/rim_chains.h"
 #include "core/mesh/finish/drop_triangles.h"
@@ -9,6 +10,7 @@
 #include "core/process/estimation/part_progress.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace mesh {
 
@@ -17,6 +19,8 @@ using base::Vec3d, base::Vec3f;
 namespace {
 
 using Side = std::pair<std::uint32_t, std::uint32_t>;
+
+constexpr int rounds = 8;
 
 /// A patch's triangles with the vertices of the whole mesh.
 class Sewing {
@@ -29,7 +33,8 @@ class Sewing {
         }
     }
 
-    void add(std::uint32_t patch, const PatchMesh& part) {
+    /// False where the patch came out torn or folded, as it may in acute corners, narrower than the cubes.
+    bool add(std::uint32_t patch, const PatchMesh& part) {
         std::vector<std::uint32_t> name(part.on.size());
         m_normals.clear();
         for (std::uint32_t v = 0; v < name.size(); ++v) {
@@ -50,8 +55,9 @@ class Sewing {
         fit(patch, triangles);
         for (const auto& [v, normal] : m_normals) // those of all its patches
             m_mesh.normals[v] += normal;
-        tidy(patch, triangles);
+        const bool sound = tidy(patch, triangles) && followsCurves(patch, triangles);
         m_mesh.triangles.insert(m_mesh.triangles.end(), triangles.begin(), triangles.end());
+        return sound;
     }
 
   private:
@@ -112,8 +118,17 @@ class Sewing {
         return found != m_normals.end() ? found->second : m_mesh.normals[v];
     }
 
-    /// Better triangles beside the boundary, which stays.
-    void tidy(std::uint32_t patch, std::vector<Triangle>& triangles) const {
+    /// Are all sides on the boundary links of the curves' chains?
+    bool followsCurves(std::uint32_t patch, std::span<const Triangle> triangles) const {
+        for (const auto& [side, count] : sidesOf(triangles))
+            if (count == 1 && (!onRim(side.first) || !onRim(side.second) ||
+                               !m_chains.between(patch, side.first, side.second).empty()))
+                return false;
+        return true;
+    }
+
+    /// Better triangles beside the boundary, which stays. False where they are no manifold, or flat ones are left.
+    bool tidy(std::uint32_t patch, std::vector<Triangle>& triangles) const {
         CutMesh local;
         std::map<std::uint32_t, std::uint32_t> names;
         std::vector<std::uint32_t> back;
@@ -135,7 +150,7 @@ class Sewing {
             local.facing.push_back(normalized(base::cast<double>(normalOf(t[0]) + normalOf(t[1]) + normalOf(t[2]))));
         }
         if (!topologyOf(local.mesh.triangles, back.size(), local.mesh.kinds).manifold())
-            return;
+            return false;
         for (int ring = 0; ring < 2; ++ring) {
             const std::vector<CreaseVertex> before = local.vertices;
             for (const Triangle& t : local.mesh.triangles)
@@ -147,6 +162,7 @@ class Sewing {
         triangles.clear();
         for (const Triangle& t : local.mesh.triangles)
             triangles.push_back({back[t[0]], back[t[1]], back[t[2]]});
+        return shapeOf(local.mesh).leastAngle > 0.02;
     }
 
     static std::map<Side, int> sidesOf(std::span<const Triangle> triangles) {
@@ -183,24 +199,40 @@ void finish(Mesh& mesh) {
 Mesh meshOfComplex(const complexes::Complex& complex, const ComplexMeshOptions& options,
                    const base::Progress& progress) {
     const std::size_t cells = complex.cells().size();
-    std::vector<PatchMesh> patches(cells);
-    for (std::uint32_t c = 0; c < cells; ++c) {
-        if (complex[c].dimension != 2)
-            continue;
-        if (complex[c].own.tree().empty())
-            throw base::Error("patch " + std::to_string(c) + " of the complex has no points of its own to mesh", {},
-                              "give it some");
-        const double done = static_cast<double>(c) / static_cast<double>(cells);
-        patches[c] = meshOfPatch(complex, c, options.cell,
-                                 process::part(progress, 0.9 * done, 0.9 * (done + 1.0 / static_cast<double>(cells))));
-    }
-    progress.step(0.9, "sewing patches");
-    const RimChains chains(complex, patches);
-    Mesh out;
-    Sewing sewing(chains, out);
+    std::vector<std::uint32_t> wanted;
     for (std::uint32_t c = 0; c < cells; ++c)
-        if (complex[c].dimension == 2)
-            sewing.add(c, patches[c]);
+        if (complex[c].dimension == 2) {
+            if (complex[c].own.tree().empty())
+                throw base::Error("patch " + std::to_string(c) + " of the complex has no points of its own to mesh", {},
+                                  "give it some");
+            wanted.push_back(c);
+        }
+    std::vector<PatchMesh> patches(cells);
+    Mesh out;
+    std::size_t least = cells + 1;
+    // Patches that come out badly are cut by other cubes, with which the curves are, too.
+    for (int round = 0; round < rounds && !wanted.empty(); ++round) {
+        const base::Progress making = process::part(progress, 1 - std::pow(0.5, round), 1 - std::pow(0.5, round + 1));
+        const Vec3d shift = Vec3d{0.37, 0.61, 0.23} * static_cast<double>(round);
+        for (std::size_t k = 0; k < wanted.size(); ++k) {
+            const auto share = [&](std::size_t n) {
+                return static_cast<double>(n) / static_cast<double>(wanted.size());
+            };
+            patches[wanted[k]] =
+                meshOfPatch(complex, wanted[k], options.cell, shift, process::part(making, share(k), share(k + 1)));
+        }
+        const RimChains chains(complex, patches);
+        Mesh sewn;
+        Sewing sewing(chains, sewn);
+        wanted.clear();
+        for (std::uint32_t c = 0; c < cells; ++c)
+            if (complex[c].dimension == 2 && !sewing.add(c, patches[c]))
+                wanted.push_back(c);
+        if (wanted.size() < least) {
+            least = wanted.size();
+            out = std::move(sewn);
+        }
+    }
     if (out.triangles.empty())
         throw base::Error("no surface was found to mesh", "", "check the complex's patches");
     finish(out);

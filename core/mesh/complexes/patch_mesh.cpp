@@ -149,10 +149,11 @@ std::set<std::uint32_t> boundaryVertices(std::span<const Triangle> triangles) {
 
 } // namespace
 
-PatchMesh meshOfPatch(const complexes::Complex& complex, std::uint32_t patch, double cell,
+PatchMesh meshOfPatch(const complexes::Complex& complex, std::uint32_t patch, double cell, const Vec3d& shift,
                       const base::Progress& progress) {
     MarchingOptions options;
     options.cell = cell;
+    options.shift = shift;
     options.solid = false;
     options.creases = false;
     MarchingReport report;

@@ -18,7 +18,8 @@ struct PatchMesh {
 
 /// All boundary vertices lie on cells of the patch's boundary, where it has one. REQUIRES: a patch with points of its
 /// own. Throws base::Error where they make no surface, base::Cancelled.
-PatchMesh meshOfPatch(const complexes::Complex& complex, std::uint32_t patch, double cell,
+/// `shift`: of the cubes, in cells.
+PatchMesh meshOfPatch(const complexes::Complex& complex, std::uint32_t patch, double cell, const base::Vec3d& shift,
                       const base::Progress& progress);
 
 } // namespace mesh

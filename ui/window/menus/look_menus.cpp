@@ -102,6 +102,13 @@ static void addAroundMenu(MainWindow& window, QMenu& view) {
                   window.settings().grid = on;
                   window.sculptView().refresh();
               });
+    addSwitch(*menu, "edges", QObject::tr("Sharp Edges"),
+              QObject::tr("Lines along the edges that the model keeps sharp"), window.settings().edges,
+              [&window](bool on) {
+                  window.settings().edges = on;
+                  window.sculptView().edges().show(on);
+              });
+    window.sculptView().edges().show(window.settings().edges);
     for (const auto& row : render::annotationTable())
         addBit(window, *menu, row, std::uint32_t(row.annotation), window.settings().annotated);
 }
