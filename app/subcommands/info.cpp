@@ -65,7 +65,9 @@ void describeSurface(ordered_json& out, session::OpenedFile file, const base::Pr
             out["spacing"] = summaryOf(process::spacings(surfels.items, process::part(progress, 0.8, 1)));
         }
         out["merged"] = made.merged;
-        out["cells"] = cells::countCells(surfels).cells;
+        const surface::SurfaceDefinition& definition = made.surface.definition();
+        out["cells"] = definition.manifold == surface::Manifold::Complex ? definition.connectivity->cells.size()
+                                                                         : cells::countCells(surfels).cells;
         out["shapes"] = anyEllipsoid(surfels);
         std::vector<float> supports;
         for (const surfel::Surfel& s : surfels.items)

@@ -1,6 +1,7 @@
 #include "core/session/opened_file.h"
 
 #include "core/base/error.h"
+#include "core/complexes/complex.h"
 #include "core/process/estimation/prepare.h"
 #include "core/process/estimation/up_guess.h"
 
@@ -66,6 +67,7 @@ MadeModel made(OpenedFile& file, const base::Progress& progress) {
     options.shape = &model.shape;
     surface::Surface surface =
         inNameOf(file.name, [&] { return process::prepare(std::move(model.points), options, progress); });
+    inNameOf(file.name, [&] { return complexes::Complex::of(surface); }); // one that is none is refused
     if (merged > 0)
         model.messages.push_back(mergedMessage(merged));
     if (turned)

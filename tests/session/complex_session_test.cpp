@@ -15,6 +15,7 @@ class ComplexSessionTest : public QObject {
   private Q_SLOTS:
     void savedComplexesOpenAsTheyWere();
     void journalsBringThemBack();
+    void filesWithoutWhatCellsNeedAreRefused();
     void whatIsPrescribedMovesAlong();
     void whatWouldBreakThemIsRefused();
     void theSamePointsMayBeOneSurface();
@@ -52,6 +53,19 @@ void ComplexSessionTest::journalsBringThemBack() {
     session::recover(bench.path("journal.jsonl"), back.context);
     QCOMPARE(back.hash(), bench.hash());
     QVERIFY(*back.document.surface().definition().connectivity == *bench.document.surface().definition().connectivity);
+}
+
+void ComplexSessionTest::filesWithoutWhatCellsNeedAreRefused() {
+    Workbench bench;
+    const std::string text = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+                             "property float z\nproperty int complex_cell\nelement complex_cell 3\n"
+                             "property int dimension\nproperty list uchar int boundary\nend_header\n";
+    const std::string points = "0 0 0 0\n1 0 0 1\n0.3 0 0 2\n0.6 0 0 2\n", cells = "0 0\n0 0\n1 2 0 1\n";
+    bench.run({{"op", "open"}, {"path", test::write(bench.path("sound.ply"), text + points + cells).string()}});
+    for (const char* wrong : {"0 0 0 0\n1 0 0 1\n0.3 0 0 1\n0.6 0 0 2\n", "0 0 0 0\n1 0 0 1\n0.3 0 0 2\n0.6 0 0 5\n"})
+        QVERIFY(
+            !bench.refusal({{"op", "open"}, {"path", test::write(bench.path("a.ply"), text + wrong + cells).string()}})
+                 .empty());
 }
 
 void ComplexSessionTest::whatIsPrescribedMovesAlong() {
