@@ -23,8 +23,8 @@ void tell(const std::vector<SeamLine>& lines) {
         for (const SeamPoint& p : lines[i].points)
             turn += p.turn / static_cast<double>(lines[i].points.size());
         std::cout << "seam " << i << ": cells " << lines[i].a << " and " << lines[i].b << ", length "
-                  << lines[i].length() << ", turns by " << turn << " degrees, " << (lines[i].closed ? "closed" : "open")
-                  << '\n';
+                  << lines[i].length() << ", turns by " << turn << " degrees, "
+                  << (lines[i].closed ? "a closed curve" : "from end to end") << '\n';
         length += lines[i].length();
     }
     if (lines.size() > 1)

@@ -56,15 +56,14 @@ static std::vector<SeamLine> ofComplex(const complexes::Complex& complex) {
             if (const auto& b = complex[c].boundary;
                 complex[c].dimension == 2 && std::find(b.begin(), b.end(), curve) != b.end())
                 patches.push_back(c);
-        if (patches.empty())
-            patches.push_back(curve);
+        if (patches.size() < 2) // where it ends, or a curve of its own
+            continue;
         const complexes::TracedCurve traced = trace(complex, curve);
         SeamLine line{patches.front(), patches.back(), {}, traced.closed};
         for (const Vec3d& x : traced.points) {
             const complexes::CellFrame a = frameOf(complex, line.a, x), b = frameOf(complex, line.b, x, a.axis);
-            const bool patch = complex[line.a].dimension == 2;
             const bool standsOut = dot(a.axis - b.axis, b.ownCentre - a.ownCentre) < 0;
-            line.points.push_back(patch ? pointOf(x, a.axis, b.axis, standsOut, a.unit) : SeamPoint{x, {}, 0, a.unit});
+            line.points.push_back(pointOf(x, a.axis, b.axis, standsOut, a.unit));
         }
         out.push_back(std::move(line));
     }

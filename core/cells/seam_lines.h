@@ -17,7 +17,7 @@ struct SeamPoint {
 };
 
 struct SeamLine {
-    std::uint32_t a = 0, b = 0; ///< the cells that meet; the same twice where a complex ends
+    std::uint32_t a = 0, b = 0; ///< the cells that meet
     std::vector<SeamPoint> points;
     bool closed = false;
 

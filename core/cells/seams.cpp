@@ -21,6 +21,7 @@ namespace {
 constexpr double stepLength = 0.5;    ///< spacings
 constexpr double shortestStep = 0.02; ///< spacings: steps are halved to this where a seam turns or ends
 constexpr double taken = 0.4;         ///< spacings: feet so near to a seam belong to it
+constexpr double takenWhereFlat = 1;  ///< the same, where feet are as uncertain as weights
 constexpr double closing = 0.75;      ///< steps from the end to the beginning of what is closed
 constexpr double farthestFoot = 3;    ///< spacings from a surfel beside the crease
 constexpr double leastCosine = 0.8;   ///< of the turn in one step
@@ -192,7 +193,7 @@ class PairTracer {
                     const Vec3d way = to - from;
                     const double along =
                         lengthSq(way) > 0 ? std::clamp(dot(p - from, way) / lengthSq(way), 0.0, 1.0) : 0;
-                    out |= base::distance(p, from + way * along) < taken * spacing;
+                    out |= base::distance(p, from + way * along) < (m_flat ? takenWhereFlat : taken) * spacing;
                 }
         });
         return out;

@@ -10,12 +10,22 @@ using surface::Status;
 
 namespace {
 
-/// Cells that bound no other, and how near they may be at best.
+/// Cells that bound no other, and how near they may be at best: no farther than a support from a point of theirs.
 std::vector<std::pair<double, std::uint32_t>> topCells(const Complex& complex, const Vec3d& x) {
     std::vector<std::pair<double, std::uint32_t>> out;
-    for (std::uint32_t i = 0; i < complex.cells().size(); ++i)
-        if (!complex[i].bounding)
-            out.emplace_back(std::sqrt(complex[i].bounds.distanceSq(x)), i);
+    std::vector<tree::Neighbour> near;
+    for (std::uint32_t i = 0; i < complex.cells().size(); ++i) {
+        const Cell& cell = complex[i];
+        if (cell.bounding)
+            continue;
+        double atLeast = std::sqrt(cell.bounds.distanceSq(x));
+        if (!cell.own.tree().empty()) {
+            cell.own.tree().nearest(base::cast<float>(x), 1, near);
+            atLeast = std::max(atLeast, 0.999 * std::sqrt(static_cast<double>(near[0].distanceSq)) -
+                                            static_cast<double>(cell.own.tree().maxSupport()));
+        }
+        out.emplace_back(atLeast, i);
+    }
     std::sort(out.begin(), out.end());
     return out;
 }

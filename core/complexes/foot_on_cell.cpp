@@ -67,7 +67,7 @@ class Walk {
     CellFoot run() {
         Vec3d x = start();
         CellFoot out;
-        constexpr int most = 60;
+        constexpr int most = 100;
         constexpr double settled = 1e-13, enough = 1e-9; // of h
         double moved = std::numeric_limits<double>::infinity();
         CellFrame frame;
@@ -144,7 +144,7 @@ class Walk {
         return out;
     }
 
-    Vec3d step(const Vec3d& x, const CellFrame& frame) const {
+    Vec3d step(const Vec3d& x, const CellFrame& frame) {
         const int dimension = m_complex[m_cell].dimension;
         if (m_options.projector == Projector::Basic)
             return frame.foot(dimension, x);
@@ -157,16 +157,27 @@ class Walk {
         return limited(x, frame.foot(dimension, m_from), frame);
     }
 
-    /// Seen from far away a step leads out of what the frame tells of.
-    static Vec3d limited(const Vec3d& x, const Vec3d& next, const CellFrame& frame) {
-        const double by = base::distance(x, next), most = 0.25 * frame.unit;
-        return by <= most ? next : x + (next - x) * (most / by);
+    /// Across the cell all the way. Along it by as much as the last step has shown to be right [Barzilai88]: seen from
+    /// beyond the centre of a bend whole steps swing to and fro.
+    Vec3d limited(const Vec3d& x, const Vec3d& next, const CellFrame& frame) {
+        const Vec3d below = frame.foot(m_complex[m_cell].dimension, x), along = next - below;
+        double part = 1;
+        if (m_step != Vec3d{}) {
+            const double change = dot(m_step, m_along - along);
+            part = change > 0 ? std::clamp(lengthSq(m_step) / change, leastPart, 1.0) : 1.0;
+        }
+        m_along = along;
+        const double by = part * length(along), most = 0.25 * frame.unit;
+        m_step = along * (by <= most ? part : part * most / by);
+        return below + m_step;
     }
 
     const Complex& m_complex;
     std::uint32_t m_cell;
     Vec3d m_from;
     FootOptions m_options;
+    Vec3d m_along, m_step; ///< of the last step: all that it might have been along the cell, and what was taken
+    static constexpr double leastPart = 1.0 / 1024;
 };
 
 } // namespace

@@ -88,7 +88,7 @@ surface::Connectivity PlyComplex::made(const FileBytes& file, const Vec3d& origi
     try {
         requireSound(out);
     } catch (const base::Error& error) {
-        file.fail(error.message(), "correct the file's element complex_cell");
+        throw base::Error(error.message(), file.path().string());
     }
     return out;
 }

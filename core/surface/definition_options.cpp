@@ -13,7 +13,10 @@ std::span<const DefinitionOption> definitionOptionTable() {
     using D = SurfaceDefinition;
     using R = DefinitionRange;
     static const DefinitionOption rows[] = {
-        {"manifold", "", "what the points sample", &D::manifold},
+        {"manifold", "",
+         "what the points sample; a complex: patches, curves and corners that are glued to each other, as the file "
+         "tells",
+         &D::manifold},
         {"frame", "", "where the normal of the local plane comes from", &D::frame},
         {"weight", "", "how a point's weight falls off with distance", &D::weight},
         {"support",

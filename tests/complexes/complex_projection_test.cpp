@@ -20,6 +20,7 @@ class ComplexProjectionTest : public QObject {
   private Q_SLOTS:
     void aSquareEndsAtItsEdges();
     void flatFacesAreExact();
+    void positionsFarAwayFindTheNearest();
     void feetAreFeet_data();
     void feetAreFeet();
     void edgesAreTheSameFromBothFaces();
@@ -72,6 +73,30 @@ void ComplexProjectionTest::flatFacesAreExact() {
         QVERIFY2(foot.ok() && std::abs(base::distance(foot.position, x) - nearest) < 2e-7, // points are floats
                  qPrintable(
                      QString("off by %1, seed %2").arg(base::distance(foot.position, x) - nearest).arg(test::seed())));
+    }
+}
+
+void ComplexProjectionTest::positionsFarAwayFindTheNearest() {
+    const Complex octant = complex_models::complexOf("octant", 3000);
+    const Complex ball = complex_models::complexOf("rounded", 2000);
+    Random random(test::seed());
+    for (int k = 0; k < test::effort(50); ++k) {
+        const Vec3d u = random.unitVector(), inside = normalized(Vec3d{std::abs(u.x), std::abs(u.y), std::abs(u.z)});
+        const double far = random.uniform(1.05, 8);
+        for (const Projector projector : {Projector::Almost, Projector::Orthogonal}) {
+            const CellFoot round = project(octant, inside * far, projector), any = project(ball, u * far, projector);
+            // not nearer than it is; how far off in direction the frames are counts with the distance
+            QVERIFY2(round.ok() && base::distance(round.position, inside * far) < far - 1 + 0.01,
+                     qPrintable(QString("octant from %1: off by %2, seed %3")
+                                    .arg(far)
+                                    .arg(base::distance(round.position, inside * far) - far + 1)
+                                    .arg(test::seed())));
+            QVERIFY2(any.ok() && base::distance(any.position, u * far) < far - 1 + 0.01,
+                     qPrintable(QString("ball from %1: off by %2, seed %3")
+                                    .arg(far)
+                                    .arg(base::distance(any.position, u * far) - far + 1)
+                                    .arg(test::seed())));
+        }
     }
 }
 
