@@ -97,8 +97,8 @@ void SeamsTest::complexesAreQueriedAndMeshed() {
 void SeamsTest::picturesOfComplexesAgree() {
     const Program program;
     const auto pixelsOf = [&](const QStringList& how) {
-        const Outcome outcome = program.run(
-            QStringList{"render", "sample:octant:2000", "-o", "a.png", "--size", "160x120"} + how);
+        const Outcome outcome =
+            program.run(QStringList{"render", "sample:octant:2000", "-o", "a.png", "--size", "160x120"} + how);
         return outcome.code == 0 ? QImage(QString::fromStdString(program.path("a.png"))) : QImage();
     };
     const QImage splats = pixelsOf({"--transparent"}), rays = pixelsOf({"--transparent", "--mode", "raycast"}),
