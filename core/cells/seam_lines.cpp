@@ -2,11 +2,13 @@
 
 #include "core/base/parallel.h"
 #include "core/cells/cell_source.h"
+#include "core/cells/feet.h"
 #include "core/cells/seams.h"
 #include "core/complexes/cell_frame.h"
 #include "core/complexes/curve_trace.h"
 
 #include <algorithm>
+#include <set>
 
 namespace cells {
 
@@ -46,16 +48,59 @@ static std::vector<SeamLine> ofCells(const CellSurface& surface, const base::Pro
     return out;
 }
 
+/// Marching ends a little before a corner. Where three lines and more do, all get the corner itself as their end.
+static void joinAtCorners(const CellSurface& surface, std::vector<SeamLine>& lines) {
+    struct End {
+        std::size_t line;
+        bool front;
+    };
+    std::vector<End> ends;
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        if (!lines[i].closed && lines[i].points.size() > 1)
+            ends.push_back({i, true}), ends.push_back({i, false});
+    const auto pointOf = [&](const End& e) -> SeamPoint& {
+        return e.front ? lines[e.line].points.front() : lines[e.line].points.back();
+    };
+    std::vector<std::uint8_t> done(ends.size(), 0);
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+        const double reach = surface::spacingOfUnit * pointOf(ends[i]).unit;
+        std::vector<std::size_t> here;
+        Vec3d mean;
+        for (std::size_t k = i; k < ends.size(); ++k)
+            if (!done[k] && base::distance(pointOf(ends[k]).position, pointOf(ends[i]).position) < reach) {
+                here.push_back(k);
+                mean += pointOf(ends[k]).position;
+            }
+        if (here.size() < 3)
+            continue;
+        mean = mean / static_cast<double>(here.size());
+        std::set<std::uint32_t> meeting;
+        for (const std::size_t k : here)
+            meeting.insert({lines[ends[k].line].a, lines[ends[k].line].b});
+        const std::vector<std::uint32_t> which(meeting.begin(), meeting.end());
+        CellSource source(surface);
+        source.moveTo(mean);
+        const std::optional<Vec3d> found = which.size() < 3 ? std::nullopt : Feet(source, mean, {}).corner(which, mean);
+        const Vec3d corner = found && base::distance(*found, mean) < reach ? *found : mean;
+        for (const std::size_t k : here) {
+            done[k] = 1;
+            SeamPoint end = pointOf(ends[k]);
+            end.position = corner;
+            std::vector<SeamPoint>& points = lines[ends[k].line].points;
+            points.insert(ends[k].front ? points.begin() : points.end(), end);
+        }
+    }
+}
+
 static std::vector<SeamLine> ofComplex(const complexes::Complex& complex) {
+    std::vector<std::vector<std::uint32_t>> patchesOf(complex.cells().size()); // of curves
+    for (std::uint32_t c = 0; c < complex.cells().size(); ++c)
+        if (complex[c].dimension == 2)
+            for (const std::uint32_t curve : complex[c].boundary)
+                patchesOf[curve].push_back(c);
     std::vector<SeamLine> out;
     for (std::uint32_t curve = 0; curve < complex.cells().size(); ++curve) {
-        if (complex[curve].dimension != 1)
-            continue;
-        std::vector<std::uint32_t> patches;
-        for (std::uint32_t c = 0; c < complex.cells().size(); ++c)
-            if (const auto& b = complex[c].boundary;
-                complex[c].dimension == 2 && std::find(b.begin(), b.end(), curve) != b.end())
-                patches.push_back(c);
+        const std::vector<std::uint32_t>& patches = patchesOf[curve];
         if (patches.size() < 2) // where it ends, or a curve of its own
             continue;
         const complexes::TracedCurve traced = trace(complex, curve);
@@ -75,7 +120,7 @@ std::vector<SeamLine> seamLines(const surface::Surface& surface, const base::Pro
     if (const auto complex = complexes::Complex::of(surface))
         out = ofComplex(*complex);
     else if (const auto byCells = CellSurface::of(surface))
-        out = ofCells(*byCells, progress);
+        out = ofCells(*byCells, progress), joinAtCorners(*byCells, out);
     std::erase_if(out, [](const SeamLine& line) { return line.points.size() < 2; });
     std::stable_sort(out.begin(), out.end(),
                      [](const SeamLine& a, const SeamLine& b) { return a.length() > b.length(); });

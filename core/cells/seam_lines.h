@@ -24,7 +24,8 @@ struct SeamLine {
     double length() const;
 };
 
-/// The longest first. Nothing for models that have no sharp edges. Throws base::Cancelled.
+/// The longest first; those that meet at a corner share its place as their ends. Nothing for models that have no sharp
+/// edges. Throws base::Cancelled.
 std::vector<SeamLine> seamLines(const surface::Surface& surface, const base::Progress& progress = {});
 
 } // namespace cells

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <QImage>
 #include <QTest>
+#include <set>
 
 using test::Outcome;
 using test::Program;
@@ -44,6 +45,13 @@ void SeamsTest::aBoxHasTwelve() {
         most = std::max(most, at(0));
     }
     QCOMPARE(most, 11.0);
+    std::set<std::vector<std::string>> corners; // as written: lines share them to the last digit
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+        const bool first = i == 1 || rows[i - 1][0] != rows[i][0];
+        if (first || i + 1 == rows.size() || rows[i + 1][0] != rows[i][0])
+            corners.insert({rows[i][2], rows[i][3], rows[i][4]});
+    }
+    QCOMPARE(corners.size(), std::size_t(8));
     QVERIFY2(outcome.out.find("all: length 1") != std::string::npos, outcome.out.c_str()); // 18, or just below
 }
 

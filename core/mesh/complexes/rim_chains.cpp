@@ -26,26 +26,32 @@ RimChains::RimChains(const complexes::Complex& complex, const std::vector<PatchM
             m_points[c] = static_cast<std::uint32_t>(m_vertices.size());
             m_vertices.push_back({complex.place(c), c});
         }
+    std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>> cuts(complex.cells().size());
     for (std::uint32_t p = 0; p < patches.size(); ++p)
-        for (std::uint32_t v = 0; v < patches[p].on.size(); ++v)
-            if (const std::uint32_t on = patches[p].on[v]; on != PatchMesh::inside && complex[on].dimension == 0)
+        for (std::uint32_t v = 0; v < patches[p].on.size(); ++v) {
+            const std::uint32_t on = patches[p].on[v];
+            if (on == PatchMesh::inside)
+                continue;
+            if (complex[on].dimension == 0)
                 m_of[p][v] = m_points.at(on);
+            else
+                cuts[on].emplace_back(p, v);
+        }
     for (std::uint32_t c = 0; c < complex.cells().size(); ++c)
         if (complex[c].dimension == 1)
-            addCurve(complex, patches, c);
+            addCurve(patches, c, cuts[c]);
 }
 
-void RimChains::addCurve(const complexes::Complex& complex, const std::vector<PatchMesh>& patches,
-                         std::uint32_t curve) {
+void RimChains::addCurve(const std::vector<PatchMesh>& patches, std::uint32_t curve,
+                         const std::vector<std::pair<std::uint32_t, std::uint32_t>>& vertices) {
+    const complexes::Complex& complex = m_complex;
     const complexes::TracedCurve traced = trace(complex, curve);
     std::vector<Cut> cuts;
     double cell = std::numeric_limits<double>::infinity();
-    for (std::uint32_t p = 0; p < patches.size(); ++p)
-        for (std::uint32_t v = 0; v < patches[p].on.size(); ++v)
-            if (patches[p].on[v] == curve) {
-                cuts.push_back({traced.wayOf(patches[p].mesh.positions[v]), p, v});
-                cell = std::min(cell, patches[p].cell);
-            }
+    for (const auto& [p, v] : vertices) {
+        cuts.push_back({traced.wayOf(patches[p].mesh.positions[v]), p, v});
+        cell = std::min(cell, patches[p].cell);
+    }
     std::sort(cuts.begin(), cuts.end(), [](const Cut& a, const Cut& b) {
         return a.way != b.way ? a.way < b.way : a.patch != b.patch ? a.patch < b.patch : a.vertex < b.vertex;
     });
@@ -131,7 +137,8 @@ std::vector<std::uint32_t> RimChains::between(std::uint32_t patch, std::uint32_t
             const Chain &from = m_chains.at(first), &to = m_chains.at(second);
             if (first == second || !on(from, a) || !on(to, b))
                 continue;
-            for (const auto& [cell, corner] : m_points) {
+            for (const std::uint32_t cell : m_complex[patch].sharedEnds) {
+                const std::uint32_t corner = m_points.at(cell);
                 if (!on(from, corner) || !on(to, corner))
                     continue;
                 std::vector<std::uint32_t> way = along(from, a, corner);

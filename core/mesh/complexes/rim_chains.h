@@ -35,7 +35,9 @@ class RimChains {
     };
     using Places = std::vector<std::size_t>; ///< in a chain
 
-    void addCurve(const complexes::Complex& complex, const std::vector<PatchMesh>& patches, std::uint32_t curve);
+    /// `vertices`: those that lie on the curve, as patch and number in it.
+    void addCurve(const std::vector<PatchMesh>& patches, std::uint32_t curve,
+                  const std::vector<std::pair<std::uint32_t, std::uint32_t>>& vertices);
     Places placesIn(const Chain& chain, std::uint32_t v) const;
     std::vector<std::uint32_t> along(const Chain& chain, std::uint32_t a, std::uint32_t b) const;
 

@@ -83,17 +83,15 @@ void assignComplexSupports(surfel::SurfelList& points, const surface::SurfaceDef
         for (const std::uint32_t i : byCell[c])
             typical[c] += points.items[i].support / static_cast<float>(byCell[c].size());
     }
-    for (std::size_t c = 0; c < cells.size(); ++c) {
-        if (cells[c].dimension != 0)
-            continue;
-        float sum = 0;
-        int count = 0;
-        for (std::size_t other = 0; other < cells.size(); ++other)
-            if (std::count(cells[other].boundary.begin(), cells[other].boundary.end(), c) > 0 && typical[other] > 0)
-                sum += typical[other], ++count;
+    std::vector<float> sum(cells.size(), 0), count(cells.size(), 0); // of the curves that end in a point
+    for (std::size_t c = 0; c < cells.size(); ++c)
+        for (const std::uint32_t end : cells[c].boundary)
+            if (typical[c] > 0)
+                sum[end] += typical[c], ++count[end];
+    for (std::size_t c = 0; c < cells.size(); ++c)
         for (const std::uint32_t i : byCell[c])
-            put(i, count > 0 ? sum / static_cast<float>(count) : 1);
-    }
+            if (cells[c].dimension == 0)
+                put(i, count[c] > 0 ? sum[c] / count[c] : 1);
     // a cell of one sample has no spacing: that of its neighbours in the complex
     const float largest = *std::max_element(typical.begin(), typical.end());
     for (surfel::Surfel& s : points.items)
