@@ -4,6 +4,7 @@
 #include "core/cells/cell_roots.h"
 #include "core/cells/local_boolean.h"
 #include "core/surface/rays/ray_order.h"
+#include "core/tree/morton.h"
 
 #include <cassert>
 
@@ -207,7 +208,18 @@ static void forConcerned(const CellSurface& surface, std::span<const Rayf> rays,
     std::vector<std::uint8_t> concerned(rays.size());
     base::parallelFor(rays.size(), grain,
                       [&](std::size_t i) { concerned[i] = concerns(surface, rays[i], hit(i), options) ? 1 : 0; });
-    const std::vector<std::uint32_t> order = surface::viewOrder(rays, surface.surface().tree().bounds());
+    std::vector<std::uint32_t> order = surface::viewOrder(rays, surface.surface().tree().bounds());
+    if (order.empty() && rays.size() > shared) { // from anywhere: by where they meet the smooth surface, or begin
+        const base::Box3f box = surface.surface().tree().bounds();
+        std::vector<base::Vec3f> places(rays.size());
+        base::parallelFor(rays.size(), grain, [&](std::size_t i) {
+            const RayHit<float>& there = hit(i);
+            const base::Vec3f& x = there.hit ? there.position : rays[i].origin;
+            places[i] = {std::clamp(x.x, box.lo.x, box.hi.x), std::clamp(x.y, box.lo.y, box.hi.y),
+                         std::clamp(x.z, box.lo.z, box.hi.z)};
+        });
+        order = tree::sortedIndices(places, box);
+    }
     std::vector<std::size_t> list;
     for (std::size_t k = 0; k < rays.size(); ++k)
         if (const std::size_t i = order.empty() ? k : order[k]; concerned[i] != 0)
