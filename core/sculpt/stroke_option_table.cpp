@@ -75,14 +75,6 @@ std::span<const StrokeOption> strokeOptionTable() {
         {"auto-smooth", "Auto-smooth", "", "Strength of smoothing after every dab.", "", Brush, &S::autoSmooth, shapes},
         {"invert", "Invert", "", "Does the opposite: pushes in, carves.", "Ctrl does it while held.", Brush, &S::invert,
          always},
-        {"edge", "Edge", "",
-         "How sharp an edge the stroke leaves along its way, one that later strokes keep; 0: none, the line is as "
-         "round "
-         "as points make it.",
-         "", Brush, &S::edge, drawsLines},
-        {"fade-edges", "Fade edges", "",
-         "Edges that stay sharp give way under the brush, by its strength and falloff; off: they are kept.", "", Brush,
-         &S::fadeEdges, smooths},
         {"accumulate", "Accumulate", "",
          "Dabs build on each other; off: they work on the surface as the stroke found it, and do not pile up.", "",
          Brush, &S::accumulate, pilesUp},
@@ -107,6 +99,14 @@ std::span<const StrokeOption> strokeOptionTable() {
          always,
          {},
          Scope::Stroke},
+        {"edge", "Edge", "",
+         "How sharp an edge the stroke leaves along its way, one that later strokes keep; 0: none, the line is as "
+         "round "
+         "as points make it.",
+         "", Brush, &S::edge, drawsLines},
+        {"fade-edges", "Fade edges", "",
+         "Edges that stay sharp give way under the brush, by its strength and falloff; off: they are kept.", "", Brush,
+         &S::fadeEdges, smooths},
         {"falloff", "Falloff", "", "How a dab fades from its centre to its rim.", "", Falloff, &S::falloff, always},
         {"falloff-curve", "Falloff curve", "", "For the falloff custom: weight over distance in radii.",
          "Click to add a point, drag to move it, right-click to remove it.", Falloff, &S::falloffCurve, always},

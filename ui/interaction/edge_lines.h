@@ -1,5 +1,5 @@
-// The edges that stay sharp as lines over the picture, traced in the background whenever the model rests. Interface's
-// thread only.
+// The edges that stay sharp as lines over the picture: traced, and looked at by rays for what hides them, in the
+// background whenever model and view rest. While either moves there are none. Interface's thread only.
 #pragma once
 
 #include "core/render/overlay/section_lines.h"
@@ -19,23 +19,36 @@ class EdgeLines : public QObject {
 
     void show(bool on);
     bool shown() const { return m_shown; }
-    /// Of the model as it was traced last; empty while they are not shown.
-    const std::vector<surface::SectionCurve>& curves() const { return m_curves; }
-    /// Asks for those of the model as it is now, unless they are there or on their way.
-    void trace();
+    /// How many the model has, as it was traced last.
+    std::size_t count() const { return m_shown ? m_seen.count : 0; }
+    /// Those parts that the camera sees of the model as it is; empty until somebody has looked.
+    const std::vector<surface::SectionCurve>& visible(const render::Camera& camera) const;
+    /// Asks for what this camera sees of the model as it is now, unless that is there or on its way.
+    void look(const render::Camera& camera);
 
   Q_SIGNALS:
-    void traced();                ///< curves() are new
+    void looked();                ///< there is something new
     void failed(QString message); ///< tracing stopped, and why
 
   private:
-    using Curves = std::vector<surface::SectionCurve>;
+    struct Wanted {
+        surface::Surface surface;
+        render::Camera camera;
+    };
+    struct Seen {
+        const void* root = nullptr; ///< of the version
+        render::Camera camera;
+        std::size_t count = 0;
+        std::vector<surface::SectionCurve> parts;
+    };
+    class Looker; ///< on the worker's thread
 
     const Editor& m_editor;
     bool m_shown = false;
-    Curves m_curves;
-    const void* m_tracedRoot = nullptr;                       ///< of the version last asked to be traced
-    std::unique_ptr<LatestWorker<surface::Surface>> m_worker; ///< last: its thread ends first
+    Seen m_seen;
+    const void* m_askedRoot = nullptr;
+    render::Camera m_askedCamera;
+    std::unique_ptr<LatestWorker<Wanted>> m_worker; ///< last: its thread ends first
 };
 
 } // namespace ui

@@ -38,7 +38,7 @@ void SculptView::connectParts() {
     connect(&m_sizing, &BrushSizing::changed, &m_pointer, &PointerRouter::followCursor);
     connect(&m_cuts, &CutPlanes::moved, this, [this] { refresh(true); });
     connect(&m_cuts, &CutPlanes::traced, this, [this] { m_viewport.widget()->update(); });
-    connect(&m_edges, &EdgeLines::traced, this, [this] { m_viewport.widget()->update(); });
+    connect(&m_edges, &EdgeLines::looked, this, [this] { m_viewport.widget()->update(); });
     connect(&m_edges, &EdgeLines::failed, this, &SculptView::hinted);
     connect(&m_symmetry, &SymmetryCurves::traced, this, [this] { m_viewport.widget()->update(); });
     connect(&m_cuts, &CutPlanes::failed, this, &SculptView::hinted);
@@ -53,6 +53,8 @@ void SculptView::connectParts() {
 void SculptView::refresh(bool moving) {
     if (!busy())
         m_symmetry.trace(m_settings.shared.symmetry.planes);
+    if (!busy() && !moving)
+        m_edges.look(m_motion.shownCamera());
     m_viewport.show(m_look.frame(m_motion.shownCamera(), moving, m_viewInput));
     m_pointer.followCursor();
 }
@@ -76,8 +78,6 @@ void SculptView::followModel() {
         m_motion.stand(now.up);
     }
     m_cuts.trace();
-    if (!busy())
-        m_edges.trace();
     refresh(busy());
 }
 

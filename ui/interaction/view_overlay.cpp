@@ -1,6 +1,5 @@
 #include "ui/interaction/view_overlay.h"
 
-#include "core/render/overlay/seam_curves.h"
 #include "ui/overlay/annotation_overlay.h"
 #include "ui/overlay/pick_overlay.h"
 #include "ui/overlay/pivot_overlay.h"
@@ -24,11 +23,9 @@ void ViewOverlay::paint(QPainter& painter, double pixelRatio) const {
         beneath(painter, seen);
     if (m_parts.cuts.sections().size() == seen.clips.all().size())
         paintSections(painter, m_parts.cuts.sections(), seen, 1.6 * pixelRatio);
-    if (!m_parts.edges.curves().empty()) {
-        render::SectionCurves beside(seen.clips.all().size() + 1); // what is no section of a plane is cut by all
-        beside.back() = render::facingParts(m_parts.edges.curves(), seen);
-        paintSections(painter, beside, seen, 1.2 * pixelRatio);
-    }
+    render::SectionCurves edges(seen.clips.all().size() + 1); // what is no section of a plane is cut by all
+    edges.back() = m_parts.edges.visible(seen);
+    paintSections(painter, edges, seen, 1.2 * pixelRatio);
     const bool turning = m_parts.pointer.gesture() == Gesture::Orbit;
     if (motion.view().picked || turning)
         paintPivot(painter, motion.view().turningPoint(), seen, turning);

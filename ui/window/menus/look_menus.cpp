@@ -107,6 +107,7 @@ static void addAroundMenu(MainWindow& window, QMenu& view) {
               [&window](bool on) {
                   window.settings().edges = on;
                   window.sculptView().edges().show(on);
+                  window.sculptView().refresh();
               });
     window.sculptView().edges().show(window.settings().edges);
     for (const auto& row : render::annotationTable())
