@@ -86,9 +86,7 @@ void PictureMaker::addLines(const Camera& camera, const base::Progress& progress
     if (m_options.seams) {
         if (!m_kept->seams)
             m_kept->seams = seamCurves(m_surface, progress);
-        SectionCurves beside(camera.clips.all().size() + 1);
-        beside.back() = *m_kept->seams;
-        drawSections(beside, camera, out);
+        drawSections(curveLines(*m_kept->seams, camera, &out), out);
     }
     const bool complex = m_surface.definition().manifold == surface::Manifold::Complex;
     if (!m_options.sections || complex)
@@ -99,7 +97,7 @@ void PictureMaker::addLines(const Camera& camera, const base::Progress& progress
             m_kept->curves.push_back(cells::findSection(m_surface, plane, progress));
         m_kept->clips = camera.clips;
     }
-    drawSections(m_kept->curves, camera, out);
+    drawSections(sectionLines(m_kept->curves, camera, &out), out);
 }
 
 Image PictureMaker::draw(const Camera& camera, PictureStats& stats, const base::Progress& progress) {

@@ -22,10 +22,8 @@ void ViewOverlay::paint(QPainter& painter, double pixelRatio) const {
     if (beneath)
         beneath(painter, seen);
     if (m_parts.cuts.sections().size() == seen.clips.all().size())
-        paintSections(painter, m_parts.cuts.sections(), seen, 1.6 * pixelRatio);
-    render::SectionCurves edges(seen.clips.all().size() + 1); // what is no section of a plane is cut by all
-    edges.back() = m_parts.edges.visible(seen);
-    paintSections(painter, edges, seen, 1.2 * pixelRatio);
+        paintSections(painter, sectionLines(m_parts.cuts.sections(), seen), 1.6 * pixelRatio);
+    paintSections(painter, curveLines(m_parts.edges.visible(seen), seen), 1.2 * pixelRatio);
     const bool turning = m_parts.pointer.gesture() == Gesture::Orbit;
     if (motion.view().picked || turning)
         paintPivot(painter, motion.view().turningPoint(), seen, turning);

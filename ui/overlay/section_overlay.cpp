@@ -10,10 +10,9 @@ static QPen penOf(surfel::Colour c, double width) {
     return QPen(colour, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
 }
 
-void paintSections(QPainter& painter, const render::SectionCurves& curves, const render::Camera& camera,
-                   double widthPx) {
+void paintSections(QPainter& painter, const render::LineRuns& lines, double widthPx) {
     QPainterPath path;
-    for (const std::vector<render::ImagePoint>& run : sectionLines(curves, camera)) {
+    for (const std::vector<render::ImagePoint>& run : lines) {
         path.moveTo(double(run.front().x), double(run.front().y));
         for (std::size_t i = 1; i < run.size(); ++i)
             path.lineTo(double(run[i].x), double(run[i].y));

@@ -7,8 +7,7 @@ class QPainter;
 
 namespace ui {
 
-/// In device pixels of the camera's image, of that width. Nothing hides them but the other planes.
-void paintSections(QPainter& painter, const render::SectionCurves& curves, const render::Camera& camera,
-                   double widthPx);
+/// In device pixels of the image that the lines are of, of that width.
+void paintSections(QPainter& painter, const render::LineRuns& lines, double widthPx);
 
 } // namespace ui

@@ -9,6 +9,9 @@ namespace {
 /// Is the place in the picture: before the eye, kept by the other planes, and not hidden?
 class LineOfSight {
   public:
+    static constexpr std::size_t noPlane = ~std::size_t(0);
+
+    /// `plane`: whose section the curve is.
     LineOfSight(const Camera& camera, std::size_t plane, const Image* depth)
         : m_camera(camera), m_plane(plane), m_depth(depth) {}
 
@@ -45,9 +48,7 @@ class LineOfSight {
     const Image* m_depth;
 };
 
-using Runs = std::vector<std::vector<ImagePoint>>;
-
-void addCurve(Runs& runs, const surface::SectionCurve& curve, const LineOfSight& sight, const Camera& camera) {
+void addCurve(LineRuns& runs, const surface::SectionCurve& curve, const LineOfSight& sight, const Camera& camera) {
     bool drawing = false;
     const std::size_t count = curve.points.size() + (curve.closed ? 1 : 0);
     for (std::size_t i = 0; i < count; ++i) {
@@ -69,19 +70,26 @@ base::Vec3f opaque(surfel::Colour c) {
 
 } // namespace
 
-Runs sectionLines(const SectionCurves& curves, const Camera& camera, const Image* depth) {
-    Runs out;
+LineRuns sectionLines(const SectionCurves& curves, const Camera& camera, const Image* depth) {
+    LineRuns out;
     for (std::size_t k = 0; k < curves.size(); ++k)
         for (const surface::SectionCurve& curve : curves[k])
             addCurve(out, curve, LineOfSight(camera, k, depth), camera);
     return out;
 }
 
-void drawSections(const SectionCurves& curves, const Camera& camera, Image& image) {
-    std::vector<PenLine> lines;
-    for (const std::vector<ImagePoint>& run : sectionLines(curves, camera, &image))
+LineRuns curveLines(std::span<const surface::SectionCurve> curves, const Camera& camera, const Image* depth) {
+    LineRuns out;
+    for (const surface::SectionCurve& curve : curves)
+        addCurve(out, curve, LineOfSight(camera, LineOfSight::noPlane, depth), camera);
+    return out;
+}
+
+void drawSections(const LineRuns& lines, Image& image) {
+    std::vector<PenLine> pieces;
+    for (const std::vector<ImagePoint>& run : lines)
         for (std::size_t i = 1; i < run.size(); ++i)
-            lines.push_back({run[i - 1], run[i]});
+            pieces.push_back({run[i - 1], run[i]});
     const SectionPen pen;
     const auto width = static_cast<float>(std::max(1.2, image.height / 500.0));
     const float wide = width * static_cast<float>(pen.shadeWidth);
@@ -90,7 +98,7 @@ void drawSections(const SectionCurves& curves, const Camera& camera, Image& imag
     const auto ink = [&](surfel::Colour under, float away) {
         return inked(inked(under, shade, strength * covered(wide, away)), line, covered(width, away));
     };
-    draw(lines, 0.5f * wide + 1, ink, image);
+    draw(pieces, 0.5f * wide + 1, ink, image);
 }
 
 } // namespace render

@@ -1,9 +1,11 @@
 // Section curves over a picture: the lines where clip planes meet the surface, smooth and of one width, left out where
-// another plane cuts them away or something nearer hides them.
+// another plane cuts them away or something nearer hides them. Other curves on the surface are drawn like them.
 #pragma once
 
 #include "core/render/overlay/pen.h"
 #include "core/surface/curves/section.h"
+
+#include <span>
 
 namespace render {
 
@@ -16,11 +18,14 @@ struct SectionPen {
     double shadeWidth = 2.2; ///< times the line's
 };
 
-/// Their visible parts, in pixels of the camera's image: runs of points to be joined. With `depth` (of the image that
-/// they are drawn over), what is hidden is left out.
-std::vector<std::vector<ImagePoint>> sectionLines(const SectionCurves& curves, const Camera& camera,
-                                                  const Image* depth = nullptr);
+/// Runs of points to be joined, in pixels of the camera's image.
+using LineRuns = std::vector<std::vector<ImagePoint>>;
+
+/// Their visible parts. With `depth` (of the image that they are drawn over), what is hidden is left out.
+LineRuns sectionLines(const SectionCurves& curves, const Camera& camera, const Image* depth = nullptr);
+/// Of curves that are no plane's section: all planes cut them.
+LineRuns curveLines(std::span<const surface::SectionCurve> curves, const Camera& camera, const Image* depth = nullptr);
 /// Into the image itself; the depth stays.
-void drawSections(const SectionCurves& curves, const Camera& camera, Image& image);
+void drawSections(const LineRuns& lines, Image& image);
 
 } // namespace render
