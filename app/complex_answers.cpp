@@ -24,15 +24,17 @@ void answerOnComplex(const complexes::Complex& complex, const Question& question
             a.at = evaluate(complex, x[i], question.curvature ? Need::Hessian : question.need);
         if (question.curvature)
             a.curvature = curvatureOf(a.at);
+        complexes::CellFoot foot;
         if (question.projector) {
-            const complexes::CellFoot foot = project(complex, x[i], *question.projector);
+            foot = project(complex, x[i], *question.projector);
             a.projection.status = foot.status;
             a.projection.foot = foot.position;
             a.projection.iterations = foot.iterations;
         }
         if (!locates)
             return;
-        const complexes::CellFoot foot = project(complex, x[i], surface::Projector::Almost);
+        if (question.projector != surface::Projector::Almost)
+            foot = project(complex, x[i], surface::Projector::Almost);
         if (foot.ok()) {
             a.cell = foot.on;
             a.feature = featureOf(complex[foot.on].dimension);

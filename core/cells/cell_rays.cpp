@@ -113,19 +113,6 @@ void dropRepeated(std::vector<CellHit>& hits) {
     hits.erase(std::unique(hits.begin(), hits.end(), same), hits.end());
 }
 
-RayHit<float> rounded(const RayHit<double>& h) {
-    RayHit<float> out;
-    out.hit = h.hit;
-    out.t = static_cast<float>(h.t);
-    out.position = base::cast<float>(h.position);
-    out.normal = base::cast<float>(h.normal);
-    out.outward = base::cast<float>(h.outward);
-    out.unit = static_cast<float>(h.unit);
-    out.agreement = static_cast<float>(h.agreement);
-    out.evaluations = h.evaluations;
-    return out;
-}
-
 Rayd widened(const Rayf& ray) {
     return {base::cast<double>(ray.origin), base::cast<double>(ray.direction)};
 }

@@ -1,6 +1,7 @@
 #include "core/complexes/complex.h"
 
 #include "core/base/error.h"
+#include "core/surface/points_by_cell.h"
 
 #include <algorithm>
 #include <string>
@@ -14,20 +15,11 @@ namespace {
 /// The points of each cell in lists of their own.
 std::vector<surfel::SurfelList> byCell(const surface::Surface& surface, std::size_t cells) {
     const surfel::SurfelList all = surface.tree().surfels();
-    const surfel::Attribute* of = all.layout->find(surface::cellOfComplex);
-    if (!of)
-        throw base::Error("the points do not tell which cells they belong to", {},
-                          std::string("give each a number ") + surface::cellOfComplex);
-    std::vector<surfel::SurfelList> out(cells);
-    for (surfel::SurfelList& list : out)
-        list.layout = all.layout;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        const double cell = surfel::read(*of, all.extraOf(i));
-        if (!(cell >= 0 && cell < static_cast<double>(cells)))
-            throw base::Error("a point belongs to cell " + std::to_string(static_cast<long long>(cell)) +
-                                  ", but there are only " + std::to_string(cells),
-                              {}, std::string("correct its ") + surface::cellOfComplex);
-        out[static_cast<std::size_t>(cell)].append(all.items[i], all.extraOf(i));
+    std::vector<surfel::SurfelList> out;
+    for (const std::vector<std::uint32_t>& numbers : surface::pointsByCell(all, cells)) {
+        out.emplace_back().layout = all.layout;
+        for (const std::uint32_t i : numbers)
+            out.back().append(all.items[i], all.extraOf(i));
     }
     return out;
 }

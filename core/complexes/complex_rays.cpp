@@ -152,19 +152,6 @@ Rayd widened(const Rayf& ray) {
     return {base::cast<double>(ray.origin), normalized(base::cast<double>(ray.direction))};
 }
 
-surface::RayHit<float> narrowed(const surface::RayHit<double>& hit) {
-    surface::RayHit<float> out;
-    out.hit = hit.hit;
-    out.t = static_cast<float>(hit.t);
-    out.position = base::cast<float>(hit.position);
-    out.normal = base::cast<float>(hit.normal);
-    out.outward = base::cast<float>(hit.outward);
-    out.unit = static_cast<float>(hit.unit);
-    out.agreement = static_cast<float>(hit.agreement);
-    out.evaluations = hit.evaluations;
-    return out;
-}
-
 constexpr std::size_t raysAtOnce = 16;
 
 } // namespace
@@ -215,9 +202,8 @@ bool intersectAnyReference(const Complex& complex, const Rayd& ray, const surfac
 
 void intersect(const Complex& complex, std::span<const Rayf> rays, const surface::IntersectOptions& options,
                std::span<surface::RayHit<float>> out) {
-    base::parallelFor(rays.size(), raysAtOnce, [&](std::size_t i) {
-        out[i] = narrowed(intersectReference(complex, widened(rays[i]), options));
-    });
+    base::parallelFor(rays.size(), raysAtOnce,
+                      [&](std::size_t i) { out[i] = rounded(intersectReference(complex, widened(rays[i]), options)); });
 }
 
 void intersectAll(const Complex& complex, std::span<const Rayf> rays, const surface::IntersectOptions& options,
@@ -225,7 +211,7 @@ void intersectAll(const Complex& complex, std::span<const Rayf> rays, const surf
     base::parallelFor(rays.size(), raysAtOnce, [&](std::size_t i) {
         out[i].clear();
         for (const surface::RayHit<double>& hit : intersectAllReference(complex, widened(rays[i]), options))
-            out[i].push_back(narrowed(hit));
+            out[i].push_back(rounded(hit));
     });
 }
 

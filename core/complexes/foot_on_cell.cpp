@@ -18,13 +18,12 @@ Vec3d inwards(const Complex& complex, std::uint32_t curve, const Vec3d& end) {
     return dot(frame.axis, frame.ownCentre - end) < 0 ? -frame.axis : frame.axis;
 }
 
-/// Past an end of a curve?
+/// Past an end of a curve? REQUIRES: something is attached.
 bool pastEnd(const Complex& complex, std::uint32_t curve, const Vec3d& x, const CellFrame& frame) {
     if (complex[curve].boundary.size() < 2) // closed, perhaps through one point
         return false;
-    for (const Attached& each : frame.attached) // the nearest one
-        return dot(x - each.foot, inwards(complex, curve, each.foot)) < 0;
-    return false;
+    const Vec3d& end = frame.attached.front().foot; // the nearest one
+    return dot(x - end, inwards(complex, curve, end)) < 0;
 }
 
 /// In the plane of a patch: across the tangent of a curve, towards the patch's own points.
@@ -38,6 +37,7 @@ Vec3d towardsInside(const CellFrame& frame, const Vec3d& tangent, const Vec3d& a
 bool pastCorner(const Complex& complex, std::uint32_t patch, const Vec3d& x, const Vec3d& corner,
                 const CellFrame& frame) {
     const CellFrame here = frameOf(complex, patch, corner, frame.axis);
+    const CellFrame& plane = here.ok() ? here : frame;
     std::vector<Vec3d> tangents, inside;
     for (const Attached& each : frame.attached) {
         if (base::distance(each.foot, corner) > 1e-6 * each.reach)
@@ -46,7 +46,6 @@ bool pastCorner(const Complex& complex, std::uint32_t patch, const Vec3d& x, con
         if (tangent == Vec3d{})
             continue;
         tangents.push_back(tangent);
-        CellFrame plane = here.ok() ? here : frame;
         inside.push_back(towardsInside(plane, tangent, corner));
     }
     if (tangents.empty())

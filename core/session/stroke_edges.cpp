@@ -179,7 +179,7 @@ surface::Surface withFadedEdges(const surface::Surface& done, const sculpt::Stro
         return r < 1 ? static_cast<double>(settings.strength * sculpt::weight(settings.falloff, static_cast<float>(r)))
                      : 0.0;
     };
-    return cells::fadeCreases(done, share).surface;
+    return cells::fadeCreases(done, share);
 }
 
 } // namespace session

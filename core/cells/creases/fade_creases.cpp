@@ -7,10 +7,9 @@
 
 namespace cells {
 
-FadedCreases fadeCreases(const surface::Surface& surface, const std::function<double(const base::Vec3f&)>& share) {
-    FadedCreases out{surface, 0};
+surface::Surface fadeCreases(const surface::Surface& surface, const std::function<double(const base::Vec3f&)>& share) {
     if (!LabelLayout::of(*surface.tree().layout()))
-        return out;
+        return surface;
     surfel::SurfelList surfels = surface.tree().surfels();
     std::vector<Label> labels = labelsOf(surface.tree());
     std::vector<std::uint8_t> faded(labels.size(), 0);
@@ -22,10 +21,9 @@ FadedCreases fadeCreases(const surface::Surface& surface, const std::function<do
         faded[i] = sharpness < labels[i].sharpness ? 1 : 0;
         labels[i].sharpness = sharpness;
     });
-    out.faded = static_cast<std::size_t>(std::count(faded.begin(), faded.end(), 1));
-    if (out.faded > 0)
-        out.surface = labelled(surface, std::move(surfels), labels);
-    return out;
+    if (std::count(faded.begin(), faded.end(), 1) == 0)
+        return surface;
+    return labelled(surface, std::move(surfels), labels);
 }
 
 } // namespace cells

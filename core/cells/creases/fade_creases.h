@@ -7,13 +7,8 @@
 
 namespace cells {
 
-struct FadedCreases {
-    surface::Surface surface; ///< as it was where nothing faded
-    std::size_t faded = 0;    ///< surfels beside creases that are less sharp now
-};
-
 /// `share(position)`: how much of its sharpness a crease loses there, 0 to 1. In parallel. Models without cells stay as
-/// they are.
-FadedCreases fadeCreases(const surface::Surface& surface, const std::function<double(const base::Vec3f&)>& share);
+/// they are, and so do those where nothing faded.
+surface::Surface fadeCreases(const surface::Surface& surface, const std::function<double(const base::Vec3f&)>& share);
 
 } // namespace cells

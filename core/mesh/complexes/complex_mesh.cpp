@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/mesh/check/shape.h"
 #include "core/mesh/check/topology.h"
+#include "core/mesh/complexes/edge_counts.h"
 #include "core/mesh/complexes/rim_chains.h"
 #include "core/mesh/finish/drop_triangles.h"
 #include "core/mesh/finish/mesh_attributes.h"
@@ -18,16 +19,14 @@ using base::Vec3d, base::Vec3f;
 
 namespace {
 
-using Side = std::pair<std::uint32_t, std::uint32_t>;
-
 constexpr int rounds = 8;
 
 /// A patch's triangles with the vertices of the whole mesh.
 class Sewing {
   public:
     Sewing(const RimChains& chains, Mesh& mesh) : m_chains(chains), m_mesh(mesh) {
-        for (const RimVertex& each : chains.vertices()) {
-            m_mesh.positions.push_back(each.position);
+        for (const Vec3d& each : chains.vertices()) {
+            m_mesh.positions.push_back(each);
             m_mesh.normals.push_back({});
             m_mesh.kinds.push_back(VertexKind::Limit); // until two patches meet there
         }
@@ -65,7 +64,7 @@ class Sewing {
 
     /// Sides on the boundary get all vertices that the curves have there.
     void fit(std::uint32_t patch, std::vector<Triangle>& triangles) {
-        std::map<Side, int> sides = sidesOf(triangles);
+        EdgeCounts sides = edgeCounts(triangles);
         while (dropFlat(patch, triangles, sides))
             continue;
         for (std::size_t i = 0; i < triangles.size(); ++i) // what is added at the end is looked at, too
@@ -92,7 +91,7 @@ class Sewing {
 
     /// Takes triangles out that lie on the boundary wholly: the third corner is between the others on the curves. False
     /// where there are none.
-    bool dropFlat(std::uint32_t patch, std::vector<Triangle>& triangles, std::map<Side, int>& sides) {
+    bool dropFlat(std::uint32_t patch, std::vector<Triangle>& triangles, EdgeCounts& sides) {
         const auto isFlat = [&](const Triangle& t) {
             if (!onRim(t[0]) || !onRim(t[1]) || !onRim(t[2]))
                 return false;
@@ -108,7 +107,7 @@ class Sewing {
         };
         const std::size_t before = triangles.size();
         std::erase_if(triangles, isFlat);
-        sides = sidesOf(triangles);
+        sides = edgeCounts(triangles);
         return triangles.size() < before;
     }
 
@@ -120,7 +119,7 @@ class Sewing {
 
     /// Are all sides on the boundary links of the curves' chains?
     bool followsCurves(std::uint32_t patch, std::span<const Triangle> triangles) const {
-        for (const auto& [side, count] : sidesOf(triangles))
+        for (const auto& [side, count] : edgeCounts(triangles))
             if (count == 1 && (!onRim(side.first) || !onRim(side.second) ||
                                !m_chains.between(patch, side.first, side.second).empty()))
                 return false;
@@ -165,28 +164,13 @@ class Sewing {
         return shapeOf(local.mesh).leastAngle > 0.02;
     }
 
-    static std::map<Side, int> sidesOf(std::span<const Triangle> triangles) {
-        std::map<Side, int> out;
-        for (const Triangle& t : triangles)
-            for (std::size_t k = 0; k < 3; ++k)
-                ++out[std::minmax(t[k], t[(k + 1) % 3])];
-        return out;
-    }
-
     const RimChains& m_chains;
     Mesh& m_mesh;
     std::map<std::uint32_t, Vec3f> m_normals; ///< of the present patch, at vertices that others may share
 };
 
 void finish(Mesh& mesh) {
-    std::map<Side, int> sides;
-    for (const Triangle& t : mesh.triangles)
-        for (std::size_t k = 0; k < 3; ++k)
-            ++sides[std::minmax(t[k], t[(k + 1) % 3])];
-    std::vector<std::uint8_t> open(mesh.positions.size(), 0);
-    for (const auto& [side, count] : sides)
-        if (count == 1)
-            open[side.first] = open[side.second] = 1;
+    const std::vector<bool> open = endsOfOpenEdges(mesh.triangles, mesh.positions.size());
     for (std::size_t v = 0; v < open.size(); ++v) {
         mesh.kinds[v] = open[v] ? VertexKind::Limit : VertexKind::Inner;
         mesh.normals[v] = normalized(mesh.normals[v], Vec3f{0, 0, 1});

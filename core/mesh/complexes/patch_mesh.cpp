@@ -2,13 +2,13 @@
 
 #include "core/base/parallel.h"
 #include "core/complexes/foot_on_cell.h"
+#include "core/mesh/complexes/edge_counts.h"
 #include "core/mesh/finish/drop_triangles.h"
 #include "core/mesh/marching/marching_cubes.h"
 
 #include <algorithm>
 #include <limits>
 #include <map>
-#include <set>
 
 namespace mesh {
 
@@ -135,18 +135,6 @@ class Clipping {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> m_cut;
 };
 
-std::set<std::uint32_t> boundaryVertices(std::span<const Triangle> triangles) {
-    std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides;
-    for (const Triangle& t : triangles)
-        for (std::size_t k = 0; k < 3; ++k)
-            ++sides[std::minmax(t[k], t[(k + 1) % 3])];
-    std::set<std::uint32_t> out;
-    for (const auto& [side, count] : sides)
-        if (count == 1)
-            out.insert(side.first), out.insert(side.second);
-    return out;
-}
-
 } // namespace
 
 PatchMesh meshOfPatch(const complexes::Complex& complex, std::uint32_t patch, double cell, const Vec3d& shift,
@@ -172,10 +160,12 @@ PatchMesh meshOfPatch(const complexes::Complex& complex, std::uint32_t patch, do
 
     // Where the cubes ended before the boundary, the last vertices go there.
     std::vector<Placed>& vertices = clipping.vertices();
-    if (!complex[patch].boundary.empty())
-        for (const std::uint32_t v : boundaryVertices(clipping.triangles))
-            if (vertices[v].on == PatchMesh::inside)
+    if (!complex[patch].boundary.empty()) {
+        const std::vector<bool> open = endsOfOpenEdges(clipping.triangles, vertices.size());
+        for (std::size_t v = 0; v < open.size(); ++v)
+            if (open[v] && vertices[v].on == PatchMesh::inside)
                 vertices[v] = cutter.onRim(vertices[v].position, vertices[v].normal);
+    }
 
     PatchMesh out;
     out.cell = report.cell;

@@ -24,7 +24,7 @@ RimChains::RimChains(const complexes::Complex& complex, const std::vector<PatchM
     for (std::uint32_t c = 0; c < complex.cells().size(); ++c)
         if (complex[c].dimension == 0) {
             m_points[c] = static_cast<std::uint32_t>(m_vertices.size());
-            m_vertices.push_back({complex.place(c), c});
+            m_vertices.push_back(complex.place(c));
         }
     std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>> cuts(complex.cells().size());
     for (std::uint32_t p = 0; p < patches.size(); ++p)
@@ -77,7 +77,7 @@ void RimChains::addCurve(const std::vector<PatchMesh>& patches, std::uint32_t cu
         } else {
             vertex = static_cast<std::uint32_t>(m_vertices.size());
             const complexes::CellFoot foot = footOn(complex, curve, traced.at(way), {});
-            m_vertices.push_back({foot.ok() ? foot.position : traced.at(way), curve});
+            m_vertices.push_back(foot.ok() ? foot.position : traced.at(way));
             chain.vertices.push_back(vertex);
         }
         for (std::size_t k = i; k <= last; ++k)

@@ -9,18 +9,13 @@
 
 namespace mesh {
 
-/// A vertex that patches share.
-struct RimVertex {
-    base::Vec3d position;
-    std::uint32_t on = 0; ///< a curve or a point of the complex
-};
-
 class RimChains {
   public:
     /// REQUIRES: patches by their number in the complex; those of other cells are empty.
     RimChains(const complexes::Complex& complex, const std::vector<PatchMesh>& patches);
 
-    const std::vector<RimVertex>& vertices() const { return m_vertices; }
+    /// Those that patches share.
+    const std::vector<base::Vec3d>& vertices() const { return m_vertices; }
     /// Of a patch's vertex that lies on the boundary.
     std::uint32_t vertexOf(std::uint32_t patch, std::uint32_t v) const { return m_of[patch].at(v); }
     /// What lies along the curves between two of them, from a to b, without these; nothing where no curve of the patch
@@ -42,7 +37,7 @@ class RimChains {
     std::vector<std::uint32_t> along(const Chain& chain, std::uint32_t a, std::uint32_t b) const;
 
     const complexes::Complex& m_complex;
-    std::vector<RimVertex> m_vertices;
+    std::vector<base::Vec3d> m_vertices;
     std::map<std::uint32_t, std::uint32_t> m_points; ///< cells of dimension 0
     std::map<std::uint32_t, Chain> m_chains;         ///< by curve
     std::vector<std::map<std::uint32_t, std::uint32_t>> m_of;

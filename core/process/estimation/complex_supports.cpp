@@ -1,32 +1,14 @@
 #include "core/process/estimation/complex_supports.h"
 
-#include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/surface/points_by_cell.h"
 #include "core/tree/surfel_tree.h"
 
 #include <algorithm>
-#include <string>
 
 namespace process {
 
 namespace {
-
-/// The numbers of the points of each cell.
-std::vector<std::vector<std::uint32_t>> pointsByCell(const surfel::SurfelList& points, std::size_t cells) {
-    const surfel::Attribute* of = points.layout->find(surface::cellOfComplex);
-    if (!of)
-        throw base::Error("the points do not tell which cells of the complex they belong to", {},
-                          std::string("give each a number ") + surface::cellOfComplex);
-    std::vector<std::vector<std::uint32_t>> out(cells);
-    for (std::uint32_t i = 0; i < points.size(); ++i) {
-        const double cell = surfel::read(*of, points.extraOf(i));
-        if (!(cell >= 0 && cell < static_cast<double>(cells)))
-            throw base::Error("a point belongs to no cell of the complex, which has " + std::to_string(cells), {},
-                              std::string("correct its ") + surface::cellOfComplex);
-        out[static_cast<std::size_t>(cell)].push_back(i);
-    }
-    return out;
-}
 
 /// Mean distance of the `count` nearest others of each; 0 where there is none. The last points of a curve have them all
 /// on one side, and take what the next one has.
@@ -62,7 +44,7 @@ std::vector<float> spacings(const surfel::SurfelList& points, std::span<const st
 
 void assignComplexSupports(surfel::SurfelList& points, const surface::SurfaceDefinition& definition, bool keep) {
     const std::vector<surface::ComplexCell>& cells = definition.connectivity->cells;
-    const auto byCell = pointsByCell(points, cells.size());
+    const auto byCell = surface::pointsByCell(points, cells.size());
     const float given = definition.weight == surface::Weight::Gaussian ? definition.support * surface::gaussianReach
                                                                        : definition.support;
     const auto put = [&](std::uint32_t i, float support) {

@@ -208,6 +208,19 @@ bool intersectAnyReference(const Surface& surface, const base::Rayd& ray, const 
     return alone({surface, options, false}, ray, [](auto& policy) { return policy.any(); });
 }
 
+RayHit<float> rounded(const RayHit<double>& hit) {
+    RayHit<float> out;
+    out.hit = hit.hit;
+    out.t = static_cast<float>(hit.t);
+    out.position = base::cast<float>(hit.position);
+    out.normal = base::cast<float>(hit.normal);
+    out.outward = base::cast<float>(hit.outward);
+    out.unit = static_cast<float>(hit.unit);
+    out.agreement = static_cast<float>(hit.agreement);
+    out.evaluations = hit.evaluations;
+    return out;
+}
+
 void intersectAny(const Surface& surface, std::span<const base::Rayf> rays, const IntersectOptions& options,
                   std::span<std::uint8_t> out) {
     assert(rays.size() == out.size());

@@ -47,6 +47,8 @@ struct RayHit {
     int evaluations = 0; ///< of f, spent on this ray (of all hits: since the hit before)
 };
 
+RayHit<float> rounded(const RayHit<double>& hit);
+
 struct IntersectOptions {
     float tMin = 0; ///< hits closer than this are passed over
     float tMax = std::numeric_limits<float>::infinity();
