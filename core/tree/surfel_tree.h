@@ -10,7 +10,8 @@
 //               a1   a2  b1   b2                               b1    b2'
 //
 // Invariants, checked by validate():
-//   - all blocks are at the same depth; a node has 1 to 8 children; only the root may have one child;
+//   - all blocks are at the same depth; a node has 1 to 8 children; only the root may have one child, but in trees put
+//     beside each other;
 //   - a node's child boxes are the exact unions of what is below, its child supports the exact maxima;
 //   - block and surfel counts are exact; blocks are sealed, non-empty, finite, with positive supports;
 //   - all blocks carry `layout()->words()` extra words.
@@ -25,6 +26,7 @@
 #include "core/tree/node.h"
 
 #include <bitset>
+#include <span>
 
 namespace tree {
 
@@ -63,6 +65,9 @@ class SurfelTree {
     /// The tree of that shape, bit for bit, where it is the shape of these surfels in this order; else as above.
     static SurfelTree build(const surfel::SurfelList& surfels, const TreeShape& shape,
                             const base::Progress& progress = {});
+    /// Models beside each other as one, for who only looks at them: all of their blocks under new roots, none copied.
+    /// Cost: the number of trees times their depth. REQUIRES: layouts with the same words; the result's is the first's.
+    static SurfelTree beside(std::span<const SurfelTree> trees);
     /// How the surfels are spread: with `surfels()` all that there is of a tree. In parallel, O(size).
     TreeShape shape() const;
 
