@@ -4,6 +4,8 @@
 #include "core/process/samples/samples.h"
 #include "core/session/face_options.h"
 #include "core/session/model_argument.h"
+#include "core/session/scene_file.h"
+#include "core/session/scene_ply.h"
 
 #include <nlohmann/json.hpp>
 
@@ -16,6 +18,12 @@ static nlohmann::json commandOf(const std::string& model) {
 
 io::FileModel readModel(const std::string& model, const base::Progress& progress) {
     const nlohmann::json command = session::complete(commandOf(model));
+    if (command.at("op") == "open" && session::isSceneFile(model)) {
+        session::Document document;
+        session::Context context{document, {}, progress, {}, 0, {}, nullptr};
+        session::run(context, command);
+        return session::togetherAsParts(document.scene());
+    }
     if (command.at("op") == "open")
         return io::read(command.at("path").get<std::string>(), progress);
     const process::SampleRow& sample = process::sample(command.at("sample").get<std::string>());
@@ -38,6 +46,10 @@ void openModel(session::Context& context, const std::string& model, const nlohma
             command.erase(p.id);
     }
     session::run(context, command);
+    const session::Scene& scene = context.document.scene();
+    if (scene.models.size() > 1)
+        context.messages.push_back("A scene of " + std::to_string(scene.models.size()) + " models; \"" +
+                                   scene.models[scene.active].name + "\" is the active one.");
     console.tell(context.messages);
     context.messages.clear();
 }

@@ -10,9 +10,10 @@ namespace app {
 
 /// What --help says about MODEL.
 constexpr const char* modelHelp =
-    "model file, - for standard input, or sample:NAME[:COUNT[:SEED]] for one made by code";
+    "model file, - for standard input, or sample:NAME[:COUNT[:SEED]] for one made by code; of a scene (.scene.json) "
+    "its active model";
 
-/// The points of the file or sample as they are, before anything is estimated.
+/// The points of the file or sample as they are, before anything is estimated; those of a scene where they stand in it.
 io::FileModel readModel(const std::string& model, const base::Progress& progress);
 
 /// Opens or makes the model. `surface`: parameters of the surface and of faces, may be empty. Messages go to the

@@ -1,6 +1,7 @@
 // pointclay info: what is in a model, as text or as JSON (app/README 2.2).
 #include "app/open_model.h"
 #include "app/options/surface_options.h"
+#include "app/subcommands/scene_info.h"
 #include "app/subcommands/subcommand.h"
 #include "core/base/error.h"
 #include "core/cells/cell_surface.h"
@@ -132,9 +133,34 @@ std::string asText(const ordered_json& value) {
     return out;
 }
 
-void print(const ordered_json& info) {
-    for (const auto& [key, value] : info.items())
-        std::cout << key << std::string(12 - key.size(), ' ') << asText(value) << "\n";
+void print(const ordered_json& info, bool json) {
+    if (json)
+        std::cout << info.dump(2, ' ', false, ordered_json::error_handler_t::replace) << "\n";
+    else
+        for (const auto& [key, value] : info.items())
+            if (key != "models")
+                std::cout << key << std::string(12 - key.size(), ' ') << asText(value) << "\n";
+            else
+                for (const ordered_json& model : value)
+                    std::cout << "model       " << asText(model) << "\n";
+}
+
+void describeFile(const Options& options, io::FileModel model, const base::Progress& progress, Console& console) {
+    session::OpenedFile file = session::opened(options.model, std::move(model), options.surface->parameters(),
+                                               process::part(progress, 0.2, 0.3));
+    console.tell(file.model.messages);
+    const ordered_json info = describe(std::move(file), progress, console);
+    console.clear();
+    print(info, options.json);
+}
+
+void describeScene(const Options& options, const base::Progress& progress, Console& console) {
+    session::Document document;
+    session::Context context{document, {}, progress, {}, 0, {}, nullptr};
+    openModel(context, options.model, options.surface->parameters(), console);
+    const ordered_json info = infoOf(document);
+    console.clear();
+    print(info, options.json);
 }
 
 } // namespace
@@ -146,16 +172,13 @@ Action addInfo(OptionSet command) {
     options->surface = addSurfaceOptions(command, false);
     return [options](Console& console) {
         const base::Progress progress = console.progress();
-        session::OpenedFile model =
-            session::opened(options->model, readModel(options->model, process::part(progress, 0, 0.2)),
-                            options->surface->parameters(), process::part(progress, 0.2, 0.3));
-        console.tell(model.model.messages);
-        const ordered_json info = describe(std::move(model), progress, console);
-        console.clear();
-        if (options->json)
-            std::cout << info.dump(2, ' ', false, ordered_json::error_handler_t::replace) << "\n";
+        if (isScene(options->model, nullptr))
+            return describeScene(*options, progress, console);
+        io::FileModel model = readModel(options->model, process::part(progress, 0, 0.2));
+        if (isScene(options->model, &model))
+            describeScene(*options, progress, console);
         else
-            print(info);
+            describeFile(*options, std::move(model), progress, console);
     };
 }
 

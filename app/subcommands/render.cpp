@@ -5,12 +5,12 @@
 #include "app/options/output_names.h"
 #include "app/options/surface_options.h"
 #include "app/options/view_options.h"
+#include "app/scene_view.h"
 #include "app/subcommands/subcommand.h"
 #include "core/io/safe_file.h"
-#include "core/process/curve_tube.h"
 #include "core/render/depth_exr.h"
 #include "core/render/image_io.h"
-#include "core/render/picture.h"
+#include "core/render/scene_picture.h"
 #include "ui/gl/backends.h"
 
 #include <nlohmann/json.hpp>
@@ -57,13 +57,13 @@ void run(Options options, Console& console) {
     session::Context context{document, {}, progress, {}, 0, {}, nullptr};
     options.picture.rayCast = options.mode == "raycast";
     openModel(context, options.model, options.surface->parameters(), console);
-    const surface::Surface surface = process::shownAs(document.surface(), progress);
-    const auto cameras = camerasOf(*options.view, surface.tree(), document.provenance().origin, document.up());
+    const SceneView scene = sceneView(document, progress);
+    const auto cameras = camerasOf(*options.view, scene.whole, document.provenance().origin, document.up());
     const int count = static_cast<int>(cameras.size());
     applyLook(*options.look, document, options.surface->parameters(), upwards(*options.view, document.up()), console,
               options.picture);
     options.picture.renderer = [&options] { return render::makeRenderer(options.backend); };
-    render::PictureMaker maker(surface, options.picture);
+    render::ScenePictureMaker maker(scene.models, options.picture);
     render::PictureStats stats;
     for (int k = 0; k < count; ++k) {
         render::PictureStats one;

@@ -5,16 +5,16 @@
 #include "app/options/face_options.h"
 #include "app/options/option_checks.h"
 #include "app/options/output_names.h"
+#include "app/scene_view.h"
 #include "app/subcommands/subcommand.h"
 #include "core/base/error.h"
-#include "core/io/before_writing.h"
 #include "core/io/safe_file.h"
-#include "core/process/curve_tube.h"
 #include "core/render/framed_box.h"
 #include "core/render/image_io.h"
-#include "core/render/picture.h"
+#include "core/render/scene_picture.h"
 #include "core/render/shading/own_colours.h"
 #include "core/session/journal.h"
+#include "core/session/scene_file.h"
 #include "core/session/session_file.h"
 
 #include <algorithm>
@@ -82,15 +82,15 @@ ordered_json timingOf(const session::LineReport& report) {
 }
 
 void savePicture(const session::Document& document, const std::string& path, const base::Progress& progress) {
-    const surface::Surface surface = process::shownAs(document.surface(), progress);
-    if (surface.tree().empty())
+    if (document.surface().tree().empty())
         throw base::Error("there is no model to draw", path, "open one in the session or with --model");
+    const SceneView scene = sceneView(document, progress);
     render::PictureStats stats;
     render::PictureOptions look;
     look.style.shading = render::usualShading(document.surface().tree());
     const render::Camera camera =
-        closeUp(render::Camera::looking(render::framedBox(surface.tree()), 1280, 720, document.up()), surface.tree());
-    render::savePng(render::drawPicture(surface, camera, look, stats, progress), path);
+        closeUp(render::Camera::looking(render::framedBox(scene.whole), 1280, 720, document.up()), scene.whole);
+    render::savePng(render::ScenePictureMaker(scene.models, look).draw(camera, stats, progress), path);
 }
 
 /// The journal is a file of its own, and so is each output.
@@ -104,7 +104,7 @@ void checkNames(const Options& options) {
             throw UsageError(std::string("--journal names ") + what + "; the journal needs a name of its own");
     requireOutputs({{"-o", options.out}, {"--render", options.image}, {"--timings", options.timings}});
     if (!options.out.empty())
-        io::requireModelFormat(options.out);
+        session::requireSavable(options.out);
 }
 
 void run(const Options& options, Console& console) {

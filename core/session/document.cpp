@@ -1,95 +1,86 @@
 #include "core/session/document.h"
 
-#include <bit>
 #include <cassert>
 
 namespace session {
 
-static void appendWords(std::vector<std::uint32_t>& words, std::string_view text) {
-    words.push_back(static_cast<std::uint32_t>(text.size()));
-    for (const char c : text)
-        words.push_back(static_cast<unsigned char>(c));
-}
-
-static base::Hash128 layoutHash(const surfel::AttributeLayout& layout) {
-    std::vector<std::uint32_t> words;
-    for (const std::string& name : layout.names()) {
-        appendWords(words, name);
-        const surfel::Attribute* attribute = layout.find(name);
-        words.push_back(attribute ? static_cast<std::uint32_t>(attribute->type) : ~0u);
-    }
-    return base::hashWords(words);
-}
-
-static base::Hash128 originHash(const base::Vec3d& origin) {
-    std::vector<std::uint32_t> words;
-    for (std::size_t k = 0; k < 3; ++k) {
-        const auto bits = std::bit_cast<std::uint64_t>(origin[k] + 0.0); // -0 and 0 are the same place
-        words.push_back(static_cast<std::uint32_t>(bits));
-        words.push_back(static_cast<std::uint32_t>(bits >> 32));
-    }
-    return base::hashWords(words);
-}
-
-static base::Hash128 layersHash(const layers::Stack& stack) {
-    std::vector<std::uint32_t> words;
-    for (const std::string& line : layers::linesOf(stack))
-        appendWords(words, line);
-    return base::hashWords(words);
-}
-
-base::Hash128 contentHash(const tree::SurfelTree& tree, const base::Vec3d& origin, const layers::Stack& stack) {
-    base::Hash128 out = tree.contentHash();
-    out += layoutHash(*tree.layout());
-    out += originHash(origin);
-    if (!stack.empty())
-        out += layersHash(stack);
-    return out;
-}
-
 base::Hash128 Document::hash() const {
-    return contentHash(m_surface.tree(), m_provenance.origin, m_layers);
+    return contentHash(m_scene);
 }
 
 void Document::commit(surface::Surface next, const std::string& label, layers::How how) {
-    layers::Stack stack = m_layers;
+    layers::Stack stack = layers();
     if (!stack.empty() && !layers::Channels::of(*next.tree().layout(), stack))
         stack = {};
     if (!stack.empty()) {
         if (how == layers::How::Record && !layers::takesStrokes(stack))
             how = layers::How::Keep;
-        next = {layers::reconciled(m_surface.tree(), next.tree(), stack, how), next.definition()};
+        next = {layers::reconciled(surface().tree(), next.tree(), stack, how), next.definition()};
     }
     restack(std::move(next), std::move(stack), label);
 }
 
 void Document::restack(surface::Surface next, layers::Stack layers, const std::string& label) {
+    Scene scene = m_scene;
+    scene.models[scene.active].surface = std::move(next);
+    scene.models[scene.active].layers = std::move(layers);
+    step(std::move(scene), label);
+}
+
+void Document::turnUp(base::UpAxis up, const std::string& label) {
+    Scene scene = m_scene;
+    scene.models[scene.active].up = up;
+    step(std::move(scene), label);
+}
+
+void Document::rearrange(Scene next, const std::string& label) {
+    number(next);
+    step(std::move(next), label);
+}
+
+void Document::amend(Scene now) {
+    assert(canUndo() && m_future.empty());
+    m_scene = std::move(now);
+}
+
+void Document::number(Scene& scene) {
+    assert(scene.active < scene.models.size());
+    for (SceneModel& each : scene.models)
+        if (each.id == 0)
+            each.id = ++m_lastModel;
+}
+
+void Document::step(Scene next, const std::string& label) {
     m_future.clear();
-    const std::size_t bytes = tree::unsharedBytes(m_surface.tree(), next.tree());
-    m_past.push_back({std::move(m_surface), m_up, std::move(m_layers), label, bytes, m_revision});
-    m_surface = std::move(next);
-    m_layers = std::move(layers);
+    const std::size_t bytes = unsharedBytes(m_scene, next);
+    m_past.push_back({std::exchange(m_scene, std::move(next)), label, bytes, m_revision});
     m_revision = ++m_lastRevision;
     enforceBudget();
 }
 
-void Document::turnUp(base::UpAxis up, const std::string& label) {
-    commit(m_surface, label);
-    m_up = up;
+void Document::reset(surface::Surface surface, Provenance provenance, base::UpAxis up, layers::Stack layers) {
+    Scene scene;
+    SceneModel& model = scene.models.front();
+    model.name = nameOf(provenance.path);
+    model.surface = std::move(surface);
+    model.up = up;
+    model.layers = std::move(layers);
+    const std::filesystem::path path = provenance.path;
+    model.provenance = std::make_shared<Provenance>(std::move(provenance));
+    reset(std::move(scene), path);
 }
 
-void Document::reset(surface::Surface surface, Provenance provenance, base::UpAxis up, layers::Stack layers) {
+void Document::reset(Scene scene, const std::filesystem::path& path) {
     m_past.clear();
     m_future.clear();
-    m_surface = std::move(surface);
-    m_provenance = std::move(provenance);
-    m_up = up;
-    m_layers = std::move(layers);
+    number(scene);
+    m_scene = std::move(scene);
+    m_path = path;
     m_savedRevision = m_revision = ++m_lastRevision;
 }
 
 void Document::saved(const std::filesystem::path& path) {
-    m_provenance.path = path;
+    m_path = path;
     m_savedRevision = m_revision;
 }
 
@@ -98,11 +89,8 @@ void Document::shift(std::deque<Step>& from, std::deque<Step>& to) {
     assert(!from.empty());
     Step step = std::move(from.back());
     from.pop_back();
-    const std::size_t bytes = tree::unsharedBytes(m_surface.tree(), step.surface.tree());
-    to.push_back({std::move(m_surface), m_up, std::move(m_layers), std::move(step.label), bytes, m_revision});
-    m_surface = std::move(step.surface);
-    m_up = step.up;
-    m_layers = std::move(step.layers);
+    const std::size_t bytes = unsharedBytes(m_scene, step.scene);
+    to.push_back({std::exchange(m_scene, std::move(step.scene)), std::move(step.label), bytes, m_revision});
     m_revision = step.revision;
 }
 
@@ -151,21 +139,7 @@ void Document::enforceBudget() {
 }
 
 io::FileModel Document::fileModel() const {
-    io::FileModel out;
-    out.points = m_surface.tree().surfels();
-    out.shape = m_surface.tree().shape();
-    out.origin = m_provenance.origin;
-    out.up = m_up;
-    out.definition = m_surface.definition();
-    out.hasSupports = true;
-    out.faces = m_provenance.faces;
-    out.dropped = m_provenance.dropped;
-    out.format = m_provenance.format;
-    out.comments = m_provenance.comments;
-    for (std::string& line : layers::linesOf(m_layers))
-        out.comments.push_back(std::move(line));
-    out.elements = m_provenance.elements;
-    return out;
+    return session::fileModel(active());
 }
 
 } // namespace session

@@ -197,7 +197,7 @@ void Journal::record(const json& complete, Context& context) {
         m_source.clear();
         m_others.clear();
     }
-    if (op == "open")
+    if (op == "open" && !context.instead) // what stands for another command has it
         line["hash"] = context.document.hash().text();
     attempted(context, [&] { keepAgain(line, first); });
     attempted(context, [&] { keepStamp(line); });

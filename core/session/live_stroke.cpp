@@ -15,6 +15,7 @@ namespace session {
 
 static surface::Surface startOf(const Context& context, const sculpt::StrokeSettings& settings) {
     requireModel(context);
+    refuseChange(context.document.scene().models[context.document.scene().active]);
     sculpt::check(settings);
     if (context.document.surface().definition().manifold != surface::Manifold::Surface)
         throw base::Error("the model is " + surface::nounOf(context.document.surface().definition().manifold) +

@@ -8,11 +8,27 @@
 
 namespace session {
 
+static bool walksHistory(const CommandRow& row) {
+    return row.op == std::string_view("undo") || row.op == std::string_view("redo");
+}
+
 /// A command that would leave a complex without what its cells need is refused.
 static void requireSound(const surface::Surface& now, const surface::Surface& before) {
     if (now.definition().manifold == surface::Manifold::Complex &&
         !(now.tree() == before.tree() && now.definition() == before.definition()))
         complexes::Complex::of(now);
+}
+
+/// What is locked stays as it is, and what is hidden is not changed unseen. Undoing and redoing go where things were.
+static void requireFree(const Scene& before, const Scene& now) {
+    for (const SceneModel& was : before.models) {
+        const int at = now.indexOf(was.id);
+        if (was.id == 0 || at < 0 || (was.visible && !was.locked))
+            continue;
+        const surface::Surface& is = now.models[static_cast<std::size_t>(at)].surface;
+        if (!(is.tree() == was.surface.tree() && is.definition() == was.surface.definition()))
+            refuseChange(was);
+    }
 }
 
 static void execute(const CommandRow& row, Context& context, const nlohmann::json& complete) {
@@ -21,6 +37,8 @@ static void execute(const CommandRow& row, Context& context, const nlohmann::jso
     try {
         row.run(context, complete);
         requireSound(context.document.surface(), before.surface());
+        if (!walksHistory(row))
+            requireFree(before.scene(), context.document.scene());
 #ifndef NDEBUG
         context.document.surface().tree().validate();
 #endif

@@ -137,7 +137,7 @@ void RecoverTest::savingOverTheSourceKeepsIt() {
     QCOMPARE(recovered(journal.path()), bench.hash());
     Workbench again;
     session::recover(journal.path(), again.context);
-    QCOMPARE(again.document.provenance().path.string(), file);
+    QCOMPARE(again.document.path().string(), file);
 }
 
 void RecoverTest::savingOverAnotherModelKeepsIt_data() {

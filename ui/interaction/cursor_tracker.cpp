@@ -1,6 +1,6 @@
 #include "ui/interaction/cursor_tracker.h"
 
-#include "ui/interaction/contact.h"
+#include "ui/interaction/scene_pick.h"
 
 #include <QWidget>
 
@@ -19,7 +19,7 @@ void CursorTracker::follow(const Pointer& pointer, bool shown) {
     m_cursor.contact.reset();
     m_cursor.radiusPx = 0;
     if (shown) {
-        m_cursor.contact = contactAt(m_editor.snapshot().surface, m_motion.camera(), pointer.pixel);
+        m_cursor.contact = seenAt(m_editor.snapshot(), m_motion.camera(), pointer.pixel).contact;
         if (m_cursor.contact)
             m_cursor.radius = m_sizing.radiusAt(m_cursor.contact->position);
         else

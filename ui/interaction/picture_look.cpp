@@ -21,7 +21,7 @@ bool PictureLook::showColours(std::shared_ptr<const render::BlockColours> colour
 
 void PictureLook::placeGrid() {
     const Snapshot& now = m_editor.snapshot();
-    m_grid = render::gridBelow(now.surface.tree().bounds(), upRow(now.up).up, now.origin);
+    m_grid = render::gridBelow(now.whole.bounds(), upRow(now.up).up, now.origin);
 }
 
 render::RenderOptions PictureLook::options() const {
@@ -32,11 +32,21 @@ render::RenderOptions PictureLook::options() const {
     return out;
 }
 
+/// Of several models, all surfels as one surface, which ends where the first of them does.
+static surface::Surface allOf(const Snapshot& now) {
+    if (now.beside.empty())
+        return now.surface;
+    surface::SurfaceDefinition definition = now.surface.definition();
+    for (const session::ShownModel& each : now.beside)
+        definition.boundaryLimit = std::min(definition.boundaryLimit, each.surface.definition().boundaryLimit);
+    return {now.whole, definition};
+}
+
 std::optional<TrueSurface> PictureLook::truth() const {
     const Snapshot& now = m_editor.snapshot();
-    if (!m_settings.truth.on || now.surface.tree().empty())
+    if (!m_settings.truth.on || now.whole.empty())
         return {};
-    TrueSurface out{now.surface, m_settings.truth.quality, m_settings.truth.lighting, nullptr};
+    TrueSurface out{allOf(now), m_settings.truth.quality, m_settings.truth.lighting, nullptr};
     const std::optional<render::MeasureRow>& row = render::shadingRow(m_settings.shading).measure;
     if (row && m_scale)
         out.measured = std::make_shared<render::Measured>(
@@ -53,7 +63,7 @@ std::optional<TrueSurface> PictureLook::truth() const {
 Frame PictureLook::frame(const render::Camera& camera, bool moving, std::uint64_t input) const {
     const Snapshot& now = m_editor.snapshot();
     Frame out;
-    out.model = now.surface.tree();
+    out.model = now.whole;
     out.camera = camera;
     out.moving = moving;
     out.options = options();

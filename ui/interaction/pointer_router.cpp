@@ -1,6 +1,6 @@
 #include "ui/interaction/pointer_router.h"
 
-#include "ui/interaction/contact.h"
+#include "ui/interaction/scene_pick.h"
 
 #include <algorithm>
 #include <QMouseEvent>
@@ -21,7 +21,7 @@ PointerRouter::PointerRouter(const Parts& parts, QWidget& canvas, QObject* paren
 }
 
 std::optional<BrushContact> PointerRouter::contactAt(const QPointF& pixel) const {
-    return ui::contactAt(m_parts.editor.snapshot().surface, m_parts.motion.camera(), pixel);
+    return seenAt(m_parts.editor.snapshot(), m_parts.motion.camera(), pixel).contact;
 }
 
 std::optional<BrushContact> PointerRouter::contactUnderPointer() const {
@@ -81,8 +81,13 @@ void PointerRouter::press(const Pointer& pointer) {
     m_parts.motion.navigator().finish();
     m_button = pointer.button;
     const bool left = pointer.button == Qt::LeftButton && !pointer.modifiers.testFlag(Qt::AltModifier);
-    if (const auto contact = left && m_parts.editor.ready() ? contactAt(pointer.pixel) : std::nullopt)
-        touch(pointer, *contact);
+    const Seen seen = left && m_parts.editor.ready()
+                          ? seenAt(m_parts.editor.snapshot(), m_parts.motion.camera(), pointer.pixel)
+                          : Seen();
+    if (seen.other)
+        Q_EMIT modelPicked(QString::fromStdString(seen.other->name));
+    else if (seen.contact)
+        touch(pointer, *seen.contact);
     else if (pointer.button == Qt::LeftButton || pointer.button == Qt::RightButton)
         m_gesture = Gesture::Orbit;
     else if (pointer.button == Qt::MiddleButton)

@@ -3,6 +3,7 @@
 //
 //     left on the model      a stroke of the chosen tool; Shift: the smoothing tool, Ctrl: inverted; Esc: as if it
 //                            had not been                                                        StrokeInput
+//     left on another model  makes it the active one
 //     left beside it, right  turn the view in the chosen style (left with Alt: anywhere)          ViewMotion
 //     double click of those  picks the pivot: the place of the surface there, or without one the middle of the view
 //     middle                 pan
@@ -63,6 +64,7 @@ class PointerRouter : public QObject {
   Q_SIGNALS:
     void pictureChanged(bool moving); ///< by the wheel, the end of a gesture, another size
     void touched(QString tool);       ///< a stroke of it begins
+    void modelPicked(QString name);   ///< a press on a model that is not the active one
     void hinted(QString what);        ///< what the person has to do first, or has just done
 
   protected:

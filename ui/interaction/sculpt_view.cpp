@@ -48,6 +48,7 @@ void SculptView::connectParts() {
     connect(&m_picker, &Picker::hinted, this, &SculptView::hinted);
     connect(&m_flight, &Flight::hinted, this, &SculptView::hinted);
     connect(&m_pointer, &PointerRouter::hinted, this, &SculptView::hinted);
+    connect(&m_pointer, &PointerRouter::modelPicked, this, &SculptView::modelPicked);
 }
 
 void SculptView::refresh(bool moving) {
@@ -65,6 +66,10 @@ void SculptView::showColours(std::shared_ptr<const render::BlockColours> colours
         refresh(busy());
 }
 
+static bool same(const process::Rigid& a, const process::Rigid& b) {
+    return session::matrixOf(a) == session::matrixOf(b);
+}
+
 void SculptView::followModel() {
     const Snapshot& now = m_editor.snapshot();
     if (now.models != m_models) {
@@ -73,10 +78,16 @@ void SculptView::followModel() {
         m_cuts.reset();
         m_look.placeGrid();
         m_motion.showNewModel();
+    } else if (!same(now.stand, m_stand)) { // another model is active, or this one has moved
+        m_source.choose({});
+        m_cuts.reset();
+        m_look.placeGrid();
+        m_motion.follow(now.stand.inverse() * m_stand);
     } else if (now.up != m_motion.view().upAxis) {
         m_look.placeGrid();
         m_motion.stand(now.up);
     }
+    m_stand = now.stand;
     m_cuts.trace();
     refresh(busy());
 }

@@ -41,7 +41,8 @@ class SculptView : public QObject {
     void setNotice(const Notice& notice);
 
   Q_SIGNALS:
-    void hinted(QString what); ///< by any of the parts, for the person
+    void modelPicked(QString name); ///< as PointerRouter
+    void hinted(QString what);      ///< by any of the parts, for the person
 
   private:
     void connectParts();
@@ -66,6 +67,7 @@ class SculptView : public QObject {
     Picker m_picker;
     ViewOverlay m_overlay;
     std::uint64_t m_models = 0;    ///< of the snapshot that the view was framed for
+    process::Rigid m_stand;        ///< of the snapshot that the view was last seen in
     std::uint64_t m_viewInput = 0; ///< the last pointer event that moved the view
 };
 

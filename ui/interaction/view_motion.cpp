@@ -21,7 +21,7 @@ render::Camera ViewMotion::cameraOf(const View& view) const {
     const int height = std::max(1, qRound(m_canvas.height() * scale));
     render::Camera out = view.camera(width, height);
     out.clips = m_cuts.cuts().planes();
-    return out.before(m_editor.snapshot().surface.tree().bounds());
+    return out.before(m_editor.snapshot().whole.bounds());
 }
 
 double ViewMotion::pixelsPerUnitAt(const Vec3d& place) const {
@@ -46,14 +46,13 @@ void ViewMotion::pan(const QPointF& byPx) {
 
 void ViewMotion::showNewModel() {
     const render::Camera now = camera();
-    View fresh =
-        View::threeQuarter(boxesOf(m_editor.snapshot().surface.tree()), now.width, now.height, m_editor.snapshot().up);
+    View fresh = View::threeQuarter(boxesOf(m_editor.snapshot().whole), now.width, now.height, m_editor.snapshot().up);
     fresh.parallel = view().parallel;
     m_navigator.set(fresh);
 }
 
 void ViewMotion::frameAll() {
-    frame(boxesOf(m_editor.snapshot().surface.tree()));
+    frame(boxesOf(m_editor.snapshot().whole));
 }
 
 void ViewMotion::frame(std::span<const base::Box3f> boxes) {
@@ -77,8 +76,17 @@ void ViewMotion::stand(base::UpAxis up) {
     const render::Camera now = camera();
     View there = view();
     there.stand(up);
-    there.frame(boxesOf(m_editor.snapshot().surface.tree()), now.width, now.height);
+    there.frame(boxesOf(m_editor.snapshot().whole), now.width, now.height);
     m_navigator.goTo(there);
+}
+
+void ViewMotion::follow(const process::Rigid& motion) {
+    if (m_navigator.flying())
+        m_navigator.land();
+    View there = view();
+    there.carry(motion.rotation, motion.translation);
+    there.upAxis = m_editor.snapshot().up;
+    m_navigator.set(there);
 }
 
 void ViewMotion::toggleParallel() {

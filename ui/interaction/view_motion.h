@@ -38,6 +38,8 @@ class ViewMotion : public QObject {
     void turnTo(const render::NamedView& view);
     /// Another axis of the model is upwards: all of it, seen from the same side as it now stands.
     void stand(base::UpAxis up);
+    /// Coordinates are others from now on: `motion` takes those of before to them. The picture stays.
+    void follow(const process::Rigid& motion);
     void toggleParallel();
     SavedView savedView(const std::string& name) const;
     void recall(const SavedView& view);

@@ -49,6 +49,14 @@ void View::turnAbout(const Vec3d& place, const Rotation& by) {
     turn = (by * turn).unit();
 }
 
+void View::carry(const base::Mat3d& rotation, const Vec3d& shift) {
+    target = rotation * target + shift;
+    if (pivot)
+        pivot = rotation * *pivot + shift;
+    const auto axis = [&](const Vec3d& of) { return rotation * of; };
+    turn = (Rotation::toAxes(axis({1, 0, 0}), axis({0, 1, 0}), axis({0, 0, 1})) * turn).unit();
+}
+
 /// The standing frame to the model's coordinates.
 static Rotation frameOf(base::UpAxis axis) {
     const base::UpRow& row = upRow(axis);

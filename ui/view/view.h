@@ -11,6 +11,7 @@
 // picture.
 #pragma once
 
+#include "core/base/mat3.h"
 #include "core/render/camera.h"
 #include "ui/view/rotation.h"
 
@@ -51,6 +52,8 @@ struct View {
     void turnAbout(const base::Vec3d& place, const Rotation& by);
     /// A direction of the camera (x right, y up, z towards the eye) as seen by the standing model.
     base::Vec3d standing(const base::Vec3d& axis) const { return toStanding(upAxis, turn(axis)); }
+    /// Seen from coordinates that a rigid motion takes those of before to: the picture stays.
+    void carry(const base::Mat3d& rotation, const base::Vec3d& shift);
     /// Another axis is upwards: the view turns with the model.
     void stand(base::UpAxis axis);
     /// The same direction with the model's own axis upwards, as far as it goes.

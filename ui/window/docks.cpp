@@ -4,6 +4,7 @@
 #include "core/session/command.h"
 #include "ui/panels/console_panel.h"
 #include "ui/panels/history_panel.h"
+#include "ui/panels/scene_panel.h"
 #include "ui/window/main_window.h"
 
 #include <nlohmann/json.hpp>
@@ -62,7 +63,29 @@ static void addConsole(MainWindow& window) {
     QObject::connect(&window.editor(), &Editor::failed, panel, &ConsolePanel::showMessage);
 }
 
+static void addScene(MainWindow& window) {
+    auto* panel = new ScenePanel;
+    addDock(window, Qt::RightDockWidgetArea, "scene", QObject::tr("Models"), panel);
+    const auto run = [&window](const nlohmann::json& command) { window.editor().run(command); };
+    QObject::connect(panel, &ScenePanel::wanted, &window, run);
+    QObject::connect(panel, &ScenePanel::fileWanted, &window.files(), [&window] { window.files().add(); });
+    QObject::connect(&window.sculptView(), &SculptView::modelPicked, &window, [&window, run](const QString& name) {
+        run({{"op", "scene"}, {"do", "activate"}, {"name", name.toStdString()}});
+        window.tell(QObject::tr("Tools now work on “%1”.").arg(name));
+    });
+    const auto show = [&window, panel, models = std::size_t(1)]() mutable {
+        const Snapshot& now = window.editor().snapshot();
+        panel->show(now);
+        if (now.scene.size() > 1 && models < 2) // somebody who meets a second model looks for the first
+            window.findChild<QDockWidget*>("scene")->show();
+        models = now.scene.size();
+    };
+    QObject::connect(&window.editor(), &Editor::changed, panel, show);
+    panel->show(window.editor().snapshot());
+}
+
 void addDocks(MainWindow& window) {
+    addScene(window);
     addHistory(window);
     addConsole(window);
 }

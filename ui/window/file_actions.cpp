@@ -116,6 +116,20 @@ void FileActions::load(const fs::path& path) {
     });
 }
 
+void FileActions::add() {
+    const QString file = QFileDialog::getOpenFileName(&m_window, tr("Add Model"), folder(), openFilter());
+    if (file.isEmpty())
+        return;
+    const fs::path whole = fs::absolute(pathOf(file));
+    if (m_editor.snapshot().surfels == 0)
+        return load(whole);
+    m_failure.clear();
+    m_editor.run({{"op", "scene"}, {"do", "add"}, {"path", whole.string()}}, [this, whole](bool done) {
+        if (!done)
+            m_failure.show(tr("Could not add %1").arg(textOf(whole.filename())));
+    });
+}
+
 // --- save ---
 
 void FileActions::save(std::function<void()> then) {
@@ -128,7 +142,9 @@ void FileActions::save(std::function<void()> then) {
 
 void FileActions::saveAs(std::function<void()> then) {
     const fs::path& path = m_editor.snapshot().path;
-    const fs::path suggested = path.empty() ? fs::path("untitled.ply") : path.filename().replace_extension(".ply");
+    const fs::path suggested = path.empty()     ? fs::path("untitled.ply")
+                               : isNative(path) ? path.filename()
+                                                : path.filename().replace_extension(".ply");
     QString filter;
     const QString start = folder().isEmpty() ? textOf(suggested) : folder() + "/" + textOf(suggested);
     const QString file = QFileDialog::getSaveFileName(&m_window, tr("Save Model"), start, saveFilter(), &filter);

@@ -21,6 +21,8 @@ class FileActions : public QObject {
     void openIn(const std::filesystem::path& folder);
     /// A MODEL as the command line names it: a file, or sample:NAME[:COUNT[:SEED]].
     void openArgument(const std::string& model);
+    /// Asks for a file whose models come into the scene.
+    void add();
     void save(std::function<void()> then = {});
     void saveAs(std::function<void()> then = {});
     /// Executes the lines of a session that the person chooses; most begin with another model.

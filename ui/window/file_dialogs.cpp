@@ -2,6 +2,7 @@
 
 #include "core/io/formats.h"
 #include "core/io/mesh_formats.h"
+#include "core/session/scene_file.h"
 
 #include <QFileInfo>
 #include <QObject>
@@ -18,6 +19,8 @@ QString textOf(const fs::path& path) {
 fs::path pathOf(const QString& text) {
     return fs::path(text.toStdString());
 }
+
+static constexpr const char* sceneFiles = "*.scene.json";
 
 /// "*.ply *.PLY" of "ply PLY".
 static QString patterns(const char* extensions) {
@@ -38,7 +41,7 @@ QString openFilter() {
             all << patterns(row.extensions);
             each << entry(row.label, row.extensions);
         }
-    all << "*.gz"; // any of them, packed
+    all << "*.gz" << sceneFiles; // any of them, packed; several of them
     each.prepend(QObject::tr("Models (%1)").arg(all.join(' ')));
     each << QObject::tr("All files (*)");
     return each.join(";;");
@@ -49,6 +52,7 @@ QString saveFilter() {
     for (const auto& row : io::formatTable())
         if (row.write)
             each << entry(row.label, row.extensions);
+    each << QObject::tr("Scene, a file for each model (%1)").arg(sceneFiles);
     return each.join(";;");
 }
 
@@ -60,7 +64,7 @@ QString meshFilter() {
 }
 
 bool isNative(const fs::path& path) {
-    return textOf(path.extension()).toLower() == ".ply";
+    return textOf(path.extension()).toLower() == ".ply" || session::isSceneFile(path);
 }
 
 fs::path completed(const QString& file, const QString& filter) {

@@ -1,7 +1,7 @@
 #include "ui/window/image_export.h"
 
 #include "core/render/image_io.h"
-#include "core/render/picture.h"
+#include "core/render/scene_picture.h"
 #include "ui/window/file_dialogs.h"
 
 #include <QFileDialog>
@@ -56,9 +56,13 @@ void ImageExport::write(const std::filesystem::path& path, const ImageChoice& ch
     options.rayCast = choice.rayCast;
     options.lighting = m_settings.truth.lighting;
     options.sections = m_view.cuts().cuts().section;
-    const auto work = [=](const surface::Surface& surface, const base::Progress& progress) {
+    const auto work = [=, beside = m_editor.snapshot().beside](const surface::Surface& surface,
+                                                               const base::Progress& progress) {
+        std::vector<surface::Surface> models{surface};
+        for (const session::ShownModel& each : beside)
+            models.push_back(each.surface);
         render::PictureStats stats;
-        const render::Image image = render::drawPicture(surface, camera, options, stats, progress);
+        const render::Image image = render::ScenePictureMaker(models, options).draw(camera, stats, progress);
         progress.step(0.5, "Writing the image");
         render::savePng(image, path);
     };

@@ -220,6 +220,8 @@ void MainWindow::showSnapshot() {
     if (now.models != m_models) {
         m_models = now.models;
         suitShading();
+    }
+    if (std::exchange(m_model, now.model) != now.model) {
         m_panel->setModelSize(static_cast<double>(now.surface.tree().bounds().diagonal()));
         m_header->setModelSize(static_cast<double>(now.surface.tree().bounds().diagonal()));
     }

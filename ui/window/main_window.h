@@ -108,6 +108,7 @@ class MainWindow : public QMainWindow {
     Notices* m_notices = nullptr;
     QString m_whyRenderer;
     std::uint64_t m_models = 0; ///< of the snapshot that the panel's ranges suit
+    std::uint32_t m_model = 0;  ///< of its scene: sizes were chosen for it
     bool m_mayClose = false;
 };
 

@@ -64,7 +64,7 @@ session::Context ModelWorker::context() {
     out.recorded = [this](const nlohmann::json& complete) {
         if (session::command(complete["op"].get_ref<const std::string&>()).startsModel) {
             ++m_models; // in the middle of a session, too
-            m_shown.reference = process::shownAs(m_document.surface());
+            m_references.clear();
         }
         m_reports.recorded(QString::fromStdString(session::shortly(complete, longestLine)));
     };
@@ -86,8 +86,11 @@ void ModelWorker::publish(Snapshot snapshot) {
 }
 
 void ModelWorker::publishDocument() {
-    Snapshot out = snapshotOf(m_document);
-    out.reference = out.modified ? m_shown.reference : out.surface;
+    Snapshot out = snapshotOf(m_document, m_beside);
+    surface::Surface& reference = m_references.try_emplace(out.model, out.surface).first->second;
+    if (!out.modified)
+        reference = out.surface;
+    out.reference = reference;
     out.models = m_models;
     if (m_undone) {
         out.canRedo = true;
@@ -100,6 +103,7 @@ void ModelWorker::publishDocument() {
 void ModelWorker::publishStroke() {
     Snapshot out = m_shown;
     out.surface = m_stroke->stroke->surface();
+    out.whole = m_beside.whole(out.surface.tree());
     out.surfels = out.surface.tree().size();
     publish(std::move(out));
 }
@@ -108,6 +112,7 @@ void ModelWorker::publishStroke() {
 void ModelWorker::publishSettling() {
     Snapshot out = m_shown;
     out.surface = m_settling->stroke->surface();
+    out.whole = m_beside.whole(out.surface.tree());
     out.surfels = out.surface.tree().size();
     if (m_settling->stroke->changed()) {
         out.modified = out.canUndo = true;

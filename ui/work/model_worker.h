@@ -13,6 +13,7 @@
 #include "ui/work/task_queue.h"
 
 #include <atomic>
+#include <map>
 #include <memory>
 #include <QString>
 
@@ -86,6 +87,8 @@ class ModelWorker {
     WorkerSignals& m_signals;
     WorkerReports m_reports;
     session::Document m_document;
+    session::ShownScene m_beside;                           ///< what is seen beside the active model
+    std::map<std::uint32_t, surface::Surface> m_references; ///< by model: as it was when opened, made or last saved
     std::unique_ptr<session::Journal> m_journal;
     std::unique_ptr<OpenStroke> m_stroke;   ///< being drawn
     std::unique_ptr<OpenStroke> m_settling; ///< ended; none is drawn meanwhile

@@ -33,14 +33,14 @@ void RecoveryPreview::want(const std::filesystem::path& journal, QSize size) {
 
 static QImage pictureOf(const Snapshot& model, QSize size) {
     const render::Camera camera =
-        render::Camera::looking(render::framedBox(model.surface.tree()), size.width(), size.height(), model.up);
+        render::Camera::looking(render::framedBox(model.whole), size.width(), size.height(), model.up);
     render::RenderOptions options;
-    options.shading = render::usualShading(model.surface.tree());
+    options.shading = render::usualShading(model.whole);
     options.definition = model.surface.definition();
     options.splatScale = model.splatScale;
     render::CpuSplatter renderer;
     render::Image image;
-    renderSmooth(renderer, model.surface.tree(), camera, options, image);
+    renderSmooth(renderer, model.whole, camera, options, image);
     const QImage view(reinterpret_cast<const uchar*>(image.colour.data()), image.width, image.height,
                       QImage::Format_RGBX8888);
     return view.convertToFormat(QImage::Format_RGB32);
@@ -57,7 +57,8 @@ void RecoveryPreview::make(const Wanted& wanted, const base::Progress& progress)
     session::Document document;
     session::Context context{document, {}, told, {}, 0, {}};
     const session::Recovery recovery = session::recover(wanted.journal, context);
-    const QImage picture = pictureOf(snapshotOf(document), wanted.size);
+    session::ShownScene beside;
+    const QImage picture = pictureOf(snapshotOf(document, beside), wanted.size);
     post(this, [this, picture, steps = stepsText(recovery)] { Q_EMIT shown(picture, steps); });
 }
 

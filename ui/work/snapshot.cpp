@@ -6,11 +6,23 @@
 
 namespace ui {
 
-Snapshot snapshotOf(const session::Document& document) {
+static void tellScene(const session::Scene& scene, session::ShownScene& shown, Snapshot& out) {
+    const session::SceneModel& active = scene.models[scene.active];
+    for (const session::SceneModel& each : scene.models)
+        out.scene.push_back({each.name, each.surface.tree().size(), each.visible, each.locked});
+    out.active = scene.active;
+    out.model = active.id;
+    out.stand = {active.pose.rotation, active.pose(active.origin())};
+    out.beside = shown.beside(scene);
+    out.whole = shown.whole(active.visible ? out.surface.tree() : tree::SurfelTree());
+}
+
+Snapshot snapshotOf(const session::Document& document, session::ShownScene& shown) {
     Snapshot out;
     out.surface = process::shownAs(document.surface());
     out.surfels = document.surface().tree().size();
-    out.path = document.provenance().path;
+    tellScene(document.scene(), shown, out);
+    out.path = document.path();
     out.origin = document.provenance().origin;
     out.up = document.up();
     out.layers = document.layers();

@@ -2,9 +2,19 @@
 #pragma once
 
 #include "core/session/document.h"
+#include "core/session/shown_scene.h"
 
 namespace ui {
 
+/// One model of the scene, as a list shows it.
+struct SceneEntry {
+    std::string name;
+    std::size_t surfels = 0;
+    bool visible = true, locked = false;
+    bool operator==(const SceneEntry&) const = default;
+};
+
+/// What it tells of a model is of the scene's active one, whose stored coordinates are those of pictures and picks.
 struct Snapshot {
     surface::Surface surface;   ///< with the dabs of a stroke in progress; of a curve, the tube around it
     surface::Surface reference; ///< the same as it was when opened, made or last saved
@@ -13,6 +23,12 @@ struct Snapshot {
     base::Vec3d origin;
     base::UpAxis up = base::UpAxis::Y;
     layers::Stack layers;
+    std::vector<SceneEntry> scene; ///< all models in their order
+    std::size_t active = 0;        ///< of them
+    std::uint32_t model = 0;       ///< SceneModel::id of that one
+    process::Rigid stand;          ///< from its stored coordinates to the scene's
+    std::vector<session::ShownModel> beside;
+    tree::SurfelTree whole; ///< `surface` and what is beside it: what pictures show
     bool modified = false;
     bool canUndo = false, canRedo = false;
     std::string undoLabel, redoLabel;
@@ -25,7 +41,8 @@ struct Snapshot {
     std::uint64_t models = 0; ///< grows when another model takes the place of the old one: frame it
 };
 
-/// Everything but `reference`, `dabSeconds`, `input` and `models`. Cost: blocks, not surfels.
-Snapshot snapshotOf(const session::Document& document);
+/// Everything but `reference`, `dabSeconds`, `input` and `models`. Cost: blocks, not surfels, and of models beside the
+/// active one what has changed since `shown` was asked last.
+Snapshot snapshotOf(const session::Document& document, session::ShownScene& shown);
 
 } // namespace ui

@@ -17,8 +17,8 @@ std::span<const CommandRow> commandTable() {
         orientCommand(),     upCommand(),       selectCommand(),    selectionCommand(), maskCommand(),
         deleteCommand(),     keepCommand(),     duplicateCommand(), transformCommand(), colourCommand(),
         flipCommand(),       smoothCommand(),   sharpenCommand(),   inflateCommand(),   noiseCommand(),
-        alignCommand(),      unitCommand(),     shellCommand(),     layerCommand(),     undoCommand(),
-        redoCommand(),       expectCommand()};
+        alignCommand(),      unitCommand(),     shellCommand(),     layerCommand(),     sceneCommand(),
+        undoCommand(),       redoCommand(),     expectCommand()};
     return rows;
 }
 

@@ -53,6 +53,7 @@ CommandRow alignCommand();
 CommandRow unitCommand();
 CommandRow shellCommand();
 CommandRow layerCommand();
+CommandRow sceneCommand();
 CommandRow undoCommand();
 CommandRow redoCommand();
 CommandRow expectCommand();

@@ -1,26 +1,15 @@
 #include "core/base/error.h"
-#include "core/io/formats.h"
-#include "core/process/estimation/part_progress.h"
 #include "core/session/commands/commands.h"
-#include "core/session/opened_file.h"
+#include "core/session/face_options.h"
+#include "core/session/models_read.h"
+#include "core/session/scene_file.h"
+#include "core/session/surface_options.h"
 
 #include <nlohmann/json.hpp>
 
 namespace session {
 
 using nlohmann::json;
-
-static Provenance provenanceOf(io::FileModel& model, const std::filesystem::path& path) {
-    Provenance out;
-    out.path = path;
-    out.origin = model.origin;
-    out.faces = model.faces;
-    out.dropped = model.dropped;
-    out.format = model.format;
-    out.comments = std::move(model.comments);
-    out.elements = std::move(model.elements);
-    return out;
-}
 
 static void checkHash(Context& context, const json& complete, const base::Hash128& hash) {
     const auto wanted = complete.find("hash");
@@ -35,21 +24,32 @@ static void checkHash(Context& context, const json& complete, const base::Hash12
     context.messages.push_back(path + ": " + what + "; it is taken as it is now");
 }
 
+/// The journal gets the commands that make the scene, each with what it read.
+static void openScene(Context& context, const std::filesystem::path& path) {
+    Document scene;
+    json lines = json::array();
+    Context inner{scene, path.parent_path(), context.progress, {}, 0, {}, nullptr};
+    inner.takesChangedFiles = context.takesChangedFiles;
+    inner.recorded = [&](const json& line) {
+        lines.push_back(line);
+        if (line.at("op") == "open")
+            lines.back()["hash"] = scene.hash().text();
+    };
+    for (const json& each : sceneCommands(path))
+        run(inner, each);
+    context.messages.insert(context.messages.end(), inner.messages.begin(), inner.messages.end());
+    context.document.reset(scene.scene(), path);
+    context.instead = std::make_shared<json>(std::move(lines));
+}
+
 static void open(Context& context, const json& complete) {
     const std::filesystem::path path = complete.at("path").get<std::string>();
-    const std::filesystem::path source = complete.value("source", path.string());
-    io::FileModel model = io::read(source, process::part(context.progress, 0, 0.4), path.parent_path());
-    Provenance provenance = provenanceOf(model, path);
-    OpenedFile file = opened(path.string(), std::move(model), complete, process::part(context.progress, 0.4, 0.7));
-    provenance.sampled = file.faces.sampled;
-    provenance.closed = file.faces.closed;
-    provenance.guessedSides = !file.ownNormals && file.model.faces == 0;
-    MadeModel fresh = made(file, process::part(context.progress, 0.7, 1));
-    provenance.merged = fresh.merged;
-    layers::Stack stack = layersIn(provenance.comments, fresh.surface, file.model.messages);
-    checkHash(context, complete, contentHash(fresh.surface.tree(), provenance.origin, stack));
-    context.messages.insert(context.messages.end(), file.model.messages.begin(), file.model.messages.end());
-    context.document.reset(std::move(fresh.surface), std::move(provenance), fresh.up, std::move(stack));
+    if (isSceneFile(path))
+        return openScene(context, path);
+    Scene scene =
+        readModels(path, complete.value("source", path.string()), complete, context.messages, context.progress);
+    checkHash(context, complete, contentHash(scene));
+    context.document.reset(std::move(scene), path);
 }
 
 CommandRow openCommand() {

@@ -6,6 +6,8 @@
 #include "core/session/commands/commands.h"
 #include "core/session/commands/selected/limits.h"
 #include "core/session/journal.h"
+#include "core/session/scene_file.h"
+#include "core/session/scene_ply.h"
 
 #include <nlohmann/json.hpp>
 
@@ -37,32 +39,73 @@ static io::FileModel partOf(Context& context, bool selected) {
     return model;
 }
 
-static void save(Context& context, const json& complete) {
-    requireModel(context);
-    const std::filesystem::path path = complete.at("path").get<std::string>();
+/// Nothing is written over that the journal still needs.
+static void makeWay(Context& context, const std::filesystem::path& path) {
     std::error_code unequal;
     if (context.journal && std::filesystem::equivalent(path, context.journal->path(), unequal))
         throw base::Error("is the journal of this session, which the model would replace", path.string(),
                           "choose another name");
     if (context.journal)
         context.journal->keepSource(path, context);
-    const bool linked = io::hasOtherNames(path), whole = complete.at("part") == "all";
-    const io::FileModel model =
-        whole ? context.document.fileModel() : partOf(context, complete.at("part") == "selection");
+}
+
+static void write(Context& context, const std::filesystem::path& path, const io::FileModel& model) {
+    makeWay(context, path);
+    const bool linked = io::hasOtherNames(path);
     io::write(path, model, context.progress);
     if (const std::string loss = io::lossOf(path, model); !loss.empty())
         context.messages.push_back(loss);
     if (linked)
         context.messages.push_back(path.string() +
                                    ": other names of this file (hard links) still hold what it held before");
+}
+
+/// A file for each model, then the one that names them.
+static void saveScene(Context& context, const std::filesystem::path& path) {
+    const Scene& scene = context.document.scene();
+    makeWay(context, path);
+    const std::vector<std::filesystem::path> files = modelFiles(scene, path);
+    for (std::size_t k = 0; k < files.size(); ++k)
+        write(context, files[k], fileModel(scene.models[k]));
+    io::writeFile(path, sceneText(scene, files));
+    context.messages.push_back(std::to_string(files.size()) + (files.size() == 1 ? " model" : " models") +
+                               " in files beside it: " + path.stem().stem().string() + ".NAME.ply");
+    context.document.saved(path);
+}
+
+/// All that there is, as one file.
+static io::FileModel wholeOf(const Document& document) {
+    const Scene& scene = document.scene();
+    const bool alone = scene.models.size() == 1 && isNothing(scene.models.front().pose);
+    return alone ? document.fileModel() : togetherAsParts(scene);
+}
+
+static void save(Context& context, const json& complete) {
+    requireModel(context);
+    const std::filesystem::path path = complete.at("path").get<std::string>();
+    const auto part = complete.at("part").get<std::string>();
+    if (isSceneFile(path)) {
+        if (part != "all")
+            throw base::Error("a scene file holds all models", path.string(), "save a part as .ply");
+        return saveScene(context, path);
+    }
+    if (part == "all")
+        write(context, path, wholeOf(context.document));
+    else
+        write(context, path, part == "model" ? context.document.fileModel() : partOf(context, part == "selection"));
+    const bool whole = part == "all" || (part == "model" && context.document.scene().models.size() == 1);
     if (whole && isNative(path))
         context.document.saved(path);
 }
 
 CommandRow saveCommand() {
     static const CommandParameter parameters[] = {
-        {"path", "path", "", "file to write; its extension selects the format, .ply keeps everything", "", "", 0, 0},
-        {"part", "choice", "", "selection, rest: that part of the model alone", "\"all\"", "all selection rest", 0, 0},
+        {"path", "path", "",
+         "file to write; its extension selects the format, .ply keeps everything, .scene.json a file for each model of "
+         "a scene",
+         "", "", 0, 0},
+        {"part", "choice", "", "model: the active one alone; selection, rest: that part of it", "\"all\"",
+         "all model selection rest", 0, 0},
     };
     return {"save", "Save", "Writes the model to a file.", parameters, false, false, save, nullptr};
 }

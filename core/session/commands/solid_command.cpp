@@ -13,13 +13,38 @@ namespace session {
 
 using nlohmann::json;
 
+/// Another model of the scene.
+static std::size_t sceneModel(const Scene& scene, const std::string& name) {
+    const std::size_t out = scene.find(name);
+    if (out == scene.active)
+        throw base::Error("\"" + name + "\" is the active model itself", {}, "name another model of the scene");
+    return out;
+}
+
+/// As it stands beside the active model.
+static Document standing(const Scene& scene, std::size_t index) {
+    const SceneModel& active = scene.models[scene.active];
+    Scene alone;
+    alone.models = {scene.models[index]};
+    SceneModel& model = alone.models.front();
+    model.surface = session::placed(model.surface, between(model, active));
+    model.provenance = active.provenance; // the coordinates that it is in now
+    model.pose = {};
+    Document out;
+    out.reset(std::move(alone), {});
+    return out;
+}
+
 /// Opened or made as `open` and `new` do it.
 static Document otherSolid(Context& context, const json& complete) {
     const bool file = complete.contains("path");
-    if (file == complete.contains("sample"))
-        throw base::Error("\"solid\" needs a \"path\" or a \"sample\"", {}, "give one of them");
+    if (file + complete.contains("sample") + complete.contains("model") != 1)
+        throw base::Error("\"solid\" needs a \"path\", a \"sample\" or a \"model\"", {}, "give one of them");
     if (file)
         return otherModel(context, complete, 0, context.progress);
+    const Scene& scene = context.document.scene();
+    if (complete.contains("model"))
+        return standing(scene, sceneModel(scene, complete.at("model").get<std::string>()));
     Document out;
     Context inner{out, context.folder, context.progress, {}, 0, {}, nullptr};
     run(inner, modelCommand("sample:" + complete.at("sample").get<std::string>()));
@@ -47,6 +72,7 @@ static surfel::SurfelList placed(const Document& other, const solid::Pose& pose,
 
 static void solidWith(Context& context, const json& complete) {
     requireModel(context);
+    const tree::SurfelTree before = context.document.surface().tree();
     const Document other = otherSolid(context, complete);
     if (complete.contains("path")) { // a journal notices when the file has changed
         json pinned = complete;
@@ -67,13 +93,20 @@ static void solidWith(Context& context, const json& complete) {
          solid::combine(model, {side, std::move(surfels)},
                         solid::operation(complete.at("operation").get<std::string>()), options, context.progress),
          "Combine");
+    if (complete.contains("model") && !(context.document.surface().tree() == before)) { // it is in this one now
+        Scene scene = context.document.scene();
+        scene.models[sceneModel(scene, complete.at("model").get<std::string>())].visible = false;
+        context.document.amend(std::move(scene));
+    }
 }
 
 CommandRow solidCommand() {
     static const std::string operations = idsOf(solid::operationTable());
     static const CommandParameter parameters[] = {
-        {"path", "path", "", "the other model: a file; give this or sample", "null", "", 0, 0},
+        {"path", "path", "", "the other model: a file; give this, sample or model", "null", "", 0, 0},
         {"sample", "text", "", "the other model: a sample, NAME[:COUNT[:SEED]]", "null", "", 0, 0},
+        {"model", "text", "", "the other model: one of the scene, where it stands; it is hidden afterwards", "null", "",
+         0, 0},
         {"hash", "text", "", "content hash that the other model must have", "null", "", 0, 0, true},
         sourcesParameter(),
         {"operation", "choice", "",

@@ -56,6 +56,9 @@ void addFileMenu(MainWindow& window) {
     addNewMenu(window, *menu);
     addEntry(*menu, "open", QObject::tr("&Open…"), QKeySequence::Open, [&files] { files.open(); });
     addRecentMenu(window, *menu);
+    addEntry(*menu, "", QObject::tr("&Add Model…"), QKeySequence("Ctrl+Shift+O"), [&files] {
+        files.add();
+    })->setToolTip(QObject::tr("Puts the models of a file beside what is open"));
     menu->addSeparator();
     addEntry(*menu, "save", QObject::tr("&Save"), QKeySequence::Save, [&files] { files.save(); });
     addEntry(*menu, "save-as", QObject::tr("Save &As…"), QKeySequence("Ctrl+Shift+S"), [&files] { files.saveAs(); });

@@ -6,6 +6,7 @@
 #include <QAction>
 #include <QActionGroup>
 #include <QApplication>
+#include <QDockWidget>
 #include <QMenu>
 
 namespace ui {
@@ -76,6 +77,14 @@ static void addRenderer(MainWindow& window, QMenu& view) {
     show();
 }
 
+static void addSceneEntry(MainWindow& window, QMenu& view) {
+    QAction* scene = window.findChild<QDockWidget*>("scene")->toggleViewAction();
+    scene->setText(QObject::tr("&Models"));
+    scene->setShortcut(QKeySequence("Ctrl+Shift+M"));
+    scene->setToolTip(QObject::tr("All models of the scene: which is active, shown, locked"));
+    view.addAction(scene);
+}
+
 void addViewMenu(MainWindow& window) {
     QMenu* view = addMenu(window, "view", QObject::tr("&View"));
     addLookMenus(window, *view);
@@ -85,6 +94,7 @@ void addViewMenu(MainWindow& window) {
     addSavedViewsMenu(window, *view);
     addNavigationMenu(window, *view);
     addCutBar(window, *view);
+    addSceneEntry(window, *view);
     addLayerBar(window, *view);
     addTouchBar(window, *view);
     addThemeMenu(window, *view);

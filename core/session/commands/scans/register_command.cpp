@@ -77,13 +77,42 @@ static void take(Context& context, const json& complete) {
     join(context, scans, {});
 }
 
+/// Models of the scene onto the active one: their places change, and nothing else.
+static void placeScene(Context& context, const json& complete) {
+    Scene scene = context.document.scene();
+    const SceneModel active = scene.models[scene.active];
+    Scans scans;
+    add(scans, active.name, context.document);
+    std::vector<SceneModel*> moving;
+    for (SceneModel& model : scene.models) {
+        if (model.id == active.id || !model.visible || model.locked)
+            continue;
+        Document alone;
+        Scene one;
+        one.models = {model};
+        alone.reset(std::move(one), {});
+        add(scans, model.name, alone);
+        scans.placed.back().pose = between(model, active);
+        moving.push_back(&model);
+    }
+    if (moving.empty())
+        throw base::Error("no other model is shown and not locked", {}, "show or unlock those that are to be moved");
+    bringTogether(context, scans, complete);
+    for (std::size_t m = 0; m < moving.size(); ++m)
+        moving[m]->pose = active.pose * betweenFiles(scans, m + 1);
+    context.document.rearrange(std::move(scene), "Register");
+}
+
 static void registerScans(Context& context, const json& complete) {
     requireModel(context);
-    const bool to = complete.contains("to");
-    if (to == complete.contains("moving"))
-        throw base::Error("\"register\" needs either \"to\" or \"moving\"", {},
-                          "name the model that this one is moved onto, or those that are moved onto this one");
-    if (to)
+    const bool to = complete.contains("to"), scene = complete.at("scene").get<bool>();
+    if (to + complete.contains("moving") + scene != 1)
+        throw base::Error("\"register\" needs either \"to\", \"moving\" or \"scene\"", {},
+                          "name the model that this one is moved onto, or those that are moved onto this one; scene: "
+                          "the other models of the scene");
+    if (scene)
+        placeScene(context, complete);
+    else if (to)
         moveTo(context, complete);
     else
         take(context, complete);
@@ -93,6 +122,10 @@ CommandRow registerCommand() {
     static const CommandParameter parameters[] = {
         {"to", "path", "", "the model that this one is moved onto; give this or moving", "null", "", 0, 0},
         {"moving", "paths", "", "models that are moved onto this one and added to it", "null", "", 0, 0},
+        {"scene", "boolean", "",
+         "the other models of the scene, as far as they are shown and not locked, come to lie on "
+         "the active one: their poses change",
+         "false", "", 0, 0},
         {"global", "boolean", "",
          "look for their places everywhere, by what the surfaces look like; otherwise they begin where they are",
          "false", "", 0, 0},
