@@ -18,7 +18,7 @@ static nlohmann::json commandOf(const std::string& model) {
 
 io::FileModel readModel(const std::string& model, const base::Progress& progress) {
     const nlohmann::json command = session::complete(commandOf(model));
-    if (command.at("op") == "open" && session::isSceneFile(model)) {
+    if (command.at("op") == "open" && session::opensAsScene(model)) {
         session::Document document;
         session::Context context{document, {}, progress, {}, 0, {}, nullptr};
         session::run(context, command);

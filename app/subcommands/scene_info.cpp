@@ -11,7 +11,7 @@ namespace app {
 using nlohmann::ordered_json;
 
 bool isScene(const std::string& model, const io::FileModel* file) {
-    return file ? session::tellsOfParts(*file) : session::isSceneFile(model);
+    return file ? session::tellsOfParts(*file) : session::opensAsScene(model);
 }
 
 namespace {

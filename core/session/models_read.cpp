@@ -40,21 +40,20 @@ static void fill(SceneModel& out, io::FileModel model, const std::filesystem::pa
     messages.insert(messages.end(), file.model.messages.begin(), file.model.messages.end());
 }
 
-Scene readModels(const std::filesystem::path& path, const std::filesystem::path& source, const json& parameters,
-                 std::vector<std::string>& messages, const base::Progress& progress) {
-    io::FileModel whole = io::read(source, process::part(progress, 0, 0.4), path.parent_path());
+Scene modelsOf(io::FileModel whole, const std::filesystem::path& path, const json& parameters,
+               std::vector<std::string>& messages, const base::Progress& progress) {
     std::vector<ScenePart> parts = partsOf(whole);
     Scene out;
     if (parts.empty()) {
         out.models.front().name = nameOf(path);
-        fill(out.models.front(), std::move(whole), path, parameters, messages, process::part(progress, 0.4, 1));
+        fill(out.models.front(), std::move(whole), path, parameters, messages, progress);
         return out;
     }
     out.models.clear();
     for (std::size_t k = 0; k < parts.size(); ++k) {
         SceneModel model = std::move(parts[k].model);
         model.name = out.freshName(model.name);
-        const double share = 0.6 / static_cast<double>(parts.size()), begin = 0.4 + share * static_cast<double>(k);
+        const double share = 1.0 / static_cast<double>(parts.size()), begin = share * static_cast<double>(k);
         fill(model, std::move(parts[k].file), path, parameters, messages,
              process::part(progress, begin, begin + share));
         if (parts[k].active)
@@ -62,6 +61,12 @@ Scene readModels(const std::filesystem::path& path, const std::filesystem::path&
         out.models.push_back(std::move(model));
     }
     return out;
+}
+
+Scene readModels(const std::filesystem::path& path, const std::filesystem::path& source, const json& parameters,
+                 std::vector<std::string>& messages, const base::Progress& progress) {
+    io::FileModel file = io::read(source, process::part(progress, 0, 0.4), path.parent_path());
+    return modelsOf(std::move(file), path, parameters, messages, process::part(progress, 0.4, 1));
 }
 
 } // namespace session

@@ -1,10 +1,12 @@
 #include "core/session/scene_file.h"
 
 #include "core/base/error.h"
+#include "core/base/listed.h"
 #include "core/io/before_writing.h"
 #include "core/io/file_bytes.h"
 #include "core/session/json_text.h"
 #include "core/session/path_text.h"
+#include "core/session/pose_file.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -23,6 +25,10 @@ bool isSceneFile(const fs::path& path) {
     std::string name = path.filename().string();
     std::ranges::transform(name, name.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
     return name.size() > extension.size() && name.ends_with(extension);
+}
+
+bool opensAsScene(const fs::path& path) {
+    return isSceneFile(path) || isPoseFile(path);
 }
 
 void requireSavable(const fs::path& path) {
@@ -89,7 +95,49 @@ static json modelsIn(const fs::path& file) {
     return out;
 }
 
-std::vector<json> sceneCommands(const fs::path& file) {
+static json addCommand(const std::string& path, const std::string& name, const std::vector<double>& matrix) {
+    return {{"op", "scene"}, {"do", "add"}, {"path", path}, {"name", name}, {"matrix", matrix}};
+}
+
+/// The commands of the first model, which is opened.
+static std::vector<json> openCommands(const std::string& path, const std::string& name,
+                                      const std::vector<double>& matrix) {
+    std::vector<json> out{{{"op", "open"}, {"path", path}}, {{"op", "scene"}, {"do", "rename"}, {"to", name}}};
+    if (matrix != matrixOf({}))
+        out.push_back({{"op", "scene"}, {"do", "place"}, {"name", name}, {"matrix", matrix}});
+    return out;
+}
+
+/// Scans by the names of their files.
+static std::vector<json> scanCommands(const fs::path& file, std::vector<std::string>& messages) {
+    std::vector<json> out;
+    Scene names;
+    std::vector<std::string> missing;
+    for (const PosedFile& each : posesIn(file)) {
+        std::error_code none;
+        if (!fs::exists(each.file, none)) {
+            missing.push_back(each.file.filename().string());
+            continue;
+        }
+        SceneModel model;
+        model.name = names.freshName(nameOf(each.file));
+        names.models.push_back(model);
+        if (out.empty())
+            out = openCommands(each.file.string(), model.name, matrixOf(each.pose));
+        else
+            out.push_back(addCommand(each.file.string(), model.name, matrixOf(each.pose)));
+    }
+    if (out.empty())
+        throw base::Error("none of its scans is there", file.string(), "put it beside the scans that it names");
+    if (!missing.empty())
+        messages.push_back("Not there and left out: " + base::listed(missing) + ".");
+    out.push_back(step("activate", names.models[1].name));
+    return out;
+}
+
+std::vector<json> sceneCommands(const fs::path& file, std::vector<std::string>& messages) {
+    if (isPoseFile(file))
+        return scanCommands(file, messages);
     const json scene = modelsIn(file);
     std::vector<json> out, states;
     std::set<std::string> names;
@@ -99,18 +147,13 @@ std::vector<json> sceneCommands(const fs::path& file) {
             throw base::Error("two models are called \"" + name + "\"", file.string(), advice);
         const std::string path =
             (file.parent_path() / pathOf(valueOf<std::string>(model, "file", nullptr, file))).string();
-        if (isSceneFile(path))
+        if (opensAsScene(path))
             throw base::Error("\"" + name + "\" is a scene itself", file.string(), "name its models");
         const std::vector<double> matrix = matrixIn(model, file);
-        if (out.empty()) {
-            out.push_back({{"op", "open"}, {"path", path}});
-            json rename = {{"op", "scene"}, {"do", "rename"}, {"to", name}};
-            out.push_back(std::move(rename));
-            if (matrix != matrixOf({}))
-                out.push_back({{"op", "scene"}, {"do", "place"}, {"name", name}, {"matrix", matrix}});
-        } else {
-            out.push_back({{"op", "scene"}, {"do", "add"}, {"path", path}, {"name", name}, {"matrix", matrix}});
-        }
+        if (out.empty())
+            out = openCommands(path, name, matrix);
+        else
+            out.push_back(addCommand(path, name, matrix));
         addState(states, model, file, name);
     }
     out.insert(out.end(), states.begin(), states.end());

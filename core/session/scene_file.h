@@ -14,14 +14,17 @@
 
 namespace session {
 
-/// By its name: NAME.scene.json.
+/// By its name: NAME.scene.json, which is how scenes are saved.
 bool isSceneFile(const std::filesystem::path& path);
+/// What opens as several models: those, and files of scans' poses (pose_file.h).
+bool opensAsScene(const std::filesystem::path& path);
 
 /// Throws base::Error where neither a scene nor a model is written to files of that extension.
 void requireSavable(const std::filesystem::path& path);
 
-/// The commands that make the scene, the first of which opens a model. Throws base::Error that names what is wrong.
-std::vector<nlohmann::json> sceneCommands(const std::filesystem::path& file);
+/// The commands that make the scene, the first of which opens a model. Scans that a file of poses names and that are
+/// not there are left out, which is told. Throws base::Error that names what is wrong.
+std::vector<nlohmann::json> sceneCommands(const std::filesystem::path& file, std::vector<std::string>& messages);
 
 /// Where the models of a scene are saved that is saved in `file`: beside it, in the models' order.
 std::vector<std::filesystem::path> modelFiles(const Scene& scene, const std::filesystem::path& file);

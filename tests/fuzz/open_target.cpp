@@ -2,8 +2,8 @@
 // and parameters follow from the length.
 #include "core/io/file_bytes.h"
 #include "core/io/formats.h"
-#include "core/session/document.h"
-#include "core/session/opened_file.h"
+#include "core/session/models_read.h"
+#include "core/session/scene_ply.h"
 #include "fuzz/fuzzed.h"
 
 #include <nlohmann/json.hpp>
@@ -19,23 +19,22 @@ const nlohmann::json& parametersOf(std::size_t number) {
     return some[number % some.size()];
 }
 
-void open(io::FileModel read, std::size_t number, const base::Progress& progress) {
-    session::OpenedFile file = session::opened("a", std::move(read), parametersOf(number), progress);
-    const session::MadeModel fresh = session::made(file, progress);
-    fresh.surface.tree().validate();
-    session::Document document;
-    session::Provenance provenance;
-    provenance.origin = file.model.origin;
-    provenance.comments = file.model.comments;
-    provenance.elements = file.model.elements;
-    document.reset(fresh.surface, provenance, fresh.up);
+io::FileModel fileOf(const session::Scene& scene) {
+    return scene.models.size() == 1 ? session::fileModel(scene.models.front()) : session::togetherAsParts(scene);
+}
 
+void open(io::FileModel read, std::size_t number, const base::Progress& progress) {
+    std::vector<std::string> messages;
+    const session::Scene fresh = session::modelsOf(std::move(read), "a", parametersOf(number), messages, progress);
+    for (const session::SceneModel& each : fresh.models)
+        each.surface.tree().validate();
     const std::filesystem::path path = fuzz::folder() / "out.ply";
-    io::write(path, document.fileModel(), {});
-    session::OpenedFile again = session::opened("b", io::read(path), nlohmann::json::object(), {});
-    const session::MadeModel same = session::made(again, {});
-    fuzz::require(same.up == fresh.up, "what is upwards comes back");
-    fuzz::require(session::contentHash(same.surface.tree(), again.model.origin) == document.hash(),
+    io::write(path, fileOf(fresh), {});
+    const session::Scene same = session::readModels(path, path, nlohmann::json::object(), messages, {});
+    fuzz::require(same.models.size() == fresh.models.size(), "all models come back");
+    for (std::size_t k = 0; k < same.models.size(); ++k)
+        fuzz::require(same.models[k].up == fresh.models[k].up, "what is upwards comes back");
+    fuzz::require(fresh.models.size() > 1 || session::contentHash(same) == session::contentHash(fresh),
                   "what was saved is what is opened");
 }
 

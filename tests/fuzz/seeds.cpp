@@ -5,6 +5,7 @@
 #include "core/io/e57/paged_bytes.h"
 #include "core/io/formats.h"
 #include "core/session/command.h"
+#include "core/session/scene_ply.h"
 #include "fuzz/fuzzed.h"
 #include "support/crc32.h"
 #include "support/gzip.h"
@@ -240,4 +241,6 @@ void fuzz::writeSeeds(const fs::path& out) {
     session::run(context, {{"op", "new"}, {"sample", "moebius"}, {"count", 120}});
     fs::create_directories(out / "open");
     io::write(out / "open/sample.ply", document.fileModel());
+    session::run(context, {{"op", "scene"}, {"do", "duplicate"}});
+    io::write(out / "open/scene.ply", session::togetherAsParts(document.scene()));
 }

@@ -28,6 +28,7 @@ class SceneCommandTest : public QObject {
     void solidsOfTheSceneAreThoseOfFiles();
     void registeringMovesPosesAlone();
     void journalsBringScenesBack();
+    void scansStandAsTheirPosesSay();
     void sceneFilesThatAreNoneAreRefused_data();
     void sceneFilesThatAreNoneAreRefused();
     void shownModelsStandWhereTheirPosesSay();
@@ -442,6 +443,27 @@ void SceneCommandTest::journalsBringScenesBack() {
     Workbench back;
     session::recover(bench.path("j.jsonl"), back.context);
     QCOMPARE(back.hash(), hash);
+}
+
+void SceneCommandTest::scansStandAsTheirPosesSay() {
+    Workbench bench;
+    bench.run(test::newSphere(1000));
+    bench.run({{"op", "save"}, {"path", bench.path("a.ply").string()}});
+    const std::vector<Vec3d> own = allPlaces(bench);
+    // A quarter turn about z, whose transpose takes (x, y) to (y, -x); lengths of quaternions do not count.
+    test::write(bench.path("scans.conf"), "camera 1 2 3\n\nbmesh a.ply 0 0 0 0 0 0 1\r\n"
+                                          "bmesh  a.ply\t1 2 3 0 0 2 2\n");
+    bench.run({{"op", "open"}, {"path", bench.path("scans.conf").string()}});
+    QCOMPARE(bench.document.scene().models.size(), std::size_t(2));
+    QCOMPARE(apart(placesOf(model(bench, "a")), own), 0.0);
+    const std::vector<Vec3d> turned = placesOf(model(bench, "a 2"));
+    for (std::size_t i = 0; i < own.size(); ++i)
+        QVERIFY(distance(turned[i], Vec3d{own[i].y + 1, -own[i].x + 2, own[i].z + 3}) < 1e-12);
+    for (const char* wrong : {"", "camera 1 2 3\n", "bmesh a.ply 0 0 0 0 0 0\n", "bmesh a.ply 0 0 0 0 0 0 0\n",
+                              "bmesh a.ply 0 0 0 0 0 x 1\n", "bmesh none.ply 0 0 0 0 0 0 1\n"}) {
+        test::write(bench.path("wrong.conf"), wrong);
+        QVERIFY2(!bench.refusal({{"op", "open"}, {"path", bench.path("wrong.conf").string()}}).empty(), wrong);
+    }
 }
 
 void SceneCommandTest::sceneFilesThatAreNoneAreRefused_data() {

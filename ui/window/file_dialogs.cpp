@@ -41,7 +41,7 @@ QString openFilter() {
             all << patterns(row.extensions);
             each << entry(row.label, row.extensions);
         }
-    all << "*.gz" << sceneFiles; // any of them, packed; several of them
+    all << "*.gz" << sceneFiles << "*.conf"; // any of them, packed; several of them
     each.prepend(QObject::tr("Models (%1)").arg(all.join(' ')));
     each << QObject::tr("All files (*)");
     return each.join(";;");

@@ -13,6 +13,10 @@ static void tellScene(const session::Scene& scene, session::ShownScene& shown, S
     out.active = scene.active;
     out.model = active.id;
     out.stand = {active.pose.rotation, active.pose(active.origin())};
+    if (active.surface.definition().connectivity) { // discs of a complex are cut by its cells, which others lack
+        out.whole = out.surface.tree();
+        return;
+    }
     out.beside = shown.beside(scene);
     out.whole = shown.whole(active.visible ? out.surface.tree() : tree::SurfelTree());
 }

@@ -5,6 +5,7 @@
 #include "core/session/scene_file.h"
 #include "core/session/surface_options.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace session {
@@ -35,16 +36,18 @@ static void openScene(Context& context, const std::filesystem::path& path) {
         if (line.at("op") == "open")
             lines.back()["hash"] = scene.hash().text();
     };
-    for (const json& each : sceneCommands(path))
+    for (const json& each : sceneCommands(path, inner.messages))
         run(inner, each);
-    context.messages.insert(context.messages.end(), inner.messages.begin(), inner.messages.end());
+    for (const std::string& message : inner.messages) // what is true of several models is told once
+        if (std::ranges::find(context.messages, message) == context.messages.end())
+            context.messages.push_back(message);
     context.document.reset(scene.scene(), path);
     context.instead = std::make_shared<json>(std::move(lines));
 }
 
 static void open(Context& context, const json& complete) {
     const std::filesystem::path path = complete.at("path").get<std::string>();
-    if (isSceneFile(path))
+    if (opensAsScene(path))
         return openScene(context, path);
     Scene scene =
         readModels(path, complete.value("source", path.string()), complete, context.messages, context.progress);

@@ -63,7 +63,7 @@ void add(Context& context, const json& complete) {
     if (!complete.contains("path"))
         throw needs("path", complete);
     const auto path = complete.at("path").get<std::string>();
-    if (isSceneFile(path))
+    if (opensAsScene(path))
         throw base::Error("is a scene, which is opened by itself", path, "add its models one by one");
     Scene read = readModels(path, filesRead(complete).at(0), complete, context.messages, context.progress);
     pin(context, complete, read);
