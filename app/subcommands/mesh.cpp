@@ -149,7 +149,8 @@ void addDelaunayOptions(OptionSet command, mesh::DelaunayOptions& options) {
 void addMarchingOptions(OptionSet command, mesh::MarchingOptions& options) {
     command
         .add("--cell", options.cell,
-             "edge length of the cubes, in model units [the median spacing, of each body that stands apart]")
+             "edge length of the cubes, in model units [the median spacing, of each body that stands apart; the "
+             "spacing at each place where that varies much]")
         .check(above(0))
         .group("Marching cubes");
 }

@@ -38,6 +38,14 @@ class Fan {
         return found.has_value();
     }
 
+    /// The mean of the loop's edges.
+    double edgeLength() const {
+        double sum = 0;
+        for (const LoopEdge& edge : m_loop)
+            sum += distance(m_mesh.positions[edge.from], m_mesh.positions[edge.to]);
+        return sum / static_cast<double>(m_loop.size());
+    }
+
     /// Do the normals around it and the loop face as the middle does?
     bool isOneSheet() const {
         constexpr double steepest = 0.5; // cosine
@@ -92,7 +100,8 @@ std::vector<std::uint32_t> closeFolds(Mesh& mesh, const surface::Surface& surfac
         if (!fold || loop.size() > options.longest)
             continue;
         Fan fan(mesh, loop);
-        const bool goesOn = fan.land(surface, traits, options.cell) && fan.isOneSheet();
+        const bool goesOn =
+            fan.land(surface, traits, options.cell > 0 ? options.cell : fan.edgeLength()) && fan.isOneSheet();
         if (options.everyLoop || (goesOn && loop.size() <= options.shortHole))
             middles.push_back(fan.add());
     }

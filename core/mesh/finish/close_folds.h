@@ -8,8 +8,8 @@
 namespace mesh {
 
 struct FoldClosing {
-    double cell = 0;                               ///< side of the cubes that the mesh was made with
-    bool everyLoop = false;                        ///< even where no surface spans the loop
+    double cell = 0;        ///< side of the cubes that the mesh was made with; 0: they vary, as the loops' edges do
+    bool everyLoop = false; ///< even where no surface spans the loop
     std::size_t longest = Finishing{}.longestFold; ///< most edges of a loop to close
     std::size_t shortHole = 8;                     ///< most edges where the surface spans it
 };

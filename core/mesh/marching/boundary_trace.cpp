@@ -3,6 +3,8 @@
 #include "core/base/parallel.h"
 #include "core/surface/evaluation/packets.h"
 
+#include <algorithm>
+
 namespace mesh {
 
 using base::Vec3d, base::Vec3f;
@@ -44,8 +46,9 @@ constexpr double height = 1e-4;                                    ///< of |f|, 
 /// One curve.
 class FaceTrace {
   public:
-    FaceTrace(const SurfaceGrid& grid, surface::Source& source, const LooseEnd& end)
-        : m_grid(grid), m_source(source), m_end(end), m_across(grid.lattice().direction(end.axis)) {}
+    FaceTrace(const CrossingGrid& grid, surface::Source& source, const LooseEnd& end)
+        : m_grid(grid), m_source(source), m_size(grid.lattice().cell * end.face.size), m_end(end),
+          m_across(grid.lattice().direction(end.axis)) {}
 
     TracedEnd run() {
         const Crossing& start = m_grid.crossings()[m_end.crossing()];
@@ -54,7 +57,7 @@ class FaceTrace {
         double step = firstStep;
         for (int i = 0; i < 200; ++i) {
             Point next;
-            const Verdict verdict = advance(m_here, step * m_grid.lattice().cell, next);
+            const Verdict verdict = advance(m_here, step * m_size, next);
             if (verdict == Verdict::Good) {
                 if (const int side = sideLeft(next.position); side >= 0)
                     return {TraceEnd::Left, side, m_here.position, base::cast<float>(m_here.normal)};
@@ -139,7 +142,7 @@ class FaceTrace {
     /// there and of another behind, so such an end keeps away from it.
     TracedEnd ended(TraceEnd end, double step) {
         const int halvings = end == TraceEnd::Limit ? 24 : 6;
-        double good = 0, bad = step * m_grid.lattice().cell;
+        double good = 0, bad = step * m_size;
         const Point start = m_here;
         for (int i = 0; i < halvings; ++i) {
             Point middle;
@@ -162,7 +165,8 @@ class FaceTrace {
         const int u = (m_end.axis + 1) % 3, v = (m_end.axis + 2) % 3;
         const double a = grid[static_cast<std::size_t>(u)] - m_end.face.place[u];
         const double b = grid[static_cast<std::size_t>(v)] - m_end.face.place[v];
-        const double out[4] = {-b, a - 1, b - 1, -a};
+        const double size = m_end.face.size;
+        const double out[4] = {-b, a - size, b - size, -a};
         int most = 0;
         for (int side = 1; side < 4; ++side)
             if (out[side] > out[most])
@@ -170,8 +174,9 @@ class FaceTrace {
         return out[most] > 0 ? most : -1;
     }
 
-    const SurfaceGrid& m_grid;
+    const CrossingGrid& m_grid;
     surface::Source& m_source;
+    double m_size; ///< the face's side
     const LooseEnd& m_end;
     Vec3d m_across, m_heading;
     Point m_here;
@@ -179,16 +184,19 @@ class FaceTrace {
 
 } // namespace
 
-std::vector<TracedEnd> trace(const SurfaceGrid& grid, std::span<const LooseEnd> ends, const base::Progress& progress) {
+std::vector<TracedEnd> trace(const CrossingGrid& grid, std::span<const LooseEnd> ends, const base::Progress& progress) {
     constexpr std::size_t endsAtOnce = 1024;
     std::vector<Vec3f> x;
-    for (const LooseEnd& end : ends)
+    int largest = 1;
+    for (const LooseEnd& end : ends) {
+        largest = std::max(largest, end.face.size);
         x.push_back(base::cast<float>(grid.crossings()[end.crossing()].position));
+    }
     std::vector<TracedEnd> out(ends.size());
     for (std::size_t first = 0; first < ends.size(); first += endsAtOnce) {
         progress.step(static_cast<double>(first) / static_cast<double>(ends.size()), "tracing boundaries");
         const std::span<const Vec3f> some{x.data() + first, std::min(endsAtOnce, ends.size() - first)};
-        surface::forPacketsWithin(grid.surface(), some, grid.lattice().cell,
+        surface::forPacketsWithin(grid.surface(), some, largest * grid.lattice().cell,
                                   [&](surface::Source& source, std::size_t i) {
                                       out[first + i] = FaceTrace(grid, source, ends[first + i]).run();
                                   });

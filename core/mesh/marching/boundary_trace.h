@@ -33,7 +33,7 @@ struct TracedEnd {
 };
 
 /// Throws base::Cancelled.
-std::vector<TracedEnd> trace(const SurfaceGrid& grid, std::span<const LooseEnd> ends,
+std::vector<TracedEnd> trace(const CrossingGrid& grid, std::span<const LooseEnd> ends,
                              const base::Progress& progress = {});
 
 } // namespace mesh

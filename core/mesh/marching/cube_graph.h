@@ -13,7 +13,9 @@ struct LoopVertex {
 };
 using Loop = std::vector<LoopVertex>;
 
-class CubeGraph {
+/// `most`: vertices.
+template <int most>
+class CubeGraphOf {
   public:
     /// Joins two vertices in a face, 0 to 5. REQUIRES: no vertex gets more than two segments.
     void segment(std::uint32_t a, std::uint32_t b, int face) {
@@ -40,9 +42,6 @@ class CubeGraph {
     }
 
   private:
-    /// 12 crossings, each loose in both faces; in large cubes one on each of 48 small edges.
-    static constexpr int most = 64;
-
     int index(std::uint32_t vertex, int face) {
         int i = 0;
         while (i < m_count && m_vertices[i].vertex != vertex)
@@ -66,5 +65,10 @@ class CubeGraph {
     int m_next[most][2];
     bool m_done[most];
 };
+
+/// 12 crossings, each loose in both faces; in large cubes one on each of 48 small edges.
+using CubeGraph = CubeGraphOf<64>;
+/// One on each of 48 small edges, each loose in both faces.
+using LargeCubeGraph = CubeGraphOf<144>;
 
 } // namespace mesh

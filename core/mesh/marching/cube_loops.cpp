@@ -6,7 +6,7 @@
 
 namespace mesh {
 
-LooseEnds::LooseEnds(const SurfaceGrid& grid, std::vector<LooseEnd> ends, std::span<const TracedEnd> traced)
+LooseEnds::LooseEnds(const CrossingGrid& grid, std::vector<LooseEnd> ends, std::span<const TracedEnd> traced)
     : m_ends(std::move(ends)), m_partner(m_ends.size(), noRank) {
     const std::size_t crossings = grid.crossings().size();
     for (std::size_t i = 0; i < m_ends.size(); ++i) {

@@ -14,7 +14,7 @@ namespace mesh {
 class LooseEnds {
   public:
     /// Ends are numbered after the crossings.
-    LooseEnds(const SurfaceGrid& grid, std::vector<LooseEnd> ends, std::span<const TracedEnd> traced);
+    LooseEnds(const CrossingGrid& grid, std::vector<LooseEnd> ends, std::span<const TracedEnd> traced);
 
     /// The vertex beside the loose crossing in a face. REQUIRES: it is loose there.
     std::uint32_t partner(std::uint32_t node, int axis, std::uint32_t crossing) const;

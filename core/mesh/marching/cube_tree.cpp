@@ -8,21 +8,11 @@ namespace mesh {
 
 namespace {
 
-GridIndex halved(const GridIndex& p) {
-    return {p.x >> 1, p.y >> 1, p.z >> 1};
-}
-GridIndex scaled(const GridIndex& p, int level) {
-    return {p.x << level, p.y << level, p.z << level};
-}
-GridIndex corner(const GridIndex& p, int which) {
-    return {p.x + (which & 1), p.y + (which >> 1 & 1), p.z + (which >> 2)};
-}
-
 /// fn(crossing) for the edges of one of the grid's own cubes. `nodes` tells their ranks.
 template <class Ranks, class Fn>
 void forCrossings(const SurfaceGrid& grid, const Ranks& nodes, const GridIndex& p, const Fn& fn) {
     for (int which = 0; which < 8; ++which) {
-        const std::uint32_t node = nodes.rank(corner(p, which));
+        const std::uint32_t node = nodes.rank(cornerOf(p, which));
         if (node == noRank)
             return;
         for (int axis = 0; axis < 3; ++axis)
@@ -96,11 +86,11 @@ void CubeTree::addLevel(int level) {
     forAll(next.active, [&](const GridIndex& p, std::uint32_t rank) {
         const GridIndex lowest = scaled(p, 1);
         for (int which = 0; which < 8; ++which)
-            if (const std::uint32_t child = finer.active.rank(corner(lowest, which)); child != noRank) {
+            if (const std::uint32_t child = finer.active.rank(cornerOf(lowest, which)); child != noRank) {
                 if (level > 1)
                     next.moments[rank].add(finer.moments[child]);
                 else // those of the grid's own cubes would take more memory than all else
-                    forCrossings(m_grid, m_grid.nodes(), corner(lowest, which),
+                    forCrossings(m_grid, m_grid.nodes(), cornerOf(lowest, which),
                                  [&](const Crossing& c) { next.moments[rank].add(c); });
             }
         joined[rank] = joins(p, level, next.moments[rank]) ? 1 : 0;

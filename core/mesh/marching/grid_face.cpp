@@ -1,5 +1,7 @@
 #include "core/mesh/marching/grid_face.h"
 
+#include <algorithm>
+
 namespace mesh {
 
 using base::Vec3d;
@@ -16,6 +18,13 @@ SurfaceGrid::EdgeName GridFace::edge(const GridIndex& place, int axis, int side)
     default:
         return {place, v};
     }
+}
+
+std::array<SurfaceGrid::EdgeName, 4> SurfaceGrid::edgesOf(const GridFace& face) {
+    std::array<EdgeName, 4> out;
+    for (int side = 0; side < 4; ++side)
+        out[std::size_t(side)] = GridFace::edge(face.place, face.axis, side);
+    return out;
 }
 
 bool faceAt(const SurfaceGrid& grid, const Neighbourhood& around, const GridIndex& place, int axis, GridFace& out) {
@@ -48,7 +57,7 @@ constexpr double wrongSide = 4; ///< of closed surfaces: more than any two other
 
 /// What a segment between two crossings costs: how far it leaves the surface at its ends. Of a closed surface every
 /// crossing has a partner: what would forbid a segment elsewhere only makes it dear.
-double costOf(const SurfaceGrid& grid, const GridFace& face, std::size_t i, std::size_t j) {
+double costOf(const CrossingGrid& grid, const GridFace& face, std::size_t i, std::size_t j) {
     const Crossing& a = grid.crossings()[face.crossing[i]];
     const Crossing& b = grid.crossings()[face.crossing[j]];
     const Vec3d d = base::normalized(b.position - a.position);
@@ -66,9 +75,50 @@ double costOf(const SurfaceGrid& grid, const GridFace& face, std::size_t i, std:
     return outA + outB;
 }
 
+/// The best pairs of any number of crossings, by trying all.
+template <class Cost>
+class BestPairs {
+  public:
+    explicit BestPairs(const Cost& cost) : m_cost(cost) {}
+
+    struct Choice {
+        int count = 0;
+        double cost = 0;
+        FacePairs pairs;
+    };
+    /// Of the crossings from `begin` up to `end`.
+    Choice among(int begin, int end) const {
+        if (end - begin < 2)
+            return {};
+        Choice best = among(begin + 1, end);
+        for (int k = begin + 1; k < end; ++k) {
+            const double c = m_cost(static_cast<std::size_t>(begin), static_cast<std::size_t>(k));
+            if (c >= never)
+                continue;
+            const Choice within = among(begin + 1, k), beyond = among(k + 1, end);
+            const int count = 1 + within.count + beyond.count;
+            const double sum = c + within.cost + beyond.cost;
+            if (count > best.count || (count == best.count && sum < best.cost))
+                best = {count, sum, joined(within.pairs, beyond.pairs, begin, k)};
+        }
+        return best;
+    }
+
+  private:
+    static FacePairs joined(FacePairs out, const FacePairs& more, int i, int k) {
+        for (std::size_t at = 0; at < out.partner.size(); ++at)
+            out.partner[at] = std::max(out.partner[at], more.partner[at]);
+        out.partner[static_cast<std::size_t>(i)] = k;
+        out.partner[static_cast<std::size_t>(k)] = i;
+        return out;
+    }
+
+    const Cost& m_cost;
+};
+
 } // namespace
 
-FacePairs pairsOf(const SurfaceGrid& grid, const GridFace& face) {
+FacePairs pairsOf(const CrossingGrid& grid, const GridFace& face) {
     FacePairs out;
     if (face.count < 2)
         return out;
@@ -102,6 +152,8 @@ FacePairs pairsOf(const SurfaceGrid& grid, const GridFace& face) {
         consider({{0, 1}});
         consider({{1, 2}});
         consider({{0, 2}});
+    } else if (face.count > 4) {
+        return BestPairs(cost).among(0, face.count).pairs;
     } else {
         consider({{0, 1}, {2, 3}});
         consider({{1, 2}, {3, 0}});

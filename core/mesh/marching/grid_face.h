@@ -10,10 +10,11 @@
 namespace mesh {
 
 struct GridFace {
-    static constexpr int mostCrossings = 4;
+    static constexpr int mostCrossings = 8; ///< one on each half of its edges (graded_grid.h); else four
 
     GridIndex place; ///< its lowest node
     int axis = 0;    ///< across it
+    int size = 1;    ///< its side, in cells
     int count = 0;
     std::array<std::uint32_t, mostCrossings> crossing{};
     std::array<int, mostCrossings> side{}; ///< of the face's edges, the one that it lies on
@@ -27,8 +28,8 @@ struct GridFace {
 bool faceAt(const SurfaceGrid& grid, const Neighbourhood& around, const GridIndex& place, int axis, GridFace& out);
 
 struct FacePairs {
-    std::array<int, GridFace::mostCrossings> partner{-1, -1, -1, -1}; ///< index of a crossing of the face, or -1
+    std::array<int, GridFace::mostCrossings> partner{-1, -1, -1, -1, -1, -1, -1, -1}; ///< index of a crossing, or -1
 };
-FacePairs pairsOf(const SurfaceGrid& grid, const GridFace& face);
+FacePairs pairsOf(const CrossingGrid& grid, const GridFace& face);
 
 } // namespace mesh

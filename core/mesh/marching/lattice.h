@@ -24,6 +24,17 @@ struct GridIndex {
     constexpr bool operator==(const GridIndex&) const = default;
 };
 
+/// Of places of cubes: of the one twice as large; of the lowest of those 2^level times smaller; one of eight.
+inline GridIndex halved(const GridIndex& p) {
+    return {p.x >> 1, p.y >> 1, p.z >> 1};
+}
+inline GridIndex scaled(const GridIndex& p, int level) {
+    return {p.x << level, p.y << level, p.z << level};
+}
+inline GridIndex cornerOf(const GridIndex& p, int which) {
+    return {p.x + (which & 1), p.y + (which >> 1 & 1), p.z + (which >> 2)};
+}
+
 struct Lattice {
     static constexpr std::int32_t extent = 1 << 22; ///< nodes along an axis
 

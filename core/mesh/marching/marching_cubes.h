@@ -8,8 +8,9 @@
 //     surface_grid.h    cubes near the surface, crossings      edge_walk.h         one edge
 //     grid_face.h       pairs of crossings in a face           boundary_trace.h    where the surface ends in a face
 //     cube_loops.h      loops around a cube                    cube_filler.h       their triangles (fill_loop.h)
-//     cube_tree.h       cubes of several sizes                 relax_mesh.h        well-shaped triangles
-//     hold_tolerance.h  triangles that are too far away
+//     cube_tree.h       cubes that are joined where flat       relax_mesh.h        well-shaped triangles
+//     hold_tolerance.h  triangles that are too far away        cut_mesh.h          all of that up to triangles
+//     graded_grid.h     cubes as surfels are apart             cube_levels.h       how far halved where (cube_sizes.h)
 //
 // and from core/mesh/finish
 //
@@ -31,7 +32,8 @@
 namespace mesh {
 
 struct MarchingOptions {
-    /// Side of a cube in model units; 0: the median spacing, of each part that stands apart (surface_parts.h).
+    /// Side of a cube in model units; 0: the median spacing, of each part that stands apart (surface_parts.h), or as
+    /// large as surfels are apart where that varies (mesh/README 3.16).
     double cell = 0;
     /// Rows: directions of the grid's axes. A rotation.
     base::Mat3d turned = base::Mat3d::identity();

@@ -64,6 +64,8 @@ class Relaxer {
     bool bridge(std::size_t v) const { return m_mesh.kinds[v] == VertexKind::Bridge; }
     bool moves(std::size_t v) const { return m_near.empty() || m_near[v] != 0; }
 
+    double cellAt(std::size_t v) const { return m_options.cells.empty() ? m_options.cell : double(m_options.cells[v]); }
+
     void lookAround() {
         constexpr int rings = 4;
         if (m_options.about.empty())
@@ -104,9 +106,9 @@ class Relaxer {
         if (count == 0)
             return here;
         if (bridge(v))
-            return here + limited(sum / count * m_options.share, m_options.cell);
+            return here + limited(sum / count * m_options.share, cellAt(v));
         const Vec3d n = base::cast<double>(m_mesh.normals[v]);
-        return here + limited(along(sum / count, n) * m_options.share, std::max(m_options.cell, reach / count));
+        return here + limited(along(sum / count, n) * m_options.share, std::max(cellAt(v), reach / count));
     }
 
     /// Towards the middle of the two neighbours on the boundary.
@@ -116,7 +118,7 @@ class Relaxer {
         for (const Side& side : m_triangulation.boundarySides(v))
             if (side.exists())
                 sum += m_mesh.positions[m_triangulation.otherEnd(side, v)] - here;
-        return here + limited(sum * (0.5 * m_options.share), m_options.cell);
+        return here + limited(sum * (0.5 * m_options.share), cellAt(v));
     }
 
     static Vec3d along(const Vec3d& d, const Vec3d& normal) { return d - normal * dot(d, normal); }
@@ -165,7 +167,7 @@ class Relaxer {
     /// The surface may have been met at a step of f: its own sheet is then up to half a spacing away.
     Settled byOwnSheet(const Vec3d& start, std::size_t v) const {
         const Vec3f before = m_mesh.normals[v];
-        const double far = farthest * std::max(m_options.cell, m_spacing);
+        const double far = farthest * (m_options.cells.empty() ? std::max(m_options.cell, m_spacing) : cellAt(v));
         const auto found = ontoOwnSheet(m_surface, m_traits, start, before, far);
         return found ? Settled{dot(found->normal, before) >= steadiest, found->position, found->normal} : Settled{};
     }
@@ -188,7 +190,7 @@ class Relaxer {
             const Vec3d g = base::cast<double>(at.gradient), by = g * (-double(at.value) / lengthSq(g));
             x = base::cast<double>(rounded) + by;
             const double size = length(by);
-            if (size > farthest * m_options.cell)
+            if (size > farthest * cellAt(v))
                 return {};
             // where near sheets meet f may have steps: only what was evaluated counts
             const double still = at.agreement < oneSheet ? certain : enough;
@@ -211,7 +213,7 @@ class Relaxer {
     }
     Settled onRim(const Vec3d& start, std::size_t v, const surface::OrientationHint& sheet) const {
         const surface::BoundarySearch found = surface::findBoundaryPoint(m_surface, start, sheet);
-        if (!found.ok() || distance(found.point.position, start) > farthest * m_options.cell)
+        if (!found.ok() || distance(found.point.position, start) > farthest * cellAt(v))
             return {};
         const Vec3f normal = facing(base::cast<float>(found.point.normal), v);
         return {dot(normal, m_mesh.normals[v]) >= steadiest, found.point.position, normal};
@@ -220,7 +222,7 @@ class Relaxer {
     /// Corners of triangles that a pass has turned over go back to where they were, again until none is left. What
     /// had no area, as beside ends of folds, cannot be turned over.
     void keepFacing(std::span<Settled> before) {
-        const double leastArea = 1e-6 * m_options.cell * m_options.cell;
+        const auto leastArea = [&](const Triangle& t) { return 1e-6 * cellAt(t[0]) * cellAt(t[0]); };
         const auto facingOf = [&](const Triangle& t, const auto& vertex) {
             const std::array<Settled, 3> corners{vertex(t[0]), vertex(t[1]), vertex(t[2])};
             const Vec3d area =
@@ -234,12 +236,13 @@ class Relaxer {
         const auto then = [&](std::uint32_t v) { return before[v].good ? before[v] : now(v); };
         for (int round = 0; round < 8; ++round) {
             std::vector<std::vector<std::uint32_t>> turned(base::chunkCount(m_mesh.triangles.size(), grain));
-            base::parallelChunks(
-                m_mesh.triangles.size(), grain, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
-                    for (std::size_t t = begin; t < end; ++t)
-                        if (facingOf(m_mesh.triangles[t], now) < 0 && facingOf(m_mesh.triangles[t], then) > leastArea)
-                            turned[chunk].push_back(static_cast<std::uint32_t>(t));
-                });
+            base::parallelChunks(m_mesh.triangles.size(), grain,
+                                 [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+                                     for (std::size_t t = begin; t < end; ++t)
+                                         if (facingOf(m_mesh.triangles[t], now) < 0 &&
+                                             facingOf(m_mesh.triangles[t], then) > leastArea(m_mesh.triangles[t]))
+                                             turned[chunk].push_back(static_cast<std::uint32_t>(t));
+                                 });
             bool any = false;
             for (const auto& part : turned)
                 for (const std::uint32_t t : part)

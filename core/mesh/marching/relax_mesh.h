@@ -21,6 +21,8 @@ struct RelaxOptions {
     double cell = 0;    ///< a vertex moves by at most half of it at once
     /// Move only these and vertices up to four edges away; empty: all.
     std::vector<std::uint32_t> about;
+    /// By vertex, instead of `cell` where cubes are of several sizes; else empty.
+    std::vector<float> cells;
 };
 
 /// REQUIRES: normals and kinds. Normals become unit gradients and keep their sign.

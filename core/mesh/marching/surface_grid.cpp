@@ -1,7 +1,6 @@
 #include "core/mesh/marching/surface_grid.h"
 
 #include "core/mesh/marching/slabs.h"
-#include "core/mesh/marching/solid_edge.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/surface/evaluation/packets.h"
 
@@ -10,7 +9,6 @@
 namespace mesh {
 
 using base::Vec3d, base::Vec3f;
-using surface::Evaluationf;
 
 namespace {
 
@@ -53,7 +51,7 @@ void addDisc(const Vec3d& centre, const Vec3d& normal, double radius, std::vecto
 } // namespace
 
 SurfaceGrid::SurfaceGrid(const surface::Surface& surface, const SurfaceTraits& traits, const Lattice& lattice)
-    : m_surface(surface), m_traits(traits), m_lattice(lattice) {}
+    : CrossingGrid(surface, traits, lattice) {}
 
 void SurfaceGrid::build(const base::Progress& progress) {
     if (m_traits.closed)
@@ -98,31 +96,14 @@ std::vector<SurfaceGrid::Job> SurfaceGrid::take(std::span<const Job> jobs, std::
 
 /// Where surfels' tangent discs on the surface pass.
 std::vector<BrickBits> SurfaceGrid::discs(const base::Progress& progress) const {
-    constexpr double radius = 0.75, furthest = 0.5; // of the spacing; of h
-    const tree::SurfelTree& tree = m_surface.tree();
-    std::vector<surfel::BlockPtr> blocks;
-    tree.forEachBlock([&](std::uint32_t number, const surfel::SurfelBlock&) { blocks.push_back(tree.block(number)); });
-    std::vector<std::vector<BrickBits>> parts(base::chunkCount(blocks.size(), 16));
-    parallelSlabs(blocks.size(), 16, progress, step, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
-        std::vector<Vec3f> x;
-        for (std::size_t b = begin; b < end; ++b)
-            for (int slot = 0; slot < blocks[b]->size(); ++slot)
-                x.push_back(blocks[b]->position(slot));
-        std::vector<Evaluationf> at(x.size());
-        m_surface.evaluate(x, surface::Need::Value, at);
-        for (std::size_t i = 0; i < x.size(); ++i) {
-            const double unit = double(at[i].unit);
-            if (!NodeValue::of(at[i]).usable())
-                continue;
-            const Vec3d n = base::cast<double>(at[i].normal);
-            const Vec3d foot =
-                base::cast<double>(x[i]) - n * std::clamp(double(at[i].value), -furthest * unit, furthest * unit);
-            addDisc(m_lattice.toGrid(foot), m_lattice.turned * n,
-                    radius * m_traits.spacingsPerUnit * unit / m_lattice.cell, parts[chunk]);
-        }
-        joinBits(parts[chunk]);
-    });
-    return joined(parts);
+    constexpr double radius = 0.75; // of the spacing
+    return joined(
+        fromDiscs<std::vector<BrickBits>>(progress, [&](const std::vector<Disc>& discs, std::vector<BrickBits>& out) {
+            for (const Disc& disc : discs)
+                addDisc(m_lattice.toGrid(disc.foot), m_lattice.turned * disc.normal,
+                        radius * m_traits.spacingsPerUnit * disc.unit / m_lattice.cell, out);
+            joinBits(out);
+        }));
 }
 
 void SurfaceGrid::complete(std::vector<BrickBits> cubes, const base::Progress& progress) {
@@ -178,34 +159,14 @@ void SurfaceGrid::evaluateNodes(const base::Progress& progress) {
                     x.push_back(base::cast<float>(m_lattice.at(place)));
                     ranks.push_back(rank);
                 });
-            std::vector<Evaluationf> at(x.size());
-            std::vector<std::uint8_t> inside;
-            if (m_solid)
-                inside = m_solid->inside(x, at);
-            else
-                m_surface.evaluate(x, surface::Need::Value, at);
+            const std::vector<NodeSide> sides = evaluated(x);
             for (std::size_t i = 0; i < x.size(); ++i) {
-                m_values[ranks[i]] = NodeValue::of(at[i]);
+                m_values[ranks[i]] = sides[i].value;
                 if (m_solid)
-                    m_inside[ranks[i]] = inside[i];
+                    m_inside[ranks[i]] = sides[i].inside ? 1 : 0;
                 m_known[ranks[i]] = 1;
             }
         });
-}
-
-/// Where there is an inside, exactly the edges that enter or leave it do.
-bool SurfaceGrid::mayCross(const GridIndex& node, int axis, std::uint32_t first, std::uint32_t last) const {
-    if (m_solid)
-        return m_inside[first] != m_inside[last];
-    return !EdgeWalk::passes(m_traits, edgeOf(node, axis), m_values[first], m_values[last]);
-}
-
-std::optional<Crossing> SurfaceGrid::crossingOn(const Job& job, surface::Source& source, Care care) const {
-    const Edge edge = edgeOf(job.node, job.axis);
-    const NodeValue &first = m_values[job.first], &last = m_values[job.last];
-    if (m_solid)
-        return solidCrossing(*m_solid, m_traits, source, edge, {first, last, m_inside[job.first] ? 1 : -1});
-    return EdgeWalk(m_traits, source, edge, care).run(first, last);
 }
 
 /// Edges between nodes that nobody has looked at and that may cross; those that cannot are done with.
@@ -219,7 +180,7 @@ std::vector<SurfaceGrid::Job> SurfaceGrid::openEdges() {
             if (last == noRank || at != unknown)
                 return;
             at = none;
-            if (mayCross(p, axis, n, last))
+            if (mayCross(edgeOf(p, axis), sideOf(n), sideOf(last)))
                 parts[chunk].push_back({p, n, last, axis});
         };
         for (std::size_t b = begin; b < end; ++b) {
@@ -245,8 +206,10 @@ std::vector<SurfaceGrid::Found> SurfaceGrid::walk(std::span<const Job> jobs, Car
         }
         std::vector<std::optional<Crossing>> found(middles.size());
         surface::forPacketsWithin(
-            m_surface, middles, 0.51 * m_lattice.cell,
-            [&](surface::Source& source, std::size_t i) { found[i] = crossingOn(jobs[begin + i], source, care); });
+            m_surface, middles, 0.51 * m_lattice.cell, [&](surface::Source& source, std::size_t i) {
+                const Job& job = jobs[begin + i];
+                found[i] = crossingOn(edgeOf(job.node, job.axis), sideOf(job.first), sideOf(job.last), source, care);
+            });
         for (std::size_t i = 0; i < found.size(); ++i)
             if (found[i])
                 parts[chunk].push_back({begin + i, *found[i]});

@@ -8,14 +8,12 @@
 // Numbers of nodes and crossings follow the order of bricks (sparse_set.h): the same at any thread count.
 #pragma once
 
-#include "core/base/progress.h"
-#include "core/mesh/marching/edge_walk.h"
-#include "core/mesh/marching/solid.h"
+#include "core/mesh/marching/crossing_grid.h"
 #include "core/mesh/marching/sparse_set.h"
 
 namespace mesh {
 
-class SurfaceGrid {
+class SurfaceGrid : public CrossingGrid {
   public:
     /// Instead of the number of a crossing: edge not visited yet; visited, without a crossing.
     static constexpr std::uint32_t unknown = 0xffffffffu, none = 0xfffffffeu;
@@ -25,14 +23,10 @@ class SurfaceGrid {
     /// Throws base::Cancelled, base::Error where there are more nodes than can be numbered.
     void build(const base::Progress& progress);
 
-    const surface::Surface& surface() const { return m_surface; }
-    const SurfaceTraits& traits() const { return m_traits; }
-    const Lattice& lattice() const { return m_lattice; }
     const SparseSet& nodes() const { return m_nodes; }
     const NodeValue& value(std::uint32_t node) const { return m_values[node]; }
     /// Of the edge from a node along an axis: a number below `none` if it crosses.
     std::uint32_t crossingOf(std::uint32_t node, int axis) const { return m_edges[3 * std::size_t(node) + axis]; }
-    const std::vector<Crossing>& crossings() const { return m_crossings; }
 
     /// Walks edges again in short steps and replaces what is known of them. Returns whether any changed; the grid is
     /// complete afterwards.
@@ -40,6 +34,7 @@ class SurfaceGrid {
         GridIndex node;
         int axis = 0;
     };
+    static std::array<EdgeName, 4> edgesOf(const struct GridFace& face);
     bool reconsider(std::span<const EdgeName> edges, const base::Progress& progress);
 
   private:
@@ -53,7 +48,6 @@ class SurfaceGrid {
     void add(std::vector<BrickBits> cubes);
     void evaluateNodes(const base::Progress& progress);
     std::vector<Job> openEdges();
-    bool mayCross(const GridIndex& node, int axis, std::uint32_t first, std::uint32_t last) const;
     struct Found {
         std::size_t job = 0;
         Crossing crossing;
@@ -61,22 +55,18 @@ class SurfaceGrid {
     Edge edgeOf(const GridIndex& node, int axis) const {
         return {m_lattice.at(node), m_lattice.direction(axis), m_lattice.cell};
     }
-    std::optional<Crossing> crossingOn(const Job& job, surface::Source& source, Care care) const;
     std::vector<Found> walk(std::span<const Job> jobs, Care care, const base::Progress& progress) const;
     std::vector<Job> take(std::span<const Job> jobs, std::span<const Found> found);
     std::vector<BrickBits> cubesAbout(std::span<const Job> jobs) const;
     void number();
 
-    const surface::Surface& m_surface;
-    SurfaceTraits m_traits;
-    Lattice m_lattice;
+    NodeSide sideOf(std::uint32_t node) const { return {m_values[node], m_solid && m_inside[node] != 0}; }
+
     SparseSet m_nodes;
     std::vector<NodeValue> m_values;
     std::vector<std::uint8_t> m_known;  ///< is the value of the node there?
-    std::optional<Solid> m_solid;       ///< of closed surfaces
     std::vector<std::uint8_t> m_inside; ///< is the node? Of closed surfaces
     std::vector<std::uint32_t> m_edges;
-    std::vector<Crossing> m_crossings;
 };
 
 } // namespace mesh
