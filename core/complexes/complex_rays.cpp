@@ -46,10 +46,13 @@ class PatchRay {
     PatchRay(const Complex& complex, std::uint32_t patch, const Rayd& ray)
         : m_complex(complex), m_patch(patch), m_ray(ray) {}
 
-    void addHits(const Interval& interval, std::vector<ComplexHit>& out) {
+    template <class Wanted>
+    void addHits(const Interval& interval, Wanted& out) {
         Sample before;
         const double slack = 1e-9 * (interval.second - interval.first);
         for (double t = interval.first;;) {
+            if (before.t > out.until()) // not now.t: what lies between has the bits that it has without an end
+                return;
             const Sample now = at(t, before.axis);
             if (before.usable && now.usable && before.f != 0 && before.f * now.f <= 0)
                 addRoot(before, now, out);
@@ -65,7 +68,7 @@ class PatchRay {
 
   private:
     struct Sample {
-        double t = 0, f = 0, unit = 0;
+        double t = -std::numeric_limits<double>::infinity(), f = 0, unit = 0;
         Vec3d axis;
         bool usable = false;
     };
@@ -81,7 +84,8 @@ class PatchRay {
     }
 
     /// Between two places with different signs: the Illinois way of regula falsi.
-    void addRoot(Sample a, Sample b, std::vector<ComplexHit>& out) {
+    template <class Wanted>
+    void addRoot(Sample a, Sample b, Wanted& out) {
         const double tolerance = 1e-13 * std::max(a.unit, std::abs(b.t));
         Sample root = b;
         int kept = 0;
@@ -107,7 +111,8 @@ class PatchRay {
         accept(root, out);
     }
 
-    void accept(const Sample& root, std::vector<ComplexHit>& out) {
+    template <class Wanted>
+    void accept(const Sample& root, Wanted& out) {
         const Vec3d x = m_ray.at(root.t);
         const CellFrame frame = frameOf(m_complex, m_patch, x, root.axis);
         if (!frame.ok() || std::abs(dot(frame.axis, x - frame.centre)) > 1e-6 * frame.unit || frame.offCentre(x))
@@ -128,7 +133,7 @@ class PatchRay {
         out1.hit.agreement = frame.agreement;
         out1.hit.evaluations = m_evaluations;
         m_evaluations = 0;
-        out.push_back(out1);
+        out.add(out1);
     }
 
     const Complex& m_complex;
@@ -148,6 +153,68 @@ double leastUnit(const Complex& complex, std::uint32_t patch) {
     return out;
 }
 
+// What is wanted of the hits of all patches; none is looked for beyond `until`.
+
+bool isBefore(const ComplexHit& a, const ComplexHit& b) {
+    return a.hit.t != b.hit.t ? a.hit.t < b.hit.t : a.cell < b.cell;
+}
+
+struct AllHits {
+    std::vector<ComplexHit> hits;
+
+    void add(const ComplexHit& hit) { hits.push_back(hit); }
+    double until() const { return std::numeric_limits<double>::infinity(); }
+};
+
+struct FirstHit {
+    ComplexHit best;
+
+    void add(const ComplexHit& hit) {
+        if (!best.hit.hit || isBefore(hit, best))
+            best = hit;
+    }
+    double until() const { return best.hit.hit ? best.hit.t : std::numeric_limits<double>::infinity(); }
+};
+
+/// Not those that the ray begins on.
+struct AnyHit {
+    double from = 0;
+    bool found = false;
+
+    void add(const ComplexHit& hit) {
+        found |= hit.hit.t - from > surface::secondaryEpsilon * hit.hit.unit * surface::spacingOfUnit;
+    }
+    double until() const { return (found ? -1 : 1) * std::numeric_limits<double>::infinity(); }
+};
+
+/// Patches in the order in which the ray may meet them: the first hit ends the others early.
+template <class Wanted>
+void addHits(const Complex& complex, const Rayd& ray, const surface::IntersectOptions& options, Wanted& out) {
+    struct Candidate {
+        std::uint32_t patch;
+        std::vector<Interval> where;
+    };
+    std::vector<Candidate> candidates;
+    for (std::uint32_t patch = 0; patch < complex.cells().size(); ++patch) {
+        if (complex[patch].dimension != 2)
+            continue;
+        std::vector<Interval> where =
+            intervalsOf(complex[patch], ray, static_cast<double>(options.tMin), static_cast<double>(options.tMax));
+        if (!where.empty())
+            candidates.push_back({patch, std::move(where)});
+    }
+    std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
+        return a.where.front().first < b.where.front().first;
+    });
+    for (const Candidate& each : candidates) {
+        PatchRay along(complex, each.patch, ray);
+        along.setLeastUnit(leastUnit(complex, each.patch));
+        for (const Interval& interval : each.where)
+            if (!(interval.first > out.until()))
+                along.addHits(interval, out);
+    }
+}
+
 Rayd widened(const Rayf& ray) {
     return {base::cast<double>(ray.origin), normalized(base::cast<double>(ray.direction))};
 }
@@ -158,26 +225,17 @@ constexpr std::size_t raysAtOnce = 16;
 
 std::vector<ComplexHit> intersectAll(const Complex& complex, const Rayd& ray,
                                      const surface::IntersectOptions& options) {
-    std::vector<ComplexHit> out;
-    for (std::uint32_t patch = 0; patch < complex.cells().size(); ++patch) {
-        if (complex[patch].dimension != 2)
-            continue;
-        PatchRay along(complex, patch, ray);
-        along.setLeastUnit(leastUnit(complex, patch));
-        for (const Interval& interval :
-             intervalsOf(complex[patch], ray, static_cast<double>(options.tMin), static_cast<double>(options.tMax)))
-            along.addHits(interval, out);
-    }
-    std::sort(out.begin(), out.end(), [](const ComplexHit& a, const ComplexHit& b) {
-        return a.hit.t != b.hit.t ? a.hit.t < b.hit.t : a.cell < b.cell;
-    });
-    return out;
+    AllHits out;
+    addHits(complex, ray, options, out);
+    std::sort(out.hits.begin(), out.hits.end(), isBefore);
+    return std::move(out.hits);
 }
 
 surface::RayHit<double> intersectReference(const Complex& complex, const Rayd& ray,
                                            const surface::IntersectOptions& options) {
-    const std::vector<ComplexHit> all = intersectAll(complex, ray, options);
-    return all.empty() ? surface::RayHit<double>{} : all.front().hit;
+    FirstHit out;
+    addHits(complex, ray, options, out);
+    return out.best.hit;
 }
 
 std::vector<surface::RayHit<double>> intersectAllReference(const Complex& complex, const Rayd& ray,
@@ -193,11 +251,10 @@ std::vector<surface::RayHit<double>> intersectAllReference(const Complex& comple
 }
 
 bool intersectAnyReference(const Complex& complex, const Rayd& ray, const surface::IntersectOptions& options) {
-    for (const ComplexHit& each : intersectAll(complex, ray, options))
-        if (each.hit.t - static_cast<double>(options.tMin) >
-            surface::secondaryEpsilon * each.hit.unit * surface::spacingOfUnit)
-            return true;
-    return false;
+    AnyHit out;
+    out.from = static_cast<double>(options.tMin);
+    addHits(complex, ray, options, out);
+    return out.found;
 }
 
 void intersect(const Complex& complex, std::span<const Rayf> rays, const surface::IntersectOptions& options,

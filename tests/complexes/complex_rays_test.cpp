@@ -21,6 +21,7 @@ class ComplexRaysTest : public QObject {
     void noRaySlipsThroughEdges_data();
     void noRaySlipsThroughEdges();
     void closedOnesAreMetInPairs();
+    void firstHitsAreTheFirstOfAll();
     void hitsAreFeet();
     void threadsDoNotShow();
 };
@@ -145,6 +146,26 @@ void ComplexRaysTest::closedOnesAreMetInPairs() {
             odd += static_cast<int>(intersectAllReference(complex, ray).size() % 2);
         }
         QVERIFY2(odd <= tries / 100, qPrintable(QString("%1: %2 odd, seed %3").arg(sample).arg(odd).arg(test::seed())));
+    }
+}
+
+void ComplexRaysTest::firstHitsAreTheFirstOfAll() {
+    for (const char* sample : {"octant", "gasket", "rounded", "cone"}) {
+        const Complex complex = complex_models::complexOf(sample, 2500);
+        Random random(test::seed());
+        for (int k = 0; k < test::effort(100); ++k) {
+            // from within at times
+            const Rayd ray = towards(random.unitVector() * 0.5, random.unitVector(), random.uniform(0, 3));
+            const auto first = intersectReference(complex, ray);
+            const auto all = intersectAll(complex, ray);
+            const QByteArray where = QString("%1, seed %2").arg(sample).arg(test::seed()).toUtf8();
+            QVERIFY2(first.hit == !all.empty(), where);
+            QVERIFY2(all.empty() || (first.t == all[0].hit.t && first.normal == all[0].hit.normal), where);
+            const bool any = std::any_of(all.begin(), all.end(), [](const auto& each) {
+                return each.hit.t > surface::secondaryEpsilon * each.hit.unit * surface::spacingOfUnit;
+            });
+            QVERIFY2(intersectAnyReference(complex, ray) == any, where);
+        }
     }
 }
 
