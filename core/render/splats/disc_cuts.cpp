@@ -55,16 +55,25 @@ void DiscCuts::use(const surface::SurfaceDefinition& definition, float radiusOfS
     if (definition == m_definition && radiusOfSupport == m_radiusOfSupport)
         return;
     m_codes.clear();
+    m_complexKnown = false;
     m_definition = definition;
     m_radiusOfSupport = radiusOfSupport;
 }
 
-DiscCuts::Found DiscCuts::look(std::span<const SurfelBlock* const> blocks) const {
+const ComplexCuts* DiscCuts::complexCuts() {
+    if (!std::exchange(m_complexKnown, true)) {
+        const auto made = ComplexCuts::of(m_model, m_definition, m_radiusOfSupport);
+        m_complex = made ? std::make_shared<const ComplexCuts>(*made) : nullptr;
+    }
+    return m_complex.get();
+}
+
+DiscCuts::Found DiscCuts::look(std::span<const SurfelBlock* const> blocks) {
     std::optional<BoundarySubject> bounded;
     if (std::isfinite(m_definition.boundaryLimit))
         bounded.emplace(m_model, m_definition, m_radiusOfSupport);
     const auto labels = cells::LabelLayout::of(*m_model.layout());
-    const auto complex = ComplexCuts::of(m_model, m_definition, m_radiusOfSupport);
+    const ComplexCuts* const complex = complexCuts();
     Found out(blocks.size());
     base::parallelChunks(blocks.size(), 4, [&](std::size_t begin, std::size_t end, std::size_t) {
         std::optional<BoundaryCuts> boundary;
@@ -105,7 +114,10 @@ void DiscCuts::prepare(std::span<const SurfelBlock* const> blocks) {
 std::vector<const SurfelBlock*> DiscCuts::follow(const tree::SurfelTree& to) {
     std::vector<const SurfelBlock*> changed;
     const tree::SurfelTree from = std::exchange(m_model, to);
-    if (m_codes.empty() || from == to)
+    if (from == to)
+        return changed;
+    m_complexKnown = false;
+    if (m_codes.empty())
         return changed;
     const tree::Diff diff = tree::diff(from, to);
     for (const surfel::BlockPtr& block : diff.removed)

@@ -52,6 +52,8 @@ DiscCut discCut(const base::Vec3f& normal, CutCode code);
 /// One per slot of a block.
 using CutCodes = std::array<CutCode, surfel::blockCapacity>;
 
+class ComplexCuts;
+
 class DiscCuts {
   public:
     /// Whether splats are cut at all under this definition.
@@ -76,11 +78,15 @@ class DiscCuts {
         std::unique_ptr<CutCodes> codes; ///< null: all whole
     };
     using Found = std::vector<std::unique_ptr<CutCodes>>;
-    Found look(std::span<const surfel::SurfelBlock* const> blocks) const;
+    Found look(std::span<const surfel::SurfelBlock* const> blocks);
+    /// Null for models that are no complex. Made once for a version: it needs all of its points.
+    const ComplexCuts* complexCuts();
 
     surface::SurfaceDefinition m_definition;
     float m_radiusOfSupport = 0;
     tree::SurfelTree m_model;
+    bool m_complexKnown = false;
+    std::shared_ptr<const ComplexCuts> m_complex;
     std::unordered_map<const surfel::SurfelBlock*, Kept> m_codes;
 };
 
