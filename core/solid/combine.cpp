@@ -63,14 +63,6 @@ std::optional<Vec3d> seamFoot(const TwoSides& sides, const Vec3d& x, float suppo
     return found->position;
 }
 
-/// A surfel's label from now on, beside a seam with that cell across.
-Label besideSeam(Label label, std::uint32_t across, Operation operation) {
-    label.partner = across;
-    label.meeting = operation == Operation::Union ? Meeting::Concave : Meeting::Convex;
-    label.sharpness = 255;
-    return label;
-}
-
 class Combining {
   public:
     Combining(const surface::Surface& model, const Operand& operand, Operation operation, const CombineOptions& options)
@@ -114,6 +106,9 @@ class Combining {
     static bool hasLabels(const tree::SurfelTree& tree) { return cells::LabelLayout::of(*tree.layout()).has_value(); }
     bool sharpSeam() const { return m_labels && !m_fillet; }
     bool chamfers() const { return m_fillet && m_options.chamfer > 0; }
+    Label beside(const Label& label, std::uint32_t across) const {
+        return besideSeam(label, across, m_operation == Operation::Union ? Meeting::Concave : Meeting::Convex);
+    }
     bool edgeOfChamfer(bool ofOperand, const Vec3d& x, const Vec3d& normal) const {
         return chamfers() && m_labels && m_fillet->besideEdge(ofOperand, x, normal);
     }
@@ -212,24 +207,16 @@ class Combining {
                 }
                 here.edit.removed[static_cast<std::size_t>(slot)] = !stays;
             }
+            RelabelledBlock relabelled(*block, *m_tree.layout());
             if (chamfers() && m_labels)
-                labelChamferEdge(*block, *layout, here.edit, here.atSeam);
-            if (!sharpSeam() || m_modelFeet[b].empty())
-                return;
-            const surfel::MutableBlockPtr copy = block->clone();
-            for (const Foot& foot : m_modelFeet[b]) {
-                const auto slot = static_cast<int>(foot.index - first[b]);
-                std::vector<std::uint32_t> words(block->extraWords());
-                block->extra(slot, words);
-                writeLabel(*m_tree.layout(),
-                           besideSeam(layout->at(*block, slot), m_offset + nearestLabel(m_other, foot.place).cell,
-                                      m_operation),
-                           words);
-                copy->setExtra(slot, words);
-                ++here.atSeam;
-            }
-            copy->seal();
-            here.edit.changed = copy;
+                labelChamferEdge(*block, *layout, here.edit, relabelled);
+            else if (sharpSeam())
+                for (const Foot& foot : m_modelFeet[b]) {
+                    const auto slot = static_cast<int>(foot.index - first[b]);
+                    const std::uint32_t across = m_offset + nearestLabel(m_other, foot.place).cell;
+                    relabelled.put(slot, beside(layout->at(*block, slot), across));
+                }
+            here.atSeam = relabelled.giveTo(here.edit);
         });
         for (Changed& each : changed) {
             out.removed += each.edit.removed.count();
@@ -241,25 +228,12 @@ class Combining {
     }
 
     /// Of the model's surfels that stay beside a chamfer.
-    void labelChamferEdge(const surfel::SurfelBlock& block, const cells::LabelLayout& layout, tree::BlockEdit& edit,
-                          std::size_t& count) const {
-        surfel::MutableBlockPtr copy;
-        for (int slot = 0; slot < block.size(); ++slot) {
-            if (edit.removed[static_cast<std::size_t>(slot)] ||
-                !edgeOfChamfer(false, base::cast<double>(block.position(slot)), base::cast<double>(block.normal(slot))))
-                continue;
-            if (!copy)
-                copy = block.clone();
-            std::vector<std::uint32_t> words(block.extraWords());
-            block.extra(slot, words);
-            writeLabel(*m_tree.layout(), besideSeam(layout.at(block, slot), m_chamferCell, m_operation), words);
-            copy->setExtra(slot, words);
-            ++count;
-        }
-        if (!copy)
-            return;
-        copy->seal();
-        edit.changed = copy;
+    void labelChamferEdge(const surfel::SurfelBlock& block, const cells::LabelLayout& layout,
+                          const tree::BlockEdit& edit, RelabelledBlock& relabelled) const {
+        for (int slot = 0; slot < block.size(); ++slot)
+            if (!edit.removed[static_cast<std::size_t>(slot)] &&
+                edgeOfChamfer(false, base::cast<double>(block.position(slot)), base::cast<double>(block.normal(slot))))
+                relabelled.put(slot, beside(layout.at(block, slot), m_chamferCell));
     }
 
     /// The operand's own label among the model's.
@@ -289,12 +263,11 @@ class Combining {
         for (std::size_t i = 0; i < labels.size() && chamfers(); ++i)
             if (stays[i] &&
                 edgeOfChamfer(true, base::cast<double>(all.items[i].position), base::cast<double>(all.items[i].normal)))
-                labels[i] = besideSeam(labels[i], m_chamferCell, m_operation);
+                labels[i] = beside(labels[i], m_chamferCell);
         if (sharpSeam())
             for (const std::vector<Foot>& block : m_operandFeet)
                 for (const Foot& foot : block)
-                    labels[foot.index] =
-                        besideSeam(labels[foot.index], nearestLabel(m_tree, foot.place).cell, m_operation);
+                    labels[foot.index] = beside(labels[foot.index], nearestLabel(m_tree, foot.place).cell);
         Translation translation(*all.layout, *m_tree.layout());
         // Into a model of balls ellipsoids come as balls, too.
         const int shape = surfel::shapeChannel(*m_tree.layout()) > 0 ? 0 : surfel::shapeChannel(*all.layout);
@@ -371,7 +344,7 @@ class Combining {
                 const std::uint32_t side = label.cell;
                 label.cell = label.face = m_chamferCell;
                 label = toEdge < 2 * place.spacing
-                            ? besideSeam(label, side, m_operation)
+                            ? beside(label, side)
                             : Label{m_chamferCell, m_chamferCell, Meeting::None, 255, m_chamferCell};
             } else {
                 label.partner = label.cell;

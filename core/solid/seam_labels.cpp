@@ -53,6 +53,31 @@ void writeLabel(const surfel::AttributeLayout& layout, const Label& label, std::
             surfel::write(*attribute, words, value);
 }
 
+Label besideSeam(Label label, std::uint32_t across, cells::Meeting meeting) {
+    label.partner = across;
+    label.meeting = meeting;
+    label.sharpness = 255;
+    return label;
+}
+
+void RelabelledBlock::put(int slot, const Label& label) {
+    if (!m_copy)
+        m_copy = m_block.clone();
+    std::vector<std::uint32_t> words(m_block.extraWords());
+    m_block.extra(slot, words);
+    writeLabel(m_layout, label, words);
+    m_copy->setExtra(slot, words);
+    ++m_count;
+}
+
+std::size_t RelabelledBlock::giveTo(tree::BlockEdit& edit) {
+    if (m_copy) {
+        m_copy->seal();
+        edit.changed = m_copy;
+    }
+    return m_count;
+}
+
 Translation::Translation(const surfel::AttributeLayout& from, const surfel::AttributeLayout& to)
     : m_words(to.words(), 0) {
     for (const surfel::Attribute& target : to.attributes()) {

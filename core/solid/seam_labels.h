@@ -19,6 +19,25 @@ cells::Label nearestLabel(const tree::SurfelTree& tree, const base::Vec3d& x);
 
 void writeLabel(const surfel::AttributeLayout& layout, const cells::Label& label, std::span<std::uint32_t> words);
 
+/// A surfel's label from now on, beside a seam with that cell across.
+cells::Label besideSeam(cells::Label label, std::uint32_t across, cells::Meeting meeting);
+
+/// A block some of whose surfels get other labels: copied at the first of them.
+class RelabelledBlock {
+  public:
+    RelabelledBlock(const surfel::SurfelBlock& block, const surfel::AttributeLayout& layout)
+        : m_block(block), m_layout(layout) {}
+    void put(int slot, const cells::Label& label);
+    /// Seals the copy, if there is one, as what the block becomes. Returns how many got a label.
+    std::size_t giveTo(tree::BlockEdit& edit);
+
+  private:
+    const surfel::SurfelBlock& m_block;
+    const surfel::AttributeLayout& m_layout;
+    surfel::MutableBlockPtr m_copy;
+    std::size_t m_count = 0;
+};
+
 /// Words of one layout as those of another: attributes of the same name, others zero; so is what layers hold.
 class Translation {
   public:
