@@ -2,8 +2,8 @@
 
 #include "core/base/cells.h"
 #include "core/base/parallel.h"
+#include "core/base/segment.h"
 
-#include <algorithm>
 #include <cassert>
 #include <cmath>
 
@@ -12,9 +12,7 @@ namespace cells {
 using base::Vec3d;
 
 static double distanceSqTo(const CreasePiece& piece, const Vec3d& p) {
-    const Vec3d way = piece.to - piece.from;
-    const double along = lengthSq(way) > 0 ? std::clamp(dot(p - piece.from, way) / lengthSq(way), 0.0, 1.0) : 0;
-    return base::distanceSq(p, piece.from + way * along);
+    return base::distanceSq(p, nearestOnSegment(piece.from, piece.to, p));
 }
 
 std::vector<Label> labelsByCreases(std::span<const surfel::Surfel> surfels, std::span<const std::uint32_t> cells,

@@ -1,5 +1,6 @@
 #include "core/complexes/curve_trace.h"
 
+#include "core/base/segment.h"
 #include "core/complexes/foot_on_cell.h"
 
 #include <algorithm>
@@ -21,9 +22,8 @@ Vec3d TracedCurve::at(double way) const {
 double TracedCurve::wayOf(const Vec3d& x) const {
     double best = 0, nearest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 1; i < points.size(); ++i) {
-        const Vec3d d = points[i] - points[i - 1];
-        const double share = std::clamp(dot(x - points[i - 1], d) / std::max(lengthSq(d), 1e-300), 0.0, 1.0);
-        const double distance = base::distanceSq(x, points[i - 1] + d * share);
+        const double share = nearestShare(points[i - 1], points[i], x);
+        const double distance = base::distanceSq(x, points[i - 1] + (points[i] - points[i - 1]) * share);
         if (distance < nearest) {
             nearest = distance;
             best = along[i - 1] + share * (along[i] - along[i - 1]);

@@ -1,11 +1,9 @@
 #include "core/sculpt/seam_snap.h"
 
+#include "core/base/segment.h"
 #include "core/cells/seam_lines.h"
 #include "core/sculpt/contact.h"
 #include "core/surface/projection/project.h"
-
-#include <algorithm>
-#include <limits>
 
 namespace sculpt {
 
@@ -38,9 +36,7 @@ base::Rayf SeamSnap::snapped(const base::Rayf& ray) const {
     if (best == x) {
         nearest = reach;
         for (const Segment& s : m_segments) {
-            const Vec3d d = s.to - s.from;
-            const double along = lengthSq(d) > 0 ? std::clamp(dot(x - s.from, d) / lengthSq(d), 0.0, 1.0) : 0;
-            const Vec3d on = s.from + d * along;
+            const Vec3d on = nearestOnSegment(s.from, s.to, x);
             if (const double far = base::distance(on, x); far < nearest) {
                 nearest = far;
                 best = on;

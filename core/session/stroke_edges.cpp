@@ -1,6 +1,7 @@
 #include "core/session/stroke_edges.h"
 
 #include "core/base/error.h"
+#include "core/base/segment.h"
 #include "core/cells/creases/draw_crease.h"
 #include "core/cells/creases/fade_creases.h"
 #include "core/sculpt/contact.h"
@@ -170,11 +171,9 @@ surface::Surface withFadedEdges(const surface::Surface& done, const sculpt::Stro
         const Vec3d p = base::cast<double>(x);
         double nearest = std::numeric_limits<double>::infinity();
         for (const std::vector<Vec3d>& way : ways)
-            for (std::size_t i = 0; i < way.size(); ++i) {
-                const Vec3d d = way[std::min(i + 1, way.size() - 1)] - way[i];
-                const double along = lengthSq(d) > 0 ? std::clamp(dot(p - way[i], d) / lengthSq(d), 0.0, 1.0) : 0;
-                nearest = std::min(nearest, base::distance(p, way[i] + d * along));
-            }
+            for (std::size_t i = 0; i < way.size(); ++i)
+                nearest = std::min(
+                    nearest, base::distance(p, nearestOnSegment(way[i], way[std::min(i + 1, way.size() - 1)], p)));
         const double r = nearest / static_cast<double>(settings.radius);
         return r < 1 ? static_cast<double>(settings.strength * sculpt::weight(settings.falloff, static_cast<float>(r)))
                      : 0.0;

@@ -1,5 +1,6 @@
 #include "core/cells/creases/draw_crease.h"
 
+#include "core/base/segment.h"
 #include "core/cells/creases/cell_refit.h"
 #include "core/cells/creases/labelled_surface.h"
 #include "core/cells/creases/link_bands.h"
@@ -91,12 +92,9 @@ class Drawer {
         double distanceSq;
         std::size_t piece;
     };
-    static double shareOn(const LinePiece& piece, const Vec3d& p) {
-        const Vec3d way = piece.to - piece.from;
-        return dot(p - piece.from, way) / lengthSq(way);
-    }
+    static double shareOn(const LinePiece& piece, const Vec3d& p) { return shareAlong(piece.from, piece.to, p); }
     static double distanceSqTo(const LinePiece& piece, const Vec3d& p) {
-        return base::distanceSq(p, piece.from + (piece.to - piece.from) * std::clamp(shareOn(piece, p), 0.0, 1.0));
+        return base::distanceSq(p, nearestOnSegment(piece.from, piece.to, p));
     }
     /// Of surfel i, by the piece that is nearest to it: on which side of the line? At a bend by both pieces.
     bool isLeft(std::uint32_t i, const Nearest& nearest) const {
