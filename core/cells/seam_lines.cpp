@@ -3,6 +3,7 @@
 #include "core/base/parallel.h"
 #include "core/cells/cell_source.h"
 #include "core/cells/feet.h"
+#include "core/cells/meeting_ends.h"
 #include "core/cells/seams.h"
 #include "core/complexes/cell_frame.h"
 #include "core/complexes/curve_trace.h"
@@ -50,44 +51,31 @@ static std::vector<SeamLine> ofCells(const CellSurface& surface, const base::Pro
 
 /// Marching ends a little before a corner. Where three lines and more do, all get the corner itself as their end.
 static void joinAtCorners(const CellSurface& surface, std::vector<SeamLine>& lines) {
-    struct End {
-        std::size_t line;
-        bool front;
-    };
-    std::vector<End> ends;
+    std::vector<SeamEnd> ends;
+    std::vector<std::size_t> lineOf; // of two ends each, its front and its back
     for (std::size_t i = 0; i < lines.size(); ++i)
-        if (!lines[i].closed && lines[i].points.size() > 1)
-            ends.push_back({i, true}), ends.push_back({i, false});
-    const auto pointOf = [&](const End& e) -> SeamPoint& {
-        return e.front ? lines[e.line].points.front() : lines[e.line].points.back();
-    };
-    std::vector<std::uint8_t> done(ends.size(), 0);
-    for (std::size_t i = 0; i < ends.size(); ++i) {
-        const double reach = surface::spacingOfUnit * pointOf(ends[i]).unit;
-        std::vector<std::size_t> here;
-        Vec3d mean;
-        for (std::size_t k = i; k < ends.size(); ++k)
-            if (!done[k] && base::distance(pointOf(ends[k]).position, pointOf(ends[i]).position) < reach) {
-                here.push_back(k);
-                mean += pointOf(ends[k]).position;
-            }
-        if (here.size() < 3)
-            continue;
-        mean = mean / static_cast<double>(here.size());
+        if (!lines[i].closed && lines[i].points.size() > 1) {
+            for (const SeamPoint& end : {lines[i].points.front(), lines[i].points.back()})
+                ends.push_back({end.position, surface::spacingOfUnit * end.unit});
+            lineOf.push_back(i);
+        }
+    for (const MeetingEnds& here : meetingEnds(ends)) {
         std::set<std::uint32_t> meeting;
-        for (const std::size_t k : here)
-            meeting.insert({lines[ends[k].line].a, lines[ends[k].line].b});
+        for (const std::uint32_t k : here.ends)
+            meeting.insert({lines[lineOf[k / 2]].a, lines[lineOf[k / 2]].b});
         const std::vector<std::uint32_t> which(meeting.begin(), meeting.end());
         CellSource source(surface);
-        source.moveTo(mean);
-        const std::optional<Vec3d> found = which.size() < 3 ? std::nullopt : Feet(source, mean, {}).corner(which, mean);
-        const Vec3d corner = found && base::distance(*found, mean) < reach ? *found : mean;
-        for (const std::size_t k : here) {
-            done[k] = 1;
-            SeamPoint end = pointOf(ends[k]);
+        source.moveTo(here.middle);
+        const std::optional<Vec3d> found =
+            which.size() < 3 ? std::nullopt : Feet(source, here.middle, {}).corner(which, here.middle);
+        const double reach = ends[here.ends.front()].reach;
+        const Vec3d corner = found && base::distance(*found, here.middle) < reach ? *found : here.middle;
+        for (const std::uint32_t k : here.ends) {
+            std::vector<SeamPoint>& points = lines[lineOf[k / 2]].points;
+            const bool front = k % 2 == 0;
+            SeamPoint end = front ? points.front() : points.back();
             end.position = corner;
-            std::vector<SeamPoint>& points = lines[ends[k].line].points;
-            points.insert(ends[k].front ? points.begin() : points.end(), end);
+            points.insert(front ? points.begin() : points.end(), end);
         }
     }
 }

@@ -3,8 +3,10 @@
 #include "core/base/cancel_scope.h"
 #include "core/base/cells.h"
 #include "core/base/parallel.h"
+#include "core/base/segment.h"
 #include "core/cells/feet.h"
 #include "core/cells/local_boolean.h"
+#include "core/cells/meeting_ends.h"
 
 #include <algorithm>
 #include <cmath>
@@ -190,10 +192,8 @@ class PairTracer {
             if (const std::vector<std::uint32_t>* there = m_grid.find(cell))
                 for (const std::uint32_t k : *there) {
                     const auto& [from, to] = m_segments[k];
-                    const Vec3d way = to - from;
-                    const double along =
-                        lengthSq(way) > 0 ? std::clamp(dot(p - from, way) / lengthSq(way), 0.0, 1.0) : 0;
-                    out |= base::distance(p, from + way * along) < (m_flat ? takenWhereFlat : taken) * spacing;
+                    out |=
+                        base::distance(p, nearestOnSegment(from, to, p)) < (m_flat ? takenWhereFlat : taken) * spacing;
                 }
         });
         return out;
@@ -240,42 +240,15 @@ std::vector<Seam> traceSeams(const CellSurface& surface, const base::Progress& p
 }
 
 std::vector<Vec3d> cornersOf(std::span<const Seam> seams) {
-    struct End {
-        Vec3d place;
-        double spacing;
-        bool used = false;
-    };
-    std::vector<End> ends;
-    double reach = 0;
+    std::vector<SeamEnd> ends;
     for (const Seam& seam : seams)
         if (!seam.closed && !seam.points.empty()) {
-            ends.push_back({seam.points.front(), seam.spacing});
-            ends.push_back({seam.points.back(), seam.spacing});
-            reach = std::max(reach, atCorner * seam.spacing);
+            ends.push_back({seam.points.front(), atCorner * seam.spacing});
+            ends.push_back({seam.points.back(), atCorner * seam.spacing});
         }
-    base::CellMap<std::vector<std::uint32_t>> grid;
-    for (std::uint32_t k = 0; k < ends.size(); ++k)
-        grid.at(base::cellOf(ends[k].place, Vec3d(), 1 / reach)).push_back(k);
     std::vector<Vec3d> out;
-    for (End& end : ends) {
-        if (end.used)
-            continue;
-        std::vector<std::uint32_t> together;
-        base::forCellsAround(base::cellOf(end.place, Vec3d(), 1 / reach), [&](const base::Cell& cell) {
-            if (const std::vector<std::uint32_t>* there = grid.find(cell))
-                for (const std::uint32_t k : *there)
-                    if (!ends[k].used && base::distance(ends[k].place, end.place) < atCorner * end.spacing)
-                        together.push_back(k);
-        });
-        if (together.size() < 3)
-            continue;
-        Vec3d middle;
-        for (const std::uint32_t k : together) {
-            ends[k].used = true;
-            middle += ends[k].place;
-        }
-        out.push_back(middle / static_cast<double>(together.size()));
-    }
+    for (const MeetingEnds& corner : meetingEnds(ends))
+        out.push_back(corner.middle);
     return out;
 }
 
