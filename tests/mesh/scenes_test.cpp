@@ -95,7 +95,7 @@ void ScenesTest::densityFollowsTouchingBodies() {
         Box small = tilted(random, 0, 0.4 * size, size);
         small.centre = {random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5), 1};
         const std::vector<Box> boxes{aligned({-1, -1, -1}, {1, 1, 1}), small};
-        const OpenedFaces found = opened(together(boxes), 30000);
+        const OpenedFaces found = opened(together(boxes), test::sanitized ? 12000 : 30000);
         const auto& items = found.points.items;
         double least = 1e9, most = 0;
         for (const surfel::Surfel& s : items) {
