@@ -1,7 +1,5 @@
 #include "core/cells/cell_clusters.h"
 
-#include "core/surfel/shape.h"
-
 #include <algorithm>
 
 namespace cells {
@@ -14,50 +12,20 @@ constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
 
 } // namespace
 
-CellClusters::CellClusters(const CellSurface& surface, const base::Box3f& box)
-    : m_shape(surfel::shapeChannel(*surface.surface().tree().layout())),
-      m_channels(static_cast<std::size_t>(m_shape > 0 ? m_shape + 3 : surfel::Support + 1)) {
-    std::vector<Found> found;
-    collect(surface, box, found);
-    // in tree order within a cell: neighbours share clusters
-    std::stable_sort(found.begin(), found.end(),
-                     [](const Found& a, const Found& b) { return a.label.cell < b.label.cell; });
-    pack(found);
-    const float scale = surface.surface().supportScale();
-    for (const Found& each : found)
-        if (each.label.meeting != Meeting::None)
-            m_beside.push_back({each.block->position(each.slot), surfel::shapeOf(*each.block, each.slot, m_shape),
-                                scale * each.block->support(each.slot), place(each.label.cell),
-                                place(each.label.partner), each.label});
-    packFades(found);
+CellClusters::CellClusters(const CellSurfels& from, const base::Box3f& box) : m_channels(from.channels()) {
+    std::vector<std::uint32_t> chosen;
+    from.inSupport(box, chosen);
+    pack(from, chosen);
+    for (const std::uint32_t i : chosen)
+        if (const Label& label = from.label(i); label.meeting != Meeting::None)
+            m_beside.push_back(
+                {from.position(i), from.shape(i), from.support(i), place(label.cell), place(label.partner), label});
+    packFades(from, chosen);
     for (std::size_t at = 0; at < m_packed.size(); at += m_channels)
         m_pointers.push_back(m_packed[at].lanes);
     for (Cell& a : m_cells)
         for (const Cell& b : m_cells)
             a.joined |= a.cell != b.cell && a.face == b.face;
-}
-
-void CellClusters::collect(const CellSurface& surface, const base::Box3f& box, std::vector<Found>& out) {
-    const float reach = surface::queryReach(surface.surface().supportScale());
-    surface.surface().tree().forClustersInSupport(
-        box,
-        [&](const surfel::SurfelBlock& block, int cluster) {
-            const float* x = block.channel(cluster, surfel::X);
-            const float* h = block.channel(cluster, surfel::Support);
-            const int begin = cluster * lanes, count = std::min(lanes, block.size() - begin);
-            float beyond[lanes]; // how far the box is beyond the support, squared
-            for (int lane = 0; lane < lanes; ++lane) {
-                const float dx = std::max({box.lo.x - x[lane], x[lane] - box.hi.x, 0.0f});
-                const float dy = std::max({box.lo.y - x[lane + lanes], x[lane + lanes] - box.hi.y, 0.0f});
-                const float dz = std::max({box.lo.z - x[lane + 2 * lanes], x[lane + 2 * lanes] - box.hi.z, 0.0f});
-                const float support = reach * h[lane];
-                beyond[lane] = dx * dx + dy * dy + dz * dz - support * support;
-            }
-            for (int lane = 0; lane < count; ++lane)
-                if (beyond[lane] < 0)
-                    out.push_back({&block, begin + lane, surface.labels().at(block, begin + lane)});
-        },
-        reach);
 }
 
 std::uint32_t CellClusters::place(std::uint32_t label) const {
@@ -77,47 +45,41 @@ float* CellClusters::nextLane(bool fresh) {
     return m_packed[m_packed.size() - m_channels].lanes + m_lane++;
 }
 
-void CellClusters::copyLane(const surfel::SurfelBlock& block, int slot, float* to) const {
-    const float* from = block.channel(slot / lanes, surfel::X) + slot % lanes;
-    for (int channel = surfel::X; channel <= surfel::Support; ++channel)
-        to[channel * lanes] = from[channel * lanes];
-    for (int channel = m_shape; m_shape > 0 && channel < m_shape + 3; ++channel)
-        to[channel * lanes] = from[channel * lanes];
-}
-
-void CellClusters::pack(const std::vector<Found>& found) {
-    for (const Found& each : found) {
-        const bool another = m_cells.empty() || m_cells.back().cell != each.label.cell;
+void CellClusters::pack(const CellSurfels& from, Chosen chosen) {
+    for (const std::uint32_t i : chosen) {
+        const Label& label = from.label(i);
+        const bool another = m_cells.empty() || m_cells.back().cell != label.cell;
         if (another) {
             const auto begin = clusterCount();
-            m_cells.push_back({each.label.cell, each.label.face, begin, begin, false});
+            m_cells.push_back({label.cell, label.face, begin, begin, false});
         }
-        copyLane(*each.block, each.slot, nextLane(another));
+        from.copy(i, nextLane(another));
         m_cells.back().end = clusterCount();
     }
 }
 
-void CellClusters::packFades(const std::vector<Found>& found) {
+void CellClusters::packFades(const CellSurfels& from, Chosen chosen) {
     using Pair = std::pair<std::uint32_t, std::uint32_t>;
-    const auto pairOf = [&](const Found& each) -> Pair {
-        const std::uint32_t own = place(each.label.cell), partner = place(each.label.partner);
+    const auto pairOf = [&](const Label& label) -> Pair {
+        const std::uint32_t own = place(label.cell), partner = place(label.partner);
         return {std::min(own, partner), std::max(own, partner)};
     };
-    for (const Found& each : found)
-        if (each.label.meeting != Meeting::None && each.label.sharpness != 255) {
-            const auto [a, b] = pairOf(each);
+    for (const std::uint32_t i : chosen)
+        if (const Label& label = from.label(i); label.meeting != Meeting::None && label.sharpness != 255) {
+            const auto [a, b] = pairOf(label);
             const auto same = [a = a, b = b](const Fade& fade) { return fade.a == a && fade.b == b; };
             if (b != nowhere && std::none_of(m_fades.begin(), m_fades.end(), same))
                 m_fades.push_back({a, b});
         }
     for (Fade& fade : m_fades) {
         fade.begin = clusterCount();
-        for (const Found& each : found) {
-            if (each.label.meeting == Meeting::None || pairOf(each) != Pair(fade.a, fade.b))
+        for (const std::uint32_t i : chosen) {
+            const Label& label = from.label(i);
+            if (label.meeting == Meeting::None || pairOf(label) != Pair(fade.a, fade.b))
                 continue;
             float* to = nextLane(clusterCount() == fade.begin);
-            copyLane(*each.block, each.slot, to);
-            to[surfel::NormalX * lanes] = static_cast<float>(each.label.sharpness) / 255;
+            from.copy(i, to);
+            to[surfel::NormalX * lanes] = static_cast<float>(label.sharpness) / 255;
             to[surfel::NormalY * lanes] = to[surfel::NormalZ * lanes] = 0;
         }
         fade.end = clusterCount();

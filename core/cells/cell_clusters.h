@@ -1,8 +1,9 @@
 // The surfels that may have weight somewhere in a box, packed as clusters of one cell each, so that the vectorised sums
-// run over a cell alone (cells/README 4.1). What is packed, and in which order, depends on the box only.
+// run over a cell alone (cells/README 4.1). They are chosen from those of a wider box (cell_surfels.h); what is packed,
+// and in which order, depends on the smaller box only.
 #pragma once
 
-#include "core/cells/cell_surface.h"
+#include "core/cells/cell_surfels.h"
 #include "core/surface/evaluation/clusters.h"
 
 #include <vector>
@@ -11,7 +12,8 @@ namespace cells {
 
 class CellClusters {
   public:
-    CellClusters(const CellSurface& surface, const base::Box3f& box);
+    /// REQUIRES: `box` lies in that of `from`.
+    CellClusters(const CellSurfels& from, const base::Box3f& box);
 
     struct Cell {
         std::uint32_t cell = 0, face = 0;
@@ -47,22 +49,15 @@ class CellClusters {
     struct alignas(64) Channel {
         float lanes[surfel::clusterSize];
     };
-    struct Found {
-        const surfel::SurfelBlock* block;
-        int slot;
-        Label label;
-    };
-    static void collect(const CellSurface& surface, const base::Box3f& box, std::vector<Found>& out);
-    void pack(const std::vector<Found>& found);
-    void packFades(const std::vector<Found>& found);
+    using Chosen = std::span<const std::uint32_t>; ///< of a CellSurfels
+    void pack(const CellSurfels& from, Chosen chosen);
+    void packFades(const CellSurfels& from, Chosen chosen);
     std::uint32_t place(std::uint32_t label) const;
     /// Room for one more surfel in the last cluster, or in a fresh one: its x; further channels follow a cluster's
     /// width after each other.
     float* nextLane(bool fresh);
-    void copyLane(const surfel::SurfelBlock& block, int slot, float* to) const;
     std::uint32_t clusterCount() const { return static_cast<std::uint32_t>(m_packed.size() / m_channels); }
 
-    int m_shape;            ///< channel of shapes, as in blocks; 0: none
     std::size_t m_channels; ///< of a cluster
     std::vector<Channel> m_packed;
     std::vector<const float*> m_pointers;

@@ -15,7 +15,8 @@ using surface::Need;
 namespace {
 
 constexpr int lanes = surfel::clusterSize;
-constexpr std::size_t mostCubes = 256; ///< kept
+constexpr std::size_t mostCubes = 256, mostWide = 64; ///< kept
+constexpr int widening = 2;                           ///< of the cubes that others are packed from, as a power of two
 
 template <class E>
 void take(const E& from, CellField& to) {
@@ -80,6 +81,33 @@ void CellSourcef::setScale(double support) {
     m_exponent = std::ilogb(support) - 1;
 }
 
+/// With what float32 leaves of its coordinates, whichever of its places is asked for.
+base::Box3f CellSourcef::boxOf(const Cube& cube) {
+    const double side = std::ldexp(1.0, cube.exponent);
+    base::Box3f box;
+    double size = 0;
+    for (std::size_t a = 0; a < 3; ++a) {
+        box.lo[a] = static_cast<float>(static_cast<double>(cube.at[a]) * side);
+        box.hi[a] = static_cast<float>(static_cast<double>(cube.at[a] + 1) * side);
+        size = std::max({size, static_cast<double>(std::abs(box.lo[a])), static_cast<double>(std::abs(box.hi[a]))});
+    }
+    return box.inflated(static_cast<float>(size * 1e-7));
+}
+
+const CellSurfels& CellSourcef::surfelsAbout(const Cube& cube) {
+    Cube wide = cube;
+    wide.exponent += widening;
+    for (std::int64_t& each : wide.at)
+        each >>= widening; // towards minus infinity
+    auto found = m_wide.find(wide);
+    if (found == m_wide.end()) {
+        if (m_wide.size() >= mostWide)
+            m_wide.clear();
+        found = m_wide.try_emplace(wide, *m_surface, boxOf(wide)).first;
+    }
+    return found->second;
+}
+
 void CellSourcef::moveTo(const Vec3d& x) {
     m_x = x;
     m_xf = base::cast<float>(x);
@@ -96,16 +124,7 @@ void CellSourcef::moveTo(const Vec3d& x) {
         if (found == m_cubes.end()) {
             if (m_cubes.size() >= mostCubes)
                 m_cubes.clear();
-            base::Box3f box;
-            double size = 0; // of the cube's coordinates, whichever of its places is first
-            for (std::size_t a = 0; a < 3; ++a) {
-                box.lo[a] = static_cast<float>(static_cast<double>(cube.at[a]) * side);
-                box.hi[a] = static_cast<float>(static_cast<double>(cube.at[a] + 1) * side);
-                size = std::max(
-                    {size, static_cast<double>(std::abs(box.lo[a])), static_cast<double>(std::abs(box.hi[a]))});
-            }
-            const auto inexact = static_cast<float>(size * 1e-7);
-            found = m_cubes.try_emplace(cube, *m_surface, box.inflated(inexact)).first;
+            found = m_cubes.try_emplace(cube, surfelsAbout(cube), boxOf(cube)).first;
         }
         m_cube = &found->second;
         m_which = cube;

@@ -71,6 +71,9 @@ class CellSourcef {
     struct CubeHash {
         std::size_t operator()(const Cube& cube) const;
     };
+    static base::Box3f boxOf(const Cube& cube);
+    const CellSurfels& surfelsAbout(const Cube& cube);
+
     struct Near {
         bool known = false, counted = false, there = false, beside = false;
         surface::Need need = surface::Need::Value;
@@ -97,6 +100,7 @@ class CellSourcef {
     surface::SummedNormals m_plain;
     int m_shape; ///< channel of shapes; 0: none
     std::unordered_map<Cube, CellClusters, CubeHash> m_cubes;
+    std::unordered_map<Cube, CellSurfels, CubeHash> m_wide; ///< four times as wide: what cubes are packed from
     Cube m_which;
     const CellClusters* m_cube = nullptr;
     int m_exponent = 0;
