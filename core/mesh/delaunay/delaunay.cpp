@@ -8,6 +8,7 @@
 #include "core/mesh/delaunay/delaunay_refine.h"
 #include "core/mesh/delaunay/held_faces.h"
 #include "core/mesh/finish/close_folds.h"
+#include "core/mesh/finish/drop_crumbs.h"
 #include "core/mesh/finish/drop_triangles.h"
 #include "core/mesh/finish/make_manifold.h"
 #include "core/mesh/finish/mesh_attributes.h"
@@ -132,7 +133,7 @@ void finish(const surface::Surface& surface, const DelaunayOptions& options, con
     if (options.finishing.dropSmall)
         dropSmallPieces(mesh, orientation, options.finishing.smallPiece);
     else
-        report.unrefined += dropCrumbs(mesh, orientation);
+        report.unrefined += dropCrumbs(mesh, orientation, surface);
     if (options.finishing.closeFolds)
         report.foldsClosed = closeFolds(mesh, surface, {unit, true, options.finishing.longestFold}).size();
     dropUnused(mesh);

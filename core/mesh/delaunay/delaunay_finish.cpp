@@ -129,17 +129,4 @@ void tellBoundaryKinds(const surface::Surface& surface, Mesh& mesh) {
     });
 }
 
-std::size_t dropCrumbs(Mesh& mesh, const Orientation& pieces) {
-    constexpr std::uint32_t crumb = 12;
-    std::vector<bool> atFold(pieces.pieceSizes.size(), false);
-    for (std::size_t f = 0; f < mesh.triangles.size(); ++f)
-        for (const std::uint32_t v : mesh.triangles[f])
-            if (mesh.kinds[v] == VertexKind::Fold)
-                atFold[pieces.pieceOf[f]] = true;
-    return keepTriangles(mesh, [&](std::size_t f) {
-        const std::uint32_t piece = pieces.pieceOf[f];
-        return !atFold[piece] || pieces.pieceSizes[piece] >= crumb;
-    });
-}
-
 } // namespace mesh

@@ -18,7 +18,4 @@ std::size_t leaveOutFar(const surface::Surface& surface, double farthest, Mesh& 
 /// Fills in kinds: does the boundary follow the surface's limit at a vertex, or not? Limit stays Limit.
 void tellBoundaryKinds(const surface::Surface& surface, Mesh& mesh);
 
-/// Removes pieces of a few triangles that end at folds; returns how many triangles. `pieces` is void afterwards.
-std::size_t dropCrumbs(Mesh& mesh, const Orientation& pieces);
-
 } // namespace mesh

@@ -1,6 +1,7 @@
 #include "core/mesh/marching/marching_cubes.h"
 
 #include "core/mesh/finish/close_folds.h"
+#include "core/mesh/finish/drop_crumbs.h"
 #include "core/mesh/finish/drop_triangles.h"
 #include "core/mesh/finish/mesh_attributes.h"
 #include "core/mesh/finish/trim_folds.h"
@@ -116,6 +117,10 @@ Mesh marchPart(const surface::Surface& surface, const MarchingOptions& options, 
                       [&](std::uint32_t size) { return size < options.finishing.smallPiece; }));
     if (options.finishing.dropSmall)
         dropSmallPieces(out, orientation, options.finishing.smallPiece);
+    else if (const std::size_t crumbs = dropCrumbs(out, orientation, surface); crumbs > 0) {
+        report.pieces -= crumbs;
+        dropUnused(out);
+    }
     shape(out, surface, options, report, process::part(progress, 0.75, 0.93));
     finishFolds(out, surface, options, report, process::part(progress, 0.93, 0.95));
     if (!options.creases || !keepCreases(out, surface, process::part(progress, 0.95, 1)))
