@@ -37,7 +37,22 @@ io::FileModel readModel(const std::string& model, const base::Progress& progress
     return out;
 }
 
-void openModel(session::Context& context, const std::string& model, const nlohmann::json& surface, Console& console) {
+void standInScene(session::Context& context) {
+    const session::Scene& scene = context.document.scene();
+    const session::SceneModel active = scene.models[scene.active];
+    if (session::isNothing(active.pose))
+        return;
+    if (active.locked)
+        session::run(context, {{"op", "scene"}, {"do", "unlock"}});
+    if (!active.visible)
+        session::run(context, {{"op", "scene"}, {"do", "show"}});
+    session::run(context, {{"op", "scene"}, {"do", "apply"}});
+    if (!active.visible)
+        session::run(context, {{"op", "scene"}, {"do", "hide"}});
+}
+
+void openModel(session::Context& context, const std::string& model, const nlohmann::json& surface, Console& console,
+               SceneUse use) {
     nlohmann::json command = commandOf(model);
     command.update(surface);
     if (command.at("op") != "open") { // a sample has no faces
@@ -46,10 +61,12 @@ void openModel(session::Context& context, const std::string& model, const nlohma
             command.erase(p.id);
     }
     session::run(context, command);
+    if (use != SceneUse::AsItIs)
+        standInScene(context);
     const session::Scene& scene = context.document.scene();
-    if (scene.models.size() > 1)
-        context.messages.push_back("A scene of " + std::to_string(scene.models.size()) + " models; \"" +
-                                   scene.models[scene.active].name + "\" is the active one.");
+    if (scene.models.size() > 1 && use == SceneUse::Active)
+        context.messages.push_back("A scene of " + std::to_string(scene.models.size()) + " models: this is about \"" +
+                                   scene.models[scene.active].name + "\" alone, the active one, where it stands.");
     console.tell(context.messages);
     context.messages.clear();
 }

@@ -141,8 +141,10 @@ void print(const ordered_json& info, bool json) {
             if (key != "models")
                 std::cout << key << std::string(12 - key.size(), ' ') << asText(value) << "\n";
             else
-                for (const ordered_json& model : value)
+                for (ordered_json model : value) {
+                    model.erase("matrix"); // --json has it
                     std::cout << "model       " << asText(model) << "\n";
+                }
 }
 
 void describeFile(const Options& options, io::FileModel model, const base::Progress& progress, Console& console) {
@@ -157,7 +159,7 @@ void describeFile(const Options& options, io::FileModel model, const base::Progr
 void describeScene(const Options& options, const base::Progress& progress, Console& console) {
     session::Document document;
     session::Context context{document, {}, progress, {}, 0, {}, nullptr};
-    openModel(context, options.model, options.surface->parameters(), console);
+    openModel(context, options.model, options.surface->parameters(), console, SceneUse::AsItIs);
     const ordered_json info = infoOf(document);
     console.clear();
     print(info, options.json);

@@ -56,7 +56,7 @@ void run(Options options, Console& console) {
     const base::Progress progress = console.progress();
     session::Context context{document, {}, progress, {}, 0, {}, nullptr};
     options.picture.rayCast = options.mode == "raycast";
-    openModel(context, options.model, options.surface->parameters(), console);
+    openModel(context, options.model, options.surface->parameters(), console, SceneUse::All);
     const SceneView scene = sceneView(document, progress);
     const auto cameras = camerasOf(*options.view, scene.whole, document.provenance().origin, document.up());
     const int count = static_cast<int>(cameras.size());

@@ -81,9 +81,11 @@ ordered_json timingOf(const session::LineReport& report) {
             {"dab_ms", {{"p50", quantile(ms, 0.5)}, {"p99", quantile(ms, 0.99)}, {"max", quantile(ms, 1)}}}};
 }
 
-void savePicture(const session::Document& document, const std::string& path, const base::Progress& progress) {
+void savePicture(session::Document document, const std::string& path, const base::Progress& progress) {
     if (document.surface().tree().empty())
         throw base::Error("there is no model to draw", path, "open one in the session or with --model");
+    session::Context context{document, {}, progress, {}, 0, {}, nullptr};
+    standInScene(context);
     const SceneView scene = sceneView(document, progress);
     render::PictureStats stats;
     render::PictureOptions look;
@@ -114,7 +116,7 @@ void run(const Options& options, Console& console) {
     RunJournal journal(options.journal, console);
     session::Context context{document, {}, progress, {}, 0, {}, journal.get(), options.anyway};
     if (!options.model.empty())
-        openModel(context, options.model, parametersOf(options.faces), console);
+        openModel(context, options.model, parametersOf(options.faces), console, SceneUse::AsItIs);
     ordered_json timings = ordered_json::array();
     session::ReplayOptions replay;
     replay.done = [&](const session::LineReport& report) {

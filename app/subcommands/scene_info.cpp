@@ -51,6 +51,8 @@ ordered_json infoOf(const session::Document& document) {
         models.push_back({{"name", model.name},
                           {"surfels", model.surface.tree().size()},
                           {"bounds", own.text()},
+                          {"attributes", model.surface.tree().layout()->names()},
+                          {"format", model.provenance->format},
                           {"visible", model.visible},
                           {"locked", model.locked},
                           {"active", k == scene.active},

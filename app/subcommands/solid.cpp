@@ -39,8 +39,8 @@ void run(const Options& options, Console& console) {
 }
 
 bool isOwn(std::string_view id) {
-    return id == "path" || id == "sample" || id == "hash" || id == "sources" || id == "operation" || id == "seams" ||
-           id == "creases"; // of opening
+    return id == "path" || id == "sample" || id == "model" || id == "hash" || id == "sources" || id == "operation" ||
+           id == "seams" || id == "creases"; // of opening
 }
 
 } // namespace

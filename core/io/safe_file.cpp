@@ -1,6 +1,7 @@
 #include "core/io/safe_file.h"
 
 #include "core/base/error.h"
+#include "core/base/folder_names.h"
 #include "core/base/sync_folder.h"
 #include "core/io/before_writing.h"
 
@@ -51,8 +52,7 @@ void SafeFile::refuseProtected() const {
 static void removeLeftovers(const fs::path& folder, const std::string& stem) {
     std::error_code none;
     std::vector<fs::path> left;
-    for (const auto& entry : fs::directory_iterator(folder, none)) {
-        const std::string name = entry.path().filename().string();
+    for (const std::string& name : base::namesIn(folder)) {
         if (!name.starts_with(stem))
             continue;
         pid_t process = 0;
@@ -62,7 +62,7 @@ static void removeLeftovers(const fs::path& folder, const std::string& stem) {
             continue;
         if (std::all_of(parsed.ptr + 1, end, [](char c) { return c >= '0' && c <= '9'; }) && ::kill(process, 0) != 0 &&
             errno == ESRCH)
-            left.push_back(entry.path());
+            left.push_back(folder / name);
     }
     for (const fs::path& each : left)
         fs::remove(each, none);

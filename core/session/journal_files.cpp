@@ -1,5 +1,6 @@
 #include "core/session/journal_files.h"
 
+#include "core/base/folder_names.h"
 #include "core/session/journal.h"
 #include "core/session/locked_file.h"
 
@@ -26,14 +27,11 @@ fs::path keptSource(const fs::path& journal, const fs::path& source) {
 /// What stands beside `journal` and belongs to it.
 static std::vector<fs::path> filesOf(const fs::path& journal) {
     std::vector<fs::path> out;
-    std::error_code none;
     const std::string own = journal.filename().string() + ".";
-    for (const auto& entry : fs::directory_iterator(journal.has_parent_path() ? journal.parent_path() : ".", none)) {
-        const std::string name = entry.path().filename().string();
+    for (const std::string& name : base::namesIn(journal.parent_path()))
         for (const char* kind : {"source", "stamp-", "new-"})
             if (name.starts_with(own + kind))
-                out.push_back(entry.path());
-    }
+                out.push_back(journal.parent_path() / name);
     return out;
 }
 
@@ -49,14 +47,13 @@ void removeLeftovers(const fs::path& folder) {
     std::error_code ignored;
     constexpr std::string_view extension = ".jsonl.";
     std::vector<fs::path> left;
-    for (const auto& entry : fs::directory_iterator(folder, ignored)) {
-        const std::string name = entry.path().filename().string();
+    for (const std::string& name : base::namesIn(folder)) {
         const std::size_t end = name.find(extension);
-        if (!name.starts_with("journal-") || end == std::string::npos || isLocked(entry.path()))
+        if (!name.starts_with("journal-") || end == std::string::npos || isLocked(folder / name))
             continue;
         const bool unfinished = name.substr(end + extension.size()).find("new-") != std::string::npos;
         if (unfinished || !fs::exists(folder / name.substr(0, end + extension.size() - 1), ignored))
-            left.push_back(entry.path());
+            left.push_back(folder / name);
     }
     for (const fs::path& each : left)
         fs::remove(each, ignored);

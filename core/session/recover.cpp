@@ -1,6 +1,7 @@
 #include "core/session/recover.h"
 
 #include "core/base/error.h"
+#include "core/base/folder_names.h"
 #include "core/session/journal.h"
 #include "core/session/json_text.h"
 #include "core/session/path_text.h"
@@ -48,11 +49,11 @@ static bool summarise(LeftJournal& journal) {
 std::vector<LeftJournal> findLeftJournals(const fs::path& folder) {
     std::vector<LeftJournal> out;
     std::error_code none;
-    for (const auto& entry : fs::directory_iterator(folder, none)) {
-        const std::string name = entry.path().filename().string();
-        if (!name.starts_with("journal-") || entry.path().extension() != ".jsonl" || isJournalHeld(entry.path()))
+    for (const std::string& name : base::namesIn(folder)) {
+        const fs::path path = folder / name;
+        if (!name.starts_with("journal-") || path.extension() != ".jsonl" || isJournalHeld(path))
             continue;
-        LeftJournal journal{entry.path(), {}, entry.last_write_time(none), 0};
+        LeftJournal journal{path, {}, fs::last_write_time(path, none), 0};
         if (summarise(journal))
             out.push_back(std::move(journal));
     }

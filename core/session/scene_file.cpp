@@ -19,7 +19,8 @@ using nlohmann::json;
 
 static constexpr std::string_view extension = ".scene.json";
 static constexpr const char* version = "pointclay-scene";
-static constexpr const char* advice = "save the scene anew, or compare the file with core/session/README.md";
+static constexpr const char* advice =
+    R"(save the scene anew; a least one is {"pointclay-scene":1,"models":[{"name":"a","file":"a.ply"}]})";
 
 bool isSceneFile(const fs::path& path) {
     std::string name = path.filename().string();
@@ -174,13 +175,34 @@ static std::string fileWord(const std::string& name) {
     return out;
 }
 
+/// Those of an earlier save under the same name, which may be written over.
+static std::set<fs::path> ownFiles(const fs::path& file) {
+    std::set<fs::path> out;
+    std::error_code none;
+    if (!fs::exists(file, none))
+        return out;
+    try {
+        const json scene = modelsIn(file);
+        for (const json& model : scene.at("models"))
+            out.insert(file.parent_path() / pathOf(valueOf<std::string>(model, "file", nullptr, file)));
+    } catch (const base::Error&) { // something else has that name: whatever lies beside it is not ours
+    }
+    return out;
+}
+
 std::vector<fs::path> modelFiles(const Scene& scene, const fs::path& file) {
     const std::string whole = file.filename().string(), stem = whole.substr(0, whole.size() - extension.size());
+    const std::set<fs::path> own = ownFiles(file);
     std::vector<fs::path> out;
+    std::error_code none;
     for (const SceneModel& model : scene.models) {
-        fs::path path = file.parent_path() / (stem + "." + fileWord(model.name) + ".ply");
-        for (int k = 2; std::ranges::find(out, path) != out.end(); ++k)
-            path = file.parent_path() / (stem + "." + fileWord(model.name) + "-" + std::to_string(k) + ".ply");
+        const std::string name = stem + "." + fileWord(model.name);
+        fs::path path = file.parent_path() / (name + ".ply");
+        const auto taken = [&] {
+            return std::ranges::find(out, path) != out.end() || (fs::exists(path, none) && !own.contains(path));
+        };
+        for (int k = 2; taken(); ++k)
+            path = file.parent_path() / (name + "-" + std::to_string(k) + ".ply");
         out.push_back(std::move(path));
     }
     return out;

@@ -26,7 +26,8 @@ void requireSavable(const std::filesystem::path& path);
 /// not there are left out, which is told. Throws base::Error that names what is wrong.
 std::vector<nlohmann::json> sceneCommands(const std::filesystem::path& file, std::vector<std::string>& messages);
 
-/// Where the models of a scene are saved that is saved in `file`: beside it, in the models' order.
+/// Where the models of a scene are saved that is saved in `file`: beside it, in the models' order, over the files of an
+/// earlier save and over no others.
 std::vector<std::filesystem::path> modelFiles(const Scene& scene, const std::filesystem::path& file);
 
 /// The scene file's text, for models in these files.

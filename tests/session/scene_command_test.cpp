@@ -19,6 +19,8 @@ class SceneCommandTest : public QObject {
     void posesMoveNoSurfel();
     void appliedPosesLeaveEverythingWhereItWas();
     void sceneFilesHoldEverything();
+    void savingWritesOverItsOwnFilesAlone();
+    void otherFormatsHoldWhatIsShown();
     void onePlyHoldsAllWhereTheyStand();
     void attributesOfEachComeBackFromOnePly();
     void farModelsKeepTheirPlaces();
@@ -217,6 +219,41 @@ void SceneCommandTest::sceneFilesHoldEverything() {
     QCOMPARE(again.document.path().string(), bench.path("all.scene.json").string());
     QVERIFY(!model(again, "ring").visible && model(again, "ball").locked);
     QCOMPARE(model(again, "ball").layers.layers.size(), std::size_t(1));
+}
+
+void SceneCommandTest::savingWritesOverItsOwnFilesAlone() {
+    Workbench bench;
+    base::Random random(test::seed());
+    makeScene(bench, random);
+    test::write(bench.path("all.ring.ply"), "somebody's");
+    const json save{{"op", "save"}, {"path", bench.path("all.scene.json").string()}};
+    bench.run(save);
+    bench.run(test::strokeAt(0));
+    bench.run(save);
+    QCOMPARE(test::contentOf(bench.path("all.ring.ply")), std::string("somebody's"));
+    QVERIFY(std::filesystem::exists(bench.path("all.ring-2.ply")));
+    QVERIFY(!std::filesystem::exists(bench.path("all.ring-3.ply")) &&
+            !std::filesystem::exists(bench.path("all.ball-2.ply")));
+    Workbench again;
+    again.run({{"op", "open"}, {"path", bench.path("all.scene.json").string()}});
+    QCOMPARE(again.hash(), bench.hash());
+}
+
+void SceneCommandTest::otherFormatsHoldWhatIsShown() {
+    Workbench bench;
+    base::Random random(test::seed());
+    makeScene(bench, random);
+    bench.run(scene("add", {{"sample", "knot:3000"}}));
+    bench.run(scene("hide", {{"name", "ring"}}));
+    bench.context.messages.clear();
+    bench.run({{"op", "save"}, {"path", bench.path("all.xyz").string()}});
+    std::string said;
+    for (const std::string& each : bench.context.messages)
+        said += each + "\n";
+    QVERIFY2(said.find("one cloud") != std::string::npos && said.find("hidden") != std::string::npos, said.c_str());
+    Workbench again;
+    again.run({{"op", "open"}, {"path", bench.path("all.xyz").string()}});
+    QCOMPARE(again.size(), model(bench, "ball").surface.tree().size() + model(bench, "knot").surface.tree().size());
 }
 
 void SceneCommandTest::onePlyHoldsAllWhereTheyStand() {

@@ -36,8 +36,14 @@ static void openScene(Context& context, const std::filesystem::path& path) {
         if (line.at("op") == "open")
             lines.back()["hash"] = scene.hash().text();
     };
-    for (const json& each : sceneCommands(path, inner.messages))
+    for (const json& each : sceneCommands(path, inner.messages)) {
+        std::error_code none;
+        if (const std::string file = each.value("path", std::string());
+            !file.empty() && !std::filesystem::exists(file, none))
+            throw base::Error("its model " + file + " is not there", path.string(),
+                              "put it back, or take it out of the scene file");
         run(inner, each);
+    }
     for (const std::string& message : inner.messages) // what is true of several models is told once
         if (std::ranges::find(context.messages, message) == context.messages.end())
             context.messages.push_back(message);

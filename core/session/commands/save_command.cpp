@@ -9,6 +9,7 @@
 #include "core/session/scene_file.h"
 #include "core/session/scene_ply.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace session {
@@ -73,11 +74,36 @@ static void saveScene(Context& context, const std::filesystem::path& path) {
     context.document.saved(path);
 }
 
+/// Other programs know nothing of hidden models.
+static Scene shownOf(const Scene& scene) {
+    Scene out = scene;
+    std::erase_if(out.models, [](const SceneModel& each) { return !each.visible; });
+    out.active = 0;
+    return out.models.empty() ? scene : out;
+}
+
+static void tellOfTogether(Context& context, const Scene& scene, bool native) {
+    const auto posed = std::ranges::count_if(scene.models, [](const auto& each) { return !isNothing(each.pose); });
+    if (posed > 0)
+        context.messages.push_back("Places are in the points now: " + std::to_string(posed) +
+                                   (posed == 1 ? " model has no pose" : " models have no poses") +
+                                   " in this file; .scene.json keeps them.");
+    if (native)
+        return;
+    const std::size_t hidden = context.document.scene().models.size() - scene.models.size();
+    context.messages.push_back(std::to_string(scene.models.size()) + " models are written as one cloud" +
+                               (hidden > 0 ? ", and " + std::to_string(hidden) + " that are hidden left out" : "") +
+                               "; .ply and .scene.json keep them apart.");
+}
+
 /// All that there is, as one file.
-static io::FileModel wholeOf(const Document& document) {
-    const Scene& scene = document.scene();
-    const bool alone = scene.models.size() == 1 && isNothing(scene.models.front().pose);
-    return alone ? document.fileModel() : togetherAsParts(scene);
+static io::FileModel wholeOf(Context& context, const std::filesystem::path& path) {
+    const Scene& scene = context.document.scene();
+    if (scene.models.size() == 1 && isNothing(scene.models.front().pose))
+        return context.document.fileModel();
+    const Scene written = isNative(path) ? scene : shownOf(scene);
+    tellOfTogether(context, written, isNative(path));
+    return togetherAsParts(written);
 }
 
 static void save(Context& context, const json& complete) {
@@ -90,7 +116,7 @@ static void save(Context& context, const json& complete) {
         return saveScene(context, path);
     }
     if (part == "all")
-        write(context, path, wholeOf(context.document));
+        write(context, path, wholeOf(context, path));
     else
         write(context, path, part == "model" ? context.document.fileModel() : partOf(context, part == "selection"));
     const bool whole = part == "all" || (part == "model" && context.document.scene().models.size() == 1);
@@ -101,8 +127,8 @@ static void save(Context& context, const json& complete) {
 CommandRow saveCommand() {
     static const CommandParameter parameters[] = {
         {"path", "path", "",
-         "file to write; its extension selects the format, .ply keeps everything, .scene.json a file for each model of "
-         "a scene",
+         "file to write; its extension selects the format; .ply keeps everything, of several models where they stand "
+         "instead of poses; NAME.scene.json keeps these, too, with a file for each model",
          "", "", 0, 0},
         {"part", "choice", "", "model: the active one alone; selection, rest: that part of it", "\"all\"",
          "all model selection rest", 0, 0},

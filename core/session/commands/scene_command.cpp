@@ -7,6 +7,7 @@
 #include "core/session/commands/selected/limits.h"
 #include "core/session/face_options.h"
 #include "core/session/files_read.h"
+#include "core/session/model_argument.h"
 #include "core/session/models_read.h"
 #include "core/session/number_lists.h"
 #include "core/session/scene_file.h"
@@ -58,15 +59,32 @@ void requireOne(const Context& context) {
         throw base::Error("there is no model yet that others could stand beside", {}, "open one first");
 }
 
-void add(Context& context, const json& complete) {
-    requireOne(context);
-    if (!complete.contains("path"))
-        throw needs("path", complete);
+/// Made as `new` does it.
+Scene sampled(Context& context, const json& complete) {
+    Document out;
+    Context inner{out, context.folder, context.progress, {}, 0, {}, nullptr};
+    run(inner, modelCommand("sample:" + complete.at("sample").get<std::string>()));
+    Scene scene = out.scene();
+    scene.models.front().id = 0;
+    const auto text = complete.at("sample").get<std::string>();
+    scene.models.front().name = text.substr(0, text.find(':'));
+    return scene;
+}
+
+Scene fromFile(Context& context, const json& complete) {
     const auto path = complete.at("path").get<std::string>();
     if (opensAsScene(path))
         throw base::Error("is a scene, which is opened by itself", path, "add its models one by one");
-    Scene read = readModels(path, filesRead(complete).at(0), complete, context.messages, context.progress);
-    pin(context, complete, read);
+    Scene out = readModels(path, filesRead(complete).at(0), complete, context.messages, context.progress);
+    pin(context, complete, out);
+    return out;
+}
+
+void add(Context& context, const json& complete) {
+    requireOne(context);
+    if (complete.contains("path") == complete.contains("sample"))
+        throw base::Error("\"scene\" needs a \"path\" or a \"sample\" to add", {}, "give one of them");
+    Scene read = complete.contains("sample") ? sampled(context, complete) : fromFile(context, complete);
     Scene next = context.document.scene();
     const std::size_t first = next.models.size();
     for (SceneModel& model : read.models) {
@@ -144,6 +162,8 @@ void place(Context& context, const json& complete) {
 /// Turned about a point of the scene, the model's middle unless told, then moved.
 void move(Context& context, const json& complete) {
     constexpr double radians = std::numbers::pi / 180;
+    if (!complete.contains("move") && !complete.contains("axis"))
+        throw needs("move", complete);
     if (complete.contains("axis") != complete.contains("angle"))
         throw base::Error("\"axis\" and \"angle\" belong together", {}, "give both or none");
     const base::Vec3d by = vectorOf(complete, "move").value_or(base::Vec3d());
@@ -230,7 +250,7 @@ CommandRow sceneCommand() {
         {"do", "choice", "",
          "add: the models of a file; activate: commands and tools work on it; move: turn and move it; place: where its "
          "file's origin and axes come to stand; apply: put its place into its points; split: what is selected becomes "
-         "a model; join: all that is shown goes into the active one",
+         "a model; join: all that is shown, or the one of that name, goes into the active one",
          "", ids.c_str(), 0, 0},
         {"name", "text", "", "which model, the active one unless told; add: what the new one is called", "null", "", 0,
          0},
@@ -239,6 +259,7 @@ CommandRow sceneCommand() {
          "split: an attribute, such as scan, each value of which becomes a model; the selection unless told", "null",
          "", 0, 0},
         {"path", "path", "", "add: file to open, in any readable format", "null", "", 0, 0},
+        {"sample", "text", "", "add: a sample in place of a file, NAME[:COUNT[:SEED]]", "null", "", 0, 0},
         {"hash", "text", "", "content hash that what is added must have", "null", "", 0, 0, true},
         {"source", "path", "", "file to read in place of path, kept by a journal", "null", "", 0, 0, true},
         {"matrix", "list", "",

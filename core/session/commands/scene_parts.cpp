@@ -1,6 +1,7 @@
 #include "core/session/commands/scene_parts.h"
 
 #include "core/base/error.h"
+#include "core/base/listed.h"
 #include "core/process/estimation/boundary_limit.h"
 #include "core/selection/parts.h"
 #include "core/session/commands/commands.h"
@@ -128,14 +129,20 @@ void splitModel(Context& context, const json& complete) {
 }
 
 /// All that is seen goes into the active model.
-void joinModels(Context& context, const json&) {
+void joinModels(Context& context, const json& complete) {
     Scene next = context.document.scene();
+    const std::size_t only =
+        complete.contains("name") ? next.find(complete.at("name").get<std::string>()) : next.active;
+    std::vector<std::string> kept;
     std::vector<SceneModel> all{next.models[next.active]};
     Scene left;
     left.models.clear();
     for (std::size_t k = 0; k < next.models.size(); ++k) {
         const SceneModel& model = next.models[k];
-        const bool taken = k == next.active || (model.visible && !model.locked);
+        const bool wanted = only == next.active || k == only;
+        const bool taken = k == next.active || (wanted && model.visible && !model.locked);
+        if (wanted && !taken)
+            kept.push_back(called(model.name) + (model.locked ? " (locked)" : " (hidden)"));
         if (taken && k != next.active)
             all.push_back(model);
         if (k == next.active)
@@ -152,6 +159,8 @@ void joinModels(Context& context, const json&) {
         withOwnLimit(context, whole.tree(), surface::SurfaceDefinition(whole.definition()));
     context.messages.push_back(std::to_string(all.size()) + " models are one of " +
                                std::to_string(whole.tree().size()) + " surfels.");
+    if (!kept.empty())
+        context.messages.push_back("Left as they are: " + base::listed(kept) + ".");
     context.document.rearrange(std::move(left), "Join models");
 }
 

@@ -39,7 +39,7 @@ static Document standing(const Scene& scene, std::size_t index) {
 static Document otherSolid(Context& context, const json& complete) {
     const bool file = complete.contains("path");
     if (file + complete.contains("sample") + complete.contains("model") != 1)
-        throw base::Error("\"solid\" needs a \"path\", a \"sample\" or a \"model\"", {}, "give one of them");
+        throw base::Error("\"solid\" needs one of \"path\", \"sample\" and \"model\"", {}, "give the other solid once");
     if (file)
         return otherModel(context, complete, 0, context.progress);
     const Scene& scene = context.document.scene();
