@@ -24,12 +24,18 @@ struct Cell {
     }
 };
 
+/// The whole number at or below x; 0 beyond what anybody counts, so that there are numbers around every one.
+template <class T>
+std::int64_t cellNumber(T x) {
+    const T floor = std::floor(x);
+    return std::abs(floor) < T(0x1p60) ? static_cast<std::int64_t>(floor) : 0;
+}
+
 /// The cell of p in a grid of `scale` cells per length with a corner at `origin`.
 template <class T>
 Cell cellOf(const Vec3<T>& p, const Vec3<T>& origin, std::type_identity_t<T> scale) {
     const Vec3<T> q = (p - origin) * scale;
-    return {static_cast<std::int64_t>(std::floor(q.x)), static_cast<std::int64_t>(std::floor(q.y)),
-            static_cast<std::int64_t>(std::floor(q.z))};
+    return {cellNumber(q.x), cellNumber(q.y), cellNumber(q.z)};
 }
 
 /// fn(cell) for a cell and the 26 around it, by x, then y, then z.

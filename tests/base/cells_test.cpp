@@ -18,6 +18,7 @@ class CellsTest : public QObject {
     void mortonCodesKeepCoordinates();
     void sortsByKeyAndKeepsTheOrderOfEquals();
     void cellsAreOrderedByCoordinates();
+    void everyCellHasCellsAround();
     void mapFindsWhatWasPutIn();
     void unitNormalsKeepTheirBits();
 };
@@ -64,6 +65,18 @@ void CellsTest::cellsAreOrderedByCoordinates() {
     }
     const Cell c = cellOf(Vec3d{-0.1, 1.0, 2.6}, Vec3d{0, 0, 0}, 2);
     QVERIFY(c.x == -1 && c.y == 2 && c.z == 5);
+}
+
+void CellsTest::everyCellHasCellsAround() {
+    QCOMPARE(cellNumber(-0.25), std::int64_t(-1));
+    QCOMPARE(cellNumber(7.0f), std::int64_t(7));
+    for (const double far : {1e17, -1e17, 1e19, -1e300, std::numeric_limits<double>::infinity(), std::nan("")}) {
+        int cells = 0;
+        forCellsAround(cellOf(Vec3d{far, 1, -far}, Vec3d(), 1.0),
+                       [&](const Cell& cell) { cells += std::abs(cell.y) <= 2 ? 1 : 0; });
+        QCOMPARE(cells, 27);
+    }
+    QCOMPARE(cellOf(Vec3d{1e17, 0, 0}, Vec3d(), 1.0).x, std::int64_t(1e17));
 }
 
 void CellsTest::mapFindsWhatWasPutIn() {

@@ -1,5 +1,6 @@
 #include "core/mesh/faces/face_points.h"
 
+#include "core/base/cells.h"
 #include "core/base/parallel.h"
 #include "core/base/random.h"
 
@@ -170,7 +171,7 @@ DartThrower::Place DartThrower::placeOfCell(const Vec3f& p, std::uint32_t level)
     Place out;
     const double side = std::ldexp(static_cast<double>(m_side), static_cast<int>(level));
     for (std::size_t k = 0; k < 3; ++k)
-        out.c[k] = static_cast<std::int64_t>(std::floor(static_cast<double>(p[k]) / side));
+        out.c[k] = base::cellNumber(static_cast<double>(p[k]) / side);
     return out;
 }
 
