@@ -209,6 +209,11 @@ void Journal::record(const json& complete, Context& context) {
     write(lineOf(std::move(line)), first, context);
 }
 
+void Journal::opened(Context& context) {
+    if (!m_discarded && !m_untilModel)
+        write(std::string(openedLine) + "\n", false, context);
+}
+
 /// Copies a file that a line reads, the `first` or another one, to this journal's side.
 fs::path Journal::kept(const fs::path& source, bool first) {
     fs::path out = keptSource(m_path, source);
@@ -261,6 +266,8 @@ void Journal::keepSource(const fs::path& target, Context& context) {
         fs::path copy;
         std::string content;
         for (std::string line; std::getline(lines, line); content += line + "\n") {
+            if (line.starts_with('#'))
+                continue;
             json command = jsonOf(line);
             const std::vector<std::string> files = filesRead(command);
             for (std::size_t k = 0; k < files.size(); ++k)
@@ -312,6 +319,8 @@ void Journal::copyTo(const fs::path& target) const {
     std::string out;
     const std::string own = m_path.string() + ".";
     for (std::string line; std::getline(lines, line);) {
+        if (line.starts_with('#'))
+            continue;
         json command = jsonOf(line);
         for (const char* key : {"source", "sources", "stamp"})
             if (command.contains(key))

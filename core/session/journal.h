@@ -36,6 +36,8 @@ class Journal {
     /// Writes a completed command. That the disk refuses, and that it takes the journal again, is said in the context's
     /// messages.
     void record(const nlohmann::json& complete, Context& context);
+    /// What was recorded so far is what opening has done: nobody loses anything if it is all there is.
+    void opened(Context& context);
     /// To be called before `target` is written over.
     void keepSource(const std::filesystem::path& target, Context& context);
     /// All that it holds as a session that stands alone: what was kept beside the journal is copied beside the target.

@@ -3,8 +3,12 @@
 #pragma once
 
 #include <filesystem>
+#include <string_view>
 
 namespace session {
+
+/// Stands behind the lines that opened several models.
+constexpr std::string_view openedLine = "# opened";
 
 /// What a killed process had begun for this journal. REQUIRES: we hold it.
 void removeUnfinished(const std::filesystem::path& journal);

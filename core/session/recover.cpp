@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/base/folder_names.h"
 #include "core/session/journal.h"
+#include "core/session/journal_files.h"
 #include "core/session/json_text.h"
 #include "core/session/path_text.h"
 #include "core/session/session_file.h"
@@ -36,7 +37,9 @@ static bool summarise(LeftJournal& journal) {
     std::string line;
     int lines = 0;
     while (std::getline(in, line) && !in.eof())
-        if (lines++ == 0) {
+        if (line == openedLine) {
+            lines = std::min(lines, 1);
+        } else if (lines++ == 0) {
             const json first = firstOf(line);
             if (!first.is_object())
                 return false;

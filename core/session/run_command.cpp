@@ -60,6 +60,8 @@ void run(Context& context, const nlohmann::json& command) {
     else
         for (const nlohmann::json& each : *context.instead)
             record(context, each);
+    if (row.startsModel && context.instead && context.journal)
+        context.journal->opened(context);
 }
 
 void record(Context& context, const nlohmann::json& complete) {

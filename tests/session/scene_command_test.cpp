@@ -457,6 +457,14 @@ void SceneCommandTest::registeringMovesPosesAlone() {
     QVERIFY(!bench.refusal({{"op", "register"}, {"scene", true}}).empty());
 }
 
+/// That a crash would lose, as a person is told.
+static int commandsIn(const Workbench& bench) {
+    std::filesystem::copy_file(bench.path("j.jsonl"), bench.path("journal-1.jsonl"),
+                               std::filesystem::copy_options::overwrite_existing);
+    const auto left = session::findLeftJournals(bench.path("j.jsonl").parent_path());
+    return left.empty() ? -1 : left.front().commands;
+}
+
 void SceneCommandTest::journalsBringScenesBack() {
     Workbench bench;
     base::Random random(test::seed());
@@ -468,7 +476,9 @@ void SceneCommandTest::journalsBringScenesBack() {
         Workbench used;
         used.context.journal = &journal;
         used.run({{"op", "open"}, {"path", bench.path("all.scene.json").string()}});
+        QCOMPARE(commandsIn(bench), 0); // opening loses nothing
         used.run(test::strokeAt(0));
+        QCOMPARE(commandsIn(bench), 1);
         used.run(scene("add", {{"path", bench.path("ring.ply").string()}, {"name", "third"}}));
         used.run(test::strokeAt(0.1));
         used.run({{"op", "save"}, {"path", bench.path("all.scene.json").string()}}); // over what the journal reads
@@ -476,8 +486,11 @@ void SceneCommandTest::journalsBringScenesBack() {
         used.run({{"op", "save"}, {"path", bench.path("ring.ply").string()}, {"part", "model"}});
         used.run({{"op", "undo"}});
         hash = used.hash();
+        journal.copyTo(bench.path("session.jsonl"));
     }
-    Workbench back;
+    Workbench back, again;
+    session::replay(bench.path("session.jsonl"), again.context);
+    QCOMPARE(again.hash(), hash);
     session::recover(bench.path("j.jsonl"), back.context);
     QCOMPARE(back.hash(), hash);
 }
