@@ -98,12 +98,17 @@ void Measurer::receive(const Done& done) {
     Q_EMIT changed();
 }
 
-/// Unless something has been asked for meanwhile.
+/// Unless something has been asked for meanwhile. What the worker has posted by now comes first: it may have done
+/// another piece since it told that it rests.
 void Measurer::rest() {
     if (m_worker.busy())
         return;
-    m_busy = false;
-    Q_EMIT idled();
+    post(this, [this] {
+        if (m_worker.busy())
+            return;
+        m_busy = false;
+        Q_EMIT idled();
+    });
 }
 
 void Measurer::work(const Request& request, const base::Progress& cancel) {
