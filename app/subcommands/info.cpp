@@ -8,7 +8,10 @@
 #include "core/process/estimation/part_progress.h"
 #include "core/process/estimation/spacing.h"
 #include "core/session/document.h"
+#include "core/session/models_read.h"
 #include "core/session/opened_file.h"
+#include "core/session/scene_file.h"
+#include "core/session/scene_ply.h"
 #include "core/surfel/shape.h"
 
 #include <iostream>
@@ -156,13 +159,25 @@ void describeFile(const Options& options, io::FileModel model, const base::Progr
     print(info, options.json);
 }
 
-void describeScene(const Options& options, const base::Progress& progress, Console& console) {
+void describeScene(const session::Scene& scene, bool json, Console& console) {
+    const ordered_json info = infoOf(scene);
+    console.clear();
+    print(info, json);
+}
+
+void describeSceneFile(const Options& options, const base::Progress& progress, Console& console) {
     session::Document document;
     session::Context context{document, {}, progress, {}, 0, {}, nullptr};
     openModel(context, options.model, options.surface->parameters(), console, SceneUse::AsItIs);
-    const ordered_json info = infoOf(document);
-    console.clear();
-    print(info, options.json);
+    describeScene(document.scene(), options.json, console);
+}
+
+void describeParts(const Options& options, io::FileModel file, const base::Progress& progress, Console& console) {
+    std::vector<std::string> messages;
+    const session::Scene scene =
+        session::modelsOf(std::move(file), options.model, options.surface->parameters(), messages, progress);
+    console.tell(messages);
+    describeScene(scene, options.json, console);
 }
 
 } // namespace
@@ -174,11 +189,11 @@ Action addInfo(OptionSet command) {
     options->surface = addSurfaceOptions(command, false);
     return [options](Console& console) {
         const base::Progress progress = console.progress();
-        if (isScene(options->model, nullptr))
-            return describeScene(*options, progress, console);
+        if (session::opensAsScene(options->model))
+            return describeSceneFile(*options, progress, console);
         io::FileModel model = readModel(options->model, process::part(progress, 0, 0.2));
-        if (isScene(options->model, &model))
-            describeScene(*options, progress, console);
+        if (session::tellsOfParts(model))
+            describeParts(*options, std::move(model), process::part(progress, 0.2, 1), console);
         else
             describeFile(*options, std::move(model), progress, console);
     };

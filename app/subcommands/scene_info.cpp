@@ -1,18 +1,11 @@
 #include "app/subcommands/scene_info.h"
 
-#include "core/session/scene_file.h"
-#include "core/session/scene_ply.h"
-
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace app {
 
 using nlohmann::ordered_json;
-
-bool isScene(const std::string& model, const io::FileModel* file) {
-    return file ? session::tellsOfParts(*file) : session::opensAsScene(model);
-}
 
 namespace {
 
@@ -37,8 +30,7 @@ Bounds boundsOf(const session::SceneModel& model) {
 
 } // namespace
 
-ordered_json infoOf(const session::Document& document) {
-    const session::Scene& scene = document.scene();
+ordered_json infoOf(const session::Scene& scene) {
     ordered_json models = ordered_json::array();
     std::size_t surfels = 0;
     Bounds all;
@@ -58,7 +50,8 @@ ordered_json infoOf(const session::Document& document) {
                           {"active", k == scene.active},
                           {"matrix", session::matrixOf(model.pose)}});
     }
-    return {{"surfels", surfels}, {"bounds", all.text()}, {"models", models}, {"hash", document.hash().text()}};
+    return {
+        {"surfels", surfels}, {"bounds", all.text()}, {"models", models}, {"hash", session::contentHash(scene).text()}};
 }
 
 } // namespace app

@@ -4,6 +4,12 @@
 
 namespace session {
 
+Document::Document(SceneModel model) {
+    Scene alone;
+    alone.models = {std::move(model)};
+    reset(std::move(alone), {});
+}
+
 base::Hash128 Document::hash() const {
     return contentHash(m_scene);
 }

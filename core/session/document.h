@@ -22,6 +22,9 @@ namespace session {
 
 class Document {
   public:
+    Document() = default;
+    /// Of one model alone, where it stands.
+    explicit Document(SceneModel model);
     const Scene& scene() const { return m_scene; }
     const surface::Surface& surface() const { return active().surface; }
     const Provenance& provenance() const { return *active().provenance; }

@@ -184,14 +184,10 @@ void move(Context& context, const json& complete) {
 /// The pose goes into the points.
 void apply(Context& context, const json& complete) {
     Scene next = context.document.scene();
-    const std::size_t index = modelOf(next, complete), active = next.active;
-    SceneModel& model = next.models[index];
+    SceneModel& model = next.models[modelOf(next, complete)];
     if (isNothing(model.pose))
         return;
-    Document one;
-    Scene alone;
-    alone.models = {model};
-    one.reset(std::move(alone), {});
+    Document one(model);
     Context inner{one, context.folder, context.progress, {}, 0, {}, nullptr};
     SceneModel there = model;
     there.pose = {};
@@ -199,7 +195,6 @@ void apply(Context& context, const json& complete) {
     commitMoved(inner, {motion.rotation, motion.translation}, selection::Limit::Everything, "Apply pose");
     model = one.scene().models.front();
     model.pose = {};
-    next.active = active;
     context.document.rearrange(std::move(next), "Apply pose");
 }
 
@@ -280,8 +275,9 @@ CommandRow sceneCommand() {
     return {
         "scene",
         "Models",
-        "Puts several models beside each other in one scene; one of them is active, and all commands and tools work "
-        "on that one.",
+        "Puts several models beside each other in one scene; one of them is active, and all other commands and tools "
+        "work on that one, in the coordinates of its own file, wherever its pose puts it; \"apply\" makes these the "
+        "scene's.",
         parameters,
         true,
         false,

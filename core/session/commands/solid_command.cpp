@@ -24,15 +24,11 @@ static std::size_t sceneModel(const Scene& scene, const std::string& name) {
 /// As it stands beside the active model.
 static Document standing(const Scene& scene, std::size_t index) {
     const SceneModel& active = scene.models[scene.active];
-    Scene alone;
-    alone.models = {scene.models[index]};
-    SceneModel& model = alone.models.front();
+    SceneModel model = scene.models[index];
     model.surface = session::placed(model.surface, between(model, active));
     model.provenance = active.provenance; // the coordinates that it is in now
     model.pose = {};
-    Document out;
-    out.reset(std::move(alone), {});
-    return out;
+    return Document(std::move(model));
 }
 
 /// Opened or made as `open` and `new` do it.

@@ -87,11 +87,7 @@ static void placeScene(Context& context, const json& complete) {
     for (SceneModel& model : scene.models) {
         if (model.id == active.id || !model.visible || model.locked)
             continue;
-        Document alone;
-        Scene one;
-        one.models = {model};
-        alone.reset(std::move(one), {});
-        add(scans, model.name, alone);
+        add(scans, model.name, Document(model));
         scans.placed.back().pose = between(model, active);
         moving.push_back(&model);
     }
