@@ -29,11 +29,7 @@ surface::Surface aloneOf(const surface::Surface& surface, Limit limit, const bas
         throw base::Error("fewer than " + std::to_string(fewest) + " surfels are selected", {}, "select more");
     for (surfel::Surfel& s : points.items)
         s.mask = 0;
-    surface::SurfaceDefinition definition = surface.definition();
-    const tree::SurfelTree tree = tree::SurfelTree::build(points, progress);
-    if (definition.boundary == surface::Boundary::Auto)
-        definition.boundaryLimit = process::automaticBoundaryLimit({tree, definition}, progress);
-    return {tree, definition};
+    return process::withOwnLimit(tree::SurfelTree::build(points, progress), surface.definition(), progress);
 }
 
 /// Rows of surfels between a boundary and where it comes to lie, as dense as the surface is there.
@@ -91,11 +87,7 @@ surface::Surface shellOf(const surface::Surface& surface, double thickness, Shel
     out.extra.insert(out.extra.end(), turned.extra.begin(), turned.extra.end());
     for (const surface::BoundaryCurve& curve : surface::findBoundaryCurves(part, progress))
         addWall(part, curve, by, out);
-    surface::SurfaceDefinition definition = part.definition();
-    const tree::SurfelTree tree = tree::SurfelTree::build(out, progress);
-    if (definition.boundary == surface::Boundary::Auto)
-        definition.boundaryLimit = process::automaticBoundaryLimit({tree, definition}, progress);
-    return {tree, definition};
+    return process::withOwnLimit(tree::SurfelTree::build(out, progress), part.definition(), progress);
 }
 
 } // namespace selection

@@ -81,4 +81,11 @@ float automaticBoundaryLimit(const surface::Surface& surface, const base::Progre
     return std::clamp(std::max(atSurfels, std::min(inGaps, widestGap)), tightest, loosestLimit);
 }
 
+surface::Surface withOwnLimit(tree::SurfelTree tree, surface::SurfaceDefinition definition,
+                              const base::Progress& progress) {
+    if (definition.boundary == surface::Boundary::Auto)
+        definition.boundaryLimit = automaticBoundaryLimit({tree, definition}, progress);
+    return {std::move(tree), std::move(definition)};
+}
+
 } // namespace process

@@ -12,4 +12,9 @@ namespace process {
 
 float automaticBoundaryLimit(const surface::Surface& surface, const base::Progress& progress = {});
 
+/// A surface of other surfels: where the definition leaves the limit to these, the one that fits them. A part has rims
+/// that the whole has not.
+surface::Surface withOwnLimit(tree::SurfelTree tree, surface::SurfaceDefinition definition,
+                              const base::Progress& progress = {});
+
 } // namespace process

@@ -31,8 +31,9 @@ void requireModel(const Context& context) {
         throw base::Error("there is no model to work on", {}, "open one first, or make one with \"new\"");
 }
 
-void requireRecorded(Context& context, const nlohmann::json& wanted, const Document& found, const std::string& path) {
-    if (wanted == found.hash().text())
+void requireRecorded(Context& context, const nlohmann::json& wanted, const base::Hash128& found,
+                     const std::string& path) {
+    if (wanted == found.text())
         return;
     const std::string what = "the file is not the one that was recorded";
     if (!context.takesChangedFiles)

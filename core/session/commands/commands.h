@@ -71,7 +71,8 @@ void requireModel(const Context& context);
 
 /// Another model that a command opened is the one whose hash was recorded: throws base::Error where it is not, or says
 /// so where changed files are taken.
-void requireRecorded(Context& context, const nlohmann::json& wanted, const Document& found, const std::string& path);
+void requireRecorded(Context& context, const nlohmann::json& wanted, const base::Hash128& found,
+                     const std::string& path);
 
 /// The value of one parameter in the form that commands read. Throws base::Error where it does not fit.
 nlohmann::json checked(const CommandRow& row, const std::string& id, const nlohmann::json& value);

@@ -18,7 +18,7 @@ Document otherModel(Context& context, const json& complete, std::size_t number, 
     if (complete.contains("hash"))
         hashes.push_back(complete.at("hash"));
     if (number < hashes.size())
-        requireRecorded(context, hashes[number], out, path);
+        requireRecorded(context, hashes[number], out.hash(), path);
     return out;
 }
 

@@ -32,9 +32,8 @@ static io::FileModel partOf(Context& context, bool selected) {
     if (model.points.items.empty())
         throw base::Error("everything is selected, so that there is no rest", {}, "select less");
     model.shape = {};
-    if (model.definition->boundary == surface::Boundary::Auto) // the part has rims that the whole has not
-        model.definition->boundaryLimit = process::automaticBoundaryLimit(
-            {tree::SurfelTree::build(model.points), *model.definition}, context.progress);
+    model.definition =
+        process::withOwnLimit(tree::SurfelTree::build(model.points), *model.definition, context.progress).definition();
     model.faces = model.dropped = 0;
     model.elements.clear(); // they tell of surfels by number
     return model;

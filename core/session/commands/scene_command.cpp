@@ -41,15 +41,10 @@ Rigid poseIn(const json& complete) {
 
 /// The journal gets the command with the hash of what it read.
 void pin(Context& context, json complete, const Scene& read) {
-    const std::string hash = contentHash(read).text();
-    if (const auto wanted = complete.find("hash"); wanted != complete.end() && *wanted != hash) {
-        const std::string what = "the file is not the one that was recorded",
-                          path = complete.at("path").get<std::string>();
-        if (!context.takesChangedFiles)
-            throw base::Error(what, path, "restore that file, or go on with it: run --anyway");
-        context.messages.push_back(path + ": " + what + "; it is taken as it is now");
-    }
-    complete["hash"] = hash;
+    const base::Hash128 hash = contentHash(read);
+    if (const auto wanted = complete.find("hash"); wanted != complete.end())
+        requireRecorded(context, *wanted, hash, complete.at("path").get<std::string>());
+    complete["hash"] = hash.text();
     context.instead = std::make_shared<json>(json::array({std::move(complete)}));
 }
 

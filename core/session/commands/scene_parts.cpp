@@ -37,12 +37,6 @@ std::string newName(const Scene& scene, const json& complete, const char* key, c
 
 namespace {
 
-surface::Surface withOwnLimit(Context& context, tree::SurfelTree tree, surface::SurfaceDefinition definition) {
-    if (definition.boundary == surface::Boundary::Auto) // where it was cut there is a rim now
-        definition.boundaryLimit = process::automaticBoundaryLimit({tree, definition}, context.progress);
-    return {std::move(tree), std::move(definition)};
-}
-
 /// Cells of a complex belong together, and what layers hold belongs to all of it.
 void requireParts(const SceneModel& model) {
     if (model.surface.definition().connectivity || !model.layers.empty())
@@ -52,7 +46,7 @@ void requireParts(const SceneModel& model) {
 
 /// The same model, of other surfels.
 SceneModel withSurfels(Context& context, SceneModel model, tree::SurfelTree tree) {
-    model.surface = withOwnLimit(context, std::move(tree), model.surface.definition());
+    model.surface = process::withOwnLimit(std::move(tree), model.surface.definition(), context.progress);
     return model;
 }
 
@@ -154,9 +148,8 @@ void joinModels(Context& context, const json& complete) {
     if (all.size() == 1)
         throw base::Error("there is no other model that is shown and not locked", {},
                           "show or unlock what is to be joined");
-    surface::Surface whole = joined(all);
-    left.models[left.active].surface =
-        withOwnLimit(context, whole.tree(), surface::SurfaceDefinition(whole.definition()));
+    const surface::Surface whole = joined(all);
+    left.models[left.active].surface = process::withOwnLimit(whole.tree(), whole.definition(), context.progress);
     context.messages.push_back(std::to_string(all.size()) + " models are one of " +
                                std::to_string(whole.tree().size()) + " surfels.");
     if (!kept.empty())

@@ -45,7 +45,7 @@ static Document otherSolid(Context& context, const json& complete) {
     Context inner{out, context.folder, context.progress, {}, 0, {}, nullptr};
     run(inner, modelCommand("sample:" + complete.at("sample").get<std::string>()));
     if (const auto wanted = complete.find("hash"); wanted != complete.end())
-        requireRecorded(context, *wanted, out, "the sample");
+        requireRecorded(context, *wanted, out.hash(), "the sample");
     return out;
 }
 

@@ -12,10 +12,9 @@ static void take(Context& context, const tree::SurfelTree& next, const std::stri
     const surface::Surface& now = context.document.surface();
     context.messages.push_back(std::to_string(now.tree().size() - next.size()) + " surfels were taken out, " +
                                std::to_string(next.size()) + " are left.");
-    surface::SurfaceDefinition definition = now.definition();
-    if (definition.boundary == surface::Boundary::Auto && !(next == now.tree())) // where it was cut there is a rim now
-        definition.boundaryLimit = process::automaticBoundaryLimit({next, definition}, context.progress);
-    clean::commit(context, {next, definition}, label);
+    const surface::Surface left = next == now.tree() ? now // else it has rims where it was cut
+                                                     : process::withOwnLimit(next, now.definition(), context.progress);
+    clean::commit(context, left, label);
 }
 
 static void deleteSelected(Context& context, const nlohmann::json&) {
