@@ -4,8 +4,8 @@
 #include "core/process/samples/samples.h"
 #include "core/session/face_options.h"
 #include "core/session/model_argument.h"
-#include "core/session/scene_file.h"
-#include "core/session/scene_ply.h"
+#include "core/session/scene/scene_file.h"
+#include "core/session/scene/scene_ply.h"
 
 #include <nlohmann/json.hpp>
 

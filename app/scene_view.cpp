@@ -1,7 +1,7 @@
 #include "app/scene_view.h"
 
 #include "core/process/curve_tube.h"
-#include "core/session/shown_scene.h"
+#include "core/session/scene/shown_scene.h"
 
 namespace app {
 

@@ -8,10 +8,10 @@
 #include "core/process/estimation/part_progress.h"
 #include "core/process/estimation/spacing.h"
 #include "core/session/document.h"
-#include "core/session/models_read.h"
 #include "core/session/opened_file.h"
-#include "core/session/scene_file.h"
-#include "core/session/scene_ply.h"
+#include "core/session/scene/models_read.h"
+#include "core/session/scene/scene_file.h"
+#include "core/session/scene/scene_ply.h"
 #include "core/surfel/shape.h"
 
 #include <iostream>

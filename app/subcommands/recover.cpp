@@ -3,7 +3,7 @@
 
 #include "app/options/output_names.h"
 #include "app/subcommands/subcommand.h"
-#include "core/session/scene_file.h"
+#include "core/session/scene/scene_file.h"
 
 #include <nlohmann/json.hpp>
 

@@ -14,7 +14,7 @@
 #include "core/render/scene_picture.h"
 #include "core/render/shading/own_colours.h"
 #include "core/session/journal.h"
-#include "core/session/scene_file.h"
+#include "core/session/scene/scene_file.h"
 #include "core/session/session_file.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // What `info` tells of a scene: its models, and how they stand.
 #pragma once
 
-#include "core/session/scene.h"
+#include "core/session/scene/scene.h"
 
 #include <nlohmann/json_fwd.hpp>
 

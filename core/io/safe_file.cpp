@@ -1,9 +1,9 @@
 #include "core/io/safe_file.h"
 
 #include "core/base/error.h"
-#include "core/base/folder_names.h"
 #include "core/base/sync_folder.h"
 #include "core/io/before_writing.h"
+#include "core/io/folder_names.h"
 
 #include <algorithm>
 #include <atomic>
@@ -52,7 +52,7 @@ void SafeFile::refuseProtected() const {
 static void removeLeftovers(const fs::path& folder, const std::string& stem) {
     std::error_code none;
     std::vector<fs::path> left;
-    for (const std::string& name : base::namesIn(folder)) {
+    for (const std::string& name : namesIn(folder)) {
         if (!name.starts_with(stem))
             continue;
         pid_t process = 0;

@@ -13,7 +13,7 @@
 #pragma once
 
 #include "core/io/file_model.h"
-#include "core/session/scene.h"
+#include "core/session/scene/scene.h"
 
 #include <deque>
 #include <filesystem>

@@ -1,6 +1,6 @@
 #include "core/session/journal_files.h"
 
-#include "core/base/folder_names.h"
+#include "core/io/folder_names.h"
 #include "core/session/journal.h"
 #include "core/session/locked_file.h"
 
@@ -28,7 +28,7 @@ fs::path keptSource(const fs::path& journal, const fs::path& source) {
 static std::vector<fs::path> filesOf(const fs::path& journal) {
     std::vector<fs::path> out;
     const std::string own = journal.filename().string() + ".";
-    for (const std::string& name : base::namesIn(journal.parent_path()))
+    for (const std::string& name : io::namesIn(journal.parent_path()))
         for (const char* kind : {"source", "stamp-", "new-"})
             if (name.starts_with(own + kind))
                 out.push_back(journal.parent_path() / name);
@@ -47,7 +47,7 @@ void removeLeftovers(const fs::path& folder) {
     std::error_code ignored;
     constexpr std::string_view extension = ".jsonl.";
     std::vector<fs::path> left;
-    for (const std::string& name : base::namesIn(folder)) {
+    for (const std::string& name : io::namesIn(folder)) {
         const std::size_t end = name.find(extension);
         if (!name.starts_with("journal-") || end == std::string::npos || isLocked(folder / name))
             continue;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 namespace session {
 
@@ -41,6 +42,17 @@ base::Plane planeOf(const Context& context, const json& complete, const char* id
     if (!(length(n) > 0))
         throw base::Error("\"" + std::string(id) + "\" has no direction", {}, "give it a normal that is not zero");
     return base::Plane{n / length(n), v[3] / length(n)}.relativeTo(context.document.provenance().origin);
+}
+
+std::optional<Turn> turnOf(const json& complete) {
+    if (complete.contains("axis") != complete.contains("angle"))
+        throw base::Error("\"axis\" and \"angle\" belong together", {}, "give both or none");
+    const std::optional<Vec3d> axis = vectorOf(complete, "axis");
+    if (!axis)
+        return {};
+    if (!(length(*axis) > 0))
+        throw base::Error("\"axis\" is zero", {}, "give it a length");
+    return Turn{*axis, complete.at("angle").get<double>() * (std::numbers::pi / 180)};
 }
 
 surfel::Colour colourOf(const json& complete, const char* id) {

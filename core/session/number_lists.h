@@ -22,6 +22,12 @@ std::optional<base::Vec3d> placeOf(const Context& context, const nlohmann::json&
 /// [nx,ny,nz,d], the half where n . x >= d, made unit and relative to the model's origin. Throws base::Error where n is
 /// zero.
 base::Plane planeOf(const Context& context, const nlohmann::json& complete, const char* id);
+struct Turn {
+    base::Vec3d axis; ///< not zero
+    double angle = 0; ///< radians
+};
+/// "axis" and "angle", of which neither or both are there. Throws base::Error.
+std::optional<Turn> turnOf(const nlohmann::json& complete);
 /// [red,green,blue], each 0 to 255. Throws base::Error.
 surfel::Colour colourOf(const nlohmann::json& complete, const char* id);
 

@@ -1,7 +1,7 @@
 #include "core/session/recover.h"
 
 #include "core/base/error.h"
-#include "core/base/folder_names.h"
+#include "core/io/folder_names.h"
 #include "core/session/journal.h"
 #include "core/session/journal_files.h"
 #include "core/session/json_text.h"
@@ -52,7 +52,7 @@ static bool summarise(LeftJournal& journal) {
 std::vector<LeftJournal> findLeftJournals(const fs::path& folder) {
     std::vector<LeftJournal> out;
     std::error_code none;
-    for (const std::string& name : base::namesIn(folder)) {
+    for (const std::string& name : io::namesIn(folder)) {
         const fs::path path = folder / name;
         if (!name.starts_with("journal-") || path.extension() != ".jsonl" || isJournalHeld(path))
             continue;

@@ -2,8 +2,8 @@
 // and parameters follow from the length.
 #include "core/io/file_bytes.h"
 #include "core/io/formats.h"
-#include "core/session/models_read.h"
-#include "core/session/scene_ply.h"
+#include "core/session/scene/models_read.h"
+#include "core/session/scene/scene_ply.h"
 #include "fuzz/fuzzed.h"
 
 #include <nlohmann/json.hpp>

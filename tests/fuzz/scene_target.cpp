@@ -1,6 +1,6 @@
 // Scene files and files of poses: whatever they say becomes commands that are complete, or one sentence.
 #include "core/session/command.h"
-#include "core/session/scene_file.h"
+#include "core/session/scene/scene_file.h"
 #include "fuzz/fuzzed.h"
 
 #include <nlohmann/json.hpp>

@@ -5,7 +5,7 @@
 #include "core/io/e57/paged_bytes.h"
 #include "core/io/formats.h"
 #include "core/session/command.h"
-#include "core/session/scene_ply.h"
+#include "core/session/scene/scene_ply.h"
 #include "fuzz/fuzzed.h"
 #include "support/crc32.h"
 #include "support/gzip.h"

@@ -1,6 +1,6 @@
 // Several models in one document: commands change the active one alone, and history is one.
 #include "core/base/random.h"
-#include "core/session/shown_scene.h"
+#include "core/session/scene/shown_scene.h"
 #include "scenes.h"
 #include "support/registry.h"
 

@@ -1,5 +1,5 @@
 // Scenes in files and journals: what is read back is the scene that was written, wherever its models stand.
-#include "core/session/shown_scene.h"
+#include "core/session/scene/shown_scene.h"
 #include "scenes.h"
 #include "support/registry.h"
 

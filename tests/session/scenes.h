@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/random.h"
-#include "core/session/scene.h"
+#include "core/session/scene/scene.h"
 #include "support/registry.h"
 #include "workbench.h"
 

@@ -2,7 +2,7 @@
 
 #include "core/io/formats.h"
 #include "core/io/mesh_formats.h"
-#include "core/session/scene_file.h"
+#include "core/session/scene/scene_file.h"
 
 #include <QFileInfo>
 #include <QObject>

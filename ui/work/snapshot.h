@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/session/document.h"
-#include "core/session/shown_scene.h"
+#include "core/session/scene/shown_scene.h"
 
 namespace ui {
 

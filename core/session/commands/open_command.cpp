@@ -1,8 +1,8 @@
 #include "core/base/error.h"
 #include "core/session/commands/commands.h"
 #include "core/session/face_options.h"
-#include "core/session/models_read.h"
-#include "core/session/scene_file.h"
+#include "core/session/scene/models_read.h"
+#include "core/session/scene/scene_file.h"
 #include "core/session/surface_options.h"
 
 #include <algorithm>

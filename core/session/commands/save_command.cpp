@@ -6,8 +6,8 @@
 #include "core/session/commands/commands.h"
 #include "core/session/commands/selected/limits.h"
 #include "core/session/journal.h"
-#include "core/session/scene_file.h"
-#include "core/session/scene_ply.h"
+#include "core/session/scene/scene_file.h"
+#include "core/session/scene/scene_ply.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>

@@ -8,13 +8,12 @@
 #include "core/session/face_options.h"
 #include "core/session/files_read.h"
 #include "core/session/model_argument.h"
-#include "core/session/models_read.h"
 #include "core/session/number_lists.h"
-#include "core/session/scene_file.h"
+#include "core/session/scene/models_read.h"
+#include "core/session/scene/scene_file.h"
 #include "core/session/surface_options.h"
 
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 namespace session {
 
@@ -156,22 +155,14 @@ void place(Context& context, const json& complete) {
 
 /// Turned about a point of the scene, the model's middle unless told, then moved.
 void move(Context& context, const json& complete) {
-    constexpr double radians = std::numbers::pi / 180;
     if (!complete.contains("move") && !complete.contains("axis"))
         throw needs("move", complete);
-    if (complete.contains("axis") != complete.contains("angle"))
-        throw base::Error("\"axis\" and \"angle\" belong together", {}, "give both or none");
     const base::Vec3d by = vectorOf(complete, "move").value_or(base::Vec3d());
-    base::Vec3d turn = vectorOf(complete, "axis").value_or(base::Vec3d());
-    if (complete.contains("axis")) {
-        if (!(length(turn) > 0))
-            throw base::Error("\"axis\" is zero", {}, "give it a length");
-        turn = normalized(turn) * (complete.at("angle").get<double>() * radians);
-    }
+    const std::optional<Turn> turn = turnOf(complete);
     setPose(context, complete, "Move model", [&](const SceneModel& model) {
         const base::Vec3d middle = base::cast<double>(model.surface.tree().bounds().centre()) + model.origin();
         const base::Vec3d about = vectorOf(complete, "about").value_or(model.pose(middle));
-        const Rigid turned = process::motionOf(turn, {});
+        const Rigid turned = turn ? process::motionOf(normalized(turn->axis) * turn->angle, {}) : Rigid();
         return Rigid{turned.rotation, about - turned.turn(about) + by} * model.pose;
     });
 }

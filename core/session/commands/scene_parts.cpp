@@ -6,7 +6,7 @@
 #include "core/selection/parts.h"
 #include "core/session/commands/commands.h"
 #include "core/session/commands/selected/limits.h"
-#include "core/session/joined_models.h"
+#include "core/session/scene/joined_models.h"
 
 #include <map>
 #include <nlohmann/json.hpp>

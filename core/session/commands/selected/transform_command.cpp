@@ -6,7 +6,6 @@
 #include "core/session/number_lists.h"
 
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 namespace session {
 
@@ -15,8 +14,6 @@ using nlohmann::json;
 using selection::Affine, selection::Limit;
 
 namespace {
-
-constexpr double radians = std::numbers::pi / 180;
 
 Vec3d stretchOf(const json& scale) {
     if (scale.is_number())
@@ -50,13 +47,8 @@ Affine mapOf(const Context& context, const json& complete, Limit limit) {
         turned = Affine::stretching(stretchOf(complete.at("scale")));
     if (complete.contains("stretch"))
         turned = Affine::stretching(stretchOf(complete.at("stretch"))).after(turned);
-    if (complete.contains("axis") != complete.contains("angle"))
-        throw base::Error("\"axis\" and \"angle\" belong together", {}, "give both or none");
-    if (const auto axis = vectorOf(complete, "axis")) {
-        if (!(length(*axis) > 0))
-            throw base::Error("\"axis\" is zero", {}, "give it a length");
-        turned = Affine::turning(*axis, complete.at("angle").get<double>() * radians).after(turned);
-    }
+    if (const auto turn = turnOf(complete))
+        turned = Affine::turning(turn->axis, turn->angle).after(turned);
     map = turned.about(centre).after(map);
     return Affine::moving(vectorOf(complete, "move").value_or(Vec3d())).after(map);
 }

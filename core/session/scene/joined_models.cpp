@@ -1,4 +1,4 @@
-#include "core/session/joined_models.h"
+#include "core/session/scene/joined_models.h"
 
 #include "core/base/error.h"
 #include "core/cells/creases/labelled_surface.h"

@@ -1,9 +1,9 @@
-#include "core/base/folder_names.h"
+#include "core/io/folder_names.h"
 
 #include <dirent.h>
 #include <memory>
 
-namespace base {
+namespace io {
 
 std::vector<std::string> namesIn(const std::filesystem::path& folder) {
     const auto close = [](DIR* each) { ::closedir(each); };
@@ -15,4 +15,4 @@ std::vector<std::string> namesIn(const std::filesystem::path& folder) {
     return out;
 }
 
-} // namespace base
+} // namespace io

@@ -2,7 +2,7 @@
 // overlap, surfels of both are there; the union of solids is `solid`. Inside this room only.
 #pragma once
 
-#include "core/session/scene.h"
+#include "core/session/scene/scene.h"
 
 namespace session {
 

@@ -2,7 +2,7 @@
 // one frame, and that is the one in which commands and tools work.
 #pragma once
 
-#include "core/session/scene.h"
+#include "core/session/scene/scene.h"
 
 namespace session {
 
@@ -29,7 +29,7 @@ class ShownScene {
   private:
     struct Known {
         tree::SurfelTree from; ///< that `shown` was made of
-        std::vector<double> motion;
+        process::Rigid motion;
         ShownModel shown;
     };
     std::vector<Known> m_known;

@@ -7,7 +7,7 @@
 // scene's. What only one model can have in a file (layers, the cells of a complex) is refused.
 #pragma once
 
-#include "core/session/scene.h"
+#include "core/session/scene/scene.h"
 
 namespace session {
 

@@ -1,9 +1,9 @@
-#include "core/session/scene_ply.h"
+#include "core/session/scene/scene_ply.h"
 
 #include "core/base/error.h"
 #include "core/base/row_of_id.h"
-#include "core/session/joined_models.h"
 #include "core/session/json_text.h"
+#include "core/session/scene/joined_models.h"
 #include "core/surface/definition_text.h"
 
 #include <algorithm>

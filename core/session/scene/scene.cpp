@@ -1,4 +1,4 @@
-#include "core/session/scene.h"
+#include "core/session/scene/scene.h"
 
 #include "core/base/error.h"
 #include "core/base/listed.h"

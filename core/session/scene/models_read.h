@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/base/progress.h"
-#include "core/session/scene.h"
+#include "core/session/scene/scene.h"
 
 #include <nlohmann/json_fwd.hpp>
 

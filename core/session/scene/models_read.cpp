@@ -1,9 +1,9 @@
-#include "core/session/models_read.h"
+#include "core/session/scene/models_read.h"
 
 #include "core/io/formats.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/session/opened_file.h"
-#include "core/session/scene_ply.h"
+#include "core/session/scene/scene_ply.h"
 
 #include <nlohmann/json.hpp>
 

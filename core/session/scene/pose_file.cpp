@@ -1,4 +1,4 @@
-#include "core/session/pose_file.h"
+#include "core/session/scene/pose_file.h"
 
 #include "core/base/error.h"
 #include "core/io/file_bytes.h"

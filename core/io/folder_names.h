@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-namespace base {
+namespace io {
 
 /// In no order, without "." and ".."; none of a folder that cannot be read. The empty path is the working folder.
 std::vector<std::string> namesIn(const std::filesystem::path& folder);
 
-} // namespace base
+} // namespace io

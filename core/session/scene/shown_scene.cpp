@@ -1,8 +1,8 @@
-#include "core/session/shown_scene.h"
+#include "core/session/scene/shown_scene.h"
 
 #include "core/base/error.h"
 #include "core/process/curve_tube.h"
-#include "core/session/joined_models.h"
+#include "core/session/scene/joined_models.h"
 
 #include <algorithm>
 
@@ -17,9 +17,9 @@ const std::vector<ShownModel>& ShownScene::beside(const Scene& scene, const base
             continue;
         const process::Rigid motion = between(model, scene.models[scene.active]);
         const auto same = std::ranges::find_if(m_known, [&](const Known& each) {
-            return each.from == model.surface.tree() && each.motion == matrixOf(motion) && each.shown.id == model.id;
+            return each.from == model.surface.tree() && each.motion == motion && each.shown.id == model.id;
         });
-        Known known{model.surface.tree(), matrixOf(motion), {model.id, model.name, model.locked, {}}};
+        Known known{model.surface.tree(), motion, {model.id, model.name, model.locked, {}}};
         try {
             known.shown.surface =
                 same != m_known.end() ? same->shown.surface : process::shownAs(placed(model.surface, motion), progress);

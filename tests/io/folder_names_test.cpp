@@ -1,5 +1,5 @@
 // What a folder holds is all that is there, and nothing of a folder that is not.
-#include "core/base/folder_names.h"
+#include "core/io/folder_names.h"
 #include "support/registry.h"
 
 #include <fstream>
@@ -23,7 +23,7 @@ void FolderNamesTest::everyNameComesOnce() {
         std::ofstream(folder / name) << "x";
     for (int k = 0; k < 300; ++k)
         std::ofstream(folder / *wanted.insert("file " + std::to_string(k)).first) << k;
-    const std::vector<std::string> found = base::namesIn(folder);
+    const std::vector<std::string> found = io::namesIn(folder);
     QCOMPARE(found.size(), wanted.size());
     QVERIFY(std::set<std::string>(found.begin(), found.end()) == wanted);
 }
@@ -31,10 +31,10 @@ void FolderNamesTest::everyNameComesOnce() {
 void FolderNamesTest::missingFoldersHoldNothing() {
     QTemporaryDir dir;
     const std::filesystem::path folder = dir.path().toStdString();
-    QVERIFY(base::namesIn(folder).empty());
-    QVERIFY(base::namesIn(folder / "none").empty());
+    QVERIFY(io::namesIn(folder).empty());
+    QVERIFY(io::namesIn(folder / "none").empty());
     std::ofstream(folder / "file") << "x";
-    QVERIFY(base::namesIn(folder / "file").empty());
+    QVERIFY(io::namesIn(folder / "file").empty());
 }
 
 static const test::Registered<FolderNamesTest> registered;

@@ -8,7 +8,7 @@
 // other.
 #pragma once
 
-#include "core/session/scene.h"
+#include "core/session/scene/scene.h"
 
 #include <nlohmann/json_fwd.hpp>
 

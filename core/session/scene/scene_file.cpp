@@ -1,4 +1,4 @@
-#include "core/session/scene_file.h"
+#include "core/session/scene/scene_file.h"
 
 #include "core/base/error.h"
 #include "core/base/listed.h"
@@ -6,7 +6,7 @@
 #include "core/io/file_bytes.h"
 #include "core/session/json_text.h"
 #include "core/session/path_text.h"
-#include "core/session/pose_file.h"
+#include "core/session/scene/pose_file.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
