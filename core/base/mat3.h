@@ -9,6 +9,7 @@ template <class T>
 struct Mat3 {
     T m[3][3]{};
 
+    constexpr bool operator==(const Mat3&) const = default;
     constexpr T* operator[](int row) { return m[row]; }
     constexpr const T* operator[](int row) const { return m[row]; }
 

@@ -2,6 +2,7 @@
 
 #include "support/patience.h"
 #include "support/registry.h"
+#include "ui/work/post.h"
 
 #include <QTest>
 
@@ -15,6 +16,7 @@ class LatestWorkerTest : public QObject {
     void failureIsToldAndWorkGoesOn();
     void cancelledWorkerRests();
     void endStopsWhatRuns();
+    void restIsToldAfterAllThatWasDone();
 };
 
 namespace {
@@ -97,6 +99,26 @@ void LatestWorkerTest::endStopsWhatRuns() {
         QVERIFY(QTest::qWaitFor([&] { return started.load(); }, test::patience));
     }
     QVERIFY(started);
+}
+
+void LatestWorkerTest::restIsToldAfterAllThatWasDone() {
+    QObject receiver;
+    bool busy = false;
+    std::vector<std::string> order;
+    const auto deliver = [&] {
+        QCoreApplication::sendPostedEvents(&receiver);
+        QCoreApplication::sendPostedEvents(&receiver);
+    };
+    ui::postRest(
+        &receiver, [&] { return busy; }, [&] { order.push_back("rest"); });
+    ui::post(&receiver, [&] { order.push_back("done"); }); // by the worker, before the first of these has come
+    deliver();
+    QCOMPARE(order, (std::vector<std::string>{"done", "rest"}));
+    busy = true;
+    ui::postRest(
+        &receiver, [&] { return busy; }, [&] { order.push_back("rest"); });
+    deliver();
+    QCOMPARE(order.size(), 2U);
 }
 
 static const test::Registered<LatestWorkerTest> registered;

@@ -22,6 +22,7 @@ class SceneWindowTest : public QObject {
     void theListIsTheScene();
     void refusedWishesLeaveTheListAsItWas();
     void modelsOfFilesComeBesideTheOthers();
+    void picturesLeaveOutAnActiveModelThatIsHidden();
 };
 
 namespace {
@@ -175,6 +176,19 @@ void SceneWindowTest::modelsOfFilesComeBesideTheOthers() {
     QCOMPARE(scene.now().scene.size(), std::size_t(2));
     QVERIFY(scene.hash() == hash);
     QVERIFY(!scene.now().canUndo && !scene.now().modified);
+}
+
+void SceneWindowTest::picturesLeaveOutAnActiveModelThatIsHidden() {
+    Balls scene;
+    const auto seen = [&](const Vec3d& place) {
+        const QString path = scene.file("scene.png");
+        scene.window->images().write(path.toStdString(), {scene.view().size(), true, false, false});
+        scene.settle();
+        return qAlpha(QImage(path).pixel((scene.at(place)).toPoint())) > 0;
+    };
+    QVERIFY(seen({0, 0, 0}) && seen({2.6, 0.2, 0.1}));
+    scene.run({{"op", "scene"}, {"do", "hide"}, {"name", "left"}});
+    QVERIFY(!seen({0, 0, 0}) && seen({2.6, 0.2, 0.1}));
 }
 
 static const test::Registered<SceneWindowTest> registered;

@@ -66,10 +66,6 @@ void SculptView::showColours(std::shared_ptr<const render::BlockColours> colours
         refresh(busy());
 }
 
-static bool same(const process::Rigid& a, const process::Rigid& b) {
-    return session::matrixOf(a) == session::matrixOf(b);
-}
-
 void SculptView::followModel() {
     const Snapshot& now = m_editor.snapshot();
     if (now.models != m_models) {
@@ -78,7 +74,7 @@ void SculptView::followModel() {
         m_cuts.reset();
         m_look.placeGrid();
         m_motion.showNewModel();
-    } else if (!same(now.stand, m_stand)) { // another model is active, or this one has moved
+    } else if (now.stand != m_stand) { // another model is active, or this one has moved
         m_source.choose({});
         m_cuts.reset();
         m_look.placeGrid();

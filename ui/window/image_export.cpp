@@ -56,9 +56,12 @@ void ImageExport::write(const std::filesystem::path& path, const ImageChoice& ch
     options.rayCast = choice.rayCast;
     options.lighting = m_settings.truth.lighting;
     options.sections = m_view.cuts().cuts().section;
-    const auto work = [=, beside = m_editor.snapshot().beside](const surface::Surface& surface,
-                                                               const base::Progress& progress) {
-        std::vector<surface::Surface> models{surface};
+    const Snapshot& shown = m_editor.snapshot();
+    const bool activeToo = shown.beside.empty() || shown.scene[shown.active].visible;
+    const auto work = [=, beside = shown.beside](const surface::Surface& surface, const base::Progress& progress) {
+        std::vector<surface::Surface> models;
+        if (activeToo)
+            models.push_back(surface);
         for (const session::ShownModel& each : beside)
             models.push_back(each.surface);
         render::PictureStats stats;

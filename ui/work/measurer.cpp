@@ -30,7 +30,10 @@ Measurer::Measurer(QObject* parent)
       m_worker(
           [this](const Request& request, const base::Progress& progress) { work(request, progress); },
           [this](const std::exception& error) { post(this, [this, text = textOf(error)] { Q_EMIT failed(text); }); },
-          [this] { post(this, [this] { rest(); }); }) {}
+          [this] {
+              postRest(
+                  this, [this] { return m_worker.busy(); }, [this] { rest(); });
+          }) {}
 
 void Measurer::want(render::Shading shading, const std::string& attribute, const surface::Surface& surface,
                     const surface::Surface& reference, std::uint64_t models) {
@@ -98,17 +101,9 @@ void Measurer::receive(const Done& done) {
     Q_EMIT changed();
 }
 
-/// Unless something has been asked for meanwhile. What the worker has posted by now comes first: it may have done
-/// another piece since it told that it rests.
 void Measurer::rest() {
-    if (m_worker.busy())
-        return;
-    post(this, [this] {
-        if (m_worker.busy())
-            return;
-        m_busy = false;
-        Q_EMIT idled();
-    });
+    m_busy = false;
+    Q_EMIT idled();
 }
 
 void Measurer::work(const Request& request, const base::Progress& cancel) {

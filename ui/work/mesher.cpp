@@ -47,7 +47,10 @@ Mesher::Mesher(QObject* parent)
                                 [this](const std::exception& error) {
                                     post(this, [this, text = textOf(error)] { Q_EMIT failed(text); });
                                 },
-                                [this] { post(this, [this] { rest(); }); }) {}
+                                [this] {
+                                    postRest(
+                                        this, [this] { return m_worker.busy(); }, [this] { rest(); });
+                                }) {}
 
 Mesher::~Mesher() = default;
 
@@ -80,10 +83,7 @@ void Mesher::cancel() {
     m_worker.cancel();
 }
 
-/// Unless something has been asked for meanwhile.
 void Mesher::rest() {
-    if (m_worker.busy())
-        return;
     m_saving = false;
     if (m_after)
         m_worker.request(*std::exchange(m_after, std::nullopt), true);

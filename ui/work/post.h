@@ -17,6 +17,19 @@ void post(QObject* receiver, Call call) {
     QMetaObject::invokeMethod(receiver, std::move(call), Qt::QueuedConnection);
 }
 
+/// A worker rests: calls `rest` on the receiver's thread unless the worker is `busy` again, and after all that the
+/// worker has posted by then, for it may have done another piece since it told that it rests.
+template <class Busy, class Rest>
+void postRest(QObject* receiver, Busy busy, Rest rest) {
+    post(receiver, [=] {
+        if (!busy())
+            post(receiver, [=] {
+                if (!busy())
+                    rest();
+            });
+    });
+}
+
 inline QString textOf(std::string_view utf8) {
     return QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size()));
 }

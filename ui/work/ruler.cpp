@@ -14,7 +14,10 @@ Ruler::Ruler(QObject* parent)
               post(this, [this, found = std::move(found)] { Q_EMIT measured(found); });
           },
           [this](const std::exception& error) { post(this, [this, text = textOf(error)] { Q_EMIT failed(text); }); },
-          [this] { post(this, [this] { Q_EMIT idled(); }); }) {}
+          [this] {
+              postRest(
+                  this, [this] { return m_worker.busy(); }, [this] { Q_EMIT idled(); });
+          }) {}
 
 void Ruler::measure(const RulerRow& row, const surface::Surface& surface, std::vector<RuledPlace> places,
                     const base::Vec3d& origin) {

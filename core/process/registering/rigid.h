@@ -9,6 +9,7 @@ struct Rigid {
     base::Mat3d rotation = base::Mat3d::identity();
     base::Vec3d translation;
 
+    bool operator==(const Rigid&) const = default;
     base::Vec3d operator()(const base::Vec3d& x) const { return rotation * x + translation; }
     base::Vec3d turn(const base::Vec3d& direction) const { return rotation * direction; }
     /// First `o`, then this.
