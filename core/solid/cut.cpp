@@ -2,12 +2,11 @@
 
 #include "core/base/cancel_scope.h"
 #include "core/base/error.h"
-#include "core/base/parallel.h"
 #include "core/process/estimation/boundary_limit.h"
 #include "core/process/estimation/part_progress.h"
-#include "core/process/estimation/spacing_sample.h"
 #include "core/process/resampling/resample.h"
 #include "core/solid/primitive.h"
+#include "core/solid/spacing_beside.h"
 
 #include <algorithm>
 
@@ -17,35 +16,15 @@ using base::Vec3d;
 
 namespace {
 
-/// The surfels about the plane; each one's support is the spacing there.
-surfel::SurfelList besidePlane(const tree::SurfelTree& tree, const base::Plane& plane) {
-    surfel::SurfelList out;
-    tree.forEachBlock([&](std::uint32_t, const surfel::SurfelBlock& block) {
-        for (int slot = 0; slot < block.size(); ++slot) {
-            surfel::Surfel s = block.surfel(slot);
-            if (std::abs(plane.distance(base::cast<double>(s.position))) < static_cast<double>(s.support))
-                out.append(s, {});
-        }
-    });
-    base::parallelFor(out.items.size(), 16, [&](std::size_t i) {
-        surfel::Surfel& s = out.items[i];
-        if (const float spacing = process::spacingAround(tree, s.position); spacing > 0)
-            s.support = spacing;
-    });
-    return out;
-}
-
 /// Places in the plane about the model's edge there, as far apart as its surfels are at the nearest place.
 class CapSampler {
   public:
     CapSampler(const surface::Surface& model, const base::Plane& plane)
-        : m_definition(model.definition()), m_pose(poseAlong(plane.normal * plane.offset, plane.normal)) {
-        const surfel::SurfelList beside = besidePlane(model.tree(), plane);
-        if (beside.size() == 0)
+        : m_definition(model.definition()), m_pose(poseAlong(plane.normal * plane.offset, plane.normal)),
+          m_beside(model.tree(), HalfSpaceSide(plane.normal, plane.offset)) {
+        if (m_beside.empty())
             return;
-        for (const surfel::Surfel& s : beside.items)
-            m_box.extend(m_pose.local(base::cast<double>(s.position)));
-        m_beside = tree::SurfelTree::build(beside);
+        m_beside.forPlaces([&](const Vec3d& x) { m_box.extend(m_pose.local(x)); });
         auto layout = std::make_shared<surfel::AttributeLayout>();
         layout->normals = layout->oriented = true;
         m_out.layout = layout;
@@ -57,16 +36,7 @@ class CapSampler {
   private:
     static constexpr double mostPlaces = 2e7;
 
-    double spacingAt(double u, double v) const {
-        constexpr std::size_t around = 5; // the middle one: a stray has no say
-        std::vector<tree::Neighbour> near;
-        m_beside.nearest(base::cast<float>(m_pose.place({u, v, 0})), around, near);
-        std::vector<double> spacings;
-        for (const tree::Neighbour& each : near)
-            spacings.push_back(static_cast<double>(each.block->support(each.slot)));
-        std::sort(spacings.begin(), spacings.end());
-        return spacings[spacings.size() / 2];
-    }
+    double spacingAt(double u, double v) const { return m_beside.at(m_pose.place({u, v, 0})); }
     void sample() {
         double least = std::numeric_limits<double>::infinity(), most = 0;
         constexpr int looks = 32;
@@ -126,23 +96,16 @@ class CapSampler {
 
     surface::SurfaceDefinition m_definition;
     Pose m_pose;
+    SpacingBeside m_beside;
     base::Box3d m_box;
-    tree::SurfelTree m_beside;
     base::Vec3f m_normal;
     surfel::SurfelList m_out;
 };
 
 } // namespace
 
-Combined cutByPlane(const surface::Surface& model, const base::Plane& plane, const CutOptions& options,
-                    const base::Progress& progress) {
-    const HalfSpaceSide side(plane.normal, plane.offset);
-    const std::vector<std::int8_t> sides = sidesOf(model.tree(), side);
-    if (std::count_if(sides.begin(), sides.end(), [](std::int8_t s) { return s >= 0; }) < 4)
-        throw base::Error("nothing would be left", "cut", "move the plane, or keep the other side");
-    if (options.cap)
-        return combine(model, {side, CapSampler(model, plane).result()}, Operation::Difference, {options.creases},
-                       progress);
+Combined leftOpen(const surface::Surface& model, std::span<const std::int8_t> sides, int gone,
+                  const base::Progress& progress) {
     tree::Edit edit;
     edit.inserted.layout = model.tree().layout();
     Combined out;
@@ -150,7 +113,7 @@ Combined cutByPlane(const surface::Surface& model, const base::Plane& plane, con
     for (std::uint32_t b = 0; b < model.tree().blockCount(); ++b) {
         tree::BlockEdit change{b, {}, {}};
         for (int slot = 0; slot < model.tree().block(b)->size(); ++slot)
-            change.removed[static_cast<std::size_t>(slot)] = sides[next++] < 0;
+            change.removed[static_cast<std::size_t>(slot)] = sides[next++] * gone > 0;
         out.removed += change.removed.count();
         if (change.removed.any())
             edit.blocks.push_back(std::move(change));
@@ -162,6 +125,18 @@ Combined cutByPlane(const surface::Surface& model, const base::Plane& plane, con
         out.surface = {out.surface.tree(), definition};
     }
     return out;
+}
+
+Combined cutByPlane(const surface::Surface& model, const base::Plane& plane, const CutOptions& options,
+                    const base::Progress& progress) {
+    const HalfSpaceSide side(plane.normal, plane.offset);
+    const std::vector<std::int8_t> sides = sidesOf(model.tree(), side);
+    if (std::count_if(sides.begin(), sides.end(), [](std::int8_t s) { return s >= 0; }) < 4)
+        throw base::Error("nothing would be left", "cut", "move the plane, or keep the other side");
+    if (options.cap)
+        return combine(model, {side, CapSampler(model, plane).result()}, Operation::Difference, {options.creases},
+                       progress);
+    return leftOpen(model, sides, -1, progress);
 }
 
 } // namespace solid

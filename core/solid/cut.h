@@ -16,4 +16,9 @@ struct CutOptions {
 Combined cutByPlane(const surface::Surface& model, const base::Plane& plane, const CutOptions& options = {},
                     const base::Progress& progress = {});
 
+/// Without a cap: what is on the side `gone` (1: outside, -1: inside; `sides` as sidesOf tells them) goes, and the
+/// model ends there.
+Combined leftOpen(const surface::Surface& model, std::span<const std::int8_t> sides, int gone,
+                  const base::Progress& progress = {});
+
 } // namespace solid

@@ -89,7 +89,7 @@ bool Picker::release(const QPointF& pixel, Qt::MouseButton button) {
 void Picker::pickPlace(const QPointF& pixel) {
     const auto contact = contactAt(m_editor.snapshot().surface, m_camera, pixel);
     if (contact)
-        m_owner.then({{}, contact, m_camera, m_modifiers});
+        deliver({{}, contact, m_camera, m_modifiers});
     else
         Q_EMIT hinted(tr("The surface is not there. Click on the model."));
 }
@@ -117,7 +117,15 @@ void Picker::close() {
         Q_EMIT hinted(m_owner.shape == PickShape::Polygon ? tr("Click three corners at least, then press Enter.")
                                                           : tr("Hold the button and draw around what is wanted."));
     else
-        m_owner.then({std::move(corners), {}, m_camera, m_modifiers});
+        deliver({std::move(corners), {}, m_camera, m_modifiers});
+}
+
+/// Who gets it may end this, or begin another.
+void Picker::deliver(const Pick& pick) {
+    const auto then = m_owner.then;
+    if (m_owner.once)
+        end();
+    then(pick);
 }
 
 // --- events ---

@@ -36,6 +36,7 @@ class Picker : public QObject {
         PickShape shape = PickShape::Place;
         std::function<void(const Pick&)> then;
         std::function<void()> ended;
+        bool once = false; ///< the first pick ends it
     };
 
     /// All outlive it. Its events are taken before those of filters that were installed earlier.
@@ -66,6 +67,7 @@ class Picker : public QObject {
     void pickPlace(const QPointF& pixel);
     void addCorner(const QPointF& pixel);
     void close();
+    void deliver(const Pick& pick);
 
     const Editor& m_editor;
     const ViewMotion& m_motion;

@@ -1,6 +1,7 @@
 #include "ui/interaction/select_ways.h"
 
 #include "core/surface/evaluation/weights.h"
+#include "ui/interaction/picked_outline.h"
 
 #include <nlohmann/json.hpp>
 
@@ -15,34 +16,10 @@ json listOf(const Vec3d& v) {
     return {v.x, v.y, v.z};
 }
 
-json byView(const Pick& pick, const SelectContext& context) {
-    const render::Camera& camera = pick.camera;
-    json out{{"op", "select"},
-             {"by", "view"},
-             {"eye", listOf(camera.eye + context.origin)},
-             {"target", listOf(camera.target + context.origin)},
-             {"up", listOf(camera.up)},
-             {"size", {camera.width, camera.height}},
-             {"visible", context.visible}};
-    if (camera.orthoHeight > 0)
-        out["ortho"] = camera.orthoHeight;
-    else
-        out["fov"] = camera.fovDeg;
-    return out;
-}
-
-json inRectangle(const Pick& pick, const SelectContext& context) {
-    json out = byView(pick, context);
-    const QPointF &a = pick.corners.front(), &b = pick.corners.back();
-    out["rectangle"] = {std::min(a.x(), b.x()), std::min(a.y(), b.y()), std::max(a.x(), b.x()), std::max(a.y(), b.y())};
-    return out;
-}
-
-json inPolygon(const Pick& pick, const SelectContext& context) {
-    json out = byView(pick, context), corners = json::array();
-    for (const QPointF& corner : pick.corners)
-        corners.push_back({corner.x(), corner.y()});
-    out["polygon"] = std::move(corners);
+template <PickShape shape>
+json inOutline(const Pick& pick, const SelectContext& context) {
+    json out = outlineOf(pick, shape, context.origin);
+    out["op"] = "select", out["by"] = "view", out["visible"] = context.visible;
     return out;
 }
 
@@ -83,10 +60,10 @@ json ofColour(const Pick& pick, const SelectContext& context) {
 }
 
 constexpr SelectWay ways[] = {
-    {"rectangle", "Box", "Hold the button and draw a rectangle", PickShape::Rectangle, inRectangle},
-    {"lasso", "Lasso", "Hold the button and draw around what is wanted", PickShape::Lasso, inPolygon},
+    {"rectangle", "Box", "Hold the button and draw a rectangle", PickShape::Rectangle, inOutline<PickShape::Rectangle>},
+    {"lasso", "Lasso", "Hold the button and draw around what is wanted", PickShape::Lasso, inOutline<PickShape::Lasso>},
     {"polygon", "Polygon", "Click the corners; Enter or a double click closes it, Backspace takes one back",
-     PickShape::Polygon, inPolygon},
+     PickShape::Polygon, inOutline<PickShape::Polygon>},
     {"ball", "Ball", "Click: what lies within the brush's radius", PickShape::Place, inBall},
     {"piece", "Piece", "Click: all that hangs together with that place", PickShape::Place, ofPiece},
     {"face", "Face", "Click: all around that place up to where the surface bends sharply", PickShape::Place, ofFace},

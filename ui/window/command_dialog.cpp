@@ -24,7 +24,7 @@ using nlohmann::json;
 using session::CommandParameter;
 
 bool hasDialog(const session::CommandRow& row) {
-    constexpr std::array<std::string_view, 4> elsewhere{"undo", "redo", "stroke", "touch"};
+    constexpr std::array<std::string_view, 5> elsewhere{"undo", "redo", "stroke", "touch", "trim"};
     return row.changesModel && !row.startsModel &&
            std::find(elsewhere.begin(), elsewhere.end(), row.op) == elsewhere.end();
 }

@@ -20,6 +20,7 @@ CommandRow reduceCommand();
 CommandRow refineCommand();
 CommandRow fillCommand();
 CommandRow cutCommand();
+CommandRow trimCommand();
 CommandRow solidCommand();
 CommandRow primitiveCommand();
 CommandRow drillCommand();

@@ -2,6 +2,7 @@
 #include "ui/window/main_window.h"
 #include "ui/window/menus/menu_tools.h"
 #include "ui/window/menus/menus.h"
+#include "ui/window/trim_tools.h"
 
 #include <QAction>
 #include <QMenu>
@@ -17,6 +18,8 @@ static void ask(MainWindow& window, const session::CommandRow& row) {
 void addModelMenu(MainWindow& window) {
     QMenu* model = addMenu(window, "model", QObject::tr("&Model"));
     for (const session::CommandRow& row : session::commandTable()) {
+        if (row.op == std::string_view("trim"))
+            addTrimMenu(window, *model);
         if (!hasDialog(row))
             continue;
         QAction* action =

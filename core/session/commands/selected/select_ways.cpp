@@ -10,6 +10,7 @@
 #include "core/selection/view_region.h"
 #include "core/session/commands/commands.h"
 #include "core/session/commands/selected/limits.h"
+#include "core/session/drawn_outline.h"
 #include "core/session/number_lists.h"
 
 #include <nlohmann/json.hpp>
@@ -59,45 +60,8 @@ Selection abovePlane(Context& context, const json& complete) {
     return selection::within(surfaceOf(context).tree(), selection::PlaneRegion{planeOf(context, complete, "plane")});
 }
 
-render::Camera cameraOf(const Context& context, const json& complete) {
-    render::Camera out;
-    out.eye = *placeOf(context, complete, "eye");
-    out.target = *placeOf(context, complete, "target");
-    out.up = vectorOf(complete, "up").value_or(base::upRow(context.document.up()).up);
-    out.fovDeg = complete.value("fov", out.fovDeg);
-    out.orthoHeight = complete.value("ortho", 0.0);
-    if (complete.contains("size")) {
-        const std::vector<double> size = numbersOf(complete, "size", 2, "[width,height]");
-        if (!(size[0] >= 1 && size[1] >= 1 && size[0] <= 1e6 && size[1] <= 1e6))
-            throw base::Error("\"size\" is no size of a picture", {}, "write [width,height] in pixels");
-        out.width = static_cast<int>(size[0]), out.height = static_cast<int>(size[1]);
-    }
-    if (out.eye == out.target)
-        throw base::Error("\"eye\" and \"target\" are the same place", {}, "move one of them");
-    return out;
-}
-
-selection::Outline outlineOf(const json& complete) {
-    if (complete.contains("rectangle") == complete.contains("polygon"))
-        throw base::Error("\"select\" by view needs one of rectangle and polygon", {}, "give one of them");
-    std::vector<selection::Point2> corners;
-    if (complete.contains("rectangle")) {
-        const std::vector<double> r = numbersOf(complete, "rectangle", 4, "[x0,y0,x1,y1]");
-        corners = {{r[0], r[1]}, {r[2], r[1]}, {r[2], r[3]}, {r[0], r[3]}};
-    } else {
-        for (const json& corner : complete.at("polygon")) {
-            const std::vector<double> p =
-                numbersOf({{"op", "select"}, {"polygon", corner}}, "polygon", 2, "[[x,y],[x,y],...]");
-            corners.push_back({p[0], p[1]});
-        }
-        if (corners.size() < 3)
-            throw base::Error("\"polygon\" has fewer than three corners", {}, "write [[x,y],[x,y],[x,y],...]");
-    }
-    return selection::Outline(corners);
-}
-
 Selection inView(Context& context, const json& complete) {
-    selection::ViewRegion region(cameraOf(context, complete), outlineOf(complete));
+    selection::ViewRegion region(cameraOf(context, complete), selection::Outline(outlineOf(complete)));
     if (complete.contains("depth")) {
         const std::vector<double> depth = numbersOf(complete, "depth", 2, "[from,to]");
         region.nearest = depth[0], region.farthest = depth[1];

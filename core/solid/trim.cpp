@@ -1,0 +1,65 @@
+#include "core/solid/trim.h"
+
+#include "core/base/error.h"
+#include "core/solid/outline_walls.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace solid {
+
+Combined trimmed(const surface::Surface& model, const OutlineSide& side, Trim trim, const CutOptions& options,
+                 const base::Progress& progress) {
+    const int gone = trim == Trim::Away ? -1 : 1;
+    const std::vector<std::int8_t> sides = sidesOf(model.tree(), side);
+    const auto going = std::ranges::count_if(sides, [&](std::int8_t s) { return s * gone > 0; });
+    if (going == 0)
+        throw base::Error("there is nothing to trim away", "trim", "draw the outline across the model");
+    if (std::ssize(sides) - going < 4)
+        throw base::Error("nothing would be left", "trim", "draw a smaller outline, or keep the other side");
+    if (!options.cap)
+        return leftOpen(model, sides, gone, progress);
+    return combine(model, {side, wallsOf(side, model)},
+                   trim == Trim::Away ? Operation::Difference : Operation::Intersection, {options.creases}, progress);
+}
+
+/// Douglas and Peucker's way from one corner to another.
+static void keepBetween(const std::vector<PicturePoint>& p, std::size_t from, std::size_t to, double tolerance,
+                        std::vector<bool>& kept) {
+    const auto &a = p[from], &b = p[to % p.size()];
+    const double dx = b[0] - a[0], dy = b[1] - a[1], long2 = dx * dx + dy * dy;
+    double most = tolerance;
+    std::size_t farthest = from;
+    for (std::size_t k = from + 1; k < to; ++k) {
+        const double x = p[k][0] - a[0], y = p[k][1] - a[1];
+        const double share = long2 > 0 ? std::clamp((x * dx + y * dy) / long2, 0.0, 1.0) : 0;
+        if (const double off = std::hypot(x - share * dx, y - share * dy); off > most)
+            most = off, farthest = k;
+    }
+    if (farthest == from)
+        return;
+    kept[farthest] = true;
+    keepBetween(p, from, farthest, tolerance, kept);
+    keepBetween(p, farthest, to, tolerance, kept);
+}
+
+std::vector<PicturePoint> plainOutline(const std::vector<PicturePoint>& corners) {
+    PicturePoint lo = corners.front(), hi = lo;
+    for (const PicturePoint& p : corners)
+        for (const std::size_t k : {0U, 1U})
+            lo[k] = std::min(lo[k], p[k]), hi[k] = std::max(hi[k], p[k]);
+    const double tolerance = std::hypot(hi[0] - lo[0], hi[1] - lo[1]) / 4000;
+    // from the corner that is leftmost, which stays whatever the tolerance
+    std::vector<PicturePoint> turned = corners;
+    std::ranges::rotate(turned, std::ranges::min_element(turned));
+    std::vector<bool> kept(turned.size());
+    kept[0] = true;
+    keepBetween(turned, 0, turned.size(), tolerance, kept);
+    std::vector<PicturePoint> out;
+    for (std::size_t k = 0; k < turned.size(); ++k)
+        if (kept[k])
+            out.push_back(turned[k]);
+    return out;
+}
+
+} // namespace solid
