@@ -30,6 +30,9 @@ const char* const lines[] = {
     R"({"op":"primitive","shape":"cone","size":"0.5,1.5","position":"0,0,1","operation":"intersection"})",
     R"({"op":"drill","from":"0,0,3","direction":"0.1,0,-1","radius":0.3})",
     R"({"op":"drill","from":"0,0,3","direction":"0,0,-1","radius":0.3,"depth":0.5})",
+    R"({"op":"trim","eye":[0,1,5],"target":[0,0,0],"size":[400,300],"polygon":[[150,90],[260,120],[200,260]]})",
+    R"({"op":"tube","along":[[0.9,0,-0.4],[1.5,0,-0.2],[1.5,0,0.3],[0.8,0,0.5]],"radius":0.15})",
+    R"({"op":"tube","along":[[-2,0,0],[0,0.3,0],[2,0,0]],"radius":0.2,"operation":"difference","smooth":false})",
     R"({"op":"mirror","plane":"1,0.2,0,0.1"})",
     R"({"op":"hollow","thickness":0.3})",
 };

@@ -1,5 +1,6 @@
 #include "core/session/commands/combined_model.h"
 
+#include "core/process/estimation/spacing_sample.h"
 #include "core/session/number_text_list.h"
 
 #include <nlohmann/json.hpp>
@@ -77,6 +78,14 @@ static base::Mat3d turnAbout(std::size_t axis, double degrees) {
     out[i][i] = out[j][j] = c;
     out[i][j] = -s, out[j][i] = s;
     return out;
+}
+
+double spacingNear(const surface::Surface& model, const base::Vec3d& place) {
+    std::vector<tree::Neighbour> near;
+    model.tree().nearest(base::cast<float>(place), 1, near);
+    const tree::Neighbour& at = near.front();
+    const auto spacing = static_cast<double>(process::spacingAround(model.tree(), at.block->position(at.slot)));
+    return spacing > 0 ? spacing : static_cast<double>(at.block->support(at.slot)) * surface::spacingOfUnit;
 }
 
 solid::Pose poseOf(const nlohmann::json& complete, const base::Vec3d& origin) {

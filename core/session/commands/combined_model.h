@@ -21,6 +21,9 @@ solid::CombineOptions combineOptions(const nlohmann::json& complete);
 /// "nx,ny,nz,d" in coordinates of the file, relative to the model's origin. Throws base::Error.
 base::Plane planeOf(const std::string& text, const base::Vec3d& origin);
 
+/// Between surfels where the model is nearest to a place. REQUIRES: a model.
+double spacingNear(const surface::Surface& model, const base::Vec3d& place);
+
 /// "position" and "rotation" of a command, relative to the model's origin.
 solid::Pose poseOf(const nlohmann::json& complete, const base::Vec3d& origin);
 

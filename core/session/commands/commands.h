@@ -24,6 +24,7 @@ CommandRow trimCommand();
 CommandRow solidCommand();
 CommandRow primitiveCommand();
 CommandRow drillCommand();
+CommandRow tubeCommand();
 CommandRow mirrorCommand();
 CommandRow hollowCommand();
 CommandRow creaseCommand();

@@ -1,6 +1,5 @@
 #include "core/base/error.h"
 #include "core/base/unit_normal.h"
-#include "core/process/estimation/spacing_sample.h"
 #include "core/session/commands/combined_model.h"
 #include "core/session/commands/commands.h"
 #include "core/session/number_text_list.h"
@@ -11,15 +10,6 @@
 namespace session {
 
 using nlohmann::json;
-
-/// Of the model's surfels nearest to a place.
-static double spacingNear(const surface::Surface& model, const base::Vec3d& place) {
-    std::vector<tree::Neighbour> near;
-    model.tree().nearest(base::cast<float>(place), 1, near);
-    const tree::Neighbour& at = near.front();
-    const auto spacing = static_cast<double>(process::spacingAround(model.tree(), at.block->position(at.slot)));
-    return spacing > 0 ? spacing : static_cast<double>(at.block->support(at.slot)) * surface::spacingOfUnit;
-}
 
 static solid::Combined withPrimitive(Context& context, const solid::PrimitiveRow& row, const solid::Size& size,
                                      const solid::Pose& pose, double spacing, const json& complete,

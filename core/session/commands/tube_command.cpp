@@ -1,0 +1,62 @@
+#include "core/base/error.h"
+#include "core/session/commands/combined_model.h"
+#include "core/session/commands/commands.h"
+#include "core/session/number_lists.h"
+#include "core/solid/tube.h"
+
+#include <nlohmann/json.hpp>
+
+namespace session {
+
+using base::Vec3d;
+using nlohmann::json;
+
+static std::vector<Vec3d> placesOf(const Context& context, const json& complete) {
+    std::vector<Vec3d> out;
+    for (const json& place : complete.at("along")) {
+        const std::vector<double> p =
+            numbersOf({{"op", "tube"}, {"along", place}}, "along", 3, "[[x,y,z],[x,y,z],...]");
+        out.push_back(Vec3d{p[0], p[1], p[2]} - context.document.provenance().origin);
+    }
+    return out;
+}
+
+static void tube(Context& context, const json& complete) {
+    requireModel(context);
+    const surface::Surface& model = context.document.surface();
+    const auto radius = complete.at("radius").get<double>();
+    std::vector<Vec3d> line =
+        solid::curveThrough(placesOf(context, complete), radius, complete.at("smooth").get<bool>());
+    if (line.size() < 2)
+        throw base::Error("\"along\" has fewer than two places", "tube", "write [[x,y,z],[x,y,z],...]");
+    const double spacing =
+        complete.contains("spacing") ? complete.at("spacing").get<double>() : spacingNear(model, line.front());
+    const solid::TubeSide side(std::move(line), radius);
+    take(context,
+         solid::combine(model, {side, solid::surfelsOf(side, spacing, model.definition())},
+                        solid::operation(complete.at("operation").get<std::string>()), combineOptions(complete),
+                        context.progress),
+         "Tube");
+}
+
+CommandRow tubeCommand() {
+    static const std::string operations = idsOf(solid::operationTable());
+    static const CommandParameter parameters[] = {
+        {"along", "list", "model units",
+         "[[x,y,z],...], places that its middle goes through; closed where the last is the first", "", "", 0, 0},
+        {"radius", "number", "model units", "of the tube, whose ends are round", "", "", positive, largest},
+        {"smooth", "boolean", "", "bends from place to place; off: straight lines between them", "true", "", 0, 0},
+        {"operation", "choice", "", "union joins it, difference takes it away, intersection keeps what is in it",
+         "\"union\"", operations.c_str(), 0, 0},
+        {"spacing", "number", "model units", "of its points; by default as the model's nearest to its beginning",
+         "null", "", positive, largest},
+        creasesParameter(),
+        filletParameter(),
+        chamferParameter(),
+    };
+    return {"tube",     "Add a tube", "Joins a tube along a curve to the model, or takes it away: a handle, a channel.",
+            parameters, true,         false,
+            tube,       nullptr};
+}
+
+} // namespace session
