@@ -2,6 +2,7 @@
 #include "core/base/random.h"
 #include "program.h"
 #include "support/registry.h"
+#include "support/sanitized.h"
 
 #include <cmath>
 #include <QTest>
@@ -132,6 +133,8 @@ void CleanTest::wrongUsageIsRefused() {
 }
 
 void CleanTest::resampleReachesCountAndSpacing() {
+    if (test::sanitized)
+        QSKIP("seconds under a sanitizer");
     const Program program;
     QCOMPARE(program.run({"resample", "sample:torus:3000", "-o", "a.ply", "--count", "5000"}).code, 0);
     const int count = infoOf(program, "a.ply").at("surfels");
@@ -154,6 +157,8 @@ void CleanTest::resampleReachesCountAndSpacing() {
 }
 
 void CleanTest::measureTellsAreaAndVolume() {
+    if (test::sanitized)
+        QSKIP("seconds under a sanitizer");
     const Program program;
     const Outcome both = program.run({"measure", "sample:sphere:4000", "--json"});
     QVERIFY2(both.code == 0, both.err.c_str());

@@ -1,6 +1,7 @@
 // mesh: the files it writes, what --check and --report tell, and what is refused in one sentence.
 #include "program.h"
 #include "support/registry.h"
+#include "support/sanitized.h"
 
 #include <QTest>
 
@@ -71,6 +72,8 @@ void MeshCommandTest::delaunayKeepsItsPromises() {
 }
 
 void MeshCommandTest::curvesAreMeshedAsTubes() {
+    if (test::sanitized)
+        QSKIP("half a minute under a sanitizer");
     const Program program;
     const Outcome outcome = program.run({"mesh", "sample:coil:400", "-o", "coil.stl", "--report", "coil.json"});
     QVERIFY2(outcome.code == 0, outcome.err.c_str());

@@ -1,6 +1,7 @@
 // reduce: as a person types it; the file, the report, the session of the same name, and what is refused.
 #include "program.h"
 #include "support/registry.h"
+#include "support/sanitized.h"
 
 #include <cmath>
 #include <QTest>
@@ -60,6 +61,8 @@ void ReduceTest::theFileOpensAsItWas() {
 }
 
 void ReduceTest::sessionsDoTheSameAndUndoIt() {
+    if (test::sanitized)
+        QSKIP("seconds under a sanitizer");
     const Program program;
     QCOMPARE(program.run({"reduce", "sample:torus:3000", "-o", "few.ply", "--count", "400"}).code, 0);
     program.write("few.jsonl", R"({"op":"new","sample":"torus","count":3000}
@@ -101,6 +104,8 @@ void ReduceTest::refineGoesBack() {
 }
 
 void ReduceTest::refineTellsHowNearItIs() {
+    if (test::sanitized)
+        QSKIP("seconds under a sanitizer");
     const Program program;
     QCOMPARE(program.run({"reduce", "sample:torus:3000", "-o", "few.ply", "--ratio", "0.1"}).code, 0);
     const auto refined = [&](const char* out, const QStringList& more) {
@@ -125,6 +130,8 @@ void ReduceTest::refineTellsHowNearItIs() {
 }
 
 void ReduceTest::errorChoosesTheCount() {
+    if (test::sanitized)
+        QSKIP("seconds under a sanitizer");
     const Program program;
     QCOMPARE(program.run({"reduce", "sample:torus:2000", "-o", "a.ply", "--count", "300", "--report", "a.json"}).code,
              0);

@@ -141,6 +141,8 @@ void RunTest::changedFilesAreTakenWhenAsked() {
 
 /// The same view, and colours where there are some.
 void RunTest::picturesAreThoseOfRender() {
+    if (test::sanitized)
+        QSKIP("seconds under a sanitizer");
     const Program program;
     std::string points = "x,y,z,red,green,blue\n";
     for (int i = 0; i < 3000; ++i) {

@@ -1,6 +1,7 @@
 // pointclay seams, and complexes on the command line.
 #include "program.h"
 #include "support/registry.h"
+#include "support/sanitized.h"
 
 #include <cmath>
 #include <QImage>
@@ -103,6 +104,8 @@ void SeamsTest::complexesAreQueriedAndMeshed() {
 }
 
 void SeamsTest::picturesOfComplexesAgree() {
+    if (test::sanitized)
+        QSKIP("seconds under a sanitizer");
     const Program program;
     const auto pixelsOf = [&](const QStringList& how) {
         const Outcome outcome =

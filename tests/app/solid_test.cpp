@@ -1,6 +1,7 @@
 // solid: as a person types it; the report, and what is refused.
 #include "program.h"
 #include "support/registry.h"
+#include "support/sanitized.h"
 
 #include <cmath>
 #include <numbers>
@@ -50,6 +51,8 @@ void SolidTest::reportsTellVolumeAndSeam() {
 }
 
 void SolidTest::filletsAddWhatTheBallLeaves() {
+    if (test::sanitized)
+        QSKIP("seconds under a sanitizer");
     const Program program;
     const double sharp = unionOf(program, {}).at("volume"), round = unionOf(program, {"--fillet", "0.3"}).at("volume");
     QVERIFY2(round > sharp * 1.001 && round < sharp * 1.05, QByteArray::number(round / sharp));

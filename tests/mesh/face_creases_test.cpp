@@ -318,6 +318,8 @@ void FaceCreasesTest::edgesOfBoxesStayBesideBumps() {
 
 /// A cube of so many triangles that its vertices would do; without creases they stay.
 void FaceCreasesTest::finePartsAreSampledForTheirEdges() {
+    if (test::sanitized)
+        QSKIP("half a minute under a sanitizer");
     const int n = test::sanitized ? 90 : 110;
     Faces cube;
     for (std::size_t axis = 0; axis < 3; ++axis)

@@ -4,6 +4,7 @@
 #include "core/base/random.h"
 #include "core/sculpt/tool.h"
 #include "support/registry.h"
+#include "support/sanitized.h"
 #include "workbench.h"
 
 #include <QTest>
@@ -142,7 +143,7 @@ void SessionFileTest::relativePathsStartAtTheSession() {
 
 void SessionFileTest::theResultDoesNotDependOnTheThreads() {
     Workbench bench;
-    std::string text = test::newSphere(20000).dump() + "\n";
+    std::string text = test::newSphere(test::sanitized ? 4000 : 20000).dump() + "\n";
     double y = -0.4;
     for (const sculpt::ToolRow& tool : sculpt::toolTable())
         for (int k = 0; k < 2; ++k) {
