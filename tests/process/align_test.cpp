@@ -9,6 +9,7 @@
 #include "core/process/registering/find_place.h"
 #include "process/even_shapes.h"
 #include "support/registry.h"
+#include "support/sanitized.h"
 
 #include <QTest>
 
@@ -107,6 +108,8 @@ void AlignTest::twoScansMeet() {
 
 /// Four scans from all around, each disturbed: the last one meets the first.
 void AlignTest::loopsClose() {
+    if (test::sanitized)
+        QSKIP("ten seconds under a sanitizer");
     base::Random random(test::seed());
     std::vector<Placed> models;
     std::vector<Rigid> motions;

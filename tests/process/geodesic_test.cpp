@@ -200,6 +200,8 @@ void GeodesicTest::cylindersUnroll() {
 }
 
 void GeodesicTest::holesAreGoneAround() {
+    if (test::sanitized)
+        QSKIP("ten seconds under a sanitizer");
     base::Random random(test::seed());
     for (const double radius : {0.3, 0.5}) {
         const surface::Surface sheet = holed(radius, random);

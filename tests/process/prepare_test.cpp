@@ -7,6 +7,7 @@
 #include "core/process/estimation/spacing.h"
 #include "core/process/samples/samples.h"
 #include "support/registry.h"
+#include "support/sanitized.h"
 
 #include <array>
 #include <fstream>
@@ -285,6 +286,8 @@ static bool sameBits(const surface::Surface& a, const surface::Surface& b) {
 }
 
 void PrepareTest::theOrderOfTheFileDoesNotMatter() {
+    if (test::sanitized)
+        QSKIP("seconds under a sanitizer");
     base::Random random(test::seed());
     for (const char* id : {"scan", "sphere"})
         for (const bool normals : {true, false}) {

@@ -7,6 +7,7 @@
 #include "core/reduce/coverage.h"
 #include "reduce/reduced_models.h"
 #include "support/registry.h"
+#include "support/sanitized.h"
 
 #include <QTest>
 
@@ -215,6 +216,8 @@ void ReduceTest::straysDoNotReachTheModel() {
 }
 
 void ReduceTest::errorIsKeptByTheLeastCount() {
+    if (test::sanitized)
+        QSKIP("seconds under a sanitizer");
     const Shape shape = test::torus(3000);
     const double error = reduceToCount(shape.surface, 400).report.rms;
     const Reduced found = reduceToError(shape.surface, error);

@@ -9,6 +9,7 @@
 #include "core/solid/fillet.h"
 #include "placed_shapes.h"
 #include "support/registry.h"
+#include "support/sanitized.h"
 
 #include <numbers>
 #include <QTest>
@@ -230,6 +231,8 @@ void SeamTest::chamfersAreFlatBetweenSharpEdges_data() {
 
 void SeamTest::chamfersAreFlatBetweenSharpEdges() {
     QFETCH(int, operation);
+    if (test::sanitized && operation != 0)
+        QSKIP("seconds under a sanitizer");
     QFETCH(double, signA);
     QFETCH(double, signB);
     constexpr double s = 0.03, radius = 0.2;
@@ -268,6 +271,8 @@ void SeamTest::chamfersAreFlatBetweenSharpEdges() {
 }
 
 void SeamTest::aCylinderOnABoxGetsARoundFoot() {
+    if (test::sanitized)
+        QSKIP("ten seconds under a sanitizer");
     constexpr double s = 0.04, radius = 0.25, r = 0.4;
     const solid::Combined result = combined(shapeAt("box", {2, 2, 1}, s), "cylinder", {r, 1.6, 0}, s,
                                             solid::poseAlong({0.1, 0, 0.5}, {0, 0, 1}), Operation::Union, radius);
