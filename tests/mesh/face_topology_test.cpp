@@ -17,6 +17,7 @@ class FaceTopologyTest : public QObject {
     void reversedFacesAreTurned();
     void repeatedFacesCountOnce();
     void coincidentCornersAreOneVertex();
+    void trianglesWithCornersAtOnePlaceAreNone();
     void roundOffDoesNotOpenSeams();
     void smallSheetsOfLargeScenesKeepTheirBorders();
     void cornersOnSidesOpenNothing();
@@ -85,6 +86,28 @@ void FaceTopologyTest::coincidentCornersAreOneVertex() {
     QVERIFY(found.closed());
     QCOMPARE(found.patchCount, std::size_t(6));
     QCOMPARE(found.fanCount, std::size_t(24));
+}
+
+void FaceTopologyTest::trianglesWithCornersAtOnePlaceAreNone() { // whatever the numbers of the corners
+    const Faces whole = box({1, 1, 1});
+    Faces more = whole;
+    base::Random random(test::seed());
+    for (std::size_t i = 0; i < 5; ++i) {
+        const Triangle& t = whole.triangles[random.below(whole.triangles.size())];
+        const auto again = static_cast<std::uint32_t>(more.positions.size());
+        more.positions.push_back(more.positions[t[0]]);
+        more.triangles.insert(more.triangles.begin() + static_cast<std::ptrdiff_t>(random.below(4)),
+                              Triangle{t[0], again, t[1]});
+    }
+    const FaceTopology found = more.topology(), expected = whole.topology();
+    QVERIFY(found.closed() && found.nonManifold == 0 && found.repeated == 0);
+    QCOMPARE(found.triangles.size(), whole.triangles.size());
+    QCOMPARE(found.sharpEdges.size(), expected.sharpEdges.size());
+    QCOMPARE(found.patchCount, std::size_t(6));
+    Faces none;
+    none.positions.assign(3, {1, 2, 3});
+    none.triangles = {{0, 1, 2}};
+    QVERIFY(none.topology().triangles.empty() && !none.topology().closed());
 }
 
 void FaceTopologyTest::roundOffDoesNotOpenSeams() {

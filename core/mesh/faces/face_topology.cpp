@@ -42,6 +42,14 @@ void keepFaces(FaceTopology& out, const Which& which) {
         out.normals.resize(kept), out.areas.resize(kept);
 }
 
+/// Leaves out triangles with two corners at one place: nothing of them is left but an edge, which others may need.
+void leaveOutEdges(FaceTopology& out, const Places& places) {
+    keepFaces(out, [&](std::size_t t) {
+        const Triangle p = places.at(out.triangles[t]);
+        return p[0] != p[1] && p[1] != p[2] && p[2] != p[0];
+    });
+}
+
 /// Leaves out triangles whose three places another one before them has, in whatever order. Of each that stays: it
 /// came more often its own way round (1), the other way (-1), or neither (0).
 std::vector<std::int8_t> leaveOutRepetitions(FaceTopology& out, const Places& places) {
@@ -310,6 +318,9 @@ FaceTopology topologyOf(std::span<const Vec3f> positions, std::span<const Triang
              [&](std::span<const FaceSide> edge) { out.bordersGiven += edge.size() % 2; });
     out.sources.resize(out.triangles.size());
     std::iota(out.sources.begin(), out.sources.end(), 0u);
+    leaveOutEdges(out, places);
+    if (out.triangles.empty())
+        return out;
     const std::vector<std::int8_t> given = leaveOutRepetitions(out, places);
     measure(out, positions);
     leaveOutInside(out, positions, places, given);

@@ -4,8 +4,9 @@
 // Any faces will do. Corners at the same place count as one vertex, whatever their numbers (STL repeats every corner,
 // OBJ and PLY those along seams); along the boundary also those that differ by round-off alone, and corners that lie on
 // sides of others cut these (tee_joints.h). Faces listed twice count once. Where three faces and more meet in an edge,
-// those with the solid on both sides are left out (face_cells.h). Edges of one, three or more faces hold nothing
-// together; faces without area belong to the patch beside them, and have no direction of their own.
+// those with the solid on both sides are left out (face_cells.h), and so are those with two corners at one place. Edges
+// of one, three or more faces hold nothing together; faces without area belong to the patch beside them, and have no
+// direction of their own.
 //
 //     patch      faces connected over edges of exactly two faces whose dihedral angle is at most `sharp`
 //     fan        the corners of one patch around a vertex: they share a normal
