@@ -150,7 +150,7 @@ void addMarchingOptions(OptionSet command, mesh::MarchingOptions& options) {
     command
         .add("--cell", options.cell,
              "edge length of the cubes, in model units [the median spacing, of each body that stands apart; the "
-             "spacing at each place where that varies much]")
+             "spacing at each place where that varies much, and less in walls thinner than that]")
         .check(above(0))
         .group("Marching cubes");
 }

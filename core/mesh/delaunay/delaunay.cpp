@@ -15,6 +15,7 @@
 #include "core/mesh/finish/trim_folds.h"
 #include "core/mesh/finish/untangle.h"
 #include "core/mesh/marching/marching_cubes.h"
+#include "core/mesh/marching/thin_walls.h"
 #include "core/mesh/seams/keep_creases.h"
 #include "core/mesh/surface_parts.h"
 #include "core/process/estimation/part_progress.h"
@@ -111,9 +112,10 @@ Mesh trimmed(const surface::Surface& surface, const Mesh& mesh, const base::Prog
     return out;
 }
 
+/// Of one size; of several where walls are so thin that cubes of one size do not see them.
 Mesh cubesOf(const surface::Surface& surface, double cell, const base::Progress& progress) {
     MarchingOptions options;
-    options.cell = cell;
+    options.cell = thinWalls(surface).empty() ? cell : 0;
     options.creases = false;
     MarchingReport report;
     return marchingCubes(surface, options, report, progress);

@@ -9,6 +9,7 @@
 #include "core/mesh/check/topology.h"
 #include "core/mesh/extent/edge_shortfall.h"
 #include "core/mesh/marching/marching_cubes.h"
+#include "core/mesh/marching/thin_walls.h"
 #include "core/mesh/surface_parts.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/surface/curves/boundary.h"
@@ -253,7 +254,7 @@ static Extent extentOfPart(const surface::Surface& surface, double cell, const b
     out.closed = topology.boundaryEdges == 0 && out.orientable && !coarse.triangles.empty();
     if (out.closed)
         out.volume = extrapolated(volumeOf(coarse), volumeOf(fine), out.volumeError);
-    const Shortfall lacks = shortfallAtEdges(surface, fine, report.cell, process::part(progress, 0.9, 1));
+    const Shortfall lacks = shortfallAtEdges(surface, fine, report.largestCell, process::part(progress, 0.9, 1));
     out.areaError += lackingFactor * lacks.area;
     out.volumeError += out.closed ? lackingFactor * lacks.volume : 0;
     const double rounding = roundingOf(surface.tree().bounds());
@@ -272,7 +273,8 @@ Extent extentOf(const surface::Surface& surface, double cell, const base::Progre
         const auto share = [&](std::size_t k) {
             return 0.02 + 0.98 * static_cast<double>(k) / static_cast<double>(parts.size());
         };
-        const double own = cell > 0 ? cell : usualCell(parts[i].tree());
+        // walls that cells of one size do not see take cells of several
+        const double own = cell > 0 ? cell : thinWalls(parts[i]).empty() ? usualCell(parts[i].tree()) : 0;
         const Extent part = extentOfPart(parts[i], own, process::part(progress, share(i), share(i + 1)));
         out.area += part.area, out.areaError += part.areaError;
         out.volume += part.volume, out.volumeError += part.volumeError;

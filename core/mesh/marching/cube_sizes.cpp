@@ -14,13 +14,18 @@ constexpr double squares = 3; ///< of a cell to a surfel: more cells of one size
 constexpr double wide = 1.41; ///< spacings, most of a cube's side; the least is half of that
 constexpr double near = 1;    ///< spacings around a surfel
 
-/// fn(position, spacing) for all surfels; spacings as supports tell them, which vary smoothly.
+/// fn(position, spacing) for all surfels; spacings as supports tell them, which vary smoothly, but no more than lets a
+/// cube fit into a wall.
 template <class Fn>
-void forSpacings(const surface::Surface& surface, const Fn& fn) {
+void forSpacings(const surface::Surface& surface, const std::vector<float>& walls, const Fn& fn) {
     const double perUnit = SurfaceTraits(surface).spacingsPerUnit;
+    std::size_t at = 0;
     surface.tree().forEachBlock([&](std::uint32_t, const surfel::SurfelBlock& block) {
-        for (int slot = 0; slot < block.size(); ++slot)
-            fn(base::cast<double>(block.position(slot)), perUnit * double(block.support(slot)));
+        for (int slot = 0; slot < block.size(); ++slot, ++at) {
+            const double spacing = perUnit * double(block.support(slot));
+            fn(base::cast<double>(block.position(slot)),
+               walls.empty() ? spacing : std::min(spacing, double(walls[at]) / wide));
+        }
     });
 }
 
@@ -31,32 +36,33 @@ int doublings(double cell, double spacing) {
 
 } // namespace
 
-std::optional<CubeSizes> cubeSizesOf(const surface::Surface& surface, double median, double cell) {
+std::optional<CubeSizes> cubeSizesOf(const surface::Surface& surface, double median, double cell,
+                                     std::vector<float> walls) {
     std::vector<double> spacings;
-    forSpacings(surface, [&](const Vec3d&, double spacing) { spacings.push_back(spacing); });
+    forSpacings(surface, walls, [&](const Vec3d&, double spacing) { spacings.push_back(spacing); });
     if (spacings.empty() || !(median > 0))
         return {};
     constexpr std::size_t few = 200; // of so many one may be a stray
     std::sort(spacings.begin(), spacings.end());
     const std::size_t strays = spacings.size() / few;
-    const double middle = spacings[spacings.size() / 2];
+    const double middle = walls.empty() ? spacings[spacings.size() / 2] : median;
     const double least = spacings[strays], most = spacings[spacings.size() - 1 - strays];
     double area = 0;
     for (const double each : std::span(spacings).first(spacings.size() - strays))
         area += each * each;
-    if (least * denser >= cell && area <= squares * cell * cell * static_cast<double>(spacings.size()))
+    if (walls.empty() && least * denser >= cell && area <= squares * cell * cell * static_cast<double>(spacings.size()))
         return {};
     // the cubes about the median are those of an even model; finer ones by halving, coarser ones by doubling
     const int finer = std::clamp(-doublings(median, least * median / middle), 0, CubeLevels::most / 2);
     const int coarser = std::clamp(doublings(median, most * median / middle), 0, CubeLevels::most / 2);
-    return CubeSizes{std::ldexp(median, -finer), finer + coarser};
+    return CubeSizes{std::ldexp(median, -finer), finer + coarser, std::move(walls)};
 }
 
 std::vector<std::vector<BrickBits>> cubesToHalve(const surface::Surface& surface, const Lattice& lattice,
                                                  const CubeSizes& sizes) {
     std::vector<std::vector<BrickBits>> wanted(std::size_t(sizes.highest) + 1);
     std::vector<std::size_t> enough(wanted.size(), 1 << 16);
-    forSpacings(surface, [&](const Vec3d& x, double spacing) {
+    forSpacings(surface, sizes.walls, [&](const Vec3d& x, double spacing) {
         const int level = std::max(doublings(sizes.cell, spacing), 0) + 1;
         if (level > sizes.highest)
             return;

@@ -8,6 +8,7 @@
 #include "core/mesh/marching/cube_tree.h"
 #include "core/mesh/marching/graded_cubes.h"
 #include "core/mesh/marching/hold_tolerance.h"
+#include "core/mesh/marching/thin_walls.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/process/estimation/spacing_sample.h"
 
@@ -297,7 +298,8 @@ Mesh cutMesh(const surface::Surface& surface, const MarchingOptions& options, Ma
         return evenMesh(surface, options, options.cell, report, progress);
     const double cell = usualCell(surface.tree());
     if (!(options.adaptive > 0))
-        if (const auto sizes = cubeSizesOf(surface, process::typicalSpacing(surface.tree()), cell))
+        if (const auto sizes = cubeSizesOf(surface, process::typicalSpacing(surface.tree()), cell,
+                                           options.solid ? thinWalls(surface) : std::vector<float>()))
             return gradedMesh(surface, options, *sizes, report, progress);
     return evenMesh(surface, options, cell, report, progress);
 }

@@ -33,7 +33,7 @@ namespace mesh {
 
 struct MarchingOptions {
     /// Side of a cube in model units; 0: the median spacing, of each part that stands apart (surface_parts.h), or as
-    /// large as surfels are apart where that varies (mesh/README 3.16).
+    /// large as surfels are apart where that varies (mesh/README 3.16), and as walls are thin (3.17).
     double cell = 0;
     /// Rows: directions of the grid's axes. A rotation.
     base::Mat3d turned = base::Mat3d::identity();
