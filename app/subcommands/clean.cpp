@@ -104,7 +104,8 @@ void run(const Options& options, OptionSet set, Console& console) {
         if (options.out.empty())
             throw UsageError("OUT is required: the model to write");
     }
-    if (!options.duplicates && options.steps.empty())
+    const bool limitAlone = options.steps.size() == 1 && options.steps[0].first == "limit";
+    if (!options.duplicates && (options.steps.empty() || limitAlone))
         throw UsageError("nothing to do; name at least one of --duplicates, --outliers, --denoise, --thin, --normals "
                          "and --orient");
     if (options.batch.wanted()) {

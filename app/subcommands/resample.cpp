@@ -46,10 +46,12 @@ nlohmann::ordered_json resampled(const Options& options, const BatchJob& job, Co
     session::run(context, {{"op", "save"}, {"path", job.out}});
     const tree::SurfelTree& tree = document.surface().tree();
     std::ostringstream text;
-    text << before << " points became " << tree.size() << ", spaced by " << process::typicalSpacing(tree)
-         << " in the middle.";
-    console.tell(text.str());
-    return {{"before", before}, {"surfels", tree.size()}, {"spacing", process::typicalSpacing(tree)}};
+    const float spacing = process::typicalSpacing(tree);
+    text << before << " points became " << tree.size();
+    if (spacing > 0) // a handful has none
+        text << ", spaced by " << spacing << " in the middle";
+    console.tell(text.str() + ".");
+    return {{"before", before}, {"surfels", tree.size()}, {"spacing", spacing}};
 }
 
 void run(const Options& options, OptionSet set, Console& console) {

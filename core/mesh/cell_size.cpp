@@ -2,6 +2,7 @@
 
 #include "core/process/estimation/spacing.h"
 #include "core/process/estimation/spacing_sample.h"
+#include "core/surface/definition.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +17,9 @@ double usualCell(const tree::SurfelTree& tree) {
         spacings.push_back(sample.spacing);
         area += double(sample.spacing) * double(sample.spacing);
     }
-    const double mean = spacings.empty() ? 0 : area / static_cast<double>(spacings.size());
+    if (spacings.empty())
+        return double(tree.maxSupport()) * surface::spacingOfUnit;
+    const double mean = area / static_cast<double>(spacings.size());
     const double each = std::clamp(enough / std::max(1.0, static_cast<double>(tree.size())), least, most);
     return std::max(double(process::summarise(std::move(spacings)).median), std::sqrt(mean / each));
 }

@@ -117,7 +117,7 @@ json checked(const CommandRow& row, const CommandParameter& p, const json& value
         if (value == "on" || value == "off")
             return value == "on";
         if (!value.is_boolean())
-            refuse(row, p, value, "true or false");
+            refuse(row, p, value, "true or false, or one of on off");
     } else if (type == "list") {
         if (!value.is_array())
             refuse(row, p, value, "a list");
@@ -136,7 +136,7 @@ json checked(const CommandRow& row, const CommandParameter& p, const json& value
     } else { // path, text
         const json text = type == "text" ? asText(value) : value;
         if (!isText(text))
-            refuse(row, p, value, "text in quotation marks");
+            refuse(row, p, value, text == "" ? "text that is not empty" : "text in quotation marks");
         return type == "path" ? absolutePath(text, folder) : text;
     }
     return value;

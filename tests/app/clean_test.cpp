@@ -101,6 +101,7 @@ void CleanTest::wrongUsageIsRefused_data() {
         QTest::newRow(arguments) << arguments << code << says;
     };
     row("clean sample:sphere:500 out.ply", 2, "nothing to do");
+    row("clean sample:sphere:500 out.ply --limit 3", 2, "nothing to do");
     row("clean sample:sphere:500", 2, "OUT");
     row("clean sample:sphere:500 out.ply --outliers magic", 2, "statistical");
     row("clean sample:sphere:500 out.ply --denoise -1", 2, "above 0");

@@ -1,6 +1,9 @@
 #include "core/mesh/cell_size.h"
 
 #include "core/base/random.h"
+#include "core/mesh/extent/extent.h"
+#include "core/mesh/marching/marching_cubes.h"
+#include "core/process/estimation/prepare.h"
 #include "core/process/estimation/spacing_sample.h"
 #include "process/even_shapes.h"
 #include "support/registry.h"
@@ -11,6 +14,7 @@ class CellSizeTest : public QObject {
     Q_OBJECT
   private Q_SLOTS:
     void evenModelsHaveTheirMedianSpacing();
+    void aHandfulOfSurfelsIsMeshed();
     void squaresAreAtMostSoManyToASurfel();
 };
 
@@ -29,6 +33,17 @@ void CellSizeTest::evenModelsHaveTheirMedianSpacing() {
         QCOMPARE(mesh::usualCell(tree), double(process::typicalSpacing(tree)));
     }
     QCOMPARE(mesh::usualCell(tree::SurfelTree::build(surfel::SurfelList())), 0.0);
+}
+
+/// Too few to have a spacing that is sampled.
+void CellSizeTest::aHandfulOfSurfelsIsMeshed() {
+    for (const std::size_t count : {5, 6}) {
+        const surface::Surface surface = process::prepare(test::spherePoints(count), {});
+        QVERIFY(mesh::usualCell(surface.tree()) > 0);
+        mesh::MarchingReport report;
+        QVERIFY(!mesh::marchingCubes(surface, {}, report).triangles.empty());
+        QVERIFY(mesh::extentOf(surface).area > 0);
+    }
 }
 
 /// A large ball and small ones on it, of more points than it has itself.

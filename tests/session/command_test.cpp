@@ -119,7 +119,8 @@ void CommandTest::whatIsWrongIsRefused_data() {
     row(R"({"op":"resample","spacing":"fine"})", "must be a number");
     row(R"({"op":"surface","frame":"square"})", "must be one of");
     row(R"({"op":"surface","boundary":"sometimes"})", "must be a number, above 0 h, or one of auto none");
-    row(R"({"op":"surface","shrink-free":1})", "must be true or false");
+    row(R"({"op":"surface","shrink-free":1})", "must be true or false, or one of on off");
+    row(R"({"op":"save","path":""})", "must be text that is not empty");
     row(R"({"op":"surface","support":1,"neighbours":20})", "exclude each other");
     row(R"({"op":"stroke","tool":"draw","samples":[]})", "needs the parameter \"radius\"");
     row(R"({"op":"stroke","tool":"draw","radius":0.1,"samples":[]})", "no samples");

@@ -33,12 +33,6 @@ namespace {
 
 constexpr double degree = 3.14159265358979323846 / 180;
 
-/// The usual size of cells; of a model too small to have one what its support tells.
-double unitOf(const surface::Surface& surface) {
-    const double spacing = usualCell(surface.tree());
-    return spacing > 0 ? spacing : double(surface.tree().maxSupport()) * surface::spacingOfUnit;
-}
-
 /// Throws where the smallest triangles allowed would be more than can be numbered.
 void checkCount(const surface::Surface& surface, const FaceDemand& demand, double least, double unit) {
     constexpr double most = 3e8;
@@ -200,7 +194,7 @@ std::optional<Mesh> marchedDelaunay(const surface::Surface& surface, const Delau
 /// Round where cells meet.
 Mesh smoothDelaunay(const surface::Surface& surface, const DelaunayOptions& options, DelaunayReport& report,
                     const base::Progress& progress) {
-    const double unit = unitOf(surface);
+    const double unit = usualCell(surface.tree());
     const FaceDemand demand = demandOf(surface, options, unit, process::part(progress, 0, 0.05));
     report = {};
     const bool closed = SurfaceTraits(surface).closed;

@@ -107,7 +107,8 @@ Mesh marchPart(const surface::Surface& surface, const MarchingOptions& options, 
                const base::Progress& progress) {
     Mesh out = cutMesh(surface, options, report, process::part(progress, 0, 0.7));
     if (out.triangles.empty())
-        throw base::Error("no surface was found to mesh", "", "check normals, supports and the boundary limit");
+        throw base::Error("no surface was found to mesh", "",
+                          "check normals, supports, the boundary limit and, where one was given, the cell size");
     progress.step(0.7, "orienting triangles");
     const Orientation orientation = orient(out, SurfaceTraits(surface).oriented);
     report.parityConflicts = orientation.conflicts;
