@@ -2,9 +2,11 @@
 
 #include "core/base/error.h"
 #include "core/complexes/complex.h"
+#include "core/process/estimation/orientation/contradictions.h"
 #include "core/process/estimation/prepare.h"
 #include "core/process/estimation/up_guess.h"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace session {
@@ -51,6 +53,17 @@ static std::string mergedMessage(std::size_t merged) {
                        : std::to_string(merged) + " points that stand in the place of others were merged with them.";
 }
 
+/// Where the file's normals contradict each other; empty where hardly any do.
+static std::string contradictionMessage(const tree::SurfelTree& tree) {
+    constexpr double many = 0.05;
+    const double share = tree.layout()->oriented ? process::contradictions(tree) : 0;
+    if (share < many)
+        return {};
+    return "Of points side by side, " + std::to_string(static_cast<int>(std::lround(100 * share))) +
+           " % have normals that look opposite ways, and the surface breaks there; `clean --orient tree` makes them "
+           "agree.";
+}
+
 MadeModel made(OpenedFile& file, const base::Progress& progress) {
     io::FileModel& model = file.model;
     const surface::SurfaceDefinition& definition = file.surface.definition;
@@ -72,6 +85,9 @@ MadeModel made(OpenedFile& file, const base::Progress& progress) {
         model.messages.push_back(mergedMessage(merged));
     if (turned)
         model.messages.push_back("The normals looked inwards, and were turned: the surface is closed.");
+    if (options.turned && definition.manifold == surface::Manifold::Surface)
+        if (std::string told = contradictionMessage(surface.tree()); !told.empty())
+            model.messages.push_back(std::move(told));
     const base::UpAxis up = upOf(file, surface);
     return {std::move(surface), up, merged};
 }

@@ -14,6 +14,7 @@ using test::Workbench;
 class CleanCommandTest : public QObject {
     Q_OBJECT
   private Q_SLOTS:
+    void contradictingNormalsAreTold();
     void everyStepUndoesAndReplays_data();
     void everyStepUndoesAndReplays();
     void stepsTogetherAreOneStep();
@@ -253,6 +254,33 @@ void CleanCommandTest::nonsenseIsRefused() {
           json{{"op", "resample"}, {"count", 3}}, json{{"op", "resample"}, {"count", 500}, {"spacing", 0.1}}})
         QVERIFY2(!bench.refusal(command).empty(), command.dump().c_str());
     QVERIFY(bench.hash() == before && !bench.document.canUndo());
+}
+
+/// With what to do, which helps.
+void CleanCommandTest::contradictingNormalsAreTold() {
+    base::Random random(test::seed());
+    std::ostringstream out;
+    for (int i = 0; i < 3000; ++i) {
+        const double z = 1 - (2 * i + 1.0) / 3000, r = std::sqrt(1 - z * z), a = i * 2.399963229728653,
+                     side = random.uniform() < 0.5 ? 1 : -1;
+        const Vec3d p{r * std::cos(a), r * std::sin(a), z};
+        out << p.x << ' ' << p.y << ' ' << p.z << ' ' << side * p.x << ' ' << side * p.y << ' ' << side * p.z << '\n';
+    }
+    Workbench bench;
+    const auto tells = [&] {
+        bool told = false;
+        for (const std::string& each : bench.context.messages)
+            told = told || each.find("opposite ways") != std::string::npos;
+        bench.context.messages.clear();
+        return told;
+    };
+    bench.run({{"op", "open"}, {"path", test::write(bench.path("flipped.xyz"), out.str()).string()}});
+    QVERIFY(tells());
+    bench.run({{"op", "orient"}});
+    bench.run({{"op", "save"}, {"path", bench.path("turned.xyz").string()}});
+    bench.context.messages.clear();
+    bench.run({{"op", "open"}, {"path", bench.path("turned.xyz").string()}});
+    QVERIFY(!tells());
 }
 
 static const test::Registered<CleanCommandTest> registered;
