@@ -90,6 +90,12 @@ void TextReader::readCommentNames(std::size_t begin) {
     m_names = std::move(names);
 }
 
+/// Below names a row may begin with a word ("id" of a point): three others are numbers.
+bool isPoint(const std::vector<std::string_view>& fields, bool named) {
+    const auto numbers = std::count_if(fields.begin(), fields.end(), [](std::string_view f) { return numberOf(f); });
+    return numbers > 0 && (numberOf(fields[0]) || (named && numbers >= 3));
+}
+
 /// Names and count before the first row of numbers.
 void TextReader::readHead(const TextRows& rows) {
     for (; m_firstRow < rows.count(); ++m_firstRow) {
@@ -98,7 +104,7 @@ void TextReader::readHead(const TextRows& rows) {
             m_claimed = countOf(fields[0]);
             continue;
         }
-        if (!fields.empty() && numberOf(fields[0]))
+        if (isPoint(fields, !m_names.empty()))
             return;
         if (m_firstRow > 1 || fields.size() < 3)
             m_file.failAt(rows.offset(m_firstRow), inQuotes(fields.empty() ? "" : fields[0]) + " is not a number",

@@ -14,6 +14,7 @@ class TextReaderTest : public QObject {
     void columnsTellWhatTheyAre();
     void namesOfColumnsAreBelieved();
     void queryTablesKeepNumbersAndLeaveOutWords();
+    void wordsMayComeBeforeTheNumbers();
     void decimalCommasAreReadAndTold_data();
     void decimalCommasAreReadAndTold();
     void commasForPointsAndBetweenFieldsAreRefused_data();
@@ -133,6 +134,14 @@ void TextReaderTest::queryTablesKeepNumbersAndLeaveOutWords() {
     QCOMPARE(model.points.items[0].normal, base::Vec3f({0, 0, 1}));
     QCOMPARE(model.points.items[1].normal, base::Vec3f());
     QVERIFY(test::anyContains(model.messages, "'status'"));
+}
+
+void TextReaderTest::wordsMayComeBeforeTheNumbers() {
+    const FileModel model = readText("w.csv", "name,x,y,z,height\np1,0,1,2,7\np2,3,4,5,8\np3,6,7,9,9\n");
+    QCOMPARE(model.points.size(), std::size_t(3));
+    QCOMPARE(model.points.items[0].position, base::Vec3f({0, 1, 2}));
+    QCOMPARE(model.points.layout->names(), std::vector<std::string>({"position", "height"}));
+    QVERIFY(test::anyContains(model.messages, "'name'"));
 }
 
 void TextReaderTest::decimalCommasAreReadAndTold_data() {
