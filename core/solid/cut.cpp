@@ -9,6 +9,7 @@
 #include "core/solid/spacing_beside.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace solid {
 
@@ -102,6 +103,30 @@ class CapSampler {
     surfel::SurfelList m_out;
 };
 
+/// Does the plane part neighbours that look the same way? Then what stays has a rim there, which few surfels, as those
+/// of a reduced model, may not show.
+bool partsSheets(const tree::SurfelTree& tree, const base::Plane& plane) {
+    constexpr std::size_t looked = 8;
+    constexpr int enough = 3; // one may be a stray
+    constexpr float alike = 0.5f;
+    const auto height = [&](const base::Vec3f& p) { return plane.distance(base::cast<double>(p)); };
+    int found = 0;
+    std::vector<tree::Neighbour> near;
+    tree.forEachBlock([&](std::uint32_t, const surfel::SurfelBlock& block) {
+        for (int slot = 0; slot < block.size() && found < enough; ++slot) {
+            const double h = height(block.position(slot));
+            if (h < 0 || h > static_cast<double>(block.support(slot)))
+                continue;
+            tree.nearest(block.position(slot), looked, near);
+            found += std::any_of(near.begin(), near.end(), [&](const tree::Neighbour& each) {
+                return height(each.block->position(each.slot)) < 0 &&
+                       dot(each.block->normal(each.slot), block.normal(slot)) > alike;
+            });
+        }
+    });
+    return found >= enough;
+}
+
 } // namespace
 
 Combined leftOpen(const surface::Surface& model, std::span<const std::int8_t> sides, int gone,
@@ -120,8 +145,11 @@ Combined leftOpen(const surface::Surface& model, std::span<const std::int8_t> si
     }
     surface::SurfaceDefinition definition = model.definition();
     out.surface = {model.tree().apply(edit), definition};
+    constexpr float ofFewSurfels = 0.3f; // h: as for bands all of whose samples see a rim
     if (out.removed > 0 && definition.boundary == surface::Boundary::Auto) {
         definition.boundaryLimit = process::automaticBoundaryLimit(out.surface, process::part(progress, 0.5, 1));
+        if (std::isinf(definition.boundaryLimit) && partsSheets(model.tree(), plane))
+            definition.boundaryLimit = ofFewSurfels;
         out.surface = {out.surface.tree(), definition};
     }
     return out;

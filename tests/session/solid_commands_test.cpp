@@ -1,8 +1,11 @@
 // Commands that add and take away matter: each is one step, replays to the same bits, and refuses in a sentence.
 #include "core/base/parallel.h"
+#include "core/base/random.h"
+#include "core/mesh/extent/extent.h"
 #include "support/registry.h"
 #include "workbench.h"
 
+#include <numbers>
 #include <QTest>
 
 using nlohmann::json;
@@ -15,6 +18,7 @@ class SolidCommandsTest : public QObject {
     void eachIsAStepThatUndoAndReplayBringBack();
     void journalsBringThemBack();
     void savedOperandsAreOpenedAsModelsAre();
+    void reducedModelsEndWhereTheyAreCut();
     void wrongNumbersAreRefused();
 };
 
@@ -96,6 +100,22 @@ void SolidCommandsTest::savedOperandsAreOpenedAsModelsAre() {
     command["sample"] = "sphere:1500";
     other.run(command);
     QCOMPARE(one.size(), other.size());
+}
+
+/// Few surfels hardly show a rim: without a limit the surface runs on beyond it, by half of its area.
+void SolidCommandsTest::reducedModelsEndWhereTheyAreCut() {
+    base::Random random(test::seed());
+    for (const char* shapes : {"spheres", "ellipsoids"}) {
+        Workbench bench;
+        bench.run(test::newSphere(2000));
+        bench.run({{"op", "reduce"}, {"ratio", 0.2}, {"shapes", shapes}});
+        const double height = random.uniform(-0.3, 0.3);
+        bench.run({{"op", "cut"}, {"plane", {0, 0, 1, height}}, {"cap", false}});
+        const mesh::Extent found = mesh::extentOf(bench.document.surface());
+        const double wanted = 2 * std::numbers::pi * (1 - height);
+        QVERIFY(!found.closed);
+        QVERIFY2(std::abs(found.area / wanted - 1) < 0.15, QByteArray::number(found.area / wanted));
+    }
 }
 
 void SolidCommandsTest::wrongNumbersAreRefused() {
