@@ -9,10 +9,9 @@
 namespace mesh {
 
 /// Of each surfel in the tree's order: how far away the sheet is that looks the other way, where that is less than a
-/// spacing; at least `thinnestWall` spacings, infinity where there is none. Empty where surfels have none but for a
-/// few, and where the surface bounds no solid.
+/// spacing; at least 0.4 spacings, more of large models that are thin in many places, so that cubes do not become too
+/// many; infinity where there is none. Empty where surfels have none but for a few, and where the surface bounds no
+/// solid.
 std::vector<float> thinWalls(const surface::Surface& surface);
-
-constexpr float thinnestWall = 0.4f; ///< spacings: what is thinner, such as tips of blades, asks for no smaller cubes
 
 } // namespace mesh
