@@ -1,7 +1,10 @@
 #include "core/process/estimation/graded_field.h"
 
+#include "core/process/estimation/graded_row.h"
+
 #include <array>
 #include <atomic>
+#include <bit>
 
 namespace process {
 
@@ -39,8 +42,9 @@ class Rising {
         std::atomic<bool> any = false;
         base::parallelChunks(size, grain, [&](std::size_t begin, std::size_t end, std::size_t) {
             bool changed = false;
+            GradedRow lanes;
             for (std::size_t k = begin; k < end; ++k)
-                changed |= visit(first + (sweep % 2 ? end - 1 - (k - begin) : k), sweep);
+                changed |= visit(first + (sweep % 2 ? end - 1 - (k - begin) : k), sweep, lanes);
             if (changed)
                 any.store(true, std::memory_order_relaxed);
         });
@@ -53,51 +57,42 @@ class Rising {
         return changed == std::uint8_t(sweep) || changed == std::uint8_t(sweep - 1);
     }
 
-    /// Whether nothing here can lie more than a slope apart, were all neighbours as near as the nearest, and those of
-    /// the outer half as the nearest of these: rows are ascending but for what sees itself. Rounding is monotone, so
-    /// that what is calm has nothing to lift; most rows are.
-    bool isCalm(std::size_t i, const NeighbourGraph::Row& row) const {
-        const std::size_t count = m_graph.count(), half = count / 2;
-        for (std::size_t begin = 0, end = half; begin < count; begin = end, end = count) {
-            if (begin == end)
-                continue;
-            const float drop = m_slope * m_graph.distance(i, row[begin]);
-            for (const std::span<float> h : m_h) {
-                const float own = std::atomic_ref(h[i]).load(std::memory_order_relaxed);
-                float least = own, most = own;
-                for (std::size_t k = begin; k < end; ++k) {
-                    const float value = std::atomic_ref(h[row[k]]).load(std::memory_order_relaxed);
-                    least = std::min(least, value), most = std::max(most, value);
-                }
-                if (!(own >= most - drop && least >= own - drop))
-                    return false;
-            }
-        }
-        return true;
-    }
-
-    bool visit(std::size_t i, unsigned sweep) {
+    bool visit(std::size_t i, unsigned sweep, GradedRow& lanes) {
         const NeighbourGraph::Row row = m_graph.row(i);
         const std::size_t count = m_graph.count();
         bool fresh = sweep == 0 || isFresh(i, sweep);
         for (std::size_t k = 0; k < count && !fresh; ++k)
             fresh = isFresh(row[k], sweep);
-        if (!fresh || isCalm(i, row))
+        if (!fresh)
             return false;
+        take(i, row, lanes);
+        judgeRow(lanes, count, fields, m_slope);
         bool changed = false;
-        for (std::size_t k = 0; k < count; ++k) {
-            const std::size_t j = row[k];
-            const float drop = m_slope * m_graph.distance(i, j);
-            for (const std::span<float> h : m_h) {
-                const float a = std::atomic_ref(h[i]).load(std::memory_order_relaxed);
-                const float b = std::atomic_ref(h[j]).load(std::memory_order_relaxed);
-                if (a < b - drop)
-                    changed |= lift(h, i, b - drop, sweep);
-                else if (b < a - drop)
-                    changed |= lift(h, j, a - drop, sweep);
+        for (std::size_t f = 0; f < fields; ++f) {
+            const float wanted = lanes.wanted[f];
+            if (lanes.own[f] < wanted)
+                changed |= lift(m_h[f], i, wanted, sweep);
+            for (std::uint32_t below = lanes.below[f]; below != 0; below &= below - 1) {
+                const auto k = static_cast<std::size_t>(std::countr_zero(below));
+                changed |= lift(m_h[f], row[k], wanted - lanes.drop[k], sweep);
             }
         }
         return changed;
+    }
+
+    void take(std::size_t i, const NeighbourGraph::Row& row, GradedRow& out) const {
+        const std::span<const base::Vec3f> positions = m_graph.positions();
+        const std::size_t count = m_graph.count();
+        out.position = positions[i];
+        for (std::size_t k = 0; k < count; ++k) {
+            const base::Vec3f& p = positions[row[k]];
+            out.x[k] = p.x, out.y[k] = p.y, out.z[k] = p.z;
+        }
+        for (std::size_t f = 0; f < fields; ++f) {
+            out.own[f] = std::atomic_ref(m_h[f][i]).load(std::memory_order_relaxed);
+            for (std::size_t k = 0; k < count; ++k)
+                out.value[f][k] = std::atomic_ref(m_h[f][row[k]]).load(std::memory_order_relaxed);
+        }
     }
 
     /// Another thread may have raised it meanwhile, higher even.
