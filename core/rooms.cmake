@@ -15,6 +15,7 @@ pointclay_room(process core/process surface)
 pointclay_link(process nanoflann::nanoflann PkgConfig::HWY Eigen3::Eigen)
 # As for sculpt below.
 set_source_files_properties(core/process/estimation/orientation/normal_links.cpp
+                            core/process/estimation/orientation/outside.cpp
                             core/process/estimation/plane_normals.cpp
                             core/process/resampling/repulsion.cpp PROPERTIES
                             COMPILE_OPTIONS "-fno-math-errno;-fno-trapping-math"

@@ -3,8 +3,10 @@
 #include "core/process/estimation/part_progress.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace process {
 
@@ -75,16 +77,26 @@ OrientationTrees::OrientationTrees(const Cloud& cloud, const NeighbourTable& lin
 }
 
 /// At the tip of an acute wedge, and in thin parts, both sides are among the neighbours: the plane through these is
-/// neither's, and a chain of small turns leads round the tip, the wrong way.
+/// neither's, and a chain of small turns leads round the tip, the wrong way. What later steps ask of edges is kept.
 void OrientationTrees::lookForLayers(const base::Progress& progress) {
-    m_layered = base::LargeArray<std::int32_t>(m_links.size());
+    m_layered = base::LargeArray<std::uint16_t>(m_links.size());
+    m_alike = base::LargeArray<std::uint32_t>(m_links.size());
     forChunks(m_links.size(), progress, [&](std::size_t begin, std::size_t end, std::size_t) {
         m_links.forRows(begin, end, [&](std::uint32_t i, const NeighbourTable::Row&, const Likeness& along) {
             float sum = 0;
-            for (std::size_t k = 0; k < m_links.count(); ++k)
+            std::uint32_t alike = 0;
+            for (std::size_t k = 0; k < m_links.count(); ++k) {
                 sum += along.stepSq[k];
-            m_layered[i] = static_cast<std::int32_t>(layersWeigh * sum / static_cast<float>(m_links.count()) *
-                                                     static_cast<float>(unlikeClasses));
+                const Alike each = along.unlike[k] >= agreed    ? Alike::No
+                                   : along.unlike[k] >= certain ? Alike::Agreed
+                                   : along.flip[k] != 0         ? Alike::CertainlyOpposite
+                                                                : Alike::CertainlySame;
+                alike |= static_cast<std::uint32_t>(each) << 2 * k;
+            }
+            const auto layered = static_cast<std::int32_t>(layersWeigh * sum / static_cast<float>(m_links.count()) *
+                                                           static_cast<float>(unlikeClasses));
+            m_layered[i] = static_cast<std::uint16_t>(std::min(layered, 0xffff));
+            m_alike[i] = alike;
         });
     });
 }
@@ -99,7 +111,7 @@ std::vector<OrientationTrees::Edge> OrientationTrees::candidates(std::size_t beg
         for (std::size_t k = 0; k < m_links.count(); ++k) {
             if (m_links.foundBefore(i, row[k]))
                 continue;
-            const std::int32_t order = (along.unlike[k] + std::max(m_layered[i], m_layered[row[k]])) / scale;
+            const std::int32_t order = (along.unlike[k] + layeredBetween(i, row[k])) / scale;
             edges.emplace_back(static_cast<std::uint32_t>(i - begin),
                                std::min(order, static_cast<std::int32_t>(unlikeClasses) - 1), along.flip[k] != 0,
                                row[k]);
@@ -167,16 +179,18 @@ bool OrientationTrees::hasSeam(const base::Progress& progress) {
     shorten();
     std::vector<std::vector<std::uint32_t>> parts(base::chunkCount(m_links.size(), grain));
     forChunks(m_links.size(), progress, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
-        m_links.forRows(begin, end, [&](std::uint32_t i, const NeighbourTable::Row& row, const Likeness& along) {
+        for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i) {
+            const NeighbourTable::Row row = m_links.row(i);
             const auto a = m_signs.look(i);
             for (std::size_t k = 0; k < m_links.count(); ++k) {
-                if (along.unlike[k] >= certain || std::max(m_layered[i], m_layered[row[k]]) > amongLayers)
+                const Alike alike = alikeness(i, k);
+                if (alike < Alike::CertainlySame || layeredBetween(i, row[k]) > amongLayers)
                     continue;
                 const auto b = m_signs.look(row[k]);
-                if (a.root == b.root && (a.opposite != b.opposite) != (along.flip[k] != 0))
+                if (a.root == b.root && (a.opposite != b.opposite) != (alike == Alike::CertainlyOpposite))
                     parts[chunk].insert(parts[chunk].end(), {i, row[k]});
             }
-        });
+        }
     });
     std::vector<std::uint32_t> seam;
     for (const auto& each : parts)
@@ -187,42 +201,72 @@ bool OrientationTrees::hasSeam(const base::Progress& progress) {
     return length >= leastSeam && static_cast<double>(length) >= least;
 }
 
+/// Those, still borne out, that no longer have enough others which are, without those that `lost` that in the round
+/// before. They lose it now.
+std::vector<std::vector<std::uint32_t>> OrientationTrees::losing(const std::vector<std::vector<std::uint32_t>>& lost,
+                                                                 std::span<const std::uint16_t> alike,
+                                                                 std::span<std::uint8_t> borneOut) const {
+    std::vector<std::vector<std::uint32_t>> out(lost.size());
+    const auto others = [&](std::uint32_t i, const auto& body) {
+        const NeighbourTable::Row row = m_links.row(i);
+        for (unsigned bits = alike[i]; bits != 0; bits &= bits - 1)
+            body(row[static_cast<std::size_t>(std::countr_zero(bits))]);
+    };
+    base::parallelFor(lost.size(), 1, [&](std::size_t chunk) {
+        for (const std::uint32_t i : lost[chunk])
+            others(i, [&](std::uint32_t j) { // which sees i as well
+                int found = 0;
+                if (borneOut[j] != 0)
+                    others(j, [&](std::uint32_t each) { found += borneOut[each]; });
+                if (borneOut[j] != 0 && found < leastAgreed)
+                    out[chunk].push_back(j);
+            });
+    });
+    for (std::vector<std::uint32_t>& part : out)
+        std::erase_if(part, [&](std::uint32_t i) { return std::exchange(borneOut[i], std::uint8_t(0)) == 0; });
+    return out;
+}
+
 /// Which points lie on a surface together with others: neighbours of neighbours of theirs, with normals alike. Few
 /// strays do, by chance, and those that do only with a handful of others. Of each the surface that it lies on, by one
 /// of its points, or `nowhere`.
 std::vector<std::uint32_t> OrientationTrees::borneOut(const base::Progress& progress) const {
     static_assert(NeighbourTable::most <= 16);
     base::LargeArray<std::uint16_t> alike(m_links.size()); // a bit for each neighbour
-    forChunks(m_links.size(), progress, [&](std::size_t begin, std::size_t end, std::size_t) {
-        m_links.forRows(begin, end, [&](std::uint32_t i, const NeighbourTable::Row& row, const Likeness& along) {
+    base::LargeArray<std::uint8_t> out(m_links.size());
+    std::vector<std::vector<std::uint32_t>> parts(base::chunkCount(m_links.size(), grain));
+    forChunks(m_links.size(), progress, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+        for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i) {
+            const NeighbourTable::Row row = m_links.row(i);
             unsigned bits = 0;
             for (std::size_t k = 0; k < m_links.count(); ++k)
-                bits |= along.unlike[k] < agreed && m_links.isMutual(i, row[k]) ? 1u << k : 0u;
+                bits |= alikeness(i, k) != Alike::No && m_links.isMutual(i, row[k]) ? 1u << k : 0u;
             alike[i] = static_cast<std::uint16_t>(bits);
-        });
+            out[i] = std::popcount(bits) >= leastAgreed ? 1 : 0;
+            if (out[i] == 0)
+                parts[chunk].push_back(i);
+        }
     });
-    std::vector<std::uint8_t> out(m_links.size(), 1), before;
-    for (int round = 0; round < rounds; ++round) {
-        before = out;
-        forChunks(m_links.size(), progress, [&](std::size_t begin, std::size_t end, std::size_t) {
-            for (std::size_t i = begin; i < end; ++i) {
-                if (before[i] == 0)
-                    continue;
-                const NeighbourTable::Row row = m_links.row(i);
-                int found = 0;
-                for (std::size_t k = 0; k < m_links.count(); ++k)
-                    found += alike[i] >> k & before[row[k]];
-                out[i] = found >= leastAgreed ? 1 : 0;
-            }
-        });
-    }
+    for (int round = 1; round < rounds; ++round)
+        parts = losing(parts, alike, out);
+    // Chunks join what is inside of them at once, without a look at other chunks' members.
     base::DisjointSets sheets(m_links.size());
-    for (std::uint32_t i = 0; i < m_links.size(); ++i) {
-        const NeighbourTable::Row row = m_links.row(i);
-        for (std::size_t k = 0; k < m_links.count() && out[i] != 0; ++k)
-            if ((alike[i] >> k & out[row[k]]) != 0)
-                sheets.join(i, row[k]);
-    }
+    std::vector<std::vector<Joint>> across(base::chunkCount(m_links.size(), grain));
+    forChunks(m_links.size(), progress, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+        for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i) {
+            const NeighbourTable::Row row = m_links.row(i);
+            for (std::size_t k = 0; k < m_links.count() && out[i] != 0; ++k)
+                if ((alike[i] >> k & out[row[k]]) != 0) {
+                    if (row[k] >= begin && row[k] < end)
+                        sheets.join(i, row[k]);
+                    else if (row[k] < i) // edges are mutual
+                        across[chunk].push_back({i, row[k]});
+                }
+        }
+    });
+    for (const std::vector<Joint>& each : across)
+        for (const Joint& edge : each)
+            sheets.join(edge.a, edge.b);
     std::vector<std::uint32_t> sheetOf(m_links.size(), nowhere);
     for (std::uint32_t i = 0; i < m_links.size(); ++i)
         if (out[i] != 0)
@@ -234,33 +278,47 @@ std::vector<std::uint32_t> OrientationTrees::borneOut(const base::Progress& prog
 double OrientationTrees::votesFor(const Outside& outside, std::span<const std::uint32_t> component,
                                   std::span<const std::uint32_t> sheetOf) const {
     std::map<std::uint32_t, std::size_t> sizes;
-    std::size_t largest = 0;
+    std::uint32_t last = nowhere; // mostly the next one's, too
+    std::size_t* size = nullptr;
     for (const std::uint32_t i : component)
-        if (sheetOf[i] != nowhere)
-            largest = std::max(largest, ++sizes[sheetOf[i]]);
+        if (sheetOf[i] != nowhere) {
+            if (std::exchange(last, sheetOf[i]) != sheetOf[i])
+                size = &sizes[last];
+            ++*size;
+        }
+    std::size_t largest = 0, kept = 0;
+    for (const auto& [sheet, count] : sizes)
+        largest = std::max(largest, count);
+    for (const auto& [sheet, count] : sizes)
+        kept += count * smallSheet >= largest ? count : 0;
+    if (kept == 0 || kept == component.size())
+        return outside.vote(m_normals, component);
     std::vector<std::uint32_t> some;
+    some.reserve(kept);
     for (const std::uint32_t i : component)
         if (sheetOf[i] != nowhere && sizes[sheetOf[i]] * smallSheet >= largest)
             some.push_back(i);
-    return outside.vote(m_normals, some.empty() ? component : std::span<const std::uint32_t>(some));
+    return outside.vote(m_normals, some);
 }
 
 void OrientationTrees::takeSigns(Sides given, const base::Progress& progress) {
+    m_joints = {}, m_layered = {}; // room for what follows
     shorten();
+    const std::vector<std::uint32_t> sheetOf = borneOut({nullptr, progress.cancel});
+    m_alike = {};
     const std::size_t n = m_links.size();
-    std::vector<std::uint32_t> start(n + 1), members(n);
-    for (std::uint32_t i = 0; i < n; ++i) {
-        const auto [root, flip] = m_signs.look(i);
-        if (flip)
+    base::parallelFor(n, grain, [&](std::size_t i) {
+        if (m_signs.look(static_cast<std::uint32_t>(i)).opposite)
             m_normals[i] = -m_normals[i];
-        ++start[root];
-    }
+    });
+    std::vector<std::uint32_t> start(n + 1), members(n);
+    for (std::uint32_t i = 0; i < n; ++i)
+        ++start[m_signs.look(i).root];
     for (std::size_t i = 0; i < n; ++i)
         start[i + 1] += start[i]; // where each ends
     for (auto i = static_cast<std::uint32_t>(n); i-- > 0;)
         members[--start[m_signs.look(i).root]] = i; // and then begins
     const Outside outside(m_positions);
-    const std::vector<std::uint32_t> sheetOf = borneOut({nullptr, progress.cancel});
     const auto mostlyTurned = [&](std::span<const std::uint32_t> component) {
         const auto turned = static_cast<std::size_t>(std::count_if(
             component.begin(), component.end(), [&](std::uint32_t i) { return m_signs.look(i).opposite; }));

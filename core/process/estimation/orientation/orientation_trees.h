@@ -38,10 +38,17 @@ class OrientationTrees {
     struct Joint {
         std::uint32_t a, b; ///< b << 1 | flip
     };
+    /// How sure an edge is of what it says.
+    enum class Alike : std::uint8_t { No, Agreed, CertainlySame, CertainlyOpposite };
+    Alike alikeness(std::uint32_t i, std::size_t k) const { return static_cast<Alike>(m_alike[i] >> 2 * k & 3); }
+    std::int32_t layeredBetween(std::uint32_t i, std::uint32_t j) const { return std::max(m_layered[i], m_layered[j]); }
     void lookForLayers(const base::Progress& progress);
     std::vector<Edge> candidates(std::size_t begin, std::size_t end) const;
     void sort(std::vector<std::vector<Edge>>& parts);
     void shorten();
+    std::vector<std::vector<std::uint32_t>> losing(const std::vector<std::vector<std::uint32_t>>& lost,
+                                                   std::span<const std::uint16_t> alike,
+                                                   std::span<std::uint8_t> borneOut) const;
     std::vector<std::uint32_t> borneOut(const base::Progress& progress) const;
     double votesFor(const Outside& outside, std::span<const std::uint32_t> component,
                     std::span<const std::uint32_t> sheetOf) const;
@@ -49,7 +56,8 @@ class OrientationTrees {
     std::span<const base::Vec3f> m_positions;
     std::span<base::Vec3f> m_normals;
     NormalLinks m_links;
-    base::LargeArray<std::int32_t> m_layered; ///< what edges of a point are put back by, in classes
+    base::LargeArray<std::uint16_t> m_layered; ///< what edges of a point are put back by, in classes
+    base::LargeArray<std::uint32_t> m_alike;   ///< two bits for each neighbour: Alike
     base::LargeArray<Joint> m_joints;
     std::vector<std::size_t> m_classEnd; ///< of joints
     std::size_t m_joined = 0;

@@ -1,10 +1,11 @@
 #include "core/process/estimation/orientation/outside.h"
 
+#include "core/base/clones.h"
 #include "core/base/parallel.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
 
@@ -37,40 +38,82 @@ Vec3d mean(std::span<const Vec3f> values, std::span<const std::uint32_t> members
     return sum / static_cast<double>(members.size());
 }
 
+/// Of each direction the outermost of some members: the first one, where several are.
+struct Outermost {
+    float height[directions];
+    std::uint32_t member[directions];
+};
+
+struct Directions {
+    float x[directions], y[directions], z[directions];
+
+    Directions() {
+        for (int number = 0; number < directions; ++number) {
+            const auto d = static_cast<double>(number);
+            const double up = 1 - (2 * d + 1.0) / directions, angle = d * std::numbers::pi * (3 - std::sqrt(5.0));
+            const double r = std::sqrt(1 - up * up);
+            x[number] = static_cast<float>(r * std::cos(angle));
+            y[number] = static_cast<float>(r * std::sin(angle));
+            z[number] = static_cast<float>(up);
+        }
+    }
+};
+
 } // namespace
 
-Outside::Outside(std::span<const Vec3f> positions) : m_positions(positions) {
-    for (const Vec3f& p : positions)
-        m_centre += base::cast<double>(p) / static_cast<double>(positions.size());
-    for (const Vec3f& p : positions)
-        m_radius += lengthSq(base::cast<double>(p) - m_centre) / static_cast<double>(positions.size());
-    m_radius = std::sqrt(m_radius);
+POINTCLAY_CLONES
+static void lookAt(const Vec3f& p, std::uint32_t member, const Directions& d, Outermost& out) {
+    for (int k = 0; k < directions; ++k) {
+        const float height = p.x * d.x[k] + p.y * d.y[k] + p.z * d.z[k];
+        const bool higher = height > out.height[k];
+        out.height[k] = higher ? height : out.height[k];
+        out.member[k] = higher ? member : out.member[k];
+    }
 }
 
 double Outside::vote(std::span<const Vec3f> normals, std::span<const std::uint32_t> members) const {
-    std::array<double, directions> votes;
-    base::parallelFor(directions, members.size() < 1024 ? directions : 1, [&](std::size_t number) {
-        const auto d = static_cast<double>(number);
-        const double z = 1 - (2 * d + 1.0) / directions, angle = d * std::numbers::pi * (3 - std::sqrt(5.0));
-        const double r = std::sqrt(1 - z * z);
-        const Vec3f direction = base::cast<float>(Vec3d{r * std::cos(angle), r * std::sin(angle), z});
-        const auto height = [&](std::uint32_t i) { return dot(m_positions[i], direction); };
-        std::uint32_t top = members.front();
-        for (const std::uint32_t i : members)
-            if (height(i) > height(top))
-                top = i;
-        votes[number] = static_cast<double>(dot(normals[top], direction));
+    constexpr std::size_t grain = 16384;
+    static const Directions all;
+    std::vector<Outermost> parts(base::chunkCount(members.size(), grain));
+    base::parallelChunks(members.size(), grain, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+        Outermost& out = parts[chunk];
+        std::fill(std::begin(out.height), std::end(out.height), -std::numeric_limits<float>::infinity());
+        std::fill(std::begin(out.member), std::end(out.member), members[begin]);
+        for (std::size_t k = begin; k < end; ++k)
+            lookAt(m_positions[members[k]], members[k], all, out);
     });
-    return std::accumulate(votes.begin(), votes.end(), 0.0) / directions;
+    double sum = 0;
+    for (int k = 0; k < directions; ++k) {
+        const Outermost* top = &parts.front();
+        for (const Outermost& part : parts)
+            top = part.height[k] > top->height[k] ? &part : top;
+        sum += static_cast<double>(dot(normals[top->member[k]], Vec3f{all.x[k], all.y[k], all.z[k]}));
+    }
+    return sum / directions;
+}
+
+/// Few ask, and all points have a say.
+const Outside::Extent& Outside::extent() const {
+    std::call_once(m_once, [&] {
+        const auto count = static_cast<double>(m_positions.size());
+        for (const Vec3f& p : m_positions)
+            m_extent.centre += base::cast<double>(p) / count;
+        for (const Vec3f& p : m_positions)
+            m_extent.radius += lengthSq(base::cast<double>(p) - m_extent.centre) / count;
+        m_extent.radius = std::sqrt(m_extent.radius);
+    });
+    return m_extent;
 }
 
 bool Outside::inward(std::span<const Vec3f> normals, std::span<const std::uint32_t> members, double votes) const {
+    if (std::abs(votes) >= clear)
+        return votes < 0;
     const Vec3d facing = mean(normals, members);
-    if (std::abs(votes) >= clear || !(length(facing) >= facesOneWay))
+    if (!(length(facing) >= facesOneWay))
         return votes < 0;
     if (static_cast<double>(members.size()) <= partOfAll * static_cast<double>(m_positions.size())) {
-        const double away = dot(normalized(facing), mean(m_positions, members) - m_centre);
-        if (std::abs(away) > beside * m_radius)
+        const double away = dot(normalized(facing), mean(m_positions, members) - extent().centre);
+        if (std::abs(away) > beside * extent().radius)
             return away < 0;
     }
     return largestComponent(facing) < 0;

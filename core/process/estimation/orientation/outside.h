@@ -4,6 +4,7 @@
 #include "core/tree/surfel_tree.h"
 
 #include <cstdint>
+#include <mutex>
 #include <span>
 #include <vector>
 
@@ -12,7 +13,7 @@ namespace process {
 /// A cloud as its components lie in it. Holds references; any thread may ask.
 class Outside {
   public:
-    explicit Outside(std::span<const base::Vec3f> positions);
+    explicit Outside(std::span<const base::Vec3f> positions) : m_positions(positions) {}
 
     /// How many of 48 directions' outermost points look outwards, from -1, none, to 1.
     double vote(std::span<const base::Vec3f> normals, std::span<const std::uint32_t> members) const;
@@ -24,9 +25,15 @@ class Outside {
     bool inward(std::span<const base::Vec3f> normals, std::span<const std::uint32_t> members, double votes) const;
 
   private:
+    struct Extent {
+        base::Vec3d centre;
+        double radius = 0; ///< root mean square of the distances from the centre
+    };
+    const Extent& extent() const;
+
     std::span<const base::Vec3f> m_positions;
-    base::Vec3d m_centre;
-    double m_radius = 0; ///< root mean square of the distances from the centre
+    mutable std::once_flag m_once;
+    mutable Extent m_extent; ///< of all positions, once somebody has asked
 };
 
 /// Do the outermost surfels of a model clearly look inwards? Where nothing is open, they are those of a body that is
