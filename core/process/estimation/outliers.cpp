@@ -31,10 +31,10 @@ class Groups {
 
     /// The group of i, sorted; empty where that is the model or was given out before.
     std::vector<std::uint32_t> take(std::uint32_t i) {
-        std::vector<std::uint32_t> group;
         if (m_kind[i] != Kind::Unknown)
-            return group;
-        group.push_back(i);
+            return {};
+        std::vector<std::uint32_t>& group = m_group;
+        group.assign(1, i);
         m_kind[i] = Kind::Queued;
         bool large = m_limit < 2;
         for (std::size_t k = 0; k < group.size() && !large; ++k)
@@ -42,7 +42,7 @@ class Groups {
         for (const std::uint32_t j : group)
             m_kind[j] = large ? Kind::Model : Kind::Small;
         if (large)
-            group.clear();
+            return {};
         std::sort(group.begin(), group.end());
         return group;
     }
@@ -68,6 +68,7 @@ class Groups {
     const NeighbourGraph& m_graph;
     std::size_t m_limit;
     std::vector<Kind> m_kind;
+    std::vector<std::uint32_t> m_group; ///< that is being taken
 };
 
 bool isUnseen(const NeighbourGraph& g, std::span<const float> wanted, std::size_t i, std::uint32_t j) {

@@ -43,24 +43,21 @@ class NeighbourTable {
             out[k] = static_cast<std::uint32_t>(static_cast<std::int64_t>(i) + row[k]);
         return out;
     }
-    /// Whether j is among the `first` nearest of i.
+    /// Whether j is among the `first` nearest of i; i itself never is. REQUIRES: first <= most.
     bool sees(std::size_t i, std::uint32_t j, std::size_t first = most) const {
-        const Row all = row(i);
-        const auto end = all.begin() + static_cast<std::ptrdiff_t>(std::min(first, m_count));
-        return std::find(all.begin(), end, j) != end;
-    }
-    /// Whether j is among all of them; i itself never is.
-    bool names(std::size_t i, std::uint32_t j) const {
         const Differences& row = m_rows[i];
-        if (row[0] == apart) [[unlikely]]
-            return sees(i, j);
+        if (row[0] == apart) [[unlikely]] {
+            const Row all = this->row(i);
+            const auto end = all.begin() + static_cast<std::ptrdiff_t>(std::min(first, m_count));
+            return std::find(all.begin(), end, j) != end;
+        }
         const std::int64_t wanted = static_cast<std::int64_t>(j) - static_cast<std::int64_t>(i);
         const auto difference = static_cast<std::int16_t>(wanted);
         if (difference != wanted || difference == 0) // what is not used holds 0
             return false;
         std::int16_t found = 0; // all are looked at, at once
-        for (const std::int16_t each : row)
-            found |= static_cast<std::int16_t>(each == difference);
+        for (std::size_t k = 0; k < first; ++k)
+            found |= static_cast<std::int16_t>(row[k] == difference);
         return found != 0;
     }
 
