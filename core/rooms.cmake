@@ -10,6 +10,10 @@ pointclay_link(tree PkgConfig::HWY)
 
 pointclay_room(surface core/surface tree)
 pointclay_link(surface PkgConfig::HWY)
+# As for sculpt below.
+set_source_files_properties(core/surface/winding/surfel_areas.cpp PROPERTIES
+                            COMPILE_OPTIONS "-fno-math-errno;-fno-trapping-math"
+                            SKIP_PRECOMPILE_HEADERS ON)
 
 pointclay_room(process core/process surface)
 pointclay_link(process nanoflann::nanoflann PkgConfig::HWY Eigen3::Eigen)

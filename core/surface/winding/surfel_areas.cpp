@@ -1,5 +1,6 @@
 #include "core/surface/winding/surfel_areas.h"
 
+#include "core/base/clones.h"
 #include "core/base/parallel.h"
 
 #include <algorithm>
@@ -17,31 +18,54 @@ constexpr float fewestNeighbours = 1.5f; ///< their weights' sum; 12 in an even 
 /// Of the radius: who stands so far above a surfel that faces alike, at 45 degrees or steeper, is of another sheet.
 constexpr float above = 0.4f;
 
-/// How much a surfel that faces along `other` lies on the sheet of one that faces along `normal`: wholly up to an edge
-/// of 90 degrees, not at all from 120 on.
-float sameSheet(const Vec3f& normal, const Vec3f& other) {
-    return std::clamp(1 + 2 * dot(normal, other), 0.0f, 1.0f);
+/// Where one looks from.
+struct Place {
+    Vec3f x, normal;
+    float radiusSq;
+};
+
+} // namespace
+
+/// What the surfels of a cluster add to the crowding, from its channels, which stand one behind the other: 1 -
+/// (distance / radius)^2 within the radius, as much as one lies on the sheet of who faces along `normal`: wholly up to
+/// an edge of 90 degrees, not at all from 120 on, nor where one lies in a stack of sheets over the other. As both see
+/// it: beyond an edge only one of them looks up steeply.
+POINTCLAY_CLONES
+static void crowdingInLanes(const float* channels, const Place& at, float* out) {
+    constexpr int n = surfel::clusterSize;
+    const float *px = channels + surfel::X * n, *py = channels + surfel::Y * n, *pz = channels + surfel::Z * n,
+                *nx = channels + surfel::NormalX * n, *ny = channels + surfel::NormalY * n,
+                *nz = channels + surfel::NormalZ * n;
+    const Vec3f from = at.x, normal = at.normal; // not reloaded for fear of what is written
+    const float radiusSq = at.radiusSq, steep = above * above * radiusSq;
+    float sums[n];
+    for (int k = 0; k < n; ++k) {
+        const float x = px[k] - from.x, y = py[k] - from.y, z = pz[k] - from.z;
+        const float distanceSq = x * x + y * y + z * z;
+        const float a = x * normal.x + y * normal.y + z * normal.z, b = x * nx[k] + y * ny[k] + z * nz[k];
+        const float heightSq = b * b < a * a ? b * b : a * a;
+        const float facing = 1 + 2 * (normal.x * nx[k] + normal.y * ny[k] + normal.z * nz[k]);
+        const float alike = facing < 0 ? 0 : 1 < facing ? 1 : facing;
+        const float weight = (1 - distanceSq / radiusSq) * alike;
+        const float level = heightSq > steep ? (2 * heightSq > distanceSq ? 0.0f : weight) : weight;
+        sums[k] = distanceSq < radiusSq ? level : 0.0f;
+    }
+    std::copy_n(sums, n, out);
 }
 
-/// Does one lie in a stack of sheets over the other? As both see it: beyond an edge only one of them looks up steeply.
-bool stacked(const Vec3f& way, float distanceSq, const Vec3f& normal, const Vec3f& other, float radiusSq) {
-    const float a = dot(way, normal), b = dot(way, other), heightSq = std::min(a * a, b * b);
-    return 2 * heightSq > distanceSq && heightSq > above * above * radiusSq;
-}
+namespace {
 
-/// Sum of 1 - (distance / radius)^2 over all surfels on the sheet within the radius, its own included.
-float crowding(const tree::SurfelTree& tree, const Vec3f& x, const Vec3f& normal, float radius) {
-    const float radiusSq = radius * radius;
+/// The sum over all surfels around, its own included.
+float crowding(const tree::SurfelTree& tree, const Place& at, float radius) {
     float sum = 0;
-    tree.forBlocksInBall(x, radius, [&](std::uint32_t, const surfel::SurfelBlock& block) {
-        unsigned clusters = block.boundsLanes().within(x, radiusSq) & block.clusterMask();
+    tree.forBlocksInBall(at.x, radius, [&](std::uint32_t, const surfel::SurfelBlock& block) {
+        unsigned clusters = block.boundsLanes().within(at.x, at.radiusSq) & block.clusterMask();
         for (; clusters != 0; clusters &= clusters - 1) {
-            const int begin = std::countr_zero(clusters) * surfel::clusterSize;
-            const int end = std::min(block.size(), begin + surfel::clusterSize);
-            for (int slot = begin; slot < end; ++slot)
-                if (const float d = distanceSq(block.position(slot), x);
-                    d < radiusSq && !stacked(block.position(slot) - x, d, normal, block.normal(slot), radiusSq))
-                    sum += (1 - d / radiusSq) * sameSheet(normal, block.normal(slot));
+            const int cluster = std::countr_zero(clusters), begin = cluster * surfel::clusterSize;
+            float each[surfel::clusterSize];
+            crowdingInLanes(block.channel(cluster, surfel::X), at, each);
+            for (int k = 0; k < std::min(block.size() - begin, surfel::clusterSize); ++k)
+                sum += each[k];
         }
     });
     return sum;
@@ -49,7 +73,7 @@ float crowding(const tree::SurfelTree& tree, const Vec3f& x, const Vec3f& normal
 
 float areaOf(const tree::SurfelTree& tree, const surfel::SurfelBlock& block, int slot) {
     const float radius = reach * block.support(slot);
-    const float sum = crowding(tree, block.position(slot), block.normal(slot), radius);
+    const float sum = crowding(tree, {block.position(slot), block.normal(slot), radius * radius}, radius);
     return sum < 1 + fewestNeighbours ? 0 : 0.5f * std::numbers::pi_v<float> * radius * radius / sum;
 }
 
