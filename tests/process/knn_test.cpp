@@ -205,6 +205,12 @@ void KnnTest::positionsAreDistinctAndPointsKeepTheirs() {
         std::swap(shuffled[i - 1], shuffled[random.below(i)]);
     const Cloud other(surfelsAt(shuffled));
     QVERIFY(std::ranges::equal(cloud.positions(), other.positions()));
+    // Who stands there in order already has the place that it has in the list.
+    const Points inOrder(cloud.positions().begin(), cloud.positions().end());
+    const Cloud same(surfelsAt(inOrder));
+    QVERIFY(std::ranges::equal(same.positions(), inOrder) && same.places().areOwn());
+    for (std::size_t i = 0; i < inOrder.size(); ++i)
+        QCOMPARE(std::size_t(same.places()[i]), i);
 }
 
 void KnnTest::fewPositionsHaveFewNeighbours() {

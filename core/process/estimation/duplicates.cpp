@@ -176,7 +176,7 @@ Vec3f meanNormal(const Vec3f& first, const Vec3f& sum) {
 }
 
 /// The first point of the list in each place, by number where there are any.
-std::vector<std::uint32_t> firstIn(Places& places, std::span<const std::uint32_t> placeOf, std::size_t count,
+std::vector<std::uint32_t> firstIn(Places& places, const PointPlaces& placeOf, std::size_t count,
                                    std::span<const std::uint32_t> numbers) {
     constexpr std::uint32_t none = ~std::uint32_t(0);
     std::vector<std::uint32_t> firstAt(count, none), out(placeOf.size());

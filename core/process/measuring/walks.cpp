@@ -27,7 +27,8 @@ Walks::Walks(const surface::Surface& surface, std::size_t neighbours, const base
     : m_tree(surface.tree()) {
     const surfel::SurfelList list = m_tree.surfels();
     const Cloud cloud(list.items, part(progress, 0, 0.2));
-    m_place.assign(cloud.places().begin(), cloud.places().end());
+    for (std::size_t i = 0; i < cloud.places().size(); ++i)
+        m_place.push_back(cloud.places()[i]);
     m_tree.forEachBlock([&](std::uint32_t, const surfel::SurfelBlock& block) {
         m_firstOfBlock.push_back((m_firstOfBlock.empty() ? 0 : m_firstOfBlock.back()) +
                                  static_cast<std::uint32_t>(block.size()));

@@ -12,7 +12,7 @@ constexpr std::size_t grain = 1 << 14;
 
 } // namespace
 
-Cloud::Cloud(std::span<const surfel::Surfel> points, const base::Progress& progress) {
+Cloud::Cloud(std::span<const surfel::Surfel> points, const base::Progress& progress) : m_count(points.size()) {
     progress.step(0, "Sorting points");
     const CurveOrder sorted(points);
     progress.step(0.5, "Sorting points");
@@ -28,10 +28,11 @@ Cloud::Cloud(std::span<const surfel::Surfel> points, const base::Progress& progr
             if (m_positions[i] == m_positions[i - 1])
                 distinct.store(false, std::memory_order_relaxed);
     });
-    m_places = base::LargeArray<std::uint32_t>(n);
-    if (distinct) {
+    if (!distinct || !sorted.order.empty())
+        m_places = base::LargeArray<std::uint32_t>(n);
+    if (distinct && !sorted.order.empty()) {
         base::parallelFor(n, grain, [&](std::size_t i) { m_places[numberAt(i)] = static_cast<std::uint32_t>(i); });
-    } else {
+    } else if (!distinct) {
         std::size_t kept = 0;
         for (std::size_t i = 0; i < n; ++i) {
             if (kept == 0 || m_positions[i] != m_positions[kept - 1])

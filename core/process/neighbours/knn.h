@@ -21,6 +21,20 @@ struct Neighbours {
     std::size_t size() const { return index.size(); }
 };
 
+/// The number of its position for each point of a list. Written down only where it is not the point's own. Refers to a
+/// cloud.
+class PointPlaces {
+  public:
+    PointPlaces(std::span<const std::uint32_t> numbers, std::size_t count) : m_numbers(numbers), m_count(count) {}
+    std::size_t size() const { return m_count; }
+    std::uint32_t operator[](std::size_t i) const { return areOwn() ? static_cast<std::uint32_t>(i) : m_numbers[i]; }
+    bool areOwn() const { return m_numbers.empty(); }
+
+  private:
+    std::span<const std::uint32_t> m_numbers;
+    std::size_t m_count;
+};
+
 class Cloud {
   public:
     /// REQUIRES: finite positions.
@@ -29,7 +43,7 @@ class Cloud {
     std::span<const base::Vec3f> positions() const { return m_positions; }
     std::size_t size() const { return m_positions.size(); }
     /// Of each point of the list: the place of its position in positions().
-    std::span<const std::uint32_t> places() const { return m_places; }
+    PointPlaces places() const { return {m_places, m_count}; }
     /// The k nearest other positions of position `i`; fewer where there are fewer.
     void nearest(std::size_t i, std::size_t k, Neighbours& out) const;
     /// Distance from anywhere to the k-th nearest position, or the last where there are fewer. REQUIRES: k >= 1, and a
@@ -57,7 +71,8 @@ class Cloud {
                      const char* what, const Body& body) const;
 
     base::LargeArray<base::Vec3f> m_positions;
-    base::LargeArray<std::uint32_t> m_places;
+    base::LargeArray<std::uint32_t> m_places; ///< empty where points are distinct and stand in order
+    std::size_t m_count;                      ///< of points
     PointCells m_cells;
 };
 
