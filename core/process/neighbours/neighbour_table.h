@@ -43,7 +43,7 @@ class NeighbourTable {
             out[k] = static_cast<std::uint32_t>(static_cast<std::int64_t>(i) + row[k]);
         return out;
     }
-    /// Whether j is among the `first` nearest of i; i itself never is. REQUIRES: first <= most.
+    /// Whether j is among the `first` nearest of i. REQUIRES: first <= most.
     bool sees(std::size_t i, std::uint32_t j, std::size_t first = most) const {
         const Differences& row = m_rows[i];
         if (row[0] == apart) [[unlikely]] {
@@ -53,8 +53,10 @@ class NeighbourTable {
         }
         const std::int64_t wanted = static_cast<std::int64_t>(j) - static_cast<std::int64_t>(i);
         const auto difference = static_cast<std::int16_t>(wanted);
-        if (difference != wanted || difference == 0) // what is not used holds 0
+        if (difference != wanted)
             return false;
+        if (difference == 0) // what is not used holds 0 as well
+            first = std::min(first, m_count);
         std::int16_t found = 0; // all are looked at, at once
         for (std::size_t k = 0; k < first; ++k)
             found |= static_cast<std::int16_t>(row[k] == difference);

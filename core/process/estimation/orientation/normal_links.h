@@ -44,7 +44,7 @@ class NormalLinks {
 
     NeighbourTable::Row row(std::size_t i) const { return m_table.row(i); }
     /// Whether i is also among the neighbours of its neighbour j.
-    bool isMutual(std::uint32_t i, std::uint32_t j) const { return m_table.sees(j, i); }
+    bool isMutual(std::uint32_t i, std::uint32_t j) const { return j != i && m_table.sees(j, i); }
 
     /// body(i, neighbours, likeness) for a range of points; count() of both are valid. An edge that is found from both
     /// its ends has the same bits from both.
