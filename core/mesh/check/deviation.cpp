@@ -2,6 +2,7 @@
 
 #include "core/base/parallel.h"
 #include "core/cells/cell_projection.h"
+#include "core/cells/local_boolean.h"
 #include "core/complexes/complex_projection.h"
 #include "core/surface/curves/boundary.h"
 #include "core/surface/projection/project.h"
@@ -30,42 +31,88 @@ double byOneEvaluation(const surface::Surface& surface, const Vec3d& x, const su
     return std::abs(e.value) / slope;
 }
 
-/// Of models with cells: to the local Boolean, where several of them are near; of complexes to the nearest cell.
+/// The same by cells: the nearest foot of those that nothing cuts off where they are, and that far in.
+double byOneEvaluation(cells::CellSource& source, const Vec3d& x) {
+    constexpr double close = 1e-3, rounding = 1e-6; // of h
+    struct Foot {
+        std::uint32_t cell;
+        Vec3d place;
+        double unit;
+    };
+    std::vector<Foot> feet;
+    for (std::size_t i = 0; i < source.count(); ++i) {
+        const surface::Evaluationd& at = source.at(i, surface::Need::Gradient);
+        const double slopeSq = lengthSq(at.gradient);
+        if (cells::valid(at) && std::abs(at.value) <= close * at.unit * std::sqrt(slopeSq))
+            feet.push_back({source.cell(i), x - at.gradient * (at.value / slopeSq), at.unit});
+    }
+    double out = none;
+    for (const Foot& each : feet) {
+        source.moveTo(each.place);
+        if (const std::size_t i = source.find(each.cell);
+            i != cells::CellSource::none && isFace(source, i, rounding * each.unit))
+            out = std::min(out, distance(x, each.place));
+    }
+    return out;
+}
+
+struct Model {
+    explicit Model(const surface::Surface& s)
+        : surface(s), cells(cells::CellSurface::of(s)), complex(complexes::Complex::of(s)) {}
+
+    const surface::Surface& surface;
+    std::optional<cells::CellSurface> cells;
+    std::optional<complexes::Complex> complex;
+};
+
+/// Of models with cells: to the local Boolean, where several of them are near; of complexes to the nearest cell. For
+/// one thread.
 class DistanceTo {
   public:
-    explicit DistanceTo(const surface::Surface& surface)
-        : m_surface(surface), m_cells(cells::CellSurface::of(surface)), m_complex(complexes::Complex::of(surface)) {}
+    explicit DistanceTo(const Model& model) : m_model(model) {
+        if (model.cells)
+            m_source.emplace(*model.cells);
+    }
 
-    double operator()(const Vec3d& x, const surface::OrientationHint& hint) const {
-        if (m_complex) {
-            const complexes::CellFoot foot = project(*m_complex, x, surface::Projector::Almost);
+    double operator()(const Vec3d& x, const surface::OrientationHint& hint) {
+        if (m_model.complex) {
+            const complexes::CellFoot foot = project(*m_model.complex, x, surface::Projector::Almost);
             return foot.ok() ? distance(x, foot.position) : none;
         }
-        if (m_cells) {
-            cells::CellSource source(*m_cells);
-            source.moveTo(x);
-            if (source.count() > 1) {
-                const cells::CellFoot found = cells::project(*m_cells, x);
-                return found.projection.ok() ? distance(x, found.projection.foot) : none;
-            }
+        if (m_source) {
+            m_source->moveTo(x);
+            if (m_source->count() > 1)
+                return toCells(x);
         }
-        return distanceTo(m_surface, x, hint);
+        return distanceTo(m_model.surface, x, hint);
     }
 
   private:
-    const surface::Surface& m_surface;
-    std::optional<cells::CellSurface> m_cells;
-    std::optional<complexes::Complex> m_complex;
+    double toCells(const Vec3d& x) {
+        if (const double near = byOneEvaluation(*m_source, x); near < none)
+            return near;
+        const cells::CellFoot found = cells::project(*m_model.cells, x);
+        return found.projection.ok() ? distance(x, found.projection.foot) : none;
+    }
+
+    const Model& m_model;
+    std::optional<cells::CellSource> m_source;
 };
 
-/// `each(i)` tells the distance of the i-th place.
+/// `each(i, distanceTo)` tells the distance of the i-th place.
 template <class Each>
-Deviation collect(std::size_t n, const base::Progress& progress, const char* what, const Each& each) {
-    constexpr std::size_t slab = 1 << 14;
+Deviation collect(const surface::Surface& surface, std::size_t n, const base::Progress& progress, const char* what,
+                  const Each& each) {
+    constexpr std::size_t slab = 1 << 14, grain = 64;
+    const Model model(surface);
     std::vector<double> all(n);
     for (std::size_t first = 0; first < n; first += slab) {
         progress.step(static_cast<double>(first) / static_cast<double>(n), what);
-        base::parallelFor(std::min(slab, n - first), 64, [&](std::size_t i) { all[first + i] = each(first + i); });
+        base::parallelChunks(std::min(slab, n - first), grain, [&](std::size_t begin, std::size_t end, std::size_t) {
+            DistanceTo far(model);
+            for (std::size_t i = first + begin; i < first + end; ++i)
+                all[i] = each(i, far);
+        });
     }
     Deviation out;
     out.count = n;
@@ -106,16 +153,14 @@ Deviation vertexDeviation(const Mesh& mesh, const surface::Surface& surface, con
     for (std::uint32_t v = 0; v < used.size(); ++v)
         if (used[v])
             which.push_back(v);
-    const DistanceTo far(surface);
-    return collect(which.size(), progress, "Measuring vertices", [&](std::size_t i) {
+    return collect(surface, which.size(), progress, "Measuring vertices", [&](std::size_t i, DistanceTo& far) {
         const std::uint32_t v = which[i];
         return far(mesh.positions[v], {mesh.normals.empty() ? base::Vec3f{} : mesh.normals[v]});
     });
 }
 
 Deviation faceDeviation(const Mesh& mesh, const surface::Surface& surface, const base::Progress& progress) {
-    const DistanceTo far(surface);
-    return collect(mesh.triangles.size(), progress, "Measuring faces", [&](std::size_t f) {
+    return collect(surface, mesh.triangles.size(), progress, "Measuring faces", [&](std::size_t f, DistanceTo& far) {
         const auto at = [&](std::size_t k) { return mesh.positions[mesh.triangles[f][k]]; };
         const Vec3d centre = (at(0) + at(1) + at(2)) / 3;
         const Vec3d across = base::normalized(cross(at(1) - at(0), at(2) - at(0)));
