@@ -1,7 +1,8 @@
 #include "core/mesh/check/self_intersections.h"
 
+#include "core/mesh/check/box_pairs.h"
+
 #include <algorithm>
-#include <CGAL/box_intersection_d.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <numeric>
 
@@ -10,7 +11,6 @@ namespace mesh {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::uint32_t>;
 using Point = Kernel::Point_3;
 
 class Intersections {
@@ -32,11 +32,11 @@ class Intersections {
         }
     }
     bool flat(const Triangle& t) const { return !isProper(t) || CGAL::collinear(at(t[0]), at(t[1]), at(t[2])); }
-    Box box(const Triangle& t, std::uint32_t f) const {
-        CGAL::Bbox_3 out;
+    base::Box3d box(const Triangle& t) const {
+        base::Box3d out;
         for (const std::uint32_t v : t)
-            out += at(v).bbox();
-        return {out, f};
+            out.extend(m_positions[v]);
+        return out;
     }
 
   private:
@@ -74,20 +74,23 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> selfIntersections(const Mes
 std::vector<std::pair<std::uint32_t, std::uint32_t>>
 selfIntersections(const Mesh& mesh, std::span<const std::uint32_t> among, const base::Progress& progress) {
     const Intersections intersections(mesh.positions);
-    std::vector<Box> boxes;
+    std::vector<base::Box3d> boxes;
+    std::vector<std::uint32_t> of;
     for (const std::uint32_t f : among)
-        if (!intersections.flat(mesh.triangles[f]))
-            boxes.push_back(intersections.box(mesh.triangles[f], f));
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> out;
-    std::size_t pairs = 0;
-    CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
-        // How many there are to come is not known: some 15 for each triangle of a good mesh.
-        if (++pairs % 65536 == 0)
-            progress.step(std::min(0.99, double(pairs) / (15.0 * double(boxes.size()))), "Looking for intersections");
-        const std::pair<std::uint32_t, std::uint32_t> pair = std::minmax({a.info(), b.info()});
-        if (intersections.meet(mesh.triangles[pair.first], mesh.triangles[pair.second]))
-            out.emplace_back(pair.first, pair.second);
-    });
+        if (!intersections.flat(mesh.triangles[f])) {
+            boxes.push_back(intersections.box(mesh.triangles[f]));
+            of.push_back(f);
+        }
+    const auto named = [&of](const BoxPair& pair) { return BoxPair(std::minmax(of[pair.first], of[pair.second])); };
+    std::vector<BoxPair> out = overlappingBoxes(
+        boxes,
+        [&](const BoxPair& pair) {
+            const auto [a, b] = named(pair);
+            return intersections.meet(mesh.triangles[a], mesh.triangles[b]);
+        },
+        progress);
+    for (BoxPair& pair : out)
+        pair = named(pair);
     std::sort(out.begin(), out.end());
     return out;
 }

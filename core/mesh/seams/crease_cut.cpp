@@ -21,9 +21,10 @@ constexpr std::uint32_t none = Triangulation::none;
 
 class CreaseCutter {
   public:
-    CreaseCutter(const cells::CellSurface& surface, Mesh mesh, std::vector<CreaseVertex> onFaces)
-        : m_surface(surface), m_mesh(std::move(mesh)), m_triangulation(m_mesh), m_vertices(std::move(onFaces)),
-          m_faces(m_vertices), m_triangles(std::move(m_mesh.triangles)), m_before{m_mesh.positions, m_mesh.normals} {}
+    CreaseCutter(const cells::CellSurface& surface, Mesh mesh, std::vector<CreaseVertex> onFaces, CreaseMemory& memory)
+        : m_surface(surface), m_memory(memory), m_mesh(std::move(mesh)), m_triangulation(m_mesh),
+          m_vertices(std::move(onFaces)), m_faces(m_vertices),
+          m_triangles(std::move(m_mesh.triangles)), m_before{m_mesh.positions, m_mesh.normals} {}
 
     CutMesh run(const base::Progress& progress) {
         progress.step(0, "finding creases");
@@ -41,10 +42,6 @@ class CreaseCutter {
     }
 
   private:
-    struct Snap {
-        std::optional<CreasePlace> corner, seam;
-    };
-
     /// Vertices where they have moved to, and nothing cut yet.
     void begin() {
         const std::size_t count = m_faces.size();
@@ -71,9 +68,8 @@ class CreaseCutter {
     bool known(std::uint32_t v) const { return m_vertices[v].cells.count() > 0; }
     Vec3d place(std::uint32_t v) const { return m_vertices[v].position; }
 
-    /// What a vertex beside other cells could move to.
-    Snap snapOf(CreaseFinder& finder, std::uint32_t v, std::vector<std::uint32_t>& ring) const {
-        Snap out;
+    CreaseSnap snapOf(CreaseFinder& finder, std::uint32_t v, std::vector<std::uint32_t>& ring) const {
+        CreaseSnap out;
         if (!m_vertices[v].mixed || !known(v) || !movable(m_mesh, v))
             return out;
         m_triangulation.neighbours(v, ring);
@@ -102,14 +98,31 @@ class CreaseCutter {
         return out;
     }
 
-    void snap() {
-        std::vector<Snap> found(m_vertices.size());
-        base::parallelChunks(found.size(), grain, [&](std::size_t begin, std::size_t end, std::size_t) {
+    /// Has anything moved, of a vertex and those about it, since snaps were looked for?
+    bool moved(std::uint32_t v, std::vector<std::uint32_t>& ring) const {
+        const auto differs = [&](std::uint32_t w) {
+            const CreaseVertex &a = m_memory.faces[w], &b = m_vertices[w];
+            return !(a.cells == b.cells) || a.own != b.own || a.position != b.position || a.mixed != b.mixed;
+        };
+        if (m_memory.faces.empty() || differs(v))
+            return true;
+        m_triangulation.neighbours(v, ring);
+        return std::any_of(ring.begin(), ring.end(), differs);
+    }
+    const std::vector<CreaseSnap>& findSnaps() {
+        m_memory.snaps.resize(m_vertices.size());
+        base::parallelChunks(m_vertices.size(), grain, [&](std::size_t begin, std::size_t end, std::size_t) {
             CreaseFinder finder(m_surface);
             std::vector<std::uint32_t> ring;
-            for (std::size_t v = begin; v < end; ++v)
-                found[v] = snapOf(finder, static_cast<std::uint32_t>(v), ring);
+            for (auto v = static_cast<std::uint32_t>(begin); v < end; ++v)
+                if (moved(v, ring))
+                    m_memory.snaps[v] = snapOf(finder, v, ring);
         });
+        m_memory.faces = m_vertices;
+        return m_memory.snaps;
+    }
+    void snap() {
+        const std::vector<CreaseSnap>& found = findSnaps();
         // a corner takes the nearest vertex about it
         std::vector<std::uint32_t> order;
         for (std::uint32_t v = 0; v < found.size(); ++v)
@@ -143,6 +156,15 @@ class CreaseCutter {
         return std::uint64_t(std::min(a, b)) << 32 | std::max(a, b);
     }
 
+    CreaseSplit splitOf(CreaseFinder& finder, std::uint32_t a, std::uint32_t b) const {
+        CreaseSplit out{{m_vertices[a].cells, place(a)}, {m_vertices[b].cells, place(b)}, {}};
+        const auto before = m_memory.splits.find(nameOf(a, b));
+        if (before != m_memory.splits.end() && before->second.from == out.from && before->second.to == out.to)
+            return before->second;
+        out.place = finder.between(out.from.cells, out.to.cells, (place(a) + place(b)) / 2,
+                                   reach * base::distance(place(a), place(b)));
+        return out;
+    }
     void splitEdges() {
         std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
         m_triangulation.forEdges([&](const Side& s) {
@@ -151,19 +173,18 @@ class CreaseCutter {
                 !m_vertices[a].cells.shares(m_vertices[b].cells))
                 edges.emplace_back(a, b);
         });
-        std::vector<std::optional<CreasePlace>> found(edges.size());
+        std::vector<CreaseSplit> found(edges.size());
         base::parallelChunks(found.size(), grain, [&](std::size_t begin, std::size_t end, std::size_t) {
             CreaseFinder finder(m_surface);
-            for (std::size_t i = begin; i < end; ++i) {
-                const auto [a, b] = edges[i];
-                found[i] = finder.between(m_vertices[a].cells, m_vertices[b].cells, (place(a) + place(b)) / 2,
-                                          reach * base::distance(place(a), place(b)));
-            }
+            for (std::size_t i = begin; i < end; ++i)
+                found[i] = splitOf(finder, edges[i].first, edges[i].second);
         });
-        for (std::size_t i = 0; i < found.size(); ++i)
-            if (found[i])
-                m_split.emplace(nameOf(edges[i].first, edges[i].second),
-                                addVertex(*found[i], {edges[i].first, edges[i].second}));
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            const auto [a, b] = edges[i];
+            if (found[i].place)
+                m_split.emplace(nameOf(a, b), addVertex(*found[i].place, {a, b}));
+            m_memory.splits[nameOf(a, b)] = std::move(found[i]);
+        }
     }
     /// In the middle of some vertices before.
     std::uint32_t addVertex(const CreasePlace& at, std::initializer_list<std::uint32_t> of) {
@@ -295,6 +316,7 @@ class CreaseCutter {
     }
 
     const cells::CellSurface& m_surface;
+    CreaseMemory& m_memory;
     Mesh m_mesh;
     Triangulation m_triangulation;
     std::vector<CreaseVertex> m_vertices; ///< as they are now
@@ -314,8 +336,8 @@ class CreaseCutter {
 } // namespace
 
 CutMesh cutAtCreases(const cells::CellSurface& surface, Mesh mesh, std::vector<CreaseVertex> onFaces,
-                     const base::Progress& progress) {
-    return CreaseCutter(surface, std::move(mesh), std::move(onFaces)).run(progress);
+                     CreaseMemory& memory, const base::Progress& progress) {
+    return CreaseCutter(surface, std::move(mesh), std::move(onFaces), memory).run(progress);
 }
 
 } // namespace mesh

@@ -4,7 +4,7 @@
 
 #include "core/base/progress.h"
 #include "core/mesh/finish/untangle.h"
-#include "core/mesh/seams/crease_vertices.h"
+#include "core/mesh/seams/crease_memory.h"
 
 namespace mesh {
 
@@ -21,9 +21,9 @@ struct CutMesh {
 
 /// Vertices near seams and corners move there; edges whose ends lie on different sides of a seam are split on it, and
 /// triangles with them. `onFaces`: the mesh's vertices by ontoFaces; those without cells stay as they are, and no
-/// crease passes between them and others. REQUIRES: edges of one or two triangles, one umbrella at every vertex. In
-/// parallel, the same bits at any thread count.
+/// crease passes between them and others. `memory`: of earlier cuts, which changes nothing but the time. REQUIRES:
+/// edges of one or two triangles, one umbrella at every vertex. In parallel, the same bits at any thread count.
 CutMesh cutAtCreases(const cells::CellSurface& surface, Mesh mesh, std::vector<CreaseVertex> onFaces,
-                     const base::Progress& progress);
+                     CreaseMemory& memory, const base::Progress& progress);
 
 } // namespace mesh

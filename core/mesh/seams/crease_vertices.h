@@ -33,6 +33,7 @@ class CellsAt {
         return m_count == o.m_count && std::all_of(begin(), end(), [&](std::uint32_t cell) { return o.has(cell); });
     }
     std::size_t count() const { return m_count; }
+    bool operator==(const CellsAt&) const = default; ///< the same in the same order
     const std::uint32_t* begin() const { return m_cells; }
     const std::uint32_t* end() const { return m_cells + m_count; }
 

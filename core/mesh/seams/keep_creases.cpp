@@ -61,8 +61,8 @@ class HeldVertices {
 };
 
 CutMesh cutAndShaped(const cells::CellSurface& cells, const Mesh& mesh, std::vector<CreaseVertex> onFaces,
-                     const base::Progress& progress) {
-    CutMesh out = cutAtCreases(cells, mesh, std::move(onFaces), progress);
+                     CreaseMemory& memory, const base::Progress& progress) {
+    CutMesh out = cutAtCreases(cells, mesh, std::move(onFaces), memory, progress);
     progress.step(1, "shaping triangles beside creases");
     tidyCreases(out);
     return out;
@@ -77,7 +77,8 @@ bool keepCreases(Mesh& mesh, const surface::Surface& surface, const base::Progre
     progress.step(0, "finding creases");
     const std::vector<CreaseVertex> onFaces = ontoFaces(*cells, mesh);
     HeldVertices held(mesh, onFaces);
-    CutMesh cut = cutAndShaped(*cells, mesh, onFaces, process::part(progress, 0.3, 0.8));
+    CreaseMemory memory;
+    CutMesh cut = cutAndShaped(*cells, mesh, onFaces, memory, process::part(progress, 0.3, 0.8));
     for (int round = 1;; ++round) {
         const base::Progress last =
             process::part(progress, 0.8 + 0.2 * (round - 1) / rounds, 0.8 + 0.2 * round / rounds);
@@ -86,7 +87,7 @@ bool keepCreases(Mesh& mesh, const surface::Surface& surface, const base::Progre
             break;
         if (round == rounds)
             return false;
-        cut = cutAndShaped(*cells, mesh, held.apply(onFaces, mesh), last);
+        cut = cutAndShaped(*cells, mesh, held.apply(onFaces, mesh), memory, last);
     }
     mesh = std::move(cut.mesh);
     mesh.colours.clear();
