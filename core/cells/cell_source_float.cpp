@@ -1,5 +1,6 @@
 #include "core/cells/cell_source_float.h"
 
+#include "core/base/clones.h"
 #include "core/surface/evaluation/assemble.h"
 #include "core/surface/evaluation/weights.h"
 #include "core/surfel/shape.h"
@@ -15,8 +16,7 @@ using surface::Need;
 namespace {
 
 constexpr int lanes = surfel::clusterSize;
-constexpr std::size_t mostCubes = 256, mostWide = 64; ///< kept
-constexpr int widening = 2;                           ///< of the cubes that others are packed from, as a power of two
+constexpr float slack = 0.35f; ///< of the scale: how far around a position parts are collected
 
 template <class E>
 void take(const E& from, CellField& to) {
@@ -31,105 +31,107 @@ void take(const E& from, CellField& to) {
     to.gradient = base::cast<double>(from.gradient);
 }
 
-/// fn(position, normal, distanceSq, support) for surfels of clusters with weight at x; `shape` as in SumOptions.
-template <class Fn>
-void forPacked(surface::ClusterSpan clusters, const Vec3f& x, float scale, int shape, const Fn& fn) {
-    for (const float* c : clusters)
+/// For each cluster a bit for each surfel with weight at x, supports multiplied by `scale`; `shape` as in SumOptions.
+POINTCLAY_CLONES
+void inSupport(const float* const* clusters, std::size_t count, float x, float y, float z, float scale, int shape,
+               std::uint16_t* out) {
+    for (std::size_t k = 0; k < count; ++k) {
+        const float* c = clusters[k];
+        float beyond[lanes];
         for (int lane = 0; lane < lanes; ++lane) {
-            const auto of = [&](int channel) { return c[channel * lanes + lane]; };
-            const Vec3f p{of(surfel::X), of(surfel::Y), of(surfel::Z)};
-            const float h = scale * of(surfel::Support);
-            const Vec3f b = shape > 0 ? Vec3f{of(shape), of(shape + 1), of(shape + 2)} : Vec3f();
-            const float distanceSq = surfel::shapedSq(p - x, b);
-            if (distanceSq < h * h)
-                fn(p, Vec3f{of(surfel::NormalX), of(surfel::NormalY), of(surfel::NormalZ)}, distanceSq, h);
+            const float dx = c[surfel::X * lanes + lane] - x, dy = c[surfel::Y * lanes + lane] - y;
+            const float dz = c[surfel::Z * lanes + lane] - z, h = scale * c[surfel::Support * lanes + lane];
+            beyond[lane] = dx * dx + dy * dy + dz * dz - h * h;
         }
+        if (shape > 0)
+            for (int lane = 0; lane < lanes; ++lane) {
+                const float* b = c + shape * lanes;
+                const float along = (c[surfel::X * lanes + lane] - x) * b[lane] +
+                                    (c[surfel::Y * lanes + lane] - y) * b[lane + lanes] +
+                                    (c[surfel::Z * lanes + lane] - z) * b[lane + 2 * lanes];
+                beyond[lane] += along * along;
+            }
+        unsigned bits = 0;
+        for (int lane = 0; lane < lanes; ++lane)
+            bits |= beyond[lane] < 0 ? 1u << lane : 0u;
+        out[k] = static_cast<std::uint16_t>(bits);
+    }
 }
 
-bool anyPacked(surface::ClusterSpan clusters, const Vec3f& x, float scale, int shape) {
-    if (shape > 0) {
-        bool any = false;
-        forPacked(clusters, x, scale, shape, [&](const Vec3f&, const Vec3f&, float, float) { any = true; });
-        return any;
+/// fn(position, normal, distanceSq, support) for these lanes of a cluster.
+template <class Fn>
+void forLanes(const float* c, unsigned left, const Vec3f& x, float scale, int shape, const Fn& fn) {
+    for (; left != 0; left &= left - 1) {
+        const int lane = std::countr_zero(left);
+        const auto of = [&](int channel) { return c[channel * lanes + lane]; };
+        const Vec3f p{of(surfel::X), of(surfel::Y), of(surfel::Z)};
+        const Vec3f b = shape > 0 ? Vec3f{of(shape), of(shape + 1), of(shape + 2)} : Vec3f();
+        fn(p, Vec3f{of(surfel::NormalX), of(surfel::NormalY), of(surfel::NormalZ)}, surfel::shapedSq(p - x, b),
+           scale * of(surfel::Support));
     }
-    for (const float* c : clusters) {
-        float nearest = 0; // below zero within a support
-        for (int lane = 0; lane < lanes; ++lane) {
-            const float dx = c[surfel::X * lanes + lane] - x.x, dy = c[surfel::Y * lanes + lane] - x.y;
-            const float dz = c[surfel::Z * lanes + lane] - x.z, h = scale * c[surfel::Support * lanes + lane];
-            nearest = std::min(nearest, dx * dx + dy * dy + dz * dz - h * h);
-        }
-        if (nearest < 0)
-            return true;
-    }
-    return false;
 }
 
 } // namespace
 
-std::size_t CellSourcef::CubeHash::operator()(const Cube& cube) const {
-    std::uint64_t out = base::mix(static_cast<std::uint64_t>(cube.exponent));
-    for (const std::int64_t each : cube.at)
-        out = base::mix(out ^ static_cast<std::uint64_t>(each));
-    return out;
-}
-
 CellSourcef::CellSourcef(const CellSurface& surface)
     : m_surface(&surface), m_source(surface.surface()), m_plain(surface.surface()), m_shape(m_plain.shape()) {}
-
-void CellSourcef::setScale(double support) {
-    m_exponent = std::ilogb(support) - 1;
-}
-
-/// With what float32 leaves of its coordinates, whichever of its places is asked for.
-base::Box3f CellSourcef::boxOf(const Cube& cube) {
-    const double side = std::ldexp(1.0, cube.exponent);
-    base::Box3f box;
-    double size = 0;
-    for (std::size_t a = 0; a < 3; ++a) {
-        box.lo[a] = static_cast<float>(static_cast<double>(cube.at[a]) * side);
-        box.hi[a] = static_cast<float>(static_cast<double>(cube.at[a] + 1) * side);
-        size = std::max({size, static_cast<double>(std::abs(box.lo[a])), static_cast<double>(std::abs(box.hi[a]))});
-    }
-    return box.inflated(static_cast<float>(size * 1e-7));
-}
-
-const CellSurfels& CellSourcef::surfelsAbout(const Cube& cube) {
-    Cube wide = cube;
-    wide.exponent += widening;
-    for (std::int64_t& each : wide.at)
-        each >>= widening; // towards minus infinity
-    auto found = m_wide.find(wide);
-    if (found == m_wide.end()) {
-        if (m_wide.size() >= mostWide)
-            m_wide.clear();
-        found = m_wide.try_emplace(wide, *m_surface, boxOf(wide)).first;
-    }
-    return found->second;
-}
 
 void CellSourcef::moveTo(const Vec3d& x) {
     m_x = x;
     m_xf = base::cast<float>(x);
     m_met = false;
-    // cubes that float32 still tells apart
-    const double far = std::max({std::abs(x.x), std::abs(x.y), std::abs(x.z)});
-    Cube cube;
-    cube.exponent = std::max(m_exponent, far > 0 ? std::ilogb(far) - 22 : m_exponent);
-    const double side = std::ldexp(1.0, cube.exponent);
-    for (std::size_t a = 0; a < 3; ++a)
-        cube.at[a] = static_cast<std::int64_t>(std::floor(x[a] / side));
-    if (!m_cube || !(cube == m_which)) {
-        auto found = m_cubes.find(cube);
-        if (found == m_cubes.end()) {
-            if (m_cubes.size() >= mostCubes)
-                m_cubes.clear();
-            found = m_cubes.try_emplace(cube, surfelsAbout(cube), boxOf(cube)).first;
+    if (!m_box.contains(m_xf))
+        collect();
+    gather();
+}
+
+/// Whatever may have weight about the position, by cell.
+void CellSourcef::collect() {
+    m_box = base::Box3f{m_xf, m_xf}.inflated(slack * m_scale);
+    m_about.clear();
+    const float reach = surface::queryReach(m_surface->surface().supportScale());
+    const CellParts& parts = m_surface->parts();
+    m_surface->surface().tree().forBlocksInSupport(
+        m_box,
+        [&](std::uint32_t number, const surfel::SurfelBlock& block) {
+            for (unsigned left = block.boundsLanes().supporting(m_box, reach) & block.clusterMask(); left != 0;
+                 left &= left - 1)
+                for (const CellPart& part : parts.of(number, std::countr_zero(left)))
+                    m_about.push_back(&part);
+        },
+        reach);
+    std::stable_sort(m_about.begin(), m_about.end(),
+                     [](const CellPart* a, const CellPart* b) { return a->cell < b->cell; });
+    m_aboutChannels.clear();
+    for (const CellPart* each : m_about)
+        m_aboutChannels.push_back(each->channels);
+    m_lanes.resize(m_about.size());
+}
+
+/// Of these what has weight at the position.
+void CellSourcef::gather() {
+    inSupport(m_aboutChannels.data(), m_aboutChannels.size(), m_xf.x, m_xf.y, m_xf.z,
+              m_surface->surface().supportScale(), m_shape, m_lanes.data());
+    m_found.clear();
+    m_clusters.clear();
+    m_near.clear();
+    for (std::size_t k = 0; k < m_about.size(); ++k) {
+        if (m_lanes[k] == 0)
+            continue;
+        const CellPart& part = *m_about[k];
+        if (m_near.empty() || m_near.back().cell != part.cell) {
+            Near& near = m_near.emplace_back();
+            near.cell = part.cell;
+            near.face = part.face;
+            near.begin = static_cast<std::uint32_t>(m_found.size());
         }
-        m_cube = &found->second;
-        m_which = cube;
+        m_found.push_back({&part, m_lanes[k]});
+        m_clusters.push_back(part.channels);
+        m_near.back().end = static_cast<std::uint32_t>(m_found.size());
     }
-    m_near.assign(m_cube->cells().size(), Near());
+    for (Near& a : m_near)
+        for (const Near& b : m_near)
+            a.joined |= a.cell != b.cell && a.face == b.face;
 }
 
 std::size_t CellSourcef::find(std::uint32_t cell) const {
@@ -139,51 +141,73 @@ std::size_t CellSourcef::find(std::uint32_t cell) const {
     return none;
 }
 
-bool CellSourcef::there(std::size_t i) {
-    Near& near = m_near[i];
-    if (!near.counted) {
-        near.counted = true;
-        near.there =
-            anyPacked(m_cube->clusters(m_cube->cells()[i]), m_xf, m_surface->surface().supportScale(), m_shape);
-    }
-    return near.there;
-}
-
-bool CellSourcef::alone() {
-    int found = 0;
-    for (std::size_t i = 0; i < m_near.size() && found < 2; ++i)
-        found += there(i) ? 1 : 0;
-    return found == 1;
+/// What cell i's surfels say of the crease with another one: above zero convex, below concave.
+double CellSourcef::votes(std::size_t i, std::uint32_t partner) const {
+    double out = 0;
+    const surface::Surface& surface = m_surface->surface();
+    for (const Found& found : partsOf(i))
+        for (const BesideCrease& each : found.part->beside)
+            if (each.partner == partner)
+                for (const bool convex : {true, false}) {
+                    const unsigned signs = convex ? each.convex : ~static_cast<unsigned>(each.convex);
+                    forLanes(found.part->channels, each.all & found.lanes & signs, m_xf, surface.supportScale(),
+                             m_shape, [&](const Vec3f&, const Vec3f&, float distanceSq, float support) {
+                                 const auto theta = static_cast<double>(
+                                     surface::weightAt(surface.definition().weight, distanceSq, support));
+                                 out += convex ? theta : -theta;
+                             });
+                }
+    return out;
 }
 
 void CellSourcef::meet() {
     m_met = true;
     m_votes.assign(m_near.size() * m_near.size(), 0);
-    for (const CellClusters::Beside& each : m_cube->beside()) {
-        const float distanceSq = surfel::shapedSq(each.position - m_xf, each.shape);
-        if (!(distanceSq < each.support * each.support))
-            continue;
-        m_near[each.own].beside = true;
-        if (each.partner >= m_near.size() || !there(each.partner))
-            continue;
-        const auto theta =
-            static_cast<double>(surface::weightAt(m_surface->surface().definition().weight, distanceSq, each.support));
-        vote(each.own, each.partner) += each.label.meeting == Meeting::Convex ? theta : -theta;
-    }
+    // mostly all say the same, and their weights do not matter
+    constexpr unsigned says[2] = {1, 2};
+    m_said.assign(m_votes.size(), 0);
+    for (std::size_t i = 0; i < m_near.size(); ++i)
+        for (const Found& found : partsOf(i))
+            for (const BesideCrease& each : found.part->beside) {
+                const unsigned there = each.all & found.lanes, convex = there & each.convex;
+                m_near[i].beside |= there != 0;
+                if (const std::size_t j = there != 0 ? find(each.partner) : none; j != none)
+                    m_said[i * m_near.size() + j] |=
+                        static_cast<std::uint8_t>((convex != 0 ? says[0] : 0) | (convex != there ? says[1] : 0));
+            }
+    for (std::size_t i = 0; i < m_near.size(); ++i)
+        for (std::size_t j = 0; j < m_near.size(); ++j) {
+            const unsigned own = m_said[i * m_near.size() + j], other = m_said[j * m_near.size() + i];
+            if (own != 0)
+                vote(i, j) = (own | other) == says[0] ? 1 : (own | other) == says[1] ? -1 : votes(i, cell(j));
+        }
 }
 
 std::vector<AbsentCell> CellSourcef::absent(std::size_t i) {
     std::vector<AbsentCell> out;
-    for (const CellClusters::Beside& each : m_cube->beside()) {
-        if (each.own != i || (each.partner < m_near.size() && there(each.partner)))
-            continue;
-        const float distanceSq = surfel::shapedSq(each.position - m_xf, each.shape);
-        if (distanceSq < each.support * each.support)
-            AbsentCell::add(each.label,
-                            static_cast<double>(
-                                surface::weightAt(m_surface->surface().definition().weight, distanceSq, each.support)),
-                            out);
-    }
+    const surface::Surface& surface = m_surface->surface();
+    for (const Found& found : partsOf(i))
+        for (const BesideCrease& each : found.part->beside) {
+            const unsigned there = each.all & found.lanes;
+            if (there == 0 || find(each.partner) != none)
+                continue;
+            for (unsigned left = there; left != 0; left &= left - 1) {
+                const unsigned one = left & -left;
+                Label label;
+                label.cell = cell(i);
+                label.partner = each.partner;
+                label.meeting = (each.convex & one) != 0 ? Meeting::Convex : Meeting::Concave;
+                if ((each.faded & one) != 0)
+                    label.sharpness = each.sharpness(std::countr_zero(one));
+                forLanes(found.part->channels, one, m_xf, surface.supportScale(), m_shape,
+                         [&](const Vec3f&, const Vec3f&, float distanceSq, float support) {
+                             AbsentCell::add(label,
+                                             static_cast<double>(
+                                                 surface::weightAt(surface.definition().weight, distanceSq, support)),
+                                             out);
+                         });
+            }
+        }
     return out;
 }
 
@@ -203,24 +227,28 @@ double CellSourcef::sharpness(std::size_t i, std::size_t j) {
 CellSourcef::Share CellSourcef::shareOf(std::size_t i, std::size_t j) {
     if (j == i)
         return {1, {}};
-    const std::span<const CellClusters::Cell> cells = m_cube->cells();
-    const std::span<const CellClusters::Fade> fades = m_cube->fades();
-    const bool oneFace = cells[i].face == cells[j].face;
-    if (!oneFace && fades.empty())
+    const bool oneFace = m_near[i].face == m_near[j].face;
+    if (!oneFace && !m_surface->parts().fade())
         return {};
     if (meeting(i, j) == Meeting::None)
         return {oneFace ? 1.0 : 0.0, {}};
-    const auto fade = std::find_if(fades.begin(), fades.end(), [&](const CellClusters::Fade& each) {
-        return each.a == std::min(i, j) && each.b == std::max(i, j);
-    });
-    if (fade == fades.end())
+    m_fades.clear();
+    bool faded = false;
+    for (const auto& [a, b] : {std::pair(std::min(i, j), std::max(i, j)), std::pair(std::max(i, j), std::min(i, j))})
+        for (const Found& found : partsOf(a))
+            for (const BesideCrease& each : found.part->beside)
+                if (each.fade && each.partner == cell(b) && (each.all & found.lanes) != 0) {
+                    faded |= (each.faded & found.lanes) != 0;
+                    m_fades.push_back(each.fade);
+                }
+    if (!faded)
         return {};
     surface::SumOptions options;
     options.weight = m_surface->surface().definition().weight;
     options.scale = m_surface->surface().supportScale();
     options.shape = m_shape;
     surface::Moments<float, 1> m;
-    surface::sum(m_cube->clusters(*fade), m_xf, options, m);
+    surface::sum(m_fades, m_xf, options, m);
     if (!(m.one.v > surface::leastWeight<float>))
         return {};
     const float k = m.n[0].v / m.one.v;
@@ -235,7 +263,7 @@ surface::ClusterSpan CellSourcef::clustersFrom(double share) {
     m_joined.clear();
     for (std::size_t j = 0; j < m_near.size(); ++j)
         if (m_shares[j].v >= share) {
-            const surface::ClusterSpan clusters = m_cube->clusters(m_cube->cells()[j]);
+            const surface::ClusterSpan clusters = clustersOf(j);
             m_joined.insert(m_joined.end(), clusters.begin(), clusters.end());
         }
     return m_joined;
@@ -250,9 +278,8 @@ surface::Evaluationf CellSourcef::evaluate(surface::ClusterSpan clusters, Need n
 }
 
 void CellSourcef::sumOf(std::size_t i, Need need, CellField& out) {
-    const CellClusters::Cell& own = m_cube->cells()[i];
-    if (!own.joined && m_cube->fades().empty())
-        return take(evaluate(m_cube->clusters(own), need), out);
+    if (m_near.size() == 1 || (!m_near[i].joined && !m_surface->parts().fade()))
+        return take(evaluate(clustersOf(i), need), out);
     m_shares.resize(m_near.size());
     bool whole = true;
     for (std::size_t j = 0; j < m_near.size(); ++j) {
@@ -343,17 +370,25 @@ CellSource::Tangent CellSourcef::tangent(std::size_t i) {
 CellSource::Sums CellSourcef::sums(std::size_t i) const {
     CellSource::Sums out;
     const surface::Surface& surface = m_surface->surface();
-    forPacked(m_cube->clusters(m_cube->cells()[i]), m_xf, surface.supportScale(), m_shape,
-              [&](const Vec3f& position, const Vec3f& normal, float distanceSq, float support) {
-                  const float theta = surface::weightAt(surface.definition().weight, distanceSq, support);
-                  out.add(static_cast<double>(theta), base::cast<double>(position) - m_x, base::cast<double>(normal));
-              });
+    for (const Found& found : partsOf(i))
+        forLanes(found.part->channels, found.lanes, m_xf, surface.supportScale(), m_shape,
+                 [&](const Vec3f& position, const Vec3f& normal, float distanceSq, float support) {
+                     const float theta = surface::weightAt(surface.definition().weight, distanceSq, support);
+                     out.add(static_cast<double>(theta), base::cast<double>(position) - m_x,
+                             base::cast<double>(normal));
+                 });
     return out;
 }
 
 bool CellSourcef::reaches(std::size_t i) const {
-    return anyPacked(m_cube->clusters(m_cube->cells()[i]), m_xf,
-                     surfel::surfaceReach * m_surface->surface().supportScale(), m_shape);
+    for (const float* cluster : clustersOf(i)) {
+        std::uint16_t within = 0;
+        inSupport(&cluster, 1, m_xf.x, m_xf.y, m_xf.z, surfel::surfaceReach * m_surface->surface().supportScale(),
+                  m_shape, &within);
+        if (within != 0)
+            return true;
+    }
+    return false;
 }
 
 } // namespace cells

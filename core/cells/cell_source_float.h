@@ -2,19 +2,15 @@
 // float32: what rays of pictures ask (cells/README 4.1).
 //
 //     CellSourcef source(surface);
-//     source.setScale(h);                  how large supports are there
+//     source.setScale(h);                  how large supports are there: a hint
 //     source.moveTo(x);
 //     source.at(i, need)
 //
-// Space is a lattice of cubes, a power of two between a quarter and a half of the scale wide; places in one cube share
-// the surfels packed for it, and what is answered depends on the place and the scale alone, whatever was asked before.
-// One thread at a time.
+// Positions that come close to the one before find their surfels among those collected around it; what is answered
+// depends on the place alone, whatever was asked before. One thread at a time.
 #pragma once
 
-#include "core/cells/cell_clusters.h"
 #include "core/cells/cell_source.h"
-
-#include <unordered_map>
 
 namespace cells {
 
@@ -39,17 +35,17 @@ class CellSourcef {
     explicit CellSourcef(const CellSurface& surface);
 
     const CellSurface& surface() const { return *m_surface; }
-    /// Of the places to come. The least support near them is right.
-    void setScale(double support);
+    /// Of the places to come: how far around them surfels are collected.
+    void setScale(double support) { m_scale = static_cast<float>(support); }
     void moveTo(const base::Vec3d& x);
     const base::Vec3d& position() const { return m_x; }
 
-    /// Cells with surfels in support somewhere near, by ascending label; those without here have no valid value.
+    /// Cells with surfels in support, by ascending label.
     std::size_t count() const { return m_near.size(); }
-    std::uint32_t cell(std::size_t i) const { return m_cube->cells()[i].cell; }
+    std::uint32_t cell(std::size_t i) const { return m_near[i].cell; }
     std::size_t find(std::uint32_t cell) const;
     /// Has one cell only surfels in support?
-    bool alone();
+    bool alone() const { return count() == 1; }
 
     Meeting meeting(std::size_t i, std::size_t j);
     std::vector<AbsentCell> absent(std::size_t i);
@@ -59,30 +55,33 @@ class CellSourcef {
     CellSource::Sums sums(std::size_t i) const;
     bool reaches(std::size_t i) const;
     bool smooth(std::size_t i, std::size_t j) {
-        return m_cube->cells()[i].face == m_cube->cells()[j].face && meeting(i, j) == Meeting::None;
+        return m_near[i].face == m_near[j].face && meeting(i, j) == Meeting::None;
     }
 
   private:
-    struct Cube {
-        int exponent = 0;
-        std::int64_t at[3] = {};
-        bool operator==(const Cube&) const = default;
+    /// A part with surfels in support, and which they are.
+    struct Found {
+        const CellPart* part;
+        unsigned lanes;
     };
-    struct CubeHash {
-        std::size_t operator()(const Cube& cube) const;
-    };
-    static base::Box3f boxOf(const Cube& cube);
-    const CellSurfels& surfelsAbout(const Cube& cube);
-
     struct Near {
-        bool known = false, counted = false, there = false, beside = false;
+        std::uint32_t cell = 0, face = 0;
+        std::uint32_t begin = 0, end = 0; ///< among the parts found
+        bool known = false, joined = false, beside = false;
         surface::Need need = surface::Need::Value;
         CellField at;
     };
 
-    /// Has cell i surfels in support?
-    bool there(std::size_t i);
+    void collect();
+    void gather();
+    std::span<const Found> partsOf(std::size_t i) const {
+        return std::span(m_found).subspan(m_near[i].begin, m_near[i].end - m_near[i].begin);
+    }
+    surface::ClusterSpan clustersOf(std::size_t i) const {
+        return surface::ClusterSpan(m_clusters).subspan(m_near[i].begin, m_near[i].end - m_near[i].begin);
+    }
     void meet();
+    double votes(std::size_t i, std::uint32_t partner) const;
     /// What cell j adds to the sums of cell i (cells/README 2.2).
     struct Share {
         double v = 0;
@@ -99,18 +98,21 @@ class CellSourcef {
     surface::Source m_source;
     surface::SummedNormals m_plain;
     int m_shape; ///< channel of shapes; 0: none
-    std::unordered_map<Cube, CellClusters, CubeHash> m_cubes;
-    std::unordered_map<Cube, CellSurfels, CubeHash> m_wide; ///< four times as wide: what cubes are packed from
-    Cube m_which;
-    const CellClusters* m_cube = nullptr;
-    int m_exponent = 0;
+    float m_scale = 0;
     base::Vec3d m_x;
     base::Vec3f m_xf;
-    std::vector<Near> m_near; ///< as the cube's cells
+    base::Box3f m_box;                    ///< positions in it need no other parts than these
+    std::vector<const CellPart*> m_about; ///< by cell, each in the order of the tree
+    std::vector<const float*> m_aboutChannels;
+    std::vector<std::uint16_t> m_lanes; ///< of these parts, in support
+    std::vector<Found> m_found;
+    std::vector<const float*> m_clusters; ///< of the parts found
+    std::vector<Near> m_near;
     bool m_met = false;
-    std::vector<double> m_votes; ///< convex > 0, concave < 0, by cell and partner
+    std::vector<double> m_votes;      ///< convex > 0, concave < 0, by cell and partner
+    std::vector<std::uint8_t> m_said; ///< likewise: are there surfels that say convex (1), concave (2)?
     std::vector<Share> m_shares, m_steps;
-    std::vector<const float*> m_joined;
+    std::vector<const float*> m_joined, m_fades;
 };
 
 } // namespace cells

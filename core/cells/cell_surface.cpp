@@ -65,6 +65,7 @@ std::optional<CellSurface> CellSurface::of(const surface::Surface& surface) {
         table->emplace(blocks[b], mixed[b]);
     CellSurface out(surface, *labels);
     out.m_mixed = std::move(table);
+    out.m_parts = std::make_shared<CellParts>(tree, *labels);
     return out;
 }
 

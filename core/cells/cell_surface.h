@@ -8,7 +8,7 @@
 // A value, cheap to copy; it holds its version alive. All functions are const and may run on any thread.
 #pragma once
 
-#include "core/cells/labels.h"
+#include "core/cells/cell_parts.h"
 #include "core/surface/surface.h"
 
 #include <memory>
@@ -23,6 +23,8 @@ class CellSurface {
 
     const surface::Surface& surface() const { return m_surface; }
     const LabelLayout& labels() const { return m_labels; }
+
+    const CellParts& parts() const { return *m_parts; }
 
     /// May surfels of several cells have weight where the surface near this cluster is? Where none of what a question
     /// meets is mixed, the answer is that of the surface without cells, bit for bit.
@@ -42,6 +44,7 @@ class CellSurface {
     surface::Surface m_surface;
     LabelLayout m_labels;
     std::shared_ptr<const Mixed> m_mixed; ///< a bit for each cluster
+    std::shared_ptr<const CellParts> m_parts;
 };
 
 /// What `info` tells.
