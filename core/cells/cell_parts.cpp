@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <unordered_map>
 
 namespace cells {
 
@@ -150,6 +151,19 @@ CellParts::CellParts(const tree::SurfelTree& tree, const LabelLayout& labels) : 
     m_fade = !fading.empty();
     base::parallelFor(blocks.size(), grain,
                       [&](std::size_t b) { Filling(*blocks[b], labels, channels, fading, m_blocks[b]).run(); });
+    if (m_fade)
+        findFadingToOthers(fading);
+}
+
+void CellParts::findFadingToOthers(const std::vector<Pair>& fading) {
+    std::unordered_map<std::uint32_t, std::uint32_t> faces;
+    for (const Block& block : m_blocks)
+        for (const CellPart& part : block.parts)
+            faces.try_emplace(part.cell, part.face);
+    for (const auto& [a, b] : fading)
+        if (faces[a] != faces[b])
+            m_fadingToOthers.insert(m_fadingToOthers.end(), {a, b});
+    std::sort(m_fadingToOthers.begin(), m_fadingToOthers.end());
 }
 
 /// Pairs of cells whose crease is not quite sharp somewhere; ascending.

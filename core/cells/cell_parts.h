@@ -7,6 +7,7 @@
 #include "core/cells/labels.h"
 #include "core/tree/surfel_tree.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -46,6 +47,10 @@ class CellParts {
 
     /// Are there creases that are not quite sharp?
     bool fade() const { return m_fade; }
+    /// Has the cell such a crease with one of another face?
+    bool fadesToOtherFaces(std::uint32_t cell) const {
+        return std::binary_search(m_fadingToOthers.begin(), m_fadingToOthers.end(), cell);
+    }
 
   private:
     struct alignas(64) Channel {
@@ -60,10 +65,12 @@ class CellParts {
     using Pair = std::pair<std::uint32_t, std::uint32_t>;
 
     std::vector<Pair> fadingPairs(const tree::SurfelTree& tree, const LabelLayout& labels) const;
+    void findFadingToOthers(const std::vector<Pair>& fading);
     class Filling;
 
     std::vector<Block> m_blocks;
     bool m_fade = false;
+    std::vector<std::uint32_t> m_fadingToOthers; ///< ascending
 };
 
 } // namespace cells

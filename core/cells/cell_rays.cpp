@@ -42,12 +42,12 @@ class CellRay {
         // where there is one zero at most it costs little; the others are marched no farther than the nearest hit
         for (const bool monotone : {true, false})
             for (Stretch each : found) {
-                if (first && each.begin > nearest)
+                if (first && each.first > nearest)
                     break;
                 if (each.monotone() != monotone)
                     continue;
                 if (first && !monotone)
-                    each.end = std::min(each.end, nearest);
+                    each.last = std::min(each.last, nearest);
                 roots.clear();
                 m_roots.find(each, roots);
                 for (const double t : roots)

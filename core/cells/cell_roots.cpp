@@ -17,6 +17,9 @@ constexpr int lanes = surfel::clusterSize;
 struct Chord {
     std::uint32_t cell;
     double begin, end, guess, nearest, unit, slope;
+    std::uint32_t face;
+    double level; ///< the ray is slope t - level above the surfel's plane
+    Vec3d normal;
 };
 
 /// A bit for each surfel of a cluster whose ball the ray passes, and for few that it does not.
@@ -43,11 +46,11 @@ unsigned passedBalls(const surfel::SurfelBlock& block, int cluster, const base::
 
 void append(std::vector<Stretch>& out, const Chord& c) {
     if (out.empty() || out.back().cell != c.cell || c.begin > out.back().end) {
-        out.push_back({c.cell, c.begin, c.end, c.guess, c.nearest, c.unit, c.slope, c.slope});
+        out.push_back({c.cell, c.face, c.begin, c.end, c.guess, c.nearest, c.unit, c.slope, c.slope, c.begin, c.end});
         return;
     }
     Stretch& last = out.back();
-    last.end = std::max(last.end, c.end);
+    last.last = last.end = std::max(last.end, c.end);
     last.unit = std::min(last.unit, c.unit);
     last.least = std::min(last.least, c.slope);
     last.most = std::max(last.most, c.slope);
@@ -56,6 +59,92 @@ void append(std::vector<Stretch>& out, const Chord& c) {
         last.guess = c.guess;
     }
 }
+
+/// Where f can be zero along a ray. It is a mean of heights above the planes of the surfels in support, but for half of
+/// what their normals differ (surface/README 2.6): there is no zero where all are above or all are below.
+class Bracket {
+  public:
+    void add(const Chord& c) {
+        m_chords.push_back(&c);
+        m_normals.extend(c.normal);
+    }
+    /// Appends the stretch, for each of its pieces that can have zeros.
+    void append(const Stretch& stretch, std::vector<Stretch>& out) const {
+        constexpr double flat = 0.05, pieceOfUnit = 0.25;
+        constexpr int mostPieces = 64;
+        const double span = stretch.end - stretch.begin;
+        // where the cell bends, what is far along the ray tells nothing
+        const int pieces = m_normals.diagonal() < flat
+                               ? 1
+                               : std::clamp(static_cast<int>(span / (pieceOfUnit * stretch.unit)), 1, mostPieces);
+        const std::size_t before = out.size();
+        for (int k = 0; k < pieces; ++k) {
+            Stretch piece = stretch;
+            piece.first = k == 0 ? stretch.begin : stretch.begin + k * span / pieces;
+            piece.last = k + 1 == pieces ? stretch.end : stretch.begin + (k + 1) * span / pieces;
+            appendPiece(piece, before, out);
+        }
+    }
+
+  private:
+    struct Span {
+        double lo = -std::numeric_limits<double>::infinity(), hi = std::numeric_limits<double>::infinity();
+    };
+    static void join(const Stretch& piece, std::size_t before, std::vector<Stretch>& out) {
+        if (out.size() > before && out.back().last >= piece.first)
+            out.back().last = piece.last;
+        else
+            out.push_back(piece);
+    }
+    void appendPiece(Stretch piece, std::size_t before, std::vector<Stretch>& out) const {
+        constexpr double mostSpread = 0.7, ofSpread = 0.2, rounding = 1e-3;
+        base::Box3d normals;
+        double unit = 0;
+        for (const Chord* c : m_chords)
+            if (c->begin <= piece.last && c->end >= piece.first) {
+                normals.extend(c->normal);
+                unit = std::max(unit, c->unit);
+            }
+        const double spread = normals.diagonal();
+        if (!(spread < mostSpread))
+            return join(piece, before, out);
+        const double margin = (ofSpread * spread + rounding) * unit;
+        Span above = beyond(piece, margin, 1), below = beyond(piece, margin, -1);
+        if (below.lo < above.lo)
+            std::swap(above, below);
+        for (const Span& none : {above, below})
+            if (none.lo < none.hi && none.hi > piece.first) {
+                if (none.lo > piece.first) {
+                    Stretch early = piece;
+                    early.last = std::min(piece.last, none.lo);
+                    join(early, before, out);
+                }
+                piece.first = none.hi;
+                if (!(piece.first < piece.last))
+                    return;
+            }
+        join(piece, before, out);
+    }
+    /// Where the ray is farther than `margin` on this side of all planes about a piece.
+    Span beyond(const Stretch& piece, double margin, double side) const {
+        Span out;
+        for (const Chord* c : m_chords) {
+            if (c->begin > piece.last || c->end < piece.first)
+                continue;
+            const double slope = side * c->slope, t = (margin + side * c->level) / slope;
+            if (slope > 0)
+                out.lo = std::max(out.lo, t);
+            else if (slope < 0)
+                out.hi = std::min(out.hi, t);
+            else if (!(-side * c->level > margin))
+                return {0, 0};
+        }
+        return out;
+    }
+
+    std::vector<const Chord*> m_chords;
+    base::Box3d m_normals;
+};
 
 } // namespace
 
@@ -82,17 +171,29 @@ std::vector<Stretch> stretches(const CellSurface& surface, const base::Rayd& ray
             const double slope = dot(n, ray.direction), crossing = dot(n, q) / slope;
             const double guess = std::abs(crossing - t) <= half ? crossing : t;
             chords.push_back({surface.labels().cellAt(block, slot), std::max(t - half, tMin), std::min(t + half, tMax),
-                              guess, lengthSq(q - ray.direction * guess) / (support * support), support, slope});
+                              guess, lengthSq(q - ray.direction * guess) / (support * support), support, slope,
+                              surface.labels().faceAt(block, slot), dot(n, q), n});
         }
         return true;
     });
     std::sort(chords.begin(), chords.end(),
               [](const Chord& a, const Chord& b) { return a.cell != b.cell ? a.cell < b.cell : a.begin < b.begin; });
-    std::vector<Stretch> out;
+    std::vector<Stretch> whole, out;
     for (const Chord& each : chords)
-        append(out, each);
+        append(whole, each);
+    for (const Stretch& each : whole) {
+        if (surface.parts().fadesToOtherFaces(each.cell)) {
+            out.push_back(each);
+            continue;
+        }
+        Bracket bracket;
+        for (const Chord& c : chords)
+            if (c.face == each.face && c.begin <= each.end && c.end >= each.begin)
+                bracket.add(c);
+        bracket.append(each, out);
+    }
     std::sort(out.begin(), out.end(), [](const Stretch& a, const Stretch& b) {
-        return a.begin != b.begin ? a.begin < b.begin : a.cell < b.cell;
+        return a.first != b.first ? a.first < b.first : a.cell < b.cell;
     });
     return out;
 }
@@ -152,14 +253,14 @@ void CellRoots<Source>::march(const Stretch& stretch, std::vector<double>& out) 
     constexpr double stepOfUnit = 1.0 / 12, dip = 0.6; // of the support; of a step, below which zeros may be in pairs
     constexpr int finer = 8, longest = 4;
     constexpr double leastSpan = 1.5; // steps to a zero, at least: f over the step times this
-    const double span = stretch.end - stretch.begin;
+    const double span = stretch.last - stretch.first;
     const int steps = std::max(2, static_cast<int>(std::min(std::ceil(span / (stepOfUnit * stretch.unit)), 1e6)));
     const double step = span / steps;
-    Sample before, last = sample(stretch.begin);
+    Sample before, last = sample(stretch.first);
     int stride = 1; // in steps, since the sample before
     for (int k = 1; k <= steps; k += stride) {
         const int passed = stride;
-        const Sample next = sample(stretch.begin + k * step);
+        const Sample next = sample(stretch.first + k * step);
         if (last.valid && next.valid && (last.f > 0) != (next.f > 0)) {
             refine(last, next, stretch.unit, out);
         } else if (k > 1 && passed == 1 && before.valid && last.valid && next.valid && std::abs(last.f) < dip * step &&

@@ -12,19 +12,20 @@ namespace cells {
 
 /// A piece of a ray.
 struct Stretch {
-    std::uint32_t cell = 0;
+    std::uint32_t cell = 0, face = 0;
     double begin = 0, end = 0;
     double guess = 0;            ///< where the disc is crossed that passes closest to its centre
     double nearest = 0;          ///< distance to that centre, of the support
     double unit = 0;             ///< the least support of the surfels there
     double least = 1, most = -1; ///< of n.d over these surfels
+    double first = 0, last = 0;  ///< the piece of it that can have zeros
 
     /// No surfel is seen at a flat angle, and all from the same side.
     bool monotone() const { return least > steep || most < -steep; }
     static constexpr double steep = 0.2;
 };
 
-/// By ascending begin, within [tMin, tMax]. Stretches of one cell that touch are one.
+/// By ascending `first`, within [tMin, tMax]. Stretches of one cell that touch are one, for each of its pieces.
 std::vector<Stretch> stretches(const CellSurface& surface, const base::Rayd& ray, double tMin, double tMax);
 
 /// Asks a CellSource or a CellSourcef.

@@ -31,6 +31,10 @@ void take(const E& from, CellField& to) {
     to.gradient = base::cast<double>(from.gradient);
 }
 
+/// A table, as the compiler does not make vectors of shifts.
+constexpr int bitOf[lanes] = {1,      1 << 1, 1 << 2,  1 << 3,  1 << 4,  1 << 5,  1 << 6,  1 << 7,
+                              1 << 8, 1 << 9, 1 << 10, 1 << 11, 1 << 12, 1 << 13, 1 << 14, 1 << 15};
+
 /// For each cluster a bit for each surfel with weight at x, supports multiplied by `scale`; `shape` as in SumOptions.
 POINTCLAY_CLONES
 void inSupport(const float* const* clusters, std::size_t count, float x, float y, float z, float scale, int shape,
@@ -51,9 +55,9 @@ void inSupport(const float* const* clusters, std::size_t count, float x, float y
                                     (c[surfel::Z * lanes + lane] - z) * b[lane + 2 * lanes];
                 beyond[lane] += along * along;
             }
-        unsigned bits = 0;
+        int bits = 0;
         for (int lane = 0; lane < lanes; ++lane)
-            bits |= beyond[lane] < 0 ? 1u << lane : 0u;
+            bits |= beyond[lane] < 0 ? bitOf[lane] : 0;
         out[k] = static_cast<std::uint16_t>(bits);
     }
 }

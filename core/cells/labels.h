@@ -40,6 +40,9 @@ class LabelLayout {
 
     Label at(const surfel::SurfelBlock& block, int slot) const;
     std::uint32_t cellAt(const surfel::SurfelBlock& block, int slot) const { return word(block, slot, m_cell); }
+    std::uint32_t faceAt(const surfel::SurfelBlock& block, int slot) const {
+        return m_face ? word(block, slot, *m_face) : cellAt(block, slot);
+    }
     /// Of a surfel by its words.
     Label at(std::span<const std::uint32_t> words) const;
     bool hasSharpness() const { return m_sharpness.has_value(); }
