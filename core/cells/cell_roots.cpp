@@ -61,7 +61,8 @@ void append(std::vector<Stretch>& out, const Chord& c) {
 }
 
 /// Where f can be zero along a ray. It is a mean of heights above the planes of the surfels in support, but for half of
-/// what their normals differ (surface/README 2.6): there is no zero where all are above or all are below.
+/// what their normals differ (surface/README 2.6): where all are above or all are below by more than that, no zero is
+/// looked for. What chords leave out (0.7 h to h, a thirtieth of a weight and less) is not asked.
 class Bracket {
   public:
     void add(const Chord& c) {
@@ -97,7 +98,7 @@ class Bracket {
             out.push_back(piece);
     }
     void appendPiece(Stretch piece, std::size_t before, std::vector<Stretch>& out) const {
-        constexpr double mostSpread = 0.7, ofSpread = 0.2, rounding = 1e-3;
+        constexpr double mostSpread = 0.7, ofSpread = 0.6, rounding = 1e-3;
         base::Box3d normals;
         double unit = 0;
         for (const Chord* c : m_chords)
