@@ -103,16 +103,19 @@ class CapSampler {
     surfel::SurfelList m_out;
 };
 
-/// Does the plane part neighbours that look the same way? Then what stays has a rim there, which few surfels, as those
+/// Does the cut part neighbours that look the same way? Then what stays has a rim there, which few surfels, as those
 /// of a reduced model, may not show.
-bool partsSheets(const tree::SurfelTree& tree, const base::Plane& plane) {
+bool partsSheets(const tree::SurfelTree& tree, const Side& side, int gone) {
     constexpr std::size_t looked = 8;
     constexpr int enough = 3; // one may be a stray
     constexpr float alike = 0.5f;
-    const auto height = [&](const base::Vec3f& p) { return plane.distance(base::cast<double>(p)); };
+    const auto height = [&](const base::Vec3f& p) { return -gone * side.at(base::cast<double>(p)).value; };
     int found = 0;
     std::vector<tree::Neighbour> near;
     tree.forEachBlock([&](std::uint32_t, const surfel::SurfelBlock& block) {
+        const base::Box3f box = block.box().inflated(block.maxSupport());
+        if (!side.meets({base::cast<double>(box.lo), base::cast<double>(box.hi)}))
+            return;
         for (int slot = 0; slot < block.size() && found < enough; ++slot) {
             const double h = height(block.position(slot));
             if (h < 0 || h > static_cast<double>(block.support(slot)))
@@ -129,7 +132,7 @@ bool partsSheets(const tree::SurfelTree& tree, const base::Plane& plane) {
 
 } // namespace
 
-Combined leftOpen(const surface::Surface& model, std::span<const std::int8_t> sides, int gone,
+Combined leftOpen(const surface::Surface& model, const Side& side, std::span<const std::int8_t> sides, int gone,
                   const base::Progress& progress) {
     tree::Edit edit;
     edit.inserted.layout = model.tree().layout();
@@ -148,7 +151,7 @@ Combined leftOpen(const surface::Surface& model, std::span<const std::int8_t> si
     constexpr float ofFewSurfels = 0.3f; // h: as for bands all of whose samples see a rim
     if (out.removed > 0 && definition.boundary == surface::Boundary::Auto) {
         definition.boundaryLimit = process::automaticBoundaryLimit(out.surface, process::part(progress, 0.5, 1));
-        if (std::isinf(definition.boundaryLimit) && partsSheets(model.tree(), plane))
+        if (std::isinf(definition.boundaryLimit) && partsSheets(model.tree(), side, gone))
             definition.boundaryLimit = ofFewSurfels;
         out.surface = {out.surface.tree(), definition};
     }
@@ -164,7 +167,7 @@ Combined cutByPlane(const surface::Surface& model, const base::Plane& plane, con
     if (options.cap)
         return combine(model, {side, CapSampler(model, plane).result()}, Operation::Difference, {options.creases},
                        progress);
-    return leftOpen(model, sides, -1, progress);
+    return leftOpen(model, side, sides, -1, progress);
 }
 
 } // namespace solid

@@ -18,7 +18,7 @@ Combined trimmed(const surface::Surface& model, const OutlineSide& side, Trim tr
     if (std::ssize(sides) - going < 4)
         throw base::Error("nothing would be left", "trim", "draw a smaller outline, or keep the other side");
     if (!options.cap)
-        return leftOpen(model, sides, gone, progress);
+        return leftOpen(model, side, sides, gone, progress);
     return combine(model, {side, wallsOf(side, model)},
                    trim == Trim::Away ? Operation::Difference : Operation::Intersection, {options.creases}, progress);
 }
