@@ -82,7 +82,8 @@ void WindowTest::modelMenuIsTheCommandTable() {
     WindowFixture f;
     QStringList offered, expected;
     for (const QAction* action : f.window->menu("model")->actions())
-        offered << action->data().toString();
+        if (!action->menu()) // of what is drawn instead of written
+            offered << action->data().toString();
     for (const auto& row : session::commandTable())
         if (ui::hasDialog(row)) {
             expected << row.op;
