@@ -1,7 +1,6 @@
 #include "core/mesh/marching/fill_loop.h"
 
 #include <algorithm>
-#include <cassert>
 
 namespace mesh {
 
@@ -79,7 +78,8 @@ class LoopFill {
 bool fillLoop(const LoopShape& shape, std::vector<std::array<int, 3>>& out) {
     out.clear();
     const int count = static_cast<int>(shape.loop.size());
-    assert(count >= 3);
+    if (count < 3) // a cube that the surface touches along an edge: its neighbours meet there
+        return false;
     if (count == 3) {
         out.push_back({0, 1, 2});
         return false;

@@ -18,7 +18,7 @@ struct LoopShape {
 };
 
 /// Triangles as indices into the loop, in its direction; loop.size() stands for the middle. Returns whether it needs
-/// one. REQUIRES: at least 3 vertices.
+/// one. Fewer than 3 vertices have none.
 bool fillLoop(const LoopShape& shape, std::vector<std::array<int, 3>>& out);
 
 } // namespace mesh
