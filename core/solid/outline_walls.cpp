@@ -53,8 +53,8 @@ class WallSampler {
             m_least = std::min(m_least, spacing), m_most = std::max(m_most, spacing);
             m_near = std::min(m_near, depth - spacing), m_far = std::max(m_far, depth + spacing);
         });
-        if (!m_frame.parallel)
-            m_near = std::max(m_near, 1e-3 * m_far);
+        if (!m_frame.parallel) // where the eye is within the model walls begin there
+            m_near = SurfaceSide(model).at(m_frame.eye).value < 0 ? 0.25 * m_least : std::max(m_near, 1e-3 * m_far);
         findChains();
         for (std::uint32_t c = 0; c < m_chains.size(); ++c)
             sample(m_chains[c], c);

@@ -12,11 +12,15 @@ Combined trimmed(const surface::Surface& model, const OutlineSide& side, Trim tr
                  const base::Progress& progress) {
     const int gone = trim == Trim::Away ? -1 : 1;
     const std::vector<std::int8_t> sides = sidesOf(model.tree(), side);
-    const auto going = std::ranges::count_if(sides, [&](std::int8_t s) { return s * gone > 0; });
-    if (going == 0)
-        throw base::Error("there is nothing to trim away", "trim", "draw the outline across the model");
-    if (std::ssize(sides) - going < 4)
-        throw base::Error("nothing would be left", "trim", "draw a smaller outline, or keep the other side");
+    const auto inside = std::ranges::count_if(sides, [](std::int8_t s) { return s < 0; }),
+               outside = std::ssize(sides) - inside;
+    constexpr auto few = 4;
+    if (inside < (trim == Trim::Keep ? few : 1))
+        throw base::Error("the outline holds no points of the model", "trim",
+                          "draw it over the model, larger than the points are apart");
+    if (outside < (trim == Trim::Keep ? 1 : few))
+        throw base::Error(trim == Trim::Keep ? "there is nothing to trim away" : "nothing would be left", "trim",
+                          "draw a smaller outline");
     if (!options.cap)
         return leftOpen(model, side, sides, gone, progress);
     return combine(model, {side, wallsOf(side, model)},

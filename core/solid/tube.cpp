@@ -145,6 +145,10 @@ class TubeSampler {
                 break;
             const Vec3d on = normalized(k + 2 < line.size() ? line[k + 2] - line[k + 1] : line[1] - line[0]);
             const double turn = std::acos(std::clamp(dot(along, on), -1.0, 1.0));
+            if (constexpr double back = pi - 1e-6; turn > back) { // no plane to turn in
+                end(line[k + 1], along);
+                continue;
+            }
             walk(turn * m_side.radius(), [&](double way) {
                 const double share = way / (turn * m_side.radius());
                 ring(line[k + 1], normalized(along * std::sin((1 - share) * turn) + on * std::sin(share * turn)),

@@ -34,6 +34,7 @@ class TrimTest : public QObject {
     void threadsDoNotShow();
     void plainOutlinesAreTheSame();
     void whatLeavesNothingIsRefused();
+    void anEyeWithinTheModelCutsFromThereOn();
 };
 
 namespace {
@@ -234,6 +235,17 @@ void TrimTest::whatLeavesNothingIsRefused() {
     QVERIFY_THROWS_EXCEPTION(base::Error, solid::trimmed(ball, all, Trim::Keep));
     QVERIFY_THROWS_EXCEPTION(base::Error, solid::trimmed(ball, beside, Trim::Away));
     QVERIFY_THROWS_EXCEPTION(base::Error, solid::trimmed(ball, beside, Trim::Keep));
+}
+
+void TrimTest::anEyeWithinTheModelCutsFromThereOn() {
+    const surface::Surface ball = shapeAt("ball", {1, 0, 0}, 0.05);
+    const solid::PictureFrame frame{{0, 0, 0}, {0, 0, -1}, {1, 0, 0}, {0, 1, 0}, false};
+    const OutlineSide side(frame, {{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}});
+    const mesh::Extent extent = mesh::extentOf(solid::trimmed(ball, side, Trim::Away).surface);
+    // a pyramid's solid angle, of the ball's volume
+    const double angle = 4 * std::atan(0.25 / std::sqrt(1 + 0.5)), wanted = (4 * pi - angle) / 3;
+    QVERIFY(extent.closed);
+    QVERIFY2(std::abs(extent.volume - wanted) < 0.005 * wanted, QByteArray::number(extent.volume / wanted));
 }
 
 static const test::Registered<TrimTest> registered;

@@ -29,8 +29,9 @@ static void tube(Context& context, const json& complete) {
         solid::curveThrough(placesOf(context, complete), radius, complete.at("smooth").get<bool>());
     if (line.size() < 2)
         throw base::Error("\"along\" has fewer than two places", "tube", "write [[x,y,z],[x,y,z],...]");
-    const double spacing =
-        complete.contains("spacing") ? complete.at("spacing").get<double>() : spacingNear(model, line.front());
+    constexpr double finest = 0.4; // radii: a dozen points around it at least
+    const double spacing = complete.contains("spacing") ? complete.at("spacing").get<double>()
+                                                        : std::min(spacingNear(model, line.front()), finest * radius);
     const solid::TubeSide side(std::move(line), radius);
     take(context,
          solid::combine(model, {side, solid::surfelsOf(side, spacing, model.definition())},
@@ -45,11 +46,14 @@ CommandRow tubeCommand() {
         {"along", "list", "model units",
          "[[x,y,z],...], places that its middle goes through; closed where the last is the first", "", "", 0, 0},
         {"radius", "number", "model units", "of the tube, whose ends are round", "", "", positive, largest},
-        {"smooth", "boolean", "", "bends from place to place; off: straight lines between them", "true", "", 0, 0},
+        {"smooth", "boolean", "",
+         "a centripetal Catmull-Rom curve through the places; off: straight lines, with round joints", "true", "", 0,
+         0},
         {"operation", "choice", "", "union joins it, difference takes it away, intersection keeps what is in it",
          "\"union\"", operations.c_str(), 0, 0},
-        {"spacing", "number", "model units", "of its points; by default as the model's nearest to its beginning",
-         "null", "", positive, largest},
+        {"spacing", "number", "model units",
+         "of its points; by default as the model's nearest to its beginning, 0.4 radii at most", "null", "", positive,
+         largest},
         creasesParameter(),
         filletParameter(),
         chamferParameter(),
