@@ -14,6 +14,7 @@
 #include "core/session/scene/scene_ply.h"
 #include "core/surfel/shape.h"
 
+#include <cmath>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -70,6 +71,9 @@ void describeSurface(ordered_json& out, session::OpenedFile file, const base::Pr
         }
         out["merged"] = made.merged;
         const surface::SurfaceDefinition& definition = made.surface.definition();
+        if (file.model.faces == 0) // of faces these themselves tell
+            out["closed"] = made.surface.tree().layout()->oriented && std::isinf(definition.boundaryLimit) &&
+                            definition.manifold == surface::Manifold::Surface;
         out["cells"] = definition.manifold == surface::Manifold::Complex ? definition.connectivity->cells.size()
                                                                          : cells::countCells(surfels).cells;
         out["shapes"] = anyEllipsoid(surfels);

@@ -48,6 +48,7 @@ void InfoTest::theObjectHasTheContractsKeys() {
     QVERIFY(info["bounds"]["min"].size() == 3 && info["bounds"]["max"].size() == 3 && info["origin"].size() == 3);
     QCOMPARE(info["hash"].get<std::string>().size(), std::size_t(32));
     QCOMPARE(info["normals"], json(true));
+    QCOMPARE(info["closed"], json(true));
     const Outcome text = program.run({"info", "sample:torus:2000"});
     for (const std::string& key : wanted)
         QVERIFY2(("\n" + text.out).find("\n" + key + " ") != std::string::npos, key.c_str());
@@ -58,6 +59,7 @@ void InfoTest::aGridIsDescribedExactly() {
     program.write("grid.xyz", grid());
     const json info = json::parse(program.run({"info", "grid.xyz", "--json"}).out);
     QCOMPARE(info["surfels"], json(120));
+    QCOMPARE(info["closed"], json(false));
     QCOMPARE(info["dropped"], json(1));
     QCOMPARE(info["faces"], json(0));
     QCOMPARE(info["normals"], json(false));
