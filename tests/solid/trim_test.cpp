@@ -76,7 +76,7 @@ const solid::PictureFrame fromAbove{{0, 0, 5}, {0, 0, -1}, {1, 0, 0}, {0, 1, 0},
 void TrimTest::heightsAreThoseOfTheWalls() {
     constexpr std::uint64_t seed = 5;
     base::Random random(seed);
-    for (int k = 0; k < 40; ++k) {
+    for (int k = 0; k < test::effort(40); ++k) {
         const solid::PictureFrame frame = frameAt(random, k % 2 == 0);
         const OutlineSide side(frame, starOutline(random, frame, 3 + k % 9, 1));
         const Vec3d x = random.unitVector() * random.uniform(0, 2);
@@ -238,14 +238,14 @@ void TrimTest::whatLeavesNothingIsRefused() {
 }
 
 void TrimTest::anEyeWithinTheModelCutsFromThereOn() {
-    const surface::Surface ball = shapeAt("ball", {1, 0, 0}, 0.05);
+    const surface::Surface ball = shapeAt("ball", {1, 0, 0}, test::sanitized ? 0.08 : 0.05);
     const solid::PictureFrame frame{{0, 0, 0}, {0, 0, -1}, {1, 0, 0}, {0, 1, 0}, false};
     const OutlineSide side(frame, {{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}});
     const mesh::Extent extent = mesh::extentOf(solid::trimmed(ball, side, Trim::Away).surface);
     // a pyramid's solid angle, of the ball's volume
     const double angle = 4 * std::atan(0.25 / std::sqrt(1 + 0.5)), wanted = (4 * pi - angle) / 3;
     QVERIFY(extent.closed);
-    QVERIFY2(std::abs(extent.volume - wanted) < 0.005 * wanted, QByteArray::number(extent.volume / wanted));
+    QVERIFY2(std::abs(extent.volume - wanted) < 0.008 * wanted, QByteArray::number(extent.volume / wanted));
 }
 
 static const test::Registered<TrimTest> registered;
