@@ -5,6 +5,7 @@
 #include "app/subcommands/subcommand.h"
 #include "core/base/error.h"
 #include "core/cells/cell_surface.h"
+#include "core/mesh/surface_traits.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/process/estimation/spacing.h"
 #include "core/session/document.h"
@@ -14,7 +15,6 @@
 #include "core/session/scene/scene_ply.h"
 #include "core/surfel/shape.h"
 
-#include <cmath>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -72,8 +72,8 @@ void describeSurface(ordered_json& out, session::OpenedFile file, const base::Pr
         out["merged"] = made.merged;
         const surface::SurfaceDefinition& definition = made.surface.definition();
         if (file.model.faces == 0) // of faces these themselves tell
-            out["closed"] = made.surface.tree().layout()->oriented && std::isinf(definition.boundaryLimit) &&
-                            definition.manifold == surface::Manifold::Surface;
+            out["closed"] =
+                mesh::SurfaceTraits(made.surface).closed && definition.manifold == surface::Manifold::Surface;
         out["cells"] = definition.manifold == surface::Manifold::Complex ? definition.connectivity->cells.size()
                                                                          : cells::countCells(surfels).cells;
         out["shapes"] = anyEllipsoid(surfels);

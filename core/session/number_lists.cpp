@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -34,6 +35,33 @@ std::optional<Vec3d> vectorOf(const json& complete, const char* id) {
 std::optional<Vec3d> placeOf(const Context& context, const json& complete, const char* id) {
     const std::optional<Vec3d> out = vectorOf(complete, id);
     return out ? std::optional(*out - context.document.provenance().origin) : out;
+}
+
+std::vector<Vec3d> placesOf(const Context& context, const json& complete, const char* id) {
+    std::vector<double> numbers;
+    const auto wrong = [&] {
+        return base::Error("\"" + std::string(id) + "\" of \"" + complete.at("op").get<std::string>() +
+                               "\" is no list of places",
+                           {}, "write [[x,y,z],[x,y,z],...]");
+    };
+    const auto take = [&](const json& number) {
+        if (!number.is_number() || !(std::abs(number.get<double>()) <= CommandParameter::largest))
+            throw wrong();
+        numbers.push_back(number.get<double>());
+    };
+    for (const json& each : complete.at(id))
+        if (!each.is_array())
+            take(each);
+        else if (each.size() == 3)
+            std::for_each(each.begin(), each.end(), take);
+        else
+            throw wrong();
+    if (numbers.empty() || numbers.size() % 3 != 0)
+        throw wrong();
+    std::vector<Vec3d> out;
+    for (std::size_t i = 0; i < numbers.size(); i += 3)
+        out.push_back(Vec3d{numbers[i], numbers[i + 1], numbers[i + 2]} - context.document.provenance().origin);
+    return out;
 }
 
 base::Plane planeOf(const Context& context, const json& complete, const char* id) {

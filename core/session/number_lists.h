@@ -19,6 +19,8 @@ std::vector<double> numbersOf(const nlohmann::json& complete, const char* id, st
 std::optional<base::Vec3d> vectorOf(const nlohmann::json& complete, const char* id);
 /// In stored coordinates: less the model's origin.
 std::optional<base::Vec3d> placeOf(const Context& context, const nlohmann::json& complete, const char* id);
+/// [[x,y,z], ...] or [x,y,z, x,y,z, ...], one at least, relative to the model's origin. Throws base::Error.
+std::vector<base::Vec3d> placesOf(const Context& context, const nlohmann::json& complete, const char* id);
 /// [nx,ny,nz,d], the half where n . x >= d, made unit and relative to the model's origin. Throws base::Error where n is
 /// zero.
 base::Plane planeOf(const Context& context, const nlohmann::json& complete, const char* id);

@@ -4,6 +4,7 @@
 #include "core/cells/creases/draw_crease.h"
 #include "core/cells/creases/labelled_surface.h"
 #include "core/session/commands/commands.h"
+#include "core/session/number_lists.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,32 +15,6 @@ namespace session {
 
 using base::Vec3d;
 using nlohmann::json;
-
-/// [[x,y,z], ...] or [x,y,z, x,y,z, ...], relative to the model's origin.
-static std::vector<Vec3d> lineOf(const Context& context, const json& complete) {
-    std::vector<double> numbers;
-    const auto wrong = [] {
-        return base::Error("\"along\" of \"crease\" is no list of places", {}, "write [[x,y,z],[x,y,z],...]");
-    };
-    const auto take = [&](const json& number) {
-        if (!number.is_number() || !(std::abs(number.get<double>()) <= largest))
-            throw wrong();
-        numbers.push_back(number.get<double>());
-    };
-    for (const json& each : complete.at("along"))
-        if (!each.is_array())
-            take(each);
-        else if (each.size() == 3)
-            std::for_each(each.begin(), each.end(), take);
-        else
-            throw wrong();
-    if (numbers.empty() || numbers.size() % 3 != 0)
-        throw wrong();
-    std::vector<Vec3d> out;
-    for (std::size_t i = 0; i < numbers.size(); i += 3)
-        out.push_back(Vec3d{numbers[i], numbers[i + 1], numbers[i + 2]} - context.document.provenance().origin);
-    return out;
-}
 
 static void detect(Context& context, const json& complete) {
     const surface::Surface before = context.document.surface();
@@ -70,7 +45,7 @@ static void detect(Context& context, const json& complete) {
 }
 
 static void draw(Context& context, const json& complete) {
-    cells::DrawnCrease result = cells::drawCrease(context.document.surface(), lineOf(context, complete),
+    cells::DrawnCrease result = cells::drawCrease(context.document.surface(), placesOf(context, complete, "along"),
                                                   complete.at("sharpness").get<double>(), context.progress);
     context.figures["creased"] = static_cast<double>(result.creased);
     context.figures["changed"] = static_cast<double>(result.changed);

@@ -11,22 +11,12 @@ namespace session {
 using base::Vec3d;
 using nlohmann::json;
 
-static std::vector<Vec3d> placesOf(const Context& context, const json& complete) {
-    std::vector<Vec3d> out;
-    for (const json& place : complete.at("along")) {
-        const std::vector<double> p =
-            numbersOf({{"op", "tube"}, {"along", place}}, "along", 3, "[[x,y,z],[x,y,z],...]");
-        out.push_back(Vec3d{p[0], p[1], p[2]} - context.document.provenance().origin);
-    }
-    return out;
-}
-
 static void tube(Context& context, const json& complete) {
     requireModel(context);
     const surface::Surface& model = context.document.surface();
     const auto radius = complete.at("radius").get<double>();
     std::vector<Vec3d> line =
-        solid::curveThrough(placesOf(context, complete), radius, complete.at("smooth").get<bool>());
+        solid::curveThrough(placesOf(context, complete, "along"), radius, complete.at("smooth").get<bool>());
     if (line.size() < 2)
         throw base::Error("\"along\" has fewer than two places", "tube", "write [[x,y,z],[x,y,z],...]");
     constexpr double finest = 0.4; // radii: a dozen points around it at least
