@@ -5,6 +5,7 @@
 #include "core/process/estimation/boundary_limit.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/process/resampling/resample.h"
+#include "core/solid/hexagonal.h"
 #include "core/solid/primitive.h"
 #include "core/solid/spacing_beside.h"
 
@@ -57,7 +58,7 @@ class CapSampler {
     }
     /// A hexagonal layout.
     void rows(double spacing) {
-        const double row = 0.9306 * spacing, along = spacing / 0.9306;
+        const double row = rowStep * spacing, along = spacing / rowStep;
         const auto count = [](double length, double step) { return static_cast<int>(std::ceil(length / step)) + 1; };
         for (int i = 0; i < count(m_box.size().y, row); ++i) {
             base::CancelScope::check();

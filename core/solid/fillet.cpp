@@ -3,6 +3,7 @@
 #include "core/base/cancel_scope.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/solid/hexagonal.h"
 
 #include <algorithm>
 #include <cmath>
@@ -184,7 +185,6 @@ FilletPlace Fillet::place(const Station& at, double across) const {
 }
 
 void Fillet::rows(const Way& way, std::vector<FilletPlace>& out) const {
-    constexpr double rowStep = 0.9306, alongStep = 1 / 0.9306; // hexagonal: process/README 1.1
     double widest = 0, spacing = 0;
     for (const Station& each : way) {
         const double angle = std::acos(std::clamp(dot(each.middle.risesA, each.middle.risesB), -1.0, 1.0));

@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/cells/crease_labels.h"
 #include "core/process/resampling/resample.h"
+#include "core/solid/hexagonal.h"
 #include "core/solid/spacing_beside.h"
 
 #include <algorithm>
@@ -131,7 +132,7 @@ class WallSampler {
     }
     /// A hexagonal layout, half a row from where the chain ends.
     void rows(const Chain& chain, std::uint32_t cell, double spacing) {
-        const double row = 0.9306 * spacing, along = spacing / 0.9306;
+        const double row = rowStep * spacing, along = spacing / rowStep;
         int number = 0;
         for (double depth = m_near; depth < m_far; depth += row, ++number) {
             base::CancelScope::check();

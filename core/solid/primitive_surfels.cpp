@@ -2,6 +2,7 @@
 #include "core/base/error.h"
 #include "core/cells/crease_labels.h"
 #include "core/process/resampling/resample.h"
+#include "core/solid/hexagonal.h"
 #include "core/solid/primitive.h"
 
 #include <numbers>
@@ -13,8 +14,6 @@ using std::numbers::pi;
 
 namespace {
 
-/// A hexagonal layout of spacing 1 (process/README 1.1): from row to row, and along them.
-constexpr double rowStep = 0.9306, alongStep = 1 / 0.9306;
 constexpr std::size_t mostSurfels = 20'000'000;
 
 /// A piece of a profile in the half-plane of (r, z), as a function of the way along it.

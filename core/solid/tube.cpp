@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 #include "core/base/segment.h"
 #include "core/process/resampling/resample.h"
+#include "core/solid/hexagonal.h"
 
 #include <algorithm>
 #include <numbers>
@@ -110,7 +111,6 @@ bool TubeSide::meets(const base::Box3d& box) const {
 
 namespace {
 
-constexpr double rowStep = 0.9306; ///< of a hexagonal layout of spacing 1 (process/README 1.1)
 constexpr std::size_t mostSurfels = 20'000'000;
 
 class TubeSampler {
