@@ -5,6 +5,7 @@
 #include "ui/work/editor.h"
 #include "ui/work/render_thread.h"
 
+#include <future>
 #include <QTest>
 
 using namespace ui;
@@ -15,6 +16,7 @@ class WorkThreadsTest : public QObject {
     void versionsAreDrawnWhileAStrokeGoesOn();
     void theTrueSurfaceIsInterrupted();
     void cancelledWorkLeavesTheModel();
+    void workIsCancelledWhileItWaits();
 };
 
 static Frame frameOf(const Editor& editor) {
@@ -90,14 +92,40 @@ void WorkThreadsTest::cancelledWorkLeavesTheModel() {
     const auto editor = sphere();
     QVERIFY(editor);
     const base::Hash128 before = editor->hashWhenDone();
+    QVERIFY(settled(*editor)); // that the hash is done is known here, too: it is not what is cancelled
     stroke(*editor, 40);
     editor->cancelStroke();
-    editor->run({{"op", "resample"}, {"spacing", 0.01}});
+    bool done = true;
+    editor->run({{"op", "resample"}, {"spacing", 0.01}}, [&](bool success) { done = success; });
     editor->cancelWork();
     QVERIFY(settled(*editor));
-    QVERIFY(editor->snapshot().surfels > 0);
-    if (!editor->snapshot().canUndo) // the strokes' end or the command may have been faster
+    QVERIFY(!done);
+    if (!editor->snapshot().canUndo) // the stroke's end may have been faster
         QVERIFY(editor->hashWhenDone() == before);
+}
+
+/// Whatever it waits for: here a task that ends when it has been cancelled, too, and a stroke.
+void WorkThreadsTest::workIsCancelledWhileItWaits() {
+    const auto editor = sphere();
+    QVERIFY(editor);
+    std::promise<void> cancelled;
+    const std::shared_future<void> wait = cancelled.get_future().share();
+    std::vector<bool> done;
+    const auto note = [&](bool success) { done.push_back(success); };
+    editor->runAside({"Waiting", [wait](const surface::Surface&, const base::Progress&) { wait.wait(); }, note});
+    stroke(*editor, 40);
+    editor->run({{"op", "flip"}}, note);
+    editor->cancelWork(); // the task that waits, which does not look
+    cancelled.set_value();
+    QVERIFY(QTest::qWaitFor([&] { return done.size() == 2; }, test::patience));
+    QCOMPARE(done, (std::vector<bool>{true, true}));
+
+    stroke(*editor, 40);
+    editor->run({{"op", "resample"}, {"spacing", 0.01}}, note);
+    editor->cancelWork();
+    editor->run({{"op", "flip"}}, note);
+    QVERIFY(settled(*editor));
+    QCOMPARE(done, (std::vector<bool>{true, true, false, true}));
 }
 
 static const test::Registered<WorkThreadsTest> registered;

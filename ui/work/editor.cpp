@@ -21,8 +21,7 @@ Editor::Editor(const EditorOptions& options, QObject* parent) : QObject(parent) 
 }
 
 Editor::~Editor() {
-    m_signals.closing = true;
-    m_signals.cancel = true;
+    m_signals.cancel.close();
     if (m_strokeCancelled)
         *m_strokeCancelled = true;
     m_queue.close();
@@ -106,6 +105,7 @@ void Editor::setHistoryBudget(std::size_t bytes) {
 void Editor::push(Task task) {
     ++m_waiting;
     const bool command = std::holds_alternative<CommandTask>(task) || std::holds_alternative<SideTask>(task);
+    m_commandsAsked += command ? 1 : 0;
     if (command && m_commands++ == 0)
         m_workingSince.start();
     m_waiting -= static_cast<int>(m_queue.push(std::move(task)));
@@ -182,6 +182,11 @@ void Editor::cancelStroke() {
     if (m_strokeCancelled)
         *m_strokeCancelled = true;
     push(CancelStroke{});
+}
+
+void Editor::cancelWork() {
+    if (m_commands > 0)
+        m_signals.cancel.cancel(m_commandsAsked - static_cast<std::uint64_t>(m_commands) + 1);
 }
 
 base::Hash128 Editor::hashWhenDone() {

@@ -55,8 +55,9 @@ class Editor : public QObject {
     void endStroke();
     /// As if it had not been: what still waits of it is not done any more.
     void cancelStroke();
-    /// Asks the command that is running to stop; it then leaves the model as it was.
-    void cancelWork() { m_signals.cancel = true; }
+    /// Asks the first command that is not done, as far as told here, to stop, or not to begin; it then leaves the
+    /// model as it was.
+    void cancelWork();
 
     /// How much memory the steps back may hold; the oldest go first.
     void setHistoryBudget(std::size_t bytes);
@@ -104,7 +105,8 @@ class Editor : public QObject {
     std::shared_ptr<std::atomic<bool>> m_strokeCancelled; ///< of the newest stroke
     Snapshot m_snapshot;
     int m_waiting = 0;
-    int m_commands = 0;  ///< of them, those that are not part of a stroke
+    int m_commands = 0; ///< of them, those that are not part of a stroke
+    std::uint64_t m_commandsAsked = 0;
     int m_replacing = 0; ///< of these, those that start another model
     QElapsedTimer m_workingSince;
     std::mutex m_freshMutex;

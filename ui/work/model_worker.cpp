@@ -31,7 +31,6 @@ void ModelWorker::discardJournal() {
 
 template <class Work>
 bool ModelWorker::guarded(const Work& work) {
-    m_signals.cancel = m_signals.closing.load();
     const tree::SurfelTree before = m_document.surface().tree();
     try {
         work();
@@ -56,7 +55,7 @@ base::Progress ModelWorker::progress() {
         *last = Clock::now();
         m_reports.progressed(share, textOf(doing));
     };
-    return {report, &m_signals.cancel};
+    return {report, &m_signals.cancel.flag()};
 }
 
 session::Context ModelWorker::context() {
@@ -127,6 +126,7 @@ void ModelWorker::publishSettling() {
 // --- commands ---
 
 void ModelWorker::perform(CommandTask& task) {
+    ++m_command;
     const bool aside = (task.kind == CommandKind::Undo && layAside()) || (task.kind == CommandKind::Redo && takeUp());
     if (aside)
         return m_reports.finished(std::move(task.then), true, 1);
@@ -134,6 +134,7 @@ void ModelWorker::perform(CommandTask& task) {
     const tree::SurfelTree before = m_document.surface().tree();
     const std::uint64_t models = m_models;
     session::Context used = context();
+    m_signals.cancel.begin(m_command);
     const bool done = guarded([&] { task.work(used); });
     tell(used.messages);
     if (m_models == models && !m_document.canUndo() && !m_document.canRedo() &&
@@ -144,7 +145,9 @@ void ModelWorker::perform(CommandTask& task) {
 }
 
 void ModelWorker::perform(SideTask& task) {
+    ++m_command;
     endSettling();
+    m_signals.cancel.begin(m_command);
     const bool done = guarded([&] {
         const base::Progress steps = progress();
         steps.report(0, task.what);
@@ -194,6 +197,7 @@ void ModelWorker::endAll() {
     if (finish(std::move(m_undone)))
         guarded([&] {
             session::Context used = context();
+            used.progress = {}; // what is cancelled is a command
             session::run(used, {{"op", "undo"}});
         });
 }
@@ -221,7 +225,7 @@ void ModelWorker::perform(BeginStroke& task) {
 }
 
 bool ModelWorker::strokeWanted() const {
-    return m_stroke && !*m_stroke->cancelled && !m_signals.closing;
+    return m_stroke && !*m_stroke->cancelled && !m_signals.cancel.closed();
 }
 
 /// In slices: between them the picture is published and a cancelled stroke ends.

@@ -9,6 +9,7 @@
 #include "core/sculpt/stroke_pacer.h"
 #include "core/session/journal.h"
 #include "core/session/live_stroke.h"
+#include "ui/work/command_cancel.h"
 #include "ui/work/snapshot.h"
 #include "ui/work/task_queue.h"
 
@@ -21,8 +22,7 @@ namespace ui {
 
 /// What the interface's thread asks of work that is running, and how far a stroke's input has come.
 struct WorkerSignals {
-    std::atomic<bool> cancel = false;                             ///< the running command is to stop
-    std::atomic<bool> closing = false;                            ///< everything is
+    CommandCancel cancel;
     std::atomic<std::uint64_t> takenInput = 0, changingInput = 0; ///< see Editor
 };
 
@@ -94,7 +94,8 @@ class ModelWorker {
     std::unique_ptr<OpenStroke> m_settling; ///< ended; none is drawn meanwhile
     std::unique_ptr<OpenStroke> m_undone;   ///< laid aside; none is drawn or settles meanwhile
     sculpt::StrokePacer m_pacer;
-    std::uint64_t m_models = 0; ///< as Snapshot::models
+    std::uint64_t m_command = 0; ///< how many commands and side tasks have been begun
+    std::uint64_t m_models = 0;  ///< as Snapshot::models
     double m_dabSeconds = 0;
     std::uint64_t m_input = 0; ///< the last in a stroke
     Snapshot m_shown;          ///< the last published
