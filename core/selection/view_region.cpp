@@ -8,7 +8,7 @@ namespace selection {
 
 using base::Vec3d;
 
-ViewRegion::ViewRegion(const render::Camera& from, Outline in)
+ViewRegion::ViewRegion(const render::Camera& from, base::Outline in)
     : camera(from), outline(std::move(in)), m_forward(from.forward()), m_right(from.right()), m_upright(from.upright()),
       m_focal(from.focalPx()) {}
 
@@ -26,7 +26,7 @@ bool ViewRegion::holds(const Vec3d& x) const {
 /// The picture of a box lies in the rectangle about those of its corners, as long as all of it lies before the eye.
 Relation ViewRegion::relation(const base::Box3d& box) const {
     constexpr double inf = std::numeric_limits<double>::infinity(), slack = 1e-6; // of a pixel
-    Point2 lo{inf, inf}, hi{-inf, -inf};
+    base::Point2 lo{inf, inf}, hi{-inf, -inf};
     double least = inf, most = -inf;
     for (int corner = 0; corner < 8; ++corner) {
         const Vec3d p = place(

@@ -2,8 +2,8 @@
 // visible, by the exact surface (selection/README 3).
 #pragma once
 
+#include "core/base/outline.h"
 #include "core/render/camera.h"
-#include "core/selection/outline.h"
 #include "core/selection/regions.h"
 #include "core/surface/surface.h"
 
@@ -11,11 +11,11 @@ namespace selection {
 
 struct ViewRegion {
     render::Camera camera;
-    Outline outline; ///< in pixels; (0, 0) is the picture's upper left corner
+    base::Outline outline; ///< in pixels; (0, 0) is the picture's upper left corner
     /// Depths along `forward` from the eye's plane between which surfels count.
     double nearest = 0, farthest = std::numeric_limits<double>::infinity();
 
-    ViewRegion(const render::Camera& camera, Outline outline);
+    ViewRegion(const render::Camera& camera, base::Outline outline);
     bool holds(const base::Vec3d& x) const;
     Relation relation(const base::Box3d& box) const;
 

@@ -47,10 +47,10 @@ render::Camera cameraOf(const Context& context, const json& complete) {
     return out;
 }
 
-std::vector<selection::Point2> outlineOf(const json& complete) {
+std::vector<base::Point2> outlineOf(const json& complete) {
     if (complete.contains("rectangle") == complete.contains("polygon"))
         throw base::Error("an outline is one of rectangle and polygon", {}, "give one of them");
-    std::vector<selection::Point2> corners;
+    std::vector<base::Point2> corners;
     if (complete.contains("rectangle")) {
         const std::vector<double> r = numbersOf(complete, "rectangle", 4, "[x0,y0,x1,y1]");
         corners = {{r[0], r[1]}, {r[2], r[1]}, {r[2], r[3]}, {r[0], r[3]}};

@@ -2,8 +2,8 @@
 // this room.
 #pragma once
 
+#include "core/base/outline.h"
 #include "core/render/camera.h"
-#include "core/selection/outline.h"
 #include "core/session/command.h"
 
 #include <nlohmann/json_fwd.hpp>
@@ -19,6 +19,6 @@ std::vector<CommandParameter> outlineParameters();
 /// In stored coordinates. REQUIRES: eye and target are there. Throws base::Error.
 render::Camera cameraOf(const Context& context, const nlohmann::json& complete);
 /// In pixels. Throws base::Error unless one of rectangle and polygon is there, with three corners or more.
-std::vector<selection::Point2> outlineOf(const nlohmann::json& complete);
+std::vector<base::Point2> outlineOf(const nlohmann::json& complete);
 
 } // namespace session

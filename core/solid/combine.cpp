@@ -71,12 +71,13 @@ class Combining {
           m_labels(options.creases && (!(options.fillet > 0) || options.chamfer > 0 || hasLabels(model.tree()) ||
                                        (!m_other.empty() && hasLabels(m_other)))),
           m_tree(m_labels ? labelled(model.tree(), m_other) : model.tree()),
-          m_modelSide(surface::Surface(m_tree, m_definition)), m_operandSide(operand.side) {}
+          m_modelSide(surface::Surface(m_tree, m_definition)), m_operandSide(operand.side), m_ofModel(operand.sides) {}
 
     Combined run(const base::Progress& progress) {
         progress.step(0, "Telling inside from outside");
         const base::CancelScope scope(progress.cancel);
-        m_ofModel = sidesOf(m_tree, m_operandSide);
+        if (m_ofModel.empty())
+            m_ofModel = sidesOf(m_tree, m_operandSide);
         progress.step(0.3, "Telling inside from outside");
         m_ofOperand = sidesOf(m_other, m_modelSide);
         progress.step(0.6, "Joining");

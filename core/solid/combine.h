@@ -24,6 +24,7 @@ Operation operation(std::string_view id);
 struct Operand {
     const Side& side;
     surfel::SurfelList surfels;
+    std::vector<std::int8_t> sides = {}; ///< of the model's surfels, as sidesOf tells them; empty: to be asked
 };
 
 struct CombineOptions {

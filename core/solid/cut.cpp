@@ -1,11 +1,10 @@
 #include "core/solid/cut.h"
 
-#include "core/base/cancel_scope.h"
 #include "core/base/error.h"
 #include "core/process/estimation/boundary_limit.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/process/resampling/resample.h"
-#include "core/solid/hexagonal.h"
+#include "core/solid/map_places.h"
 #include "core/solid/primitive.h"
 #include "core/solid/spacing_beside.h"
 
@@ -36,57 +35,25 @@ class CapSampler {
     surfel::SurfelList result() { return std::move(m_out); }
 
   private:
-    static constexpr double mostPlaces = 2e7;
+    /// Of the plane, in the pose's frame.
+    struct Map {
+        const CapSampler& cap;
+        base::Point2 lo, hi;
 
-    double spacingAt(double u, double v) const { return m_beside.at(m_pose.place({u, v, 0})); }
+        double unit(double /*v*/) const { return 1; }
+        double spacing(double u, double v) const { return cap.m_beside.at(cap.m_pose.place({u, v, 0})); }
+    };
     void sample() {
+        const Map map{*this, {m_box.lo.x, m_box.lo.y}, {m_box.hi.x, m_box.hi.y}};
         double least = std::numeric_limits<double>::infinity(), most = 0;
         constexpr int looks = 32;
         for (int i = 0; i < looks; ++i)
             for (int j = 0; j < looks; ++j) {
-                const double spacing = spacingAt(m_box.lo.x + (i + 0.5) / looks * m_box.size().x,
-                                                 m_box.lo.y + (j + 0.5) / looks * m_box.size().y);
+                const double spacing = map.spacing(map.lo.x + (i + 0.5) / looks * m_box.size().x,
+                                                   map.lo.y + (j + 0.5) / looks * m_box.size().y);
                 least = std::min(least, spacing), most = std::max(most, spacing);
             }
-        if (!(m_box.size().x * m_box.size().y < mostPlaces * least * least))
-            throw base::Error("a cap as dense as the model is there would have too many points", "cut",
-                              "resample the model with a larger spacing");
-        if (most < 1.25 * least)
-            rows(std::sqrt(least * most));
-        else
-            squares();
-    }
-    /// A hexagonal layout.
-    void rows(double spacing) {
-        const double row = rowStep * spacing, along = spacing / rowStep;
-        const auto count = [](double length, double step) { return static_cast<int>(std::ceil(length / step)) + 1; };
-        for (int i = 0; i < count(m_box.size().y, row); ++i) {
-            base::CancelScope::check();
-            for (int j = 0; j < count(m_box.size().x, along); ++j)
-                add(m_box.lo.x + (j + 0.5 * (i & 1)) * along, m_box.lo.y + i * row, spacing);
-        }
-    }
-    /// Squares, halved until none is larger than the spacing about it; a place in the middle of each.
-    void squares() {
-        struct Square {
-            double u, v, side;
-        };
-        const double side = std::max(m_box.size().x, m_box.size().y);
-        std::vector<Square> open{{m_box.centre().x, m_box.centre().y, side}};
-        while (!open.empty()) {
-            const Square at = open.back();
-            open.pop_back();
-            base::CancelScope::check();
-            const double spacing = spacingAt(at.u, at.v);
-            // what is a square of 1.4 at most is one of 0.7 at least: as dense in the mean
-            if (at.side <= 1.4 * spacing) {
-                add(at.u, at.v, spacing);
-                continue;
-            }
-            for (const double i : {-0.25, 0.25})
-                for (const double j : {-0.25, 0.25})
-                    open.push_back({at.u + i * at.side, at.v + j * at.side, 0.5 * at.side});
-        }
+        forPlaces(map, least, most, [&](double u, double v, double spacing) { add(u, v, spacing); });
     }
     void add(double u, double v, double spacing) {
         surfel::Surfel s;
@@ -166,8 +133,8 @@ Combined cutByPlane(const surface::Surface& model, const base::Plane& plane, con
     if (std::count_if(sides.begin(), sides.end(), [](std::int8_t s) { return s >= 0; }) < 4)
         throw base::Error("nothing would be left", "cut", "move the plane, or keep the other side");
     if (options.cap)
-        return combine(model, {side, CapSampler(model, plane).result()}, Operation::Difference, {options.creases},
-                       progress);
+        return combine(model, {side, CapSampler(model, plane).result(), sides}, Operation::Difference,
+                       {options.creases}, progress);
     return leftOpen(model, side, sides, -1, progress);
 }
 

@@ -8,6 +8,8 @@
 
 namespace solid {
 
+using base::Point2;
+
 Combined trimmed(const surface::Surface& model, const OutlineSide& side, Trim trim, const CutOptions& options,
                  const base::Progress& progress) {
     const int gone = trim == Trim::Away ? -1 : 1;
@@ -23,19 +25,19 @@ Combined trimmed(const surface::Surface& model, const OutlineSide& side, Trim tr
                           "draw a smaller outline");
     if (!options.cap)
         return leftOpen(model, side, sides, gone, progress);
-    return combine(model, {side, wallsOf(side, model)},
+    return combine(model, {side, wallsOf(side, model), sides},
                    trim == Trim::Away ? Operation::Difference : Operation::Intersection, {options.creases}, progress);
 }
 
 /// Douglas and Peucker's way from one corner to another.
-static void keepBetween(const std::vector<PicturePoint>& p, std::size_t from, std::size_t to, double tolerance,
+static void keepBetween(const std::vector<Point2>& p, std::size_t from, std::size_t to, double tolerance,
                         std::vector<bool>& kept) {
     const auto &a = p[from], &b = p[to % p.size()];
-    const double dx = b[0] - a[0], dy = b[1] - a[1], long2 = dx * dx + dy * dy;
+    const double dx = b.x - a.x, dy = b.y - a.y, long2 = dx * dx + dy * dy;
     double most = tolerance;
     std::size_t farthest = from;
     for (std::size_t k = from + 1; k < to; ++k) {
-        const double x = p[k][0] - a[0], y = p[k][1] - a[1];
+        const double x = p[k].x - a.x, y = p[k].y - a.y;
         const double share = long2 > 0 ? std::clamp((x * dx + y * dy) / long2, 0.0, 1.0) : 0;
         if (const double off = std::hypot(x - share * dx, y - share * dy); off > most)
             most = off, farthest = k;
@@ -47,19 +49,18 @@ static void keepBetween(const std::vector<PicturePoint>& p, std::size_t from, st
     keepBetween(p, farthest, to, tolerance, kept);
 }
 
-std::vector<PicturePoint> plainOutline(const std::vector<PicturePoint>& corners) {
-    PicturePoint lo = corners.front(), hi = lo;
-    for (const PicturePoint& p : corners)
-        for (const std::size_t k : {0U, 1U})
-            lo[k] = std::min(lo[k], p[k]), hi[k] = std::max(hi[k], p[k]);
-    const double tolerance = std::hypot(hi[0] - lo[0], hi[1] - lo[1]) / 4000;
+std::vector<Point2> plainOutline(const std::vector<Point2>& corners) {
+    base::Box3d box;
+    for (const Point2& p : corners)
+        box.extend(base::Vec3d{p.x, p.y, 0});
+    const double tolerance = box.diagonal() / 4000;
     // from the corner that is leftmost, which stays whatever the tolerance
-    std::vector<PicturePoint> turned = corners;
+    std::vector<Point2> turned = corners;
     std::ranges::rotate(turned, std::ranges::min_element(turned));
     std::vector<bool> kept(turned.size());
     kept[0] = true;
     keepBetween(turned, 0, turned.size(), tolerance, kept);
-    std::vector<PicturePoint> out;
+    std::vector<Point2> out;
     for (std::size_t k = 0; k < turned.size(); ++k)
         if (kept[k])
             out.push_back(turned[k]);

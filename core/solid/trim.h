@@ -16,6 +16,6 @@ Combined trimmed(const surface::Surface& model, const OutlineSide& side, Trim tr
 
 /// The same outline without corners that lie within 1/4000 of its extent of the line through those beside them: hands
 /// draw hundreds where some tens tell the same.
-std::vector<PicturePoint> plainOutline(const std::vector<PicturePoint>& corners);
+std::vector<base::Point2> plainOutline(const std::vector<base::Point2>& corners);
 
 } // namespace solid

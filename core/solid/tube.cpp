@@ -68,29 +68,19 @@ std::vector<Vec3d> curveThrough(std::span<const Vec3d> places, double radius, bo
 
 // --- the side ---
 
-TubeSide::TubeSide(std::vector<Vec3d> line, double radius) : m_line(std::move(line)), m_radius(radius) {
-    constexpr std::size_t pieces = 16;
-    for (std::size_t first = 0; first + 1 < m_line.size(); first += pieces) {
-        Run run{{}, first, std::min(first + pieces, m_line.size() - 1)};
-        for (std::size_t k = run.first; k <= run.last; ++k)
-            run.box.extend(m_line[k]);
-        m_runs.push_back(run);
-    }
+static SegmentRuns runsOf(std::span<const Vec3d> line) {
+    std::vector<base::Box3d> boxes(line.size() - 1);
+    for (std::size_t k = 0; k < boxes.size(); ++k)
+        boxes[k].extend(line[k]), boxes[k].extend(line[k + 1]);
+    return SegmentRuns(boxes);
 }
 
+TubeSide::TubeSide(std::vector<Vec3d> line, double radius)
+    : m_line(std::move(line)), m_radius(radius), m_runs(runsOf(m_line)) {}
+
 Vec3d TubeSide::nearest(const Vec3d& x) const {
-    double least = std::numeric_limits<double>::infinity();
-    Vec3d out;
-    for (const Run& run : m_runs) {
-        if (run.box.distanceSq(x) >= least)
-            continue;
-        for (std::size_t k = run.first; k < run.last; ++k) {
-            const Vec3d at = nearestOnSegment(m_line[k], m_line[k + 1], x);
-            if (const double sq = distanceSq(at, x); sq < least)
-                least = sq, out = at;
-        }
-    }
-    return out;
+    const auto on = [&](std::size_t k) { return nearestOnSegment(m_line[k], m_line[k + 1], x); };
+    return on(m_runs.nearest(x, [&](std::size_t k) { return distanceSq(on(k), x); }));
 }
 
 SideValue TubeSide::at(const Vec3d& x) const {

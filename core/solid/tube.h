@@ -1,6 +1,7 @@
 // A tube with round ends along a curve through places: as a side, and as surfels (solid/README 3.2).
 #pragma once
 
+#include "core/solid/segment_runs.h"
 #include "core/solid/side.h"
 #include "core/surfel/surfel.h"
 
@@ -30,14 +31,9 @@ class TubeSide : public Side {
   private:
     base::Vec3d nearest(const base::Vec3d& x) const;
 
-    /// Pieces of the line in boxes, so that most of a long one is not looked at.
-    struct Run {
-        base::Box3d box;
-        std::size_t first = 0, last = 0;
-    };
     std::vector<base::Vec3d> m_line;
     double m_radius;
-    std::vector<Run> m_runs;
+    SegmentRuns m_runs;
 };
 
 /// Of its surface: about `spacing` apart, none inside another part of the tube, supports by the definition. Throws

@@ -6,13 +6,14 @@
 #include <QTest>
 
 using namespace selection;
+using base::Outline;
+using base::Point2;
 using base::Vec3d;
 
 class RegionsTest : public QObject {
     Q_OBJECT
   private Q_SLOTS:
     void regionsHoldWhatBruteForceFinds();
-    void outlinesAreEvenOdd();
     void lassosHoldWhatBruteForceFinds_data();
     void lassosHoldWhatBruteForceFinds();
     void visibleIsWhatFacesTheEyeOfABall();
@@ -48,17 +49,6 @@ void RegionsTest::regionsHoldWhatBruteForceFinds() {
     }
 }
 
-/// By all edges, one after the other.
-static bool evenOdd(const std::vector<Point2>& corners, const Point2& p) {
-    bool in = false;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        const Point2 &a = corners[i], &b = corners[(i + 1) % corners.size()];
-        if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) * (b.x - a.x) / (b.y - a.y))
-            in = !in;
-    }
-    return in;
-}
-
 static std::vector<Point2> randomLasso(base::Random& random, std::size_t corners, bool crossing) {
     std::vector<Point2> out;
     for (std::size_t i = 0; i < corners; ++i) {
@@ -68,30 +58,6 @@ static std::vector<Point2> randomLasso(base::Random& random, std::size_t corners
                                : Point2{200 + r * std::cos(angle), 150 + r * std::sin(angle)});
     }
     return out;
-}
-
-void RegionsTest::outlinesAreEvenOdd() {
-    base::Random random(test::seed());
-    for (int round = 0; round < test::effort(30); ++round) {
-        const std::vector<Point2> corners = randomLasso(random, 3 + random.below(60), round % 2 == 0);
-        const Outline outline(corners);
-        for (int k = 0; k < 300; ++k) {
-            const Point2 p{-50 + 500 * random.uniform(), -50 + 400 * random.uniform()};
-            QCOMPARE(outline.holds(p), evenOdd(corners, p));
-            // A rectangle that no edge meets is of one kind.
-            const Point2 q{p.x + 40 * random.uniform(), p.y + 40 * random.uniform()};
-            if (!outline.meets(p, q))
-                for (int c = 0; c < 5; ++c)
-                    QCOMPARE(
-                        evenOdd(corners, {p.x + random.uniform() * (q.x - p.x), p.y + random.uniform() * (q.y - p.y)}),
-                        evenOdd(corners, p));
-        }
-    }
-    QVERIFY(!Outline().holds({0, 0}));
-    const Point2 flat[] = {{0, 0}, {5, 0}, {9, 0}};
-    QVERIFY(!Outline(flat).holds({5, 0}));
-    const Point2 square[] = {{0, 0}, {4, 0}, {4, 4}, {0, 4}};
-    QVERIFY(Outline(square).holds({2, 2}) && Outline(square).holds({0, 0}) && !Outline(square).holds({4, 4}));
 }
 
 void RegionsTest::lassosHoldWhatBruteForceFinds_data() {
@@ -121,7 +87,7 @@ void RegionsTest::lassosHoldWhatBruteForceFinds() {
             region.nearest = distance - 0.5, region.farthest = distance + 0.5 * random.uniform();
         const auto expected = test::those(ball.tree(), [&](const surfel::Surfel& s) {
             const Vec3d p = camera.project(base::cast<double>(s.position));
-            return p.z > 0 && p.z >= region.nearest && p.z <= region.farthest && evenOdd(corners, {p.x, p.y});
+            return p.z > 0 && p.z >= region.nearest && p.z <= region.farthest && Outline(corners).holds({p.x, p.y});
         });
         const std::string what = test::seedText(test::seed()) + ", round " + std::to_string(round);
         QVERIFY2(test::placesOf(within(ball.tree(), region)) == test::placesOf(expected), what.c_str());

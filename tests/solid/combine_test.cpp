@@ -2,7 +2,6 @@
 #include "core/solid/combine.h"
 
 #include "core/base/error.h"
-#include "core/base/parallel.h"
 #include "core/base/random.h"
 #include "core/cells/labels.h"
 #include "core/mesh/check/topology.h"
@@ -13,6 +12,7 @@
 #include "process/even_shapes.h"
 #include "support/registry.h"
 #include "support/sanitized.h"
+#include "support/threads.h"
 
 #include <numbers>
 #include <QTest>
@@ -291,12 +291,7 @@ void CombineTest::threadsDoNotShow() {
             .contentHash()
             .text();
     };
-    base::setThreadCount(1);
-    const std::string one = hash();
-    base::setThreadCount(3);
-    const std::string three = hash();
-    base::setThreadCount(0);
-    QCOMPARE(three, one);
+    QCOMPARE(test::onThreads(3, hash), test::onThreads(1, hash));
 }
 
 void CombineTest::whatLeavesNothingIsRefused() {

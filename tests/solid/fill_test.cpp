@@ -2,12 +2,12 @@
 #include "core/solid/fill.h"
 
 #include "core/base/error.h"
-#include "core/base/parallel.h"
 #include "core/process/estimation/prepare.h"
 #include "core/surface/curves/boundary_curves.h"
 #include "process/even_shapes.h"
 #include "support/registry.h"
 #include "support/sanitized.h"
+#include "support/threads.h"
 
 #include <numbers>
 #include <QTest>
@@ -202,12 +202,7 @@ void FillTest::loopsThatTouchThemselvesAreNamedAndLeft() {
 void FillTest::threadsDoNotShow() {
     const surface::Surface open = limited(without(test::spherePoints(1500), {{0, 0, 1}}, 0.4));
     const auto hash = [&] { return solid::fillHoles(open, {}).surface.tree().contentHash().text(); };
-    base::setThreadCount(1);
-    const std::string one = hash();
-    base::setThreadCount(3);
-    const std::string three = hash();
-    base::setThreadCount(0);
-    QCOMPARE(three, one);
+    QCOMPARE(test::onThreads(3, hash), test::onThreads(1, hash));
 }
 
 void FillTest::closedSurfacesAndWrongNumbersAreRefused() {

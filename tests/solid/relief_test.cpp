@@ -2,11 +2,11 @@
 #include "core/solid/fill.h"
 #include "core/solid/relief_texture.h"
 
-#include "core/base/parallel.h"
 #include "core/base/random.h"
 #include "process/even_shapes.h"
 #include "support/registry.h"
 #include "support/sanitized.h"
+#include "support/threads.h"
 
 #include <Eigen/Dense>
 #include <numbers>
@@ -249,12 +249,7 @@ void ReliefTest::threadsDoNotShow() {
     base::Random random(9);
     const surface::Surface open = wavy(false, wavesOf(random, true, 8, 0.6), 1, 8);
     const auto hash = [&] { return filled(open, true, false).surface.tree().contentHash().text(); };
-    base::setThreadCount(1);
-    const std::string one = hash();
-    base::setThreadCount(3);
-    const std::string three = hash();
-    base::setThreadCount(0);
-    QCOMPARE(three, one);
+    QCOMPARE(test::onThreads(3, hash), test::onThreads(1, hash));
 }
 
 static const test::Registered<ReliefTest> registered;

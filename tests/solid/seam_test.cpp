@@ -1,7 +1,6 @@
 // Seams traced: circles where balls meet; and seams rounded by a ball, against the tori that
 // it leaves.
 #include "core/base/error.h"
-#include "core/base/parallel.h"
 #include "core/base/random.h"
 #include "core/cells/cell_projection.h"
 #include "core/cells/seam_lines.h"
@@ -10,6 +9,7 @@
 #include "placed_shapes.h"
 #include "support/registry.h"
 #include "support/sanitized.h"
+#include "support/threads.h"
 
 #include <numbers>
 #include <QTest>
@@ -366,12 +366,7 @@ void SeamTest::threadsDoNotShow() {
             .contentHash()
             .text();
     };
-    base::setThreadCount(1);
-    const std::string one = hash();
-    base::setThreadCount(3);
-    const std::string three = hash();
-    base::setThreadCount(0);
-    QCOMPARE(three, one);
+    QCOMPARE(test::onThreads(3, hash), test::onThreads(1, hash));
 }
 
 static const test::Registered<SeamTest> registered;

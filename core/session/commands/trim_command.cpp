@@ -11,13 +11,13 @@ namespace session {
 using nlohmann::json;
 
 /// The outline on the plane at depth 1 before the eye; with parallel rays on the one through it.
-static solid::OutlineSide sideOf(const render::Camera& camera, const std::vector<selection::Point2>& outline) {
+static solid::OutlineSide sideOf(const render::Camera& camera, const std::vector<base::Point2>& outline) {
     const solid::PictureFrame frame{camera.eye, camera.forward(), camera.right(), camera.upright(), camera.parallel()};
     const double unit = 1 / camera.focalPx();
-    std::vector<solid::PicturePoint> corners;
-    for (const selection::Point2& p : outline)
+    std::vector<base::Point2> corners;
+    for (const base::Point2& p : outline)
         corners.push_back({(p.x - 0.5 * camera.width) * unit, (0.5 * camera.height - p.y) * unit});
-    std::vector<solid::PicturePoint> plain = solid::plainOutline(corners);
+    std::vector<base::Point2> plain = solid::plainOutline(corners);
     if (plain.size() < 3)
         throw base::Error("the outline goes round nothing", "trim", "draw it round a part of the picture");
     return {frame, std::move(plain)};

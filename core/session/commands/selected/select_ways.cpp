@@ -61,7 +61,7 @@ Selection abovePlane(Context& context, const json& complete) {
 }
 
 Selection inView(Context& context, const json& complete) {
-    selection::ViewRegion region(cameraOf(context, complete), selection::Outline(outlineOf(complete)));
+    selection::ViewRegion region(cameraOf(context, complete), base::Outline(outlineOf(complete)));
     if (complete.contains("depth")) {
         const std::vector<double> depth = numbersOf(complete, "depth", 2, "[from,to]");
         region.nearest = depth[0], region.farthest = depth[1];

@@ -5,14 +5,16 @@
 // it reaches over. An outline may cross itself: what it goes round twice is outside. Float64; a value.
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <span>
 #include <vector>
 
-namespace selection {
+namespace base {
 
 struct Point2 {
     double x = 0, y = 0;
+    auto operator<=>(const Point2&) const = default;
 };
 
 class Outline {
@@ -37,4 +39,4 @@ class Outline {
     std::vector<std::uint32_t> m_first, m_inRow; ///< of each row: where its edges begin in m_inRow
 };
 
-} // namespace selection
+} // namespace base

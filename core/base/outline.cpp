@@ -1,8 +1,8 @@
-#include "core/selection/outline.h"
+#include "core/base/outline.h"
 
 #include <algorithm>
 
-namespace selection {
+namespace base {
 
 Outline::Outline(std::span<const Point2> corners) {
     if (corners.size() < 3)
@@ -77,4 +77,4 @@ bool Outline::meets(const Point2& lo, const Point2& hi) const {
     return false;
 }
 
-} // namespace selection
+} // namespace base
