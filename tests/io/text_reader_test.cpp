@@ -2,6 +2,7 @@
 #include "core/base/parallel.h"
 #include "io/io_support.h"
 #include "support/registry.h"
+#include "support/threads.h"
 
 using io::FileModel;
 
@@ -337,10 +338,8 @@ void TextReaderTest::longTextIsTheSameAtAnyThreadCount() {
             text += "\n   \n# between\n";
     }
     const auto path = folder.write("a.xyz", text);
-    base::setThreadCount(1);
-    const FileModel one = io::read(path);
-    base::setThreadCount(0);
-    const FileModel all = io::read(path);
+    const auto work = [&] { return io::read(path); };
+    const FileModel one = test::onThreads(1, work), all = work();
     QCOMPARE(one.points.size(), std::size_t(100000));
     for (std::size_t i = 0; i < one.points.size(); ++i)
         QCOMPARE(one.points.items[i].position.y + float(one.origin.y), float(i));

@@ -1,9 +1,9 @@
 // Pairs of boxes: those that all comparisons find, whatever their sizes and however many share a place.
-#include "core/base/parallel.h"
 #include "core/base/random.h"
 #include "core/mesh/check/box_pairs.h"
 
 #include "support/registry.h"
+#include "support/threads.h"
 #include <QTest>
 
 using base::Box3d, base::Vec3d, mesh::BoxPair;
@@ -75,12 +75,8 @@ void BoxPairsTest::manyInOnePlaceEnd() {
 void BoxPairsTest::threadsDoNotShow() {
     base::Random random(5);
     const std::vector<Box3d> boxes = randomBoxes(random, 2000, 1e4);
-    const int before = base::threadCount();
-    base::setThreadCount(1);
-    const auto one = all(boxes);
-    base::setThreadCount(2);
-    const auto two = all(boxes);
-    base::setThreadCount(before);
+    const auto work = [&] { return all(boxes); };
+    const auto one = test::onThreads(1, work), two = test::onThreads(2, work);
     QVERIFY(one == two && !one.empty());
 }
 

@@ -2,12 +2,12 @@
 #include "core/mesh/complexes/complex_mesh.h"
 
 #include "complexes/sample_complexes.h"
-#include "core/base/parallel.h"
 #include "core/mesh/check/check.h"
 #include "core/mesh/check/self_intersections.h"
 #include "core/mesh/extent/extent.h"
 #include "support/registry.h"
 #include "support/sanitized.h"
+#include "support/threads.h"
 
 #include <QTest>
 
@@ -112,11 +112,8 @@ void ComplexMeshTest::everyPointIsAVertex() {
 
 void ComplexMeshTest::threadsDoNotShow() {
     const Complex complex = complex_models::complexOf("octant", 1500);
-    base::setThreadCount(1);
-    const Mesh one = mesh::meshOfComplex(complex, {});
-    base::setThreadCount(2);
-    const Mesh two = mesh::meshOfComplex(complex, {});
-    base::setThreadCount(0);
+    const auto work = [&] { return mesh::meshOfComplex(complex, {}); };
+    const Mesh one = test::onThreads(1, work), two = test::onThreads(2, work);
     QVERIFY(one.positions == two.positions && one.triangles == two.triangles && one.normals == two.normals);
 }
 

@@ -1,7 +1,6 @@
 // Restricted Delaunay triangulation: what it promises of angles and distances, and what is known of shapes that have a
 // name.
 #include "core/base/error.h"
-#include "core/base/parallel.h"
 #include "core/base/random.h"
 #include "core/mesh/check/check.h"
 #include "core/mesh/delaunay/delaunay.h"
@@ -15,6 +14,7 @@
 #include "mesh/models.h"
 #include "support/registry.h"
 #include "support/sanitized.h"
+#include "support/threads.h"
 #include "surface/scans.h"
 
 #include <QTest>
@@ -334,10 +334,8 @@ void DelaunayTest::coloursAreBlended() {
 
 void DelaunayTest::threadsDoNotShow() {
     const surface::Surface surface = models::halfSphere(1500);
-    base::setThreadCount(1);
-    const Mesh one = meshOf(surface);
-    base::setThreadCount(0);
-    const Mesh all = meshOf(surface);
+    const auto work = [&] { return meshOf(surface); };
+    const Mesh one = test::onThreads(1, work), all = work();
     QVERIFY(one.positions == all.positions && one.triangles == all.triangles && one.normals == all.normals);
 }
 

@@ -2,13 +2,13 @@
 #include "core/mesh/extent/extent.h"
 
 #include "cells/solids.h"
-#include "core/base/parallel.h"
 #include "core/base/random.h"
 #include "core/mesh/faces/open_faces.h"
 #include "mesh/face_models.h"
 #include "mesh/models.h"
 #include "support/registry.h"
 #include "support/sanitized.h"
+#include "support/threads.h"
 
 #include <numbers>
 #include <QTest>
@@ -150,11 +150,8 @@ void ExtentTest::placeAndCellDoNotMatter() {
 
 void ExtentTest::threadsDoNotShow() {
     const surface::Surface torus = torusOf(0.12);
-    base::setThreadCount(1);
-    const Extent one = extentOf(torus);
-    base::setThreadCount(2);
-    const Extent two = extentOf(torus);
-    base::setThreadCount(0);
+    const auto work = [&] { return extentOf(torus); };
+    const Extent one = test::onThreads(1, work), two = test::onThreads(2, work);
     QVERIFY(one.area == two.area && one.volume == two.volume && one.triangles == two.triangles);
 }
 

@@ -2,10 +2,10 @@
 #include "core/mesh/faces/open_faces.h"
 
 #include "core/base/error.h"
-#include "core/base/parallel.h"
 #include "core/mesh/faces/face_spacing.h"
 #include "face_models.h"
 #include "support/registry.h"
+#include "support/threads.h"
 
 #include <algorithm>
 #include <QTest>
@@ -90,11 +90,8 @@ void FacesTest::bothSidesOfAThinWallGetTheirPoints() {
 void FacesTest::theSamePointsAtAnyThreadCount() {
     const Faces faces = soup(test::seed(), 200);
     const FaceTopology topology = faces.topology();
-    base::setThreadCount(1);
-    const std::vector<Vec3f> one = placesOf(faces, topology, 20000);
-    base::setThreadCount(4);
-    const std::vector<Vec3f> four = placesOf(faces, topology, 20000);
-    base::setThreadCount(0);
+    const auto work = [&] { return placesOf(faces, topology, 20000); };
+    const std::vector<Vec3f> one = test::onThreads(1, work), four = test::onThreads(4, work);
     QVERIFY(one == four);
 }
 

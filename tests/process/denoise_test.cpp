@@ -5,6 +5,7 @@
 #include "core/process/estimation/spacing.h"
 #include "process/even_shapes.h"
 #include "support/registry.h"
+#include "support/threads.h"
 
 #include <QTest>
 
@@ -189,11 +190,8 @@ void DenoiseTest::threadsDoNotShow() {
     base::Random random(test::seed());
     surfel::SurfelList list = test::spherePoints(std::size_t(test::effort(5000)));
     shake(list, 0.005, random);
-    base::setThreadCount(1);
-    const surfel::SurfelList one = clean(list, 0);
-    base::setThreadCount(2);
-    const surfel::SurfelList two = clean(list, 0);
-    base::setThreadCount(0);
+    const auto work = [&] { return clean(list, 0); };
+    const surfel::SurfelList one = test::onThreads(1, work), two = test::onThreads(2, work);
     QVERIFY(one.items == two.items);
 }
 

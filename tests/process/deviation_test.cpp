@@ -1,10 +1,10 @@
 // Distances from surfels to another surface: with sign, exact, whatever the origins; what lies beyond it is told apart.
 #include "core/process/measuring/deviation.h"
 
-#include "core/base/parallel.h"
 #include "core/process/estimation/prepare.h"
 #include "process/even_shapes.h"
 #include "support/registry.h"
+#include "support/threads.h"
 
 #include <QTest>
 
@@ -83,11 +83,8 @@ void DeviationTest::whatIsBeyondTheBoundaryIsCounted() {
 void DeviationTest::threadsDoNotShow() {
     const surface::Surface unit = test::surfaceOf(test::spherePoints(2000));
     const tree::SurfelTree from = tree::SurfelTree::build(scaledSphere(3000, 1.02f));
-    base::setThreadCount(1);
-    const DeviationFigures one = deviationOf(from, unit, {});
-    base::setThreadCount(2);
-    const DeviationFigures two = deviationOf(from, unit, {});
-    base::setThreadCount(0);
+    const auto work = [&] { return deviationOf(from, unit, {}); };
+    const DeviationFigures one = test::onThreads(1, work), two = test::onThreads(2, work);
     QVERIFY(one.rms == two.rms && one.mean == two.mean && one.max == two.max && one.count == two.count);
 }
 

@@ -3,13 +3,13 @@
 #include "core/process/measuring/geodesic.h"
 
 #include "core/base/error.h"
-#include "core/base/parallel.h"
 #include "core/base/random.h"
 #include "core/process/estimation/prepare.h"
 #include "process/even_shapes.h"
 #include "process/uneven_sphere.h"
 #include "support/registry.h"
 #include "support/sanitized.h"
+#include "support/threads.h"
 
 #include <functional>
 #include <QTest>
@@ -326,11 +326,8 @@ void GeodesicTest::samePlacesAreNoWayApart() {
 void GeodesicTest::threadsDoNotShow() {
     base::Random random(test::seed());
     const surface::Surface surface = torus(5000, 10, random);
-    base::setThreadCount(1);
-    const Geodesic one = geodesic(surface, torusAt(0, 1), torusAt(3, 4));
-    base::setThreadCount(2);
-    const Geodesic two = geodesic(surface, torusAt(0, 1), torusAt(3, 4));
-    base::setThreadCount(0);
+    const auto work = [&] { return geodesic(surface, torusAt(0, 1), torusAt(3, 4)); };
+    const Geodesic one = test::onThreads(1, work), two = test::onThreads(2, work);
     QVERIFY(one.length == two.length && one.points.size() == two.points.size());
     for (std::size_t i = 0; i < one.points.size(); ++i)
         QVERIFY(one.points[i].position == two.points[i].position);

@@ -1,8 +1,8 @@
 // Planes, spheres, cylinders, cones and tori are found again: exactly without noise, and among strays.
-#include "core/base/parallel.h"
 #include "core/base/random.h"
 #include "core/process/measuring/primitives.h"
 #include "support/registry.h"
+#include "support/threads.h"
 
 #include <numbers>
 #include <QTest>
@@ -213,11 +213,8 @@ void PrimitivesTest::threadsDoNotShow() {
     base::Random random(test::seed());
     surfel::SurfelList list = samples(some(Shape::Torus, random), 20000, 0.01, random);
     addStrays(list, 5000, random);
-    base::setThreadCount(1);
-    const PrimitiveFit one = fitPrimitive(list, Shape::Torus);
-    base::setThreadCount(2);
-    const PrimitiveFit two = fitPrimitive(list, Shape::Torus);
-    base::setThreadCount(0);
+    const auto work = [&] { return fitPrimitive(list, Shape::Torus); };
+    const PrimitiveFit one = test::onThreads(1, work), two = test::onThreads(2, work);
     QVERIFY(one.primitive.place == two.primitive.place && one.primitive.tube == two.primitive.tube &&
             one.inlier == two.inlier);
 }

@@ -2,7 +2,6 @@
 #include "core/process/measuring/thickness.h"
 
 #include "core/base/error.h"
-#include "core/base/parallel.h"
 #include "core/base/random.h"
 #include "core/process/estimation/prepare.h"
 #include "core/process/measuring/histogram.h"
@@ -10,6 +9,7 @@
 #include "process/even_shapes.h"
 #include "process/uneven_sphere.h"
 #include "support/registry.h"
+#include "support/threads.h"
 
 #include <QTest>
 
@@ -185,11 +185,8 @@ void ThicknessTest::attributesAreKeptAndReplaced() {
 
 void ThicknessTest::threadsDoNotShow() {
     const surface::Surface surface = test::surfaceOf(shell(6000, 0.8));
-    base::setThreadCount(1);
-    const Thicknesses one = thicknessesOf(surface);
-    base::setThreadCount(2);
-    const Thicknesses two = thicknessesOf(surface);
-    base::setThreadCount(0);
+    const auto work = [&] { return thicknessesOf(surface); };
+    const Thicknesses one = test::onThreads(1, work), two = test::onThreads(2, work);
     QVERIFY(one.at == two.at);
 }
 

@@ -4,6 +4,7 @@
 #include "core/base/random.h"
 #include "raycast_models.h"
 #include "support/registry.h"
+#include "support/threads.h"
 
 #include <atomic>
 #include <QTest>
@@ -200,11 +201,8 @@ void AdaptiveCastTest::staticViewCastsNothing() {
 
 void AdaptiveCastTest::sameBitsAtAnyThreadCount() {
     const ImageRays view = filling({}, 1.02, {0.3, 0.5, -1}, 200);
-    base::setThreadCount(1);
-    const Cast one = fresh(torus(), view, 1);
-    base::setThreadCount(2);
-    const Cast two = fresh(torus(), view, 1);
-    base::setThreadCount(0);
+    const auto work = [&] { return fresh(torus(), view, 1); };
+    const Cast one = test::onThreads(1, work), two = test::onThreads(2, work);
     QVERIFY(same(one.samples, two.samples) && one.known == two.known);
     QCOMPARE(one.counts.rays, two.counts.rays);
 }

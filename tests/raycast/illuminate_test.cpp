@@ -1,11 +1,11 @@
 // The pass as a whole: the same at any thread count, alike for full and adaptive pictures, stopped when asked to.
 #include "core/raycast/illuminate.h"
 
-#include "core/base/parallel.h"
 #include "core/raycast/edge_aware_filter.h"
 #include "light_scenes.h"
 #include "raycast_views.h"
 #include "support/registry.h"
+#include "support/threads.h"
 
 #include <atomic>
 #include <cstring>
@@ -73,11 +73,8 @@ void IlluminateTest::sameBitsAtAnyThreadCount() {
     const auto samples = fullCast(torus(), rays, counts);
     for (const MaterialRow& row : materialTable()) {
         const LightScene scene(torus(), everything(row.material), scenes::viewer());
-        base::setThreadCount(1);
-        const auto one = litBy(scene, rays, samples);
-        base::setThreadCount(2);
-        const auto two = litBy(scene, rays, samples);
-        base::setThreadCount(0);
+        const auto work = [&] { return litBy(scene, rays, samples); };
+        const auto one = test::onThreads(1, work), two = test::onThreads(2, work);
         for (std::size_t i = 0; i < one.size(); ++i)
             QVERIFY2(one[i].colour == two[i].colour && one[i].shade == two[i].shade && one[i].seen == two[i].seen,
                      row.id);

@@ -1,9 +1,9 @@
 #include "core/render/cast/raycast_image.h"
 
-#include "core/base/parallel.h"
 #include "core/render/splats/cpu_splatter.h"
 #include "render/render_models.h"
 #include "support/registry.h"
+#include "support/threads.h"
 
 #include <atomic>
 #include <QTest>
@@ -99,10 +99,8 @@ void RaycastImageTest::coloursAreBlendedLikePositions() {
 
 void RaycastImageTest::sameBitsAtAnyThreadCount() {
     const auto model = test::built(test::torus(0.7, 0.25, 10000, test::seed()));
-    base::setThreadCount(1);
-    const Image one = cast(model, smallCamera());
-    base::setThreadCount(0);
-    const Image many = cast(model, smallCamera());
+    const auto work = [&] { return cast(model, smallCamera()); };
+    const Image one = test::onThreads(1, work), many = work();
     QVERIFY(one.colour == many.colour && one.depth == many.depth);
 }
 

@@ -1,10 +1,10 @@
 // Laws that every tool obeys, over the whole table, with random strokes on spheres.
 #include "core/base/error.h"
-#include "core/base/parallel.h"
 #include "core/sculpt/stroke.h"
 #include "sculpt/dabs.h"
 #include "support/registry.h"
 #include "support/sanitized.h"
+#include "support/threads.h"
 
 #include <QTest>
 
@@ -256,11 +256,8 @@ void ToolLawsTest::replayIsBitExact() {
 
 void ToolLawsTest::oneAndTwoThreadsGiveTheSameBits() {
     forStrokes(m_spacing, 2, [&](const ToolRow& row, const StrokeSettings& settings, const auto& samples) {
-        base::setThreadCount(1);
-        const std::string one = test::hashOf(test::stroked(m_lively, settings, samples));
-        base::setThreadCount(2);
-        const std::string two = test::hashOf(test::stroked(m_lively, settings, samples));
-        base::setThreadCount(0);
+        const auto work = [&] { return test::hashOf(test::stroked(m_lively, settings, samples)); };
+        const std::string one = test::onThreads(1, work), two = test::onThreads(2, work);
         QVERIFY2(one == two, about(row));
     });
 }

@@ -1,6 +1,7 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "support/registry.h"
+#include "support/threads.h"
 #include "tree/random_edits.h"
 
 #include <QTest>
@@ -67,11 +68,8 @@ void ApplyTest::editIsTheSameAtAnyThreadCount() {
     test::EditedModel model(60000, test::seed());
     for (std::size_t round = 0; round < 30; ++round) {
         const Edit edit = model.randomEdit();
-        base::setThreadCount(1);
-        const SurfelTree serial = model.tree().apply(edit);
-        base::setThreadCount(2);
-        const SurfelTree parallel = model.tree().apply(edit);
-        base::setThreadCount(0);
+        const auto work = [&] { return model.tree().apply(edit); };
+        const SurfelTree serial = test::onThreads(1, work), parallel = test::onThreads(2, work);
         QVERIFY2(test::sameStructure(serial, parallel), qPrintable(where(round, test::seed())));
         model.apply(edit);
     }

@@ -2,6 +2,7 @@
 #include "core/base/parallel.h"
 #include "core/tree/morton.h"
 #include "support/registry.h"
+#include "support/threads.h"
 #include "tree/fixtures.h"
 
 #include <QTest>
@@ -59,11 +60,8 @@ void BuildTest::treeHoldsEverySurfelOnce() {
 void BuildTest::buildIsTheSameAtAnyThreadCount() {
     base::Random random(test::seed());
     const surfel::SurfelList list = test::bumpySphere(200000, random);
-    base::setThreadCount(1);
-    const SurfelTree serial = SurfelTree::build(list);
-    base::setThreadCount(2);
-    const SurfelTree parallel = SurfelTree::build(list);
-    base::setThreadCount(0);
+    const auto work = [&] { return SurfelTree::build(list); };
+    const SurfelTree serial = test::onThreads(1, work), parallel = test::onThreads(2, work);
     QVERIFY(test::sameStructure(serial, parallel));
 }
 

@@ -1,9 +1,9 @@
 // Boundaries: where theory says they are, once each, closed where the model's are, with and without orientation.
-#include "core/base/parallel.h"
 #include "core/process/estimation/boundary_limit.h"
 #include "core/process/estimation/prepare.h"
 #include "core/surface/curves/boundary_curves.h"
 #include "support/registry.h"
+#include "support/threads.h"
 #include "surface/bounded.h"
 #include "surface/scans.h"
 #include "surface/shapes.h"
@@ -280,10 +280,8 @@ void BoundaryTest::longTracesStopWhereTold() {
 void BoundaryTest::threadsDoNotShow() {
     const Surface surface =
         shapes::surfaceOf(disc(2, 0.1, 0.35, [](const Vec3d& p) { return length(p) > 0.8; }), shapes::bounded(0.3f));
-    base::setThreadCount(1);
-    const std::vector<BoundaryCurve> one = findBoundaryCurves(surface);
-    base::setThreadCount(0);
-    const std::vector<BoundaryCurve> many = findBoundaryCurves(surface);
+    const auto work = [&] { return findBoundaryCurves(surface); };
+    const std::vector<BoundaryCurve> one = test::onThreads(1, work), many = work();
     QVERIFY(one.size() == 2 && many.size() == 2);
     for (std::size_t i = 0; i < 2; ++i) {
         QCOMPARE(one[i].points.size(), many[i].points.size());

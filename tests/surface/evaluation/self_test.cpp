@@ -3,6 +3,7 @@
 #include "core/surface/definition_text.h"
 #include "core/surface/evaluation/self.h"
 #include "support/registry.h"
+#include "support/threads.h"
 #include "surface/shapes.h"
 
 #include <QTest>
@@ -221,11 +222,8 @@ void SelfTest::anyPartGivesTheSameBits() {
 
 void SelfTest::threadsDoNotChangeBits() {
     const Surface surface = shapes::surfaceOf(shapes::jittered(shapes::torus(1, 0.4, 0.03, 0.1), 0.005, test::seed()));
-    base::setThreadCount(1);
-    const std::vector<At> one = everywhere(surface, Need::Gradient);
-    base::setThreadCount(2);
-    const std::vector<At> two = everywhere(surface, Need::Gradient);
-    base::setThreadCount(0);
+    const auto work = [&] { return everywhere(surface, Need::Gradient); };
+    const std::vector<At> one = test::onThreads(1, work), two = test::onThreads(2, work);
     QCOMPARE(one.size(), two.size());
     for (std::size_t i = 0; i < one.size(); ++i)
         QVERIFY(one[i].status == two[i].status && sameBits(one[i].value, two[i].value) &&

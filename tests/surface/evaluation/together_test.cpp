@@ -1,8 +1,8 @@
 // Evaluation of many positions in lanes, against the reference and against single evaluations.
-#include "core/base/parallel.h"
 #include "core/surface/definition_text.h"
 #include "core/surface/evaluation/together.h"
 #include "support/registry.h"
+#include "support/threads.h"
 #include "surface/shapes.h"
 
 #include <QTest>
@@ -166,11 +166,8 @@ void TogetherTest::placesWithoutSurfaceSaySo() {
 void TogetherTest::threadsDoNotChangeBits() {
     const Surface surface = bumpyTorus();
     const Places places(surface);
-    base::setThreadCount(1);
-    const std::vector<TogetherAt> one = evaluated(surface, places.x, places.side);
-    base::setThreadCount(4);
-    const std::vector<TogetherAt> four = evaluated(surface, places.x, places.side);
-    base::setThreadCount(0);
+    const auto work = [&] { return evaluated(surface, places.x, places.side); };
+    const std::vector<TogetherAt> one = test::onThreads(1, work), four = test::onThreads(4, work);
     QVERIFY(std::equal(one.begin(), one.end(), four.begin(), four.end(), same));
 }
 
