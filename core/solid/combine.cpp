@@ -120,17 +120,11 @@ class Combining {
         Vec3d place;
         double spacing;
     };
-    static std::vector<std::size_t> firstOf(const tree::SurfelTree& tree) {
-        std::vector<std::size_t> out{0};
-        for (std::uint32_t b = 0; b < tree.blockCount(); ++b)
-            out.push_back(out.back() + static_cast<std::size_t>(tree.block(b)->size()));
-        return out;
-    }
     /// Of the surfels of one version that stay, block by block.
     template <class Stays>
     std::vector<std::vector<Foot>> feetOf(const tree::SurfelTree& tree, const Side& other, const Stays& stays) const {
         std::vector<std::vector<Foot>> out(tree.blockCount());
-        const std::vector<std::size_t> first = firstOf(tree);
+        const std::vector<std::size_t> first = tree.firstSurfels();
         const int shape = surfel::shapeChannel(*tree.layout());
         base::parallelFor(out.size(), 1, [&](std::size_t b) {
             const surfel::BlockPtr block = tree.block(static_cast<std::uint32_t>(b));
@@ -192,7 +186,7 @@ class Combining {
             std::vector<Vec3d> beside;
         };
         std::vector<Changed> changed(m_tree.blockCount());
-        const std::vector<std::size_t> first = firstOf(m_tree);
+        const std::vector<std::size_t> first = m_tree.firstSurfels();
         base::parallelFor(changed.size(), 1, [&](std::size_t b) {
             const surfel::BlockPtr block = m_tree.block(static_cast<std::uint32_t>(b));
             Changed& here = changed[b];
@@ -377,14 +371,18 @@ class Combining {
 
 } // namespace
 
-Combined combine(const surface::Surface& model, const Operand& operand, Operation operation,
-                 const CombineOptions& options, const base::Progress& progress) {
+void requireSolid(const surface::Surface& model) {
     if (model.definition().manifold != surface::Manifold::Surface)
         throw base::Error(surface::nounOf(model.definition().manifold) + " bounds no solid", "",
                           "open the model as a surface");
     if (!model.tree().layout()->normals || !model.tree().layout()->oriented)
         throw base::Error("the points have no normals that tell inside from outside", "",
                           "give them some first, with \"normals\" and \"orient\"");
+}
+
+Combined combine(const surface::Surface& model, const Operand& operand, Operation operation,
+                 const CombineOptions& options, const base::Progress& progress) {
+    requireSolid(model);
     return Combining(model, operand, operation, options).run(progress);
 }
 

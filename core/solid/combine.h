@@ -46,8 +46,11 @@ struct Combined {
     std::vector<SeamCurve> seams; ///< where both surfaces cross; traced where asked for, or for a fillet
 };
 
-/// The model's surfels that stay keep every bit but their labels. Throws base::Error where the model has no oriented
-/// normals or is a curve, where nothing would be left, and where no ball of that radius fits; base::Cancelled.
+/// Throws base::Error where a model has no oriented normals or is a curve: it bounds no solid.
+void requireSolid(const surface::Surface& model);
+
+/// The model's surfels that stay keep every bit but their labels. Throws as requireSolid does, and base::Error where
+/// nothing would be left, and where no ball of that radius fits; base::Cancelled.
 Combined combine(const surface::Surface& model, const Operand& operand, Operation operation,
                  const CombineOptions& options = {}, const base::Progress& progress = {});
 

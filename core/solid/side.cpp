@@ -97,15 +97,11 @@ bool SurfaceSide::meets(const base::Box3d& box) const {
 
 std::vector<std::int8_t> sidesOf(const tree::SurfelTree& tree, const Side& side) {
     constexpr double onSurface = 0.1, parallel = 0.9;
-    std::vector<surfel::BlockPtr> blocks;
-    std::vector<std::size_t> first{0};
-    for (std::uint32_t number = 0; number < tree.blockCount(); ++number) {
-        blocks.push_back(tree.block(number));
-        first.push_back(first.back() + static_cast<std::size_t>(blocks.back()->size()));
-    }
+    const std::vector<std::size_t> first = tree.firstSurfels();
     std::vector<std::int8_t> out(tree.size());
-    base::parallelFor(blocks.size(), 1, [&](std::size_t b) {
-        const surfel::SurfelBlock& block = *blocks[b];
+    base::parallelFor(tree.blockCount(), 1, [&](std::size_t b) {
+        const surfel::BlockPtr held = tree.block(static_cast<std::uint32_t>(b));
+        const surfel::SurfelBlock& block = *held;
         const base::Box3f box = block.box().inflated(1e-3F * block.maxSupport());
         const bool one = !side.meets({base::cast<double>(box.lo), base::cast<double>(box.hi)});
         const std::int8_t all = !one || side.at(base::cast<double>(block.position(0))).value > 0 ? 1 : -1;

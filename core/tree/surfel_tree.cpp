@@ -3,7 +3,6 @@
 #include "core/base/parallel.h"
 
 #include <cassert>
-#include <utility>
 
 namespace tree {
 
@@ -46,17 +45,23 @@ static std::vector<const surfel::SurfelBlock*> allBlocks(const SurfelTree& tree)
     return out;
 }
 
+std::vector<std::size_t> SurfelTree::firstSurfels() const {
+    std::vector<std::size_t> out{0};
+    out.reserve(blockCount() + 1);
+    forEachBlock([&](std::uint32_t, const surfel::SurfelBlock& block) {
+        out.push_back(out.back() + static_cast<std::size_t>(block.size()));
+    });
+    return out;
+}
+
 surfel::SurfelList SurfelTree::surfels() const {
     const auto blocks = allBlocks(*this);
-    std::vector<std::size_t> first(blocks.size());
-    std::size_t count = 0;
-    for (std::size_t b = 0; b < blocks.size(); ++b)
-        first[b] = std::exchange(count, count + static_cast<std::size_t>(blocks[b]->size()));
+    const std::vector<std::size_t> first = firstSurfels();
     const std::size_t words = m_layout->words();
     surfel::SurfelList out;
     out.layout = m_layout;
-    out.items.resize(count);
-    out.extra.resize(count * words);
+    out.items.resize(size());
+    out.extra.resize(size() * words);
     base::parallelFor(blocks.size(), blocksPerTask, [&](std::size_t b) {
         for (int slot = 0; slot < blocks[b]->size(); ++slot) {
             const std::size_t i = first[b] + static_cast<std::size_t>(slot);

@@ -92,6 +92,8 @@ class SurfelTree {
     void forEachBlock(const Fn& fn) const;
     /// All surfels in tree order.
     surfel::SurfelList surfels() const;
+    /// Of each block the number of its first surfel in tree order, and after them `size()`.
+    std::vector<std::size_t> firstSurfels() const;
     /// Sum of the surfels' hashes: the same for every tree of the same surfels. In parallel, O(size).
     base::Hash128 contentHash() const;
     /// Bytes of all blocks and nodes.

@@ -19,6 +19,7 @@ class SolidCommandsTest : public QObject {
     void journalsBringThemBack();
     void savedOperandsAreOpenedAsModelsAre();
     void reducedModelsEndWhereTheyAreCut();
+    void partsPushedIntoEachOtherBecomeOne();
     void wrongNumbersAreRefused();
 };
 
@@ -116,6 +117,29 @@ void SolidCommandsTest::reducedModelsEndWhereTheyAreCut() {
         QVERIFY(!found.closed);
         QVERIFY2(std::abs(found.area / wanted - 1) < 0.15, QByteArray::number(found.area / wanted));
     }
+}
+
+void SolidCommandsTest::partsPushedIntoEachOtherBecomeOne() {
+    Workbench bench;
+    bench.run(test::newSphere(2500));
+    const std::string one = bench.hash();
+    bench.run({{"op", "merge"}}); // nothing to do: no step
+    QCOMPARE(bench.hash(), one);
+    bench.run({{"op", "select"}, {"by", "all"}});
+    bench.run({{"op", "duplicate"}, {"move", {1, 0, 0}}});
+    const std::size_t both = bench.document.surface().tree().size();
+    QCOMPARE(both, std::size_t(5000));
+    const std::string before = bench.hash();
+    bench.run({{"op", "merge"}});
+    // a cap of height 1/2 went from each, a quarter of its area
+    const auto left = static_cast<double>(bench.document.surface().tree().size());
+    QVERIFY2(std::abs(left - 3750) < 100, QByteArray::number(left));
+    QVERIFY(bench.document.surface().tree().layout()->find("cell"));
+    const std::string after = bench.hash();
+    bench.run({{"op", "undo"}});
+    QCOMPARE(bench.hash(), before);
+    bench.run({{"op", "redo"}});
+    QCOMPARE(bench.hash(), after);
 }
 
 void SolidCommandsTest::wrongNumbersAreRefused() {

@@ -196,26 +196,10 @@ class Drawer {
         cutLinks();
         std::vector<std::uint32_t> cells = splitAtCreases(m_links, before);
         const std::vector<Vec3f> own = CellRefit(m_links, cells, faces, normals, usualNoise).ownNormals();
-        for (std::uint32_t i = 0; i < m_links.size(); ++i) {
+        for (std::uint32_t i = 0; i < m_links.size(); ++i)
             m_surfels.items[i].normal = own[i];
-            renamePartner(i, before, cells);
-        }
-        for (std::size_t i = 0; i < m_links.size(); ++i) {
-            if (m_labels[i].partner == m_labels[i].cell)
-                m_labels[i].partner = cells[i];
-            m_labels[i].cell = cells[i];
-        }
+        moveToCells(m_links, cells, m_labels);
         labelByLinks(m_links, cells, faces, own, m_sharpness, m_labels);
-    }
-    /// A cell across a crease that was there before may have become bands.
-    void renamePartner(std::uint32_t i, std::span<const std::uint32_t> before, std::span<const std::uint32_t> cells) {
-        if (m_labels[i].meeting == Meeting::None)
-            return;
-        for (const std::uint32_t j : m_links.near(i))
-            if (before[j] == m_before[i].partner) {
-                m_labels[i].partner = cells[j];
-                return;
-            }
     }
 
     void sharpen() {

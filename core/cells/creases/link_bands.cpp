@@ -85,4 +85,21 @@ std::vector<std::uint32_t> splitAtCreases(const SurfelLinks& links, std::span<co
     return BandSplit(links, faces).run();
 }
 
+void moveToCells(const SurfelLinks& links, std::span<const std::uint32_t> cells, std::span<Label> labels) {
+    const std::vector<Label> before(labels.begin(), labels.end());
+    for (std::uint32_t i = 0; i < links.size(); ++i) {
+        Label& label = labels[i];
+        label.cell = cells[i];
+        if (before[i].partner == before[i].cell)
+            label.partner = cells[i];
+        if (before[i].meeting == Meeting::None)
+            continue;
+        const auto near = links.near(i);
+        const auto across = std::find_if(near.begin(), near.end(),
+                                         [&](std::uint32_t j) { return before[j].cell == before[i].partner; });
+        if (across != near.end())
+            label.partner = cells[*across];
+    }
+}
+
 } // namespace cells

@@ -26,10 +26,7 @@ SurfelLinks::SurfelLinks(const tree::SurfelTree& tree, std::span<const surfel::S
 }
 
 void SurfelLinks::findNear(const tree::SurfelTree& tree) {
-    m_first.assign(tree.blockCount() + 1, 0);
-    tree.forEachBlock([&](std::uint32_t number, const surfel::SurfelBlock& block) {
-        m_first[number + 1] = m_first[number] + static_cast<std::uint32_t>(block.size());
-    });
+    m_first = tree.firstSurfels();
     base::parallelChunks(size(), 256, [&](std::size_t begin, std::size_t end, std::size_t) {
         std::vector<tree::Neighbour> found;
         for (std::size_t i = begin; i < end; ++i) {

@@ -25,7 +25,7 @@ class SurfelLinks {
     std::size_t size() const { return m_surfels.size(); }
     /// Of a surfel that a search in the tree found.
     std::uint32_t number(const tree::Neighbour& found) const {
-        return m_first[found.blockNumber] + static_cast<std::uint32_t>(found.slot);
+        return static_cast<std::uint32_t>(m_first[found.blockNumber]) + static_cast<std::uint32_t>(found.slot);
     }
     base::Vec3d at(std::uint32_t i) const { return base::cast<double>(m_surfels[i].position); }
     const surfel::Surfel& surfel(std::uint32_t i) const { return m_surfels[i]; }
@@ -62,7 +62,7 @@ class SurfelLinks {
     void join();
 
     std::span<const surfel::Surfel> m_surfels;
-    std::vector<std::uint32_t> m_first;             ///< surfel of each block
+    std::vector<std::size_t> m_first;               ///< surfel of each block
     std::vector<std::uint32_t> m_near, m_nearCount; ///< nearCount places for each
     std::vector<float> m_spacing;
     std::vector<std::uint32_t> m_begin;

@@ -25,6 +25,7 @@ CommandRow solidCommand();
 CommandRow primitiveCommand();
 CommandRow drillCommand();
 CommandRow tubeCommand();
+CommandRow mergeCommand();
 CommandRow mirrorCommand();
 CommandRow hollowCommand();
 CommandRow creaseCommand();

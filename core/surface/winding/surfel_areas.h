@@ -11,8 +11,10 @@
 namespace surface {
 
 /// Few: measured at two surfels of each cluster only, whose others have the same part of their supports squared; for
-/// sums that an error of a few in a hundred does not hurt, in a seventh of the time.
-enum class Areas { Each, Few };
+/// sums that an error of a few in a hundred does not hurt, in a seventh of the time. Sheet: what faces another way by
+/// more than 12 to 30 degrees does not share, so that sheets that go through each other have all of their area, and
+/// surfels beside edges more than theirs.
+enum class Areas { Each, Few, Sheet };
 
 /// In tree order, in model units squared. In parallel, the same bits at any thread count. REQUIRES: oriented normals.
 /// Throws base::Cancelled.
