@@ -24,12 +24,12 @@ double spacingOf(float support) {
 }
 
 /// Does a surfel that faces the other way lie in the same place?
-bool facesAnother(const tree::SurfelTree& tree, const surfel::SurfelBlock& block, int slot,
-                  std::vector<tree::Neighbour>& near) {
+bool facesAnother(const tree::SurfelTree& tree, const surfel::SurfelBlock& block, int slot) {
     constexpr std::size_t looked = 12;
     constexpr float opposite = -0.9f;
     const Vec3f p = block.position(slot), n = block.normal(slot);
     const auto spacing = static_cast<float>(spacingOf(block.support(slot)));
+    std::vector<tree::Neighbour> near;
     tree.nearest(p, looked, near);
     return std::ranges::any_of(near, [&](const tree::Neighbour& each) {
         const Vec3f apart = each.block->position(each.slot) - p;
@@ -38,44 +38,77 @@ bool facesAnother(const tree::SurfelTree& tree, const surfel::SurfelBlock& block
     });
 }
 
-/// Is a surfel inside of another part, or on it and facing it? Winding numbers at it and a spacing above and below are,
-/// each with one more for every part around:
+/// Winding numbers at a surfel and a spacing above and below are, each with one more for every part around,
 ///
 ///     surface (1, 1/2, 0)    edge (1, 1/8 to 3/4, 0)    thin wall (0, 1/2, 0)    narrow gap (1, 1/2 to 1, 1)
+bool surrounded(const surface::WindingNumber& winding, const surfel::SurfelBlock& block, int slot) {
+    constexpr double suspect = 0.9, inside = 2.1;
+    const base::Vec3d x = base::cast<double>(block.position(slot)),
+                      step = base::cast<double>(block.normal(slot)) * spacingOf(block.support(slot));
+    const double w = winding.at(x);
+    return w > suspect && w + 0.5 * (winding.at(x + step) + winding.at(x - step)) > inside;
+}
+
+/// Surfels inside of other parts, or on them and facing them.
 class Inside {
   public:
     Inside(const tree::SurfelTree& tree, const base::Progress& progress)
-        : m_tree(tree), m_winding(tree, progress, surface::Areas::Sheet) {}
+        : m_tree(tree), m_first(tree.firstSurfels()), m_inside(tree.size()), m_progress(progress) {}
 
-    bool operator()(const surfel::SurfelBlock& block, int slot, std::vector<tree::Neighbour>& near) const {
-        constexpr double touching = 0.3, suspect = 0.9, inside = 2.1;
-        const base::Vec3d x = base::cast<double>(block.position(slot)),
-                          step = base::cast<double>(block.normal(slot)) * spacingOf(block.support(slot));
-        const double w = m_winding.at(x);
-        if (w > suspect && w + 0.5 * (m_winding.at(x + step) + m_winding.at(x - step)) > inside)
-            return true;
-        return w > touching && facesAnother(m_tree, block, slot, near); // a plate without thickness has none
+    /// Of each surfel in tree order. Areas that are shared by all around fit everywhere but where sheets cross: there
+    /// each has but half of its own, and steep slopes within one sheet do not do harm.
+    std::vector<std::uint8_t> run() {
+        const surface::WindingNumber whole(m_tree, process::part(m_progress, 0, 0.3));
+        look([&](const surfel::SurfelBlock& block, int slot, bool) {
+            constexpr double touching = 0.3; // a plate without thickness has none
+            return surrounded(whole, block, slot) ||
+                   (whole.at(base::cast<double>(block.position(slot))) > touching && facesAnother(m_tree, block, slot));
+        });
+        const surfel::SurfelList found = inside();
+        if (found.size() == 0)
+            return std::move(m_inside);
+        const tree::SurfelTree around = tree::SurfelTree::build(found);
+        const surface::WindingNumber sheets(m_tree, process::part(m_progress, 0.5, 0.8), surface::Areas::Sheet);
+        look([&](const surfel::SurfelBlock& block, int slot, bool is) {
+            return is || (isNear(around, block, slot) && surrounded(sheets, block, slot));
+        });
+        return std::move(m_inside);
+    }
+    /// Those found so far, their places at least.
+    surfel::SurfelList inside() const {
+        surfel::SurfelList out;
+        m_tree.forEachBlock([&](std::uint32_t number, const surfel::SurfelBlock& block) {
+            for (int slot = 0; slot < block.size(); ++slot)
+                if (m_inside[m_first[number] + static_cast<std::size_t>(slot)])
+                    out.append(block.surfel(slot), {});
+        });
+        return out;
     }
 
   private:
-    const tree::SurfelTree& m_tree;
-    surface::WindingNumber m_winding;
-};
-
-/// Of each surfel in tree order.
-std::vector<std::uint8_t> insideOthers(const tree::SurfelTree& tree, const base::Progress& progress) {
-    const Inside inside(tree, process::part(progress, 0, 0.4));
-    const base::CancelScope scope(progress.cancel);
-    const std::vector<std::size_t> first = tree.firstSurfels();
-    std::vector<std::uint8_t> out(tree.size());
-    base::parallelFor(tree.blockCount(), 1, [&](std::size_t b) {
-        const surfel::BlockPtr block = tree.block(static_cast<std::uint32_t>(b));
+    /// is(block, slot, before) for all. In parallel.
+    template <class Is>
+    void look(const Is& is) {
+        const base::CancelScope scope(m_progress.cancel);
+        base::parallelFor(m_tree.blockCount(), 1, [&](std::size_t b) {
+            const surfel::BlockPtr block = m_tree.block(static_cast<std::uint32_t>(b));
+            for (int slot = 0; slot < block->size(); ++slot) {
+                std::uint8_t& inside = m_inside[m_first[b] + static_cast<std::size_t>(slot)];
+                inside = is(*block, slot, inside != 0);
+            }
+        });
+    }
+    static bool isNear(const tree::SurfelTree& others, const surfel::SurfelBlock& block, int slot) {
         std::vector<tree::Neighbour> near;
-        for (int slot = 0; slot < block->size(); ++slot)
-            out[first[b] + static_cast<std::size_t>(slot)] = inside(*block, slot, near);
-    });
-    return out;
-}
+        others.nearest(block.position(slot), 1, near);
+        return base::distance(near[0].block->position(near[0].slot), block.position(slot)) < block.support(slot);
+    }
+
+    const tree::SurfelTree& m_tree;
+    std::vector<std::size_t> m_first;
+    std::vector<std::uint8_t> m_inside;
+    const base::Progress& m_progress;
+};
 
 /// Parts meet where what stays on one looks at what stays on another over a place where something went.
 class Seam {
@@ -173,7 +206,8 @@ surface::Surface creased(const surface::Surface& surface, const tree::SurfelTree
 Combined merged(const surface::Surface& model, bool creases, const base::Progress& progress) {
     requireSolid(model);
     progress.step(0, "Looking for what lies inside");
-    const std::vector<std::uint8_t> goes = insideOthers(model.tree(), process::part(progress, 0, 0.6));
+    const base::Progress looking = process::part(progress, 0, 0.6);
+    const std::vector<std::uint8_t> goes = Inside(model.tree(), looking).run();
     Combined out;
     tree::Edit edit;
     edit.inserted.layout = model.tree().layout();
