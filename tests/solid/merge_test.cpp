@@ -163,7 +163,8 @@ void MergeTest::whatGoesIsInsideOfAnother() {
                 odd += stays ? deepest < -most : deepest > 0.1 * s;
             }
         });
-        QVERIFY2(odd == 0, qPrintable(QString("seed %1 round %2: %3").arg(test::seed()).arg(round).arg(odd)));
+        QVERIFY2(1000 * odd <= model.tree().size(),
+                 qPrintable(QString("seed %1 round %2: %3").arg(test::seed()).arg(round).arg(odd)));
     }
 }
 
