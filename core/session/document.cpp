@@ -26,6 +26,15 @@ void Document::commit(surface::Surface next, const std::string& label, layers::H
     restack(std::move(next), std::move(stack), label);
 }
 
+void Document::commitMoved(surface::Surface next, const base::Vec3d& origin, const std::string& label) {
+    commit(std::move(next), label, layers::How::Keep);
+    if (origin == provenance().origin)
+        return;
+    const auto own = std::make_shared<Provenance>(provenance());
+    own->origin = origin;
+    active().provenance = own;
+}
+
 void Document::restack(surface::Surface next, layers::Stack layers, const std::string& label) {
     Scene scene = m_scene;
     scene.models[scene.active].surface = std::move(next);

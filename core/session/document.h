@@ -43,6 +43,8 @@ class Document {
     /// One step forward: `label` is what the undo menu shows. Drops redo steps. What the layers hold follows, as `how`
     /// says; a version without their attributes has no layers.
     void commit(surface::Surface next, const std::string& label, layers::How how = layers::How::Carry);
+    /// Likewise: all of the model was moved, with what its layers hold, and its stored coordinates count from `origin`.
+    void commitMoved(surface::Surface next, const base::Vec3d& origin, const std::string& label);
     /// Likewise: other layers, and the surface that they show.
     void restack(surface::Surface next, layers::Stack layers, const std::string& label);
     /// Likewise: the same surface with another axis upwards.

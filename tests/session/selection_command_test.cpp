@@ -26,6 +26,9 @@ class SelectionCommandTest : public QObject {
     void mapsAreExact();
     void softMovesTurnNormalsWithTheSurface();
     void modelsStandOnTheGroundAlongTheAxes();
+    void modelsThatLieFarComeToZeroAndBack();
+    void oneRadiusForAllIsScaledAlong();
+    void sidesOfWhatIsThinDoNotMeet();
     void unitsAreSetByADistance();
     void whatHasNothingToDoLeavesNoStep();
     void nonsenseIsRefused_data();
@@ -284,6 +287,65 @@ void SelectionCommandTest::modelsStandOnTheGroundAlongTheAxes() {
     QVERIFY(std::abs(bench.document.surface().tree().bounds().hi.y) < 1e-5f);
 }
 
+void SelectionCommandTest::modelsThatLieFarComeToZeroAndBack() {
+    Workbench bench;
+    bench.run(openBall(bench, 1e7));
+    const std::string opened = bench.hash();
+    const base::Box3f first = bench.document.surface().tree().bounds();
+    const auto places = [&] {
+        const base::Box3f box = bench.document.surface().tree().bounds();
+        const Vec3d origin = bench.document.provenance().origin;
+        return std::pair(base::cast<double>(box.lo) + origin, base::cast<double>(box.hi) + origin);
+    };
+    bench.run(parsed(R"({"op":"transform","move":[-1e7,1e7,0]})"));
+    QCOMPARE(bench.document.provenance().origin, Vec3d());
+    QVERIFY(length(places().first + Vec3d{1, 1, 1}) < 0.01 && length(places().second - Vec3d{1, 1, 1}) < 0.01);
+    const std::string moved = bench.hash();
+    bench.run({{"op", "save"}, {"path", bench.path("moved.ply").string()}});
+    Workbench again;
+    again.run({{"op", "open"}, {"path", bench.path("moved.ply").string()}});
+    QCOMPARE(again.hash(), moved);
+    // Not only there: as far on the other side, where float32 alone would tell no neighbours apart.
+    bench.run(parsed(R"({"op":"transform","move":[3e7,0,-2e7]})"));
+    QVERIFY(length(places().first - Vec3d{3e7 - 1, -1, -2e7 - 1}) < 0.01);
+    QVERIFY(length(bench.document.surface().tree().bounds().size() - first.size()) < 1e-6f);
+    bench.run(parsed(R"({"op":"align","do":"centre"})"));
+    QVERIFY(std::abs(places().first.x + places().second.x) < 1e-5);
+    QVERIFY(std::abs(places().first.z + places().second.z) < 1e-5);
+    for (int k = 0; k < 3; ++k)
+        bench.run({{"op", "undo"}});
+    QCOMPARE(bench.hash(), opened);
+    bench.run({{"op", "redo"}});
+    QCOMPARE(bench.hash(), moved);
+}
+
+void SelectionCommandTest::oneRadiusForAllIsScaledAlong() {
+    Workbench bench;
+    bench.run(test::newSphere());
+    bench.run(parsed(R"({"op":"surface","support":0.25})"));
+    bench.run(parsed(R"({"op":"transform","scale":2})"));
+    QVERIFY(std::abs(bench.document.surface().definition().support - 0.5f) < 1e-6f);
+    QVERIFY(std::abs(bench.document.surface().tree().surfels().items[5].support - 0.5f) < 1e-6f);
+}
+
+void SelectionCommandTest::sidesOfWhatIsThinDoNotMeet() {
+    Workbench bench;
+    bench.run(test::newSphere(2000));
+    bench.run(parsed(R"({"op":"transform","stretch":[1,1,0.3],"about":[0,0,0]})"));
+    const std::string hash = bench.hash();
+    const auto refusal = [&](double length) { return bench.refusal({{"op", "inflate"}, {"length", length}}); };
+    for (const double length : {-0.31, -0.5, -3.0}) // 0.6 thick in the middle, so 0.3 from each side
+        QVERIFY2(refusal(length).find("both sides would meet") != std::string::npos, refusal(length).c_str());
+    QCOMPARE(bench.hash(), hash);
+    QCOMPARE(refusal(-0.02), std::string());
+    bench.run({{"op", "undo"}});
+    // One side alone has all of the way.
+    bench.run(parsed(R"({"op":"select","by":"normal","direction":[0,0,1],"angle":30})"));
+    QCOMPARE(refusal(-0.4), std::string());
+    bench.run({{"op", "undo"}});
+    QVERIFY(!refusal(-0.7).empty());
+}
+
 void SelectionCommandTest::unitsAreSetByADistance() {
     Workbench bench;
     bench.run(openBall(bench, 1e7));
@@ -330,7 +392,7 @@ void SelectionCommandTest::nonsenseIsRefused_data() {
     row(R"({"op":"duplicate","move":[1,0,0]})", "nothing is selected");
     row(R"({"op":"transform","of":"selection","move":[1,0,0]})", "nothing is selected");
     row(R"({"op":"transform","stretch":[1,0,1]})", "pressed flat");
-    row(R"({"op":"transform","move":[1e9,0,0]})", "keep their places");
+    row(R"({"op":"transform","scale":1e16})", "keep their places");
     row(R"({"op":"inflate","length":1e9})", "keep their places");
     row(R"({"op":"shell","thickness":100})", "thicker than");
     row(R"({"op":"transform","axis":[0,0,1]})", "belong together");

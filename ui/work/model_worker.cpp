@@ -86,10 +86,11 @@ void ModelWorker::publish(Snapshot snapshot) {
 
 void ModelWorker::publishDocument() {
     Snapshot out = snapshotOf(m_document, m_beside);
-    surface::Surface& reference = m_references.try_emplace(out.model, out.surface).first->second;
-    if (!out.modified)
-        reference = out.surface;
-    out.reference = reference;
+    const base::Vec3d& origin = m_document.provenance().origin;
+    Reference& reference = m_references.try_emplace(out.model, Reference{out.surface, origin}).first->second;
+    if (!out.modified || reference.origin != origin) // moved so far that float32 cannot hold both places
+        reference = {out.surface, origin};
+    out.reference = reference.surface;
     out.models = m_models;
     if (m_undone) {
         out.canRedo = true;

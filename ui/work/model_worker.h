@@ -87,8 +87,12 @@ class ModelWorker {
     WorkerSignals& m_signals;
     WorkerReports m_reports;
     session::Document m_document;
-    session::ShownScene m_beside;                           ///< what is seen beside the active model
-    std::map<std::uint32_t, surface::Surface> m_references; ///< by model: as it was when opened, made or last saved
+    session::ShownScene m_beside; ///< what is seen beside the active model
+    struct Reference {
+        surface::Surface surface; ///< as the model was when opened, made or last saved
+        base::Vec3d origin;       ///< that its stored coordinates are counted from
+    };
+    std::map<std::uint32_t, Reference> m_references; ///< by model
     std::unique_ptr<session::Journal> m_journal;
     std::unique_ptr<OpenStroke> m_stroke;   ///< being drawn
     std::unique_ptr<OpenStroke> m_settling; ///< ended; none is drawn meanwhile

@@ -1,6 +1,7 @@
 #include "core/session/commands/selected/limits.h"
 
 #include "core/base/error.h"
+#include "core/io/origin_choice.h"
 #include "core/session/commands/scans/clean_steps.h"
 #include "core/surface/definition_text.h"
 
@@ -30,17 +31,46 @@ static surface::SurfaceDefinition moved(surface::SurfaceDefinition definition, c
     return definition;
 }
 
+/// Where stored coordinates are counted from once all of the model has moved: from where they are now, unless float32
+/// would lose much there, as where scans millions of units out come to zero.
+static base::Vec3d originAfter(const Document& document, const selection::Affine& map) {
+    constexpr std::size_t most = 4096;
+    const tree::SurfelTree& tree = document.surface().tree();
+    const std::size_t stride = std::max<std::size_t>(1, tree.size() / most);
+    std::vector<base::Vec3d> sample;
+    std::size_t next = 0, at = 0;
+    tree.forEachBlock([&](std::uint32_t, const surfel::SurfelBlock& block) {
+        for (; next < at + static_cast<std::size_t>(block.size()); next += stride)
+            sample.push_back(map(base::cast<double>(block.position(static_cast<int>(next - at)))));
+        at += static_cast<std::size_t>(block.size());
+    });
+    const base::Vec3d now = document.provenance().origin;
+    if (io::chooseOrigin(sample, tree.size()) == base::Vec3d())
+        return now;
+    for (base::Vec3d& each : sample)
+        each += now;
+    return io::chooseOrigin(sample, tree.size());
+}
+
+static void commitWhole(Context& context, selection::Affine map, const std::string& label) {
+    Document& document = context.document;
+    if (map.isNothing())
+        return;
+    const base::Vec3d origin = originAfter(document, map);
+    map.shift += document.provenance().origin - origin;
+    const surface::Surface next = selection::transformed(document.surface(), map, selection::Limit::Everything);
+    document.commitMoved(
+        {layers::mapped(next.tree(), document.layers(), map.linear, map.shift), moved(next.definition(), map)}, origin,
+        label);
+}
+
 void commitMoved(Context& context, const selection::Affine& map, selection::Limit limit, const std::string& label) {
-    const bool whole = limit == selection::Limit::Everything;
-    const surface::SurfaceDefinition& definition = context.document.surface().definition();
-    if (!whole && definition.manifold == surface::Manifold::Complex)
+    if (limit == selection::Limit::Everything)
+        return commitWhole(context, map, label);
+    const surface::Surface& now = context.document.surface();
+    if (now.definition().manifold == surface::Manifold::Complex)
         throw base::Error("a part of a complex cannot be moved away from the rest", {}, "move all of it");
-    surface::Surface next = selection::transformed(context.document.surface(), map, limit);
-    if (whole && !map.isNothing())
-        next = {next.tree(), moved(definition, map)};
-    if (whole && !(next.tree() == context.document.surface().tree()))
-        next = {layers::mapped(next.tree(), context.document.layers(), map.linear, map.shift), next.definition()};
-    clean::commit(context, std::move(next), label, whole ? layers::How::Keep : layers::How::Record);
+    clean::commit(context, selection::transformed(now, map, limit), label, layers::How::Record);
 }
 
 void requireSelection(const Context& context) {

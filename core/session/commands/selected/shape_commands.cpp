@@ -1,7 +1,9 @@
+#include "core/process/estimation/part_progress.h"
 #include "core/selection/shape.h"
 #include "core/session/commands/commands.h"
 #include "core/session/commands/scans/clean_steps.h"
 #include "core/session/commands/selected/limits.h"
+#include "core/session/commands/selected/opposite_sides.h"
 
 #include <nlohmann/json.hpp>
 
@@ -62,14 +64,17 @@ static void inflate(Context& context, const json& complete) {
     requireSurface(context);
     const double length = complete.at("length").get<double>();
     const auto height = [length](const base::Vec3d&) { return selection::Height{length, {}}; };
-    clean::commit(context,
-                  selection::raised(context.document.surface(), height, limitOf(context, complete), context.progress),
-                  "Inflate", layers::How::Record);
+    surface::Surface next = selection::raised(context.document.surface(), height, limitOf(context, complete),
+                                              process::part(context.progress, 0, length < 0 ? 0.5 : 1));
+    if (length < 0)
+        requireApart(context, next.tree());
+    clean::commit(context, std::move(next), "Inflate", layers::How::Record);
 }
 
 CommandRow inflateCommand() {
     static const CommandParameter parameters[] = {
-        {"length", "number", "model units", "how far outwards; below 0 inwards", "", "", -largest, largest},
+        {"length", "number", "model units", "how far outwards; below 0 inwards, until sides meet", "", "", -largest,
+         largest},
         {"of", "choice", "", limitTip, limitFallback, limits, 0, 0},
     };
     return {"inflate",  "Inflate", "Moves the surface along its normals by a length; masked points stay.",
