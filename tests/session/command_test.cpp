@@ -34,6 +34,7 @@ class CommandTest : public QObject {
     void everySampleCanBeMade();
     void surfaceChangesWhatItNames();
     void resampleReachesTheSpacing();
+    void spacingsAboveTheModelsSizeAreRefused();
     void expectEndsASessionThatWentAstray();
 };
 
@@ -294,6 +295,18 @@ void CommandTest::surfaceChangesWhatItNames() {
         bench.run({{"op", "undo"}});
     QVERIFY(bench.document.surface().definition().frame == surface::Frame::Normals);
     QVERIFY(!bench.document.modified());
+}
+
+void CommandTest::spacingsAboveTheModelsSizeAreRefused() {
+    Workbench bench;
+    bench.run(test::newSphere(1000));
+    const std::string before = bench.hash();
+    for (const char* op : {"resample", "thin"})
+        for (const double spacing : {3.0, 1e4}) {
+            const std::string told = bench.refusal({{"op", op}, {"spacing", spacing}});
+            QVERIFY2(told.find("at least 4 points") != std::string::npos, told.c_str());
+        }
+    QCOMPARE(bench.hash(), before);
 }
 
 void CommandTest::resampleReachesTheSpacing() {

@@ -34,6 +34,7 @@ static void resample(Context& context, const nlohmann::json& complete) {
         throw base::Error("a complex cannot be resampled: its points belong to their cells", "resample",
                           "open it as a surface");
     process::ResampleResult result = resampled(context, complete);
+    requireEnough(result.surface.tree().size());
     if (!result.settled)
         context.messages.push_back("resampling stopped after " + std::to_string(result.rounds) +
                                    " rounds, before the last points came to rest");
