@@ -34,6 +34,8 @@ render::Camera cameraOf(const Context& context, const json& complete) {
     out.eye = *placeOf(context, complete, "eye");
     out.target = *placeOf(context, complete, "target");
     out.up = vectorOf(complete, "up").value_or(base::upRow(context.document.up()).up);
+    if (complete.contains("fov") && complete.contains("ortho"))
+        throw base::Error("\"fov\" and \"ortho\" exclude each other", {}, "give one of them");
     out.fovDeg = complete.value("fov", out.fovDeg);
     out.orthoHeight = complete.value("ortho", 0.0);
     if (complete.contains("size")) {

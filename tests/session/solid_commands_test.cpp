@@ -20,6 +20,7 @@ class SolidCommandsTest : public QObject {
     void savedOperandsAreOpenedAsModelsAre();
     void reducedModelsEndWhereTheyAreCut();
     void partsPushedIntoEachOtherBecomeOne();
+    void rimsOfTheOtherModelStayRims();
     void wrongNumbersAreRefused();
 };
 
@@ -140,6 +141,20 @@ void SolidCommandsTest::partsPushedIntoEachOtherBecomeOne() {
     QCOMPARE(bench.hash(), before);
     bench.run({{"op", "redo"}});
     QCOMPARE(bench.hash(), after);
+}
+
+void SolidCommandsTest::rimsOfTheOtherModelStayRims() {
+    Workbench bowl;
+    bowl.run(test::newSphere(2500));
+    bowl.run({{"op", "cut"}, {"plane", "0,0,1,-0.3"}, {"cap", false}});
+    bowl.run({{"op", "save"}, {"path", bowl.path("bowl.ply").string()}});
+    // Its rim is beside the model, or within.
+    for (const auto& [position, closed] : {std::pair("0.6,0,0.2", false), std::pair("0,0,1", true)}) {
+        Workbench bench;
+        bench.run(test::newSphere(2500));
+        bench.run({{"op", "solid"}, {"path", bowl.path("bowl.ply").string()}, {"position", position}});
+        QVERIFY2(std::isinf(bench.document.surface().definition().boundaryLimit) == closed, position);
+    }
 }
 
 void SolidCommandsTest::wrongNumbersAreRefused() {

@@ -56,6 +56,7 @@ void TrimCommandTest::outlinesThatHoldNothingAreRefused() {
     for (const json& shape : {outline({{"rectangle", {5, 5, 5, 5}}}), outline({{"polygon", {{1, 1}, {2, 2}, {1, 1}}}}),
                               outline({{"polygon", {{1, 1}, {2, 2}}}}), outline({{"rectangle", {0, 0, 3, 3}}}),
                               outline({{"rectangle", {-1e4, -1e4, 1e4, 1e4}}}), outline(json::object()),
+                              outline({{"rectangle", {150, 80, 260, 400}}, {"fov", 30}, {"ortho", 3}}),
                               outline({{"rectangle", {0, 0, 9, 9}}, {"polygon", {{1, 1}, {2, 2}, {1, 9}}}})}) {
         json trim = shape;
         trim["op"] = "trim";

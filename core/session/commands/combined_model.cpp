@@ -9,8 +9,10 @@
 namespace session {
 
 void take(Context& context, solid::Combined result, const char* label) {
-    context.messages.push_back(std::to_string(result.removed) + " points went, " + std::to_string(result.inserted) +
-                               " came");
+    const bool changed = result.removed + result.inserted > 0;
+    context.messages.push_back(changed ? std::to_string(result.removed) + " points went, " +
+                                             std::to_string(result.inserted) + " came"
+                                       : "the model is as it was: no point went, and none came");
     context.figures["removed"] = static_cast<double>(result.removed);
     context.figures["inserted"] = static_cast<double>(result.inserted);
     context.figures["at_seam"] = static_cast<double>(result.atSeam);
@@ -26,7 +28,7 @@ void take(Context& context, solid::Combined result, const char* label) {
     context.figures["seam_length"] = length;
     context.figures["seams"] = static_cast<double>(pieces);
     context.figures["corners"] = static_cast<double>(corners);
-    if (result.removed + result.inserted > 0)
+    if (changed)
         context.document.commit(std::move(result.surface), label);
 }
 
