@@ -1,6 +1,10 @@
 #include "app/writable_models.h"
 
+#include "app/usage_error.h"
+#include "core/base/error.h"
+#include "core/io/before_writing.h"
 #include "core/io/formats.h"
+#include "core/session/scene/scene_file.h"
 
 #include <algorithm>
 #include <sstream>
@@ -30,6 +34,24 @@ bool isWritableModel(const std::string& path) {
     bool out = false;
     forWritable([&](const std::string& extension) { out |= lower.ends_with("." + extension); });
     return out;
+}
+
+/// What is asked of a name alone is wrong usage, unlike what is found in a file.
+template <class Require>
+static void asUsage(const Require& require) {
+    try {
+        require();
+    } catch (const base::Error& error) {
+        throw UsageError(error.message());
+    }
+}
+
+void requireModelName(const std::string& path) {
+    asUsage([&] { io::requireModelFormat(path); });
+}
+
+void requireSceneName(const std::string& path) {
+    asUsage([&] { session::requireSavable(path); });
 }
 
 } // namespace app

@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/io/number_text.h"
+#include "core/session/number_text_list.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,6 +20,10 @@ static json valueOf(const std::string& text) {
     return number && std::isfinite(*number) ? json(*number) : json(text);
 }
 
+bool has(const GivenParameters& given, const std::string& name) {
+    return std::any_of(given.begin(), given.end(), [&](const auto& each) { return each.first == name; });
+}
+
 json parametersOf(const GivenParameters& given) {
     json out = json::object();
     for (const auto& [name, value] : given)
@@ -26,9 +31,16 @@ json parametersOf(const GivenParameters& given) {
     return out;
 }
 
+/// Several numbers in one text, which commands read when they run: after a model was opened.
+static void requireNumbers(const std::string& id, const std::string& value) {
+    if (id == "position" || id == "rotation")
+        session::vectorOf(value, id);
+}
+
 /// The session's own check of one value: "" where it is all right.
 static std::string fault(const std::string& op, const std::string& id, const std::string& value) {
     try {
+        requireNumbers(id, value);
         json command{{"op", op}, {id, valueOf(value)}};
         for (const session::CommandParameter& p : session::command(op).parameters)
             if (!*p.fallback && id != p.id)

@@ -13,6 +13,9 @@ namespace app {
 /// What was given on the command line, by the command's own names.
 using GivenParameters = std::vector<std::pair<std::string, std::string>>;
 
+/// Whether that one was.
+bool has(const GivenParameters& given, const std::string& name);
+
 /// As a command's parameters: numbers where the texts are such.
 nlohmann::json parametersOf(const GivenParameters& given);
 

@@ -2,7 +2,7 @@
 
 #include "app/open_model.h"
 #include "app/options/output_names.h"
-#include "core/io/before_writing.h"
+#include "app/writable_models.h"
 #include "core/process/estimation/part_progress.h"
 
 #include <nlohmann/json.hpp>
@@ -17,7 +17,7 @@ void addModelAndOutput(OptionSet command, ModelCommand& options, const char* nam
 void runModelCommand(const ModelCommand& options, const char* op, const nlohmann::json& given, Console& console,
                      const std::function<void(const session::Context&)>& then) {
     requireOutputs({{"-o", options.out}});
-    io::requireModelFormat(options.out);
+    requireModelName(options.out);
     nlohmann::json command = parametersOf(options.wish);
     command["op"] = op;
     command.update(given);

@@ -38,4 +38,12 @@ void requireOutputs(std::initializer_list<OutputName> outputs) {
                                  "; give each a name of its own");
 }
 
+void requireInputsKept(std::initializer_list<OutputName> outputs, std::initializer_list<std::string> inputs) {
+    for (const OutputName& output : outputs)
+        for (const std::string& input : inputs)
+            if (!output.file.empty() && !takesAll(output.file) && samePlace(output.file, input))
+                throw UsageError(std::string(output.option) + " names " + input +
+                                 ", which is read and would be replaced; choose another name");
+}
+
 } // namespace app

@@ -22,4 +22,7 @@ bool samePlace(const std::string& a, const std::string& b);
 /// and pipes take both), and base::Error where there is no folder for one. Called before the work.
 void requireOutputs(std::initializer_list<OutputName> outputs);
 
+/// Throws UsageError where one of them is what is read: tables take the place of no model, and of no other table.
+void requireInputsKept(std::initializer_list<OutputName> outputs, std::initializer_list<std::string> inputs);
+
 } // namespace app

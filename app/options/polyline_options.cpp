@@ -1,7 +1,9 @@
 #include "app/options/polyline_options.h"
+#include "app/options/output_names.h"
 
 #include "app/open_model.h"
 #include "app/options/option_checks.h"
+#include "app/options/output_names.h"
 #include "app/polyline_formats.h"
 #include "app/subcommands/subcommand.h"
 
@@ -40,6 +42,8 @@ void openForPolylines(const PolylineOptions& options, session::Document& documen
                       Console& console, const char* fault) {
     if (!options.out.empty() && !polylineFormatOf(options.out, options.planar))
         throw UsageError("-o: the file's name must end in " + polylineEndings(options.planar));
+    requireOutputs({{"-o", options.out}});
+    requireInputsKept({{"-o", options.out}}, {options.model});
     session::Context context{document, {}, progress, {}, 0, {}, nullptr};
     openModel(context, options.model, options.surface->parameters(), console);
     const surface::Manifold manifold = document.surface().definition().manifold;

@@ -6,7 +6,6 @@
 #include "app/options/surface_options.h"
 #include "app/subcommands/subcommand.h"
 #include "app/writable_models.h"
-#include "core/io/before_writing.h"
 #include "core/io/safe_file.h"
 
 #include <nlohmann/json.hpp>
@@ -78,7 +77,7 @@ ordered_json reportOf(const nlohmann::json& command, const session::Context& con
 /// One file; its report.
 ordered_json cleaned(const Options& options, const BatchJob& job, Console& console) {
     if (!options.dryRun)
-        io::requireModelFormat(job.out);
+        requireModelName(job.out);
     session::Document document;
     session::Context context{document, {}, console.progress(), {}, 0, {}, nullptr};
     openModel(context, job.in, options.surface->parameters(), console);
@@ -104,10 +103,12 @@ void run(const Options& options, OptionSet set, Console& console) {
         if (options.out.empty())
             throw UsageError("OUT is required: the model to write");
     }
-    const bool limitAlone = options.steps.size() == 1 && options.steps[0].first == "limit";
-    if (!options.duplicates && (options.steps.empty() || limitAlone))
+    const bool limit = has(options.steps, "limit");
+    if (!options.duplicates && options.steps.size() == (limit ? 1 : 0))
         throw UsageError("nothing to do; name at least one of --duplicates, --outliers, --denoise, --thin, --normals "
                          "and --orient");
+    if (limit && !has(options.steps, "outliers"))
+        throw UsageError("--limit belongs to --outliers");
     if (options.batch.wanted()) {
         if (!options.report.empty())
             throw UsageError("--report is of one file; with --into the table has it: --json");

@@ -8,7 +8,6 @@
 #include "app/options/output_names.h"
 #include "app/subcommands/subcommand.h"
 #include "app/writable_models.h"
-#include "core/io/before_writing.h"
 #include "core/io/file_bytes.h"
 #include "core/io/file_name.h"
 #include "core/io/formats.h"
@@ -111,7 +110,7 @@ io::FileModel readInput(const Options& options, const std::string& in, bool& thi
 
 void convert(const Options& options, const BatchJob& job, Console& console) {
     requireOutputs({{"OUT", job.out}});
-    io::requireModelFormat(job.out);
+    requireModelName(job.out);
     const base::Progress progress = console.progress();
     bool thinned = false;
     io::FileModel model = readInput(options, job.in, thinned, process::part(progress, 0, 0.3));

@@ -2,6 +2,7 @@
 #include "app/number_table.h"
 #include "app/options/model_command.h"
 #include "app/options/output_names.h"
+#include "app/usage_error.h"
 #include "core/cells/seams.h"
 #include "core/io/safe_file.h"
 
@@ -47,6 +48,8 @@ void run(const Options& options, Console& console) {
     requireOutputs({{"-o", options.out}, {"--report", options.report}});
     if (options.detect == !options.along.empty())
         throw UsageError("crease needs one of --detect and --along, and not both");
+    if (!options.detect && has(options.wish, "angle"))
+        throw UsageError("--angle belongs to --detect");
     json given;
     if (options.detect)
         given["detect"] = true;

@@ -2,6 +2,7 @@
 #include "app/csv_writer.h"
 #include "app/open_model.h"
 #include "app/options/option_checks.h"
+#include "app/options/output_names.h"
 #include "app/options/surface_options.h"
 #include "app/subcommands/subcommand.h"
 #include "core/haptics/servo.h"
@@ -42,6 +43,8 @@ void write(CsvWriter& csv, const haptics::Tick& tick, const haptics::TimedPlace&
 }
 
 void run(const Options& options, Console& console) {
+    requireOutputs({{"-o", options.out}});
+    requireInputsKept({{"-o", options.out}}, {options.model, options.trajectory});
     session::Document document;
     const base::Progress progress = console.progress();
     session::Context context{document, {}, progress, {}, 0, {}, nullptr};

@@ -142,6 +142,7 @@ const char* headerOf(const std::string& hits) {
 
 void run(const Options& options, Console& console) {
     requireOutputs({{"-o", options.out}});
+    requireInputsKept({{"-o", options.out}}, {options.model, options.rays});
     session::Document document;
     const base::Progress progress = console.progress();
     session::Context context{document, {}, progress, {}, 0, {}, nullptr};

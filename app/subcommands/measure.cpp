@@ -8,10 +8,10 @@
 #include "app/options/surface_options.h"
 #include "app/polyline_file.h"
 #include "app/subcommands/subcommand.h"
+#include "app/writable_models.h"
 #include "core/base/cancel_scope.h"
 #include "core/base/error.h"
 #include "core/base/row_of_id.h"
-#include "core/io/before_writing.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/process/measuring/geodesic.h"
 #include "core/surface/definition_text.h"
@@ -93,8 +93,9 @@ void checkUsage(const Options& options) {
     if (!options.path.empty() && !polylineFormatOf(options.path, false))
         throw UsageError("--path: the file's name must end in " + polylineEndings(false));
     requireOutputs({{"-o", options.out}, {"--csv", options.csv}, {"--path", options.path}});
+    requireInputsKept({{"--csv", options.csv}, {"--path", options.path}}, {options.model, options.other});
     if (!options.out.empty())
-        io::requireModelFormat(options.out);
+        requireModelName(options.out);
 }
 
 double angleOf(const surface::Surface& surface, const std::vector<Vec3d>& places, const Vec3d& origin) {

@@ -115,6 +115,7 @@ struct Options {
 
 void query(const Options& options, Console& console) {
     requireOutputs({{"-o", options.out}});
+    requireInputsKept({{"-o", options.out}}, {options.model, options.points});
     const Question question = parseQuestion(options.what);
     session::Document document;
     const base::Progress progress = console.progress();

@@ -3,7 +3,7 @@
 
 #include "app/options/output_names.h"
 #include "app/subcommands/subcommand.h"
-#include "core/session/scene/scene_file.h"
+#include "app/writable_models.h"
 
 #include <nlohmann/json.hpp>
 
@@ -22,7 +22,7 @@ Action addRecover(OptionSet command) {
                     "another model than they were drawn on");
     return [options](Console& console) {
         requireOutputs({{"-o", options->out}});
-        session::requireSavable(options->out);
+        requireSceneName(options->out);
         session::Document document;
         session::Context context{document, {}, console.progress(), {}, 0, {}, nullptr, options->anyway};
         const int commands = session::recover(options->journal, context).commands;

@@ -26,9 +26,8 @@ struct Options {
 };
 
 void run(const Options& options, OptionSet command, Console& console) {
-    if (!isWritableModel(options.out))
-        throw UsageError("-o: the file's name must end in one of " + writableExtensions());
     requireOutputs({{"-o", options.out}, {"--report", options.report}});
+    requireModelName(options.out);
     int asked = 0;
     for (const char* wish : wishes)
         asked += command.has(std::string("--") + wish);

@@ -35,9 +35,8 @@ reduce::Report compared(const Options& options, const surface::Surface& refined,
 }
 
 void run(const Options& options, Console& console) {
-    if (!isWritableModel(options.out))
-        throw UsageError("-o: the file's name must end in one of " + writableExtensions());
     requireOutputs({{"-o", options.out}, {"--report", options.report}});
+    requireModelName(options.out);
     nlohmann::json wish = parametersOf(options.wish);
     wish["op"] = "refine";
     const auto spacing = session::complete(wish).at("spacing").get<float>();

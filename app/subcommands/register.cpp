@@ -4,8 +4,8 @@
 #include "app/options/output_names.h"
 #include "app/options/surface_options.h"
 #include "app/subcommands/subcommand.h"
+#include "app/writable_models.h"
 #include "core/base/cancel_scope.h"
-#include "core/io/before_writing.h"
 #include "core/io/formats.h"
 #include "core/io/safe_file.h"
 #include "core/process/estimation/part_progress.h"
@@ -74,7 +74,7 @@ nlohmann::ordered_json reportOf(const Scans& scans) {
 
 void run(const Options& options, Console& console) {
     requireOutputs({{"-o", options.out}, {"--report", options.report}});
-    io::requireModelFormat(options.out);
+    requireModelName(options.out);
     const base::Progress progress = console.progress();
     const base::CancelScope scope(progress.cancel);
     Scans scans = opened(options, console);

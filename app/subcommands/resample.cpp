@@ -6,7 +6,6 @@
 #include "app/options/surface_options.h"
 #include "app/subcommands/subcommand.h"
 #include "app/writable_models.h"
-#include "core/io/before_writing.h"
 #include "core/process/estimation/spacing_sample.h"
 
 #include <nlohmann/json.hpp>
@@ -27,7 +26,7 @@ struct Options {
 
 nlohmann::ordered_json resampled(const Options& options, const BatchJob& job, Console& console) {
     requireOutputs({{"-o", job.out}});
-    io::requireModelFormat(job.out);
+    requireModelName(job.out);
     session::Document document;
     session::Context context{document, {}, console.progress(), {}, 0, {}, nullptr};
     openModel(context, job.in, options.surface->parameters(), console);

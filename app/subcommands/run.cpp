@@ -7,6 +7,7 @@
 #include "app/options/output_names.h"
 #include "app/scene_view.h"
 #include "app/subcommands/subcommand.h"
+#include "app/writable_models.h"
 #include "core/base/error.h"
 #include "core/io/safe_file.h"
 #include "core/render/framed_box.h"
@@ -14,7 +15,6 @@
 #include "core/render/scene_picture.h"
 #include "core/render/shading/own_colours.h"
 #include "core/session/journal.h"
-#include "core/session/scene/scene_file.h"
 #include "core/session/session_file.h"
 
 #include <algorithm>
@@ -106,7 +106,7 @@ void checkNames(const Options& options) {
             throw UsageError(std::string("--journal names ") + what + "; the journal needs a name of its own");
     requireOutputs({{"-o", options.out}, {"--render", options.image}, {"--timings", options.timings}});
     if (!options.out.empty())
-        session::requireSavable(options.out);
+        requireSceneName(options.out);
 }
 
 void run(const Options& options, Console& console) {

@@ -3,6 +3,7 @@
 #include "app/options/model_command.h"
 #include "app/options/option_checks.h"
 #include "app/options/output_names.h"
+#include "app/usage_error.h"
 #include "core/io/safe_file.h"
 #include "core/mesh/extent/extent.h"
 
@@ -28,6 +29,8 @@ nlohmann::ordered_json reportOf(const session::Context& context, const base::Pro
 
 void run(const Options& options, Console& console) {
     requireOutputs({{"-o", options.out}, {"--report", options.report}});
+    if (has(options.wish, "fillet") && has(options.wish, "chamfer"))
+        throw UsageError("--fillet and --chamfer exclude each other");
     constexpr std::string_view sample = "sample:";
     const bool made = options.other.starts_with(sample);
     const std::string what = made ? options.other.substr(sample.size()) : options.other;
