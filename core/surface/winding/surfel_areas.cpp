@@ -14,6 +14,7 @@ using base::Vec3f;
 namespace {
 
 constexpr float reach = 0.8f;            ///< of the support: some 24 neighbours by default
+constexpr float wideReach = 1.2f;        ///< where that is next to nothing: supports of reduced models hold few surfels
 constexpr float fewestNeighbours = 1.5f; ///< their weights' sum; 12 in an even sampling
 /// Of the radius: who stands so far above a surfel that faces alike, at 45 degrees or steeper, is of another sheet.
 constexpr float above = 0.4f;
@@ -78,9 +79,13 @@ float crowding(const tree::SurfelTree& tree, const Place& at, float radius, cons
 }
 
 float areaOf(const tree::SurfelTree& tree, const surfel::SurfelBlock& block, int slot, const Facing& shares) {
-    const float radius = reach * block.support(slot);
-    const float sum = crowding(tree, {block.position(slot), block.normal(slot), radius * radius}, radius, shares);
-    return sum < 1 + fewestNeighbours ? 0 : 0.5f * std::numbers::pi_v<float> * radius * radius / sum;
+    for (const float part : {reach, wideReach}) {
+        const float radius = part * block.support(slot);
+        const float sum = crowding(tree, {block.position(slot), block.normal(slot), radius * radius}, radius, shares);
+        if (sum >= 1 + fewestNeighbours)
+            return 0.5f * std::numbers::pi_v<float> * radius * radius / sum;
+    }
+    return 0;
 }
 
 void fewAreas(const tree::SurfelTree& tree, const surfel::SurfelBlock& block, float* out) {

@@ -13,8 +13,8 @@ using base::Vec3f;
 
 namespace {
 
-float plainArea(const surfel::SurfelList& all, const surfel::Surfel& s) {
-    const float radius = 0.8f * s.support, radiusSq = radius * radius;
+float plainArea(const surfel::SurfelList& all, const surfel::Surfel& s, float reach) {
+    const float radius = reach * s.support, radiusSq = radius * radius;
     float sum = 0;
     for (const surfel::Surfel& other : all.items) {
         const Vec3f way = other.position - s.position;
@@ -24,7 +24,8 @@ float plainArea(const surfel::SurfelList& all, const surfel::Surfel& s) {
         if (square < radiusSq && !stacked)
             sum += (1 - square / radiusSq) * std::clamp(1 + 2 * dot(s.normal, other.normal), 0.0f, 1.0f);
     }
-    return sum < 2.5f ? 0 : 0.5f * std::numbers::pi_v<float> * radius * radius / sum;
+    return sum < 2.5f ? reach < 1 ? plainArea(all, s, 1.2f) : 0
+                      : 0.5f * std::numbers::pi_v<float> * radius * radius / sum;
 }
 
 /// A ball of two walls, some of it copies and strays, the supports those of an uneven sampling.
@@ -60,7 +61,7 @@ void SurfelAreasTest::AreasAreThoseOfSumsTakenOneByOne() {
         const surfel::SurfelList inOrder = tree.surfels();
         std::vector<float> wanted;
         for (const surfel::Surfel& s : inOrder.items)
-            wanted.push_back(plainArea(inOrder, s));
+            wanted.push_back(plainArea(inOrder, s, 0.8f));
         for (const int threads : {1, 0}) {
             base::setThreadCount(threads);
             QVERIFY2(surface::surfelAreas(tree) == wanted,
