@@ -109,7 +109,7 @@ void CleanTest::wrongUsageIsRefused_data() {
     row("clean sample:sphere:500 out.ply --orient viewpoint --viewpoint 1,2", 2, "x,y,z");
     row("clean sample:sphere:500 out.ply --normals grid", 1, "use plane or jet");
     row("clean sample:sphere:500 out.ply --thin 50", 1, "ask for less");
-    row("clean sample:sphere:500 out.unknown --duplicates", 1, "out.unknown");
+    row("clean sample:sphere:500 out.unknown --duplicates", 2, "out.unknown");
     row("clean nowhere.ply out.ply --duplicates", 1, "nowhere.ply");
     row("clean sample:coil out.ply --denoise auto", 1, "curve");
     row("resample sample:sphere:500 -o out.ply", 2, "--spacing");

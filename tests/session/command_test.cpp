@@ -301,11 +301,10 @@ void CommandTest::spacingsAboveTheModelsSizeAreRefused() {
     Workbench bench;
     bench.run(test::newSphere(1000));
     const std::string before = bench.hash();
-    for (const char* op : {"resample", "thin"})
-        for (const double spacing : {3.0, 1e4}) {
-            const std::string told = bench.refusal({{"op", op}, {"spacing", spacing}});
-            QVERIFY2(told.find("at least 4 points") != std::string::npos, told.c_str());
-        }
+    for (const double spacing : {3.0, 1e4}) {
+        const std::string told = bench.refusal({{"op", "resample"}, {"spacing", spacing}});
+        QVERIFY2(told.find("at least 4 points") != std::string::npos, told.c_str());
+    }
     QCOMPARE(bench.hash(), before);
 }
 

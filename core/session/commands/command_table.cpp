@@ -32,14 +32,6 @@ void requireModel(const Context& context) {
         throw base::Error("there is no model to work on", {}, "open one first, or make one with \"new\"");
 }
 
-void requireEnough(std::size_t surfels) {
-    constexpr std::size_t least = 4; // as of opening
-    if (surfels < least)
-        throw base::Error("a surface needs at least " + std::to_string(least) + " points, and that spacing leaves " +
-                              std::to_string(surfels),
-                          {}, "choose one that is well below the size of the model");
-}
-
 void requireRecorded(Context& context, const nlohmann::json& wanted, const base::Hash128& found,
                      const std::string& path) {
     if (wanted == found.text())

@@ -72,9 +72,6 @@ constexpr double largestCount = 1e9;
 /// Throws base::Error where no model is open yet.
 void requireModel(const Context& context);
 
-/// Throws base::Error where a spacing leaves so few surfels that they define no surface.
-void requireEnough(std::size_t surfels);
-
 /// Another model that a command opened is the one whose hash was recorded: throws base::Error where it is not, or says
 /// so where changed files are taken.
 void requireRecorded(Context& context, const nlohmann::json& wanted, const base::Hash128& found,

@@ -34,7 +34,11 @@ static void resample(Context& context, const nlohmann::json& complete) {
         throw base::Error("a complex cannot be resampled: its points belong to their cells", "resample",
                           "open it as a surface");
     process::ResampleResult result = resampled(context, complete);
-    requireEnough(result.surface.tree().size());
+    constexpr std::size_t least = 4; // as of opening
+    if (const std::size_t left = result.surface.tree().size(); left < least)
+        throw base::Error("a surface needs at least " + std::to_string(least) + " points, and that spacing leaves " +
+                              std::to_string(left),
+                          "resample", "choose one that is well below the size of the model");
     if (!result.settled)
         context.messages.push_back("resampling stopped after " + std::to_string(result.rounds) +
                                    " rounds, before the last points came to rest");

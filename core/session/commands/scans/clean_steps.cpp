@@ -207,7 +207,6 @@ Surface thin(Context& context, const Surface& surface, float spacing) {
     const surfel::SurfelList points = surface.tree().surfels();
     std::vector<std::uint8_t> removed = process::thinned(points, spacing, process::part(context.progress, 0, 0.5));
     const auto count = static_cast<std::size_t>(std::count(removed.begin(), removed.end(), 1));
-    requireEnough(points.size() - count);
     context.figures["thinned"] = static_cast<double>(count);
     context.messages.push_back("Thin: " + countOf(count, points.size()) + " removed, " +
                                std::to_string(points.size() - count) + " left that are no closer than " +
