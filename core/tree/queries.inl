@@ -69,6 +69,49 @@ void SurfelTree::forBlocksInBall(const base::Vec3f& centre, float radius, const 
             *m_root, 0, [&](const surfel::BoundsLanes& lanes) { return lanes.within(centre, radius * radius); }, fn);
 }
 
+namespace detail {
+
+/// Lanes of a mask by ascending entry; returns how many.
+inline int byEntry(unsigned mask, const float (&enter)[fanOut], int (&order)[fanOut]) {
+    int count = 0;
+    for (; mask != 0; mask &= mask - 1) {
+        const int lane = std::countr_zero(mask);
+        int at = count++;
+        for (; at > 0 && enter[order[at - 1]] > enter[lane]; --at)
+            order[at] = order[at - 1];
+        order[at] = lane;
+    }
+    return count;
+}
+
+template <class Fn>
+void nearRay(const Node& node, const surfel::RaySlabs& slabs, float& most, const Fn& fn) {
+    float enter[fanOut], leave[fanOut];
+    int order[fanOut];
+    const int count = byEntry(node.meeting(slabs, enter, leave) & node.childMask(), enter, order);
+    for (int k = 0; k < count && enter[order[k]] <= most; ++k) {
+        if (node.level > 1) {
+            nearRay(*node.nodes[order[k]], slabs, most, fn);
+            continue;
+        }
+        const surfel::SurfelBlock& block = *node.blocks[order[k]];
+        float begin[fanOut], end[fanOut];
+        int clusters[fanOut];
+        const int met = byEntry(block.boundsLanes().meeting(slabs, begin, end) & block.clusterMask(), begin, clusters);
+        for (int c = 0; c < met && begin[clusters[c]] <= most; ++c)
+            most = fn(block, clusters[c], begin[clusters[c]], end[clusters[c]]);
+    }
+}
+
+} // namespace detail
+
+template <class Fn>
+void SurfelTree::nearRay(const base::Rayf& ray, const Fn& fn) const {
+    float most = std::numeric_limits<float>::infinity();
+    if (m_root)
+        detail::nearRay(*m_root, surfel::RaySlabs(ray), most, fn);
+}
+
 template <class Fn>
 void SurfelTree::alongRay(const base::Rayf& ray, const Fn& fn) const {
     if (!m_root)
@@ -79,9 +122,9 @@ void SurfelTree::alongRay(const base::Rayf& ray, const Fn& fn) const {
     const auto openNode = [&](const Node& node) {
         detail::forLanes(node.meeting(slabs, enter, leave) & node.childMask(), [&](int i) {
             if (node.level == 1)
-                queue.push({enter[i], leave[i], nullptr, node.blocks[i].get(), -1});
+                queue.push({enter[i], leave[i], nullptr, node.blocks[i].get(), -1, 0});
             else
-                queue.push({enter[i], leave[i], node.nodes[i].get(), nullptr, -1});
+                queue.push({enter[i], leave[i], node.nodes[i].get(), nullptr, -1, 0});
         });
     };
     for (openNode(*m_root); !queue.empty();) {
@@ -94,7 +137,7 @@ void SurfelTree::alongRay(const base::Rayf& ray, const Fn& fn) const {
         } else {
             const unsigned hit = next.block->boundsLanes().meeting(slabs, enter, leave);
             detail::forLanes(hit & next.block->clusterMask(), [&](int cluster) {
-                queue.push({enter[cluster], leave[cluster], nullptr, next.block, cluster});
+                queue.push({enter[cluster], leave[cluster], nullptr, next.block, cluster, 0});
             });
         }
     }

@@ -18,7 +18,7 @@ class RayQueue {
         const Node* node;                 ///< a node to open, or
         const surfel::SurfelBlock* block; ///< a block to open, or with cluster >= 0
         int cluster;                      ///< a cluster to report
-        std::uint32_t sequence = 0;       ///< order of pushing
+        std::uint32_t sequence;           ///< order of pushing
     };
 
     bool empty() const { return m_count == 0; }

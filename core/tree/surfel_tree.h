@@ -124,6 +124,12 @@ class SurfelTree {
     template <class Fn>
     void alongRay(const base::Rayf& ray, const Fn& fn) const;
 
+    /// The clusters whose surface bounds meet the ray, the nearest first among those of a block and of a node, in no
+    /// order on the whole: fn(block, cluster, tEnter, tExit) returns up to where clusters are still wanted, and never
+    /// more than before. Faster than `alongRay`.
+    template <class Fn>
+    void nearRay(const base::Rayf& ray, const Fn& fn) const;
+
     /// Throws std::logic_error naming the first broken invariant.
     void validate() const;
 

@@ -19,6 +19,7 @@ class QueriesTest : public QObject {
     void rayVisitsEveryClusterThatItMeetsInOrder();
     void rayAlongAnAxisMeetsBordersItRunsIn();
     void rayStopsWhenToldTo();
+    void nearestFirstMissesNothingThatIsWanted();
     void rayThroughManyBoundsOutgrowsTheInlineQueue();
     void emptyTreeAnswersNothing();
 
@@ -258,6 +259,24 @@ void QueriesTest::rayStopsWhenToldTo() {
     QCOMPARE(calls, std::size_t(3));
 }
 
+void QueriesTest::nearestFirstMissesNothingThatIsWanted() {
+    for (const SurfelTree& tree : m_trees)
+        for (const base::Vec3f& origin : positions(60)) {
+            const base::Rayf ray{origin, base::cast<float>(m_random.unitVector())};
+            std::map<Cluster, std::pair<float, float>> visited;
+            float most = std::numeric_limits<float>::infinity();
+            tree.nearRay(ray, [&](const SurfelBlock& block, int cluster, float enter, float leave) {
+                visited[{&block, cluster}] = {enter, leave};
+                return most = std::min(most, enter + 0.2f); // of no more than what begins soon after the first
+            });
+            for (const Visit& visit : visitsOf(tree, ray))
+                if (visit.enter <= most)
+                    QVERIFY2(visited.contains(visit.cluster) &&
+                                 visited[visit.cluster] == std::pair(visit.enter, visit.leave),
+                             seedText());
+        }
+}
+
 void QueriesTest::rayThroughManyBoundsOutgrowsTheInlineQueue() {
     surfel::SurfelList list = test::bumpySphere(20000, m_random);
     for (surfel::Surfel& s : list.items)
@@ -275,6 +294,7 @@ void QueriesTest::emptyTreeAnswersNothing() {
     none.forClustersInSupport(base::Box3f{{-1, -1, -1}, {1, 1, 1}}, [&](const SurfelBlock&, int) { ++calls; });
     none.forBlocksInBall({}, 10, [&](std::uint32_t, const SurfelBlock&) { ++calls; });
     none.alongRay({{}, {0, 0, 1}}, [&](const SurfelBlock&, int, float, float) { return ++calls > 0; });
+    none.nearRay({{}, {0, 0, 1}}, [&](const SurfelBlock&, int, float, float) { return static_cast<float>(++calls); });
     m_trees[0].forClustersInSupport(base::Box3f{}, [&](const SurfelBlock&, int) { ++calls; });
     QCOMPARE(calls, std::size_t(0));
 }
