@@ -3,10 +3,12 @@
 #include "core/base/parallel.h"
 #include "core/cells/cell_roots.h"
 #include "core/cells/local_boolean.h"
+#include "core/surface/rays/disc_kernel.h"
 #include "core/surface/rays/ray_order.h"
 #include "core/tree/morton.h"
 
 #include <cassert>
+#include <numeric>
 
 namespace cells {
 
@@ -19,57 +21,108 @@ using surface::RayHit;
 
 namespace {
 
-/// What a ray is asked for: its first hit, all of them, or any that is not where it starts.
-enum class Wanted { First, All, Any };
-
-/// Asks a CellSource or a CellSourcef, which many rays may share.
+/// One ray after another. Asks a CellSource or a CellSourcef, which they may share.
 template <class Source>
-class CellRay {
+class CellRays {
   public:
-    CellRay(Source& source, const Rayd& ray, double from, double to)
-        : m_source(source), m_ray{ray.origin, base::normalized(ray.direction)}, m_from(from), m_to(to),
-          m_roots(m_source, m_ray) {}
+    explicit CellRays(Source& source) : m_source(source), m_finder(source.surface()) {}
 
-    /// Hits by ascending t.
-    std::vector<CellHit> run(Wanted wanted) {
-        std::vector<CellHit> out;
-        if (!(lengthSq(m_ray.direction) > 0))
-            return out;
-        double nearest = m_to;
-        const bool first = wanted == Wanted::First;
-        std::vector<double> roots;
-        const std::vector<Stretch> found = stretches(m_source.surface(), m_ray, m_from, m_to);
-        // where there is one zero at most it costs little; the others are marched no farther than the nearest hit
-        for (const bool monotone : {true, false})
-            for (Stretch each : found) {
-                if (first && each.first > nearest)
-                    break;
-                if (each.monotone() != monotone)
-                    continue;
-                if (first && !monotone)
-                    each.last = std::min(each.last, nearest);
-                roots.clear();
-                m_roots.find(each, roots);
-                for (const double t : roots)
-                    if (t >= m_from && t <= (first ? nearest : m_to))
-                        if (const auto hit = accept(each.cell, t)) {
-                            out.push_back(*hit);
-                            nearest = std::min(nearest, t);
-                            if (wanted == Wanted::Any && !atStart(*hit))
-                                return {*hit};
-                        }
+    void start(const Rayd& ray, const IntersectOptions& options) {
+        m_ray = {ray.origin, base::normalized(ray.direction)};
+        m_from = static_cast<double>(options.tMin);
+        m_to = static_cast<double>(options.tMax);
+        m_evaluations = 0;
+        m_looked = false;
+        m_finder.start(m_ray);
+    }
+    /// Looks as far as the first disc tells that there is something: is all of that away from creases? How far that
+    /// is; nothing where it is not.
+    std::optional<double> plainUpTo() {
+        look(m_from);
+        m_looked = true;
+        return m_finder.mixed() ? std::nullopt : std::optional(m_finder.end());
+    }
+    CellHit first() {
+        for (double from = m_from; valid(); from = m_finder.resume()) {
+            if (!std::exchange(m_looked, false))
+                look(from);
+            double nearest = m_finder.end();
+            CellHit out;
+            findRoots(nearest, [&](const CellHit& hit) {
+                if (!out.hit.hit || hit.hit.t < out.hit.t)
+                    out = hit;
+                nearest = out.hit.t;
+                return true;
+            });
+            if (out.hit.hit || !(m_finder.end() < m_to)) {
+                out.hit.evaluations = out.hit.hit ? m_evaluations : 0;
+                return out;
             }
-        if (wanted == Wanted::Any)
-            return {};
+        }
+        return {};
+    }
+    /// By ascending t.
+    std::vector<CellHit> all() {
+        std::vector<CellHit> out;
+        if (!valid())
+            return out;
+        m_finder.look(m_from, m_to, everything);
+        double nearest = m_to;
+        findRoots(nearest, [&](const CellHit& hit) {
+            out.push_back(hit);
+            return true;
+        });
         std::stable_sort(out.begin(), out.end(), [](const CellHit& a, const CellHit& b) { return a.hit.t < b.hit.t; });
         if (!out.empty())
-            out.front().hit.evaluations = m_roots.evaluations();
+            out.front().hit.evaluations = m_evaluations;
+        dropRepeated(out);
+        return out;
+    }
+    bool any() {
+        bool out = false;
+        for (double from = m_from; valid() && !out; from = m_finder.resume()) {
+            look(from);
+            double nearest = m_finder.end();
+            findRoots(nearest, [&](const CellHit& hit) {
+                out = hit.hit.t - m_from > surface::secondaryEpsilon * surface::spacingOfUnit * hit.hit.unit;
+                return !out;
+            });
+            if (!(m_finder.end() < m_to))
+                break;
+        }
         return out;
     }
 
   private:
-    bool atStart(const CellHit& at) const {
-        return !(at.hit.t - m_from > surface::secondaryEpsilon * surface::spacingOfUnit * at.hit.unit);
+    static constexpr double everything = std::numeric_limits<double>::infinity();
+
+    bool valid() const { return lengthSq(m_ray.direction) > 0; }
+    void look(double from) {
+        constexpr double ahead = 1; // h beyond the first disc, where the sharp surface mostly is
+        m_finder.look(from, m_to, ahead);
+    }
+    /// fn(hit) of what is surface up to `nearest`, which may come nearer meanwhile; it returns false to stop. Where
+    /// there is one zero at most it costs little; the others are marched no farther than the nearest hit so far.
+    template <class Fn>
+    void findRoots(const double& nearest, const Fn& fn) {
+        CellRoots<Source> roots(m_source, m_ray);
+        bool more = true;
+        for (const bool monotone : {true, false})
+            for (Stretch each : m_finder.found()) {
+                if (!more || each.first > nearest)
+                    break;
+                if (each.monotone() != monotone)
+                    continue;
+                if (!monotone)
+                    each.last = std::min(each.last, nearest);
+                m_roots.clear();
+                roots.find(each, m_roots);
+                for (const double t : m_roots)
+                    if (more && t >= m_from && t <= nearest)
+                        if (const auto hit = accept(each.cell, t))
+                            more = fn(*hit);
+            }
+        m_evaluations += roots.evaluations();
     }
     std::optional<CellHit> accept(std::uint32_t cell, double t) {
         m_source.moveTo(m_ray.at(t));
@@ -77,7 +130,7 @@ class CellRay {
         if (i == Source::none)
             return std::nullopt;
         const auto& at = m_source.at(i, Need::Gradient);
-        if (!valid(at) || !isFace(m_source, i, cutTolerance(m_source, at.unit, length(m_source.position()))))
+        if (!cells::valid(at) || !isFace(m_source, i, cutTolerance(m_source, at.unit, length(m_source.position()))))
             return std::nullopt;
         CellHit out;
         out.cell = cell;
@@ -91,27 +144,22 @@ class CellRay {
         out.hit.agreement = at.agreement;
         return out;
     }
+    /// Hits that are the same place: where the ray goes through a seam, both its cells have one.
+    static void dropRepeated(std::vector<CellHit>& hits) {
+        const auto same = [](const CellHit& a, const CellHit& b) {
+            return b.hit.t - a.hit.t < surface::secondaryEpsilon * surface::spacingOfUnit * b.hit.unit;
+        };
+        hits.erase(std::unique(hits.begin(), hits.end(), same), hits.end());
+    }
 
     Source& m_source;
+    StretchFinder m_finder;
     Rayd m_ray;
-    double m_from, m_to;
-    CellRoots<Source> m_roots;
+    double m_from = 0, m_to = 0;
+    int m_evaluations = 0;
+    bool m_looked = false; ///< from m_from on, and what was found is there
+    std::vector<double> m_roots;
 };
-
-/// The first hit, if any, no farther than `to`.
-template <class Source>
-CellHit firstHit(Source& source, const Rayd& ray, double from, double to) {
-    const std::vector<CellHit> hits = CellRay(source, ray, from, to).run(Wanted::First);
-    return hits.empty() ? CellHit() : hits.front();
-}
-
-/// Hits that are the same place: where the ray goes through a seam, both its cells have one.
-void dropRepeated(std::vector<CellHit>& hits) {
-    const auto same = [](const CellHit& a, const CellHit& b) {
-        return b.hit.t - a.hit.t < surface::secondaryEpsilon * surface::spacingOfUnit * b.hit.unit;
-    };
-    hits.erase(std::unique(hits.begin(), hits.end(), same), hits.end());
-}
 
 Rayd widened(const Rayf& ray) {
     return {base::cast<double>(ray.origin), base::cast<double>(ray.direction)};
@@ -126,39 +174,27 @@ bool concerns(const CellSurface& surface, const base::Ray<T>& ray, const RayHit<
     return surface.mixedAlong(rounded, hit.hit ? static_cast<float>(hit.t + hit.unit) : options.tMax);
 }
 
-/// Did both find the same place, where only one cell is? Then the smooth surface's bits stay.
+/// Did cells find the place at t, too? Where only one of them is there the smooth surface's bits stay.
 template <class T>
-bool samePlace(const CellHit& byCells, const RayHit<T>& plain) {
+bool samePlace(double t, double unit, const RayHit<T>& plain) {
     constexpr double tolerance = 1e-4; // of h: what float leaves at grazing angles
-    return byCells.alone && plain.hit &&
-           std::abs(static_cast<double>(plain.t) - byCells.hit.t) <= tolerance * byCells.hit.unit;
-}
-
-template <class Source>
-std::vector<CellHit> allHits(Source& source, const Rayd& ray, const IntersectOptions& options) {
-    std::vector<CellHit> hits =
-        CellRay(source, ray, static_cast<double>(options.tMin), static_cast<double>(options.tMax)).run(Wanted::All);
-    dropRepeated(hits);
-    return hits;
-}
-
-template <class Source>
-bool anyHit(Source& source, const Rayd& ray, const IntersectOptions& options) {
-    return !CellRay(source, ray, static_cast<double>(options.tMin), static_cast<double>(options.tMax))
-                .run(Wanted::Any)
-                .empty();
+    return plain.hit && std::abs(static_cast<double>(plain.t) - t) <= tolerance * unit;
 }
 
 } // namespace
 
 CellHit intersectCells(const CellSurface& surface, const Rayd& ray, const IntersectOptions& options) {
     CellSource source(surface);
-    return firstHit(source, ray, static_cast<double>(options.tMin), static_cast<double>(options.tMax));
+    CellRays rays(source);
+    rays.start(ray, options);
+    return rays.first();
 }
 
 std::vector<CellHit> intersectAllCells(const CellSurface& surface, const Rayd& ray, const IntersectOptions& options) {
     CellSource source(surface);
-    return allHits(source, ray, options);
+    CellRays rays(source);
+    rays.start(ray, options);
+    return rays.all();
 }
 
 RayHit<double> intersectReference(const CellSurface& surface, const Rayd& ray, const IntersectOptions& options) {
@@ -166,7 +202,7 @@ RayHit<double> intersectReference(const CellSurface& surface, const Rayd& ray, c
     if (!concerns(surface, ray, plain, options))
         return plain;
     const CellHit byCells = intersectCells(surface, ray, options);
-    return samePlace(byCells, plain) ? plain : byCells.hit;
+    return byCells.alone && samePlace(byCells.hit.t, byCells.hit.unit, plain) ? plain : byCells.hit;
 }
 
 std::vector<RayHit<double>> intersectAllReference(const CellSurface& surface, const Rayd& ray,
@@ -183,82 +219,173 @@ bool intersectAnyReference(const CellSurface& surface, const Rayd& ray, const In
     if (!concerns(surface, ray, RayHit<double>(), options))
         return intersectAnyReference(surface.surface(), ray, options);
     CellSource source(surface);
-    return anyHit(source, ray, options);
+    CellRays rays(source);
+    rays.start(ray, options);
+    return rays.any();
 }
 
-/// fn(i, source) for the rays that creases have a say in, neighbours one after the other: they share what is packed
-/// about them.
-template <class Hit, class Fn>
-static void forConcerned(const CellSurface& surface, std::span<const Rayf> rays, const IntersectOptions& options,
-                         const Hit& hit, const Fn& fn) {
-    constexpr std::size_t grain = 64, shared = 512;
-    std::vector<std::uint8_t> concerned(rays.size());
-    base::parallelFor(rays.size(), grain,
-                      [&](std::size_t i) { concerned[i] = concerns(surface, rays[i], hit(i), options) ? 1 : 0; });
-    std::vector<std::uint32_t> order = surface::viewOrder(rays, surface.surface().tree().bounds());
-    if (order.empty() && rays.size() > shared) { // from anywhere: by where they meet the smooth surface, or begin
-        const base::Box3f box = surface.surface().tree().bounds();
-        std::vector<base::Vec3f> places(rays.size());
-        base::parallelFor(rays.size(), grain, [&](std::size_t i) {
-            const RayHit<float>& there = hit(i);
-            const base::Vec3f& x = there.hit ? there.position : rays[i].origin;
-            places[i] = {std::clamp(x.x, box.lo.x, box.hi.x), std::clamp(x.y, box.lo.y, box.hi.y),
-                         std::clamp(x.z, box.lo.z, box.hi.z)};
-        });
-        order = tree::sortedIndices(places, box);
-    }
-    std::vector<std::size_t> list;
-    for (std::size_t k = 0; k < rays.size(); ++k)
-        if (const std::size_t i = order.empty() ? k : order[k]; concerned[i] != 0)
-            list.push_back(i);
+namespace {
+
+constexpr std::size_t shared = 512; ///< rays that share what is collected about them
+
+/// Where rays from anywhere first meet a disc, or begin.
+std::vector<base::Vec3f> places(const CellSurface& surface, std::span<const Rayf> rays, float tMin) {
+    constexpr std::size_t packet = 32;
+    const tree::SurfelTree& tree = surface.surface().tree();
+    const base::Box3f box = tree.bounds();
+    std::vector<base::Vec3f> out(rays.size());
+    base::parallelChunks(rays.size(), packet, [&](std::size_t begin, std::size_t end, std::size_t) {
+        Rayf some[packet];
+        surface::DiscHit discs[packet];
+        for (std::size_t i = begin; i < end; ++i)
+            some[i - begin] = {rays[i].origin, base::normalized(rays[i].direction)};
+        surface::nearestDiscs(tree, {some, end - begin},
+                              {tMin, std::numeric_limits<float>::infinity(), tree.maxSupport()}, {discs, end - begin});
+        for (std::size_t i = begin; i < end; ++i) {
+            const surface::DiscHit& disc = discs[i - begin];
+            const base::Vec3f x = disc.crossed() ? some[i - begin].at(disc.nearest) : rays[i].origin;
+            out[i] = {std::clamp(x.x, box.lo.x, box.hi.x), std::clamp(x.y, box.lo.y, box.hi.y),
+                      std::clamp(x.z, box.lo.z, box.hi.z)};
+        }
+    });
+    return out;
+}
+
+/// Rays in an order in which neighbours share what is collected about them.
+std::vector<std::uint32_t> orderOf(const CellSurface& surface, std::span<const Rayf> rays, float tMin) {
+    const base::Box3f box = surface.surface().tree().bounds();
+    std::vector<std::uint32_t> out = surface::viewOrder(rays, box);
+    if (!out.empty())
+        return out;
+    if (rays.size() > shared && !surface::oneView(rays))
+        return tree::sortedIndices(places(surface, rays, tMin), box);
+    out.resize(rays.size());
+    std::iota(out.begin(), out.end(), 0u);
+    return out;
+}
+
+/// fn(i, rays) for the rays of a list, in parallel.
+template <class Fn>
+void forCellRays(const CellSurface& surface, std::span<const std::uint32_t> list, const Fn& fn) {
     base::parallelChunks(list.size(), shared, [&](std::size_t begin, std::size_t end, std::size_t) {
         CellSourcef source(surface);
+        CellRays rays(source);
         for (std::size_t k = begin; k < end; ++k)
-            fn(list[k], source);
+            fn(list[k], rays);
     });
 }
+
+/// Those of a list for which `is(i)`.
+template <class Is>
+std::vector<std::uint32_t> chosen(std::span<const std::uint32_t> list, const Is& is) {
+    std::vector<std::uint32_t> out;
+    std::copy_if(list.begin(), list.end(), std::back_inserter(out), is);
+    return out;
+}
+
+/// What the surface without cells says of the rays of a list.
+template <class Hit, class Ask>
+std::vector<Hit> plainly(std::span<const Rayf> rays, std::span<const std::uint32_t> list, const Ask& ask) {
+    std::vector<Rayf> some;
+    some.reserve(list.size());
+    for (const std::uint32_t i : list)
+        some.push_back(rays[i]);
+    std::vector<Hit> out(list.size());
+    ask(some, out);
+    return out;
+}
+
+/// Asks the surface without cells where creases have no say in the whole way, and cells elsewhere.
+template <class Hit, class Plain, class Fn>
+void byConcern(const CellSurface& surface, std::span<const Rayf> rays, const IntersectOptions& options,
+               std::span<Hit> out, const Plain& plain, const Fn& byCells) {
+    constexpr std::size_t grain = 64;
+    std::vector<std::uint8_t> concerned(rays.size());
+    base::parallelFor(rays.size(), grain, [&](std::size_t i) {
+        concerned[i] = concerns(surface, rays[i], RayHit<float>(), options) ? 1 : 0;
+    });
+    const std::vector<std::uint32_t> order = orderOf(surface, rays, options.tMin);
+    const auto others = chosen(order, [&](std::uint32_t i) { return concerned[i] == 0; });
+    std::vector<Hit> found = plainly<Hit>(rays, others, plain);
+    for (std::size_t k = 0; k < others.size(); ++k)
+        out[others[k]] = std::move(found[k]);
+    forCellRays(surface, chosen(order, [&](std::uint32_t i) { return concerned[i] != 0; }),
+                [&](std::uint32_t i, CellRays<CellSourcef>& cellRays) {
+                    cellRays.start(widened(rays[i]), options);
+                    out[i] = byCells(cellRays);
+                });
+}
+
+} // namespace
 
 void intersect(const CellSurface& surface, std::span<const Rayf> rays, const IntersectOptions& options,
                std::span<RayHit<float>> out) {
     assert(rays.size() == out.size());
-    constexpr double around = 1; // h about the smooth surface's hit, where the sharp one's mostly is
-    intersect(surface.surface(), rays, options, out);
-    const auto from = static_cast<double>(options.tMin), to = static_cast<double>(options.tMax);
-    forConcerned(
-        surface, rays, options, [&](std::size_t i) { return out[i]; },
-        [&](std::size_t i, CellSourcef& source) {
-            const Rayd ray = widened(rays[i]);
-            const double soon = static_cast<double>(out[i].t) + around * static_cast<double>(out[i].unit);
-            CellHit found;
-            if (out[i].hit && soon < to)
-                found = firstHit(source, ray, from, soon);
-            if (!found.hit.hit)
-                found = firstHit(source, ray, from, to);
-            if (!samePlace(found, out[i]))
-                out[i] = rounded(found.hit);
-        });
+    const std::vector<std::uint32_t> order = orderOf(surface, rays, options.tMin);
+    struct Known {
+        bool byCells = false, alone = false;
+        double t = 0, plainUpTo = 0;
+    };
+    std::vector<Known> known(rays.size());
+    const auto askCells = [&](std::uint32_t i, CellRays<CellSourcef>& cellRays) {
+        const CellHit hit = cellRays.first();
+        known[i] = {true, hit.alone, hit.hit.t, 0};
+        out[i] = rounded(hit.hit);
+    };
+    const auto plainIsThere = [&](std::uint32_t i, const RayHit<float>& plain) {
+        return known[i].alone && samePlace(known[i].t, static_cast<double>(out[i].unit), plain);
+    };
+    forCellRays(surface, order, [&](std::uint32_t i, CellRays<CellSourcef>& cellRays) {
+        cellRays.start(widened(rays[i]), options);
+        if (const auto end = cellRays.plainUpTo())
+            known[i].plainUpTo = *end;
+        else
+            askCells(i, cellRays);
+    });
+    const auto maybePlain = chosen(order, [&](std::uint32_t i) { return !known[i].byCells || known[i].alone; });
+    const auto plain = plainly<RayHit<float>>(rays, maybePlain, [&](std::span<const Rayf> some, auto& hits) {
+        surface::intersect(surface.surface(), some, options, hits);
+    });
+    std::vector<std::uint32_t> late;
+    for (std::size_t k = 0; k < maybePlain.size(); ++k) {
+        const std::uint32_t i = maybePlain[k];
+        if (!known[i].byCells || plainIsThere(i, plain[k]))
+            out[i] = plain[k];
+        const double end =
+            plain[k].hit ? static_cast<double>(plain[k].t + plain[k].unit) : static_cast<double>(options.tMax);
+        if (!known[i].byCells && known[i].plainUpTo < end && concerns(surface, rays[i], plain[k], options))
+            late.push_back(i);
+    }
+    forCellRays(surface, late, [&](std::uint32_t i, CellRays<CellSourcef>& cellRays) {
+        const RayHit<float> smooth = out[i];
+        cellRays.start(widened(rays[i]), options);
+        askCells(i, cellRays);
+        if (plainIsThere(i, smooth))
+            out[i] = smooth;
+    });
 }
 
 void intersectAll(const CellSurface& surface, std::span<const Rayf> rays, const IntersectOptions& options,
                   std::span<std::vector<RayHit<float>>> out) {
     assert(rays.size() == out.size());
-    intersectAll(surface.surface(), rays, options, out);
-    forConcerned(
-        surface, rays, options, [](std::size_t) { return RayHit<float>(); },
-        [&](std::size_t i, CellSourcef& source) {
-            out[i].clear();
-            for (const CellHit& each : allHits(source, widened(rays[i]), options))
-                out[i].push_back(rounded(each.hit));
+    byConcern(
+        surface, rays, options, out,
+        [&](std::span<const Rayf> some, auto& hits) { intersectAll(surface.surface(), some, options, hits); },
+        [](CellRays<CellSourcef>& cellRays) {
+            std::vector<RayHit<float>> hits;
+            for (const CellHit& each : cellRays.all())
+                hits.push_back(rounded(each.hit));
+            return hits;
         });
 }
 
 void intersectAny(const CellSurface& surface, std::span<const Rayf> rays, const IntersectOptions& options,
                   std::span<std::uint8_t> out) {
     assert(rays.size() == out.size());
-    intersectAny(surface.surface(), rays, options, out);
-    forConcerned(
-        surface, rays, options, [](std::size_t) { return RayHit<float>(); },
-        [&](std::size_t i, CellSourcef& source) { out[i] = anyHit(source, widened(rays[i]), options) ? 1 : 0; });
+    byConcern(
+        surface, rays, options, out,
+        [&](std::span<const Rayf> some, auto& hits) { intersectAny(surface.surface(), some, options, hits); },
+        [](CellRays<CellSourcef>& cellRays) { return static_cast<std::uint8_t>(cellRays.any() ? 1 : 0); });
 }
 
 } // namespace cells

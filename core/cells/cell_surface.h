@@ -28,9 +28,11 @@ class CellSurface {
 
     /// May surfels of several cells have weight where the surface near this cluster is? Where none of what a question
     /// meets is mixed, the answer is that of the surface without cells, bit for bit.
-    bool mixed(const surfel::SurfelBlock& block, int cluster) const {
+    bool mixed(const surfel::SurfelBlock& block, int cluster) const { return (mixed(block) >> cluster & 1u) != 0; }
+    /// A bit for each cluster of a block.
+    unsigned mixed(const surfel::SurfelBlock& block) const {
         const auto found = m_mixed->find(&block);
-        return found == m_mixed->end() || (found->second >> cluster & 1u) != 0;
+        return found == m_mixed->end() ? ~0u : found->second;
     }
     /// Are there mixed clusters on the ray up to t?
     bool mixedAlong(const base::Rayf& ray, float t) const;

@@ -43,6 +43,16 @@ class LabelLayout {
     std::uint32_t faceAt(const surfel::SurfelBlock& block, int slot) const {
         return m_face ? word(block, slot, *m_face) : cellAt(block, slot);
     }
+    /// Cells and faces of a cluster's surfels.
+    struct Cluster {
+        const std::uint32_t *cell, *face;
+    };
+    Cluster cluster(const surfel::SurfelBlock& block, int cluster) const {
+        const auto words = [&](std::size_t index) {
+            return block.words(cluster, surfel::Extra + static_cast<int>(index));
+        };
+        return {words(m_cell), words(m_face.value_or(m_cell))};
+    }
     /// Of a surfel by its words.
     Label at(std::span<const std::uint32_t> words) const;
     bool hasSharpness() const { return m_sharpness.has_value(); }

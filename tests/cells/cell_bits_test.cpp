@@ -18,6 +18,7 @@ class CellBitsTest : public QObject {
   private Q_SLOTS:
     void modelsOfOneCellGiveTheSameBits();
     void awayFromCreasesBitsStay();
+    void batchesKeepTheBitsAwayFromCreases();
     void batchesGiveTheBitsOfSingles();
     void ballsAsEllipsoidsGiveTheSameBits();
     void ellipsoidsOnPlanesMakeTheSameSolid();
@@ -55,6 +56,34 @@ void CellBitsTest::awayFromCreasesBitsStay() {
             QVERIFY(byCells.t == plain.t && byCells.position == plain.position);
         }
     }
+}
+
+/// More rays than are sorted together, from all sides, of which most come nowhere near a seam.
+void CellBitsTest::batchesKeepTheBitsAwayFromCreases() {
+    Random random(test::seed());
+    const SampledSolid s = sampled(cube(1), 2, 0.06, random);
+    const CellSurface surface = cellsOf(s.surfels);
+    std::vector<base::Rayf> rays;
+    for (int k = 0; k < test::effort(800); ++k) {
+        const Rayd ray = towards(random.unitVector() * random.uniform(), random.unitVector(), 4);
+        rays.push_back({base::cast<float>(ray.origin), base::cast<float>(ray.direction)});
+    }
+    std::vector<surface::RayHit<float>> plain(rays.size()), byCells(rays.size());
+    intersect(surface.surface(), rays, {}, plain);
+    intersect(surface, rays, {}, byCells);
+    int away = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        std::array<float, 3> far; // of the hit from the three pairs of faces
+        for (std::size_t a = 0; a < 3; ++a)
+            far[a] = std::abs(1 - std::abs(plain[i].position[a]));
+        std::sort(far.begin(), far.end());
+        if (!plain[i].hit || far[1] < 0.21f) // h is 3.5 spacings
+            continue;
+        ++away;
+        QVERIFY2(byCells[i].t == plain[i].t && byCells[i].outward == plain[i].outward,
+                 qPrintable(QString("seed %1, ray %2").arg(test::seed()).arg(i)));
+    }
+    QVERIFY(away > test::effort(800) / 4);
 }
 
 void CellBitsTest::batchesGiveTheBitsOfSingles() {

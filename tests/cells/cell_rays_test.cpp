@@ -23,6 +23,8 @@ class CellRaysTest : public QObject {
     void allHitsAlternate();
     void anyHitAgreesWithTheFirst();
     void raysInAFaceMiss();
+    void theFirstHitIsTheFirstOfAll();
+    void hitsDoNotDependOnHowFarAwayRaysBegin();
 };
 
 namespace {
@@ -280,6 +282,42 @@ void CellRaysTest::raysInAFaceMiss() {
     QVERIFY(!intersectCells(surface, {{-3, 0.2, 1.02}, {1, 0, 0}}).hit.hit);
     QVERIFY(!intersectCells(surface, {{-3, 1.001, 1.001}, {1, 0, 0}}).hit.hit);
     QVERIFY(intersectCells(surface, {{-3, 0.999, 0.999}, {1, 0, 0}}).hit.hit);
+}
+
+/// The first hit is looked for piece by piece, all hits at once.
+void CellRaysTest::theFirstHitIsTheFirstOfAll() {
+    Random random(test::seed());
+    int hits = 0;
+    for (int k = 0; k < test::effort(12); ++k) {
+        const SampledSolid s = sampled(k % 2 == 0 ? polyhedron(random) : lBlock(1), 1.6, 0.12, random);
+        const CellSurface surface = cellsOf(s.surfels);
+        for (int m = 0; m < 40; ++m) {
+            const Rayd ray = towards(targetOn(s, random, m % 2 == 0), random.unitVector(), 4);
+            const cells::CellHit first = intersectCells(surface, ray);
+            const std::vector<cells::CellHit> all = intersectAllCells(surface, ray);
+            QVERIFY2(first.hit.hit == !all.empty(), qPrintable(QString("seed %1").arg(test::seed())));
+            if (all.empty())
+                continue;
+            ++hits;
+            QVERIFY2(std::abs(first.hit.t - all.front().hit.t) < 1e-3 * s.spacing,
+                     qPrintable(QString("seed %1: %2 %3").arg(test::seed()).arg(first.hit.t).arg(all.front().hit.t)));
+        }
+    }
+    QVERIFY(hits > test::effort(12) * 20);
+}
+
+void CellRaysTest::hitsDoNotDependOnHowFarAwayRaysBegin() {
+    Random random(test::seed());
+    const SampledSolid s = sampled(lBlock(1), 1.6, 0.1, random);
+    const CellSurface surface = cellsOf(s.surfels);
+    for (int k = 0; k < test::effort(100); ++k) {
+        const Rayd near = towards(targetOn(s, random, true), random.unitVector(), 4);
+        const Rayd far{near.origin - near.direction * 1e4, near.direction};
+        const cells::CellHit a = intersectCells(surface, near), b = intersectCells(surface, far);
+        QVERIFY2(a.hit.hit == b.hit.hit, qPrintable(QString("seed %1").arg(test::seed())));
+        if (a.hit.hit)
+            QVERIFY(std::abs(a.hit.t + 1e4 - b.hit.t) < 1e-6);
+    }
 }
 
 static const test::Registered<CellRaysTest> registered;

@@ -25,8 +25,8 @@ static Vec3f entry(const base::Rayf& ray, const Box3f& box) {
     return out;
 }
 
-/// Is the mean of the unit directions nearly one?
-static bool oneView(std::span<const base::Rayf> rays) {
+/// The mean of the unit directions is nearly one.
+bool oneView(std::span<const base::Rayf> rays) {
     constexpr float least = 0.8f;
     constexpr std::size_t asked = 256;
     const std::size_t stride = rays.size() / std::min(asked, rays.size());

@@ -11,6 +11,9 @@
 
 namespace surface {
 
+/// Do the rays run about one way, as those of a picture do? REQUIRES: some.
+bool oneView(std::span<const base::Rayf> rays);
+
 /// Indices of the rays along a Morton curve through the places where they enter `bounds`. Empty where that would not
 /// pay: few rays, rays that are in such an order already, or that run all ways.
 std::vector<std::uint32_t> viewOrder(std::span<const base::Rayf> rays, const base::Box3f& bounds);
