@@ -28,7 +28,7 @@ void addPolylineOptions(OptionSet command, PolylineOptions& options, const std::
     }
     tip.replace(tip.size() - 2, 2, ". Without it the curves are only counted and measured");
     command.add("-o,--output", options.out, tip).typeName(type);
-    if (!options.complexes)
+    if (options.turns)
         command.add("--turn", options.turn, "angle by which a " + what + " turns from point to point, in radians")
             .check(between(0.001, 1))
             .showDefault();

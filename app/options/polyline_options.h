@@ -15,7 +15,8 @@ struct PolylineOptions {
     std::string model, out; ///< no `out`: only counted and measured
     double turn = 0.1, least = 0;
     bool planar = false;    ///< all in one plane: drawings serve, too
-    bool complexes = false; ///< complexes have such curves, and steps along these are not asked for
+    bool complexes = false; ///< complexes have such curves
+    bool turns = true;      ///< steps along the curves are asked for
     std::shared_ptr<SurfaceOptions> surface;
 
     surface::TraceOptions tracing() const;

@@ -1,8 +1,10 @@
-// pointclay boundary: the boundary loops of an open surface (surface/README 5.3) as polylines in a file.
+// pointclay boundary: the boundary loops of an open surface (surface/README 5.3), or of a complex, as polylines in a
+// file.
 #include "app/open_model.h"
 #include "app/options/polyline_options.h"
 #include "app/polyline_file.h"
 #include "app/subcommands/subcommand.h"
+#include "core/complexes/rims.h"
 #include "core/surface/curves/boundary_curves.h"
 
 #include <iostream>
@@ -25,7 +27,9 @@ void run(const PolylineOptions& options, Console& console) {
     session::Document document;
     const base::Progress progress = console.progress();
     openForPolylines(options, document, progress, console, "a curve has ends, not a boundary");
-    std::vector<BoundaryCurve> curves = findBoundaryCurves(document.surface(), progress, options.tracing());
+    const auto complex = complexes::Complex::of(document.surface());
+    std::vector<BoundaryCurve> curves =
+        complex ? findRims(*complex, progress) : findBoundaryCurves(document.surface(), progress, options.tracing());
     std::erase_if(curves, [&](const BoundaryCurve& curve) { return curve.length() < options.least; });
     if (!options.out.empty())
         writePolylines(options.out, curves, document.provenance().origin, {}, "rim,closed,x,y,z,nx,ny,nz,ox,oy,oz\n",
@@ -37,6 +41,7 @@ void run(const PolylineOptions& options, Console& console) {
 
 Action addBoundary(OptionSet command) {
     auto options = std::make_shared<PolylineOptions>();
+    options->complexes = true;
     command.add("MODEL", options->model, modelHelp).required();
     addPolylineOptions(command, *options, "boundary curve",
                        "rim,closed,x,y,z,nx,ny,nz,ox,oy,oz (curves counted from 0, longest first; unit normal; unit "

@@ -55,6 +55,7 @@ void run(const PolylineOptions& options, Console& console) {
 Action addSeams(OptionSet command) {
     auto options = std::make_shared<PolylineOptions>();
     options->complexes = true;
+    options->turns = false;
     command.add("MODEL", options->model, modelHelp).required();
     addPolylineOptions(command, *options, "seam",
                        "seam,closed,x,y,z,nx,ny,nz,turn,a,b (seams counted from 0, longest first; unit normal midway "

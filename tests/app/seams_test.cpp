@@ -96,11 +96,15 @@ void SeamsTest::complexesAreQueriedAndMeshed() {
     QVERIFY(meshed.out.find("boundary loops            0") != std::string::npos);
     QCOMPARE(program.run({"mesh", "sample:octant:1500", "-o", "octant.stl", "--method", "delaunay"}).code, 1);
     for (const QStringList& refused :
-         {QStringList{"section", "square.ply", "--plane", "1,0,0,0"}, QStringList{"boundary", "square.ply"},
-          QStringList{"measure", "square.ply", "area"}}) {
+         {QStringList{"section", "square.ply", "--plane", "1,0,0,0"}, QStringList{"measure", "square.ply", "area"}}) {
         const Outcome outcome = program.run(refused);
         QVERIFY2(outcome.code == 1 && outcome.err.find("complex") != std::string::npos, outcome.err.c_str());
     }
+    const Outcome rims = program.run({"boundary", "square.ply", "-o", "rims.csv"});
+    QVERIFY2(rims.code == 0, rims.err.c_str());
+    QVERIFY2(rims.out.find("boundary curve 0: length 8, ") == 0 && rims.out.find("closed") != std::string::npos,
+             rims.out.c_str());
+    QCOMPARE(rowsOf(program.read("rims.csv")).at(1).at(1), std::string("1"));
 }
 
 void SeamsTest::picturesOfComplexesAgree() {
