@@ -65,6 +65,7 @@ void keep(const T& value) {
 std::vector<Workload> treeWorkloads();
 std::vector<Workload> surfaceWorkloads();
 std::vector<Workload> rayWorkloads();
+std::vector<Workload> seamWorkloads();
 std::vector<Workload> lightWorkloads();
 std::vector<Workload> dabWorkloads();
 std::vector<Workload> hapticWorkloads();

@@ -9,7 +9,7 @@ const std::vector<Workload>& workloadTable() {
     static const std::vector<Workload> table = [] {
         std::vector<Workload> all;
         for (auto* rows :
-             {treeWorkloads, surfaceWorkloads, rayWorkloads, lightWorkloads, castWorkloads, dabWorkloads,
+             {treeWorkloads, surfaceWorkloads, rayWorkloads, seamWorkloads, lightWorkloads, castWorkloads, dabWorkloads,
               hapticWorkloads, splatWorkloads, displayWorkloads, fileWorkloads, meshWorkloads, startWorkloads})
             std::ranges::move(rows(), std::back_inserter(all));
         return all;
