@@ -63,6 +63,24 @@ void Airbrush::follow(const StrokeSample& to) {
     m_made = std::max(m_made, std::floor(reached - double(to.stride))); // none later than asked
 }
 
+/// The first place on the straight way between two samples that meets the model: what lies between has no say.
+std::optional<Entrance> firstBetween(const Dabs& dabs, const StrokeSample& from, const StrokeSample& to) {
+    constexpr int steps = 256;
+    for (int k = 1; k <= steps; ++k)
+        if (auto found = entranceAt(dabs, between(from, to, float(k) / steps))) {
+            float out = float(k - 1) / steps, in = float(k) / steps;
+            for (int halving = 0; halving < 10; ++halving) {
+                const float middle = 0.5f * (out + in);
+                const auto there = entranceAt(dabs, between(from, to, middle));
+                (there ? in : out) = middle;
+                if (there)
+                    found = there;
+            }
+            return found;
+        }
+    return {};
+}
+
 class Anchored : public Method {
   public:
     explicit Anchored(Dabs& dabs) : m_dabs(dabs) {}
@@ -71,27 +89,32 @@ class Anchored : public Method {
   private:
     Dabs& m_dabs;
     std::optional<StrokeSample> m_first;
-    Contact m_anchor;
+    std::optional<Entrance> m_start; ///< the first sample, where it meets the model
 };
 
 void Anchored::add(const StrokeSample& sample, bool) {
     if (!m_first) {
-        const auto touched = m_dabs.contact(sample.ray);
-        if (touched)
-            m_first = sample, m_anchor = *touched, m_dabs.begin(*touched);
+        m_first = sample;
+        m_start = entranceAt(m_dabs, sample);
+        if (m_start)
+            m_dabs.begin(m_start->contact);
         return;
     }
     m_dabs.restart();
-    const base::Vec3f& plane = m_first->ray.direction;
+    const std::optional<Entrance> anchor = m_start ? m_start : firstBetween(m_dabs, *m_first, sample);
+    if (!anchor)
+        return;
+    const base::Vec3f& plane = anchor->sample.ray.direction;
     const float facing = dot(sample.ray.direction, plane),
-                t = dot(m_anchor.position - sample.ray.origin, plane) / facing;
+                t = dot(anchor->contact.position - sample.ray.origin, plane) / facing;
     if (!(facing > 0.05f) || !(t > 0) || !std::isfinite(t))
         return;
     Dabs::Form form = m_dabs.form(sample);
-    form.upwards = sample.ray.at(t) - m_anchor.position;
+    form.upwards = sample.ray.at(t) - anchor->contact.position;
     form.radius = length(form.upwards);
     if (form.radius > 1e-3f * m_dabs.settings().radius)
-        m_dabs.pile(*m_first, m_anchor, form, m_dabs.settings().fullTap ? m_dabs.overlap(usualSpacing) : 1);
+        m_dabs.pile(anchor->sample, anchor->contact, form,
+                    m_dabs.settings().fullTap ? m_dabs.overlap(usualSpacing) : 1);
 }
 
 class Line : public Method {
@@ -101,31 +124,11 @@ class Line : public Method {
     void finish() override { m_space->finish(); }
 
   private:
-    std::optional<Entrance> entrance(const StrokeSample& to) const;
-
     Dabs& m_dabs;
     std::unique_ptr<Method> m_space;
     std::optional<StrokeSample> m_first;
     std::optional<Entrance> m_start; ///< the first sample, where it meets the version that the stroke began on
 };
-
-/// The first place on the way to `to` that meets the model.
-std::optional<Entrance> Line::entrance(const StrokeSample& to) const {
-    constexpr int steps = 256;
-    for (int k = 1; k <= steps; ++k)
-        if (auto found = entranceAt(m_dabs, between(*m_first, to, float(k) / steps))) {
-            float out = float(k - 1) / steps, in = float(k) / steps;
-            for (int halving = 0; halving < 10; ++halving) {
-                const float middle = 0.5f * (out + in);
-                const auto there = entranceAt(m_dabs, between(*m_first, to, middle));
-                (there ? in : out) = middle;
-                if (there)
-                    found = there;
-            }
-            return found;
-        }
-    return {};
-}
 
 void Line::add(const StrokeSample& sample, bool) {
     if (!m_first) {
@@ -136,7 +139,7 @@ void Line::add(const StrokeSample& sample, bool) {
         return;
     }
     m_dabs.restart();
-    const std::optional<Entrance> in = m_start ? m_start : entrance(sample);
+    const std::optional<Entrance> in = m_start ? m_start : firstBetween(m_dabs, *m_first, sample);
     m_space = in ? makeSpace(m_dabs, in->sample, in->contact) : makeSpace(m_dabs);
     m_space->add(sample, true);
 }

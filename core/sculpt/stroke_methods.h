@@ -5,8 +5,8 @@
 //                make none.
 //     Dots       a dab at the contact of every sample.
 //     Airbrush   the first dab at the first contact; dab k is k / rate seconds later, where the pointer was then.
-//     Anchored   every sample begins anew: one dab at the first contact, whose radius reaches to the pointer in the
-//                plane through the contact that faces the viewer.
+//     Anchored   every sample begins anew: one dab at the first contact on the straight way from the first sample to
+//                this one, whose radius reaches to the pointer in the plane through the contact that faces the viewer.
 //     Line       every sample begins anew: Space from the first sample straight to this one.
 //     Drag       the first contact is held and carried along in the plane through it that faces the viewer, in steps of
 //                a tenth of the radius or less; pressure has no say (tools that hold, whatever the method). A pointer

@@ -143,8 +143,13 @@ void StrokeMethodsTest::anAnchoredDabForgetsWhatLiesBetween() {
     for (const char* tool : {"draw", "clay", "smooth"}) {
         std::vector<StrokeSample> all = wander(random, 8);
         const StrokeSettings settings = settingsOf(tool, 0.1f, StrokeMethod::Anchored);
-        QVERIFY(test::hashOf(test::stroked(m_sphere, settings, all)) ==
-                test::hashOf(test::stroked(m_sphere, settings, {all.front(), all.back()})));
+        for (const bool beside : {false, true}) {
+            if (beside)
+                all.front() = down(3, 0); // off the model
+            const auto made = test::hashOf(test::stroked(m_sphere, settings, all));
+            QVERIFY(made == test::hashOf(test::stroked(m_sphere, settings, {all.front(), all.back()})));
+            QVERIFY(made != test::hashOf(m_sphere));
+        }
     }
 }
 

@@ -17,8 +17,12 @@ static void stroke(Context& context, const json& complete) {
     if (samples.empty())
         throw base::Error("the stroke has no samples");
     Context quiet{context.document, context.folder, context.progress, {}, 0, {}, nullptr};
-    LiveStroke live(quiet, strokeSettings(complete));
+    const sculpt::StrokeSettings settings = strokeSettings(complete);
+    LiveStroke live(quiet, settings);
+    const bool jumps = sculpt::lastOnly(settings); // what lies between has no say, and is not tried
     for (std::size_t i = 0; i < samples.size(); ++i) {
+        if (jumps && i > 0 && i + 1 < samples.size())
+            continue;
         context.progress.step(static_cast<double>(i) / static_cast<double>(samples.size()), "Stroke");
         live.add(samples[i]);
     }
