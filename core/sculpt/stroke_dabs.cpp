@@ -54,7 +54,7 @@ Dabs::Dabs(surface::Surface start, StrokeSettings settings, const base::Vec3d& o
     if (m_settings.falloff == Falloff::Custom)
         m_pattern.curve = std::make_shared<BrushCurve>(m_settings.falloffCurve, "falloff-curve");
     m_pattern.strength = m_settings.invert ? -m_settings.strength : m_settings.strength;
-    m_smoothing = m_settings.autoSmooth;
+    m_smoothing = movesSurfaces(m_row) ? m_settings.autoSmooth : 0;
     const bool spaced = m_settings.method == StrokeMethod::Space || m_settings.method == StrokeMethod::Line;
     if (m_row.motion == Motion::Along && spaced && m_accumulate) {
         const float share = std::min(1.0f, m_settings.spacing / usualSpacing);
@@ -239,8 +239,6 @@ void Dabs::pileUp(Dab dab) {
     commit(edit, dab);
     if (m_smoothing == 0)
         return;
-    if (restructures(edit))
-        join(dab, m_surface);
     commit(smoothing(m_surface, dab), dab);
 }
 

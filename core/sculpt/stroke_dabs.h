@@ -43,10 +43,11 @@ class Dabs {
         checkCancelled();
         return sculpt::contact(m_row.writes == Writes::Count ? m_first : touched(), ray);
     }
+    /// Do dabs touch what those before them have moved?
+    bool touchesItsOwn() const { return m_accumulate && movesSurfaces(m_row); }
     /// On the version that the stroke began on; nothing where dabs touch that one anyway, or move no surface.
     std::optional<Contact> contactBefore(const base::Rayf& ray) const {
-        const bool moves = m_row.writes == Writes::Shape || m_row.writes == Writes::Surface;
-        return moves && m_accumulate ? sculpt::contact(m_first, ray) : std::nullopt;
+        return touchesItsOwn() ? sculpt::contact(m_first, ray) : std::nullopt;
     }
     /// Of the stroke's first dab, along its ray; stays at a restart.
     const std::optional<float>& depth() const { return m_depth; }

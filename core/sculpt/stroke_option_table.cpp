@@ -14,7 +14,7 @@ static bool pilesUp(const ToolRow& tool, const StrokeSettings&) {
     return tool.motion == Motion::Along;
 }
 static bool shapes(const ToolRow& tool, const StrokeSettings&) {
-    return tool.writes == Writes::Shape || tool.writes == Writes::Surface;
+    return movesSurfaces(tool);
 }
 static bool spaced(const ToolRow& tool, const StrokeSettings& settings) {
     return dabs(tool, settings) && (settings.method == StrokeMethod::Space || settings.method == StrokeMethod::Line);

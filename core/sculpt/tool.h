@@ -121,6 +121,11 @@ struct ToolRow {
     ToolNeeds needs = {};
 };
 
+/// Surfels move, and none comes or goes.
+inline bool movesSurfaces(const ToolRow& tool) {
+    return tool.writes == Writes::Shape || tool.writes == Writes::Surface;
+}
+
 std::span<const ToolRow> toolTable();
 /// Throws base::Error naming the known tools.
 const ToolRow& tool(std::string_view id);

@@ -2,6 +2,7 @@
 #include "core/process/estimation/prepare.h"
 #include "core/sculpt/stroke.h"
 #include "sculpt/dabs.h"
+#include "sculpt/random_ball.h"
 #include "support/registry.h"
 
 #include <QTest>
@@ -27,6 +28,7 @@ class ChannelToolsTest : public QObject {
     void densityKeepsToTheSamplingOfEachPlace();
     void cloneCopiesAKnownBump();
     void clonedReliefComesOnce();
+    void whatMovesNothingIsNotSmoothed();
 };
 
 constexpr double s = 0.02;
@@ -356,6 +358,23 @@ void ChannelToolsTest::clonedReliefComesOnce() {
     std::vector<tree::Neighbour> top;
     now.tree().nearest({0.5f, 0, 0.05f}, 1, top);
     QVERIFY(std::sqrt(top[0].distanceSq) < float(s));
+}
+
+/// Auto-smooth has a say with tools that move surfaces alone.
+void ChannelToolsTest::whatMovesNothingIsNotSmoothed() {
+    base::Random random(test::seed());
+    const surface::Surface ball = test::randomBall(random, 3000, 0.05, 0.01);
+    for (const ToolRow& row : toolTable()) {
+        StrokeSettings settings;
+        settings.tool = row.id;
+        settings.radius = 0.4f;
+        settings.autoSmooth = 1;
+        const std::vector<StrokeSample> path{{{{4, 0, 0}, {-1, 0, 0}}, 1, 0}, {{{4, 0.3f, 0}, {-1, 0, 0}}, 1, 1}};
+        const auto with = test::stroked(ball, settings, path).tree().contentHash();
+        settings.autoSmooth = 0;
+        const auto without = test::stroked(ball, settings, path).tree().contentHash();
+        QVERIFY2(with == without || movesSurfaces(row), row.id);
+    }
 }
 
 static const test::Registered<ChannelToolsTest> registered;
