@@ -18,6 +18,8 @@ constexpr float band = 1.25f;
 constexpr float agreement = 1.15f;
 /// Supports that differ by no more are alike.
 constexpr float steady = 1.2f;
+/// Two surfels that are this part of the spacing apart at most lie there by chance: what was resampled has none.
+constexpr float chance = 0.6f;
 /// Nearest surfels asked for the ring, so that the other side of something thin may be among them.
 constexpr std::size_t asked = 14;
 
@@ -26,15 +28,17 @@ static float typicalRatio(const surface::Surface& surface) {
     for (const process::SpacingSample& each : process::sampleSpacing(surface.tree()))
         if (each.spacing > 0 && each.support > 0)
             ratios.push_back(each.spacing / process::spacingOf(surface.definition(), each.support));
-    const float ratio = ratios.empty() ? 1.0f : process::summarise(std::move(ratios)).median;
-    return ratio < agreement && ratio * agreement > 1 ? 1.0f : ratio;
+    return ratios.empty() ? 1.0f : process::summarise(std::move(ratios)).median;
 }
 
 KeptSpacing::KeptSpacing(surface::Surface first, float atContact)
     : m_first(std::move(first)), m_atContact(atContact), m_shape(surfel::shapeChannel(*m_first->tree().layout())),
       m_same(m_first->definition().support > 0) {
-    if (!m_same)
-        m_ratio = typicalRatio(*m_first);
+    if (m_same)
+        return;
+    const float ratio = typicalRatio(*m_first);
+    const bool agree = ratio < agreement && ratio * agreement > 1;
+    m_ratio = agree ? 1 : ratio, m_typical = agree ? ratio : 1;
 }
 
 /// s^2 is the area of a surfel: that of the disc out to the farthest, over those that it holds, which lies on its rim.
@@ -43,23 +47,33 @@ static float spacingFromDisc(const std::vector<float>& distancesSq) {
     return std::sqrt(std::numbers::pi_v<float> * distancesSq.back() / held);
 }
 
+/// Are no two of these nearer than that?
+static bool apart(const std::vector<base::Vec3f>& places, float distance) {
+    for (std::size_t i = 0; i < places.size(); ++i)
+        for (std::size_t k = i + 1; k < places.size(); ++k)
+            if (distanceSq(places[i], places[k]) < distance * distance)
+                return false;
+    return true;
+}
+
 KeptSpacing::Search::Search(const KeptSpacing& kept) : m_kept(kept), m_around(kept.first().tree(), asked) {}
 
 LocalSpacing KeptSpacing::Search::at(const base::Vec3f& x, const base::Vec3f& n) {
     m_around.at(x, m_near);
-    m_alike.clear(), m_all.clear();
+    m_alike.clear(), m_all.clear(), m_places.clear();
     float least = std::numeric_limits<float>::infinity(), most = 0;
     for (const tree::Neighbour& each : m_near) {
         m_all.push_back(each.distanceSq);
         const float support = m_kept.supportOf(*each.block, each.slot);
         least = std::min(least, support), most = std::max(most, support);
         if (dot(each.block->normal(each.slot), n) >= 0)
-            m_alike.push_back(each.distanceSq);
+            m_alike.push_back(each.distanceSq), m_places.push_back(each.block->position(each.slot));
     }
     constexpr std::size_t ring = 7; // with itself
     const std::vector<float>& of = m_alike.size() < ring ? m_all : m_alike;
     const bool same = most < steady * least;
-    return {true, same, same || of.size() < ring ? process::spacingFromRing(of) : spacingFromDisc(of)};
+    const float value = same || of.size() < ring ? process::spacingFromRing(of) : spacingFromDisc(of);
+    return {true, same, apart(m_places, chance * value), value};
 }
 
 void KeptSpacing::measure(std::span<const surfel::BlockPtr> blocks) {

@@ -43,6 +43,7 @@ class KeptSpacing {
         tree::NearestSequence m_around;
         std::vector<tree::Neighbour> m_near;
         std::vector<float> m_alike, m_all; ///< squared distances
+        std::vector<base::Vec3f> m_places; ///< of those that are alike
     };
     /// m at a surfel of `origin`, whose positions are those of the first version. Known or measured now.
     LocalSpacing measured(const surfel::SurfelBlock& origin, int slot, Search& search) const;
@@ -53,6 +54,8 @@ class KeptSpacing {
     float target(const LocalSpacing& measured, float support) const;
     /// What a support of this size is made for.
     float madeFor(float support) const;
+    /// How the measured spacing stands to that on the whole, where the two agree as well.
+    float typical() const { return m_typical; }
     const surface::Surface& first() const { return *m_first; }
 
   private:
@@ -63,7 +66,8 @@ class KeptSpacing {
     std::optional<surface::Surface> m_first;
     float m_atContact = 0;
     int m_shape = 0;     ///< channel of the shapes of supports
-    float m_ratio = 1;   ///< of the measured spacing to what supports are made for
+    float m_ratio = 1;   ///< of the measured spacing to what supports are made for; 1 where they agree
+    float m_typical = 1; ///< what m_ratio leaves of that ratio
     bool m_same = false; ///< one support for all
     std::unordered_map<const surfel::SurfelBlock*, Known> m_known;
 };

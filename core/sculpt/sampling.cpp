@@ -12,14 +12,10 @@
 
 namespace sculpt {
 
-/// Where resampling is due somewhere, surfels beyond these are done with it.
-constexpr StretchRange doneBeyond{0.75f, 1.2f};
 /// Where more surfels than are done at once are beyond these, it is time to begin.
 constexpr StretchRange nearlyDue{0.6f, 1.5f};
 /// Beyond these nothing may wait, however many there are.
 constexpr StretchRange mustBeyond{0.4f, 2.4f};
-/// At the end a surfel that a stroke has stretched by more than this counts with what strokes before have done.
-constexpr float stretched = 1.02f;
 /// Around a surfel that is asked for, what moved is done with it so far, in spacings: a tear along the rim of a brush.
 constexpr float tearReach = 2.5f;
 /// Targets that differ by more than this are seen to one after the other: searches reach as far as the largest asks.
@@ -257,42 +253,6 @@ surface::Surface Sampling::resampleDue(const surface::Surface& surface) {
     m_range = m_stretches.range();
     m_waiting = m_graded ? 0 : m_stretches.beyond(nearlyDue);
     return out;
-}
-
-/// Those that strokes before have drawn apart and this one more, so that there is room now.
-void Sampling::askForDrift(const surface::Surface& surface) {
-    tree::Selection more;
-    surface.tree().forEachBlock([&](std::uint32_t number, const surfel::SurfelBlock& block) {
-        const Stretches::Tracked* known = m_stretches.find(block);
-        if (!known || known->range.most <= stretched)
-            return;
-        tree::SelectedBlock some{number, {}};
-        const std::vector<StretchRange> ranges = known->ranges();
-        for (std::size_t slot = 0; slot < ranges.size(); ++slot)
-            some.slots.set(slot, ranges[slot].most > stretched && !known->asked[slot]);
-        if (some.slots.any())
-            more.push_back(some);
-    });
-    more = process::withRoom(surface, more, [&](const surfel::SurfelBlock& block) {
-        float least = block.maxSupport();
-        for (int slot = 0; slot < block.size(); ++slot)
-            least = std::min(least, block.support(slot));
-        return m_kept.madeFor(least);
-    });
-    std::unordered_map<const surfel::SurfelBlock*, Stretches::Slots> room;
-    for (const tree::SelectedBlock& each : more)
-        room[surface.tree().block(each.block).get()] = each.slots;
-    const auto hasRoom = [&](const Stretches::Tracked& each, int slot) {
-        const auto found = room.find(each.now.get());
-        return found != room.end() && found->second[static_cast<std::size_t>(slot)];
-    };
-    measureTracked(hasRoom);
-    m_stretches.askWhere(
-        [&](const Stretches::Tracked& each, int slot, const StretchRange& range) {
-            return hasRoom(each, slot) &&
-                   range.most * measuredOf(each, slot).value > doneBeyond.most * targetOf(each, slot);
-        },
-        stretched);
 }
 
 void Sampling::askAtTheEnd(const surface::Surface& surface) {

@@ -51,6 +51,8 @@ class Sampling {
         float radius;
     };
     static constexpr StretchRange dueBeyond{0.5f, 1.8f};
+    /// Where resampling is due somewhere, surfels beyond these are done with it.
+    static constexpr StretchRange doneBeyond{0.75f, 1.2f};
     /// About so many surfels are resampled at once, the most strained first, so that no dab of a wide brush takes long.
     static constexpr std::size_t atOnce = 6000;
     /// Of an end: the order of its slices.
@@ -69,6 +71,7 @@ class Sampling {
     using Which = std::function<bool(const Stretches::Tracked&, int slot)>;
     void measureTracked(const Which& which);
     void askForDrift(const surface::Surface& surface);
+    bool drifted(const Stretches::Tracked& each) const;
     void measureAround(const tree::SurfelTree& tree);
     surface::Surface withoutCrumbs(const surface::Surface& surface) const;
     surface::Surface withLabels(const surface::Surface& surface) const;

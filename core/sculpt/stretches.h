@@ -27,6 +27,7 @@ namespace sculpt {
 struct LocalSpacing {
     bool known = false;
     bool steady = true; ///< the supports around are alike
+    bool even = true;   ///< no two around are so near each other that the spacing is one of chance
     float value = 0;
 };
 
