@@ -68,8 +68,11 @@ bool Stroke::add(const StrokeSample& sample) {
     const int count = dabs();
     const bool waited = m_state->method->waits();
     m_state->shown.reset();
-    const Stabiliser::Step step = m_state->stabiliser.follow(unit, m_state->dabs.depth());
-    m_state->method->add(step.sample, step.moved);
+    const std::vector<Stabiliser::Step> steps = m_state->stabiliser.followAll(unit, m_state->dabs.depth());
+    if (m_state->dabs.settings().method != StrokeMethod::Dots || holds(tool(m_state->dabs.settings().tool)))
+        for (std::size_t k = 0; k + 1 < steps.size(); ++k)
+            m_state->method->add(steps[k].sample, steps[k].moved);
+    m_state->method->add(steps.back().sample, steps.back().moved);
     return dabs() != count || waited || m_state->method->waits() || !(m_state->dabs.surface().tree() == before);
 }
 void Stroke::finish() {

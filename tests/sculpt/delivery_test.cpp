@@ -16,6 +16,9 @@ class DeliveryTest : public QObject {
     void aGrooveIsNoDeeperForItsOwnSlope();
     void aPathThatBeginsBesideTheModelMakesTheSame_data();
     void aPathThatBeginsBesideTheModelMakesTheSame();
+    void aPathThatEndsBesideTheModelMakesTheSame_data();
+    void aPathThatEndsBesideTheModelMakesTheSame();
+    void aRopeFollowsTheWayAndNotItsSamples();
 };
 
 using Path = std::vector<StrokeSample>;
@@ -163,6 +166,35 @@ void DeliveryTest::aPathThatBeginsBesideTheModelMakesTheSame() {
     StrokeSettings settings = settingsFor(sculpt::tool(tool.toStdString()));
     settings.method = sculpt::method(method.toStdString());
     verifySame(ball, settings, bent(-1.8f, -0.4f), test::seed());
+}
+
+void DeliveryTest::aPathThatEndsBesideTheModelMakesTheSame_data() {
+    QTest::addColumn<QString>("tool");
+    for (const char* tool : {"draw", "inflate", "flatten", "mask"})
+        QTest::newRow(tool) << tool;
+}
+
+/// Where it leaves the model the last places count: there dabs are due that no sample may see.
+void DeliveryTest::aPathThatEndsBesideTheModelMakesTheSame() {
+    QFETCH(QString, tool);
+    base::Random random(test::seed());
+    const surface::Surface ball = test::randomBall(random, std::size_t(test::effort(8000)), 0.03, 0);
+    for (const float end : {1.2f, 1.4f, 1.8f}) { // the outline lies otherwise between samples
+        const Path way{bent(0.4f, end)};
+        verifySame(ball, settingsFor(sculpt::tool(tool.toStdString())), {way[0], way[8], way[16], way[24], way[32]},
+                   test::seed());
+    }
+}
+
+void DeliveryTest::aRopeFollowsTheWayAndNotItsSamples() {
+    base::Random random(test::seed());
+    const surface::Surface ball = test::randomBall(random, std::size_t(test::effort(8000)), 0.03, 0);
+    StrokeSettings settings = settingsFor(sculpt::tool("clay"));
+    for (const float rope : {0.1f, 0.5f}) {
+        settings.stabiliser = rope;
+        const Path way = bent(-0.45f, 0.45f);
+        verifySame(ball, settings, {way[0], way[11], way[22], way[32]}, test::seed());
+    }
 }
 
 static const test::Registered<DeliveryTest> registered;
