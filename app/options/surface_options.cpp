@@ -23,7 +23,7 @@ static std::string fallbackOf(const CommandParameter& p) {
 /// Where models open otherwise (mesh/README 8.3).
 static std::string exceptionOf(const CommandParameter& p) {
     return p.id == std::string_view("one-sheet") ? "; off for faces sampled so finely that no wall is thinner than 2.5 "
-                                                   "spacings"
+                                                   "spacings, but for edges of less than 60 degrees"
                                                  : "";
 }
 

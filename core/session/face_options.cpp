@@ -90,7 +90,7 @@ FacesOpened openFaces(io::FileModel& model, surface::SurfaceDefinition& definiti
     model.messages.insert(model.messages.end(), opened.messages.begin(), opened.messages.end());
     if (opened.closed && definition.boundary == surface::Boundary::Auto)
         definition.boundary = surface::Boundary::None;
-    return {opened.sampled, opened.closed, opened.apart};
+    return {opened.sampled, opened.closed, opened.apart, opened.blades};
 }
 
 } // namespace session

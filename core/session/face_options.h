@@ -21,6 +21,7 @@ struct FacesOpened {
     bool sampled = false; ///< the points are samples of the faces
     bool closed = false;  ///< the faces have no boundary
     bool apart = false;   ///< the samples resolve all walls
+    bool blades = false;  ///< but towards edges of less than 60 degrees, which there are
 };
 
 /// The model's points become those of its faces, if it has any; `definition` learns that a closed surface has no

@@ -5,6 +5,7 @@
 #include "core/process/estimation/orientation/contradictions.h"
 #include "core/process/estimation/prepare.h"
 #include "core/process/estimation/up_guess.h"
+#include "core/surface/frames/frame_table.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -31,8 +32,10 @@ OpenedFile opened(const std::string& name, io::FileModel model, const json& para
     surface::SurfaceDefinition& definition = out.surface.definition;
     const mesh::FaceOptions options = faceOptions(parameters);
     out.faces = inNameOf(name, [&] { return openFaces(out.model, definition, options, progress); });
-    // What samples resolve needs no second pass, which harms sharp edges; whoever asks for it gets it.
-    if (out.faces.apart && !parameters.contains("one-sheet"))
+    // What samples resolve needs no second pass; whoever asks for it gets it. Tips of blades have near sheets however
+    // fine samples are, and frames that put two solids together harm no edges.
+    const bool tips = out.faces.blades && surface::rowOf(definition.frame).solids;
+    if (out.faces.apart && !tips && !parameters.contains("one-sheet"))
         definition.oneSheet = false;
     return out;
 }

@@ -1,8 +1,10 @@
 // Meshes on the command line: they open as the surface of their faces, whatever reads them.
+#include "core/base/random.h"
 #include "program.h"
 #include "support/registry.h"
 
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <QTest>
 
 using nlohmann::json;
@@ -21,6 +23,8 @@ class FacesCommandTest : public QObject {
     void cloudsHaveNoFacesToSample();
     void errorsSpeakOfOptions();
     void creasesAreKeptAndAnswer();
+    void bladesStayWhole_data();
+    void bladesStayWhole();
 };
 
 namespace {
@@ -214,6 +218,32 @@ void FacesCommandTest::creasesAreKeptAndAnswer() {
     QCOMPARE(program.run({"info", "cube.obj", "--creases", "on", "--faces", "vertices"}).code, 1);
     QCOMPARE(program.run({"info", "cube.obj", "--creases", "on", "--sharp", "off"}).code, 1);
     QCOMPARE(program.run({"info", "out.ply", "--creases", "on"}).code, 1);
+}
+
+void FacesCommandTest::bladesStayWhole_data() {
+    QTest::addColumn<QString>("method");
+    QTest::newRow("marching cubes") << "marching-cubes";
+    QTest::newRow("Delaunay") << "delaunay";
+}
+
+/// Of some 16 degrees: towards the edge walls get thinner than samples are apart, however many these are.
+void FacesCommandTest::bladesStayWhole() {
+    QFETCH(QString, method);
+    base::Random random(test::seed());
+    const Program program;
+    const double half = std::tan(random.uniform(14.5, 18) * std::numbers::pi / 360);
+    const std::string y = std::to_string(half);
+    program.write("blade.off", "OFF\n6 5 0\n0 0 0\n1 -" + y + " 0\n1 " + y + " 0\n0 0 1\n1 -" + y + " 1\n1 " + y +
+                                   " 1\n3 0 2 1\n3 3 4 5\n4 0 1 4 3\n4 1 2 5 4\n4 2 0 3 5\n");
+    QCOMPARE(program
+                 .run({"mesh", "blade.off", "--sample-count", "6000", "--method", method, "-o", "out.ply", "--report",
+                       "r.json"})
+                 .code,
+             0);
+    const json report = json::parse(program.read("r.json"));
+    const QByteArray where = "seed " + QByteArray::number(test::seed());
+    QVERIFY2(report.at("boundary_loops") == 0 && report.at("genus") == 0, where);
+    QVERIFY2(report.at("components") == 1, where);
 }
 
 static const test::Registered<FacesCommandTest> registered;

@@ -127,6 +127,13 @@ static std::vector<float> wallsBehind(const FaceTopology& topology, std::span<co
     return out;
 }
 
+bool hasBlades(const FaceTopology& topology) {
+    constexpr double blade = -0.5;
+    return std::ranges::any_of(topology.sharpEdges, [&](const SharpEdge& edge) {
+        return edge.convex && dot(topology.normals[edge.left], topology.normals[edge.right]) < blade;
+    });
+}
+
 double thinnestWall(const FaceTopology& topology, std::span<const Vec3f> positions, const base::Progress& progress,
                     const InnerPlaces* inside) {
     constexpr std::size_t probes = leastCount / 5; // what is thinner than three spacings of leastCount is found

@@ -24,6 +24,9 @@ std::vector<double> thinnestWalls(const FaceTopology& topology, std::span<const 
                                   std::span<const FacePoint> points, std::span<const double> spacings,
                                   const base::Progress& progress = {});
 
+/// Is there a convex edge of less than 60 degrees? Towards it walls get thinner than any samples are apart.
+bool hasBlades(const FaceTopology& topology);
+
 /// Samples that the shape needs: as many as it has faces, so many that its thinnest walls are three spacings thick;
 /// at least 100,000 and at most 5 million. `share`: of the faces' area, what is sampled.
 std::size_t fittingCount(const FaceTopology& topology, double thinnestWall, double share = 1);

@@ -355,6 +355,7 @@ OpenedFaces openFaces(SurfelList vertices, std::span<const Triangle> triangles,
     out.sampled = true;
     const std::string edges = labelEdges(topology, options, points, sampling.spacings, out.points);
     out.apart = sampling.apart;
+    out.blades = hasBlades(topology);
     out.messages.push_back(counted(topology.triangles.size(), "triangle", "triangles") + " sampled to " +
                            counted(points.size(), "surfel", "surfels") + ", spacing " + sampling.toldSpacing() +
                            "; --faces vertices keeps the " + counted(vertices.size(), "vertex", "vertices") + ".");
