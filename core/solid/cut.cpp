@@ -117,7 +117,10 @@ Combined leftOpen(const surface::Surface& model, const Side& side, std::span<con
     surface::SurfaceDefinition definition = model.definition();
     out.surface = {model.tree().apply(edit), definition};
     constexpr float ofFewSurfels = 0.3f; // h: as for bands all of whose samples see a rim
-    if (out.removed > 0 && definition.boundary == surface::Boundary::Auto) {
+    // What was closed had none; now it ends where neighbours are parted.
+    const bool ends = definition.boundary == surface::Boundary::None && partsSheets(model.tree(), side, gone);
+    if (out.removed > 0 && (ends || definition.boundary == surface::Boundary::Auto)) {
+        definition.boundary = surface::Boundary::Auto;
         definition.boundaryLimit = process::automaticBoundaryLimit(out.surface, process::part(progress, 0.5, 1));
         if (std::isinf(definition.boundaryLimit) && partsSheets(model.tree(), side, gone))
             definition.boundaryLimit = ofFewSurfels;

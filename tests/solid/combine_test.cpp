@@ -35,6 +35,7 @@ class CombineTest : public QObject {
     void bothSidesOfASeamAreItsCells();
     void facesThatCoincideStayOnce();
     void halfABallHasHalfItsVolume();
+    void closedModelsEndWhereTheyAreCut();
     void capsAreAsDenseAsTheModelBeside();
     void threadsDoNotShow();
     void whatLeavesNothingIsRefused();
@@ -254,6 +255,21 @@ void CombineTest::halfABallHasHalfItsVolume() {
     const solid::Combined cup = solid::cutByPlane(ball, {{0, 0, 1}, 0.1}, open);
     QCOMPARE(cup.inserted, std::size_t(0));
     QVERIFY(std::isfinite(cup.surface.definition().boundaryLimit));
+}
+
+void CombineTest::closedModelsEndWhereTheyAreCut() {
+    surface::SurfaceDefinition closed;
+    closed.boundary = surface::Boundary::None;
+    const surface::Surface box(shapeAt("box", {2, 1, 1}, 0.06).tree(), closed);
+    const surface::SurfaceDefinition before = box.definition();
+    const solid::Combined half = solid::cutByPlane(box, {{1, 0, 0}, 0}, {false});
+    QVERIFY(half.surface.definition().boundary == surface::Boundary::Auto);
+    const mesh::Extent extent = mesh::extentOf(half.surface);
+    QVERIFY(!extent.closed);
+    QVERIFY2(std::abs(extent.area - 5) < 0.1 * 5, QByteArray::number(extent.area)); // without the plane's share
+    // nothing was parted: as it was
+    const solid::Combined whole = solid::cutByPlane(box, {{1, 0, 0}, -2}, {false});
+    QVERIFY(whole.surface.definition() == before);
 }
 
 void CombineTest::capsAreAsDenseAsTheModelBeside() {
