@@ -1,5 +1,4 @@
 #include "app/options/polyline_options.h"
-#include "app/options/output_names.h"
 
 #include "app/open_model.h"
 #include "app/options/option_checks.h"

@@ -1,6 +1,7 @@
 #include "core/solid/cut.h"
 
 #include "core/base/error.h"
+#include "core/process/cleaning/list_change.h"
 #include "core/process/estimation/boundary_limit.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/process/resampling/resample.h"
@@ -102,27 +103,20 @@ bool partsSheets(const tree::SurfelTree& tree, const Side& side, int gone) {
 
 Combined leftOpen(const surface::Surface& model, const Side& side, std::span<const std::int8_t> sides, int gone,
                   const base::Progress& progress) {
-    tree::Edit edit;
-    edit.inserted.layout = model.tree().layout();
+    std::vector<std::uint8_t> goes(sides.size());
+    std::ranges::transform(sides, goes.begin(), [&](std::int8_t each) { return each * gone > 0; });
     Combined out;
-    std::size_t next = 0;
-    for (std::uint32_t b = 0; b < model.tree().blockCount(); ++b) {
-        tree::BlockEdit change{b, {}, {}};
-        for (int slot = 0; slot < model.tree().block(b)->size(); ++slot)
-            change.removed[static_cast<std::size_t>(slot)] = sides[next++] * gone > 0;
-        out.removed += change.removed.count();
-        if (change.removed.any())
-            edit.blocks.push_back(std::move(change));
-    }
+    out.removed = static_cast<std::size_t>(std::ranges::count(goes, 1));
     surface::SurfaceDefinition definition = model.definition();
-    out.surface = {model.tree().apply(edit), definition};
+    out.surface = {process::changed(model.tree(), {goes, {}, {}, {}, {}}), definition};
     constexpr float ofFewSurfels = 0.3f; // h: as for bands all of whose samples see a rim
     // What was closed had none; now it ends where neighbours are parted.
-    const bool ends = definition.boundary == surface::Boundary::None && partsSheets(model.tree(), side, gone);
-    if (out.removed > 0 && (ends || definition.boundary == surface::Boundary::Auto)) {
+    const bool none = definition.boundary == surface::Boundary::None;
+    const bool ends = none && out.removed > 0 && partsSheets(model.tree(), side, gone);
+    if (ends || (out.removed > 0 && definition.boundary == surface::Boundary::Auto)) {
         definition.boundary = surface::Boundary::Auto;
         definition.boundaryLimit = process::automaticBoundaryLimit(out.surface, process::part(progress, 0.5, 1));
-        if (std::isinf(definition.boundaryLimit) && partsSheets(model.tree(), side, gone))
+        if (std::isinf(definition.boundaryLimit) && (ends || partsSheets(model.tree(), side, gone)))
             definition.boundaryLimit = ofFewSurfels;
         out.surface = {out.surface.tree(), definition};
     }

@@ -6,7 +6,6 @@
 #include "core/session/place_text.h"
 
 #include <algorithm>
-#include <unordered_map>
 
 namespace session {
 
@@ -17,16 +16,12 @@ namespace {
 /// How far inwards each surfel moves.
 class InwardMoves {
   public:
-    InwardMoves(const tree::SurfelTree& before, const tree::SurfelTree& after) : m_tree(before) {
+    InwardMoves(const tree::SurfelTree& before, const tree::SurfelTree& after)
+        : m_tree(before), m_first(before.firstSurfels()) {
         const surfel::SurfelList was = before.surfels(), is = after.surfels();
         for (std::size_t i = 0; i < was.size(); ++i)
             m_moves.push_back(dot(base::cast<double>(was.items[i].position - is.items[i].position),
                                   base::cast<double>(was.items[i].normal)));
-        std::size_t first = 0;
-        before.forEachBlock([&](std::uint32_t, const surfel::SurfelBlock& block) {
-            m_first.emplace(&block, first);
-            first += static_cast<std::size_t>(block.size());
-        });
     }
     double operator[](std::size_t surfel) const { return m_moves[surfel]; }
     double most() const { return *std::max_element(m_moves.begin(), m_moves.end()); }
@@ -34,13 +29,13 @@ class InwardMoves {
     double at(const Vec3d& place) {
         m_tree.nearest(base::cast<float>(place), 1, m_near);
         const tree::Neighbour& found = m_near.front();
-        return m_moves[m_first.at(found.block) + static_cast<std::size_t>(found.slot)];
+        return m_moves[m_first[found.blockNumber] + static_cast<std::size_t>(found.slot)];
     }
 
   private:
     const tree::SurfelTree& m_tree;
     std::vector<double> m_moves;
-    std::unordered_map<const surfel::SurfelBlock*, std::size_t> m_first; ///< the number of a block's first surfel
+    std::vector<std::size_t> m_first; ///< of each block
     std::vector<tree::Neighbour> m_near;
 };
 
