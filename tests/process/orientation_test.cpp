@@ -23,6 +23,8 @@ class OrientationTest : public QObject {
     void bodiesThatStraysJoinLookOutwardsEach();
     void manyStraysTurnNoBodyInsideOut();
     void wedgesLookOutwards();
+    void basesOfConesLookOutwards();
+    void openSheetsStayAsNeighboursSay();
     void flippedPatchesAreInDoubt();
     void threadsDoNotShow();
 };
@@ -254,6 +256,52 @@ void OrientationTest::wedgesLookOutwards() {
                                                             .arg(list.size())
                                                             .arg(angle * 180 / std::numbers::pi)
                                                             .arg(test::seed())));
+    }
+}
+
+/// All of the way between flank and base goes over an acute edge.
+void OrientationTest::basesOfConesLookOutwards() {
+    base::Random random(test::seed());
+    for (int k = 0; k < test::effort(10); ++k) {
+        const double height = random.uniform(0.8, 2.2), slant = std::hypot(1, height);
+        Body body;
+        for (int i = 0; i < 9000; ++i) {
+            const double turn = random.uniform(0, 2 * std::numbers::pi), r = std::sqrt(random.uniform());
+            const Vec3d out{std::cos(turn), std::sin(turn), 0};
+            const bool base = random.uniform(0, 1 + slant) < 1;
+            body.positions.push_back(base::cast<float>(base ? out * r : out * r + Vec3d{0, 0, height * (1 - r)}));
+            body.outwards.push_back(
+                base::cast<float>(base ? Vec3d{0, 0, -1} : (out * height + Vec3d{0, 0, 1}) / slant));
+        }
+        const Estimate found = estimated(body, true);
+        QVERIFY(found.sided);
+        QVERIFY2(
+            found.inwards < body.outwards.size() / 15,
+            qPrintable(QString("%1 inwards, height %2, seed %3").arg(found.inwards).arg(height).arg(test::seed())));
+    }
+}
+
+/// Two sheets that look the same way, joined by a ramp, are no two sides of a body, though their fields would have it.
+void OrientationTest::openSheetsStayAsNeighboursSay() {
+    base::Random random(test::seed());
+    for (int k = 0; k < test::effort(10); ++k) {
+        const double high = random.uniform(0.3, 0.6), lap = random.uniform(-0.2, 0.2), length = 0.5;
+        Body body;
+        for (int i = 0; i < 9000; ++i) {
+            const double x = random.uniform(-1, 1 + length), y = random.uniform(0, 1);
+            const double t =
+                std::clamp(x / length, 0.0, 1.0); // along the ramp, which may lead back below the upper sheet
+            const Vec3d p{x < 0 ? x : x < length ? lap * t : x - length + lap, y, high * t};
+            const Vec3d n = x < 0 || x > length ? Vec3d{0, 0, 1} : normalized(Vec3d{-high, 0, lap});
+            body.positions.push_back(base::cast<float>(p));
+            body.outwards.push_back(base::cast<float>(n));
+        }
+        const surfel::SurfelList list = listOf(body);
+        const Cloud cloud(list.items);
+        std::vector<Vec3f> byTrees = normalsOf(cloud), found = byTrees;
+        const NeighbourTable links = nearestTable(cloud, 12);
+        QVERIFY(orient(cloud, links, byTrees) && orientGlobally(cloud, links, found));
+        QVERIFY2(found == byTrees, qPrintable(QString("seed %1").arg(test::seed())));
     }
 }
 

@@ -8,6 +8,7 @@
 #include "core/process/estimation/duplicates.h"
 #include "core/process/estimation/keep_points.h"
 #include "core/process/estimation/normals.h"
+#include "core/process/estimation/orientation/global_orientation.h"
 #include "core/process/estimation/orientation/outside.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/process/estimation/scan_lines.h"
@@ -172,7 +173,7 @@ bool completeNormals(surfel::SurfelList& points, Surroundings& around, const bas
     if (!allOf(points, [](const surfel::Surfel& s) { return !hasNormal(s); }))
         takeKnownSides(points, around.cloud(), normals, progress);
     else
-        sided = orient(around.cloud(), around.neighbours().table, normals, progress);
+        sided = orientGlobally(around.cloud(), around.neighbours().table, normals, progress);
     const auto places = around.cloud().places();
     base::parallelFor(points.size(), grain, [&](std::size_t i) {
         if (!hasNormal(points.items[i]))

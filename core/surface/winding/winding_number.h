@@ -20,11 +20,16 @@ class WindingNumber {
     explicit WindingNumber(const tree::SurfelTree& tree, const base::Progress& progress = {},
                            Areas which = Areas::Each);
 
+    /// Of dipoles in the order of a curve (base/morton.h): runs of them are the groups. `areas`: times the normal.
+    WindingNumber(std::span<const base::Vec3f> places, std::span<const base::Vec3f> areas);
+
     double at(const base::Vec3d& x) const;
     /// Its derivative, in 1 / model units: points inwards.
     base::Vec3d gradient(const base::Vec3d& x) const;
 
   private:
+    void chooseScale(const base::Box3f& box);
+
     std::vector<WindingGroup> m_groups;
     double m_scale = 1; ///< lengths of theirs over the model's
 };

@@ -11,8 +11,8 @@ using base::Vec3d, base::Vec3f;
 
 namespace {
 
-/// Pieces that are judged: of so many points, and of no less than this share of all. The rest follows its neighbours.
-constexpr std::size_t fewest = 50, mostPieces = 2000;
+constexpr std::size_t fewest = 50; ///< points of a piece
+constexpr std::size_t mostBodies = 2000;
 constexpr double encloses = 0.3;       ///< |mean normal| below which a piece does: half a ball has 0.5
 constexpr double clearlyOutside = 0.4; ///< of votes
 
@@ -25,12 +25,12 @@ struct Body {
 
 } // namespace
 
-std::vector<std::vector<std::uint32_t>> largePieces(base::ParitySets& trees, std::size_t n) {
+std::vector<std::vector<std::uint32_t>> largePieces(base::ParitySets& trees, std::size_t n, std::size_t most) {
     std::vector<std::uint32_t> size(n);
     for (std::uint32_t i = 0; i < n; ++i)
         ++size[trees.find(i).root];
     std::vector<std::uint32_t> roots;
-    const std::size_t least = std::max(fewest, n / mostPieces);
+    const std::size_t least = std::max(fewest, n / most);
     for (std::uint32_t i = 0; i < n; ++i)
         if (size[i] >= least)
             roots.push_back(i);
@@ -47,7 +47,7 @@ std::vector<std::vector<std::uint32_t>> largePieces(base::ParitySets& trees, std
 }
 
 void relateBodiesApart(const Cloud& cloud, std::span<const Vec3f> normals, base::ParitySets& trees) {
-    const std::vector<std::vector<std::uint32_t>> pieces = largePieces(trees, cloud.size());
+    const std::vector<std::vector<std::uint32_t>> pieces = largePieces(trees, cloud.size(), mostBodies);
     if (pieces.size() < 2)
         return;
     const Outside outside(cloud.positions());

@@ -26,6 +26,17 @@ class OrientationTrees {
     /// What is known by now; more may be added.
     base::ParitySets& signs() { return m_signs; }
 
+    /// What is known, and which edges were asked: to be gone back to.
+    struct State {
+        base::ParitySets signs;
+        std::size_t joined;
+    };
+    State state() const { return {m_signs, m_joined}; }
+    void resume(State state) {
+        m_signs = std::move(state.signs);
+        m_joined = state.joined;
+    }
+
     /// Is there a seam, along which certain edges contradict the signs that the trees gave? Then the surface has no two
     /// sides.
     bool hasSeam(const base::Progress& progress);

@@ -20,6 +20,9 @@ constexpr int directions = 48;
 /// |mean normal| from which on a component is a sheet with a direction that it faces; closed ones have 0, half a ball
 /// 0.5.
 constexpr double facesOneWay = 0.3;
+/// Rims of lenses and blades are thinner than the spacing, look to either side, and only they are asked: then what is
+/// enclosed decides.
+constexpr double leastEnclosed = 0.03;
 /// Components up to this share of the points look away from the others, where these lie clearly (in root mean squares
 /// of the cloud's radius) on one side of them.
 constexpr double partOfAll = 0.5, beside = 0.2;
@@ -36,6 +39,20 @@ Vec3d mean(std::span<const Vec3f> values, std::span<const std::uint32_t> members
     for (const std::uint32_t i : members)
         sum += base::cast<double>(values[i]);
     return sum / static_cast<double>(members.size());
+}
+
+/// Mean height of the middle below the points' planes, over their mean distance from it: 1 on a sphere, above zero on
+/// what encloses something, inside out below.
+double enclosedBy(std::span<const Vec3f> positions, std::span<const Vec3f> normals,
+                  std::span<const std::uint32_t> members) {
+    const Vec3d middle = mean(positions, members);
+    double heights = 0, distances = 0;
+    for (const std::uint32_t i : members) {
+        const Vec3d from = base::cast<double>(positions[i]) - middle;
+        heights += dot(from, base::cast<double>(normals[i]));
+        distances += length(from);
+    }
+    return distances > 0 ? heights / distances : 0;
 }
 
 /// Of each direction the outermost of some members: the first one, where several are.
@@ -109,8 +126,10 @@ bool Outside::inward(std::span<const Vec3f> normals, std::span<const std::uint32
     if (std::abs(votes) >= clear)
         return votes < 0;
     const Vec3d facing = mean(normals, members);
-    if (!(length(facing) >= facesOneWay))
-        return votes < 0;
+    if (!(length(facing) >= facesOneWay)) {
+        const double enclosed = enclosedBy(m_positions, normals, members);
+        return std::abs(enclosed) > leastEnclosed ? enclosed < 0 : votes < 0;
+    }
     if (static_cast<double>(members.size()) <= partOfAll * static_cast<double>(m_positions.size())) {
         const double away = dot(normalized(facing), mean(m_positions, members) - extent().centre);
         if (std::abs(away) > beside * extent().radius)
