@@ -8,11 +8,14 @@
 #include "ui/panels/tool_bar.h"
 #include "ui/theme/icon.h"
 #include "ui/window/command_dialog.h"
+#include "ui/window/command_palette.h"
+#include "ui/window/menus/model_groups.h"
 #include "ui/window/status_line.h"
 #include "window_fixture.h"
 
 #include <QLabel>
 #include <QMenu>
+#include <QMenuBar>
 #include <QMessageBox>
 #include <QToolButton>
 
@@ -24,6 +27,7 @@ class WindowTest : public QObject {
     void toolButtonsAreTheToolTable();
     void newMenuIsTheSampleTable();
     void modelMenuIsTheCommandTable();
+    void noMenuIsLongerThanAScreen();
     void everyActionHasItsOwnShortcut();
     void shortcutsChooseTools();
     void everySampleOpensAndIsSeen();
@@ -81,9 +85,9 @@ void WindowTest::newMenuIsTheSampleTable() {
 void WindowTest::modelMenuIsTheCommandTable() {
     WindowFixture f;
     QStringList offered, expected;
-    for (const QAction* action : f.window->menu("model")->actions())
-        if (!action->menu()) // of what is drawn instead of written
-            offered << action->data().toString();
+    for (const ui::PaletteEntry& each : ui::paletteEntries(*f.window->menuBar()))
+        if (each.way.startsWith("Model") && !each.action->data().toString().startsWith("trim-")) // drawn, not written
+            offered << each.action->data().toString();
     for (const auto& row : session::commandTable())
         if (ui::hasDialog(row)) {
             expected << row.op;
@@ -91,9 +95,18 @@ void WindowTest::modelMenuIsTheCommandTable() {
             for (const auto& p : row.parameters)
                 QVERIFY2(p.recorded != (dialog.findChild<QWidget*>(p.id) != nullptr), p.id);
         }
+    offered.sort(), expected.sort();
     QCOMPARE(offered, expected);
     QVERIFY(expected.contains("resample"));
     QVERIFY(!expected.contains("stroke") && !expected.contains("open"));
+}
+
+void WindowTest::noMenuIsLongerThanAScreen() {
+    WindowFixture f;
+    for (const QMenu* menu : f.window->menuBar()->findChildren<QMenu*>())
+        QVERIFY2(menu->sizeHint().height() <= 720, qPrintable(menu->title()));
+    for (const char* known : {"outliers", "fill", "solid", "drill", "transform", "register"})
+        QVERIFY2(&ui::groupOf(known) != &ui::modelGroups().back(), known);
 }
 
 void WindowTest::everyActionHasItsOwnShortcut() {

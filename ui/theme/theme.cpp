@@ -69,7 +69,7 @@ static const char* const sheet = R"(
     QMenuBar::item { padding: 4px 10px; border-radius: 3px; background: transparent; }
     QMenuBar::item:selected { background: @raised; }
     QMenu { background: @panel; border: 1px solid @line; padding: 4px; }
-    QMenu::item { padding: 5px 26px 5px 26px; border-radius: 3px; }
+    QMenu::item { padding: 3px 26px 3px 26px; border-radius: 3px; }
     QMenu::item:selected { background: @strong; }
     QMenu::item:disabled { color: @disabled; }
     QMenu::icon { padding-left: 6px; }

@@ -150,7 +150,7 @@ void CommandDialog::add(QFormLayout& form, const CommandParameter& p, QString& t
     const QString unit = *p.unit ? QString(", %1").arg(p.unit) : QString();
     field->setToolTip(QString("%1%2%3").arg(p.tip, unit, rangeOf(p)));
     field->setObjectName(p.id);
-    auto* label = new QLabel(withMnemonic(parameterWords(p.id), taken) + unit);
+    auto* label = new QLabel(withMnemonic(parameterWords(m_row.op, p.id), taken) + unit);
     label->setToolTip(field->toolTip());
     label->setBuddy(field);
     form.addRow(label, field);

@@ -8,7 +8,8 @@
 
 namespace ui {
 
-QString parameterWords(std::string_view id);
+/// Of a parameter of the command `op`.
+QString parameterWords(std::string_view op, std::string_view id);
 QString choiceWords(std::string_view id);
 /// With an ampersand before a letter that is not in `taken` yet, and now is.
 QString withMnemonic(const QString& label, QString& taken);

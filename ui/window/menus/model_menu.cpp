@@ -2,8 +2,10 @@
 #include "ui/window/main_window.h"
 #include "ui/window/menus/menu_tools.h"
 #include "ui/window/menus/menus.h"
+#include "ui/window/menus/model_groups.h"
 #include "ui/window/trim_tools.h"
 
+#include <algorithm>
 #include <QAction>
 #include <QMenu>
 
@@ -15,17 +17,33 @@ static void ask(MainWindow& window, const session::CommandRow& row) {
         window.editor().run(dialog.command());
 }
 
+static void addCommand(MainWindow& window, QMenu& menu, const session::CommandRow& row) {
+    if (row.op == std::string_view("trim"))
+        return addTrimMenu(window, menu);
+    if (!hasDialog(row))
+        return;
+    QAction* action =
+        addEntry(menu, row.op, QObject::tr("%1…").arg(row.label), {}, [&window, &row] { ask(window, row); });
+    action->setToolTip(row.tip);
+    action->setData(row.op);
+}
+
+/// The group's commands as it names them, then what it does not name.
+static std::vector<const session::CommandRow*> commandsOf(const ModelGroup& group) {
+    std::vector<const session::CommandRow*> out;
+    for (const session::CommandRow& row : session::commandTable())
+        if (&groupOf(row.op) == &group)
+            out.push_back(&row);
+    std::ranges::stable_sort(out, {}, [&](const session::CommandRow* row) { return placeIn(group, row->op); });
+    return out;
+}
+
 void addModelMenu(MainWindow& window) {
     QMenu* model = addMenu(window, "model", QObject::tr("&Model"));
-    for (const session::CommandRow& row : session::commandTable()) {
-        if (row.op == std::string_view("trim"))
-            addTrimMenu(window, *model);
-        if (!hasDialog(row))
-            continue;
-        QAction* action =
-            addEntry(*model, row.op, QObject::tr("%1…").arg(row.label), {}, [&window, &row] { ask(window, row); });
-        action->setToolTip(row.tip);
-        action->setData(row.op);
+    for (const ModelGroup& group : modelGroups()) {
+        QMenu* menu = addMenu(window, group.id, QObject::tr(group.title), model);
+        for (const session::CommandRow* row : commandsOf(group))
+            addCommand(window, *menu, *row);
     }
 }
 
