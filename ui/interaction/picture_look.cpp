@@ -43,7 +43,7 @@ static surface::Surface allOf(const Snapshot& now) {
 }
 
 std::optional<TrueSurface> PictureLook::truth() const {
-    const Snapshot& now = m_editor.snapshot();
+    const Snapshot& now = shown();
     if (!m_settings.truth.on || now.whole.empty())
         return {};
     TrueSurface out{allOf(now), m_settings.truth.quality, m_settings.truth.lighting, nullptr};
@@ -61,7 +61,7 @@ std::optional<TrueSurface> PictureLook::truth() const {
 }
 
 Frame PictureLook::frame(const render::Camera& camera, bool moving, std::uint64_t input) const {
-    const Snapshot& now = m_editor.snapshot();
+    const Snapshot& now = shown();
     Frame out;
     out.model = now.whole;
     out.camera = camera;

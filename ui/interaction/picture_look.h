@@ -24,6 +24,12 @@ class PictureLook {
     /// Lays the grid below the model as it is now, where it then stays.
     void placeGrid();
 
+    /// What pictures show: the model as it is now, or what would become of it.
+    const Snapshot& shown() const { return m_instead ? *m_instead : m_editor.snapshot(); }
+    bool showsInstead() const { return m_instead.has_value(); }
+    /// From now on this in place of the model; nothing: the model again.
+    void showInstead(std::optional<Snapshot> instead) { m_instead = std::move(instead); }
+
     /// All that the settings and the model say of the picture's look; without colours.
     render::RenderOptions options() const;
     /// The model as it is now. `moving` and `input` as in Frame; `input` counts where the model's own is older.
@@ -38,6 +44,7 @@ class PictureLook {
     std::shared_ptr<const render::BlockColours> m_colours;
     std::optional<render::ColourScale> m_scale;
     render::GroundGrid m_grid;
+    std::optional<Snapshot> m_instead;
 };
 
 } // namespace ui

@@ -68,6 +68,8 @@ void SculptView::showColours(std::shared_ptr<const render::BlockColours> colours
 
 void SculptView::followModel() {
     const Snapshot& now = m_editor.snapshot();
+    if ((m_look.showsInstead() || !m_overlay.gone.empty()) && !(now.whole == m_insteadOf))
+        showInstead({});
     if (now.models != m_models) {
         m_models = now.models;
         m_source.choose({});
@@ -108,6 +110,19 @@ void SculptView::setNotice(const Notice& notice) {
         return;
     m_overlay.notice = notice;
     m_viewport.widget()->update();
+}
+
+void SculptView::showInstead(std::optional<Snapshot> after, std::vector<base::Vec3d> gone) {
+    const Snapshot& now = m_editor.snapshot();
+    if (after && after->stand != now.stand) // seen from elsewhere
+        after.reset();
+    if (after)
+        after->reference = now.reference, after->models = now.models;
+    m_insteadOf = now.whole;
+    m_look.showInstead(std::move(after));
+    m_overlay.gone = std::move(gone);
+    Q_EMIT shownChanged();
+    refresh();
 }
 
 void SculptView::faceFreePlane() {

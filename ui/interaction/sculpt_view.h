@@ -37,11 +37,15 @@ class SculptView : public QObject {
     void frameSelection();
     /// Turns the free plane across the direction of view.
     void faceFreePlane();
+    /// What would become of the model, in its place and without being it, with dots where surfels would go. The model
+    /// shows again after `showInstead({})`, and when it is another one.
+    void showInstead(std::optional<Snapshot> after, std::vector<base::Vec3d> gone = {});
     /// Says what is working, over the picture; an empty text: nothing is.
     void setNotice(const Notice& notice);
 
   Q_SIGNALS:
     void modelPicked(QString name); ///< as PointerRouter
+    void shownChanged();            ///< look().shown() is another model
     void hinted(QString what);      ///< by any of the parts, for the person
 
   private:
@@ -68,6 +72,7 @@ class SculptView : public QObject {
     ViewOverlay m_overlay;
     std::uint64_t m_models = 0;    ///< of the snapshot that the view was framed for
     process::Rigid m_stand;        ///< of the snapshot that the view was last seen in
+    tree::SurfelTree m_insteadOf;  ///< what the model was when something else was shown in its place
     std::uint64_t m_viewInput = 0; ///< the last pointer event that moved the view
 };
 

@@ -1,6 +1,7 @@
 #include "ui/interaction/view_overlay.h"
 
 #include "ui/overlay/annotation_overlay.h"
+#include "ui/overlay/gone_overlay.h"
 #include "ui/overlay/pick_overlay.h"
 #include "ui/overlay/pivot_overlay.h"
 #include "ui/overlay/section_overlay.h"
@@ -21,6 +22,7 @@ void ViewOverlay::paint(QPainter& painter, double pixelRatio) const {
     const render::Camera seen = motion.shownCamera();
     if (beneath)
         beneath(painter, seen);
+    paintGone(painter, gone, seen, pixelRatio);
     if (m_parts.cuts.sections().size() == seen.clips.all().size())
         paintSections(painter, sectionLines(m_parts.cuts.sections(), seen), 1.6 * pixelRatio);
     paintSections(painter, curveLines(m_parts.edges.visible(seen), seen), 1.2 * pixelRatio);

@@ -36,7 +36,8 @@ class ViewOverlay {
     void paint(QPainter& painter, double pixelRatio) const;
     /// Painted before all of that, and after, in device pixels of the camera.
     std::function<void(QPainter&, const render::Camera&)> beneath, above;
-    Notice notice; ///< painted last
+    std::vector<base::Vec3d> gone; ///< places of surfels that a command would take out
+    Notice notice;                 ///< painted last
 
   private:
     void paintSource(QPainter& painter, const render::Camera& seen) const;

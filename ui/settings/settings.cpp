@@ -150,6 +150,7 @@ static void readTableRows(const QSettings& store, Settings& out) {
     readSet(store, "view/annotations", render::annotationTable(), &render::AnnotationRow::annotation, out.annotated);
     out.grid = store.value("view/grid", out.grid).toBool();
     out.edges = store.value("view/edges", out.edges).toBool();
+    out.previews = store.value("window/previews", out.previews).toBool();
     out.truth.on = store.value("view/trueSurface", out.truth.on).toBool();
     readNumber(store, "view/trueQuality", TruthSettings::minQuality, TruthSettings::maxQuality, out.truth.quality);
     raycast::Lighting& lighting = out.truth.lighting;
@@ -225,6 +226,7 @@ Entries entriesOf(const Settings& settings) {
         storedSet(render::annotationTable(), &render::AnnotationRow::annotation, settings.annotated);
     out["view/grid"] = settings.grid;
     out["view/edges"] = settings.edges;
+    out["window/previews"] = settings.previews;
     out["view/trueSurface"] = settings.truth.on;
     out["view/trueQuality"] = settings.truth.quality;
     const raycast::Lighting& lighting = settings.truth.lighting;

@@ -1,9 +1,11 @@
 #include "ui/window/command_dialog.h"
 
-#include "core/base/error.h"
 #include "core/surface/definition_options.h"
 #include "ui/theme/theme.h"
+#include "ui/window/file_dialogs.h"
+#include "ui/window/parameter_values.h"
 #include "ui/window/parameter_words.h"
+#include "ui/window/status_line.h"
 
 #include <algorithm>
 #include <array>
@@ -11,11 +13,15 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
+#include <QEvent>
+#include <QFileDialog>
 #include <QFormLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QLocale>
 #include <QPushButton>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 namespace ui {
@@ -37,15 +43,6 @@ static QString rangeOf(const CommandParameter& p) {
     return high.isEmpty() ? QString() : QObject::tr(" (%1 to %2)").arg(low, high);
 }
 
-static QString fallbackOf(const CommandParameter& p) {
-    const QString text = QString(p.fallback).remove('"');
-    return text == "null" ? QString() : text;
-}
-
-static bool optional(const CommandParameter& p) {
-    return std::string_view(p.fallback) == "null";
-}
-
 static QString counted(double count) {
     return QLocale::c().toString(qulonglong(count));
 }
@@ -60,8 +57,16 @@ static QString enteredIn(const QWidget* field) {
     return known >= 0 ? list->itemData(known).toString() : list->currentText().trimmed();
 }
 
-CommandDialog::CommandDialog(const session::CommandRow& row, const Snapshot& model, QWidget* parent)
-    : QDialog(parent), m_row(row), m_model(model) {
+static QLabel* wrapped(const char* name) {
+    auto* out = new QLabel;
+    out->setObjectName(name);
+    out->setWordWrap(true);
+    return out;
+}
+
+CommandDialog::CommandDialog(const session::CommandRow& row, const Snapshot& model, QWidget* parent,
+                             const std::optional<base::Plane>& plane)
+    : QDialog(parent), m_row(row), m_model(model), m_plane(plane) {
     setWindowTitle(row.label);
     auto* layout = new QVBoxLayout(this);
     auto* tip = new QLabel(row.tip);
@@ -73,20 +78,36 @@ CommandDialog::CommandDialog(const session::CommandRow& row, const Snapshot& mod
         if (!parameter.recorded)
             add(*form, parameter, taken);
     layout->addLayout(form);
-    m_outcome = new QLabel;
-    m_outcome->setObjectName("outcome");
-    layout->addWidget(m_outcome);
-    m_trouble = new QLabel;
+    constexpr int lines = 3; // of help, so that the dialog keeps its size
+    m_help = wrapped("faint");
+    m_help->setMinimumHeight(lines * fontMetrics().lineSpacing());
+    m_help->setAlignment(Qt::AlignTop);
+    m_outcome = wrapped("outcome");
+    m_said = wrapped("previewed");
+    m_trouble = wrapped("trouble");
     m_trouble->setStyleSheet(troubleStyle(palette()));
-    m_trouble->setWordWrap(true);
-    layout->addWidget(m_trouble);
+    for (QLabel* each : {m_help, m_outcome, m_said, m_trouble})
+        layout->addWidget(each);
+    addAnswers(*layout);
+    setMinimumWidth(420);
+    if (!m_fields.empty())
+        m_fields.front().widget->setFocus();
+    follow();
+}
+
+void CommandDialog::addAnswers(QVBoxLayout& layout) {
+    m_preview = new QCheckBox(tr("Preview"));
+    m_preview->setObjectName("previews");
+    m_preview->setToolTip(tr("Shows in the picture what the command would make of the model, without doing it"));
+    connect(m_preview, &QCheckBox::toggled, this, &CommandDialog::previewsSwitched);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
-    buttons->button(QDialogButtonBox::Ok)->setText(row.label);
+    buttons->button(QDialogButtonBox::Ok)->setText(m_row.label);
     connect(buttons, &QDialogButtonBox::accepted, this, &CommandDialog::checkAndAccept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    layout->addWidget(buttons);
-    setMinimumWidth(420);
-    follow();
+    auto* line = new QHBoxLayout;
+    line->addWidget(m_preview);
+    line->addWidget(buttons, 1);
+    layout.addLayout(line);
 }
 
 QString CommandDialog::present(const CommandParameter& p) const {
@@ -100,7 +121,7 @@ QString CommandDialog::present(const CommandParameter& p) const {
     const auto spacing = static_cast<double>(m_model.spacing);
     if (id == "spacing" && spacing > 0)
         return QString::number(spacing, 'g', 4);
-    return {};
+    return proposalFor(m_row, p, m_model, m_plane);
 }
 
 /// Words to choose from, of which each stands for its id; editable where numbers fit too.
@@ -109,7 +130,7 @@ static QComboBox* listOf(const CommandParameter& p, const QString& present) {
     out->setEditable(QString(p.type).startsWith("number"));
     const QString fallback = present.isEmpty() ? fallbackOf(p) : present;
     if (fallback.isEmpty())
-        out->addItem(optional(p) ? QObject::tr("(none)") : QString(), QString());
+        out->addItem(isOptional(p) ? QObject::tr("(none)") : QString(), QString());
     for (const QString& id : QString(p.choices).split(' ', Qt::SkipEmptyParts))
         out->addItem(choiceWords(id.toStdString()), id);
     const int known = out->findData(fallback);
@@ -140,9 +161,42 @@ QWidget* CommandDialog::make(const CommandParameter& p) {
     else if (std::string_view(p.id) == "count" && m_model.surfels > 0)
         line->setPlaceholderText(tr("now %1").arg(counted(static_cast<double>(m_model.surfels))));
     connect(line, &QLineEdit::textChanged, this, &CommandDialog::follow);
-    if (optional(p) && shown.isEmpty())
+    if (isOptional(p) && shown.isEmpty())
         connect(line, &QLineEdit::textEdited, this, [this, line] { giveWay(line); });
     return line;
+}
+
+/// With what fills it without typing.
+QWidget* CommandDialog::lineWith(const CommandParameter& p, QLineEdit& line) {
+    const bool file = isFile(p);
+    if (!file && !isPlace(p) && !isPlaces(p))
+        return &line;
+    auto* button = new QToolButton;
+    button->setObjectName("plain");
+    button->setText(file ? tr("Browse…") : tr("Pick"));
+    const QString field = p.id;
+    if (file)
+        connect(button, &QToolButton::clicked, this, [this, &line] { lookForFile(line); });
+    else {
+        button->setCheckable(true);
+        button->setToolTip(isPlaces(p) ? tr("Then each click on the model is one place more")
+                                       : tr("Then a click on the model is the place"));
+        connect(button, &QToolButton::clicked, this,
+                [this, field](bool on) { Q_EMIT placeWanted(on ? field : QString()); });
+        m_picks[field] = button;
+    }
+    auto* out = new QWidget;
+    auto* row = new QHBoxLayout(out);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->addWidget(&line, 1);
+    row->addWidget(button);
+    return out;
+}
+
+void CommandDialog::lookForFile(QLineEdit& line) {
+    const QString file = QFileDialog::getOpenFileName(this, windowTitle(), line.text(), openFilter());
+    if (!file.isEmpty())
+        line.setText(file);
 }
 
 void CommandDialog::add(QFormLayout& form, const CommandParameter& p, QString& taken) {
@@ -150,10 +204,12 @@ void CommandDialog::add(QFormLayout& form, const CommandParameter& p, QString& t
     const QString unit = *p.unit ? QString(", %1").arg(p.unit) : QString();
     field->setToolTip(QString("%1%2%3").arg(p.tip, unit, rangeOf(p)));
     field->setObjectName(p.id);
+    field->installEventFilter(this);
     auto* label = new QLabel(withMnemonic(parameterWords(m_row.op, p.id), taken) + unit);
     label->setToolTip(field->toolTip());
     label->setBuddy(field);
-    form.addRow(label, field);
+    auto* line = qobject_cast<QLineEdit*>(field);
+    form.addRow(label, line ? lineWith(p, *line) : field);
     m_fields.push_back({&p, field, enteredIn(field)});
 }
 
@@ -170,31 +226,10 @@ bool CommandDialog::edited(const Field& field) const {
 void CommandDialog::giveWay(const QWidget* by) {
     const Field* spacing = find("spacing");
     auto* line = spacing ? qobject_cast<QLineEdit*>(spacing->widget) : nullptr;
-    if (!line || line == by || !optional(*spacing->parameter) || line->text() != spacing->shown)
+    if (!line || line == by || !isOptional(*spacing->parameter) || line->text() != spacing->shown)
         return;
     line->setPlaceholderText(tr("now %1").arg(spacing->shown));
     line->clear();
-}
-
-static json valueOf(const CommandParameter& p, const QString& text) {
-    if (std::string_view(p.type) == "list") {
-        json out = json::array();
-        for (const QString& part : text.split(',', Qt::SkipEmptyParts)) {
-            bool isNumber = false;
-            const double number = part.trimmed().toDouble(&isNumber);
-            if (!isNumber)
-                throw base::Error("\"" + part.trimmed().toStdString() + "\" is no number", p.id, "give x, y, z");
-            out.push_back(number);
-        }
-        return out;
-    }
-    const std::string_view type = p.type;
-    if (type == "text" || type == "path" || type == "paths") // "2" is a name, too
-        return json(text.toStdString());
-    bool isWhole = false, isNumber = false;
-    const long long whole = text.toLongLong(&isWhole);
-    const double number = text.toDouble(&isNumber);
-    return isWhole ? json(whole) : isNumber ? json(number) : json(text.toStdString());
 }
 
 json CommandDialog::command() const {
@@ -204,7 +239,7 @@ json CommandDialog::command() const {
         // The definition says what it is already; a proposed spacing stands until something else is given.
         const bool proposed = std::string_view(field.parameter->id) == "spacing";
         const bool asNow =
-            optional(*field.parameter) && !edited(field) && !present(*field.parameter).isEmpty() && !proposed;
+            isOptional(*field.parameter) && !edited(field) && !present(*field.parameter).isEmpty() && !proposed;
         if (!text.isEmpty() && !asNow)
             out[field.parameter->id] = valueOf(*field.parameter, text);
     }
@@ -233,8 +268,77 @@ QString CommandDialog::outcome() const {
 }
 
 void CommandDialog::follow() {
-    if (!m_fields.empty() && m_fields.size() == m_row.parameters.size())
-        m_outcome->setText(outcome());
+    if (!m_trouble) // being made
+        return;
+    m_outcome->setText(outcome());
+    m_trouble->clear();
+    Q_EMIT changed();
+}
+
+void CommandDialog::setModel(const Snapshot& model) {
+    m_model = model;
+    follow();
+}
+
+/// What the field at hand is about, in full.
+bool CommandDialog::eventFilter(QObject* object, QEvent* event) {
+    if (event->type() == QEvent::FocusIn)
+        m_help->setText(sentenceOf(static_cast<QWidget*>(object)->toolTip()));
+    return QDialog::eventFilter(object, event);
+}
+
+// --- places ---
+
+QString CommandDialog::placeLacking() const {
+    for (const Field& field : m_fields)
+        if ((isPlace(*field.parameter) || isPlaces(*field.parameter)) && !*field.parameter->fallback &&
+            enteredIn(field.widget).isEmpty())
+            return field.parameter->id;
+    return {};
+}
+
+bool CommandDialog::takesSeveral(const QString& name) const {
+    const Field* field = find(name.toStdString());
+    return field && isPlaces(*field->parameter);
+}
+
+/// Where a direction is asked for beside a place, a click gives both: from just before the surface, straight in.
+void CommandDialog::takePlace(const QString& name, const base::Vec3d& place, const base::Vec3d& normal) {
+    const Field* field = find(name.toStdString());
+    const Field* direction = find("direction");
+    auto* line = field ? qobject_cast<QLineEdit*>(field->widget) : nullptr;
+    if (!line)
+        return;
+    const bool into = direction && std::string_view(m_row.op) == "drill";
+    if (into)
+        qobject_cast<QLineEdit*>(direction->widget)->setText(textOf(-normal));
+    if (isDirection(*field->parameter))
+        return into ? void() : line->setText(textOf(normal));
+    const QString text = textOf(into ? place + normal * static_cast<double>(m_model.spacing) : place,
+                                static_cast<double>(m_model.surface.tree().bounds().diagonal()));
+    const bool more = takesSeveral(name) && !line->text().isEmpty();
+    line->setText(more ? line->text() + "; " + text : text);
+    if (!more)
+        line->setCursorPosition(0);
+}
+
+void CommandDialog::setPicking(const QString& field) {
+    for (const auto& [name, button] : m_picks)
+        button->setChecked(name == field);
+}
+
+// --- what would come ---
+
+bool CommandDialog::previews() const {
+    return m_preview->isChecked();
+}
+
+void CommandDialog::setPreviews(bool on) {
+    m_preview->setChecked(on);
+}
+
+void CommandDialog::sayPreviewed(const QString& text) {
+    m_said->setText(sentenceOf(text));
 }
 
 void CommandDialog::checkAndAccept() {

@@ -190,6 +190,7 @@ QMenu* MainWindow::menu(const QString& name) const {
 
 void MainWindow::connectWork() {
     connect(m_editor, &Editor::changed, this, &MainWindow::showSnapshot);
+    connect(m_view, &SculptView::shownChanged, this, &MainWindow::measure);
     connect(m_editor, &Editor::told, this, &MainWindow::tell);
     connect(m_editor, &Editor::failed, this, &MainWindow::tellFailure);
     connect(m_measurer, &Measurer::changed, this,
@@ -264,7 +265,7 @@ void MainWindow::suitTool(const QString& tool) {
 }
 
 void MainWindow::measure() {
-    const Snapshot& now = m_editor->snapshot();
+    const Snapshot& now = m_view->look().shown();
     m_measurer->want(m_settings.shading, m_settings.attribute, now.surface, now.reference, now.models);
     m_view->showColours(m_measurer->colours(), m_measurer->scale());
 }

@@ -164,6 +164,13 @@ void Editor::runAside(SideTask task) {
     push(std::move(task));
 }
 
+void Editor::copyDocument(std::shared_ptr<session::Document> into, std::function<void(bool)> then) {
+    const auto copy = [this, into = std::move(into)](const surface::Surface&, const base::Progress&) {
+        *into = m_worker->document();
+    };
+    push(SideTask{"", copy, std::move(then)});
+}
+
 void Editor::beginStroke(const sculpt::StrokeSettings& settings) {
     BeginStroke task{settings};
     m_strokeCancelled = task.cancelled;

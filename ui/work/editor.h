@@ -49,6 +49,8 @@ class Editor : public QObject {
     /// Writes all commands since the model was opened or made into a session file: what the journal holds.
     void saveSession(std::filesystem::path target, std::function<void(bool done)> then = {});
     void runAside(SideTask task);
+    /// The document as it is once all that was asked before is done, for whoever tries something on it.
+    void copyDocument(std::shared_ptr<session::Document> into, std::function<void(bool done)> then);
     void beginStroke(const sculpt::StrokeSettings& settings);
     /// `input`: what Snapshot::input says once it is in the picture.
     void addSample(const sculpt::StrokeSample& sample, std::uint64_t input = 0);

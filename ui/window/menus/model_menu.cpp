@@ -1,3 +1,4 @@
+#include "ui/window/command_desk.h"
 #include "ui/window/command_dialog.h"
 #include "ui/window/main_window.h"
 #include "ui/window/menus/menu_tools.h"
@@ -11,19 +12,12 @@
 
 namespace ui {
 
-static void ask(MainWindow& window, const session::CommandRow& row) {
-    CommandDialog dialog(row, window.editor().snapshot(), &window);
-    if (dialog.exec() == QDialog::Accepted)
-        window.editor().run(dialog.command());
-}
-
-static void addCommand(MainWindow& window, QMenu& menu, const session::CommandRow& row) {
+static void addCommand(MainWindow& window, CommandDesk& desk, QMenu& menu, const session::CommandRow& row) {
     if (row.op == std::string_view("trim"))
         return addTrimMenu(window, menu);
     if (!hasDialog(row))
         return;
-    QAction* action =
-        addEntry(menu, row.op, QObject::tr("%1…").arg(row.label), {}, [&window, &row] { ask(window, row); });
+    QAction* action = addEntry(menu, row.op, QObject::tr("%1…").arg(row.label), {}, [&desk, &row] { desk.open(row); });
     action->setToolTip(row.tip);
     action->setData(row.op);
 }
@@ -40,10 +34,11 @@ static std::vector<const session::CommandRow*> commandsOf(const ModelGroup& grou
 
 void addModelMenu(MainWindow& window) {
     QMenu* model = addMenu(window, "model", QObject::tr("&Model"));
+    auto* desk = new CommandDesk(window);
     for (const ModelGroup& group : modelGroups()) {
         QMenu* menu = addMenu(window, group.id, QObject::tr(group.title), model);
         for (const session::CommandRow* row : commandsOf(group))
-            addCommand(window, *menu, *row);
+            addCommand(window, *desk, *menu, *row);
     }
 }
 

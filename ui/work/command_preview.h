@@ -1,0 +1,54 @@
+// What a command would make of the model, tried on a copy of the document by a thread of its own; nothing of it is
+// kept. A wish replaces the one before, and stops it. Interface's thread only.
+#pragma once
+
+#include "ui/work/editor.h"
+#include "ui/work/latest_worker.h"
+
+namespace ui {
+
+struct Previewed {
+    Snapshot after;
+    /// Where surfels stand that would go, if the command does nothing but take some out; every so many of them.
+    std::vector<base::Vec3d> gone;
+    QString said; ///< by the command
+};
+
+/// Places of the surfels of `before` that `after` has not, if it has no others; else none. Evenly thinned to `most`.
+std::vector<base::Vec3d> goneFrom(const tree::SurfelTree& before, const tree::SurfelTree& after, std::size_t most);
+
+class CommandPreview : public QObject {
+    Q_OBJECT
+  public:
+    static constexpr std::size_t mostShown = 20000;
+
+    /// The editor outlives it.
+    explicit CommandPreview(Editor& editor, QObject* parent = nullptr);
+    /// Stops what is running.
+    ~CommandPreview() override;
+    void want(const nlohmann::json& command);
+    /// Nothing that was wanted will be shown.
+    void cancel();
+
+  Q_SIGNALS:
+    void shown(const Previewed& found);
+    void failed(QString why);
+    void progressed(double share, QString doing);
+
+  private:
+    struct Wanted {
+        session::Document document;
+        nlohmann::json command;
+        std::uint64_t wish = 0;
+    };
+    void make(const Wanted& wanted, const base::Progress& progress);
+    /// On the interface's thread, unless something else is wanted by now.
+    template <class Call>
+    void answer(std::uint64_t wish, Call call);
+
+    Editor& m_editor;
+    std::uint64_t m_wish = 0;                       ///< the last, by number
+    std::unique_ptr<LatestWorker<Wanted>> m_worker; ///< last: its thread ends first
+};
+
+} // namespace ui
