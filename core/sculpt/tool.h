@@ -106,11 +106,11 @@ struct ToolNeeds {
 };
 
 struct ToolRow {
-    const char* id;    ///< as sessions name it: "draw"
-    const char* label; ///< "Draw"
-    const char* icon;  ///< icons/tool-draw.svg
-    const char* shortcut;
-    const char* tip; ///< one sentence
+    const char* id;       ///< as sessions name it: "draw"
+    const char* label;    ///< "Draw"
+    const char* icon;     ///< icons/tool-draw.svg
+    const char* shortcut; ///< several: "X; V"
+    const char* tip;      ///< one sentence
     Motion motion;
     double strength; ///< where nobody sets another
     std::span<const ToolParameter> parameters;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <QKeyEvent>
 #include <QWidget>
 #include <utility>
 
@@ -52,10 +53,41 @@ void BrushSizing::shiftStrength(double by) {
 }
 
 void BrushSizing::beginDrag(Value value) {
-    m_drag = Drag{value, value == Value::Radius ? radius() : double(strength())};
+    m_drag = Drag{value, value == Value::Radius ? radius() : double(strength()), {}};
+}
+
+bool BrushSizing::types(const QKeyEvent& key) {
+    const QString text = key.text();
+    return key.key() == Qt::Key_Return || key.key() == Qt::Key_Enter || key.key() == Qt::Key_Backspace ||
+           (text.size() == 1 && (text[0].isDigit() || text[0] == '.' || text[0] == ','));
+}
+
+bool BrushSizing::type(const QKeyEvent& key) {
+    if (key.key() == Qt::Key_Return || key.key() == Qt::Key_Enter)
+        return true;
+    QString& typed = m_drag->typed;
+    if (key.key() == Qt::Key_Backspace)
+        typed.chop(1);
+    else
+        typed += key.text() == "," ? QString(".") : key.text();
+    bool isNumber = false;
+    const double value = typed.toDouble(&isNumber);
+    set(isNumber ? value : m_drag->before);
+    return false;
+}
+
+/// Within what a brush can be.
+void BrushSizing::set(double value) {
+    if (m_drag->value == Value::Strength)
+        return shiftStrength(value - double(strength()));
+    if (value > 0)
+        radius() = value;
+    scaleRadius(1);
 }
 
 void BrushSizing::drag(double dxPx) {
+    if (!m_drag->typed.isEmpty())
+        return;
     if (m_drag->value == Value::Radius)
         scaleRadius(std::exp(dxPx / radiusDragPx));
     else
@@ -78,6 +110,8 @@ std::optional<double> BrushSizing::draggedStrength() const {
 QString BrushSizing::label() const {
     if (!m_drag)
         return {};
+    if (!m_drag->typed.isEmpty())
+        return (m_drag->value == Value::Radius ? tr("Radius %1_") : tr("Strength %1_")).arg(m_drag->typed);
     if (m_drag->value == Value::Radius)
         return tr("Radius %1").arg(radius(), 0, 'g', 3);
     return tr("Strength %1").arg(double(strength()), 0, 'f', 2);

@@ -5,6 +5,8 @@
 #include "ui/interaction/view_motion.h"
 #include "ui/settings/settings.h"
 
+class QKeyEvent;
+
 namespace ui {
 
 class BrushSizing : public QObject {
@@ -25,7 +27,12 @@ class BrushSizing : public QObject {
     /// From now on `drag` changes this value.
     void beginDrag(Value value);
     bool dragging() const { return m_drag.has_value(); }
-    /// The pointer has moved to the right by this many device pixels. REQUIRES: dragging.
+    /// A key that a number is typed with, or ended: digits, a point, Backspace, Enter.
+    static bool types(const QKeyEvent& key);
+    /// The value is what has been typed; true for Enter, which ends the drag. REQUIRES: dragging, types(key).
+    bool type(const QKeyEvent& key);
+    /// The pointer has moved to the right by this many device pixels; once something is typed that means nothing.
+    /// REQUIRES: dragging.
     void drag(double dxPx);
     /// Ends the drag; without `keep` the value is what it was before. REQUIRES: dragging.
     void endDrag(bool keep);
@@ -46,7 +53,9 @@ class BrushSizing : public QObject {
     struct Drag {
         Value value;
         double before; ///< what Esc goes back to
+        QString typed;
     };
+    void set(double value); ///< of what is dragged
     double& radius() const; ///< in whichever unit is chosen
     float strength() const;
 

@@ -11,7 +11,7 @@ CursorTracker::CursorTracker(const Editor& editor, const Settings& settings, con
     : m_editor(editor), m_settings(settings), m_motion(motion), m_sizing(sizing), m_canvas(canvas) {}
 
 void CursorTracker::follow(const Pointer& pointer, bool shown) {
-    const bool flip = pointer.modifiers.testFlag(Qt::ControlModifier);
+    const bool flip = pointer.inverts();
     m_cursor.pointer = pointer.pixel;
     m_cursor.inverted = m_settings.choice(m_settings.toolRow()).invert != flip;
     m_cursor.label = m_sizing.label();

@@ -162,8 +162,9 @@ bool PointerRouter::eventFilter(QObject*, QEvent* event) {
     case QEvent::KeyPress:
     case QEvent::KeyRelease:
         return key(static_cast<QKeyEvent&>(*event), event->type() == QEvent::KeyPress);
-    case QEvent::ShortcutOverride: // while flying, letters are no shortcuts
-        if (m_parts.flight.takes(static_cast<QKeyEvent&>(*event).key()))
+    case QEvent::ShortcutOverride: // while flying, letters are no shortcuts, nor digits while a number is wanted
+        if (m_parts.flight.takes(static_cast<QKeyEvent&>(*event).key()) ||
+            (m_parts.sizing.dragging() && BrushSizing::types(static_cast<QKeyEvent&>(*event))))
             event->accept();
         return false;
     case QEvent::Enter:
@@ -204,7 +205,8 @@ bool PointerRouter::mouse(const QMouseEvent& event) {
 bool PointerRouter::tablet(QTabletEvent& event) {
     const double scale = m_canvas.devicePixelRatioF();
     const float pressure = std::clamp(static_cast<float>(event.pressure()), 0.0f, 1.0f);
-    const Pointer pointer{event.position() * scale, event.button(), event.modifiers(), pressure};
+    const bool eraser = event.pointerType() == QPointingDevice::PointerType::Eraser;
+    const Pointer pointer{event.position() * scale, event.button(), event.modifiers(), pressure, eraser};
     if (event.type() == QEvent::TabletMove)
         move(pointer);
     else if (event.type() == QEvent::TabletRelease)
@@ -235,6 +237,12 @@ bool PointerRouter::wheel(QWheelEvent& event) {
 bool PointerRouter::key(const QKeyEvent& event, bool pressed) {
     if (m_parts.flight.takes(event.key())) {
         m_parts.flight.key(event, pressed);
+        return true;
+    }
+    if (m_parts.sizing.dragging() && BrushSizing::types(event)) {
+        if (pressed && m_parts.sizing.type(event))
+            m_parts.sizing.endDrag(true);
+        followCursor();
         return true;
     }
     const Qt::KeyboardModifiers changes = event.key() == Qt::Key_Control ? Qt::ControlModifier

@@ -58,6 +58,7 @@ void SculptView::refresh(bool moving) {
         m_edges.look(m_motion.shownCamera());
     m_viewport.show(m_look.frame(m_motion.shownCamera(), moving, m_viewInput));
     m_pointer.followCursor();
+    Q_EMIT pictureAsked();
 }
 
 void SculptView::showColours(std::shared_ptr<const render::BlockColours> colours,

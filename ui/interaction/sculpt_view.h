@@ -45,6 +45,7 @@ class SculptView : public QObject {
 
   Q_SIGNALS:
     void modelPicked(QString name); ///< as PointerRouter
+    void pictureAsked();            ///< of where the view is now
     void shownChanged();            ///< look().shown() is another model
     void hinted(QString what);      ///< by any of the parts, for the person
 

@@ -11,7 +11,7 @@ StrokeInput::StrokeInput(Editor& editor, const Settings& settings, const ViewMot
 void StrokeInput::begin(const Pointer& pointer, const BrushContact& contact, std::uint64_t input) {
     const bool smoothing = pointer.modifiers.testFlag(Qt::ShiftModifier);
     const sculpt::ToolRow& row = smoothing ? sculpt::tool(m_settings.shiftTool) : m_settings.toolRow();
-    const bool flip = pointer.modifiers.testFlag(Qt::ControlModifier);
+    const bool flip = pointer.inverts();
     const auto radius = static_cast<float>(m_sizing.radiusAt(contact.position));
     sculpt::StrokeSettings settings = strokeSettings(m_settings, row, radius, flip);
     settings.stampUpright = m_editor.snapshot().up;

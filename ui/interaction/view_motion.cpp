@@ -70,6 +70,12 @@ void ViewMotion::turnTo(const render::NamedView& named) {
     m_navigator.goTo(there);
 }
 
+void ViewMotion::lookFrom(const Vec3d& toEye) {
+    for (const render::NamedView& each : render::namedViews())
+        if (each.of(view().upAxis).toEye == toEye)
+            turnTo(each);
+}
+
 void ViewMotion::stand(base::UpAxis up) {
     if (m_navigator.flying())
         m_navigator.land();

@@ -36,6 +36,8 @@ class ViewMotion : public QObject {
     void frameAll();
     void frame(std::span<const base::Box3f> boxes);
     void turnTo(const render::NamedView& view);
+    /// To the named view from there: an axis of the model.
+    void lookFrom(const base::Vec3d& toEye);
     /// Another axis of the model is upwards: all of it, seen from the same side as it now stands.
     void stand(base::UpAxis up);
     /// Coordinates are others from now on: `motion` takes those of before to them. The picture stays.

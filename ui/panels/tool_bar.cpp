@@ -19,7 +19,8 @@ static QAction* actionOf(const sculpt::ToolRow& row, QObject* parent) {
     action->setData(row.id);
     action->setToolTip(tipOf(row));
     action->setStatusTip(row.tip);
-    action->setShortcut(QKeySequence(row.shortcut));
+    if (*row.shortcut)
+        action->setShortcuts(QKeySequence::listFromString(row.shortcut));
     return action;
 }
 

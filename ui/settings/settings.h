@@ -52,6 +52,7 @@ struct Settings {
     render::Annotated annotated = render::Legend;
     bool grid = false;    ///< on the ground
     bool edges = false;   ///< lines along what stays sharp
+    bool gizmo = true;    ///< axes to click, in the corner of the picture
     bool previews = true; ///< dialogs show in the picture what would come
     TruthSettings truth;
     std::map<std::string, std::string> keys; ///< of actions, by id, where a person has chosen others (window/keys.h)

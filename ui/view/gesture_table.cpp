@@ -6,7 +6,7 @@ std::span<const GestureRow> gestureTable() {
     static const GestureRow table[] = {
         {"Left button on the model", "Sculpt with the chosen tool; pen pressure counts"},
         {"Shift + left button", "Smooth"},
-        {"Ctrl + left button", "Invert the tool"},
+        {"Ctrl + left button, eraser of a pen", "Invert the tool"},
         {"Left button beside the model", "Turn the view"},
         {"Right button, Alt + left button", "Turn the view, on the model too"},
         {"Double-click with these",
@@ -14,8 +14,8 @@ std::span<const GestureRow> gestureTable() {
         {"Middle button", "Pan the view"},
         {"Wheel", "Zoom towards the pointer"},
         {"W A S D, Q E, Shift, wheel", "While flying: move, down and up, faster, set the speed; Esc lands"},
-        {"Hold F and move", "Brush radius"},
-        {"Hold Shift+F and move", "Tool strength"},
+        {"Hold F and move, or type a number", "Brush radius"},
+        {"Hold Shift+F and move, or type a number", "Tool strength"},
         {"Ctrl + click with Clone", "Choose where to copy from"},
         {"Select and Measure bars (B, Shift+M)",
          "While a button of theirs is down the left button picks; Shift adds, Ctrl subtracts, Esc goes back to "

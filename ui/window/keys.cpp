@@ -1,5 +1,6 @@
 #include "ui/window/keys.h"
 
+#include <algorithm>
 #include <QAction>
 #include <QVariant>
 
@@ -37,10 +38,19 @@ void applyKeys(const std::vector<PaletteEntry>& entries, const Keys& chosen) {
     }
 }
 
+bool disturb(const QKeySequence& one, const QKeySequence& other) {
+    return !one.isEmpty() && !other.isEmpty() &&
+           (one.matches(other) != QKeySequence::NoMatch || other.matches(one) != QKeySequence::NoMatch);
+}
+
+static bool disturbs(const QKeySequence& key, const QAction& action) {
+    return std::ranges::any_of(action.shortcuts(), [&](const QKeySequence& each) { return disturb(key, each); });
+}
+
 QStringList conflictsOf(const std::vector<PaletteEntry>& entries, const QAction& action, const QKeySequence& key) {
     QStringList out;
     for (const PaletteEntry& entry : entries)
-        if (!key.isEmpty() && entry.action && entry.action != &action && entry.action->shortcuts().contains(key))
+        if (entry.action && entry.action != &action && disturbs(key, *entry.action))
             out << entry.label;
     return out;
 }

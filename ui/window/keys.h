@@ -17,7 +17,9 @@ std::string keyIdOf(const PaletteEntry& entry);
 QList<QKeySequence> ownKeysOf(QAction& action);
 /// Gives all actions the keys that were chosen, the others their own.
 void applyKeys(const std::vector<PaletteEntry>& entries, const Keys& chosen);
-/// Labels of the other actions that have this key.
+/// One of them could not be typed any more, or only after a pause: they are the same, or one begins the other.
+bool disturb(const QKeySequence& one, const QKeySequence& other);
+/// Labels of the other actions whose key this one disturbs.
 QStringList conflictsOf(const std::vector<PaletteEntry>& entries, const QAction& action, const QKeySequence& key);
 
 } // namespace ui

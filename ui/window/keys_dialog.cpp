@@ -1,6 +1,7 @@
 #include "ui/window/keys_dialog.h"
 
 #include <QAction>
+#include <QComboBox>
 #include <QDialogButtonBox>
 #include <QHeaderView>
 #include <QKeySequenceEdit>
@@ -14,8 +15,8 @@
 namespace ui {
 
 KeysDialog::KeysDialog(const QMenuBar& bar, Keys& keys, QWidget* parent)
-    : QDialog(parent), m_entries(paletteEntries(bar)), m_keys(keys), m_typed(new QLineEdit), m_list(new QTreeWidget),
-      m_key(new QKeySequenceEdit), m_conflict(new QLabel) {
+    : QDialog(parent), m_entries(paletteEntries(bar)), m_keys(keys), m_preset(new QComboBox), m_typed(new QLineEdit),
+      m_list(new QTreeWidget), m_key(new QKeySequenceEdit), m_conflict(new QLabel) {
     applyKeys(m_entries, m_keys); // and remembers what the menus gave
     build();
     list();
@@ -24,6 +25,13 @@ KeysDialog::KeysDialog(const QMenuBar& bar, Keys& keys, QWidget* parent)
 void KeysDialog::build() {
     setWindowTitle(tr("Keys"));
     resize(620, 460);
+    for (const KeyPreset& each : keyPresets())
+        m_preset->addItem(tr(each.label), each.id);
+    m_preset->setObjectName("preset");
+    m_preset->setAccessibleName(tr("Keys of all actions at once"));
+    m_preset->setPlaceholderText(tr("Chosen one by one"));
+    connect(m_preset, &QComboBox::activated, this,
+            [this](int row) { take(keyPresets()[static_cast<std::size_t>(row)]); });
     m_typed->setPlaceholderText(tr("Search"));
     m_list->setColumnCount(3);
     m_list->setHeaderLabels({tr("Action"), tr("Menu"), tr("Key")});
@@ -40,8 +48,9 @@ void KeysDialog::build() {
     connect(all, &QPushButton::clicked, this, &KeysDialog::reset);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::accept);
     auto* layout = new QVBoxLayout(this);
-    for (QWidget* each : {static_cast<QWidget*>(m_typed), static_cast<QWidget*>(m_list), static_cast<QWidget*>(m_key),
-                          static_cast<QWidget*>(m_conflict), static_cast<QWidget*>(buttons)})
+    for (QWidget* each :
+         {static_cast<QWidget*>(m_preset), static_cast<QWidget*>(m_typed), static_cast<QWidget*>(m_list),
+          static_cast<QWidget*>(m_key), static_cast<QWidget*>(m_conflict), static_cast<QWidget*>(buttons)})
         layout->addWidget(each);
     connect(m_typed, &QLineEdit::textChanged, this, &KeysDialog::list);
     connect(m_list, &QTreeWidget::currentItemChanged, this, &KeysDialog::showChosen);
@@ -72,6 +81,20 @@ void KeysDialog::list() {
             m_list->setCurrentItem(item);
     }
     showChosen();
+    showPreset();
+}
+
+void KeysDialog::showPreset() {
+    m_preset->setCurrentIndex(-1);
+    for (int row = 0; row < m_preset->count(); ++row)
+        if (keysOf(keyPresets()[static_cast<std::size_t>(row)], m_entries) == m_keys)
+            m_preset->setCurrentIndex(row);
+}
+
+void KeysDialog::take(const KeyPreset& preset) {
+    m_keys = keysOf(preset, m_entries);
+    applyKeys(m_entries, m_keys);
+    list();
 }
 
 const PaletteEntry* KeysDialog::chosen() const {
@@ -111,7 +134,7 @@ void KeysDialog::give(const QKeySequence& key) {
     if (!entry)
         return;
     for (const PaletteEntry& other : m_entries)
-        if (!key.isEmpty() && other.action && other.action != entry->action && other.action->shortcuts().contains(key))
+        if (other.action && other.action != entry->action && conflictsOf({other}, *entry->action, key).size() > 0)
             keep(other, {});
     keep(*entry, key);
     applyKeys(m_entries, m_keys);

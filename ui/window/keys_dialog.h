@@ -2,12 +2,13 @@
 // and applies it at once; closing keeps it. Interface's thread only.
 #pragma once
 
-#include "ui/window/keys.h"
+#include "ui/window/key_presets.h"
 
 #include <QDialog>
 
 class QKeySequenceEdit;
 class QLabel;
+class QComboBox;
 class QLineEdit;
 class QMenuBar;
 class QTreeWidget;
@@ -26,9 +27,12 @@ class KeysDialog : public QDialog {
     void give(const QKeySequence& key);
     /// All as the menus have it.
     void reset();
+    /// All as the preset has it.
+    void take(const KeyPreset& preset);
 
   private:
     void build();
+    void showPreset();
     void list();
     void showChosen();
     const PaletteEntry* chosen() const;
@@ -36,6 +40,7 @@ class KeysDialog : public QDialog {
 
     std::vector<PaletteEntry> m_entries;
     Keys& m_keys;
+    QComboBox* m_preset;
     QLineEdit* m_typed;
     QTreeWidget* m_list;
     QKeySequenceEdit* m_key;

@@ -162,6 +162,7 @@ void MainWindow::buildMenus() {
     addBrushMenu(*this);
     addModelMenu(*this);
     addSelectMenu(*this);
+    addMaskMenu(*this);
     addMeasureMenu(*this);
     addViewMenu(*this);
     addHelpMenu(*this);

@@ -26,7 +26,7 @@ static tree::Edit draw(const surface::Surface& version, const Dab& dab) {
 const ToolRow drawTool{"draw",
                        "Draw",
                        "icons/tool-draw.svg",
-                       "X",
+                       "X; V",
                        "Pushes the surface out under the brush; inverted, in.",
                        Motion::Along,
                        0.5,

@@ -1,4 +1,5 @@
 #include "core/render/effects/effect_rows.h"
+#include "ui/panels/view_gizmo.h"
 #include "ui/window/main_window.h"
 #include "ui/window/menus/menu_tools.h"
 #include "ui/window/menus/menus.h"
@@ -94,6 +95,32 @@ static void addEffectsMenu(MainWindow& window, QMenu& view) {
         addBit(window, *menu, row, std::uint32_t(row.effect), window.settings().effects);
 }
 
+static void addGizmo(MainWindow& window, QMenu& menu) {
+    auto* gizmo = new ViewGizmo(*window.viewport().widget());
+    gizmo->setWanted(window.settings().gizmo);
+    addSwitch(menu, "gizmo", QObject::tr("Directions of View"),
+              QObject::tr("The model's axes in the corner of the picture, to click and to drag"),
+              window.settings().gizmo, [&window, gizmo](bool on) {
+                  window.settings().gizmo = on;
+                  gizmo->setWanted(on);
+              });
+    ViewMotion& motion = window.sculptView().motion();
+    const auto follow = [gizmo, &motion] {
+        const render::Camera seen = motion.shownCamera();
+        gizmo->setAxes(seen.right(), seen.upright(), -seen.forward());
+    };
+    QObject::connect(&window.sculptView(), &SculptView::pictureAsked, gizmo, follow);
+    QObject::connect(gizmo, &ViewGizmo::sideWanted, &motion, &ViewMotion::lookFrom);
+    QObject::connect(gizmo, &ViewGizmo::dragged, &motion, [&window, &motion](const QPointF& by) {
+        constexpr double gain = 3; // it is small
+        const QWidget& canvas = *window.viewport().widget();
+        const QPointF middle = QRectF(canvas.rect()).center() * canvas.devicePixelRatioF();
+        motion.orbit(middle, middle + gain * canvas.devicePixelRatioF() * by);
+        window.sculptView().refresh();
+    });
+    follow();
+}
+
 static void addAroundMenu(MainWindow& window, QMenu& view) {
     QMenu* menu = addMenu(window, "around", QObject::tr("&Around the Model"), &view);
     stayOpen(*menu);
@@ -102,6 +129,7 @@ static void addAroundMenu(MainWindow& window, QMenu& view) {
                   window.settings().grid = on;
                   window.sculptView().refresh();
               });
+    addGizmo(window, *menu);
     addSwitch(*menu, "edges", QObject::tr("Sharp Edges"),
               QObject::tr("Lines along the edges that the model keeps sharp"), window.settings().edges,
               [&window](bool on) {

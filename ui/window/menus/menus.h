@@ -1,9 +1,9 @@
 // The menus of the main window, one function for each in a file of its name, in the order of the menu bar: loops over
 // tables wherever there is one. Each makes its menu and connects it; what entries do is elsewhere.
 //
-// A menu is found by its object name: "file", "new", "recent", "edit", "brush", "model", "select", "measure", "view",
-// "shading", "attribute", "background", "effects", "around", "saved-views", "navigation", "theme", "help". Interface's
-// thread only.
+// A menu is found by its object name: "file", "new", "recent", "edit", "brush", "model", "select", "mask", "measure",
+// "view", "shading", "attribute", "background", "effects", "around", "saved-views", "navigation", "theme", "help".
+// Interface's thread only.
 #pragma once
 
 class QMenu;
@@ -17,6 +17,7 @@ void addEditMenu(MainWindow& window);
 void addBrushMenu(MainWindow& window);
 void addModelMenu(MainWindow& window);
 void addSelectMenu(MainWindow& window);
+void addMaskMenu(MainWindow& window);
 void addMeasureMenu(MainWindow& window);
 void addViewMenu(MainWindow& window);
 void addHelpMenu(MainWindow& window);
