@@ -33,6 +33,7 @@ class WindowFixture {
         window.reset();
         ui::WindowOptions options;
         options.settingsFile = folder.filePath("settings.ini");
+        options.pictures = folder.filePath("pictures");
         options.editor.journal = journal();
         window = std::make_unique<ui::MainWindow>(options);
         window->sculptView().motion().navigator().setSmooth(false); // tests look at where a view leads

@@ -11,7 +11,7 @@
 
 namespace ui {
 
-StartCard::StartCard(QWidget& canvas, const std::vector<std::string>& recent)
+StartCard::StartCard(QWidget& canvas, const std::vector<std::string>& recent, const PictureOf& pictureOf)
     : FloatingCard(canvas, Place::Centre, tr("Pointclay")) {
     auto* what = new QLabel(tr("Sculpt the clay behind this card: click beside it. Or begin with"));
     what->setObjectName("faint");
@@ -20,8 +20,8 @@ StartCard::StartCard(QWidget& canvas, const std::vector<std::string>& recent)
     open->setIcon(icon("open"));
     open->setToolTip(tr("Scans and meshes; or drop a file anywhere on the window"));
     column().addWidget(open);
+    addRecent(recent, pictureOf);
     addSamples();
-    addRecent(recent);
     addFoot();
 }
 
@@ -64,19 +64,30 @@ void StartCard::addSamples() {
     column().addLayout(grid);
 }
 
-void StartCard::addRecent(const std::vector<std::string>& recent) {
-    constexpr int most = 5;
+/// With pictures, where there are any: who comes again looks for a shape, not for a name.
+void StartCard::addRecent(const std::vector<std::string>& recent, const PictureOf& pictureOf) {
+    constexpr int most = 6, across = 3;
+    constexpr QSize size(132, 88);
+    auto* grid = new QGridLayout;
+    grid->setSpacing(6);
     int count = 0;
     for (const std::string& path : recent) {
         const QFileInfo file(QString::fromStdString(path));
         if (count == most || !file.exists())
             continue;
-        if (count++ == 0)
+        if (count == 0)
             addHeading(tr("Open lately"));
         QAbstractButton* each = button(file.fileName(), "start-recent", [this, path] { Q_EMIT recentWanted(path); });
         each->setToolTip(file.filePath());
-        column().addWidget(each);
+        if (const QIcon picture = pictureOf(path); !picture.isNull()) {
+            each->setIcon(picture);
+            each->setIconSize(size);
+            static_cast<QToolButton*>(each)->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
+        }
+        grid->addWidget(each, count / across, count % across);
+        ++count;
     }
+    column().addLayout(grid);
 }
 
 void StartCard::addFoot() {

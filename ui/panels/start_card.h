@@ -5,6 +5,7 @@
 #include "ui/panels/floating_card.h"
 
 #include <functional>
+#include <QIcon>
 #include <string>
 #include <vector>
 
@@ -15,8 +16,10 @@ namespace ui {
 class StartCard : public FloatingCard {
     Q_OBJECT
   public:
+    using PictureOf = std::function<QIcon(const std::string& file)>;
+
     /// `recent`: files, the latest first; those that are gone are left out.
-    StartCard(QWidget& canvas, const std::vector<std::string>& recent);
+    StartCard(QWidget& canvas, const std::vector<std::string>& recent, const PictureOf& pictureOf);
 
   Q_SIGNALS:
     // Each closes the card.
@@ -31,7 +34,7 @@ class StartCard : public FloatingCard {
   private:
     void addHeading(const QString& text);
     void addSamples();
-    void addRecent(const std::vector<std::string>& recent);
+    void addRecent(const std::vector<std::string>& recent, const PictureOf& pictureOf);
     void addFoot();
     /// A flat button that closes the card and then does something.
     QAbstractButton* button(const QString& text, const QString& name, const std::function<void()>& then);

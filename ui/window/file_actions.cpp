@@ -2,7 +2,9 @@
 
 #include "core/session/journal.h"
 #include "core/session/model_argument.h"
+#include "core/session/scene/scene_file.h"
 #include "ui/theme/icon.h"
+#include "ui/window/command_dialog.h"
 #include "ui/window/file_dialogs.h"
 #include "ui/window/recovery_dialog.h"
 
@@ -10,6 +12,7 @@
 #include <QFileInfo>
 #include <QMainWindow>
 #include <QMessageBox>
+#include <QRegularExpression>
 
 namespace ui {
 
@@ -103,11 +106,23 @@ void FileActions::openArgument(const std::string& model) {
     }
 }
 
-void FileActions::load(const fs::path& path) {
+void FileActions::openWith() {
+    auto* dialog = new CommandDialog(session::command("open"), m_editor.snapshot(), &m_window);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, this, [this, dialog] {
+        const nlohmann::json command = dialog->command();
+        unlessUnsaved([this, command] { load(command.at("path").get<std::string>(), command); });
+    });
+    dialog->open();
+}
+
+void FileActions::load(const fs::path& path, nlohmann::json command) {
     m_failure.clear();
     const fs::path whole = fs::absolute(path);
     Q_EMIT began(tr("Opening %1").arg(textOf(whole.filename())));
-    m_editor.run({{"op", "open"}, {"path", whole.string()}}, [this, whole](bool done) {
+    command["op"] = "open";
+    command["path"] = whole.string();
+    m_editor.run(std::move(command), [this, whole](bool done) {
         Q_EMIT ended();
         if (done)
             remember(whole);
@@ -140,16 +155,57 @@ void FileActions::save(std::function<void()> then) {
         write(path, std::move(then));
 }
 
-void FileActions::saveAs(std::function<void()> then) {
+fs::path FileActions::askTarget(const QString& title) {
     const fs::path& path = m_editor.snapshot().path;
     const fs::path suggested = path.empty()     ? fs::path("untitled.ply")
                                : isNative(path) ? path.filename()
                                                 : path.filename().replace_extension(".ply");
     QString filter;
     const QString start = folder().isEmpty() ? textOf(suggested) : folder() + "/" + textOf(suggested);
-    const QString file = QFileDialog::getSaveFileName(&m_window, tr("Save Model"), start, saveFilter(), &filter);
-    if (!file.isEmpty())
-        write(completed(file, filter), std::move(then));
+    const QString file = QFileDialog::getSaveFileName(&m_window, title, start, saveFilter(), &filter);
+    return file.isEmpty() ? fs::path() : completed(file, filter);
+}
+
+void FileActions::saveAs(std::function<void()> then) {
+    if (const fs::path path = askTarget(tr("Save Model")); !path.empty())
+        write(path, std::move(then));
+}
+
+void FileActions::saveCopy() {
+    if (const fs::path path = askTarget(tr("Save a Copy")); !path.empty())
+        saveCopy(path);
+}
+
+void FileActions::saveCopy(const fs::path& path) {
+    m_failure.clear();
+    const fs::path whole = fs::absolute(path);
+    m_editor.saveCopy(whole, [this, whole](bool done) {
+        if (!done)
+            return m_failure.show(tr("Could not save %1").arg(textOf(whole.filename())));
+        Q_EMIT m_editor.told(tr("Saved a copy, %1").arg(textOf(whole)));
+    });
+}
+
+fs::path nextVersion(const fs::path& path) {
+    static const QRegularExpression numbered("^(.*)_(\\d{3,6})$");
+    const QRegularExpressionMatch match = numbered.match(textOf(path.stem()));
+    const QString stem = match.hasMatch() ? match.captured(1) : textOf(path.stem());
+    int number = match.hasMatch() ? match.captured(2).toInt() : 1;
+    fs::path out;
+    std::error_code none;
+    do {
+        out = path.parent_path() / (stem + QString("_%1").arg(++number, 3, 10, QChar('0'))).toStdString();
+        out += path.extension();
+    } while (fs::exists(out, none));
+    return out;
+}
+
+void FileActions::saveVersion() {
+    const fs::path& path = m_editor.snapshot().path;
+    if (path.empty() || !isNative(path) || session::isSceneFile(path))
+        saveAs();
+    else
+        write(nextVersion(path), {});
 }
 
 void FileActions::write(const fs::path& path, std::function<void()> then) {

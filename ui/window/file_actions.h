@@ -8,6 +8,9 @@
 
 namespace ui {
 
+/// "bust.ply" and "bust_007.ply" are followed by "bust_002.ply" and "bust_008.ply", or the next that is not there.
+std::filesystem::path nextVersion(const std::filesystem::path& path);
+
 class FileActions : public QObject {
     Q_OBJECT
   public:
@@ -17,6 +20,8 @@ class FileActions : public QObject {
     void make(const std::string& sample);
     void open();
     void open(const std::filesystem::path& path);
+    /// Asks for a file and all that the command `open` takes.
+    void openWith();
     /// Asks for a file, beginning in a folder.
     void openIn(const std::filesystem::path& folder);
     /// A MODEL as the command line names it: a file, or sample:NAME[:COUNT[:SEED]].
@@ -25,6 +30,11 @@ class FileActions : public QObject {
     void add();
     void save(std::function<void()> then = {});
     void saveAs(std::function<void()> then = {});
+    /// Asks for a name; the model stays what it is, under the name that it has.
+    void saveCopy();
+    void saveCopy(const std::filesystem::path& path);
+    /// Under the next name that is free (`nextVersion`); asks for one where there is none yet.
+    void saveVersion();
     /// Executes the lines of a session that the person chooses; most begin with another model.
     void runSession();
     void runSession(const std::filesystem::path& session);
@@ -42,7 +52,9 @@ class FileActions : public QObject {
     void ended();
 
   private:
-    void load(const std::filesystem::path& path);
+    void load(const std::filesystem::path& path, nlohmann::json command = {});
+    /// Where to save it, asked of the person; empty: nowhere.
+    std::filesystem::path askTarget(const QString& title);
     void write(const std::filesystem::path& path, std::function<void()> then);
     void recover(const session::LeftJournal& journal);
     QString sessionFilter() const { return tr("Sessions (*.jsonl)"); }

@@ -12,6 +12,7 @@
 #include "ui/window/mesh_export.h"
 #include "ui/window/notices.h"
 #include "ui/window/status_line.h"
+#include "ui/window/thumbnails.h"
 #include "ui/window/welcome.h"
 #include "ui/window/work_progress.h"
 #include "ui/work/measurer.h"
@@ -48,6 +49,7 @@ MainWindow::MainWindow(const WindowOptions& options, QWidget* parent)
     buildViewport();
     m_files = new FileActions(*this, *m_editor, m_settings);
     m_images = new ImageExport(*this, *m_editor, m_settings, *m_view);
+    m_thumbnails = new Thumbnails(*this, options.pictures);
     buildStatus();
     buildTools();
     buildPanel();

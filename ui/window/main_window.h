@@ -18,11 +18,13 @@ class Notices;
 class MeshExport;
 class PropertiesPanel;
 class StatusLine;
+class Thumbnails;
 class ToolBar;
 class WorkProgress;
 
 struct WindowOptions {
     QString settingsFile; ///< empty: the person's own
+    QString pictures;     ///< folder for those of recent files; empty: the person's own
     EditorOptions editor;
 };
 
@@ -44,6 +46,7 @@ class MainWindow : public QMainWindow {
     Measurer& measurer() { return *m_measurer; }
     MeshExport& meshExport() { return *m_mesh; }
     FloatingBars& bars() { return *m_bars; }
+    const Thumbnails& thumbnails() const { return *m_thumbnails; }
     /// By its object name (menus.h).
     QMenu* menu(const QString& name) const;
     /// One sentence about the choice of the renderer.
@@ -106,6 +109,7 @@ class MainWindow : public QMainWindow {
     StatusLine* m_status = nullptr;
     WorkProgress* m_progress = nullptr;
     Notices* m_notices = nullptr;
+    Thumbnails* m_thumbnails = nullptr;
     QString m_whyRenderer;
     std::uint64_t m_models = 0; ///< of the snapshot that the panel's ranges suit
     std::uint32_t m_model = 0;  ///< of its scene: sizes were chosen for it

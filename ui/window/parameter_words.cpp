@@ -28,6 +28,7 @@ static constexpr Words ofCommands[] = {
     {"crease.along", QT_TR_NOOP("Line through places")},
     {"drill.from", QT_TR_NOOP("Begins at")},
     {"measure.to", QT_TR_NOOP("File of the other model")},
+    {"open.path", QT_TR_NOOP("File")},
     {"register.to", QT_TR_NOOP("File to move onto")},
     {"scene.by", QT_TR_NOOP("Split by")},
     {"select.of", QT_TR_NOOP("Number asked for")},

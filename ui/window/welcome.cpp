@@ -2,6 +2,7 @@
 
 #include "ui/panels/start_card.h"
 #include "ui/window/main_window.h"
+#include "ui/window/thumbnails.h"
 #include "ui/window/tour.h"
 
 namespace ui {
@@ -21,7 +22,8 @@ void showTour(MainWindow& window) {
 void showStart(MainWindow& window) {
     closeCards(window);
     FileActions& files = window.files();
-    auto* card = new StartCard(*window.viewport().widget(), window.settings().recentFiles);
+    auto* card = new StartCard(*window.viewport().widget(), window.settings().recentFiles,
+                               [&window](const std::string& file) { return window.thumbnails().of(file); });
     QObject::connect(card, &StartCard::openWanted, &window, [&files] { files.open(); });
     QObject::connect(card, &StartCard::sampleWanted, &window, [&files](const std::string& id) { files.make(id); });
     QObject::connect(card, &StartCard::recentWanted, &window,

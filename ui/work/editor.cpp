@@ -160,6 +160,16 @@ void Editor::replace(CommandTask task) {
     push(std::move(task));
 }
 
+void Editor::saveCopy(std::filesystem::path path, std::function<void(bool)> then) {
+    const auto work = [path = std::move(path)](session::Context& context) {
+        session::Document copy = context.document;
+        session::Context aside{copy, context.folder, context.progress, {}, 0, {}, context.journal};
+        session::run(aside, {{"op", "save"}, {"path", path.string()}});
+        context.messages = std::move(aside.messages);
+    };
+    push(CommandTask{work, std::move(then)});
+}
+
 void Editor::runAside(SideTask task) {
     push(std::move(task));
 }

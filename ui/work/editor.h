@@ -48,6 +48,8 @@ class Editor : public QObject {
     void replay(std::filesystem::path session, std::function<void(bool done)> then = {});
     /// Writes all commands since the model was opened or made into a session file: what the journal holds.
     void saveSession(std::filesystem::path target, std::function<void(bool done)> then = {});
+    /// Writes the document as a save would; it stays as changed as it was, under its own name.
+    void saveCopy(std::filesystem::path path, std::function<void(bool done)> then = {});
     void runAside(SideTask task);
     /// The document as it is once all that was asked before is done, for whoever tries something on it.
     void copyDocument(std::shared_ptr<session::Document> into, std::function<void(bool done)> then);

@@ -4,6 +4,7 @@
 #include "ui/window/menus/menu_tools.h"
 #include "ui/window/menus/menus.h"
 #include "ui/window/mesh_export.h"
+#include "ui/window/thumbnails.h"
 
 #include <QAction>
 #include <QFileInfo>
@@ -27,7 +28,7 @@ static void showRecent(MainWindow& window, QMenu& recent) {
     recent.setEnabled(!files.empty());
     for (const std::string& path : files) {
         const QFileInfo file(QString::fromStdString(path));
-        QAction* action = recent.addAction(file.fileName());
+        QAction* action = recent.addAction(window.thumbnails().of(path), file.fileName());
         action->setToolTip(file.filePath());
         QObject::connect(action, &QAction::triggered, &window,
                          [&window, path] { window.files().open(std::filesystem::path(path)); });
@@ -55,6 +56,9 @@ void addFileMenu(MainWindow& window) {
     QMenu* menu = addMenu(window, "file", QObject::tr("&File"));
     addNewMenu(window, *menu);
     addEntry(*menu, "open", QObject::tr("&Open…"), QKeySequence::Open, [&files] { files.open(); });
+    addEntry(*menu, "", QObject::tr("Open &With…"), QKeySequence("Ctrl+Alt+O"), [&files] {
+        files.openWith();
+    })->setToolTip(QObject::tr("With a say in what is made of it: sampling of faces, sharp edges, the surface"));
     addRecentMenu(window, *menu);
     addEntry(*menu, "", QObject::tr("&Add Model…"), QKeySequence("Ctrl+Shift+O"), [&files] {
         files.add();
@@ -62,6 +66,12 @@ void addFileMenu(MainWindow& window) {
     menu->addSeparator();
     addEntry(*menu, "save", QObject::tr("&Save"), QKeySequence::Save, [&files] { files.save(); });
     addEntry(*menu, "save-as", QObject::tr("Save &As…"), QKeySequence("Ctrl+Shift+S"), [&files] { files.saveAs(); });
+    addEntry(*menu, "", QObject::tr("Save Next &Version"), QKeySequence("Ctrl+Alt+S"), [&files] {
+        files.saveVersion();
+    })->setToolTip(QObject::tr("Beside the last one, with the next number in its name; work goes on in it"));
+    addEntry(*menu, "", QObject::tr("Save a Cop&y…"), {}, [&files] {
+        files.saveCopy();
+    })->setToolTip(QObject::tr("Work goes on in the file that is open"));
     addExports(window, *menu);
     menu->addSeparator();
     addEntry(*menu, "", QObject::tr("&Run Session…"), {}, [&files] {
