@@ -16,9 +16,9 @@ SculptView::SculptView(Editor& editor, Settings& settings, Viewport& viewport, Q
       m_cursor(editor, settings, m_motion, m_sizing, *viewport.widget()),
       m_pointer({editor, settings, m_motion, m_flight, m_sizing, m_source, m_strokes, m_cursor}, *viewport.widget()),
       m_touch({editor, settings, m_motion, m_sizing, m_source, m_pointer}, *viewport.widget()),
-      m_picker(editor, m_motion, *viewport.widget()),
+      m_picker(editor, m_motion, *viewport.widget()), m_placement(m_motion, *viewport.widget()),
       m_overlay({editor, settings, m_motion, m_cuts, m_edges, m_symmetry, m_source, m_strokes, m_look, m_pointer,
-                 m_cursor.cursor(), m_touch, m_picker}) {
+                 m_cursor.cursor(), m_touch, m_picker, m_placement}) {
     viewport.paintOverlay = [this](QPainter& painter) {
         m_overlay.paint(painter, m_viewport.widget()->devicePixelRatioF());
     };

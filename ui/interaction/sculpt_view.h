@@ -27,6 +27,7 @@ class SculptView : public QObject {
     ViewOverlay& overlay() { return m_overlay; }
     TouchInput& touch() { return m_touch; }
     Picker& picker() { return m_picker; }
+    PlacementTool& placement() { return m_placement; }
     const BrushCursor& cursor() const { return m_cursor.cursor(); }
 
     /// Another picture: the settings that show in it have changed.
@@ -70,6 +71,7 @@ class SculptView : public QObject {
     PointerRouter m_pointer;
     TouchInput m_touch;
     Picker m_picker;
+    PlacementTool m_placement;
     ViewOverlay m_overlay;
     std::uint64_t m_models = 0;    ///< of the snapshot that the view was framed for
     process::Rigid m_stand;        ///< of the snapshot that the view was last seen in

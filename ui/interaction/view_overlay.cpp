@@ -39,9 +39,10 @@ void ViewOverlay::paint(QPainter& painter, double pixelRatio) const {
     const render::RenderOptions look = m_parts.look.options();
     ui::paint(painter,
               render::annotate(settings.annotated, seen, m_parts.look.scale(), settings.backdrop, look.pixelScale));
-    if (!motion.navigator().flying() && !m_parts.picker.on())
+    if (!motion.navigator().flying() && !m_parts.picker.on() && !m_parts.placement.held())
         ui::paint(painter, m_parts.cursor, seen);
     paintOutline(painter, m_parts.picker.outline(), m_parts.picker.shape() == PickShape::Rectangle, pixelRatio);
+    m_parts.placement.paint(painter, seen);
     ui::paint(painter, m_parts.touch.look(), seen, pixelRatio);
     if (above)
         above(painter, seen);

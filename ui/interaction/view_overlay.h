@@ -5,6 +5,7 @@
 #include "ui/interaction/edge_lines.h"
 #include "ui/interaction/picker.h"
 #include "ui/interaction/picture_look.h"
+#include "ui/interaction/placement_tool.h"
 #include "ui/interaction/pointer_router.h"
 #include "ui/interaction/symmetry_curves.h"
 #include "ui/interaction/touch_input.h"
@@ -29,6 +30,7 @@ class ViewOverlay {
         const BrushCursor& cursor;
         const TouchInput& touch;
         const Picker& picker;
+        const PlacementTool& placement;
     };
     explicit ViewOverlay(const Parts& parts) : m_parts(parts) {}
 

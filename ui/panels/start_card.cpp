@@ -51,7 +51,7 @@ void StartCard::addSamples() {
     addHeading(tr("A sample"));
     auto* grid = new QGridLayout;
     grid->setSpacing(6);
-    constexpr int across = 3;
+    constexpr int across = 4;
     int count = 0;
     for (const process::SampleRow& row : process::sampleTable()) {
         const std::string id = row.id;
@@ -66,7 +66,7 @@ void StartCard::addSamples() {
 
 /// With pictures, where there are any: who comes again looks for a shape, not for a name.
 void StartCard::addRecent(const std::vector<std::string>& recent, const PictureOf& pictureOf) {
-    constexpr int most = 6, across = 3;
+    constexpr int most = 4; // in a row
     constexpr QSize size(132, 88);
     auto* grid = new QGridLayout;
     grid->setSpacing(6);
@@ -83,9 +83,9 @@ void StartCard::addRecent(const std::vector<std::string>& recent, const PictureO
             each->setIcon(picture);
             each->setIconSize(size);
             static_cast<QToolButton*>(each)->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
+            each->setFixedHeight(size.height() + 2 * fontMetrics().height());
         }
-        grid->addWidget(each, count / across, count % across);
-        ++count;
+        grid->addWidget(each, 0, count++);
     }
     column().addLayout(grid);
 }

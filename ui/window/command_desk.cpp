@@ -1,8 +1,10 @@
 #include "ui/window/command_desk.h"
 
 #include "core/base/error.h"
+#include "core/selection/affine.h"
 #include "ui/window/command_dialog.h"
 #include "ui/window/main_window.h"
+#include "ui/window/parameter_values.h"
 
 namespace ui {
 
@@ -12,6 +14,7 @@ CommandDesk::CommandDesk(MainWindow& window) : QObject(&window), m_window(window
     connect(&m_pause, &QTimer::timeout, this, &CommandDesk::askPreview);
     connect(&m_preview, &CommandPreview::shown, this, &CommandDesk::show);
     connect(&m_preview, &CommandPreview::failed, this, [this](const QString& why) {
+        m_trying = false;
         m_window.sculptView().showInstead({});
         if (m_dialog)
             m_dialog->sayPreviewed(why);
@@ -21,6 +24,7 @@ CommandDesk::CommandDesk(MainWindow& window) : QObject(&window), m_window(window
             m_dialog->sayPreviewed(tr("Preview: %1, %2 %").arg(doing).arg(qRound(100 * share)));
     });
     connect(&window.editor(), &Editor::changed, this, &CommandDesk::followModel);
+    connect(&window.sculptView().placement(), &PlacementTool::changed, this, &CommandDesk::enterPlacement);
 }
 
 /// The plane that cuts the picture open, in the file's coordinates.
@@ -42,13 +46,17 @@ void CommandDesk::open(const session::CommandRow& row) {
     connectDialog();
     m_dialog->show();
     place();
+    beginHandles();
     edited();
     if (const QString lacking = m_dialog->placeLacking(); !lacking.isEmpty() && !m_model.empty())
         pick(lacking);
 }
 
 void CommandDesk::connectDialog() {
-    connect(m_dialog, &CommandDialog::changed, this, &CommandDesk::edited);
+    connect(m_dialog, &CommandDialog::changed, this, [this] {
+        if (!m_entering)
+            edited();
+    });
     connect(m_dialog, &CommandDialog::placeWanted, this, &CommandDesk::pick);
     connect(m_dialog, &QDialog::finished, this, [this](int result) { finish(result == QDialog::Accepted); });
     connect(m_dialog, &CommandDialog::previewsSwitched, this, [this](bool on) {
@@ -66,11 +74,17 @@ void CommandDesk::place() {
 
 // --- what would come ---
 
+/// While a handle is dragged each preview is made to its end, or none would ever come.
 void CommandDesk::edited() {
+    showPlacement();
+    m_again = m_trying && m_dialog->previews() && m_window.sculptView().placement().dragging();
+    if (m_again)
+        return;
     m_preview.cancel();
+    m_trying = false;
     m_dialog->sayPreviewed({});
     if (m_dialog->previews())
-        m_pause.start();
+        m_pause.start(m_window.sculptView().placement().dragging() ? 0 : pauseMs);
     else {
         m_pause.stop();
         m_window.sculptView().showInstead({});
@@ -82,6 +96,7 @@ void CommandDesk::askPreview() {
         return;
     try {
         m_preview.want(m_dialog->command());
+        m_trying = true;
     } catch (const base::Error& error) { // not yet a command
         m_window.sculptView().showInstead({});
         m_dialog->sayPreviewed(m_dialog->placeLacking().isEmpty() ? QString::fromStdString(error.message())
@@ -94,6 +109,61 @@ void CommandDesk::show(const Previewed& found) {
         return;
     m_window.sculptView().showInstead(found.after, found.gone);
     m_dialog->sayPreviewed(found.said);
+    m_trying = false;
+    if (std::exchange(m_again, false))
+        askPreview();
+}
+
+// --- handles ---
+
+/// For what a dialog calls moving, turning and scaling.
+void CommandDesk::beginHandles() {
+    PlacementTool& handles = m_window.sculptView().placement();
+    for (const char* field : {"move", "axis", "angle", "scale"})
+        if (!m_dialog->has(field))
+            return handles.end();
+    const selection::Limit limit = selection::boxUnder(m_model, selection::Limit::Selection).empty()
+                                       ? selection::Limit::Everything
+                                       : selection::Limit::Selection;
+    const base::Box3f box = selection::boxUnder(m_model, limit);
+    if (!box.empty())
+        handles.begin(base::cast<double>(box.centre()));
+    m_window.showHint(tr("Drag an arrow to move, a ring to turn, the square to scale; Ctrl goes by steps."));
+}
+
+void CommandDesk::enterPlacement() {
+    if (!m_dialog)
+        return;
+    const Placement& now = m_window.sculptView().placement().placement();
+    const AxisAngle turn = axisAngleOf(now.turn);
+    const auto size = static_cast<double>(m_model.bounds().diagonal());
+    m_entering = true;
+    m_dialog->enter("move", length(now.move) > 0 ? textOf(now.move, size) : QString());
+    m_dialog->enter("axis", turn.degrees > 0 ? textOf(turn.axis) : QString());
+    m_dialog->enter("angle", turn.degrees > 0 ? QString::number(turn.degrees, 'g', 5) : QString());
+    m_dialog->enter("scale", now.scale != 1 ? QString::number(now.scale, 'g', 4) : QString());
+    m_entering = false;
+    edited();
+}
+
+static base::Vec3d vectorOf(const nlohmann::json& command, const char* name) {
+    const auto found = command.find(name);
+    if (found == command.end() || !found->is_array() || found->size() != 3)
+        return {};
+    return {found->at(0), found->at(1), found->at(2)};
+}
+
+/// Handles stand where the numbers say, whoever has typed them.
+void CommandDesk::showPlacement() {
+    PlacementTool& handles = m_window.sculptView().placement();
+    if (!handles.on() || handles.dragging())
+        return;
+    try {
+        const nlohmann::json command = m_dialog->command();
+        handles.set({vectorOf(command, "move"), rotationOf({vectorOf(command, "axis"), command.value("angle", 0.0)}),
+                     command.value("scale", 1.0)});
+    } catch (const std::exception&) { // not yet numbers
+    }
 }
 
 void CommandDesk::followModel() {
@@ -101,6 +171,8 @@ void CommandDesk::followModel() {
     if (!m_dialog || now.surface.tree() == m_model)
         return;
     m_model = now.surface.tree();
+    if (m_window.sculptView().placement().on())
+        beginHandles();
     m_dialog->setModel(now);
 }
 
@@ -137,6 +209,8 @@ void CommandDesk::endPick() {
 // --- its end ---
 
 void CommandDesk::finish(bool accepted) {
+    m_window.sculptView().placement().end();
+    m_trying = m_again = false;
     if (m_picking)
         m_window.sculptView().picker().end();
     m_pause.stop();

@@ -33,13 +33,18 @@ class CommandDesk : public QObject {
     void endPick();
     void finish(bool accepted);
     void followModel();
+    void beginHandles();
+    void enterPlacement();
+    void showPlacement();
 
     MainWindow& m_window;
     CommandPreview m_preview;
     QTimer m_pause;
     QPointer<CommandDialog> m_dialog;
     bool m_picking = false;
-    tree::SurfelTree m_model; ///< that the dialog is about
+    bool m_trying = false, m_again = false; ///< a preview is being made; something has changed since
+    bool m_entering = false;                ///< what handles say into the fields
+    tree::SurfelTree m_model;               ///< that the dialog is about
 };
 
 } // namespace ui

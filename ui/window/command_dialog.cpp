@@ -156,7 +156,9 @@ QWidget* CommandDialog::make(const CommandParameter& p) {
         return list;
     }
     auto* line = new QLineEdit(shown);
-    if (type == "list")
+    if (isPlaces(p))
+        line->setPlaceholderText("x, y, z; x, y, z; …");
+    else if (type == "list" && std::string_view(p.tip).find("x,y,z") != std::string_view::npos)
         line->setPlaceholderText("x, y, z");
     else if (std::string_view(p.id) == "count" && m_model.surfels > 0)
         line->setPlaceholderText(tr("now %1").arg(counted(static_cast<double>(m_model.surfels))));
@@ -320,6 +322,12 @@ void CommandDialog::takePlace(const QString& name, const base::Vec3d& place, con
     line->setText(more ? line->text() + "; " + text : text);
     if (!more)
         line->setCursorPosition(0);
+}
+
+void CommandDialog::enter(std::string_view name, const QString& text) {
+    const Field* field = find(name);
+    if (auto* line = field ? qobject_cast<QLineEdit*>(field->widget) : nullptr; line && line->text() != text)
+        line->setText(text);
 }
 
 void CommandDialog::setPicking(const QString& field) {

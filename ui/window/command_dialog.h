@@ -45,6 +45,9 @@ class CommandDialog : public QDialog {
     /// Of the file's coordinates, for the field that asked; fields for several get one more.
     void takePlace(const QString& field, const base::Vec3d& place, const base::Vec3d& normal);
     bool takesSeveral(const QString& field) const;
+    /// Whether it has a field of that name; what stands there from now on.
+    bool has(std::string_view field) const { return find(field) != nullptr; }
+    void enter(std::string_view field, const QString& text);
     /// The button of the field whose place is being picked is down; empty: none is.
     void setPicking(const QString& field);
 

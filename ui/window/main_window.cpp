@@ -306,7 +306,7 @@ void MainWindow::go(int steps) {
 
 void MainWindow::escape() {
     const bool felt = m_view->touch().stop(); // whatever else: no force
-    if (m_view->picker().cancel() || m_view->pointer().cancel() || felt)
+    if (m_view->placement().cancel() || m_view->picker().cancel() || m_view->pointer().cancel() || felt)
         return;
     if (m_view->picker().on())
         m_view->picker().end();
