@@ -1,15 +1,19 @@
 // The window on small screens, and whether what it says can be read.
+#include "support/patience.h"
 #include "support/registry.h"
 #include "ui/panels/properties_panel.h"
 #include "ui/panels/tool_bar.h"
 #include "ui/panels/tool_grid.h"
 #include "ui/theme/theme.h"
+#include "ui/window/command_desk.h"
+#include "ui/window/command_dialog.h"
 #include "ui/window/status_line.h"
 #include "ui/window_fixture.h"
 
 #include <algorithm>
 #include <QAbstractItemView>
 #include <QComboBox>
+#include <QDockWidget>
 #include <QLabel>
 #include <QScreen>
 #include <QToolButton>
@@ -31,6 +35,8 @@ class FittingTest : public QObject {
     void theWindowOpensOnItsScreen();
     void narrowStatusLinesKeepTheirMessage();
     void pullDownsAreLegible();
+    void leftHandsHaveToolsOnTheRightFromThenOn();
+    void dialogsStayOnTheScreen();
 
   private:
     QPalette m_palette;
@@ -125,6 +131,37 @@ void FittingTest::pullDownsAreLegible() {
         QVERIFY2(contrast(picture) > 4.5, qPrintable(QString("%1: %2").arg(row).arg(contrast(picture))));
     }
     list.hidePopup();
+}
+
+void FittingTest::leftHandsHaveToolsOnTheRightFromThenOn() {
+    WindowFixture f;
+    const auto sides = [&] {
+        const QPoint middle = f.view().mapTo(f.window.get(), f.view().rect().center());
+        const auto sideOf = [&](const QWidget& each) { return each.geometry().center().x() > middle.x(); };
+        return std::pair(sideOf(f.window->toolBar()), sideOf(*f.window->findChild<QDockWidget*>("properties")));
+    };
+    QTRY_VERIFY_WITH_TIMEOUT((sides() == std::pair(false, true)), test::patience);
+    f.action("view", "Left-handed")->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT((sides() == std::pair(true, false)), test::patience);
+    QVERIFY(f.window->toolBar().isVisible() && !f.window->findChild<QDockWidget*>("history")->isVisible());
+    f.window->close();
+    f.open();
+    QTRY_VERIFY_WITH_TIMEOUT((sides() == std::pair(true, false)), test::patience);
+    f.action("view", "Left-handed")->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT((sides() == std::pair(false, true)), test::patience);
+}
+
+void FittingTest::dialogsStayOnTheScreen() {
+    WindowFixture f;
+    QVERIFY(f.make("sphere", 800));
+    f.window->resize(700, 500);
+    auto& desk = *f.window->findChild<ui::CommandDesk*>();
+    for (const char* op : {"surface", "transform", "select", "outliers"}) {
+        desk.open(session::command(op));
+        const QRect screen = f.window->screen()->availableGeometry();
+        QVERIFY2(screen.contains(desk.dialog()->geometry()), op);
+        desk.dialog()->reject();
+    }
 }
 
 static const test::Registered<FittingTest> registered;

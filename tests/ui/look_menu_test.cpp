@@ -33,7 +33,7 @@ void LookMenuTest::everySwitchIsKeptAndRefreshesThePicture() {
             QVERIFY(f.window->settings() == before);
         }
     QCOMPARE(f.window->menu("effects")->actions().size(), qsizetype(render::effectTable().size()));
-    QCOMPARE(f.window->menu("around")->actions().size(), qsizetype(render::annotationTable().size() + 2));
+    QCOMPARE(f.window->menu("around")->actions().size(), qsizetype(render::annotationTable().size() + 3));
     switchOf(f, "effects", "outline")->toggle();
     switchOf(f, "around", "grid")->toggle();
     f.window->close();

@@ -150,6 +150,7 @@ static void readTableRows(const QSettings& store, Settings& out) {
     readSet(store, "view/annotations", render::annotationTable(), &render::AnnotationRow::annotation, out.annotated);
     out.grid = store.value("view/grid", out.grid).toBool();
     out.edges = store.value("view/edges", out.edges).toBool();
+    out.leftHanded = store.value("window/leftHanded", out.leftHanded).toBool();
     out.gizmo = store.value("view/gizmo", out.gizmo).toBool();
     out.previews = store.value("window/previews", out.previews).toBool();
     out.truth.on = store.value("view/trueSurface", out.truth.on).toBool();
@@ -227,6 +228,7 @@ Entries entriesOf(const Settings& settings) {
         storedSet(render::annotationTable(), &render::AnnotationRow::annotation, settings.annotated);
     out["view/grid"] = settings.grid;
     out["view/edges"] = settings.edges;
+    out["window/leftHanded"] = settings.leftHanded;
     out["view/gizmo"] = settings.gizmo;
     out["window/previews"] = settings.previews;
     out["view/trueSurface"] = settings.truth.on;

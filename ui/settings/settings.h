@@ -50,10 +50,11 @@ struct Settings {
     render::Backdrop backdrop = render::Backdrop::Studio;
     render::Effects effects = 0;
     render::Annotated annotated = render::Legend;
-    bool grid = false;    ///< on the ground
-    bool edges = false;   ///< lines along what stays sharp
-    bool gizmo = true;    ///< axes to click, in the corner of the picture
-    bool previews = true; ///< dialogs show in the picture what would come
+    bool grid = false;       ///< on the ground
+    bool edges = false;      ///< lines along what stays sharp
+    bool leftHanded = false; ///< tools on the right, panels on the left
+    bool gizmo = true;       ///< axes to click, in the corner of the picture
+    bool previews = true;    ///< dialogs show in the picture what would come
     TruthSettings truth;
     std::map<std::string, std::string> keys; ///< of actions, by id, where a person has chosen others (window/keys.h)
     std::string theme = "dark";              ///< id of a row of ui::themeTable()

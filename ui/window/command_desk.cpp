@@ -6,6 +6,9 @@
 #include "ui/window/main_window.h"
 #include "ui/window/parameter_values.h"
 
+#include <algorithm>
+#include <QScreen>
+
 namespace ui {
 
 CommandDesk::CommandDesk(MainWindow& window) : QObject(&window), m_window(window), m_preview(window.editor()) {
@@ -65,11 +68,18 @@ void CommandDesk::connectDialog() {
     });
 }
 
-/// Beside the model, as far as there is room.
+/// In a corner of the picture; where that would hide it, over the panel beside it. Never off the screen.
 void CommandDesk::place() {
     constexpr int margin = 12;
     const QWidget& canvas = *m_window.viewport().widget();
-    m_dialog->move(canvas.mapToGlobal(QPoint(margin, margin)));
+    const QRect screen = m_window.screen()->availableGeometry();
+    const QSize size = m_dialog->frameGeometry().size();
+    QPoint at = canvas.mapToGlobal(QPoint(margin, margin));
+    if (canvas.width() < 2 * size.width())
+        at.setX(m_window.mapToGlobal(QPoint(m_window.width(), 0)).x() - size.width());
+    at.setX(std::max(std::min(at.x(), screen.right() - size.width()), screen.left()));
+    at.setY(std::max(std::min(at.y(), screen.bottom() - size.height()), screen.top()));
+    m_dialog->move(at);
 }
 
 // --- what would come ---

@@ -21,6 +21,9 @@
 #include <QLineEdit>
 #include <QLocale>
 #include <QPushButton>
+#include <QScreen>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -57,10 +60,28 @@ static QString enteredIn(const QWidget* field) {
     return known >= 0 ? list->itemData(known).toString() : list->currentText().trimmed();
 }
 
+/// What says nothing takes no room.
+static void tell(QLabel& label, const QString& text) {
+    label.setText(text);
+    label.setVisible(!text.isEmpty());
+}
+
 static QLabel* wrapped(const char* name) {
     auto* out = new QLabel;
     out->setObjectName(name);
     out->setWordWrap(true);
+    return out;
+}
+
+/// As high as it wants to be, as far as a screen has room for it.
+static QScrollArea* scrolled(QWidget& fields, int screen) {
+    constexpr int others = 240, least = 100; // pixels: what stands above and below
+    auto* out = new QScrollArea;
+    out->setWidget(&fields);
+    out->setWidgetResizable(true);
+    out->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    out->setMinimumHeight(std::clamp(fields.sizeHint().height(), least, std::max(least, screen - others)));
+    out->setMinimumWidth(fields.sizeHint().width() + out->verticalScrollBar()->sizeHint().width());
     return out;
 }
 
@@ -72,13 +93,15 @@ CommandDialog::CommandDialog(const session::CommandRow& row, const Snapshot& mod
     auto* tip = new QLabel(row.tip);
     tip->setWordWrap(true);
     layout->addWidget(tip);
-    auto* form = new QFormLayout;
+    auto* fields = new QWidget;
+    auto* form = new QFormLayout(fields);
+    form->setContentsMargins(0, 0, 4, 0);
     QString taken = "oc"; // of the buttons
     for (const auto& parameter : row.parameters)
         if (!parameter.recorded)
             add(*form, parameter, taken);
-    layout->addLayout(form);
-    constexpr int lines = 3; // of help, so that the dialog keeps its size
+    layout->addWidget(scrolled(*fields, screen()->availableSize().height()), 1);
+    constexpr int lines = 2; // of help, so that the dialog keeps its size
     m_help = wrapped("faint");
     m_help->setMinimumHeight(lines * fontMetrics().lineSpacing());
     m_help->setAlignment(Qt::AlignTop);
@@ -272,8 +295,8 @@ QString CommandDialog::outcome() const {
 void CommandDialog::follow() {
     if (!m_trouble) // being made
         return;
-    m_outcome->setText(outcome());
-    m_trouble->clear();
+    tell(*m_outcome, outcome());
+    tell(*m_trouble, {});
     Q_EMIT changed();
 }
 
@@ -346,7 +369,7 @@ void CommandDialog::setPreviews(bool on) {
 }
 
 void CommandDialog::sayPreviewed(const QString& text) {
-    m_said->setText(sentenceOf(text));
+    tell(*m_said, sentenceOf(text));
 }
 
 void CommandDialog::checkAndAccept() {
@@ -354,7 +377,7 @@ void CommandDialog::checkAndAccept() {
         command();
         accept();
     } catch (const std::exception& error) {
-        m_trouble->setText(QString::fromUtf8(error.what()));
+        tell(*m_trouble, QString::fromUtf8(error.what()));
     }
 }
 

@@ -9,6 +9,7 @@
 
 #include <nlohmann/json.hpp>
 #include <QDockWidget>
+#include <QToolBar>
 
 namespace ui {
 
@@ -82,6 +83,19 @@ static void addScene(MainWindow& window) {
     };
     QObject::connect(&window.editor(), &Editor::changed, panel, show);
     panel->show(window.editor().snapshot());
+}
+
+void layOut(MainWindow& window, bool leftHanded) {
+    auto* tools = window.findChild<QToolBar*>("tools");
+    const bool toolsShown = tools->isVisibleTo(&window);
+    window.addToolBar(leftHanded ? Qt::RightToolBarArea : Qt::LeftToolBarArea, tools);
+    tools->setVisible(toolsShown);
+    for (const char* name : {"properties", "scene", "history"}) {
+        auto* dock = window.findChild<QDockWidget*>(name);
+        const bool shown = dock->isVisibleTo(&window);
+        window.addDockWidget(leftHanded ? Qt::LeftDockWidgetArea : Qt::RightDockWidgetArea, dock);
+        dock->setVisible(shown);
+    }
 }
 
 void addDocks(MainWindow& window) {

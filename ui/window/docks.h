@@ -6,6 +6,8 @@ namespace ui {
 
 class MainWindow;
 
+/// Tools on one side, panels on the other: for hands that hold the pen in the left, and for all others.
+void layOut(MainWindow& window, bool leftHanded);
 void addDocks(MainWindow& window);
 
 } // namespace ui

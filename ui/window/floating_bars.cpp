@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <QEvent>
+#include <QStyle>
 #include <QWidget>
 
 namespace ui {
@@ -14,6 +15,8 @@ void FloatingBars::add(QWidget& bar) {
     const bool shown = bar.isVisibleTo(bar.parentWidget());
     bar.setParent(&m_canvas);
     bar.setProperty("floating", true);
+    bar.style()->unpolish(&bar); // it has been dressed as one of the window's
+    bar.style()->polish(&bar);
     bar.setAttribute(Qt::WA_StyledBackground);
     bar.setCursor(Qt::ArrowCursor);
     bar.installEventFilter(this);

@@ -60,6 +60,8 @@ MainWindow::MainWindow(const WindowOptions& options, QWidget* parent)
     connect(m_notices, &Notices::comingChanged, this, &MainWindow::showTitle);
     connectWork();
     showSnapshot();
+    if (m_settings.leftHanded)
+        layOut(*this, true);
     resize(fitting(QSize(1280, 800)));
     restoreGeometry(m_settings.geometry);
     restoreState(m_settings.windowState);

@@ -1,4 +1,5 @@
 #include "ui/theme/theme.h"
+#include "ui/window/docks.h"
 #include "ui/window/main_window.h"
 #include "ui/window/menus/menu_tools.h"
 #include "ui/window/menus/menus.h"
@@ -98,6 +99,11 @@ void addViewMenu(MainWindow& window) {
     addLayerBar(window, *view);
     addTouchBar(window, *view);
     addThemeMenu(window, *view);
+    addSwitch(*view, "left-handed", QObject::tr("Le&ft-handed"), QObject::tr("Tools on the right, panels on the left"),
+              window.settings().leftHanded, [&window](bool on) {
+                  window.settings().leftHanded = on;
+                  layOut(window, on);
+              });
     view->addSeparator();
     addRenderer(window, *view);
 }
