@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <QEvent>
-#include <QStyle>
 #include <QWidget>
 
 namespace ui {
@@ -15,8 +14,6 @@ void FloatingBars::add(QWidget& bar) {
     const bool shown = bar.isVisibleTo(bar.parentWidget());
     bar.setParent(&m_canvas);
     bar.setProperty("floating", true);
-    bar.style()->unpolish(&bar); // it has been dressed as one of the window's
-    bar.style()->polish(&bar);
     bar.setAttribute(Qt::WA_StyledBackground);
     bar.setCursor(Qt::ArrowCursor);
     bar.installEventFilter(this);
