@@ -75,7 +75,7 @@ void CommandDesk::place() {
     const QRect screen = m_window.screen()->availableGeometry();
     const QSize size = m_dialog->frameGeometry().size();
     QPoint at = canvas.mapToGlobal(QPoint(margin, margin));
-    if (canvas.width() < 2 * size.width())
+    if (2 * canvas.width() < 5 * size.width())
         at.setX(m_window.mapToGlobal(QPoint(m_window.width(), 0)).x() - size.width());
     at.setX(std::max(std::min(at.x(), screen.right() - size.width()), screen.left()));
     at.setY(std::max(std::min(at.y(), screen.bottom() - size.height()), screen.top()));
