@@ -155,6 +155,11 @@ void CommandPaletteTest::theHeaderAndThePanelSayTheSame() {
     auto& symmetry = *header.findChild<QToolButton*>("header-symmetry");
     symmetry.menu()->actions().front()->trigger();
     QVERIFY(f.window->settings().shared.symmetry.planes.x && symmetry.text().contains('X'));
+    auto& method = *header.findChild<QToolButton*>("header-method");
+    const std::size_t last = sculpt::methodTable().size() - 1;
+    method.menu()->actions()[qsizetype(last)]->trigger();
+    QVERIFY(f.window->settings().choice(f.window->settings().toolRow()).method == sculpt::methodTable()[last].value);
+    QCOMPARE(method.text(), QString(sculpt::methodTable()[last].label));
     header.findChild<QToolButton*>("header-invert")->click();
     QVERIFY(f.window->settings().choice(f.window->settings().toolRow()).invert);
 }

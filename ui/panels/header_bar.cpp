@@ -15,6 +15,7 @@ HeaderBar::HeaderBar(Settings& settings, QWidget* parent) : QToolBar(tr("Header"
     setMovable(false);
     addSliders();
     addSymmetry();
+    addMethods();
     addSeparator();
     refresh();
 }
@@ -30,7 +31,7 @@ QToolButton* HeaderBar::button(const QString& label, const char* name, const QSt
 }
 
 void HeaderBar::addSliders() {
-    constexpr int width = 150;
+    constexpr int width = 122; // all of the bar has room at 800 pixels
     m_radius = new NumberSlider(tr("Radius"), tr("Radius of the brush  (F)"), {});
     m_radius->setObjectName("header-radius");
     m_radius->setFixedWidth(width);
@@ -72,6 +73,24 @@ void HeaderBar::addSymmetry() {
     m_symmetry->setPopupMode(QToolButton::InstantPopup);
 }
 
+void HeaderBar::addMethods() {
+    m_methods = new QMenu(this);
+    m_methods->setToolTipsVisible(true);
+    for (const sculpt::MethodRow& row : sculpt::methodTable()) {
+        QAction* action = m_methods->addAction(tr(row.label));
+        action->setToolTip(tr(row.tip));
+        action->setCheckable(true);
+        connect(action, &QAction::triggered, this, [this, method = row.value] {
+            m_settings.edit(m_settings.toolRow()).method = method;
+            refresh();
+            Q_EMIT edited();
+        });
+    }
+    m_method = button({}, "header-method", tr("How the way of the pointer becomes dabs; each tool keeps its own"));
+    m_method->setMenu(m_methods);
+    m_method->setPopupMode(QToolButton::InstantPopup);
+}
+
 void HeaderBar::addPopOver(QMenu& menu, const QString& label) {
     QToolButton* out = button(label, "header-pop-over", menu.title().remove('&'));
     out->setMenu(&menu);
@@ -91,6 +110,11 @@ void HeaderBar::refresh() {
     m_strength->setValue(static_cast<double>(choice.strength));
     m_invert->setChecked(choice.invert);
     m_invert->setText(choice.invert ? tr("−") : tr("+"));
+    const auto methods = sculpt::methodTable();
+    for (std::size_t k = 0; k < methods.size(); ++k)
+        m_methods->actions()[qsizetype(k)]->setChecked(methods[k].value == choice.method);
+    m_method->setText(tr(sculpt::row(choice.method).label));
+    m_method->setEnabled(!sculpt::holds(m_settings.toolRow())); // what is held goes with the pointer
     QString on;
     for (std::size_t k = 0; k < std::size(planeRows); ++k) {
         const bool mirrored = choice.symmetry.planes.*planeRows[k].second;

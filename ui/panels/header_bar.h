@@ -1,5 +1,5 @@
-// What is changed from stroke to stroke, above the viewport: radius, strength, direction, symmetry; and pop-overs of
-// the menus of shading and of what stands around. It edits the settings and says so; it knows no view.
+// What is changed from stroke to stroke, above the viewport: radius, strength, direction, symmetry, method; and
+// pop-overs of the menus of shading and of what stands around. It edits the settings and says so; it knows no view.
 #pragma once
 
 #include "ui/settings/settings.h"
@@ -31,13 +31,14 @@ class HeaderBar : public QToolBar {
   private:
     void addSliders();
     void addSymmetry();
+    void addMethods();
     QToolButton* button(const QString& label, const char* name, const QString& tip);
 
     Settings& m_settings;
     double m_diagonal = 1;
     NumberSlider *m_radius, *m_strength;
-    QToolButton *m_invert, *m_symmetry;
-    QMenu* m_planes;
+    QToolButton *m_invert, *m_symmetry, *m_method;
+    QMenu *m_planes, *m_methods;
 };
 
 } // namespace ui
