@@ -39,6 +39,19 @@ double mostOffCentre(Source& source, std::size_t i) {
     return meets >= 2 ? atCorners : surface::maxOffCentre;
 }
 
+/// Are the surfels of cell j in the sums of cell i: of one face, or across a crease that has faded out?
+template <class Source>
+bool joined(Source& source, std::size_t i, std::size_t j) {
+    return source.smooth(i, j) || (source.meeting(i, j) != Meeting::None && !(source.sharpness(i, j) > leastSharpness));
+}
+
+/// Does cell j tell better than i what both have nearly the same sums of: has it most of their weight?
+template <class Source>
+bool speaksFor(Source& source, std::size_t j, std::size_t i) {
+    constexpr double more = 2;
+    return joined(source, i, j) && source.sums(j).weight > more * source.sums(i).weight;
+}
+
 /// How far aside of the position is the centre of the cell's surfels, and of those smooth to it, along the surface, in
 /// h? At a seam they are to one side, and beyond it the more so.
 template <class Source>
@@ -46,7 +59,7 @@ double aside(Source& source, std::size_t i) {
     const auto& at = source.at(i, Need::Value);
     CellSource::Sums sums = source.sums(i);
     for (std::size_t j = 0; j < source.count(); ++j)
-        if (j != i && source.smooth(i, j)) {
+        if (j != i && joined(source, i, j)) {
             const CellSource::Sums other = source.sums(j);
             sums.weight += other.weight;
             sums.way += other.way;
@@ -100,8 +113,9 @@ double beyond(const Other& other, double level) {
 template <class Source>
 class Cutters {
   public:
-    Cutters(Source& source, std::size_t i, double tolerance)
-        : m_source(source), m_i(i), m_level(source.at(i, Need::Value).value), m_tolerance(tolerance) {}
+    /// `but`: a cell that is not asked, and then others are taken to be where they cut.
+    Cutters(Source& source, std::size_t i, double tolerance, std::size_t but = Source::none)
+        : m_source(source), m_i(i), m_but(but), m_level(source.at(i, Need::Value).value), m_tolerance(tolerance) {}
 
     /// Of those that cut and are not excused the one that cuts most; where so asked, of those that nothing but their
     /// plane is known of.
@@ -131,11 +145,31 @@ class Cutters {
     }
     bool excused(const Other& cut) {
         return std::any_of(m_keeps.begin(), m_keeps.end(), [&](const Other& keep) {
-            return keep.how == cut.how && measured(m_source, cut, keep) == opposite(cut.how);
+            return keep.how == cut.how && measured(m_source, cut, keep) == opposite(cut.how) && isAsNear(keep, cut);
         });
     }
+    /// Of a face on both sides of i, far ends say of the near side what is true of their own.
+    bool isSpokenFor(std::size_t j) {
+        for (std::size_t k = 0; k < m_source.count(); ++k)
+            if (k != j && k != m_i && m_source.meeting(m_i, k) != Meeting::None && speaksFor(m_source, k, j))
+                return true;
+        return false;
+    }
+    /// Before the tip of a wedge between two sides that go on into one another, the wedge's plane ends one of them, and
+    /// then that does not end the other.
+    bool endsBefore(std::size_t j) {
+        return m_but == Source::none &&
+               dot(m_source.at(m_i, Need::Value).normal, m_source.tangent(j).normal) > nearlyFlat &&
+               valid(m_source.at(j, Need::Value)) && Cutters(m_source, j, m_tolerance, m_i).find(false).has_value();
+    }
+    /// At a reflex corner what keeps i is nearer than what it keeps it from.
+    bool isAsNear(const Other& keep, const Other& cut) {
+        constexpr double least = 0.1;
+        return keep.place == Source::none || cut.place == Source::none ||
+               m_source.sums(keep.place).weight > least * m_source.sums(cut.place).weight;
+    }
     void take(std::size_t j) {
-        const Meeting how = j == m_i ? Meeting::None : m_source.meeting(m_i, j);
+        const Meeting how = j == m_i || j == m_but ? Meeting::None : m_source.meeting(m_i, j);
         if (how == Meeting::None)
             return;
         const Other other{j, how, m_source.tangent(j)};
@@ -143,7 +177,7 @@ class Cutters {
             return;
         if (!(beyond(other, m_level) > m_tolerance))
             m_keeps.push_back(other);
-        else if (isThere(m_source, m_i, j, other.plane))
+        else if (isThere(m_source, m_i, j, other.plane) && !isSpokenFor(j) && !endsBefore(j))
             m_cuts.push_back(other);
     }
     void take(const AbsentCell& absent) {
@@ -158,7 +192,7 @@ class Cutters {
     }
 
     Source& m_source;
-    std::size_t m_i;
+    std::size_t m_i, m_but;
     double m_level, m_tolerance;
     std::vector<Other> m_cuts, m_keeps;
 };
@@ -167,7 +201,14 @@ class Cutters {
 
 template <class Source>
 bool cutOff(Source& source, std::size_t i, double tolerance) {
-    return Cutters(source, i, tolerance).find(false).has_value();
+    if (Cutters(source, i, tolerance).find(false))
+        return true;
+    // what goes on over most of the sums' surfels, without one beside their crease, ends with them
+    for (std::size_t j = 0; j < source.count(); ++j)
+        if (j != i && speaksFor(source, j, i) && valid(source.at(j, Need::Value)) &&
+            Cutters(source, j, tolerance).find(false))
+            return true;
+    return false;
 }
 
 std::optional<CellSource::Tangent> cutOffByPlane(CellSource& source, std::size_t i, double tolerance) {

@@ -1,4 +1,4 @@
-// Labels after an edit (cells/README 1.5): which cell is across the nearest crease, and how both meet, follows from
+// Labels after an edit (cells/README 1.6): which cell is across the nearest crease, and how both meet, follows from
 // where surfels are now.
 #pragma once
 

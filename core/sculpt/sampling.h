@@ -39,7 +39,7 @@ class Sampling {
     /// Resamples where it is due. REQUIRES: the surface after the last dab noted.
     surface::Surface resampleDue(const surface::Surface& surface);
     bool pending() const { return !m_balls.empty(); }
-    /// Resamples what the noted dabs have stretched, takes crumbs away, measures creases anew (cells/README 1.5), and
+    /// Resamples what the noted dabs have stretched, takes crumbs away, measures creases anew (cells/README 1.6), and
     /// forgets the dabs.
     surface::Surface resample(surface::Surface surface);
     /// A slice of that: until no more is pending(). REQUIRES: pending(); the surface after the last dab or slice.

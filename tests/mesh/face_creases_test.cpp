@@ -29,6 +29,7 @@ class FaceCreasesTest : public QObject {
     void sidesOfThinPlatesAreCells();
     void narrowSidesHaveRowsOfTheirOwn();
     void creasesThatEndFadeBetweenTwoBands();
+    void stepsThatRunOutKeepBothLevelsApart();
     void openBoxesAreHitAtTheirEdges();
     void sharpEdgesAmongBumpsAreNoCreases();
     void edgesOfBoxesStayBesideBumps();
@@ -65,6 +66,51 @@ Faces sheet(int n, const Height& height) {
             out.triangles.push_back({at(i, k), at(i + 1, k), at(i + 1, k + 1)});
             out.triangles.push_back({at(i, k), at(i + 1, k + 1), at(i, k + 1)});
         }
+    return out;
+}
+
+/// A step that grows out of a smooth sheet: its wall begins with no width, and the sheet is below and above it.
+Faces step(base::Random& random) {
+    constexpr int n = 40, side = 24, wall = 4, columns = 2 * side + wall;
+    const double rise = random.uniform(0.2, 0.5), from = random.uniform(-0.6, 0), slant = random.uniform(0.3, 1.2),
+                 bend = random.uniform(-0.2, 0.2), fall = random.uniform(0, 1);
+    Faces out;
+    for (int i = 0; i <= n; ++i)
+        for (int k = 0; k <= columns; ++k) {
+            const double x = -1 + 2.0 * i / n, begin = bend * x * x, d = std::max(0.0, x - from);
+            const double h = rise * d * (d + 0.15), wide = slant * h;
+            double y = 0, up = 0;
+            if (k <= side) {
+                y = -1 + (begin + 1) * k / side;
+            } else if (k <= side + wall) {
+                const double part = static_cast<double>(k - side) / wall;
+                y = begin + wide * part, up = h * part;
+            } else {
+                const double part = static_cast<double>(k - side - wall) / side;
+                y = begin + wide + (1 - begin - wide) * part, up = h * (1 - fall * part * part);
+            }
+            out.positions.push_back(base::cast<float>(Vec3d{x, y, 0.1 * x * y + 0.05 * y * y + up}));
+        }
+    const auto at = [](int i, int k) { return static_cast<std::uint32_t>(i * (columns + 1) + k); };
+    for (int i = 0; i < n; ++i)
+        for (int k = 0; k < columns; ++k) {
+            out.triangles.push_back({at(i, k), at(i + 1, k), at(i + 1, k + 1)});
+            out.triangles.push_back({at(i, k), at(i + 1, k + 1), at(i, k + 1)});
+        }
+    return out;
+}
+
+/// Where a ray first meets triangles; infinity where it does not.
+double firstHit(const Faces& f, const base::Rayd& ray) {
+    double out = std::numeric_limits<double>::infinity();
+    for (const mesh::Triangle& t : f.triangles) {
+        const auto at = [&](std::size_t k) { return base::cast<double>(f.positions[t[k]]); };
+        const Vec3d u = at(1) - at(0), v = at(2) - at(0), p = cross(ray.direction, v), q = ray.origin - at(0),
+                    r = cross(q, u);
+        const double det = dot(u, p), b = dot(q, p) / det, c = dot(ray.direction, r) / det, hit = dot(v, r) / det;
+        if (det != 0 && b >= 0 && c >= 0 && b + c <= 1 && hit > 0)
+            out = std::min(out, hit);
+    }
     return out;
 }
 
@@ -247,6 +293,47 @@ void FaceCreasesTest::creasesThatEndFadeBetweenTwoBands() {
         before = hit.hit.position.z;
     }
     QVERIFY2(worst < 0.2, QByteArray::number(worst));
+}
+
+/// Below and above of a narrow wall is one face, whose samples tell of two sheets.
+void FaceCreasesTest::stepsThatRunOutKeepBothLevelsApart() {
+    base::Random random(test::seed());
+    int rays = 0, lost = 0;
+    double squares = 0;
+    for (int round = 0; round < test::effort(5); ++round) {
+        const Faces f = step(random);
+        const mesh::OpenedFaces open = opened(f, 1600);
+        surface::SurfaceDefinition definition;
+        definition.boundary = surface::Boundary::None;
+        const surface::Surface surface(tree::SurfelTree::build(open.points), definition);
+        const cells::CellSurface cells = *cells::CellSurface::of(surface);
+        const double spacing = static_cast<double>(open.points.items[0].support) / 3.5;
+        const std::vector<Label> labels = labelsOf(open.points);
+        for (int k = 0; k < 400; ++k) {
+            const std::size_t i = random.below(labels.size());
+            const Vec3d target =
+                base::cast<double>(open.points.items[i].position) + random.unitVector() * (spacing * random.uniform());
+            const Vec3d d = base::normalized(Vec3d{random.uniform(-1, 1), random.uniform(-1, 1), -1});
+            if (labels[i].meeting == Meeting::None || std::max(std::abs(target.x), std::abs(target.y)) > 0.8)
+                continue;
+            const base::Rayd ray{target - d * 2, d};
+            const double t = firstHit(f, ray), beside = firstHit(f, {ray.origin + Vec3d{0, 0.05 * spacing, 0}, d});
+            if (!(std::abs(t - beside) < spacing))
+                continue;
+            ++rays;
+            const cells::CellHit hit = intersectCells(cells, ray);
+            if (!hit.hit.hit || std::abs(hit.hit.t - t) > spacing)
+                ++lost;
+            else
+                squares += (hit.hit.t - t) * (hit.hit.t - t) / (spacing * spacing);
+        }
+    }
+    const double rms = std::sqrt(squares / rays);
+    const QByteArray told =
+        QString("seed %1: %2 rays, %3 lost, rms %4 spacings").arg(test::seed()).arg(rays).arg(lost).arg(rms).toUtf8();
+    qInfo() << told;
+    QVERIFY(rays > test::effort(5) * 20);
+    QVERIFY2(lost <= 1 + rays / 300 && rms < 0.045, told);
 }
 
 void FaceCreasesTest::openBoxesAreHitAtTheirEdges() {

@@ -4,6 +4,7 @@
 #include "core/base/disjoint_sets.h"
 #include "core/cells/crease_labels.h"
 #include "core/mesh/faces/crease_bands.h"
+#include "core/mesh/faces/near_sheets.h"
 
 #include <algorithm>
 #include <cmath>
@@ -153,24 +154,25 @@ class Labelling {
     /// on, which becomes the next free number.
     std::vector<cells::Label> run(std::span<const SharpEdge> edges, const std::vector<std::uint32_t>& patches,
                                   const std::vector<std::uint32_t>& cellOf, std::uint32_t& firstBand) const {
-        std::vector<SharpEdge> within;
-        std::vector<std::uint32_t> withinFaces;
+        std::vector<FaceEdge> beside;
         for (const SharpEdge& edge : edges)
-            if (const std::uint32_t face = cellOf[patches[edge.left]]; face == cellOf[patches[edge.right]]) {
-                within.push_back(edge);
-                withinFaces.push_back(face);
-            }
+            beside.push_back({edge, {cellOf[patches[edge.left]], cellOf[patches[edge.right]]}});
+        const EdgeCrossings crossings(m_topology, beside, m_spacing);
         const auto support = static_cast<double>(m_samples.front().support);
-        const CreaseBands bands(m_topology, m_grid, m_samples, m_faces, within, withinFaces, m_spacing, support,
-                                firstBand);
-        std::vector<cells::CreasePiece> pieces;
-        for (const SharpEdge& edge : edges)
-            addPieces(edge, cellOf[patches[edge.left]], cellOf[patches[edge.right]], bands.cells(), pieces);
-        std::vector<cells::Label> labels = cells::labelsByCreases(m_samples, bands.cells(), pieces, m_spacing);
-        for (std::size_t i = 0; i < labels.size(); ++i)
-            labels[i].face = m_faces[i];
-        bands.fade(labels);
+        const CreaseBands bands(crossings, m_grid, m_samples, m_faces, m_spacing, support, firstBand);
         for (const std::uint32_t cell : bands.cells())
+            firstBand = std::max(firstBand, cell + 1);
+        const NearSheets sheets(crossings, m_grid, m_samples, m_faces, bands.cells(), m_spacing, support, firstBand);
+        std::vector<cells::CreasePiece> pieces;
+        for (const FaceEdge& each : beside)
+            addPieces(each.edge, each.faces[0], each.faces[1], sheets.cells(), pieces);
+        sheets.addBorders(pieces);
+        std::vector<cells::Label> labels = cells::labelsByCreases(m_samples, sheets.cells(), pieces, m_spacing);
+        for (std::uint32_t i = 0; i < labels.size(); ++i)
+            labels[i].face = sheets.faceOf(i);
+        bands.fade(labels);
+        sheets.fade(labels);
+        for (const std::uint32_t cell : sheets.cells())
             firstBand = std::max(firstBand, cell + 1);
         return labels;
     }

@@ -4,8 +4,8 @@
 //     chains              sharp edges that are no noise                      crease_chains.h
 //     patches             those of too few samples go to the neighbour that they turn to least
 //     edges that end      of which both sides are one patch: each side becomes a band of its own, smooth to the rest of
-//     the
-//                         face, sharp to the other side, less and less towards the end
+//                         the face, sharp to the other side, less and less towards the end      crease_bands.h
+//     near sheets         of one face, beside a narrow wall: told apart                         near_sheets.h
 //     labels              core/cells/crease_labels.h
 #pragma once
 
