@@ -8,6 +8,7 @@
 #include "app/subcommands/subcommand.h"
 #include "core/base/error.h"
 #include "core/cells/cell_section.h"
+#include "core/complexes/complex_section.h"
 #include "core/process/estimation/part_progress.h"
 
 #include <cmath>
@@ -99,12 +100,14 @@ std::vector<Level> levelsOf(const Options& options, const session::Document& doc
     std::vector<Level> out;
     const surface::Surface& model = document.surface();
     const auto cells = cells::CellSurface::of(model);
+    const auto complex = complexes::Complex::of(model);
     for (std::size_t k = 0; k < heights.size(); ++k) {
         const auto done = [&](std::size_t i) { return static_cast<double>(i) / static_cast<double>(heights.size()); };
         Level level{{first.normal, first.offset + (heights[k] - offset)}, heights[k], {}};
         const base::Progress step = process::part(progress, done(k), done(k + 1));
-        level.curves = cells ? cells::findSection(*cells, level.plane, step, options.tracing())
-                             : surface::findSection(model, level.plane, step, options.tracing());
+        level.curves = complex ? complexes::findSection(*complex, level.plane, step, options.tracing())
+                       : cells ? cells::findSection(*cells, level.plane, step, options.tracing())
+                               : surface::findSection(model, level.plane, step, options.tracing());
         std::erase_if(level.curves, [&](const SectionCurve& curve) { return curve.length() < options.least; });
         if (options.every == 0 || !level.curves.empty())
             out.push_back(std::move(level));
@@ -162,6 +165,7 @@ Action addSection(OptionSet command) {
         .typeName("STEP")
         .check(above(0));
     options->planar = true;
+    options->complexes = true;
     addPolylineOptions(
         command, *options, "curve",
         "curve,closed,x,y,z,nx,ny,nz (curves counted from 0, longest first; unit normal of the surface; "

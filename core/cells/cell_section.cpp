@@ -3,6 +3,7 @@
 #include "core/base/cells.h"
 #include "core/base/parallel.h"
 #include "core/cells/cell_value.h"
+#include "core/complexes/complex_section.h"
 #include "core/surface/curves/curve_tracing.h"
 #include "core/surface/curves/traced_lines.h"
 #include "core/surface/rays/intersect.h"
@@ -244,6 +245,8 @@ std::vector<SectionCurve> join(CellSource& source, const std::vector<Piece>& pie
 
 std::vector<SectionCurve> findSection(const surface::Surface& surface, const Plane& plane,
                                       const base::Progress& progress, const surface::TraceOptions& options) {
+    if (const auto complex = complexes::Complex::of(surface))
+        return complexes::findSection(*complex, plane, progress, options);
     const auto cells = CellSurface::of(surface);
     return cells ? findSection(*cells, plane, progress, options)
                  : surface::findSection(surface, plane, progress, options);

@@ -10,7 +10,7 @@
 
 namespace cells {
 
-/// As surface::findSection; for models without cells it is that.
+/// As surface::findSection; for models without cells it is that, for complexes their own (complex_section.h).
 std::vector<surface::SectionCurve> findSection(const surface::Surface& surface, const base::Plane& plane,
                                                const base::Progress& progress = {},
                                                const surface::TraceOptions& options = {});

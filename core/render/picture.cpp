@@ -88,8 +88,7 @@ void PictureMaker::addLines(const Camera& camera, const base::Progress& progress
             m_kept->seams = seamCurves(m_surface, progress);
         drawSections(curveLines(*m_kept->seams, camera, &out), out);
     }
-    const bool complex = m_surface.definition().manifold == surface::Manifold::Complex;
-    if (!m_options.sections || complex)
+    if (!m_options.sections)
         return;
     if (!(m_kept->clips == camera.clips)) {
         m_kept->curves.clear();
