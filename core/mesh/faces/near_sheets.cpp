@@ -20,19 +20,21 @@ using base::Vec3d;
 
 namespace {
 
-constexpr double seen = 1.7;               ///< supports: between them, both may count
-constexpr double walked = 1, around = 1.7; ///< supports, times the distance: what is no longer is no way about
-constexpr double aligned = 0.05;           ///< sines: of what is one plane nothing mixes
-constexpr double growth = 1.5;             ///< supports
-constexpr double linkable = 4.2;           ///< supports: from edges, where ways are looked for
-constexpr float facingAway = -0.3f;        ///< cosine: such sheets are told apart by their normals (surface/README 2.7)
+constexpr double seen = 1.7;                   ///< supports: between them, both may count
+constexpr double walked = 1, around = 1.7;     ///< supports, times the distance: what is no longer is no way about
+constexpr double aligned = 0.1, oneBend = 0.5; ///< sine and cosine
+constexpr double growth = 1.5;                 ///< supports
+constexpr double linkable = 4.2;               ///< supports: from edges, where ways are looked for
+constexpr float facingAway = -0.3f; ///< cosine: such sheets are told apart by their normals (surface/README 2.7)
 constexpr std::uint32_t none = ~0u;
 constexpr std::size_t fewestSamples = 4; ///< of a sheet
 
-bool inOnePlane(const surfel::Surfel& a, const surfel::Surfel& b) {
+/// Sheets that face away are told apart by their normals, and of what is one plane or one round bend sums mix nothing.
+bool mayMix(const surfel::Surfel& a, const surfel::Surfel& b) {
     const Vec3d n = base::cast<double>(a.normal), m = base::cast<double>(b.normal);
     const Vec3d d = base::normalized(base::cast<double>(b.position) - base::cast<double>(a.position));
-    return dot(n, m) > 0 && std::abs(dot(n, d)) < aligned && std::abs(dot(m, d)) < aligned;
+    const double cosine = dot(n, m);
+    return cosine > facingAway && !(cosine > oneBend && std::abs(dot(n + m, d)) < aligned);
 }
 
 } // namespace
@@ -72,43 +74,57 @@ void NearSheets::findLinks() {
     });
 }
 
+/// Of those given, which no way from a over links leads to: of a walk to the nearest first, until all are found.
+std::vector<std::uint32_t> NearSheets::unreached(std::uint32_t a, std::vector<std::uint32_t> others) const {
+    using Entry = std::pair<double, std::uint32_t>;
+    std::unordered_map<std::uint32_t, double> ways{{a, 0.0}};
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+    queue.emplace(0.0, a);
+    const auto limit = [&](std::uint32_t b) {
+        return std::max(walked * m_support, around * base::distance(m_grid.at(a), m_grid.at(b)));
+    };
+    while (!queue.empty() && !others.empty()) {
+        const auto [way, at] = queue.top();
+        queue.pop();
+        if (way > ways.at(at))
+            continue;
+        if (const auto found = std::lower_bound(others.begin(), others.end(), at);
+            found != others.end() && *found == at && way <= limit(at))
+            others.erase(found);
+        for (const std::uint32_t b : m_links[at]) {
+            const double further = way + base::distance(m_grid.at(at), m_grid.at(b));
+            if (further > around * seen * m_support)
+                continue;
+            const auto [known, fresh] = ways.emplace(b, further);
+            if (!fresh && known->second <= further)
+                continue;
+            known->second = further;
+            queue.emplace(further, b);
+        }
+    }
+    return others;
+}
+
 NearSheets::Strangers NearSheets::strangers() const {
     const SampleGrid wide(m_samples, seen * m_support);
-    const std::vector<bool> near = samplesNear(wide);
+    const std::vector<bool> near = samplesNear(SampleGrid(m_samples, seen / 2 * m_support));
     Strangers out(m_samples.size());
     base::parallelFor(m_samples.size(), 64, [&](std::size_t i) {
         const auto a = static_cast<std::uint32_t>(i);
         if (!near[a])
             return;
-        using Entry = std::pair<double, std::uint32_t>;
-        std::unordered_map<std::uint32_t, double> ways{{a, 0.0}};
-        std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-        queue.emplace(0.0, a);
-        while (!queue.empty()) {
-            const auto [way, at] = queue.top();
-            queue.pop();
-            if (way > ways.at(at))
-                continue;
-            for (const std::uint32_t b : m_links[at]) {
-                const double further = way + base::distance(m_grid.at(at), m_grid.at(b));
-                if (further > around * seen * m_support)
-                    continue;
-                const auto [known, fresh] = ways.emplace(b, further);
-                if (!fresh && known->second <= further)
-                    continue;
-                known->second = further;
-                queue.emplace(further, b);
-            }
-        }
-        wide.forAround(m_grid.at(a), [&](std::uint32_t b, double distanceSq) {
-            if (b == a || m_cells[b] != m_cells[a] || !(dot(m_samples[a].normal, m_samples[b].normal) > facingAway) ||
-                inOnePlane(m_samples[a], m_samples[b]))
-                return;
-            const auto way = ways.find(b);
-            if (way == ways.end() || way->second > std::max(walked * m_support, around * std::sqrt(distanceSq)))
-                out[a].push_back(b);
+        std::vector<std::uint32_t> others;
+        wide.forAround(m_grid.at(a), [&](std::uint32_t b, double) {
+            if (b != a && m_cells[b] == m_cells[a] && mayMix(m_samples[a], m_samples[b]))
+                others.push_back(b);
         });
+        std::sort(others.begin(), others.end());
+        out[a] = unreached(a, std::move(others));
     });
+    for (std::uint32_t a = 0; a < out.size(); ++a) // those farther from the edge are not asked themselves
+        for (const std::uint32_t b : std::vector(out[a]))
+            if (!near[b])
+                out[b].push_back(a);
     return out;
 }
 

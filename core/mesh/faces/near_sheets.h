@@ -36,6 +36,7 @@ class NearSheets {
     void findLinks();
     /// Of each sample those of its face that are near, but not on ways over its links.
     Strangers strangers() const;
+    std::vector<std::uint32_t> unreached(std::uint32_t a, std::vector<std::uint32_t> others) const;
     std::vector<std::vector<std::uint32_t>> pieces(const Strangers& strangers,
                                                    std::vector<std::uint32_t>& pieceOf) const;
     void split(const Strangers& strangers);
