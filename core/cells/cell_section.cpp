@@ -2,7 +2,9 @@
 
 #include "core/base/cells.h"
 #include "core/base/parallel.h"
+#include "core/base/segment.h"
 #include "core/cells/cell_value.h"
+#include "core/cells/local_boolean.h"
 #include "core/complexes/complex_section.h"
 #include "core/surface/curves/curve_tracing.h"
 #include "core/surface/curves/traced_lines.h"
@@ -26,11 +28,13 @@ constexpr double seedDistance = 0.3; ///< in units of h: surfels this near to th
 constexpr double seedReach = 1;      ///< in units of h: a curve farther off than that is another surfel's
 constexpr double onCurve = 0.02;     ///< in units of h: how far a point may be from the polyline of its curve
 constexpr double sameCurve = 0.1;    ///< in units of h: two curves that are so close for half their way are one
+constexpr double farBeyond = 0.05;   ///< in units of h: so much cut off there is nothing, though others are, too
 constexpr double atCorners = 0.7;    ///< in units of h: off-centre values up to which cells have a surface
 constexpr double goesOn = 0.9;       ///< cosine between the directions of two stretches that overlap
 constexpr double smoothGap = 0.8;    ///< in units of h: between ends where a crease fades
 constexpr double nearby = 0.15;      ///< in units of h: f in the middle of such a gap, at most
 constexpr double ahead = 0.05;       ///< in units of h: so far beyond its end the curve may go on in another cell
+constexpr double longestOverlap = 8; ///< in units of h: of two stretches of one curve
 constexpr double joined = 0.05;      ///< in units of h: how far the ends of two curves may be apart at a seam
 
 /// A point of a section, on the surface of a cell.
@@ -87,7 +91,8 @@ class CellSection {
         const CellValue there = evaluate(m_source, p.position, Need::Gradient);
         return there.cell == m_cell && there.at.status == surface::Status::Ok &&
                there.at.offCentre <= atCorners * there.at.unit &&
-               dot(there.at.normal, there.at.gradient) >= surface::minSlope;
+               dot(there.at.normal, there.at.gradient) >= surface::minSlope &&
+               !cutOff(m_source, m_source.find(m_cell), farBeyond * there.at.unit);
     }
 
   private:
@@ -156,13 +161,9 @@ std::vector<CellPoint> findSeeds(const CellSurface& surface, const Plane& plane,
 
 using Piece = surface::TracedCurve<CellPoint>;
 
-/// What of a curve lies beyond the end of another one: where a crease fades both sides may have a stretch.
-void append(std::vector<SectionPoint>& out, const std::vector<CellPoint>& more) {
-    auto first = more.begin();
-    while (!out.empty() && more.end() - first > 1 && dot(first->along, out.back().along) > goesOn &&
-           dot(first->position - out.back().position, out.back().along) < 0)
-        ++first;
-    out.insert(out.end(), first, more.end());
+/// Does b lie before a, on one curve?
+bool isBehind(const SectionPoint& b, const SectionPoint& a) {
+    return dot(a.along, b.along) > goesOn && dot(b.position - a.position, a.along) < 0;
 }
 
 /// Does a curve go on at the beginning of another one? At seams that is one place. Where a crease fades there may be a
@@ -177,57 +178,110 @@ bool isJoint(CellSource& source, const CellPoint& end, const CellPoint& begin) {
     return middle.mixed && middle.at.status == surface::Status::Ok && std::abs(middle.at.value) < nearby * end.unit;
 }
 
+/// An end of a piece, and where on another one, or on its own beginning, the curve goes on.
+struct Joint {
+    bool overlaps = false; ///< both have a stretch
+    double distance = 0;
+    std::size_t end = 0, begin = 0; ///< pieces
+    std::size_t first = 0;          ///< of the second one's points that is beyond the first one's end
+};
+
+/// The points of pieces, to be found by where they are.
+class PieceGrid {
+  public:
+    explicit PieceGrid(const std::vector<Piece>& pieces) : m_pieces(pieces) {
+        for (const Piece& piece : pieces)
+            for (const CellPoint& p : piece.points)
+                m_side = std::max(m_side, smoothGap * p.unit);
+        for (std::uint32_t i = 0; i < pieces.size(); ++i)
+            for (std::uint32_t k = 0; !pieces[i].closed && k < pieces[i].points.size(); ++k)
+                m_cells.at(cellOf(pieces[i].points[k].position)).push_back({i, k});
+    }
+    /// fn(piece, point) for points around.
+    template <class Fn>
+    void forAround(const Vec3d& x, const Fn& fn) const {
+        base::forCellsAround(cellOf(x), [&](const base::Cell& cell) {
+            if (const std::vector<std::pair<std::uint32_t, std::uint32_t>>* there = m_cells.find(cell))
+                for (const auto& [piece, point] : *there)
+                    fn(piece, point);
+        });
+    }
+
+  private:
+    base::Cell cellOf(const Vec3d& x) const { return base::cellOf(x, Vec3d(), 1 / m_side); }
+
+    const std::vector<Piece>& m_pieces;
+    double m_side = 0;
+    base::CellMap<std::vector<std::pair<std::uint32_t, std::uint32_t>>> m_cells;
+};
+
+/// Where cells are smooth to each other both have stretches of one curve: does the end lie beside the segment before
+/// that point, near its piece's beginning?
+bool overlaps(const std::vector<CellPoint>& points, std::size_t k, const CellPoint& end, double& distance) {
+    if (k == 0)
+        return false;
+    const CellPoint &a = points[k - 1], &b = points[k];
+    if (!(dot(base::normalized(b.position - a.position), end.along) > goesOn))
+        return false;
+    const double share = base::shareAlong(a.position, b.position, end.position);
+    distance = base::distance(a.position + (b.position - a.position) * share, end.position);
+    if (!(share >= 0 && share < 1 && distance < sameCurve * end.unit))
+        return false;
+    double way = 0;
+    for (std::size_t m = 1; m <= k && way < longestOverlap * end.unit; ++m)
+        way += base::distance(points[m - 1].position, points[m].position);
+    return way < longestOverlap * end.unit;
+}
+
 /// Curves of pieces that begin where others end. They run along their tangents, so an end meets a beginning.
 std::vector<SectionCurve> join(CellSource& source, const std::vector<Piece>& pieces) {
-    struct Joint {
-        double distance;
-        std::size_t end, begin; ///< pieces
-    };
-    base::CellMap<std::vector<std::size_t>> begins;
-    double side = 0;
-    for (const Piece& piece : pieces)
-        side = std::max(side, smoothGap * piece.points.front().unit);
-    for (std::size_t i = 0; i < pieces.size(); ++i)
-        if (!pieces[i].closed)
-            begins.at(base::cellOf(pieces[i].points.front().position, Vec3d(), 1 / side)).push_back(i);
+    const PieceGrid grid(pieces);
     std::vector<Joint> joints;
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         if (pieces[i].closed)
             continue;
         const CellPoint& end = pieces[i].points.back();
-        base::forCellsAround(base::cellOf(end.position, Vec3d(), 1 / side), [&](const base::Cell& cell) {
-            if (const std::vector<std::size_t>* there = begins.find(cell))
-                for (const std::size_t j : *there)
-                    if (const CellPoint& begin = pieces[j].points.front();
-                        (i != j ||
-                         surface::arcLength(pieces[i].points, false) > 3 * distance(end.position, begin.position)) &&
-                        isJoint(source, end, begin))
-                        joints.push_back({distance(end.position, begin.position), i, j});
+        const double length = surface::arcLength(pieces[i].points, false);
+        grid.forAround(end.position, [&](std::size_t j, std::size_t k) {
+            const std::vector<CellPoint>& other = pieces[j].points;
+            const double far = distance(end.position, other.front().position);
+            double aside = 0;
+            if (i == j && !(length > 3 * std::max(far, longestOverlap * end.unit) || (k == 0 && length > 3 * far)))
+                return;
+            if (k == 0 && isJoint(source, end, other.front()))
+                joints.push_back({false, far, i, j, 0});
+            else if (overlaps(other, k, end, aside))
+                joints.push_back({true, aside, i, j, k});
         });
     }
     std::sort(joints.begin(), joints.end(), [](const Joint& a, const Joint& b) {
-        return std::tie(a.distance, a.end, a.begin) < std::tie(b.distance, b.end, b.begin);
+        return std::tie(a.overlaps, a.distance, a.end, a.begin, a.first) <
+               std::tie(b.overlaps, b.distance, b.end, b.begin, b.first);
     });
     constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
-    std::vector<std::size_t> next(pieces.size(), none), before(pieces.size(), none);
+    std::vector<std::size_t> next(pieces.size(), none), before(pieces.size(), none), first(pieces.size(), 0);
     for (const Joint& joint : joints)
         if (next[joint.end] == none && before[joint.begin] == none) {
             next[joint.end] = joint.begin;
             before[joint.begin] = joint.end;
+            first[joint.begin] = joint.first;
         }
     std::vector<SectionCurve> out;
     std::vector<bool> done(pieces.size());
-    const auto follow = [&](std::size_t first) {
+    const auto follow = [&](std::size_t start) {
         SectionCurve curve;
-        std::size_t i = first;
+        std::size_t i = start;
         for (; i != none && !done[i]; i = next[i]) {
             done[i] = true;
-            append(curve.points, pieces[i].points);
+            const std::vector<CellPoint>& points = pieces[i].points;
+            auto from = points.begin() + static_cast<std::ptrdiff_t>(first[i]);
+            while (!curve.points.empty() && points.end() - from > 1 && isBehind(*from, curve.points.back()))
+                ++from;
+            curve.points.insert(curve.points.end(), from, points.end());
         }
-        curve.closed = pieces[first].closed || i == first;
-        if (i == first && !pieces[first].closed) // stretches that both ends have count once
-            while (curve.points.size() > 2 && dot(curve.points.back().along, curve.points.front().along) > goesOn &&
-                   dot(curve.points.front().position - curve.points.back().position, curve.points.back().along) < 0)
+        curve.closed = pieces[start].closed || i == start;
+        if (i == start && !pieces[start].closed)
+            while (curve.points.size() > 2 && isBehind(curve.points.front(), curve.points.back()))
                 curve.points.pop_back();
         if (curve.points.size() > 1)
             out.push_back(std::move(curve));
@@ -239,6 +293,35 @@ std::vector<SectionCurve> join(CellSource& source, const std::vector<Piece>& pie
         if (!done[i])
             follow(i);
     return out;
+}
+
+/// Open curves that lie beside others all the way: what a cell that is smooth to others has of their curve.
+void dropDoubled(std::vector<SectionCurve>& curves) {
+    std::stable_sort(curves.begin(), curves.end(), [](const SectionCurve& a, const SectionCurve& b) {
+        return std::pair(b.closed, b.length()) < std::pair(a.closed, a.length());
+    });
+    surface::TracedLines traced;
+    std::vector<SectionCurve> out;
+    for (SectionCurve& curve : curves) {
+        if (!curve.closed && std::all_of(curve.points.begin(), curve.points.end(),
+                                         [&](const SectionPoint& p) { return traced.lineAt(p, sameCurve) >= 0; }))
+            continue;
+        traced.add(curve.points, curve.closed, out.size());
+        out.push_back(std::move(curve));
+    }
+    curves = std::move(out);
+}
+
+/// Shorter than a support, and with an end where no surface ends: beside a crease, by what little a cell is off there.
+bool isStub(CellSource& source, const SectionCurve& curve) {
+    const double unit = curve.points.front().unit;
+    if (curve.closed || curve.length() > unit)
+        return false;
+    const auto goesOnAt = [&](const SectionPoint& end, double sense) {
+        const CellValue there = evaluate(source, end.position + end.along * (sense * ahead * unit), Need::Value);
+        return there.mixed && there.at.status == surface::Status::Ok;
+    };
+    return goesOnAt(curve.points.front(), -1) || goesOnAt(curve.points.back(), 1);
 }
 
 } // namespace
@@ -276,6 +359,8 @@ std::vector<SectionCurve> findSection(const CellSurface& cells, const Plane& pla
         pieces.push_back(std::move(piece));
     }
     std::vector<SectionCurve> out = join(source, pieces);
+    dropDoubled(out);
+    std::erase_if(out, [&](const SectionCurve& curve) { return isStub(source, curve); });
     std::stable_sort(out.begin(), out.end(),
                      [](const SectionCurve& a, const SectionCurve& b) { return a.length() > b.length(); });
     return out;

@@ -2,6 +2,7 @@
 #include "core/mesh/faces/face_creases.h"
 
 #include "core/cells/cell_rays.h"
+#include "core/cells/cell_section.h"
 #include "core/mesh/faces/face_spacing.h"
 #include "core/mesh/faces/open_faces.h"
 #include "mesh/face_models.h"
@@ -30,6 +31,7 @@ class FaceCreasesTest : public QObject {
     void narrowSidesHaveRowsOfTheirOwn();
     void creasesThatEndFadeBetweenTwoBands();
     void stepsThatRunOutKeepBothLevelsApart();
+    void stepsThatRunOutAreCutAlongOneCurve();
     void openBoxesAreHitAtTheirEdges();
     void sharpEdgesAmongBumpsAreNoCreases();
     void edgesOfBoxesStayBesideBumps();
@@ -334,6 +336,55 @@ void FaceCreasesTest::stepsThatRunOutKeepBothLevelsApart() {
     qInfo() << told;
     QVERIFY(rays > test::effort(5) * 20);
     QVERIFY2(lost <= 1 + rays / 300 && rms < 0.045, told);
+}
+
+/// Where bands and faces go on into one another each has a stretch of the curve.
+void FaceCreasesTest::stepsThatRunOutAreCutAlongOneCurve() {
+    base::Random random(test::seed());
+    const auto lengthWithin = [](Vec3d a, Vec3d b) { // beyond, the surface ends in air
+        constexpr double within = 0.85;
+        if (a.y > b.y)
+            std::swap(a, b);
+        const double from = std::max(a.y, -within), to = std::min(b.y, within);
+        return from < to ? base::distance(a, b) * (to - from) / (b.y - a.y) : 0;
+    };
+    for (int round = 0; round < test::effort(4); ++round) {
+        const Faces f = step(random);
+        const mesh::OpenedFaces open = opened(f, 1600);
+        surface::SurfaceDefinition definition;
+        definition.boundary = surface::Boundary::None;
+        const surface::Surface surface(tree::SurfelTree::build(open.points), definition);
+        const cells::CellSurface cells = *cells::CellSurface::of(surface);
+        for (int k = 0; k < 8; ++k) {
+            const Vec3d n = base::normalized(Vec3d{1, random.uniform(-0.4, 0.4), random.uniform(-0.3, 0.3)});
+            const base::Plane plane{n, dot(n, Vec3d{random.uniform(-0.4, 0.6), 0, 0})};
+            double expected = 0;
+            for (const mesh::Triangle& t : f.triangles) {
+                std::vector<Vec3d> ends;
+                for (std::size_t e = 0; e < 3; ++e) {
+                    const Vec3d a = base::cast<double>(f.positions[t[e]]),
+                                b = base::cast<double>(f.positions[t[(e + 1) % 3]]);
+                    if ((plane.distance(a) > 0) != (plane.distance(b) > 0))
+                        ends.push_back(a + (b - a) * (plane.distance(a) / (plane.distance(a) - plane.distance(b))));
+                }
+                if (ends.size() == 2)
+                    expected += lengthWithin(ends[0], ends[1]);
+            }
+            const auto curves = findSection(cells, plane);
+            double found = 0;
+            for (const surface::SectionCurve& curve : curves)
+                for (std::size_t e = 1; e < curve.points.size(); ++e)
+                    found += lengthWithin(curve.points[e - 1].position, curve.points[e].position);
+            QVERIFY2(curves.size() == 1 && std::abs(found - expected) < 0.12 * expected,
+                     qPrintable(QString("seed %1, round %2, plane %3: %4 curves, of %5, not %6")
+                                    .arg(test::seed())
+                                    .arg(round)
+                                    .arg(k)
+                                    .arg(curves.size())
+                                    .arg(found)
+                                    .arg(expected)));
+        }
+    }
 }
 
 void FaceCreasesTest::openBoxesAreHitAtTheirEdges() {
