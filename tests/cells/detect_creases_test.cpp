@@ -28,6 +28,7 @@ class DetectCreasesTest : public QObject {
     void grainIsRefused();
     void sidesAreNeeded();
     void narrowStripsStaySmooth();
+    void stripsOfThreeSpacingsAreCells();
     void bitsAreThoseOfOneThread();
     void cleanup() { base::setThreadCount(0); }
 };
@@ -203,6 +204,26 @@ void DetectCreasesTest::narrowStripsStaySmooth() {
     forLabels(found.surface, [&](const Vec3d& p, const Vec3d&, const Label& label) {
         QVERIFY(label.meeting == Meeting::None || std::max(std::abs(p.x), std::abs(p.y)) > 0.5);
     });
+}
+
+/// The rim of a plate of 3.2 spacings, all of whose surfels have links over its edges.
+void DetectCreasesTest::stripsOfThreeSpacingsAreCells() {
+    Random random(test::seed());
+    constexpr double half = 1.6 * spacing;
+    const Solid plate = intersection(
+        {{{1, 0, 0}, 1}, {{-1, 0, 0}, 1}, {{0, 1, 0}, 1}, {{0, -1, 0}, 1}, {{0, 0, 1}, half}, {{0, 0, -1}, half}});
+    int found = 0, all = 0;
+    for (int round = 0; round < test::effort(4); ++round) {
+        const SampledSolid s = sampled(plate, 3, spacing, random, 0.4);
+        forLabels(cells::detectCreases(rawPoints(s.surfels, 0, 0, random)).surface,
+                  [&](const Vec3d& p, const Vec3d&, const Label& label) {
+                      if (std::max(std::abs(p.x), std::abs(p.y)) > 1 - 0.7 * spacing) {
+                          ++all;
+                          found += label.meeting != Meeting::None;
+                      }
+                  });
+    }
+    QVERIFY2(20 * found > 19 * all, qPrintable(QString("seed %1: %2 of %3").arg(test::seed()).arg(found).arg(all)));
 }
 
 void DetectCreasesTest::bitsAreThoseOfOneThread() {

@@ -13,7 +13,7 @@ using base::Vec3f;
 
 namespace {
 
-constexpr double clearly = 0.12;      ///< spacings by which the patch across is nearer
+constexpr double clearly = 0.25;      ///< spacings by which the patch across is nearer
 constexpr std::size_t fewestSure = 6; ///< members away from corners that a patch is better fitted to alone
 constexpr double acrossReach = 2;     ///< spacings: how far off the patch across may begin
 constexpr float nearlyOwn = 0.9986f;  ///< cosine of 3 degrees

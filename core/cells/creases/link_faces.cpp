@@ -14,8 +14,8 @@ namespace cells {
 
 namespace {
 
-constexpr std::size_t fewest = 8;  ///< surfels of a face
-constexpr double leastDepth = 1.2; ///< spacings from its creases to its middle: half the width, less where creases run
+constexpr std::size_t fewest = 8;   ///< surfels of a face
+constexpr double leastDepth = 0.75; ///< spacings from its creases to its middle: a quarter of the width and more
 constexpr std::size_t fewestCut = 2;
 constexpr double neck = 0.5; ///< of the depth of the shallower of two faces: what is narrower parts them
 
@@ -181,13 +181,14 @@ class FaceFinder {
         std::vector<double> depth(m_links.size(), std::numeric_limits<double>::infinity());
         Queue queue;
         for (std::uint32_t i = 0; i < m_links.size(); ++i) {
-            bool edge = false;
-            m_links.forLinks(i,
-                             [&](std::uint32_t j, Cut cut) { edge |= cut == Cut::Crease && m_face[i] != m_face[j]; });
-            if (edge) {
-                depth[i] = 0;
-                queue.emplace(0.0, i);
-            }
+            // the crease is about half way to the nearest surfel across
+            m_links.forLinks(i, [&](std::uint32_t j, Cut cut) {
+                if (cut == Cut::Crease && m_face[i] != m_face[j])
+                    depth[i] =
+                        std::min(depth[i], base::distance(m_links.at(i), m_links.at(j)) / m_links.spacing(i) / 2);
+            });
+            if (depth[i] < std::numeric_limits<double>::infinity())
+                queue.emplace(depth[i], i);
         }
         walk(queue, depth);
         std::map<std::uint32_t, double> deepest;
