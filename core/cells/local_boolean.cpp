@@ -203,11 +203,13 @@ template <class Source>
 bool cutOff(Source& source, std::size_t i, double tolerance) {
     if (Cutters(source, i, tolerance).find(false))
         return true;
-    // what goes on over most of the sums' surfels, without one beside their crease, ends with them
+    // what goes on over most of the sums' surfels, without one beside their crease, ends with them; but at the end of
+    // a crease within a face, what both its sides are summed in
     for (std::size_t j = 0; j < source.count(); ++j)
-        if (j != i && speaksFor(source, j, i) && valid(source.at(j, Need::Value)) &&
-            Cutters(source, j, tolerance).find(false))
-            return true;
+        if (j != i && speaksFor(source, j, i) && valid(source.at(j, Need::Value)))
+            if (const auto cut = Cutters(source, j, tolerance).find(false);
+                cut && (cut->place == Source::none || !joined(source, i, cut->place)))
+                return true;
     return false;
 }
 
