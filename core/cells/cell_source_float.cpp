@@ -167,6 +167,7 @@ double CellSourcef::votes(std::size_t i, std::uint32_t partner) const {
 void CellSourcef::meet() {
     m_met = true;
     m_votes.assign(m_near.size() * m_near.size(), 0);
+    m_faded.assign(m_votes.size(), {unknown, {}});
     // mostly all say the same, and their weights do not matter
     constexpr unsigned says[2] = {1, 2};
     m_said.assign(m_votes.size(), 0);
@@ -215,19 +216,6 @@ std::vector<AbsentCell> CellSourcef::absent(std::size_t i) {
     return out;
 }
 
-Meeting CellSourcef::meeting(std::size_t i, std::size_t j) {
-    if (!m_met)
-        meet();
-    if (vote(i, j) == 0 && !m_near[i].beside)
-        return Meeting::None;
-    const double convex = vote(i, j) + vote(j, i);
-    return convex > 0 ? Meeting::Convex : convex < 0 ? Meeting::Concave : Meeting::None;
-}
-
-double CellSourcef::sharpness(std::size_t i, std::size_t j) {
-    return meeting(i, j) == Meeting::None ? 0 : 1 - shareOf(i, j).v;
-}
-
 CellSourcef::Share CellSourcef::shareOf(std::size_t i, std::size_t j) {
     if (j == i)
         return {1, {}};
@@ -236,6 +224,13 @@ CellSourcef::Share CellSourcef::shareOf(std::size_t i, std::size_t j) {
         return {};
     if (meeting(i, j) == Meeting::None)
         return {oneFace ? 1.0 : 0.0, {}};
+    Share& known = m_faded[std::min(i, j) * m_near.size() + std::max(i, j)];
+    if (known.v == unknown)
+        known = fadedShare(i, j);
+    return known;
+}
+
+CellSourcef::Share CellSourcef::fadedShare(std::size_t i, std::size_t j) {
     m_fades.clear();
     bool faded = false;
     for (const auto& [a, b] : {std::pair(std::min(i, j), std::max(i, j)), std::pair(std::max(i, j), std::min(i, j))})

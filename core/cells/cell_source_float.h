@@ -47,9 +47,16 @@ class CellSourcef {
     /// Has one cell only surfels in support?
     bool alone() const { return count() == 1; }
 
-    Meeting meeting(std::size_t i, std::size_t j);
+    Meeting meeting(std::size_t i, std::size_t j) {
+        if (!m_met)
+            meet();
+        if (vote(i, j) == 0 && !m_near[i].beside)
+            return Meeting::None;
+        const double convex = vote(i, j) + vote(j, i);
+        return convex > 0 ? Meeting::Convex : convex < 0 ? Meeting::Concave : Meeting::None;
+    }
     std::vector<AbsentCell> absent(std::size_t i);
-    double sharpness(std::size_t i, std::size_t j);
+    double sharpness(std::size_t i, std::size_t j) { return meeting(i, j) == Meeting::None ? 0 : 1 - shareOf(i, j).v; }
     const CellField& at(std::size_t i, surface::Need need);
     CellSource::Tangent tangent(std::size_t i);
     CellSource::Sums sums(std::size_t i) const;
@@ -88,6 +95,7 @@ class CellSourcef {
         base::Vec3d slope;
     };
     Share shareOf(std::size_t i, std::size_t j);
+    Share fadedShare(std::size_t i, std::size_t j); ///< of cells that meet
     surface::ClusterSpan clustersFrom(double share);
     void sumOf(std::size_t i, surface::Need need, CellField& out);
     void layered(surface::Need need, CellField& out);
@@ -111,7 +119,9 @@ class CellSourcef {
     bool m_met = false;
     std::vector<double> m_votes;      ///< convex > 0, concave < 0, by cell and partner
     std::vector<std::uint8_t> m_said; ///< likewise: are there surfels that say convex (1), concave (2)?
+    static constexpr double unknown = -1;
     std::vector<Share> m_shares, m_steps;
+    std::vector<Share> m_faded; ///< of pairs that meet, once somebody has asked
     std::vector<const float*> m_joined, m_fades;
 };
 
