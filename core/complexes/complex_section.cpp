@@ -26,6 +26,8 @@ constexpr double longestStep = 0.3;  ///< in units of h
 constexpr double onCurve = 0.02;     ///< in units of h: how far a point may be from the polyline of its curve
 constexpr double besideCurve = 0.1;  ///< in units of h: patches are looked for so far inside of their boundary
 constexpr double joined = 0.01;      ///< in units of h: how far ends at one place are apart
+constexpr double shortest = 1e-6;    ///< in units of h: less is a corner that the plane touches
+
 using Piece = surface::TracedCurve<SectionPoint>;
 
 /// The curve of one patch, for surface::traceCurve.
@@ -132,7 +134,7 @@ std::vector<Piece> piecesOf(const Complex& complex, std::uint32_t patch, const P
             continue;
         Piece piece = surface::traceCurve(section, *seed, options);
         traced.add(piece.points, piece.closed, out.size());
-        if (piece.points.size() > 1)
+        if (surface::arcLength(piece.points, piece.closed) > shortest * seed->unit)
             out.push_back(std::move(piece));
     }
     return out;
