@@ -147,8 +147,8 @@ tree::SurfelTree withWords(const tree::SurfelTree& tree, const Stack& before, st
     });
 }
 
-static surfel::AttributeLayoutPtr without(const AttributeLayout& layout,
-                                          const std::function<bool(const std::string&)>& gone) {
+surfel::AttributeLayoutPtr layoutWithout(const AttributeLayout& layout,
+                                         const std::function<bool(const std::string&)>& gone) {
     auto out = std::make_shared<AttributeLayout>();
     out->normals = layout.normals, out->oriented = layout.oriented;
     out->colours = layout.colours, out->masks = layout.masks;
@@ -159,7 +159,7 @@ static surfel::AttributeLayoutPtr without(const AttributeLayout& layout,
 }
 
 tree::SurfelTree withoutWords(const tree::SurfelTree& tree, const Stack& after, std::uint32_t id) {
-    return laidOut(tree, without(*tree.layout(), [&](const std::string& name) {
+    return laidOut(tree, layoutWithout(*tree.layout(), [&](const std::string& name) {
                        const auto names = [&](std::uint32_t group) {
                            for (int word = 0; word < wordsOf(group); ++word)
                                if (name == nameOf(group, word))

@@ -45,4 +45,8 @@ tree::SurfelTree withoutWords(const tree::SurfelTree& tree, const Stack& after, 
 tree::SurfelTree laidOut(const tree::SurfelTree& tree, const surfel::AttributeLayoutPtr& layout,
                          const std::function<void(surfel::SurfelBlock&)>& fill = {});
 
+/// The layout without the attributes of some names.
+surfel::AttributeLayoutPtr layoutWithout(const surfel::AttributeLayout& layout,
+                                         const std::function<bool(const std::string&)>& gone);
+
 } // namespace layers

@@ -14,13 +14,22 @@ using tree::SurfelTree;
 /// Blocks on one thread in a row.
 constexpr std::size_t copied = 16;
 
+[[noreturn]] static void refuseName(Field field) {
+    const std::string name = attributeName(field);
+    throw base::Error("the model has an attribute \"" + name + "\" that is no float, where what is " +
+                          (field == Field::Hidden ? "hidden" : "selected") + " is kept",
+                      {}, "give it another name in the file");
+}
+
 int channelOf(const surfel::AttributeLayout& layout, Field field) {
     if (field == Field::Mask)
         return surfel::Mask;
-    const surfel::Attribute* attribute = layout.find(attributeName);
-    if (attribute && attribute->type != surfel::ScalarType::Float32)
-        throw base::Error("the model has an attribute \"selection\" that is no float, where what is selected is kept",
-                          {}, "give it another name in the file");
+    const surfel::Attribute* attribute = layout.find(attributeName(field));
+    if (attribute && attribute->type != surfel::ScalarType::Float32) {
+        if (field == Field::Selection)
+            refuseName(field);
+        return -1;
+    }
     return attribute ? surfel::Extra + static_cast<int>(attribute->firstWord) : -1;
 }
 
@@ -56,7 +65,8 @@ static BlockPtr widened(const SurfelBlock& block, const BlockValues& values) {
 
 /// A version of all blocks: those without a new content keep theirs, with zeros in the new word.
 static SurfelTree widenedTree(const SurfelTree& tree, const std::vector<const SurfelBlock*>& blocks,
-                              std::span<const std::uint32_t> numbers, const std::vector<BlockValues>& values) {
+                              std::span<const std::uint32_t> numbers, const std::vector<BlockValues>& values,
+                              Field field) {
     tree::Edit edit;
     edit.blocks.resize(blocks.size());
     std::vector<const BlockValues*> of(blocks.size(), nullptr);
@@ -67,14 +77,16 @@ static SurfelTree widenedTree(const SurfelTree& tree, const std::vector<const Su
         edit.blocks[b].changed = widened(*blocks[b], of[b] ? *of[b] : BlockValues{});
     });
     auto layout = std::make_shared<surfel::AttributeLayout>(*tree.layout());
-    layout->add(attributeName, surfel::ScalarType::Float32);
+    if (layout->find(attributeName(field)))
+        refuseName(field);
+    layout->add(attributeName(field), surfel::ScalarType::Float32);
     edit.layout = layout;
     return tree.apply(edit);
 }
 
-/// What is selected for the first time: nothing is made anew where that is nothing.
-static SurfelTree firstSelected(const SurfelTree& tree, std::span<const std::uint32_t> numbers, const Rewrite& rewrite,
-                                std::size_t grain) {
+/// What is selected or hidden for the first time: nothing is made anew where that is nothing.
+static SurfelTree firstSelected(const SurfelTree& tree, Field field, std::span<const std::uint32_t> numbers,
+                                const Rewrite& rewrite, std::size_t grain) {
     const std::vector<const SurfelBlock*> blocks = blocksOf(tree);
     std::vector<BlockValues> values(numbers.size());
     base::parallelFor(numbers.size(), grain, [&](std::size_t i) {
@@ -84,14 +96,14 @@ static SurfelTree firstSelected(const SurfelTree& tree, std::span<const std::uin
     const bool any = std::any_of(values.begin(), values.end(), [](const BlockValues& each) {
         return std::any_of(each.begin(), each.end(), [](float v) { return v != 0; });
     });
-    return any ? widenedTree(tree, blocks, numbers, values) : tree;
+    return any ? widenedTree(tree, blocks, numbers, values, field) : tree;
 }
 
 SurfelTree rewritten(const SurfelTree& tree, Field field, std::span<const std::uint32_t> numbers,
                      const Rewrite& rewrite, std::size_t grain) {
     const int channel = channelOf(*tree.layout(), field);
     if (channel < 0)
-        return firstSelected(tree, numbers, rewrite, grain);
+        return firstSelected(tree, field, numbers, rewrite, grain);
     const std::vector<const SurfelBlock*> blocks = blocksOf(tree);
     std::vector<BlockPtr> changed(numbers.size());
     base::parallelFor(numbers.size(), grain, [&](std::size_t i) {

@@ -1,9 +1,9 @@
-// A value of each surfel from 0 to 1 that chooses or protects: the selection, and the sculpt mask beside it. What this
-// room does to fields it does to both alike (selection/README 1).
+// A value of each surfel from 0 to 1 that chooses, protects or hides: the selection, the sculpt mask beside it, and
+// what is hidden (hidden.h). What this room does to fields it does to all alike (selection/README 1).
 //
-// The mask is a fixed channel. The selection is an attribute of float32 named "selection", which a model has from the
-// first time that something is selected; before, it is 0 everywhere. A surfel is *selected* where its value is at least
-// 1/2. New versions share every block in which nothing changed.
+// The mask is a fixed channel. The others are attributes of float32 named "selection" and "hidden", which a model has
+// from the first time that something is selected or hidden; before, they are 0 everywhere. A surfel is *selected*,
+// *hidden*, where the value is at least 1/2. New versions share every block in which nothing changed.
 #pragma once
 
 #include "core/tree/selection.h"
@@ -15,13 +15,16 @@
 
 namespace selection {
 
-enum class Field { Selection, Mask };
+enum class Field { Selection, Mask, Hidden };
 
-constexpr const char* attributeName = "selection";
+/// Of attributes: not the mask's.
+constexpr const char* attributeName(Field field) {
+    return field == Field::Hidden ? "hidden" : "selection";
+}
 constexpr float half = 0.5f;
 
 /// The channel of blocks that holds a field; -1 where no block has it. Throws base::Error where the model has an
-/// attribute of that name that is no float.
+/// attribute of the selection's name that is no float; one of "hidden" hides nothing.
 int channelOf(const surfel::AttributeLayout& layout, Field field);
 
 /// Of one block; 0 past its end.

@@ -19,6 +19,7 @@ class Flood {
     Flood(const surface::Surface& surface, const FloodLimits& limits)
         : m_surface(surface), m_links(surface), m_limits(limits), m_blocks(blocksOf(surface.tree())),
           m_seen(m_blocks.size()), m_in(m_blocks.size()),
+          m_hidden(limits.hidden ? -1 : channelOf(*surface.tree().layout(), Field::Hidden)),
           m_cosine(limits.angleRad < std::numbers::pi ? static_cast<float>(std::cos(limits.angleRad)) : -2.0f) {}
 
     tree::Selection from(const tree::Selection& seeds, const base::Progress& progress) {
@@ -51,7 +52,8 @@ class Flood {
             m_links.forEach(block, slot, [&](std::uint32_t number, const SurfelBlock& other, int k, float) {
                 const auto at = static_cast<std::size_t>(k);
                 const float cosine = dot(n, other.normal(k));
-                if (m_seen[number][at] || (oriented ? cosine : std::abs(cosine)) < m_cosine)
+                if (m_seen[number][at] || (oriented ? cosine : std::abs(cosine)) < m_cosine ||
+                    valueAt(other, m_hidden, k) >= half)
                     return;
                 const auto found = std::find_if(out.begin(), out.end(),
                                                 [&](const SelectedBlock& each) { return each.block == number; });
@@ -107,6 +109,7 @@ class Flood {
     FloodLimits m_limits;
     std::vector<const SurfelBlock*> m_blocks;
     std::vector<std::bitset<surfel::blockCapacity>> m_seen, m_in;
+    int m_hidden;   ///< channel of what ends it; -1: nothing does
     float m_cosine; ///< least that a link's normals may have
 };
 
@@ -118,8 +121,18 @@ tree::Selection flooded(const surface::Surface& surface, const tree::Selection& 
 }
 
 tree::Selection nearestTo(const tree::SurfelTree& tree, const base::Vec3d& x) {
+    const int hidden = channelOf(*tree.layout(), Field::Hidden);
     std::vector<tree::Neighbour> found;
-    tree.nearest(base::cast<float>(x), 1, found);
+    for (std::size_t count = 1; found.size() < tree.size(); count *= 16) {
+        tree.nearest(base::cast<float>(x), count, found);
+        const auto shown = std::ranges::find_if(
+            found, [&](const tree::Neighbour& each) { return valueAt(*each.block, hidden, each.slot) < half; });
+        if (shown != found.end()) {
+            found = {*shown};
+            break;
+        }
+    }
+    found.resize(1);
     tree::Selection out;
     for (const tree::Neighbour& each : found) {
         out.push_back({each.blockNumber, {}});

@@ -13,12 +13,14 @@ constexpr std::size_t fewest = 16;
 
 static SurfelTree without(const SurfelTree& tree, bool selected) {
     const int channel = channelOf(*tree.layout(), Field::Selection);
+    const int hidden = selected ? -1 : channelOf(*tree.layout(), Field::Hidden);
     const std::vector<const SurfelBlock*> blocks = blocksOf(tree);
     std::vector<tree::BlockEdit> edits(blocks.size());
     base::parallelFor(blocks.size(), 16, [&](std::size_t b) {
         edits[b].block = static_cast<std::uint32_t>(b);
         for (int slot = 0; slot < blocks[b]->size(); ++slot)
-            edits[b].removed[static_cast<std::size_t>(slot)] = (valueAt(*blocks[b], channel, slot) >= half) == selected;
+            edits[b].removed[static_cast<std::size_t>(slot)] =
+                (valueAt(*blocks[b], channel, slot) >= half) == selected && valueAt(*blocks[b], hidden, slot) < half;
     });
     tree::Edit edit;
     edit.inserted.layout = tree.layout();

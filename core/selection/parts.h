@@ -14,8 +14,8 @@ inline double weightUnder(Limit limit, const surfel::SurfelBlock& block, int cha
     return limit == Limit::Everything ? 1.0 : static_cast<double>(valueAt(block, channel, slot));
 }
 
-/// Without the selected surfels, or without all others. What stays keeps every bit: supports, too, so that a rim lies
-/// where it was cut. Throws base::Error where fewer than 16 would be left.
+/// Without the selected surfels, or without all others that are shown. What stays keeps every bit: supports, too, so
+/// that a rim lies where it was cut. Throws base::Error where fewer than 16 would be left.
 tree::SurfelTree withoutSelected(const tree::SurfelTree& tree);
 tree::SurfelTree withoutRest(const tree::SurfelTree& tree);
 

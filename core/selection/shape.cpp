@@ -28,9 +28,12 @@ constexpr double mostStretch = 16;
 struct Weighed {
     Weighed(const surface::Surface& surface, Limit under)
         : blocks(blocksOf(surface.tree())), limit(under),
-          channel(channelOf(*surface.tree().layout(), Field::Selection)), masks(surface.tree().layout()->masks) {}
+          channel(channelOf(*surface.tree().layout(), Field::Selection)),
+          hidden(channelOf(*surface.tree().layout(), Field::Hidden)), masks(surface.tree().layout()->masks) {}
 
     double free(const SurfelBlock& block, int slot) const {
+        if (valueAt(block, hidden, slot) >= half)
+            return 0;
         return masks ? 1 - std::clamp(static_cast<double>(block.mask(slot)), 0.0, 1.0) : 1;
     }
     double at(const SurfelBlock& block, int slot) const {
@@ -49,7 +52,7 @@ struct Weighed {
 
     std::vector<const SurfelBlock*> blocks;
     Limit limit;
-    int channel;
+    int channel, hidden;
     bool masks;
 };
 

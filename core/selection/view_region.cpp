@@ -1,5 +1,6 @@
 #include "core/selection/view_region.h"
 
+#include "core/selection/hidden.h"
 #include "core/surface/rays/intersect.h"
 
 #include <algorithm>
@@ -48,6 +49,7 @@ Relation ViewRegion::relation(const base::Box3d& box) const {
 }
 
 tree::Selection visibleOf(const surface::Surface& surface, const render::Camera& camera, const tree::Selection& found) {
+    const surface::Surface seen = shownOf(surface);
     const std::vector<const surfel::SurfelBlock*> blocks = blocksOf(surface.tree());
     const bool oriented = surface.tree().layout()->oriented;
     const Vec3d forward = camera.forward();
@@ -71,7 +73,7 @@ tree::Selection visibleOf(const surface::Surface& surface, const render::Camera&
         std::vector<surface::RayHit<float>> hits(rays.size());
         surface::IntersectOptions options;
         options.tolerance = sameSurface;
-        surface::intersect(surface, rays, options, hits);
+        surface::intersect(seen, rays, options, hits);
         for (std::size_t i = 0; i < hits.size(); ++i) {
             const double support = static_cast<double>(block.support(slots[i]));
             const double before = hits[i].hit ? depths[i] - static_cast<double>(hits[i].t) : 0;

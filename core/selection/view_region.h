@@ -25,7 +25,8 @@ struct ViewRegion {
     double m_focal;
 };
 
-/// Of what was found, the surfels that the camera sees: a ray to the surfel meets no surface before it. The first hit
+/// Of what was found, the surfels that the camera sees: a ray to the surfel meets no surface before it,
+/// where what is hidden is in no way. The first hit
 /// may lie before a surfel that faces the eye by less than its support: noise stands off the surface.
 /// In parallel, a ray a surfel.
 tree::Selection visibleOf(const surface::Surface& surface, const render::Camera& camera, const tree::Selection& found);

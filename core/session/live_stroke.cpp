@@ -3,6 +3,7 @@
 #include "core/base/cancel_scope.h"
 #include "core/base/error.h"
 #include "core/io/grey_image.h"
+#include "core/selection/hidden.h"
 #include "core/session/command.h"
 #include "core/session/commands/commands.h"
 #include "core/session/stroke_edges.h"
@@ -29,7 +30,11 @@ static surface::Surface startOf(const Context& context, const sculpt::StrokeSett
     if ((leavesEdge(settings) || fadesEdges(settings)) && !stack.empty())
         throw base::Error("strokes on layers neither leave nor fade edges", {},
                           "merge the layers, or leave \"edge\" and \"fade-edges\" as they are");
-    return context.document.surface();
+    const surface::Surface shown = selection::shownOf(context.document.surface());
+    if ((leavesEdge(settings) || fadesEdges(settings)) && !(shown.tree() == context.document.surface().tree()))
+        throw base::Error("strokes neither leave nor fade edges while parts of the model are hidden", {},
+                          "show them, or leave \"edge\" and \"fade-edges\" as they are");
+    return shown;
 }
 
 static std::shared_ptr<const sculpt::BrushStamp> stampOf(const std::string& image) {
@@ -40,9 +45,9 @@ static std::shared_ptr<const sculpt::BrushStamp> stampOf(const std::string& imag
 }
 
 LiveStroke::LiveStroke(Context& context, sculpt::StrokeSettings settings)
-    : m_context(context), m_settings(std::move(settings)),
-      m_stroke(startOf(context, m_settings), m_settings, context.document.provenance().origin,
-               stampOf(m_settings.stamp), context.progress.cancel) {
+    : m_context(context), m_settings(std::move(settings)), m_start(startOf(context, m_settings)),
+      m_stroke(m_start, m_settings, context.document.provenance().origin, stampOf(m_settings.stamp),
+               context.progress.cancel) {
     if (!context.document.layers().empty())
         m_stroke.onLayers(std::make_shared<layers::Stack>(context.document.layers()));
 }
@@ -89,9 +94,12 @@ bool LiveStroke::finish() {
     m_stroke.finish();
     m_context.dabs = m_stroke.dabs();
     m_context.dabSeconds.assign(m_stroke.dabSeconds().begin(), m_stroke.dabSeconds().end());
-    const surface::Surface done = depth() ? withItsEdges() : m_stroke.surface();
-    if (done.tree() == m_context.document.surface().tree())
+    surface::Surface done = depth() ? withItsEdges() : m_stroke.surface();
+    if (done.tree() == m_start.tree())
         return false;
+    const surface::Surface& whole = m_context.document.surface();
+    if (!(m_start.tree() == whole.tree()))
+        done = {selection::grafted(whole.tree(), m_start.tree(), done.tree()), whole.definition()};
     m_context.document.commit(done, label(), layers::How::Keep);
     record(m_context, line());
     return true;

@@ -28,11 +28,12 @@ class LiveStroke {
     /// Last resampling, history, journal. A stroke that never met the model leaves no trace. Returns whether it did.
     bool finish();
     /// Has it changed anything so far?
-    bool changed() const { return !(m_stroke.surface().tree() == m_context.document.surface().tree()); }
+    bool changed() const { return !(m_stroke.surface().tree() == m_start.tree()); }
     const char* label() const; ///< as history shows it
     /// The complete command `stroke` of what was added so far.
     nlohmann::json line() const;
 
+    /// Of what is shown of the model.
     const surface::Surface& surface() const { return m_stroke.surface(); }
     int dabs() const { return m_stroke.dabs(); }
     /// Of the first contact along its ray, once there is one.
@@ -43,6 +44,7 @@ class LiveStroke {
 
     Context& m_context;
     sculpt::StrokeSettings m_settings;
+    surface::Surface m_start; ///< what is shown of the model: what is hidden is not there for tools
     sculpt::Stroke m_stroke;
     std::vector<sculpt::StrokeSample> m_samples;
 };

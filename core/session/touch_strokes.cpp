@@ -1,5 +1,7 @@
 #include "core/session/touch_strokes.h"
 
+#include "core/selection/hidden.h"
+
 #include <nlohmann/json.hpp>
 
 namespace session {
@@ -34,8 +36,8 @@ TouchStrokes::TouchStrokes(Context& context, sculpt::StrokeSettings settings)
 
 TouchStrokes::~TouchStrokes() = default;
 
-const surface::Surface& TouchStrokes::surface() const {
-    return m_live ? m_live->surface() : m_context.document.surface();
+surface::Surface TouchStrokes::surface() const {
+    return m_live ? m_live->surface() : selection::shownOf(m_context.document.surface());
 }
 
 bool TouchStrokes::step(const haptics::Tick& tick) {

@@ -30,7 +30,7 @@ class TouchStrokes {
     bool step(const haptics::Tick& tick);
     /// The same.
     bool end();
-    const surface::Surface& surface() const;
+    surface::Surface surface() const; ///< what is shown of the model
     const std::vector<nlohmann::json>& lines() const { return m_lines; }
     std::size_t samples() const { return m_samples; }
 

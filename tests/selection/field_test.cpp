@@ -88,7 +88,7 @@ void FieldTest::maskAndSelectionAreApart() {
 void FieldTest::attributesOfThatNameAndOtherTypeAreRefused() {
     surfel::SurfelList points = test::spherePoints(200);
     auto layout = std::make_shared<surfel::AttributeLayout>(*points.layout);
-    layout->add(attributeName, surfel::ScalarType::UInt8);
+    layout->add(attributeName(Field::Selection), surfel::ScalarType::UInt8);
     points.layout = layout;
     points.extra.assign(points.size(), 1);
     const tree::SurfelTree tree = tree::SurfelTree::build(points);

@@ -35,7 +35,7 @@ std::vector<base::Box3f> unmaskedBoxes(const tree::SurfelTree& tree) {
 }
 
 std::vector<base::Box3f> selectedBoxes(const tree::SurfelTree& tree) {
-    const surfel::Attribute* attribute = tree.layout()->find(selection::attributeName);
+    const surfel::Attribute* attribute = tree.layout()->find(selection::attributeName(selection::Field::Selection));
     std::vector<base::Box3f> out;
     if (!attribute || attribute->type != surfel::ScalarType::Float32)
         return out;

@@ -64,6 +64,7 @@ void SelectBar::addChanges(QHBoxLayout& row) {
     struct Change {
         const char *name, *label, *tip;
         nlohmann::json command; ///< null: it takes a length
+        const char* key = "";
     };
     const Change changes[] = {
         {"all", QT_TR_NOOP("All"), QT_TR_NOOP("Select everything"), {{"op", "select"}, {"by", "all"}}},
@@ -76,6 +77,17 @@ void SelectBar::addChanges(QHBoxLayout& row) {
         {"shrink", QT_TR_NOOP("Shrink"), QT_TR_NOOP("By half the brush's radius along the surface"), nullptr},
         {"delete", QT_TR_NOOP("Delete"), QT_TR_NOOP("Take out what is selected"), {{"op", "delete"}}},
         {"keep", QT_TR_NOOP("Keep"), QT_TR_NOOP("Take out all that is not selected"), {{"op", "keep"}}},
+        {"hide",
+         QT_TR_NOOP("Hide"),
+         QT_TR_NOOP("Hide what is selected: tools and rays pass it by, nothing of it is lost"),
+         {{"op", "hide"}},
+         "H"},
+        {"hide-rest",
+         QT_TR_NOOP("Hide Rest"),
+         QT_TR_NOOP("Hide all that is not selected"),
+         {{"op", "hide"}, {"what", "rest"}},
+         "Shift+H"},
+        {"show", QT_TR_NOOP("Show All"), QT_TR_NOOP("Show all that is hidden"), {{"op", "show"}}, "Alt+H"},
         {"mask",
          QT_TR_NOOP("Mask"),
          QT_TR_NOOP("Protect what is selected from tools"),
@@ -87,6 +99,7 @@ void SelectBar::addChanges(QHBoxLayout& row) {
     };
     for (const Change& change : changes) {
         QAction* each = barAction(*this, tr(change.label), tr(change.tip), change.name);
+        each->setShortcut(QKeySequence(change.key));
         m_changes << each;
         connect(each, &QAction::triggered, this, [this, name = QString(change.name), command = change.command] {
             if (command.is_null())
@@ -99,7 +112,9 @@ void SelectBar::addChanges(QHBoxLayout& row) {
     addGap(row);
     addButtons(row, m_changes.mid(3, 2));
     addGap(row);
-    addButtons(row, m_changes.mid(5));
+    addButtons(row, m_changes.mid(5, 5));
+    addGap(row);
+    addButtons(row, m_changes.mid(10));
 }
 
 int SelectBar::way() const {

@@ -104,7 +104,7 @@ void ModelWorker::publishStroke() {
     Snapshot out = m_shown;
     out.surface = m_stroke->stroke->surface();
     out.whole = m_beside.whole(out.surface.tree());
-    out.surfels = out.surface.tree().size();
+    out.surfels += out.surface.tree().size() - m_shown.surface.tree().size(); // of all, hidden ones too
     publish(std::move(out));
 }
 
@@ -113,7 +113,7 @@ void ModelWorker::publishSettling() {
     Snapshot out = m_shown;
     out.surface = m_settling->stroke->surface();
     out.whole = m_beside.whole(out.surface.tree());
-    out.surfels = out.surface.tree().size();
+    out.surfels += out.surface.tree().size() - m_shown.surface.tree().size(); // of all, hidden ones too
     if (m_settling->stroke->changed()) {
         out.modified = out.canUndo = true;
         out.undoLabel = m_settling->stroke->label();

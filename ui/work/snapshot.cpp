@@ -3,6 +3,7 @@
 #include "core/process/curve_tube.h"
 #include "core/process/estimation/spacing_sample.h"
 #include "core/render/splats/splat_scale.h"
+#include "core/selection/hidden.h"
 
 namespace ui {
 
@@ -23,7 +24,7 @@ static void tellScene(const session::Scene& scene, session::ShownScene& shown, S
 
 Snapshot snapshotOf(const session::Document& document, session::ShownScene& shown) {
     Snapshot out;
-    out.surface = process::shownAs(document.surface());
+    out.surface = process::shownAs(selection::shownOf(document.surface()));
     out.surfels = document.surface().tree().size();
     tellScene(document.scene(), shown, out);
     out.path = document.path();

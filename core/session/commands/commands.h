@@ -44,6 +44,8 @@ CommandRow selectionCommand();
 CommandRow maskCommand();
 CommandRow deleteCommand();
 CommandRow keepCommand();
+CommandRow hideCommand();
+CommandRow showCommand();
 CommandRow duplicateCommand();
 CommandRow transformCommand();
 CommandRow colourCommand();

@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/process/curve_tube.h"
+#include "core/selection/hidden.h"
 #include "core/session/scene/joined_models.h"
 
 #include <algorithm>
@@ -21,8 +22,9 @@ const std::vector<ShownModel>& ShownScene::beside(const Scene& scene, const base
         });
         Known known{model.surface.tree(), motion, {model.id, model.name, model.locked, {}}};
         try {
-            known.shown.surface =
-                same != m_known.end() ? same->shown.surface : process::shownAs(placed(model.surface, motion), progress);
+            known.shown.surface = same != m_known.end()
+                                      ? same->shown.surface
+                                      : process::shownAs(placed(selection::shownOf(model.surface), motion), progress);
         } catch (const base::Error&) { // too far away
             continue;
         }

@@ -20,7 +20,9 @@ double neededNumber(const json& complete, const char* id) {
     return complete.at(id).get<double>();
 }
 
-void commitSelection(Context& context, const tree::SurfelTree& next, const std::string& label) {
+void commitSelection(Context& context, tree::SurfelTree next, const std::string& label, bool hidden) {
+    if (!hidden)
+        next = selection::combined(next, selection::selectedIn(next, Field::Hidden), selection::Mode::Subtract);
     const std::size_t count = sizeOf(selection::selectedIn(next));
     context.figures["selected"] = static_cast<double>(count);
     context.messages.push_back(std::to_string(count) + " of " + std::to_string(next.size()) + " surfels are selected.");

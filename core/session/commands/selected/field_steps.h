@@ -11,8 +11,9 @@ namespace session {
 /// "clear", "invert", "blur", "sharpen", "grow", "shrink" of a field, and what it takes from the other one ("copy").
 tree::SurfelTree fieldChanged(Context& context, selection::Field field, const nlohmann::json& complete);
 
-/// One step of history unless nothing changed, and how many surfels are selected now.
-void commitSelection(Context& context, const tree::SurfelTree& next, const std::string& label);
+/// One step of history unless nothing changed, and how many surfels are selected now. What is hidden is not, unless
+/// asked for.
+void commitSelection(Context& context, tree::SurfelTree next, const std::string& label, bool hidden = false);
 
 /// A parameter that some of a command's actions need. Throws base::Error naming it where it was left out.
 double neededNumber(const nlohmann::json& complete, const char* id);

@@ -19,7 +19,7 @@ static void select(Context& context, const nlohmann::json& complete) {
                                         : mode == "subtract" ? Mode::Subtract
                                         : mode == "replace"  ? Mode::Replace
                                                              : Mode::Intersect),
-                    "Select");
+                    "Select", complete.at("hidden"));
 }
 
 CommandRow selectCommand() {
@@ -31,6 +31,7 @@ CommandRow selectCommand() {
              "hangs "
              "together; rim: boundaries",
              "", ways.c_str(), 0, 0},
+            {"hidden", "boolean", "", "takes what is hidden, too", "false", "", 0, 0},
             {"mode", "choice", "", "how this joins what was selected", "\"replace\"", "replace add subtract intersect",
              0, 0},
             {"at", "list", "model units",

@@ -101,6 +101,7 @@ Selection ofPiece(Context& context, const json& complete) {
     if (seeds.empty())
         throw base::Error("there is nothing selected to begin with", {}, "say where to begin: \"at\":[x,y,z]");
     selection::FloodLimits limits;
+    limits.hidden = complete.at("hidden");
     if (complete.contains("curvature"))
         requireSurface(context);
     limits.angleRad = complete.value("angle", 180.0) * radians;
@@ -156,7 +157,8 @@ Selection found(Context& context, const json& complete) {
         if (!complete.contains(id))
             throw base::Error("\"select\" by " + by + " needs the parameter \"" + id + "\"");
     for (const auto& [key, value] : complete.items())
-        if (key != "op" && key != "by" && key != "mode" && !names(way.needs, key) && !names(way.takes, key))
+        if (key != "op" && key != "by" && key != "mode" && key != "hidden" && !names(way.needs, key) &&
+            !names(way.takes, key))
             throw base::Error("\"" + key + "\" has no say in \"select\" by " + by, {}, "leave it out");
     return way.find(context, complete);
 }
