@@ -19,11 +19,15 @@ double Loop::meanSpacing() const {
     return sum / static_cast<double>(points.size());
 }
 
-/// What the sampling is about a place: medians over the nearest surfels, so that a stray one has no say.
-static void measure(const surface::Surface& surface, LoopPoint& at) {
+struct Sampling {
+    double spacing = 0, support = 0;
+};
+
+/// About a place: medians over the nearest surfels, so that a stray one has no say.
+static Sampling samplingAt(const surface::Surface& surface, const Vec3d& place) {
     constexpr std::size_t around = 5;
     std::vector<tree::Neighbour> near;
-    surface.tree().nearest(base::cast<float>(at.position), around, near);
+    surface.tree().nearest(base::cast<float>(place), around, near);
     std::vector<float> spacings, supports;
     for (const tree::Neighbour& each : near) {
         spacings.push_back(process::spacingAround(surface.tree(), each.block->position(each.slot)));
@@ -31,13 +35,20 @@ static void measure(const surface::Surface& surface, LoopPoint& at) {
     }
     std::sort(spacings.begin(), spacings.end());
     std::sort(supports.begin(), supports.end());
-    at.spacing = static_cast<double>(spacings[spacings.size() / 2]);
-    at.support = static_cast<double>(supports[supports.size() / 2]);
+    return {static_cast<double>(spacings[spacings.size() / 2]), static_cast<double>(supports[supports.size() / 2])};
+}
+
+static void measure(const surface::Surface& surface, LoopPoint& at, double behind) {
+    Sampling found = samplingAt(surface, at.position);
+    if (behind > 0)
+        found = samplingAt(surface, at.position - at.outward * (behind * found.spacing));
+    at.spacing = found.spacing;
+    at.support = found.support;
     if (!(at.spacing > 0))
         at.spacing = at.support * surface::spacingOfUnit;
 }
 
-Loop evenLoop(const surface::Surface& surface, const surface::BoundaryCurve& curve, double coarser) {
+Loop evenLoop(const surface::Surface& surface, const surface::BoundaryCurve& curve, double coarser, double behind) {
     std::vector<LoopPoint> all(curve.points.size());
     double along = 0;
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -47,7 +58,7 @@ Loop evenLoop(const surface::Surface& surface, const surface::BoundaryCurve& cur
     }
     if (along > 0) // the surface is to the left of its tangents
         std::reverse(all.begin(), all.end());
-    base::parallelFor(all.size(), 16, [&](std::size_t i) { measure(surface, all[i]); });
+    base::parallelFor(all.size(), 16, [&](std::size_t i) { measure(surface, all[i], behind); });
 
     // in units of the spacing, so that steps follow it
     std::vector<double> at(all.size() + 1, 0);

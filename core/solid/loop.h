@@ -27,9 +27,11 @@ struct Loop {
     double meanSpacing() const;
 };
 
-/// The loop's points about `coarser` spacings apart, 6 at least, where spacings are those of the surfels around.
-/// REQUIRES: a closed curve.
-Loop evenLoop(const surface::Surface& surface, const surface::BoundaryCurve& curve, double coarser = 1);
+/// The loop's points about `coarser` spacings apart, 6 at least, where spacings are those of the surfels around, or of
+/// those so many spacings `behind` it: the last rows have neighbours on one side only, which lie a quarter farther
+/// apart. (Small patches come out denser than asked for, and make up for that.) REQUIRES: a closed curve.
+Loop evenLoop(const surface::Surface& surface, const surface::BoundaryCurve& curve, double coarser = 1,
+              double behind = 0);
 
 /// Which loops come nearer than half a spacing to themselves, other than along themselves, or to another one.
 std::vector<std::uint8_t> touching(const std::vector<Loop>& loops);

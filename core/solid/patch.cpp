@@ -37,7 +37,9 @@ Polygon polygonOf(const Loop& loop) {
 /// A triangulation whose edges come to the length wanted: split, joined, flipped and evened out in turn.
 class Evening {
   public:
-    Evening(const Loop& loop, const Polygon& polygon) : m_loop(loop), m_mesh(polygon.triangles, loop.size()) {
+    Evening(const Loop& loop, std::span<const mesh::Triangle> triangles, const Sheet* sheet = nullptr,
+            std::span<const SheetPlace> places = {})
+        : m_loop(loop), m_mesh(triangles, loop.size()), m_sheet(sheet), m_places(places.begin(), places.end()) {
         for (const LoopPoint& p : loop.points) {
             m_out.positions.push_back(p.position);
             m_out.spacings.push_back(p.spacing);
@@ -46,7 +48,7 @@ class Evening {
     }
 
     Patch result(const base::Progress& progress) {
-        while (splitBoundary())
+        while (!m_sheet && splitBoundary())
             flipAll();
         constexpr int rounds = 24, atLeast = 4;
         for (int round = 0; round < rounds; ++round) {
@@ -101,7 +103,12 @@ class Evening {
             if (!longest.exists())
                 continue;
             const std::uint32_t a = m_mesh.from(longest), b = m_mesh.to(longest), middle = m_mesh.addVertex();
-            m_out.positions.push_back((at(a) + at(b)) * 0.5);
+            if (m_sheet) {
+                m_places.push_back({m_places[a].u + 0.5 * aheadOf(a, b), 0.5 * (m_places[a].v + m_places[b].v)});
+                m_out.positions.push_back(m_sheet->at(m_places.back()));
+            } else {
+                m_out.positions.push_back((at(a) + at(b)) * 0.5);
+            }
             m_out.spacings.push_back(0.5 * (m_out.spacings[a] + m_out.spacings[b]));
             m_mesh.splitSide(longest, middle);
             any = true;
@@ -150,21 +157,41 @@ class Evening {
                      after = dot(normalOf(p, a, q), normalOf(q, b, p));
         return after >= std::min(0.5, before) - 1e-9;
     }
-    /// Vertices inside go half the way to the middle of their neighbours.
+    /// How far ahead one vertex is of another, the shorter way about the sheet.
+    double aheadOf(std::uint32_t a, std::uint32_t b) const { return std::remainder(m_places[b].u - m_places[a].u, 1); }
+    /// Vertices inside go half the way to the middle of their neighbours, in the sheet where there is one.
     void relax() {
         constexpr int sweeps = 3;
-        for (int sweep = 0; sweep < sweeps; ++sweep) {
-            std::vector<Vec3d> sums(m_out.positions.size());
-            std::vector<double> counts(m_out.positions.size(), 0);
-            m_mesh.forEdges([&](const mesh::Side& s) {
-                const std::uint32_t a = m_mesh.from(s), b = m_mesh.to(s);
-                sums[a] += at(b), sums[b] += at(a);
-                counts[a] += 1, counts[b] += 1;
-            });
-            for (std::size_t v = m_out.loopSize; v < sums.size(); ++v)
-                if (counts[v] > 0)
-                    m_out.positions[v] = (m_out.positions[v] + sums[v] / counts[v]) * 0.5;
-        }
+        for (int sweep = 0; sweep < sweeps; ++sweep)
+            m_sheet ? relaxInSheet() : relaxInSpace();
+    }
+    void relaxInSheet() {
+        std::vector<SheetPlace> sums(m_places.size());
+        std::vector<double> counts(m_places.size(), 0);
+        m_mesh.forEdges([&](const mesh::Side& s) {
+            const std::uint32_t a = m_mesh.from(s), b = m_mesh.to(s);
+            const double ahead = aheadOf(a, b), across = m_places[b].v - m_places[a].v;
+            sums[a].u += ahead, sums[b].u -= ahead;
+            sums[a].v += across, sums[b].v -= across;
+            counts[a] += 1, counts[b] += 1;
+        });
+        for (std::size_t v = m_out.loopSize; v < sums.size(); ++v)
+            if (counts[v] > 0) {
+                m_places[v].u += 0.5 * sums[v].u / counts[v], m_places[v].v += 0.5 * sums[v].v / counts[v];
+                m_out.positions[v] = m_sheet->at(m_places[v]);
+            }
+    }
+    void relaxInSpace() {
+        std::vector<Vec3d> sums(m_out.positions.size());
+        std::vector<double> counts(m_out.positions.size(), 0);
+        m_mesh.forEdges([&](const mesh::Side& s) {
+            const std::uint32_t a = m_mesh.from(s), b = m_mesh.to(s);
+            sums[a] += at(b), sums[b] += at(a);
+            counts[a] += 1, counts[b] += 1;
+        });
+        for (std::size_t v = m_out.loopSize; v < sums.size(); ++v)
+            if (counts[v] > 0)
+                m_out.positions[v] = (m_out.positions[v] + sums[v] / counts[v]) * 0.5;
     }
     const Vec3d& at(std::uint32_t vertex) const { return m_out.positions[vertex]; }
     /// Without vertices that are not in use.
@@ -194,8 +221,42 @@ class Evening {
     static constexpr double hexagonal = 1 / 0.9306;
     const Loop& m_loop;
     mesh::Triangulation m_mesh;
+    const Sheet* m_sheet;             ///< null: vertices lie between their neighbours
+    std::vector<SheetPlace> m_places; ///< of vertices on it
     Patch m_out;
 };
+
+/// From the loop at v = 0 to that at v = 1: whichever has the next point sooner goes on.
+std::vector<mesh::Triangle> stripOver(std::span<const SheetPlace> places) {
+    std::size_t first = 0; // points of the first loop
+    while (first < places.size() && places[first].v < 0.5)
+        ++first;
+    const std::size_t second = places.size() - first;
+    const auto a = [&](std::size_t i) { return static_cast<std::uint32_t>(i % first); };
+    const auto b = [&](std::size_t j) { return static_cast<std::uint32_t>(first + (second - j % second) % second); };
+    // begins at point 0 of the first and that of the other which is next to it
+    std::size_t begin = 0;
+    const auto ahead = [&](std::size_t j) { return std::remainder(places[b(j)].u - places[0].u, 1); };
+    for (std::size_t j = 0; j < second; ++j)
+        if (std::abs(ahead(j)) < std::abs(ahead(begin)))
+            begin = j;
+    const double offset = ahead(begin);
+    const auto wayA = [&](std::size_t i) { return i == first ? 1 : places[a(i)].u - places[0].u; };
+    const auto wayB = [&](std::size_t j) {
+        const double way = places[b(begin + j)].u - places[b(begin)].u;
+        return offset + (j == second ? 1 : way - std::floor(way));
+    };
+    std::vector<mesh::Triangle> out;
+    for (std::size_t i = 0, j = 0; i < first || j < second;)
+        if (j == second || (i < first && wayA(i + 1) <= wayB(j + 1))) {
+            out.push_back({a(i), a(i + 1), b(begin + j)});
+            ++i;
+        } else {
+            out.push_back({a(i), b(begin + j + 1), b(begin + j)});
+            ++j;
+        }
+    return out;
+}
 
 } // namespace
 
@@ -209,7 +270,12 @@ double areaOver(const Loop& loop) {
 }
 
 Patch patchOver(const Loop& loop, const base::Progress& progress) {
-    return Evening(loop, polygonOf(loop)).result(progress);
+    return Evening(loop, polygonOf(loop).triangles).result(progress);
+}
+
+Patch patchBetween(const Loop& loops, std::span<const SheetPlace> places, const Sheet& sheet,
+                   const base::Progress& progress) {
+    return Evening(loops, stripOver(places), &sheet, places).result(progress);
 }
 
 void halveEdges(Patch& patch, std::vector<Vec3d>& normals, int times) {

@@ -6,6 +6,8 @@
 #include "core/mesh/mesh.h"
 #include "core/solid/loop.h"
 
+#include <span>
+
 namespace solid {
 
 struct Patch {
@@ -25,6 +27,23 @@ double areaOver(const Loop& loop);
 
 /// An even triangulation of the loop, about the surface of least area. Throws base::Cancelled.
 Patch patchOver(const Loop& loop, const base::Progress& progress = {});
+
+/// A sheet that vertices stay on: a place for each pair of numbers, u from 0 to 1, where it begins anew, v across.
+struct SheetPlace {
+    double u = 0, v = 0;
+};
+class Sheet {
+  public:
+    virtual base::Vec3d at(const SheetPlace& place) const = 0;
+
+  protected:
+    ~Sheet() = default;
+};
+/// An even triangulation of a sheet from one loop to another. `loops`: the points of one after those of the other, each
+/// as seen by itself counter-clockwise about the sheet; `places`: of each of them, with v = 0 for the first loop, where
+/// u grows along it, and v = 1 for the other, where it falls. Throws base::Cancelled.
+Patch patchBetween(const Loop& loops, std::span<const SheetPlace> places, const Sheet& sheet,
+                   const base::Progress& progress = {});
 
 /// Every edge halved `times`, new vertices on the cubics that the normals at its ends make of it [Vlachos01]; `normals`
 /// becomes theirs. The loop's points are no longer the first ones: loopSize becomes 0.

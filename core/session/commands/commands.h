@@ -19,6 +19,7 @@ CommandRow resampleCommand();
 CommandRow reduceCommand();
 CommandRow refineCommand();
 CommandRow fillCommand();
+CommandRow bridgeCommand();
 CommandRow cutCommand();
 CommandRow trimCommand();
 CommandRow solidCommand();

@@ -8,13 +8,25 @@
 
 namespace session {
 
+/// With a limit of its own: it has rims where it was cut. So has what was closed and had none, as models of closed
+/// meshes.
+static surface::Surface leftOf(const surface::Surface& now, const tree::SurfelTree& next,
+                               const base::Progress& progress) {
+    surface::SurfaceDefinition definition = now.definition();
+    const bool closed = definition.boundary == surface::Boundary::None &&
+                        definition.manifold == surface::Manifold::Surface &&
+                        std::isinf(process::automaticBoundaryLimit(now, progress));
+    if (closed)
+        definition.boundary = surface::Boundary::Auto;
+    const surface::Surface out = process::withOwnLimit(next, definition, progress);
+    return closed && std::isinf(out.definition().boundaryLimit) ? surface::Surface{next, now.definition()} : out;
+}
+
 static void take(Context& context, const tree::SurfelTree& next, const std::string& label) {
     const surface::Surface& now = context.document.surface();
     context.messages.push_back(std::to_string(now.tree().size() - next.size()) + " surfels were taken out, " +
                                std::to_string(next.size()) + " are left.");
-    const surface::Surface left = next == now.tree() ? now // else it has rims where it was cut
-                                                     : process::withOwnLimit(next, now.definition(), context.progress);
-    clean::commit(context, left, label);
+    clean::commit(context, next == now.tree() ? now : leftOf(now, next, context.progress), label);
 }
 
 static void deleteSelected(Context& context, const nlohmann::json&) {
