@@ -57,11 +57,11 @@ class Way {
             const Vec3d across = normalized(cross(along, m_normals[i]), point(i).outward);
             outward[i] = dot(across, point(i).outward) < 0 ? -across : across;
         }
-        outward = meansOf(outward, reach);
+        outward = meansAlong(outward, reach);
         for (std::size_t i = 0; i < n; ++i)
             off[i] = dot(outward[i], m_normals[i]);
-        off = meansOf(off, reach);
-        m_normals = meansOf(m_normals, least);
+        off = meansAlong(off, reach);
+        m_normals = meansAlong(m_normals, least);
         for (std::size_t i = 0; i < n; ++i)
             m_outward.push_back(normalized(outward[i] - normalized(m_normals[i]) * off[i], point(i).outward));
         double shrinking = 0; // of the loop's length, for each length that it goes on
@@ -97,18 +97,6 @@ class Way {
         const Vec3d a = of(i + n - 1), b = of(i), c = of(i + 1), d = of(i + 2);
         return b + (c - a) * (0.5 * t) + (a * 2 - b * 5 + c * 4 - d) * (0.5 * t * t) +
                (b * 3 - a - c * 3 + d) * (0.5 * t * t * t);
-    }
-    /// About each place, nearer ones counting more.
-    template <class T>
-    static std::vector<T> meansOf(const std::vector<T>& of, std::size_t reach) {
-        const std::size_t n = of.size();
-        const double sum = static_cast<double>((reach + 1) * (reach + 1));
-        std::vector<T> out(n);
-        for (std::size_t i = 0; i < n; ++i)
-            for (std::size_t k = 0; k <= 2 * reach; ++k)
-                out[i] +=
-                    of[(i + n * reach + k - reach) % n] * (static_cast<double>(1 + std::min(k, 2 * reach - k)) / sum);
-        return out;
     }
     const LoopPoint& point(std::size_t i) const { return m_loop.points[i % size()]; }
     const Loop& m_loop;

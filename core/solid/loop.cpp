@@ -85,6 +85,22 @@ Loop evenLoop(const surface::Surface& surface, const surface::BoundaryCurve& cur
     return out;
 }
 
+void straighten(Loop& loop, std::size_t reach) {
+    constexpr double most = 0.5; // spacings
+    std::vector<Vec3d> places;
+    for (const LoopPoint& p : loop.points)
+        places.push_back(p.position);
+    const std::vector<Vec3d> means = meansAlong(places, reach);
+    std::vector<Vec3d> rest = places;
+    for (std::size_t i = 0; i < rest.size(); ++i)
+        rest[i] -= means[i];
+    rest = meansAlong(rest, reach); // what means take of the curve itself, given back
+    for (std::size_t i = 0; i < rest.size(); ++i) {
+        const Vec3d by = means[i] + rest[i] - places[i];
+        loop.points[i].position += by * std::min(1.0, most * loop.points[i].spacing / std::max(length(by), 1e-300));
+    }
+}
+
 std::vector<std::uint8_t> touching(const std::vector<Loop>& loops) {
     constexpr double near = 0.5, apart = 3; // in spacings: of places, and along the loop
     struct Place {

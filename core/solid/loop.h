@@ -5,6 +5,7 @@
 
 #include "core/surface/curves/boundary.h"
 
+#include <algorithm>
 #include <string>
 
 namespace solid {
@@ -32,6 +33,21 @@ struct Loop {
 /// apart. (Small patches come out denser than asked for, and make up for that.) REQUIRES: a closed curve.
 Loop evenLoop(const surface::Surface& surface, const surface::BoundaryCurve& curve, double coarser = 1,
               double behind = 0);
+
+/// Of what a loop's places have, about each of them: nearer ones count more, up to `reach` places away.
+template <class T>
+std::vector<T> meansAlong(const std::vector<T>& of, std::size_t reach) {
+    const std::size_t n = of.size();
+    const auto sum = static_cast<double>((reach + 1) * (reach + 1));
+    std::vector<T> out(n);
+    for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t k = 0; k <= 2 * reach; ++k)
+            out[i] += of[(i + n * reach + k - reach) % n] * (static_cast<double>(1 + std::min(k, 2 * reach - k)) / sum);
+    return out;
+}
+/// The same loop without the raggedness of surfels that were taken or left one by one: no place goes farther than half
+/// a spacing, and round loops stay as wide.
+void straighten(Loop& loop, std::size_t reach);
 
 /// Which loops come nearer than half a spacing to themselves, other than along themselves, or to another one.
 std::vector<std::uint8_t> touching(const std::vector<Loop>& loops);

@@ -2,19 +2,16 @@
 
 #include "core/base/cancel_scope.h"
 #include "core/base/parallel.h"
-#include "core/cells/creases/labelled_surface.h"
-#include "core/cells/creases/link_bands.h"
-#include "core/cells/creases/link_labels.h"
 #include "core/process/cleaning/list_change.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/solid/inside_others.h"
+#include "core/solid/link_creases.h"
 
 #include <algorithm>
 
 namespace solid {
 
 using base::Vec3f;
-using cells::Label;
 
 namespace {
 
@@ -72,40 +69,16 @@ class Seam {
     std::vector<float> m_turn; ///< infinity where nothing went near by
 };
 
-/// With creases where parts meet: on both sides bands, cells that are sharp to the one across and smooth to the rest of
-/// their face (cells/README 1.4).
+/// With creases where parts meet.
 surface::Surface creased(const surface::Surface& surface, const tree::SurfelTree& gone, std::size_t& atSeam) {
-    surfel::SurfelList surfels = surface.tree().surfels();
-    std::vector<Label> labels = cells::labelsOf(surface.tree());
-    cells::SurfelLinks links(surface.tree(), surfels.items);
-    std::vector<std::uint32_t> before, faces;
-    std::vector<Vec3f> normals;
-    for (std::size_t i = 0; i < surfels.size(); ++i) {
-        before.push_back(labels[i].cell);
-        faces.push_back(labels[i].face);
-        normals.push_back(surfels.items[i].normal);
-    }
-    links.cutWalls(normals);
-    const Seam seam(links, gone);
-    bool any = false;
-    for (std::uint32_t a = 0; a < links.size(); ++a)
-        for (std::uint32_t e = links.begin(a); e < links.end(a); ++e)
-            if (const std::uint32_t b = links.link(e).other; b > a && seam.crosses(a, b)) {
-                links.cut(e, cells::Cut::Crease);
-                any = true;
-            }
-    if (!any)
-        return surface;
-    const std::vector<std::uint32_t> split = cells::splitAtCreases(links, before);
-    cells::moveToCells(links, split, labels);
-    const std::vector<Label> moved = labels;
-    cells::labelByLinks(links, split, faces, normals, 1, labels);
-    for (std::size_t i = 0; i < labels.size(); ++i)
-        if (labels[i] != moved[i] && labels[i].meeting != cells::Meeting::None) {
-            labels[i].sharpness = 255; // also where few links lead over it: it ends nowhere
-            ++atSeam;
-        }
-    return cells::labelled(surface, std::move(surfels), labels);
+    return creasedWhere(
+        surface,
+        [&](const cells::SurfelLinks& links) -> LeadsOver {
+            return [seam = std::make_shared<Seam>(links, gone), &links](std::uint32_t a, std::uint32_t e) {
+                return seam->crosses(a, links.link(e).other);
+            };
+        },
+        atSeam);
 }
 
 } // namespace

@@ -20,6 +20,7 @@ CommandRow reduceCommand();
 CommandRow refineCommand();
 CommandRow fillCommand();
 CommandRow bridgeCommand();
+CommandRow extrudeCommand();
 CommandRow cutCommand();
 CommandRow trimCommand();
 CommandRow solidCommand();

@@ -1,0 +1,60 @@
+#include "core/base/error.h"
+#include "core/selection/field.h"
+#include "core/session/commands/commands.h"
+#include "core/session/commands/selected/limits.h"
+#include "core/session/number_text_list.h"
+#include "core/solid/extrude.h"
+
+#include <nlohmann/json.hpp>
+
+namespace session {
+
+static void extrude(Context& context, const nlohmann::json& complete) {
+    requireModel(context);
+    solid::ExtrudeOptions options;
+    options.length = complete.at("length");
+    options.creases = complete.at("creases");
+    if (complete.contains("direction"))
+        options.direction = directionOf(complete.at("direction").get<std::string>(), "direction");
+    const bool selected = complete.at("what") == "selection";
+    if (selected && complete.contains("loop"))
+        throw base::Error("\"loop\" has no say where a selection is extruded", {},
+                          "leave it out, or say \"what\":\"loop\"");
+    if (selected)
+        requireSelection(context);
+    const surface::Surface& surface = context.document.surface();
+    const auto loop = complete.contains("loop") ? std::optional(complete.at("loop").get<std::size_t>()) : std::nullopt;
+    solid::Extruded result =
+        selected ? solid::extrudeSelected(surface, selection::selectedIn(surface.tree()), options, context.progress)
+                 : solid::extrudeLoop(surface, loop, options, context.progress);
+    context.messages.push_back(
+        (selected ? std::to_string(result.moved) + " points were moved, and walls of " : "A wall of ") +
+        std::to_string(result.walls) + " points was added" + (result.atEdge > 0 ? "; its edges are sharp." : "."));
+    context.figures["moved"] = static_cast<double>(result.moved);
+    context.figures["walls"] = static_cast<double>(result.walls);
+    context.document.commit(std::move(result.surface), "Extrude", layers::How::Keep);
+}
+
+CommandRow extrudeCommand() {
+    static const CommandParameter parameters[] = {
+        {"what", "choice", "",
+         "selection: what is selected moves away, and walls close the step; loop: a wall along a boundary loop",
+         "\"selection\"", "selection loop", 0, 0},
+        {"length", "number", "model units", "how far; below 0 the other way", "", "", -largest, largest},
+        {"direction", "text", "", "where to: x,y,z; along the mean normal, or a loop's normals, unless told", "null",
+         "", 0, 0},
+        {"loop", "integer", "", "which boundary loop: longest first, from 0; may be left out where there is one",
+         "null", "", 0, largestCount},
+        {"creases", "boolean", "", "edges stay sharp; else they are round over about a support", "true", "", 0, 0},
+    };
+    return {"extrude",
+            "Extrude",
+            "Draws a part of the model out, with walls that close the step, or puts a wall along a boundary loop.",
+            parameters,
+            true,
+            false,
+            extrude,
+            nullptr};
+}
+
+} // namespace session

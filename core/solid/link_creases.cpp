@@ -1,0 +1,47 @@
+#include "core/solid/link_creases.h"
+
+#include "core/cells/creases/labelled_surface.h"
+#include "core/cells/creases/link_bands.h"
+#include "core/cells/creases/link_labels.h"
+
+namespace solid {
+
+using base::Vec3f;
+using cells::Label;
+
+surface::Surface creasedWhere(const surface::Surface& surface,
+                              const std::function<LeadsOver(const cells::SurfelLinks&)>& over, std::size_t& atEdge) {
+    surfel::SurfelList surfels = surface.tree().surfels();
+    std::vector<Label> labels = cells::labelsOf(surface.tree());
+    cells::SurfelLinks links(surface.tree(), surfels.items);
+    std::vector<std::uint32_t> before, faces;
+    std::vector<Vec3f> normals;
+    for (std::size_t i = 0; i < surfels.size(); ++i) {
+        before.push_back(labels[i].cell);
+        faces.push_back(labels[i].face);
+        normals.push_back(surfels.items[i].normal);
+    }
+    links.cutWalls(normals);
+    const LeadsOver leads = over(links);
+    bool any = false;
+    for (std::uint32_t a = 0; a < links.size(); ++a)
+        for (std::uint32_t e = links.begin(a); e < links.end(a); ++e)
+            if (links.link(e).other > a && leads(a, e)) {
+                links.cut(e, cells::Cut::Crease);
+                any = true;
+            }
+    if (!any)
+        return surface;
+    const std::vector<std::uint32_t> split = cells::splitAtCreases(links, before);
+    cells::moveToCells(links, split, labels);
+    const std::vector<Label> moved = labels;
+    cells::labelByLinks(links, split, faces, normals, 1, labels);
+    for (std::size_t i = 0; i < labels.size(); ++i)
+        if (labels[i] != moved[i] && labels[i].meeting != cells::Meeting::None) {
+            labels[i].sharpness = 255; // also where few links lead over it: it ends nowhere
+            ++atEdge;
+        }
+    return cells::labelled(surface, std::move(surfels), labels);
+}
+
+} // namespace solid
