@@ -2,11 +2,13 @@
 
 #include "core/base/cancel_scope.h"
 #include "core/base/error.h"
+#include "core/cells/creases/labelled_surface.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/process/resampling/point_grid.h"
 #include "core/solid/extrude_wall.h"
 #include "core/solid/link_creases.h"
 #include "core/solid/open_loops.h"
+#include "core/solid/seam_border.h"
 #include "core/surface/projection/project.h"
 
 #include <algorithm>
@@ -41,7 +43,7 @@ struct Made {
     }
 };
 
-/// Sharp where two of them meet and turn.
+/// Sharp where two of them meet and turn, and where walls of two cells do, as at a corner.
 surface::Surface withEdges(const surface::Surface& surface, const Made& made, std::size_t& atEdge) {
     constexpr float least = 0.14f; // 8 degrees: less is as flat as surfaces are
     return creasedWhere(
@@ -50,9 +52,10 @@ surface::Surface withEdges(const surface::Surface& surface, const Made& made, st
             std::vector<std::uint8_t> kinds(links.size());
             for (std::uint32_t i = 0; i < kinds.size(); ++i)
                 kinds[i] = made.kindOf(links.surfel(i).position);
-            return [kinds, &links](std::uint32_t a, std::uint32_t e) {
+            return [kinds, labels = cells::labelsOf(surface.tree()), &links](std::uint32_t a, std::uint32_t e) {
                 const std::uint32_t b = links.link(e).other;
-                return links.link(e).cut == cells::Cut::None && kinds[a] != kinds[b] &&
+                return links.link(e).cut == cells::Cut::None &&
+                       (kinds[a] != kinds[b] || (kinds[a] == 2 && labels[a].cell != labels[b].cell)) &&
                        length(links.surfel(a).normal - links.surfel(b).normal) > least;
             };
         },
@@ -209,12 +212,14 @@ Extruded extrudeSelected(const surface::Surface& surface, const tree::Selection&
     definition.boundaryLimit = limitOfBorder;
     const surface::Surface alone{tree::SurfelTree::build(part.surfels(true)), definition};
     const tree::SurfelTree rest = tree::SurfelTree::build(part.surfels(false));
+    const std::vector<cells::SeamLine> seams = cells::seamLines(surface, process::part(progress, 0, 0.3));
     constexpr std::size_t reach = 4; // of raggedness, in spacings
     std::vector<Loop> loops;
     std::vector<std::vector<std::uint8_t>> stands;
-    for (const surface::BoundaryCurve& curve : bordersOf(alone, process::part(progress, 0, 0.5))) {
+    for (const surface::BoundaryCurve& curve : bordersOf(alone, process::part(progress, 0.3, 0.6))) {
         Loop loop = evenLoop(alone, curve, 1, behind);
         straighten(loop, reach);
+        layOnto(seams, loop);
         std::vector<std::uint8_t> where = besideRest(loop, rest);
         if (std::ranges::count(where, 1) == 0) // the model ends there, too
             continue;

@@ -2,6 +2,7 @@
 
 #include "core/process/resampling/resample.h"
 #include "core/solid/map_places.h"
+#include "core/solid/seam_labels.h"
 #include "core/surfel/shape.h"
 
 #include <algorithm>
@@ -64,20 +65,42 @@ class WallMaker {
         const auto [i, t] = placeAt(u);
         return mix(i, t, [&](std::size_t k) { return position(k); });
     }
+    /// So far on along the loop, but not around its corners.
+    double upTo(double u, double by) const {
+        for (std::size_t i = 0; i < m_loop.size(); ++i)
+            if (m_loop.points[i].corner)
+                if (const double ahead = std::remainder(m_at[i] - u, m_at.back()); ahead * by > 0)
+                    by = std::copysign(std::min(std::abs(by), std::abs(ahead)), by);
+        return u + by;
+    }
+    /// The nearest surfel there; at a corner of several, the nearest that faces as the wall does.
+    const tree::Neighbour& besideAt(const Vec3d& place, const Vec3d& normal) {
+        constexpr std::size_t around = 8;
+        constexpr double alike = 0.95;
+        m_beside.nearest(base::cast<float>(place), around, m_near);
+        const auto same = std::ranges::find_if(m_near, [&](const tree::Neighbour& each) {
+            return dot(base::cast<double>(each.block->normal(each.slot)), normal) > alike;
+        });
+        return same != m_near.end() ? *same : m_near.front();
+    }
     void add(double u, double v, double spacing) {
         const auto [i, t] = placeAt(u);
         if (!m_stands.empty() && !m_stands[t < 0.5 ? i : (i + 1) % m_loop.size()])
             return;
         const double share = v / m_height;
         const auto at = [&](double where) { return foot(where) + wayAt(where) * share; };
-        const Vec3d way = wayAt(u), place = at(u), along = at(u + spacing) - at(u - spacing);
-        m_beside.nearest(base::cast<float>(foot(u)), 1, m_near);
-        surfel::Surfel s = m_near[0].block->surfel(m_near[0].slot);
-        m_near[0].block->extra(m_near[0].slot, m_words);
+        const Vec3d way = wayAt(u), place = at(u), along = at(upTo(u, spacing)) - at(upTo(u, -spacing));
+        const Vec3d normal = normalized(cross(along, way), m_loop.points[i].normal);
+        const tree::Neighbour& near = besideAt(foot(u), normal);
+        surfel::Surfel s = near.block->surfel(near.slot);
+        near.block->extra(near.slot, m_words);
         surfel::becomeBall(*m_out.layout, s, m_words);
+        if (const auto labels = cells::LabelLayout::of(*m_out.layout)) {
+            const cells::Label label = labels->at(m_words); // of its cell, beside no crease yet
+            writeLabel(*m_out.layout, {label.cell, label.cell, cells::Meeting::None, 255, label.face}, m_words);
+        }
         s.position = base::cast<float>(place);
-        s.normal =
-            base::cast<float>(m_out.layout->normals ? normalized(cross(along, way), m_loop.points[i].normal) : Vec3d{});
+        s.normal = base::cast<float>(m_out.layout->normals ? normal : Vec3d{});
         s.support = process::supportOf(m_definition, static_cast<float>(spacing));
         s.mask = 0;
         m_out.append(s, m_words);

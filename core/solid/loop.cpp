@@ -53,7 +53,7 @@ Loop evenLoop(const surface::Surface& surface, const surface::BoundaryCurve& cur
     double along = 0;
     for (std::size_t i = 0; i < all.size(); ++i) {
         const surface::BoundaryPoint& p = curve.points[i];
-        all[i] = {p.position, p.normal, p.outward, 0, 0};
+        all[i] = {p.position, p.normal, p.outward, 0, 0, false};
         along += dot(p.tangent(), curve.points[(i + 1) % all.size()].position - p.position);
     }
     if (along > 0) // the surface is to the left of its tangents
@@ -79,7 +79,7 @@ Loop evenLoop(const surface::Surface& surface, const surface::BoundaryCurve& cur
         out.points.push_back({a.position + (b.position - a.position) * t,
                               normalized(a.normal * (1 - t) + b.normal * t, a.normal),
                               normalized(a.outward * (1 - t) + b.outward * t, a.outward),
-                              a.spacing + (b.spacing - a.spacing) * t, a.support + (b.support - a.support) * t});
+                              a.spacing + (b.spacing - a.spacing) * t, a.support + (b.support - a.support) * t, false});
         out.middle += out.points.back().position / static_cast<double>(count);
     }
     return out;

@@ -16,6 +16,7 @@ struct LoopPoint {
     base::Vec3d outward; ///< unit, along the surface into the hole
     double spacing = 0;  ///< between surfels around
     double support = 0;  ///< of theirs
+    bool corner = false; ///< the loop turns sharply there
 };
 
 /// Counter-clockwise about the hole as seen from where the normals point: the surface is to the right.

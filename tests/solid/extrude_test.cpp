@@ -140,6 +140,7 @@ void ExtrudeTest::facesOfBoxesComeOut_data() {
         QTest::addRow("%g", length) << length;
 }
 
+/// A whole face ends in sharp corners, as the box does.
 void ExtrudeTest::facesOfBoxesComeOut() {
     QFETCH(double, length);
     base::Random random(test::seed() + 2);
@@ -160,7 +161,7 @@ void ExtrudeTest::facesOfBoxesComeOut() {
                                     .arg(wanted)
                                     .arg(test::seed())
                                     .toUtf8();
-        QVERIFY2(extent.closed && std::abs(extent.volume / wanted - 1) < 0.005, told);
+        QVERIFY2(extent.closed && std::abs(extent.volume / wanted - 1) < (whole ? 0.0005 : 0.005), told);
     }
 }
 
