@@ -36,6 +36,7 @@ class SelectToolsTest : public QObject {
     void menusHoldWhatTheBarHolds();
     void buttonsChangeWhatIsSelected();
     void framingTakesWhatIsSelected();
+    void keysHideAndShowParts();
 };
 
 namespace {
@@ -294,6 +295,37 @@ void SelectToolsTest::framingTakesWhatIsSelected() {
     const double before = t.f.window->sculptView().motion().view().heightAtTarget();
     t.f.window->sculptView().frameSelection();
     QVERIFY(t.f.window->sculptView().motion().view().heightAtTarget() < 0.7 * before);
+}
+
+/// What is hidden is not in the picture, and no stroke meets it.
+void SelectToolsTest::keysHideAndShowParts() {
+    Bar t;
+    const auto key = [&](const char* name, const char* keys) {
+        auto* action = t.f.window->findChild<QAction*>(QString("select-") + name);
+        const bool known = action && action->shortcut() == QKeySequence(keys);
+        if (known)
+            action->trigger();
+        t.f.settle();
+        return known;
+    };
+    t.click("rectangle");
+    t.f.drag(t.at(0.5, 0), t.at(1, 1));
+    const std::size_t chosen = t.selected();
+    QVERIFY(chosen > 1000 && chosen < 3000);
+    t.f.window->escape();
+    QVERIFY(key("hide", "H"));
+    QCOMPARE(t.model().size(), 4000 - chosen);
+    QCOMPARE(t.f.editor().snapshot().whole.size(), 4000 - chosen);
+    QCOMPARE(t.f.editor().snapshot().surfels, std::size_t(4000));
+    t.f.drag(t.at(0.4, 0.5), t.at(0.45, 0.55)); // beside it
+    QCOMPARE(t.f.editor().snapshot().undoLabel, std::string(t.f.window->settings().toolRow().label));
+    QVERIFY(key("show", "Alt+H"));
+    QVERIFY(t.model().size() >= 4000);
+    t.click("rectangle");
+    t.f.drag(t.at(0.5, 0), t.at(1, 1));
+    t.f.window->escape();
+    QVERIFY(key("hide-rest", "Shift+H"));
+    QCOMPARE(t.model().size(), t.selected());
 }
 
 static const test::Registered<SelectToolsTest> registered;
