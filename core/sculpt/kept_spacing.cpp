@@ -1,6 +1,5 @@
 #include "core/sculpt/kept_spacing.h"
 
-#include "core/base/parallel.h"
 #include "core/process/estimation/spacing.h"
 #include "core/process/estimation/spacing_sample.h"
 #include "core/process/resampling/resample.h"
@@ -77,29 +76,21 @@ LocalSpacing KeptSpacing::Search::at(const base::Vec3f& x, const base::Vec3f& n)
 }
 
 void KeptSpacing::measure(std::span<const surfel::BlockPtr> blocks) {
-    std::vector<Known> fresh;
-    for (const surfel::BlockPtr& block : blocks)
-        if (!m_known.contains(block.get()))
-            fresh.push_back({block, std::vector<LocalSpacing>(static_cast<std::size_t>(block->size()))});
-    base::parallelFor(fresh.size(), 1, [&](std::size_t i) {
-        Search search(*this);
-        const surfel::SurfelBlock& block = *fresh[i].block;
-        for (int slot = 0; slot < block.size(); ++slot)
-            fresh[i].spacing[static_cast<std::size_t>(slot)] = search.at(block.position(slot), block.normal(slot));
+    m_known.measure(blocks, [&] {
+        return [search = Search(*this)](const surfel::SurfelBlock& block, int slot) mutable {
+            return search.at(block.position(slot), block.normal(slot));
+        };
     });
-    for (Known& each : fresh)
-        m_known.emplace(each.block.get(), std::move(each));
 }
 
 LocalSpacing KeptSpacing::measured(const surfel::SurfelBlock& origin, int slot, Search& search) const {
-    const auto known = m_known.find(&origin);
-    return known == m_known.end() ? search.at(origin.position(slot), origin.normal(slot))
-                                  : known->second.spacing[static_cast<std::size_t>(slot)];
+    const LocalSpacing* const known = m_known.find(origin, slot);
+    return known ? *known : search.at(origin.position(slot), origin.normal(slot));
 }
 
 LocalSpacing KeptSpacing::measured(const surfel::SurfelBlock& origin, int slot) const {
-    if (const auto known = m_known.find(&origin); known != m_known.end())
-        return known->second.spacing[static_cast<std::size_t>(slot)];
+    if (const LocalSpacing* const known = m_known.find(origin, slot))
+        return *known;
     return Search(*this).at(origin.position(slot), origin.normal(slot));
 }
 

@@ -13,13 +13,13 @@
 // A value; const functions may run on any thread.
 #pragma once
 
+#include "core/sculpt/block_memo.h"
 #include "core/sculpt/stretches.h"
 #include "core/surface/surface.h"
 #include "core/surfel/shape.h"
 #include "core/tree/nearest_sequence.h"
 
 #include <optional>
-#include <unordered_map>
 
 namespace sculpt {
 
@@ -29,9 +29,11 @@ class KeptSpacing {
     /// `atContact`: the spacing where the stroke begins, for models with one support for all.
     KeptSpacing(surface::Surface first, float atContact);
 
-    /// Measures around all surfels of these blocks of the first version, unless that has been done, and keeps what was
-    /// found. In parallel.
+    /// Measures, on the first version, around all surfels of these blocks, unless that has been done, and keeps what
+    /// was found. In parallel.
     void measure(std::span<const surfel::BlockPtr> blocks);
+    /// Forgets what was found for others than these.
+    void keepOnly(std::span<const surfel::BlockPtr> blocks) { m_known.keepOnly(blocks); }
     /// Measures one surfel after another, best slot after slot; one thread.
     class Search {
       public:
@@ -45,7 +47,7 @@ class KeptSpacing {
         std::vector<float> m_alike, m_all; ///< squared distances
         std::vector<base::Vec3f> m_places; ///< of those that are alike
     };
-    /// m at a surfel of `origin`, whose positions are those of the first version. Known or measured now.
+    /// m at a surfel of `origin`, on the first version. Known or measured now.
     LocalSpacing measured(const surfel::SurfelBlock& origin, int slot, Search& search) const;
     LocalSpacing measured(const surfel::SurfelBlock& origin, int slot) const;
     /// The support of a surfel; of an ellipsoid, that of the ball of its area.
@@ -59,17 +61,13 @@ class KeptSpacing {
     const surface::Surface& first() const { return *m_first; }
 
   private:
-    struct Known {
-        surfel::BlockPtr block; ///< held, so that no other has its address
-        std::vector<LocalSpacing> spacing;
-    };
     std::optional<surface::Surface> m_first;
     float m_atContact = 0;
     int m_shape = 0;     ///< channel of the shapes of supports
     float m_ratio = 1;   ///< of the measured spacing to what supports are made for; 1 where they agree
     float m_typical = 1; ///< what m_ratio leaves of that ratio
     bool m_same = false; ///< one support for all
-    std::unordered_map<const surfel::SurfelBlock*, Known> m_known;
+    BlockMemo<LocalSpacing> m_known;
 };
 
 } // namespace sculpt

@@ -2,10 +2,10 @@
 #include "core/base/parallel.h"
 #include "core/process/resampling/resample_land.h"
 #include "core/process/resampling/resample_set.h"
-#include "core/surface/evaluation/packets.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace process {
 
@@ -16,8 +16,6 @@ constexpr int steps = 6;
 constexpr float tolerance = 0.02f; ///< in spacings; a step ends nearer to the surface than by its square
 /// Off-centre values along the surface hardly change on the way down: what begins so far beyond the limit ends beyond.
 constexpr float hopeless = 1.3f;
-/// In units of h: they come down within it.
-constexpr float packetSlack = 0.2f;
 /// Sum of the normals over the sum of the weights below which sheets mix: what grows there grows inside out.
 constexpr float leastAgreement = 0.5f;
 
@@ -56,31 +54,54 @@ bool beyondBorder(const SampleSet& set, const Landing& y, const base::Vec3f& eva
 
 /// What became of a gap.
 enum class Fate : std::uint8_t {
+    Falling, ///< not known yet
     Landed,
     Taken,  ///< something stands in the way, or it would be a crumb
     Refused ///< the frozen surface has nothing to offer there
 };
 
-/// Gives up as soon as the end is clear: on raw scans nine in ten gaps lie at borders, or beside what stands above
-/// them.
-Fate landIn(const SampleSet& set, surface::Source& source, const Gap& gap, Landing& y) {
+/// After a step that was evaluated there: its end, if that is clear. On raw scans nine in ten gaps lie at borders, or
+/// beside what stands above them.
+Fate fateOf(const SampleSet& set, const Gap& gap, const Landing& y, const base::Vec3f& evaluated, bool stepped) {
     const float target = set.target[gap.from];
     const base::Vec3f n = set.normal[gap.from];
-    y.place = gap.place;
-    for (int k = 0; k < steps; ++k) {
-        const base::Vec3f evaluated = y.place;
-        if (!landStep(source, gap.place, n, y))
-            break;
-        if (beyondBorder(set, y, evaluated))
-            return Fate::Refused;
-        if (y.step <= tolerance * target)
-            break;
-        if (y.step < fillApart * target && occupied(set, set.grid, y.place, n, fillApart * target - y.step))
-            return Fate::Taken;
+    if (stepped && beyondBorder(set, y, evaluated))
+        return Fate::Refused;
+    if (stepped && y.step > tolerance * target) {
+        const float apart = fillApart * target - y.step;
+        return apart > 0 && occupied(set, set.grid, y.place, n, apart) ? Fate::Taken : Fate::Falling;
     }
     if (!acceptable(set, gap, y))
         return Fate::Refused;
     return stray(set, y.place, y.gradient, fillReach * target) ? Fate::Taken : Fate::Landed;
+}
+
+/// Lets them all down onto the frozen surface, step by step.
+std::vector<Fate> land(const SampleSet& set, const std::vector<Gap>& gaps, std::vector<Landing>& out) {
+    std::vector<Fate> fate(gaps.size(), Fate::Falling);
+    std::vector<std::uint32_t> falling(gaps.size());
+    std::iota(falling.begin(), falling.end(), 0u);
+    out.assign(gaps.size(), {});
+    for (std::size_t i = 0; i < gaps.size(); ++i)
+        out[i].place = gaps[i].place;
+    std::vector<base::Vec3f> places, sides;
+    std::vector<surface::TogetherAt> at;
+    for (int k = 0; k < steps && !falling.empty(); ++k) {
+        places.resize(falling.size()), sides.resize(falling.size()), at.resize(falling.size());
+        for (std::size_t i = 0; i < falling.size(); ++i)
+            places[i] = out[falling[i]].place, sides[i] = set.normal[gaps[falling[i]].from];
+        surface::evaluateTogether(set.frozen, places, sides, at);
+        base::parallelFor(falling.size(), 128, [&](std::size_t i) {
+            const Gap& gap = gaps[falling[i]];
+            Landing& y = out[falling[i]];
+            const bool stepped = landStep(set.frozen, gap.place, at[i], y);
+            fate[falling[i]] = fateOf(set, gap, y, places[i], stepped);
+        });
+        std::erase_if(falling, [&](std::uint32_t i) { return fate[i] != Fate::Falling; });
+    }
+    for (const std::uint32_t i : falling) // as near as they came
+        fate[i] = fateOf(set, gaps[i], out[i], {}, false);
+    return fate;
 }
 
 /// Takes out what something stands in by now, or whose surfel is gone.
@@ -126,14 +147,8 @@ std::size_t fill(SampleSet& set, std::vector<Gap> gaps) {
     while (!gaps.empty()) {
         dropClosed(set, gaps);
         const std::vector<Gap> asked = takeApart(set, gaps);
-        std::vector<Landing> found(asked.size());
-        std::vector<Fate> fate(asked.size());
-        std::vector<base::Vec3f> places(asked.size());
-        for (std::size_t i = 0; i < asked.size(); ++i)
-            places[i] = asked[i].place;
-        surface::forPackets(set.frozen, places, packetSlack, [&](surface::Source& source, std::size_t i) {
-            fate[i] = landIn(set, source, asked[i], found[i]);
-        });
+        std::vector<Landing> found;
+        const std::vector<Fate> fate = land(set, asked, found);
         for (std::size_t i = 0; i < asked.size(); ++i) {
             base::CancelScope::check();
             const Gap& gap = asked[i];

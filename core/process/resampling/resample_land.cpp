@@ -36,16 +36,16 @@ static bool step(const Vec3f& x0, float centred, Landing& out) {
     return true;
 }
 
-bool landStep(surface::Source& source, const Vec3f& x0, const Vec3f& hint, Landing& out) {
-    out.at = source.evaluate(out.place, surface::Need::Gradient, {hint});
-    return step(x0, centredValue(source.surface(), out.place, out.at), out);
-}
-
 static void take(const surface::TogetherAt& from, surface::Evaluationf& to) {
     to.status = from.status;
     to.value = from.value, to.unit = from.unit;
     to.offCentre = from.offCentre, to.agreement = from.agreement;
     to.centroid = from.centroid, to.gradient = from.gradient;
+}
+
+bool landStep(const surface::Surface& surface, const Vec3f& x0, const surface::TogetherAt& at, Landing& out) {
+    take(at, out.at);
+    return step(x0, centredValue(surface, at), out);
 }
 
 std::vector<Landing> landTogether(const surface::Surface& surface, std::span<const Vec3f> x0,
@@ -65,8 +65,7 @@ std::vector<Landing> landTogether(const surface::Surface& surface, std::span<con
         evaluateTogether(surface, places, sides, at);
         base::parallelFor(left.size(), 256, [&](std::size_t i) {
             Landing& each = out[left[i]];
-            take(at[i], each.at);
-            goesOn[i] = step(x0[left[i]], centredValue(surface, at[i]), each) && each.step > tolerance ? 1 : 0;
+            goesOn[i] = landStep(surface, x0[left[i]], at[i], each) && each.step > tolerance ? 1 : 0;
         });
         std::size_t kept = 0;
         for (std::size_t i = 0; i < left.size(); ++i)

@@ -7,7 +7,6 @@
 // it projects uneven samples (process/README 4.3).
 #pragma once
 
-#include "core/surface/evaluation/source.h"
 #include "core/surface/evaluation/together.h"
 
 namespace process {
@@ -24,8 +23,9 @@ struct Landing {
 float centredValue(const surface::Surface& surface, const base::Vec3f& x, const surface::Evaluationf& e);
 float centredValue(const surface::Surface& surface, const surface::TogetherAt& e);
 
-/// One step more from x0, where `out.place` is the last one's end, or x0 to begin with. False: no surface there.
-bool landStep(surface::Source& source, const base::Vec3f& x0, const base::Vec3f& hint, Landing& out);
+/// One step more from x0, where `out.place` is the last one's end, or x0 to begin with, and `at` is what the surface
+/// is there. False: none.
+bool landStep(const surface::Surface& surface, const base::Vec3f& x0, const surface::TogetherAt& at, Landing& out);
 
 /// From each of x0 at most `steps` steps, until one is shorter than `tolerance` (model units). Not ok: no surface
 /// there. What lies side by side should stand side by side. Of `at` they tell what TogetherAt does, but for the bend.

@@ -28,14 +28,17 @@ static void wakeAround(SampleSet& set, std::size_t i) {
 }
 
 void wake(SampleSet& set, const std::vector<ClosePair>& pairs, std::size_t firstNew) {
+    if (set.options.relaxAll) {
+        for (std::size_t i = 0; i < set.size(); ++i)
+            if (set.free(i) && !set.is(i, Gone))
+                set.mark(i, Awake);
+        return;
+    }
     for (const ClosePair& pair : pairs)
         if (!set.is(pair.a, Gone) && !set.is(pair.b, Gone))
             wakeAround(set, pair.a), wakeAround(set, pair.b);
     for (std::size_t i = firstNew; i < set.size(); ++i)
         wakeAround(set, i);
-    for (std::size_t i = 0; set.options.relaxAll && i < set.size(); ++i)
-        if (set.free(i) && !set.is(i, Gone))
-            set.mark(i, Awake);
 }
 
 namespace {

@@ -4,6 +4,7 @@
 #include "core/base/parallel.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace process {
 
@@ -25,11 +26,26 @@ float pinnedAt(surface::Weight weight) {
 
 namespace {
 
-/// Blocks with surfels within `reach` of the selected surfels' boxes, by number, and the box of all of those.
+/// Blocks with surfels within `reach` of the selected surfels' boxes, by number, and the box of all of those, and a
+/// ball: what a brush touches is round.
 struct Surroundings {
     std::vector<std::uint32_t> blocks;
     base::Box3f box;
+    float radiusSq = 0; ///< about the box's centre
+
+    bool holds(const base::Vec3f& p) const { return box.contains(p) && distanceSq(p, box.centre()) <= radiusSq; }
 };
+
+float farthestSq(const tree::SurfelTree& tree, const tree::Selection& touched, const base::Vec3f& centre) {
+    std::vector<float> most(touched.size());
+    base::parallelFor(touched.size(), 8, [&](std::size_t i) {
+        const surfel::BlockPtr block = tree.block(touched[i].block);
+        for (int slot = 0; slot < block->size(); ++slot)
+            if (touched[i].slots[static_cast<std::size_t>(slot)])
+                most[i] = std::max(most[i], distanceSq(block->position(slot), centre));
+    });
+    return most.empty() ? 0.0f : *std::max_element(most.begin(), most.end());
+}
 
 Surroundings surroundings(const tree::SurfelTree& tree, const tree::Selection& touched, float reach) {
     Surroundings out;
@@ -46,6 +62,8 @@ Surroundings surroundings(const tree::SurfelTree& tree, const tree::Selection& t
     }
     std::sort(out.blocks.begin(), out.blocks.end());
     out.blocks.erase(std::unique(out.blocks.begin(), out.blocks.end()), out.blocks.end());
+    const float radius = std::sqrt(farthestSq(tree, touched, out.box.centre())) + reach;
+    out.radiusSq = radius * radius;
     out.box = out.box.inflated(reach);
     return out;
 }
@@ -107,7 +125,7 @@ void SampleSet::collect(const tree::Selection& touched, const tree::Selection& r
     base::parallelFor(block.size(), 8, [&](std::size_t k) {
         block[k] = version.tree().block(blockNumber[k]);
         for (int slot = 0; slot < block[k]->size(); ++slot)
-            taken[k].set(static_cast<std::size_t>(slot), around.box.contains(block[k]->position(slot)));
+            taken[k].set(static_cast<std::size_t>(slot), around.holds(block[k]->position(slot)));
         taken[k] |= isTouched[k];
     });
     std::vector<std::size_t> first(block.size() + 1, 0);

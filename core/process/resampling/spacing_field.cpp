@@ -75,6 +75,17 @@ SpacingField SpacingField::byCurvature(const surface::Surface& surface, const Cu
 float SpacingField::at(const base::Vec3f& x) const {
     std::vector<tree::Neighbour> near;
     m_tree.nearest(x, asked, near);
+    return meanOf(near);
+}
+
+SpacingField::Search::Search(const SpacingField& field) : m_field(field), m_around(field.m_tree, asked) {}
+
+float SpacingField::Search::at(const base::Vec3f& x) {
+    m_around.at(x, m_near);
+    return m_field.meanOf(m_near);
+}
+
+float SpacingField::meanOf(const std::vector<tree::Neighbour>& near) const {
     double sum = 0, weight = 0;
     for (const tree::Neighbour& n : near) {
         const double target = static_cast<double>(m_scale * n.block->support(n.slot));

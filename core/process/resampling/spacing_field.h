@@ -9,6 +9,7 @@
 
 #include "core/base/progress.h"
 #include "core/surface/surface.h"
+#include "core/tree/nearest_sequence.h"
 
 namespace process {
 
@@ -34,10 +35,23 @@ class SpacingField {
                                     const base::Progress& progress = {});
 
     float at(const base::Vec3f& x) const;
+    /// The same for places of which each is close to the one before, for a fraction of the cost; one thread.
+    class Search {
+      public:
+        explicit Search(const SpacingField& field);
+        float at(const base::Vec3f& x);
+
+      private:
+        const SpacingField& m_field;
+        tree::NearestSequence m_around;
+        std::vector<tree::Neighbour> m_near;
+    };
     float finest() const { return m_finest; } ///< 0 where nobody counted
     float coarsest() const { return m_coarsest; }
 
   private:
+    float meanOf(const std::vector<tree::Neighbour>& near) const;
+
     tree::SurfelTree m_tree; ///< targets are its supports times the scale
     float m_scale = 1;
     float m_finest = 0, m_coarsest = 0;

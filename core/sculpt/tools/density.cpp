@@ -3,6 +3,7 @@
 #include "core/base/parallel.h"
 #include "core/process/estimation/chance.h"
 #include "core/process/resampling/resample.h"
+#include "core/sculpt/block_memo.h"
 #include "core/sculpt/tools/inside.h"
 #include "core/surfel/shape.h"
 
@@ -22,6 +23,8 @@ constexpr float margin = 1.5f;
 /// Where the stroke found a sampling that differs by more than this from the centre's, a dab does less and less, up to
 /// where it does nothing: searches reach as far as the coarsest asks, and there the stroke has not come yet.
 constexpr float alike = 1.6f, unlike = 2.5f;
+/// Around what is resampled others are in the way, in spacings.
+constexpr float inTheWay = 4;
 /// Supports under a brush that differ by less are one.
 constexpr float even = 1.2f;
 
@@ -44,29 +47,68 @@ struct Aim {
     }
 };
 
+/// Supports where the stroke began, and what it has found of them around the surfels that the last dab looked at.
+struct Found : ToolMemory {
+    process::SpacingField field;
+    BlockMemo<float> known;
+
+    explicit Found(const surface::Surface& began) : field(began.tree(), 1.0f) {}
+    void measure(std::span<const surfel::BlockPtr> blocks) {
+        known.measure(blocks, [&] {
+            return [search = process::SpacingField::Search(field)](const surfel::SurfelBlock& block, int slot) mutable {
+                return search.at(block.position(slot));
+            };
+        });
+    }
+    float at(const surfel::SurfelBlock& block, int slot) const {
+        const float* const has = known.find(block, slot);
+        return has ? *has : field.at(block.position(slot));
+    }
+};
+
 /// The aims of a dab, place by place: where the stroke found an even sampling, one for all.
 class Aims {
   public:
     explicit Aims(const Aim& same) : m_middle(same) {}
-    /// `middle`: of the centre. `found`: supports where the stroke began. `factor`: what is left of them. `change`: by
-    /// as much at once.
-    Aims(const Aim& middle, process::SpacingField found, float factor, float change)
-        : m_middle(middle), m_found(std::move(found)), m_factor(factor), m_change(change) {}
+    /// `middle`: of the centre. `found`: where the stroke began. `factor`: what is left of the supports there.
+    /// `change`: by as much at once.
+    Aims(const Aim& middle, const Found& found, float factor, float change)
+        : m_middle(middle), m_found(&found), m_factor(factor), m_change(change) {}
 
-    bool same() const { return !m_found; }
-    /// Of a surfel that has the support `present`.
-    Aim at(const base::Vec3f& p, float present) const {
-        if (same())
+    /// Of a surfel that has the support `present`, where the stroke found the support `from`.
+    Aim at(float from, float present) const {
+        if (!m_found)
             return m_middle;
-        const float from = m_found->at(p), goal = from * std::pow(m_factor, share(from));
+        const float goal = from * std::pow(m_factor, share(from));
         const float most = from + grading * 0.5f * m_middle.radius; // what half the radius has room for
         return {m_middle.centre, m_middle.radius, from,
                 std::clamp(std::min(goal, most), present / m_change, present * m_change)};
     }
-    bool concerns(const base::Vec3f& p) const { return same() || share(m_found->at(p)) > 0; }
-    /// What the dab leaves of a surfel's support.
-    float support(const base::Vec3f& p, float present) const {
-        return concerns(p) ? at(p, present).support(p, present) : present;
+    bool concerns(const surfel::SurfelBlock& block, int slot) const {
+        return !m_found || share(m_found->at(block, slot)) > 0;
+    }
+    /// What the dab leaves of a surfel's support. It counts as being at p.
+    float support(const surfel::SurfelBlock& block, int slot, const base::Vec3f& p) const {
+        const float present = block.support(slot);
+        if (!m_found)
+            return m_middle.support(p, present);
+        const float from = m_found->at(block, slot);
+        return share(from) > 0 ? at(from, present).support(p, present) : present;
+    }
+    float support(const surfel::SurfelBlock& block, int slot) const {
+        return support(block, slot, block.position(slot));
+    }
+    /// And of those that are new, in parallel.
+    void grade(std::span<surfel::Surfel> born) const {
+        base::parallelChunks(born.size(), 256, [&](std::size_t begin, std::size_t end, std::size_t) {
+            std::optional<process::SpacingField::Search> search;
+            if (m_found)
+                search.emplace(m_found->field);
+            for (surfel::Surfel& s : born.subspan(begin, end - begin)) {
+                const Aim aim = at(search ? search->at(s.position) : 0, s.support);
+                s.support = aim.support(s.position, aim.from);
+            }
+        });
     }
 
   private:
@@ -77,7 +119,7 @@ class Aims {
     }
 
     Aim m_middle;
-    std::optional<process::SpacingField> m_found;
+    const Found* m_found = nullptr; ///< null: one for all
     float m_factor = 1, m_change = 1;
 };
 
@@ -96,10 +138,7 @@ bool uneven(const tree::SurfelTree& tree, const Brush& brush) {
 tree::Edit graded(const tree::SurfelTree& tree, const Brush& brush, const Aims& aims, tree::Edit edit) {
     tree::Edit out;
     out.inserted = std::move(edit.inserted);
-    for (surfel::Surfel& s : out.inserted.items) {
-        const Aim aim = aims.at(s.position, s.support);
-        s.support = aim.support(s.position, aim.from);
-    }
+    aims.grade(out.inserted.items);
     std::vector<BrushBlock> blocks = blocksUnder(tree, brush.centre, brush.radius);
     const int shape = surfel::shapeChannel(*tree.layout());
     out.blocks.resize(blocks.size());
@@ -116,9 +155,9 @@ tree::Edit graded(const tree::SurfelTree& tree, const Brush& brush, const Aims& 
         for (int slot = 0; slot < now.size(); ++slot) {
             if (slot % surfel::clusterSize == 0)
                 brush.weigh(blocks[b], slot / surfel::clusterSize, weight);
-            const float present = blocks[b].block->support(slot);
-            const float support =
-                weight[slot % surfel::clusterSize] > 0 ? aims.support(now.position(slot), present) : present;
+            const float support = weight[slot % surfel::clusterSize] > 0
+                                      ? aims.support(*blocks[b].block, slot, now.position(slot))
+                                      : blocks[b].block->support(slot);
             if (support == now.support(slot))
                 continue;
             if (!changed)
@@ -144,10 +183,9 @@ tree::Selection concerned(const tree::SurfelTree& tree, const Brush& brush, cons
             const auto bit = static_cast<std::size_t>(slot);
             if (!out[i].slots[bit])
                 continue;
-            const base::Vec3f p = block->position(slot);
-            const float present = block->support(slot), after = aims.support(p, present);
-            const float within = brush.radius - margin * std::max(present, after) / perSpacing;
-            const bool in = distance(p, brush.centre) < within && aims.concerns(p);
+            const float after = aims.support(*block, slot);
+            const float within = brush.radius - margin * std::max(block->support(slot), after) / perSpacing;
+            const bool in = distance(block->position(slot), brush.centre) < within && aims.concerns(*block, slot);
             out[i].slots.set(bit, in);
             most[i] = in ? std::max(most[i], after) : most[i];
         }
@@ -156,6 +194,31 @@ tree::Selection concerned(const tree::SurfelTree& tree, const Brush& brush, cons
     for (const float each : most)
         coarsest = std::max(coarsest, each / perSpacing);
     return out;
+}
+
+std::vector<surfel::BlockPtr> blocksAround(const tree::SurfelTree& tree, const base::Vec3f& centre, float radius) {
+    std::vector<surfel::BlockPtr> out;
+    tree.forBlocksInBall(centre, radius,
+                         [&](std::uint32_t number, const surfel::SurfelBlock&) { out.push_back(tree.block(number)); });
+    return out;
+}
+
+/// Each place to its own aim.
+tree::Edit byPlaces(const surface::Surface& version, const Brush& brush, const Aims& aims, Found& found,
+                    process::ResampleOptions options) {
+    const tree::SurfelTree& tree = version.tree();
+    const float perSpacing = process::supportOf(version.definition(), 1.0f);
+    std::vector<surfel::BlockPtr> around = blocksAround(tree, brush.centre, brush.radius);
+    found.measure(around);
+    options.spacing = options.support = 0; // supports follow in `graded`
+    const tree::Selection which = concerned(tree, brush, aims, perSpacing, options.spacing);
+    around = blocksAround(tree, brush.centre, brush.radius + inTheWay * options.spacing);
+    found.known.keepOnly(around);
+    found.measure(around);
+    options.targetOf = [&](const surfel::SurfelBlock& block, int slot) {
+        return aims.support(block, slot) / perSpacing;
+    };
+    return graded(tree, brush, aims, process::resample(version, which, options));
 }
 
 } // namespace
@@ -182,13 +245,12 @@ static tree::Edit density(const surface::Surface& version, const Dab& dab) {
     const Aim aim{dab.centre, dab.radius, process::supportOf(definition, first), options.support};
     if (!oneSupport && uneven(began.tree(), brush)) {
         const float reach = process::reachByChance(began, dab.centre);
-        const Aims aims(aim, process::SpacingField(began.tree(), 1.0f), factor / reach, change);
-        options.spacing = options.support = 0; // supports follow in `graded`
-        const tree::Selection which = concerned(version.tree(), brush, aims, perSpacing, options.spacing);
-        options.targetOf = [&](const surfel::SurfelBlock& block, int slot) {
-            return aims.support(block.position(slot), block.support(slot)) / perSpacing;
-        };
-        return graded(version.tree(), brush, aims, process::resample(version, which, options));
+        std::unique_ptr<ToolMemory> once;
+        std::unique_ptr<ToolMemory>& memory = dab.memory ? *dab.memory : once;
+        if (!memory)
+            memory = std::make_unique<Found>(began);
+        Found& found = static_cast<Found&>(*memory);
+        return byPlaces(version, brush, Aims(aim, found, factor / reach, change), found, options);
     }
     // Coarse sampling begins only where the supports are wide enough for it.
     const float ramp = oneSupport ? 0.0f : std::max(0.0f, aim.to - aim.from) / grading;

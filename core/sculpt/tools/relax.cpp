@@ -15,6 +15,8 @@ constexpr float sweeps = 5;
 /// What stays inside the rim, in spacings.
 constexpr float margin = 1.5f;
 
+/// Around what is relaxed others are in the way, in spacings.
+constexpr float inTheWay = 4;
 /// Supports under the brush that differ by no more are made for one spacing.
 constexpr float alike = 1.25f;
 
@@ -29,6 +31,33 @@ static bool oneSpacing(const tree::SurfelTree& tree, const tree::Selection& unde
     return most <= alike * least;
 }
 
+/// What the stroke has measured around the surfels that the last dab looked at: most have not moved since.
+struct RelaxMemory : ToolMemory {
+    KeptSpacing kept;
+    RelaxMemory(const surface::Surface& first, float spacing) : kept(first, spacing) {}
+};
+
+/// The largest target under the brush. All around it is measured then.
+static float measureUnder(const tree::SurfelTree& tree, const tree::Selection& under, const Dab& dab, float spacing,
+                          KeptSpacing& kept) {
+    std::vector<surfel::BlockPtr> blocks;
+    for (const tree::SelectedBlock& each : under)
+        blocks.push_back(tree.block(each.block));
+    kept.measure(blocks);
+    for (std::size_t i = 0; i < under.size(); ++i)
+        for (int slot = 0; slot < blocks[i]->size(); ++slot)
+            if (under[i].slots[static_cast<std::size_t>(slot)])
+                spacing =
+                    std::max(spacing, kept.target(kept.measured(*blocks[i], slot), kept.supportOf(*blocks[i], slot)));
+    blocks.clear();
+    tree.forBlocksInBall(
+        dab.centre, dab.radius + inTheWay * spacing,
+        [&](std::uint32_t number, const surfel::SurfelBlock&) { blocks.push_back(tree.block(number)); });
+    kept.keepOnly(blocks);
+    kept.measure(blocks);
+    return spacing;
+}
+
 static tree::Edit relax(const surface::Surface& version, const Dab& dab) {
     const Brush brush(dab);
     process::ResampleOptions options;
@@ -41,16 +70,15 @@ static tree::Edit relax(const surface::Surface& version, const Dab& dab) {
     if (version.definition().support > 0 || oneSpacing(version.tree(), under))
         return process::resample(version, under, options);
     // Nothing has left its surface: what is measured on the first version holds here.
-    const KeptSpacing kept(dab.first ? *dab.first : version, options.spacing);
+    std::unique_ptr<ToolMemory> once;
+    std::unique_ptr<ToolMemory>& memory = dab.memory ? *dab.memory : once;
+    if (!memory)
+        memory = std::make_unique<RelaxMemory>(dab.first ? *dab.first : version, options.spacing);
+    KeptSpacing& kept = static_cast<RelaxMemory&>(*memory).kept;
+    options.spacing = measureUnder(version.tree(), under, dab, options.spacing, kept);
     options.targetOf = [&](const surfel::SurfelBlock& block, int slot) {
-        return kept.target(kept.measured(block, slot), block.support(slot));
+        return kept.target(kept.measured(block, slot), kept.supportOf(block, slot));
     };
-    for (const tree::SelectedBlock& each : under) {
-        const surfel::BlockPtr block = version.tree().block(each.block);
-        for (int slot = 0; slot < block->size(); ++slot)
-            if (each.slots[static_cast<std::size_t>(slot)])
-                options.spacing = std::max(options.spacing, options.targetOf(*block, slot));
-    }
     return process::resample(version, under, options);
 }
 

@@ -1,0 +1,59 @@
+// What is known of each surfel of some blocks: measured once, slot after slot, in parallel, and found by the block.
+// Most blocks that a dab looks at are those that the dab before looked at.
+//
+// A value; const functions may run on any thread.
+#pragma once
+
+#include "core/base/parallel.h"
+#include "core/surfel/surfel_block.h"
+
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+namespace sculpt {
+
+template <class T>
+class BlockMemo {
+  public:
+    /// Measures what is missing of these blocks. newMeasure() gives what is called as measure(block, slot), slot after
+    /// slot, by one thread; it is called from many.
+    template <class NewMeasure>
+    void measure(std::span<const surfel::BlockPtr> blocks, const NewMeasure& newMeasure) {
+        std::vector<Known> fresh;
+        for (const surfel::BlockPtr& block : blocks)
+            if (!m_known.contains(block.get()))
+                fresh.push_back({block, std::vector<T>(static_cast<std::size_t>(block->size()))});
+        base::parallelFor(fresh.size(), 1, [&](std::size_t i) {
+            auto measure = newMeasure();
+            const surfel::SurfelBlock& block = *fresh[i].block;
+            for (int slot = 0; slot < block.size(); ++slot)
+                fresh[i].of[static_cast<std::size_t>(slot)] = measure(block, slot);
+        });
+        for (Known& each : fresh)
+            m_known.emplace(each.block.get(), std::move(each));
+    }
+    /// Forgets all others.
+    void keepOnly(std::span<const surfel::BlockPtr> blocks) {
+        Map kept;
+        for (const surfel::BlockPtr& block : blocks)
+            if (const auto known = m_known.find(block.get()); known != m_known.end())
+                kept.insert(m_known.extract(known));
+        m_known = std::move(kept);
+    }
+    /// Null: not measured.
+    const T* find(const surfel::SurfelBlock& block, int slot) const {
+        const auto known = m_known.find(&block);
+        return known == m_known.end() ? nullptr : &known->second.of[static_cast<std::size_t>(slot)];
+    }
+
+  private:
+    struct Known {
+        surfel::BlockPtr block; ///< held, so that no other has its address
+        std::vector<T> of;
+    };
+    using Map = std::unordered_map<const surfel::SurfelBlock*, Known>;
+    Map m_known;
+};
+
+} // namespace sculpt
