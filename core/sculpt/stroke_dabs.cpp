@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/layers/layer_edits.h"
 #include "core/sculpt/brush_connected.h"
+#include "core/sculpt/keep_apart.h"
 #include "core/sculpt/stroke_accumulate.h"
 
 #include <algorithm>
@@ -205,7 +206,7 @@ surface::Surface Dabs::preview(std::span<const Dab> images) const {
     for (Dab dab : images) {
         checkCancelled();
         complete(dab, out);
-        out = {out.tree().apply(m_row.apply(out, dab)), out.definition()};
+        out = {out.tree().apply(edited(out, dab)), out.definition()};
         out = {out.tree().apply(smoothing(out, dab)), out.definition()};
     }
     return out;
@@ -234,8 +235,13 @@ void Dabs::applyOne(Dab dab) {
     m_past.push_back({dab.centre, dab.radius, dab.strength});
 }
 
+tree::Edit Dabs::edited(const surface::Surface& version, const Dab& dab) const {
+    tree::Edit edit = m_row.apply(version, dab);
+    return movesSurfaces(m_row) ? keptApart(version, std::move(edit), m_sampling.spacing()) : edit;
+}
+
 void Dabs::pileUp(Dab dab) {
-    const tree::Edit edit = m_row.apply(m_surface, dab);
+    const tree::Edit edit = edited(m_surface, dab);
     commit(edit, dab);
     if (m_smoothing == 0)
         return;
@@ -256,7 +262,7 @@ tree::Edit Dabs::smoothing(const surface::Surface& version, Dab dab) const {
 
 /// A dab on the first version, of which only what goes farther than the dabs before is kept.
 void Dabs::holdBack(const Dab& dab) {
-    tree::Edit edit = m_row.apply(m_base, dab);
+    tree::Edit edit = edited(m_base, dab);
     if (restructures(edit)) { // slots lose their first versions: begin anew from here
         commit(edit, dab);
         m_base = m_whole = m_surface;

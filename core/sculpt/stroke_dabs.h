@@ -92,6 +92,8 @@ class Dabs {
     /// Throws base::Cancelled.
     void checkCancelled() const;
     void applyOne(Dab dab);
+    /// What the tool makes of the dab.
+    tree::Edit edited(const surface::Surface& version, const Dab& dab) const;
     void pileUp(Dab dab);
     void holdBack(const Dab& dab);
     tree::Edit smoothing(const surface::Surface& version, Dab dab) const;
