@@ -3,13 +3,27 @@
 #include "core/base/parallel.h"
 #include "core/surface/rays/intersect.h"
 
+#include <cmath>
+
 namespace sculpt {
+
+/// Cosine to the ray below which it is not for the ray to say which side it meets: within 6 degrees.
+constexpr float grazing = 0.1f;
+
+/// At an outline the place where a ray comes in and where it goes out are one, and which of them is found is a matter
+/// of rounding; turned against the ray the normal of the latter would point inside.
+static base::Vec3f outwards(const surface::Surface& surface, const base::Rayf& ray, const surface::RayHit<float>& hit) {
+    if (!surface.tree().layout()->oriented || std::abs(dot(hit.normal, normalized(ray.direction))) > grazing)
+        return hit.normal;
+    const surface::Evaluationf at = surface.evaluate(hit.position, surface::Need::Gradient);
+    return dot(at.gradient, hit.normal) < 0 ? -hit.normal : hit.normal;
+}
 
 std::optional<Contact> contact(const surface::Surface& surface, const base::Rayf& ray) {
     const surface::RayHit<float> hit = surface::intersect(surface, ray);
     if (!hit.hit || !isFinite(hit.position) || !isFinite(hit.normal))
         return {};
-    return Contact{hit.position, hit.normal, hit.t};
+    return Contact{hit.position, outwards(surface, ray, hit), hit.t};
 }
 
 namespace {

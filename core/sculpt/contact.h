@@ -9,7 +9,7 @@ namespace sculpt {
 
 struct Contact {
     base::Vec3f position; ///< the ray's first intersection with the surface, exact (surface/README 4)
-    base::Vec3f normal;   ///< unit gradient, facing against the ray
+    base::Vec3f normal;   ///< unit gradient, facing against the ray; at outlines outwards where that is known
     float distance = 0;   ///< along the ray's unit direction
 };
 

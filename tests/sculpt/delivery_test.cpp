@@ -1,6 +1,7 @@
 // A stroke is its path: in few pieces or many, even or not, seen from near or far along the same rays, begun on the
 // model or beside it, it makes the same thing.
 #include "sculpt/random_ball.h"
+#include "sculpt/random_plate.h"
 #include "support/registry.h"
 
 #include <QTest>
@@ -19,6 +20,7 @@ class DeliveryTest : public QObject {
     void aPathThatEndsBesideTheModelMakesTheSame_data();
     void aPathThatEndsBesideTheModelMakesTheSame();
     void aRopeFollowsTheWayAndNotItsSamples();
+    void aContactAtAnOutlineFacesOutwards();
 };
 
 using Path = std::vector<StrokeSample>;
@@ -194,6 +196,27 @@ void DeliveryTest::aRopeFollowsTheWayAndNotItsSamples() {
         settings.stabiliser = rope;
         const Path way = bent(-0.45f, 0.45f);
         verifySame(ball, settings, {way[0], way[11], way[22], way[32]}, test::seed());
+    }
+}
+
+/// Where the outline is, the place where a ray comes in and where it goes out are one.
+void DeliveryTest::aContactAtAnOutlineFacesOutwards() {
+    base::Random random(test::seed());
+    for (int k = 0; k < test::effort(5); ++k) {
+        const surface::Surface plate = test::randomPlate(random, {0.6, 0.5, random.uniform(0.02, 0.4)}, 0.02);
+        for (int i = 0; i < 20; ++i) {
+            const Vec3f view = base::cast<float>(random.unitVector()), aside = base::perpendicular(view);
+            const auto touched = [&](float by) { return contact(plate, {aside * by - view * 2.0f, view}); };
+            float in = 0, out = 1;
+            for (int halving = 0; halving < 24; ++halving) {
+                const float middle = 0.5f * (in + out);
+                (touched(middle) ? in : out) = middle;
+            }
+            const auto last = touched(in);
+            QVERIFY(last.has_value());
+            const auto there = plate.evaluate(last->position, surface::Need::Gradient);
+            QVERIFY2(dot(there.gradient, last->normal) > 0, qPrintable(QString("seed %1").arg(test::seed())));
+        }
     }
 }
 
