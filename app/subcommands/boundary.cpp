@@ -5,8 +5,10 @@
 #include "app/polyline_file.h"
 #include "app/subcommands/subcommand.h"
 #include "core/complexes/rims.h"
+#include "core/session/place_text.h"
 #include "core/surface/curves/boundary_curves.h"
 
+#include <algorithm>
 #include <iostream>
 
 namespace app {
@@ -15,12 +17,22 @@ using surface::BoundaryCurve, surface::BoundaryPoint;
 
 namespace {
 
-void tell(const std::vector<BoundaryCurve>& curves) {
+/// The middle of its points.
+base::Vec3d middleOf(const BoundaryCurve& curve) {
+    base::Vec3d sum;
+    for (const BoundaryPoint& p : curve.points)
+        sum += p.position;
+    return sum / static_cast<double>(std::max<std::size_t>(curve.points.size(), 1));
+}
+
+void tell(const std::vector<BoundaryCurve>& curves, const session::Document& document) {
     if (curves.empty())
         std::cout << "no boundary: the surface is closed, or its boundary limit is none\n";
+    const auto size = static_cast<double>(document.surface().tree().bounds().diagonal());
     for (std::size_t i = 0; i < curves.size(); ++i)
         std::cout << "boundary curve " << i << ": length " << curves[i].length() << ", " << curves[i].points.size()
-                  << " points, " << (curves[i].closed ? "closed" : "open") << '\n';
+                  << " points, " << (curves[i].closed ? "closed" : "open") << ", about "
+                  << session::placeText(middleOf(curves[i]) + document.provenance().origin, size) << '\n';
 }
 
 void run(const PolylineOptions& options, Console& console) {
@@ -34,7 +46,7 @@ void run(const PolylineOptions& options, Console& console) {
     if (!options.out.empty())
         writePolylines(options.out, curves, document.provenance().origin, {}, "rim,closed,x,y,z,nx,ny,nz,ox,oy,oz\n",
                        [](CsvWriter& csv, const BoundaryPoint& p) { csv.vector(p.outward); });
-    tell(curves);
+    tell(curves, document);
 }
 
 } // namespace

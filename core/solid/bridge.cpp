@@ -30,7 +30,7 @@ std::array<std::size_t, 2> chosen(std::size_t count, const std::optional<std::ar
                           "cut the model open where it is to begin and end");
     if (!wanted && count > 2)
         throw base::Error(found + ", and nothing says which two to bridge", "bridge",
-                          "name two by number, the longest is 0");
+                          "name two by number, the longest is 0; boundary lists them with their places");
     const std::array<std::size_t, 2> out = wanted.value_or(std::array<std::size_t, 2>{0, 1});
     for (const std::size_t each : out)
         if (each >= count)

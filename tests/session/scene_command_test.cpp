@@ -18,6 +18,7 @@ class SceneCommandTest : public QObject {
     void historyIsOneOfAllModels();
     void whatIsLockedOrHiddenIsNotChanged();
     void posesMoveNoSurfel();
+    void addingAndDuplicatingMoveAsMovingDoes();
     void appliedPosesLeaveEverythingWhereItWas();
     void splittingAndJoiningKeepEverySurfel();
     void eachValueBecomesAModel();
@@ -113,6 +114,25 @@ void SceneCommandTest::posesMoveNoSurfel() {
     larger[5] = 1.01;
     for (const json& matrix : {mirror, larger})
         QVERIFY(!bench.refusal(scene("place", {{"matrix", matrix}})).empty());
+}
+
+void SceneCommandTest::addingAndDuplicatingMoveAsMovingDoes() {
+    const json way{{"move", {0.5, 1, -2}}, {"axis", {0, 1, 1}}, {"angle", 33}};
+    const auto with = [&](json parameters) {
+        parameters.update(way);
+        return parameters;
+    };
+    Workbench once, twice;
+    for (Workbench* bench : {&once, &twice})
+        bench->run(test::newSphere());
+    once.run(scene("add", with({{"sample", "torus:900"}, {"name", "ring"}})));
+    once.run(scene("duplicate", with({{"to", "twin"}})));
+    twice.run(scene("add", {{"sample", "torus:900"}, {"name", "ring"}}));
+    twice.run(scene("move", way));
+    twice.run(scene("duplicate", {{"to", "twin"}}));
+    twice.run(scene("move", way));
+    QCOMPARE(once.hash(), twice.hash());
+    QVERIFY(length(model(once, "twin").pose(Vec3d()) - Vec3d{1, 2, -4}) < 0.2);
 }
 
 void SceneCommandTest::appliedPosesLeaveEverythingWhereItWas() {

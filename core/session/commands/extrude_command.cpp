@@ -29,7 +29,8 @@ static void extrude(Context& context, const nlohmann::json& complete) {
                  : solid::extrudeLoop(surface, loop, options, context.progress);
     context.messages.push_back(
         (selected ? std::to_string(result.moved) + " points were moved, and walls of " : "A wall of ") +
-        std::to_string(result.walls) + " points was added" + (result.atEdge > 0 ? "; its edges are sharp." : "."));
+        std::to_string(result.walls) + (selected ? " points were added" : " points was added") +
+        (result.atEdge > 0 ? "; its edges are sharp." : "."));
     context.figures["moved"] = static_cast<double>(result.moved);
     context.figures["walls"] = static_cast<double>(result.walls);
     context.document.commit(std::move(result.surface), "Extrude", layers::How::Keep);
@@ -41,9 +42,12 @@ CommandRow extrudeCommand() {
          "selection: what is selected moves away, and walls close the step; loop: a wall along a boundary loop",
          "\"selection\"", "selection loop", 0, 0},
         {"length", "number", "model units", "how far; below 0 the other way", "", "", -largest, largest},
-        {"direction", "text", "", "where to: x,y,z; along the mean normal, or a loop's normals, unless told", "null",
-         "", 0, 0},
-        {"loop", "integer", "", "which boundary loop: longest first, from 0; may be left out where there is one",
+        {"direction", "text", "",
+         "where to: x,y,z; a selection goes along its mean normal unless told, a wall along its loop stands across the "
+         "surface",
+         "null", "", 0, 0},
+        {"loop", "integer", "",
+         "which boundary loop: longest first, from 0, as boundary lists them; may be left out where there is one",
          "null", "", 0, largestCount},
         {"creases", "boolean", "", "edges stay sharp; else they are round over about a support", "true", "", 0, 0},
     };

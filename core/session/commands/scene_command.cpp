@@ -38,6 +38,16 @@ Rigid poseIn(const json& complete) {
     return complete.contains("matrix") ? poseOf(numbersOf(complete, "matrix", 16, "16 numbers by row")) : Rigid{};
 }
 
+/// A model at `pose`, turned about a point of the scene, its middle unless told, then moved.
+Rigid moved(const Rigid& pose, const SceneModel& model, const json& complete) {
+    const base::Vec3d by = vectorOf(complete, "move").value_or(base::Vec3d());
+    const std::optional<Turn> turn = turnOf(complete);
+    const base::Vec3d middle = base::cast<double>(model.surface.tree().bounds().centre()) + model.origin();
+    const base::Vec3d about = vectorOf(complete, "about").value_or(pose(middle));
+    const Rigid turned = turn ? process::motionOf(normalized(turn->axis) * turn->angle, {}) : Rigid();
+    return Rigid{turned.rotation, about - turned.turn(about) + by} * pose;
+}
+
 /// The journal gets the command with the hash of what it read.
 void pin(Context& context, json complete, const Scene& read) {
     const base::Hash128 hash = contentHash(read);
@@ -84,7 +94,7 @@ void add(Context& context, const json& complete) {
     for (SceneModel& model : read.models) {
         const bool alone = read.models.size() == 1;
         model.name = alone ? newName(next, complete, "name", model.name) : next.freshName(model.name);
-        model.pose = poseIn(complete);
+        model.pose = moved(poseIn(complete), model, complete);
         next.models.push_back(std::move(model));
     }
     next.active = first + read.active;
@@ -153,18 +163,11 @@ void place(Context& context, const json& complete) {
     setPose(context, complete, "Place model", [&](const SceneModel&) { return poseIn(complete); });
 }
 
-/// Turned about a point of the scene, the model's middle unless told, then moved.
 void move(Context& context, const json& complete) {
     if (!complete.contains("move") && !complete.contains("axis"))
         throw needs("move", complete);
-    const base::Vec3d by = vectorOf(complete, "move").value_or(base::Vec3d());
-    const std::optional<Turn> turn = turnOf(complete);
-    setPose(context, complete, "Move model", [&](const SceneModel& model) {
-        const base::Vec3d middle = base::cast<double>(model.surface.tree().bounds().centre()) + model.origin();
-        const base::Vec3d about = vectorOf(complete, "about").value_or(model.pose(middle));
-        const Rigid turned = turn ? process::motionOf(normalized(turn->axis) * turn->angle, {}) : Rigid();
-        return Rigid{turned.rotation, about - turned.turn(about) + by} * model.pose;
-    });
+    setPose(context, complete, "Move model",
+            [&](const SceneModel& model) { return moved(model.pose, model, complete); });
 }
 
 /// The pose goes into the points.
@@ -191,7 +194,7 @@ void duplicate(Context& context, const json& complete) {
     copy.id = 0;
     copy.visible = true;
     copy.locked = false;
-    copy.pose = poseIn(complete) * copy.pose;
+    copy.pose = moved(poseIn(complete) * copy.pose, copy, complete);
     next.active = next.models.size();
     next.models.push_back(std::move(copy));
     context.document.rearrange(std::move(next), "Duplicate model");
@@ -247,8 +250,8 @@ CommandRow sceneCommand() {
          "16 numbers by row, a rigid motion from the file's coordinates to the scene's; "
          "duplicate: of the scene's",
          "null", "", 0, 0},
-        {"move", "list", "model units", "[x,y,z] to move by, last", "null", "", 0, 0},
-        {"axis", "list", "", "[x,y,z] of the scene to turn about", "null", "", 0, 0},
+        {"move", "list", "model units", "add, duplicate, move: [x,y,z] to move by, last", "null", "", 0, 0},
+        {"axis", "list", "", "add, duplicate, move: [x,y,z] of the scene to turn about", "null", "", 0, 0},
         {"angle", "number", "degrees", "to turn by, right-handed", "null", "", -3600, 3600},
         {"about", "list", "model units", "[x,y,z] of the scene that turning leaves; the model's middle unless told",
          "null", "", 0, 0},

@@ -23,6 +23,8 @@ static void hide(Context& context, const nlohmann::json& complete) {
     const auto what = complete.at("what").get<std::string>();
     if (what == "selection" || what == "rest")
         requireSelection(context);
+    if (what == "mask" && selection::selectedIn(context.document.surface().tree(), selection::Field::Mask).empty())
+        throw base::Error("nothing is masked", {}, "mask what is to be hidden first");
     using selection::Hiding;
     commitHidden(context,
                  selection::hidden(context.document.surface().tree(), what == "selection" ? Hiding::Selected
@@ -42,7 +44,9 @@ CommandRow hideCommand() {
     };
     return {"hide",
             "Hide",
-            "Hides a part of the model: it is not seen, tools and rays pass it by, and nothing of it is lost.",
+            "Hides a part of the model: it is not seen, and tools and rays pass it by. What is hidden is no longer "
+            "selected; "
+            "it is saved, meshed, measured and cut as before.",
             parameters,
             true,
             false,
