@@ -8,11 +8,11 @@
 
 namespace session {
 
-void take(Context& context, solid::Combined result, const char* label) {
+void take(Context& context, solid::Combined result, const char* label, const std::string& unchanged) {
     const bool changed = result.removed + result.inserted > 0;
     context.messages.push_back(changed ? std::to_string(result.removed) + " points went, " +
                                              std::to_string(result.inserted) + " came"
-                                       : "the model is as it was: no point went, and none came");
+                                       : "The model is as it was: " + unchanged + ".");
     context.figures["removed"] = static_cast<double>(result.removed);
     context.figures["inserted"] = static_cast<double>(result.inserted);
     context.figures["at_seam"] = static_cast<double>(result.atSeam);

@@ -8,8 +8,9 @@
 
 namespace session {
 
-/// The result becomes the document's, with a message and figures of what came and went.
-void take(Context& context, solid::Combined result, const char* label);
+/// The result becomes the document's, with a message and figures of what came and went; or why nothing did.
+void take(Context& context, solid::Combined result, const char* label,
+          const std::string& unchanged = "no point went, and none came");
 
 /// "creases": are seams sharp? "fillet": or rounded by a ball? "chamfer": or cut flat?
 CommandParameter creasesParameter();

@@ -10,9 +10,10 @@ static void merge(Context& context, const nlohmann::json& complete) {
     requireModel(context);
     solid::Combined result =
         solid::merged(context.document.surface(), complete.at("creases").get<bool>(), context.progress);
-    if (result.removed == 0)
-        context.messages.push_back("No part of the model lies inside of another.");
-    take(context, std::move(result), "Merge parts");
+    const char* const others = context.document.scene().models.size() > 1
+                                   ? "; other models of the scene are parts of it once they are joined (scene)"
+                                   : "";
+    take(context, std::move(result), "Merge parts", std::string("no part of it lies inside of another") + others);
 }
 
 CommandRow mergeCommand() {
