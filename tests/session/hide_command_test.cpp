@@ -33,6 +33,7 @@ class HideCommandTest : public QObject {
     void changesOfShapeLeaveWhatIsHidden();
     void wholeModelsMoveWithWhatIsHidden();
     void keptAndDeletedPartsSpareWhatIsHidden();
+    void whatIsHiddenIsShownWhereNothingElseIsLeft();
     void filesKeepWhatIsHidden();
     void modelsBesideShowNoHiddenParts();
     void nonsenseIsRefused();
@@ -338,6 +339,17 @@ void HideCommandTest::keptAndDeletedPartsSpareWhatIsHidden() {
     bench.run(parsed(R"({"op":"delete"})"));
     QCOMPARE(bench.size(), all - chosen);
     QVERIFY(hashOfHidden(bench.document.surface()) == before);
+}
+
+/// There would be nothing to be seen.
+void HideCommandTest::whatIsHiddenIsShownWhereNothingElseIsLeft() {
+    Workbench bench;
+    makeHidden(bench);
+    const std::size_t gone = hiddenIn(bench);
+    bench.run(parsed(R"({"op":"select","by":"all"})"));
+    bench.run(parsed(R"({"op":"delete"})"));
+    QCOMPARE(bench.size(), gone);
+    QCOMPARE(hiddenIn(bench), std::size_t(0));
 }
 
 void HideCommandTest::filesKeepWhatIsHidden() {

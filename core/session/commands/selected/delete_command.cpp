@@ -1,4 +1,5 @@
 #include "core/process/estimation/boundary_limit.h"
+#include "core/selection/hidden.h"
 #include "core/selection/parts.h"
 #include "core/session/commands/commands.h"
 #include "core/session/commands/scans/clean_steps.h"
@@ -22,10 +23,14 @@ static surface::Surface leftOf(const surface::Surface& now, const tree::SurfelTr
     return closed && std::isinf(out.definition().boundaryLimit) ? surface::Surface{next, now.definition()} : out;
 }
 
-static void take(Context& context, const tree::SurfelTree& next, const std::string& label) {
+/// All that is left may be hidden: then it is shown.
+static void take(Context& context, tree::SurfelTree next, const std::string& label) {
     const surface::Surface& now = context.document.surface();
+    const bool unseen = next.size() > 0 && sizeOf(selection::selectedIn(next, selection::Field::Hidden)) == next.size();
+    if (unseen)
+        next = selection::allShown(next);
     context.messages.push_back(std::to_string(now.tree().size() - next.size()) + " surfels were taken out, " +
-                               std::to_string(next.size()) + " are left.");
+                               std::to_string(next.size()) + (unseen ? " that were hidden are left." : " are left."));
     clean::commit(context, next == now.tree() ? now : leftOf(now, next, context.progress), label);
 }
 
