@@ -218,7 +218,7 @@ void BridgeTest::aBallWithTwoHolesBecomesATorus() {
 
 void BridgeTest::largeSheetsAreAsDenseAsSmallOnes() {
     if (test::sanitized)
-        QSKIP("many surfels");
+        QSKIP("many surfels under a sanitizer");
     base::Random random(test::seed() + 2);
     const double s = 0.02, gap = 2.5; // some 40,000: shaped coarser
     const surface::Surface open = limited(twoTubes(1, 1, gap, s, random));
