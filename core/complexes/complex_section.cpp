@@ -19,14 +19,13 @@ using surface::SectionCurve, surface::SectionPoint;
 
 namespace {
 
-constexpr double tolerance = 1e-11;  ///< in units of h: of f
-constexpr double leastSine = 1e-3;   ///< of the angle between plane and patch: below it they touch
-constexpr double seedDistance = 0.3; ///< in units of h: points this near to the plane look for the section
-constexpr double longestStep = 0.3;  ///< in units of h
-constexpr double onCurve = 0.02;     ///< in units of h: how far a point may be from the polyline of its curve
-constexpr double besideCurve = 0.1;  ///< in units of h: patches are looked for so far inside of their boundary
-constexpr double joined = 0.01;      ///< in units of h: how far ends at one place are apart
-constexpr double shortest = 1e-6;    ///< in units of h: less is a corner that the plane touches
+constexpr double tolerance = 1e-11; ///< in units of h: of f
+constexpr double leastSine = 1e-3;  ///< of the angle between plane and patch: below it they touch
+constexpr double longestStep = 0.3; ///< in units of h
+constexpr double onCurve = 0.02;    ///< in units of h: how far a point may be from the polyline of its curve
+constexpr double besideCurve = 0.1; ///< in units of h: patches are looked for so far inside of their boundary
+constexpr double joined = 0.01;     ///< in units of h: how far ends at one place are apart
+constexpr double shortest = 1e-6;   ///< in units of h: less is a corner that the plane touches
 
 using Piece = surface::TracedCurve<SectionPoint>;
 
@@ -94,14 +93,7 @@ class PatchSection {
 /// Where the plane may cut a patch: its own points near the plane, and beside where its boundary crosses.
 std::vector<Vec3d> startsOf(const Complex& complex, std::uint32_t patch, const Plane& plane,
                             const std::vector<std::vector<Vec3d>>& crossings) {
-    std::vector<Vec3d> out;
-    complex[patch].own.tree().forEachBlock([&](std::uint32_t, const surfel::SurfelBlock& block) {
-        for (int slot = 0; slot < block.size(); ++slot) {
-            const Vec3d p = base::cast<double>(block.position(slot));
-            if (std::abs(plane.distance(p)) <= seedDistance * static_cast<double>(block.support(slot)))
-                out.push_back(p);
-        }
-    });
+    std::vector<Vec3d> out = surface::surfelsNear(complex[patch].own.tree(), plane);
     std::vector<Vec3d> ends;
     for (const std::uint32_t curve : complex[patch].boundary)
         ends.insert(ends.end(), crossings[curve].begin(), crossings[curve].end());

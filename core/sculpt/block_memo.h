@@ -5,7 +5,7 @@
 #pragma once
 
 #include "core/base/parallel.h"
-#include "core/surfel/surfel_block.h"
+#include "core/tree/surfel_tree.h"
 
 #include <span>
 #include <unordered_map>
@@ -55,5 +55,17 @@ class BlockMemo {
     using Map = std::unordered_map<const surfel::SurfelBlock*, Known>;
     Map m_known;
 };
+
+/// Around what is resampled others are in the way, in spacings.
+constexpr float inTheWay = 4;
+
+/// Those that reach into a ball.
+inline std::vector<surfel::BlockPtr> blocksAround(const tree::SurfelTree& tree, const base::Vec3f& centre,
+                                                  float radius) {
+    std::vector<surfel::BlockPtr> out;
+    tree.forBlocksInBall(centre, radius,
+                         [&](std::uint32_t number, const surfel::SurfelBlock&) { out.push_back(tree.block(number)); });
+    return out;
+}
 
 } // namespace sculpt

@@ -20,8 +20,6 @@ constexpr StretchRange mustBeyond{0.4f, 2.4f};
 constexpr float tearReach = 2.5f;
 /// Targets that differ by more than this are seen to one after the other: searches reach as far as the largest asks.
 constexpr float classWidth = 2.5f;
-/// Around what is resampled others are in the way, in spacings.
-constexpr float inTheWay = 4;
 /// Around what a tool took away, in spacings.
 constexpr float crumbsReach = 8;
 /// Two even the sampling nearly as well as three.

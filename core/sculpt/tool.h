@@ -62,6 +62,15 @@ struct Dab {
     float parameter(const char* id) const { return static_cast<float>(parameters.at(id)); }
 };
 
+/// What a tool's memory is, made of `args` by the first dab; kept in `once` where the dab belongs to no stroke.
+template <class Memory, class... Args>
+Memory& memoryOf(const Dab& dab, std::unique_ptr<ToolMemory>& once, Args&&... args) {
+    std::unique_ptr<ToolMemory>& memory = dab.memory ? *dab.memory : once;
+    if (!memory)
+        memory = std::make_unique<Memory>(std::forward<Args>(args)...);
+    return static_cast<Memory&>(*memory);
+}
+
 /// What a parameter's number stands for, and so how it is chosen.
 enum class ParameterKind {
     Number,

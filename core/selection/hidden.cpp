@@ -14,10 +14,6 @@ using tree::SurfelTree;
 /// A surface needs some surfels to be one.
 constexpr std::size_t fewest = 16;
 
-bool anyHidden(const SurfelTree& tree) {
-    return channelOf(*tree.layout(), Field::Hidden) >= 0 && !selectedIn(tree, Field::Hidden).empty();
-}
-
 SurfelTree hidden(const SurfelTree& tree, Hiding which) {
     const int was = channelOf(*tree.layout(), Field::Hidden), chosen = channelOf(*tree.layout(), Field::Selection);
     const auto hides = [&](const SurfelBlock& block, int slot) {

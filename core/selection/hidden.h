@@ -11,9 +11,6 @@
 
 namespace selection {
 
-/// Cost where nothing was ever hidden: a look at the layout.
-bool anyHidden(const tree::SurfelTree& tree);
-
 /// What there is to do about it, by what is selected, masked or hidden now. `Selected`, `Rest` and `Masked` hide more.
 enum class Hiding { Selected, Rest, Masked, Swap };
 /// What comes to be hidden is no longer selected. Throws base::Error where nothing would be shown.
@@ -22,7 +19,8 @@ tree::SurfelTree hidden(const tree::SurfelTree& tree, Hiding which);
 tree::SurfelTree allShown(const tree::SurfelTree& tree);
 
 /// Without what is hidden, everything else bit for bit. It ends where that begins: a closed surface gets a boundary
-/// limit. Cost: a look at every surfel's word; blocks of which nothing is hidden are shared.
+/// limit. Cost: a look at every surfel's word, at the layout where nothing was ever hidden; blocks of which nothing is
+/// hidden are shared.
 surface::Surface shownOf(const surface::Surface& surface);
 
 /// `whole` with that done to it that led from `before`, which is shownOf(whole)'s tree, to `after`: what is hidden

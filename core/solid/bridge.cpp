@@ -8,34 +8,28 @@
 #include "core/solid/patch_surfels.h"
 #include "core/solid/shape_patch.h"
 
+#include <tuple>
+
 namespace solid {
 
 using base::Vec3d;
 
 namespace {
 
-std::string numbered(std::size_t loop) {
-    return std::to_string(loop);
-}
-
 /// Rows behind the loops that tell how dense the sheet is to be.
 constexpr double behind = 3;
 
 /// Which two, of so many. Throws base::Error.
 std::array<std::size_t, 2> chosen(std::size_t count, const std::optional<std::array<std::size_t, 2>>& wanted) {
-    const std::string found =
-        count == 1 ? "there is 1 boundary loop" : "there are " + numbered(count) + " boundary loops";
     if (count < 2)
-        throw base::Error(found + ", and a bridge needs two", "bridge",
+        throw base::Error(thereAreLoops(count) + ", and a bridge needs two", "bridge",
                           "cut the model open where it is to begin and end");
     if (!wanted && count > 2)
-        throw base::Error(found + ", and nothing says which two to bridge", "bridge",
+        throw base::Error(thereAreLoops(count) + ", and nothing says which two to bridge", "bridge",
                           "name two by number, the longest is 0; boundary lists them with their places");
     const std::array<std::size_t, 2> out = wanted.value_or(std::array<std::size_t, 2>{0, 1});
     for (const std::size_t each : out)
-        if (each >= count)
-            throw base::Error("there is no boundary loop number " + numbered(each), "bridge",
-                              numbered(count) + " were found; they count from 0");
+        requireLoop(each, count, "bridge");
     if (out[0] == out[1])
         throw base::Error("a loop cannot be bridged with itself", "bridge", "name two loops");
     return out;
@@ -97,11 +91,16 @@ Bridged bridge(const surface::Surface& surface, const std::optional<std::array<s
         openLoops(surface, "bridge", "has no boundary loops to bridge", process::part(progress, 0, 0.4));
     Bridged out{surface, chosen(curves.size(), loops), 0};
     const surface::BoundaryCurve &first = curves[out.loops[0]], &second = curves[out.loops[1]];
-    Loop a = evenLoop(surface, first, 1, behind), b = evenLoop(surface, second, 1, behind);
+    bool turned = false; // the second one, as its normals have the other side
+    const auto loopsAt = [&](double coarser) {
+        const Loop other = evenLoop(surface, second, coarser, behind);
+        return std::pair(evenLoop(surface, first, coarser, behind), turned ? turnedOver(other) : other);
+    };
+    auto [a, b] = loopsAt(1);
     const std::vector<std::uint8_t> touches = touching({a, b});
     for (std::size_t k = 0; k < 2; ++k)
         if (touches[k] || !(k == 0 ? first : second).closed)
-            throw base::Error("boundary loop " + numbered(out.loops[k]) +
+            throw base::Error("boundary loop " + std::to_string(out.loops[k]) +
                                   (touches[k] ? " touches itself or the other one" : " does not close"),
                               "bridge", "choose others, or clean the model there");
     BridgeSheet sheet(surface, a, b);
@@ -110,6 +109,7 @@ Bridged bridge(const surface::Surface& surface, const std::optional<std::array<s
         if (surface.tree().layout()->oriented)
             throw base::Error("the surfaces at the two loops face to opposite sides", "bridge",
                               "turn one over: select it, then flip");
+        turned = true;
         b = turnedOver(b);
         sheet = BridgeSheet(surface, a, b);
     }
@@ -117,10 +117,7 @@ Bridged bridge(const surface::Surface& surface, const std::optional<std::array<s
     const int halvings = halvingsFor(sheet.across() * 0.5 * (a.length + b.length), spacing);
     if (halvings > 0) {
         const double coarser = std::exp2(halvings);
-        const bool turned = sheet.againstTurned() > doubtful;
-        a = evenLoop(surface, first, coarser, behind), b = evenLoop(surface, second, coarser, behind);
-        if (turned)
-            b = turnedOver(b);
+        std::tie(a, b) = loopsAt(coarser);
         for (Loop* each : {&a, &b})
             for (LoopPoint& p : each->points)
                 p.spacing *= coarser;

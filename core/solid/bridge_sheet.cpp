@@ -29,6 +29,12 @@ Vec3d normalAt(const surface::Surface& surface, const LoopPoint& p) {
     return normalized(behind[0] * 2 - behind[1], p.normal);
 }
 
+/// From b to c, by the cubic of Catmull and Rom.
+Vec3d between(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d, double t) {
+    return b + (c - a) * (0.5 * t) + (a * 2 - b * 5 + c * 4 - d) * (0.5 * t * t) +
+           (b * 3 - a - c * 3 + d) * (0.5 * t * t * t);
+}
+
 /// A loop by the way along it, from 0 to 1, with directions smoothed: those of single places carry the noise of the
 /// samples beside them all the way across.
 class Way {
@@ -86,17 +92,10 @@ class Way {
     }
 
   private:
-    /// By the cubic of Catmull and Rom.
     template <class Fn>
     Vec3d along(double way, const Fn& of) const {
-        way -= std::floor(way);
-        const std::size_t n = size();
-        const auto next = std::upper_bound(m_at.begin() + 1, m_at.end() - 1, way);
-        const auto i = static_cast<std::size_t>(next - m_at.begin()) - 1;
-        const double t = m_at[i + 1] > m_at[i] ? (way - m_at[i]) / (m_at[i + 1] - m_at[i]) : 0;
-        const Vec3d a = of(i + n - 1), b = of(i), c = of(i + 1), d = of(i + 2);
-        return b + (c - a) * (0.5 * t) + (a * 2 - b * 5 + c * 4 - d) * (0.5 * t * t) +
-               (b * 3 - a - c * 3 + d) * (0.5 * t * t * t);
+        const auto [i, t] = placeOnLoop(m_at, way);
+        return between(of(i + size() - 1), of(i), of(i + 1), of(i + 2), t);
     }
     const LoopPoint& point(std::size_t i) const { return m_loop.points[i % size()]; }
     const Loop& m_loop;
@@ -173,9 +172,7 @@ Vec3d BridgeSheet::at(const SheetPlace& place) const {
         return r.from * (w * w * w) + r.fromHandle * (3 * w * w * v) + r.toHandle * (3 * w * v * v) +
                r.to * (v * v * v);
     };
-    const Vec3d a = row(i + n - 1), b = row(i), c = row(i + 1), d = row(i + 2);
-    return b + (c - a) * (0.5 * t) + (a * 2 - b * 5 + c * 4 - d) * (0.5 * t * t) +
-           (b * 3 - a - c * 3 + d) * (0.5 * t * t * t);
+    return between(row(i + n - 1), row(i), row(i + 1), row(i + 2), t);
 }
 
 } // namespace solid

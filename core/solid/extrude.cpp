@@ -270,14 +270,12 @@ Extruded extrudeLoop(const surface::Surface& surface, std::optional<std::size_t>
     const base::CancelScope scope(progress.cancel);
     const std::vector<surface::BoundaryCurve> curves =
         openLoops(surface, "extrude", "has no boundary loops to extrude", process::part(progress, 0, 0.6));
-    if (curves.empty() || (number && *number >= curves.size()))
-        throw base::Error(curves.empty() ? "the surface has no boundary loop"
-                                         : "there is no boundary loop number " + std::to_string(*number),
-                          "extrude", std::to_string(curves.size()) + " were found; they count from 0");
+    if (curves.empty())
+        throw base::Error("the surface has no boundary loop", "extrude", "0 were found; they count from 0");
     if (!number && curves.size() > 1)
-        throw base::Error("there are " + std::to_string(curves.size()) +
-                              " boundary loops, and nothing says which one to extrude",
-                          "extrude", "name one by number, the longest is 0");
+        throw base::Error(thereAreLoops(curves.size()) + ", and nothing says which one to extrude", "extrude",
+                          "name one by number, the longest is 0");
+    requireLoop(number.value_or(0), curves.size(), "extrude");
     const surface::BoundaryCurve& curve = curves[number.value_or(0)];
     const Loop loop = evenLoop(surface, curve, 1, behind);
     if (!curve.closed || touching({loop})[0])

@@ -36,13 +36,6 @@ class WallMaker {
 
   private:
     const Vec3d& position(std::size_t i) const { return m_loop.points[i % m_loop.size()].position; }
-    /// Between two of the loop's places.
-    std::pair<std::size_t, double> placeAt(double u) const {
-        u -= std::floor(u / m_at.back()) * m_at.back();
-        const auto next = std::upper_bound(m_at.begin() + 1, m_at.end() - 1, u);
-        const auto i = static_cast<std::size_t>(next - m_at.begin()) - 1;
-        return {i, m_at[i + 1] > m_at[i] ? (u - m_at[i]) / (m_at[i + 1] - m_at[i]) : 0};
-    }
     template <class Fn>
     auto mix(std::size_t i, double t, const Fn& fn) const {
         return fn(i) * (1 - t) + fn((i + 1) % m_loop.size()) * t;
@@ -53,16 +46,16 @@ class WallMaker {
         base::Point2 lo, hi;
         double unit(double) const { return 1; }
         double spacing(double u, double) const {
-            const auto [i, t] = wall.placeAt(u);
+            const auto [i, t] = placeOnLoop(wall.m_at, u);
             return wall.mix(i, t, [&](std::size_t k) { return wall.m_loop.points[k].spacing; });
         }
     };
     Vec3d wayAt(double u) const {
-        const auto [i, t] = placeAt(u);
+        const auto [i, t] = placeOnLoop(m_at, u);
         return mix(i, t, [&](std::size_t k) { return m_way[k]; });
     }
     Vec3d foot(double u) const {
-        const auto [i, t] = placeAt(u);
+        const auto [i, t] = placeOnLoop(m_at, u);
         return mix(i, t, [&](std::size_t k) { return position(k); });
     }
     /// So far on along the loop, but not around its corners.
@@ -84,7 +77,7 @@ class WallMaker {
         return same != m_near.end() ? *same : m_near.front();
     }
     void add(double u, double v, double spacing) {
-        const auto [i, t] = placeAt(u);
+        const auto [i, t] = placeOnLoop(m_at, u);
         if (!m_stands.empty() && !m_stands[t < 0.5 ? i : (i + 1) % m_loop.size()])
             return;
         const double share = v / m_height;

@@ -85,6 +85,13 @@ Loop evenLoop(const surface::Surface& surface, const surface::BoundaryCurve& cur
     return out;
 }
 
+PlaceOnLoop placeOnLoop(std::span<const double> ways, double way) {
+    way -= std::floor(way / ways.back()) * ways.back();
+    const auto next = std::upper_bound(ways.begin() + 1, ways.end() - 1, way);
+    const auto i = static_cast<std::size_t>(next - ways.begin()) - 1;
+    return {i, ways[i + 1] > ways[i] ? (way - ways[i]) / (ways[i + 1] - ways[i]) : 0};
+}
+
 void straighten(Loop& loop, std::size_t reach) {
     constexpr double most = 0.5; // spacings
     std::vector<Vec3d> places;

@@ -6,6 +6,7 @@
 #include "core/surface/curves/boundary.h"
 
 #include <algorithm>
+#include <span>
 #include <string>
 
 namespace solid {
@@ -46,6 +47,14 @@ std::vector<T> meansAlong(const std::vector<T>& of, std::size_t reach) {
             out[i] += of[(i + n * reach + k - reach) % n] * (static_cast<double>(1 + std::min(k, 2 * reach - k)) / sum);
     return out;
 }
+/// Where along a loop: the place before, and the share of the way from it to the next.
+struct PlaceOnLoop {
+    std::size_t before = 0;
+    double share = 0;
+};
+/// `ways`: of each place along the loop, and of its end. Any way; its end leads around.
+PlaceOnLoop placeOnLoop(std::span<const double> ways, double way);
+
 /// The same loop without the raggedness of surfels that were taken or left one by one: no place goes farther than half
 /// a spacing, and round loops stay as wide.
 void straighten(Loop& loop, std::size_t reach);

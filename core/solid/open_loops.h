@@ -20,4 +20,16 @@ inline std::vector<surface::BoundaryCurve> openLoops(const surface::Surface& sur
     return findBoundaryCurves(surface, progress);
 }
 
+/// "there are 4 boundary loops"
+inline std::string thereAreLoops(std::size_t count) {
+    return count == 1 ? "there is 1 boundary loop" : "there are " + std::to_string(count) + " boundary loops";
+}
+
+/// Throws base::Error in the name of `who` where no loop of so many has that number.
+inline void requireLoop(std::size_t number, std::size_t count, const char* who) {
+    if (number >= count)
+        throw base::Error("there is no boundary loop number " + std::to_string(number), who,
+                          std::to_string(count) + " were found; they count from 0");
+}
+
 } // namespace solid

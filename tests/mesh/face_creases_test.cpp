@@ -2,10 +2,9 @@
 #include "core/mesh/faces/face_creases.h"
 
 #include "core/cells/cell_rays.h"
-#include "core/cells/cell_section.h"
 #include "core/mesh/faces/face_spacing.h"
 #include "core/mesh/faces/open_faces.h"
-#include "mesh/face_models.h"
+#include "mesh/creased_faces.h"
 #include "support/registry.h"
 #include "support/sanitized.h"
 
@@ -30,8 +29,6 @@ class FaceCreasesTest : public QObject {
     void sidesOfThinPlatesAreCells();
     void narrowSidesHaveRowsOfTheirOwn();
     void creasesThatEndFadeBetweenTwoBands();
-    void stepsThatRunOutKeepBothLevelsApart();
-    void stepsThatRunOutAreCutAlongOneCurve();
     void openBoxesAreHitAtTheirEdges();
     void sharpEdgesAmongBumpsAreNoCreases();
     void edgesOfBoxesStayBesideBumps();
@@ -39,82 +36,6 @@ class FaceCreasesTest : public QObject {
 };
 
 namespace {
-
-mesh::OpenedFaces opened(const Faces& f, std::size_t count, bool creases = true, double at = sharp) {
-    return mesh::openFaces(f.list(), f.triangles, {},
-                           {.use = mesh::FaceUse::Sample, .count = count, .sharpRad = at, .creases = creases});
-}
-
-std::vector<Label> labelsOf(const surfel::SurfelList& list) {
-    std::vector<Label> out;
-    if (const auto layout = LabelLayout::of(*list.layout))
-        for (std::size_t i = 0; i < list.size(); ++i)
-            out.push_back(layout->at(list.extraOf(i)));
-    return out;
-}
-
-/// A sheet over [-1, 1]^2 with a ridge along the x axis, as high as `height` tells; facing up.
-template <class Height>
-Faces sheet(int n, const Height& height) {
-    Faces out;
-    for (int i = 0; i <= n; ++i)
-        for (int k = 0; k <= n; ++k) {
-            const double x = -1 + 2.0 * i / n, y = -1 + 2.0 * k / n;
-            out.positions.push_back(base::cast<float>(Vec3d{x, y, height(x, y)}));
-        }
-    const auto at = [n](int i, int k) { return static_cast<std::uint32_t>(i * (n + 1) + k); };
-    for (int i = 0; i < n; ++i)
-        for (int k = 0; k < n; ++k) {
-            out.triangles.push_back({at(i, k), at(i + 1, k), at(i + 1, k + 1)});
-            out.triangles.push_back({at(i, k), at(i + 1, k + 1), at(i, k + 1)});
-        }
-    return out;
-}
-
-/// A step that grows out of a smooth sheet: its wall begins with no width, and the sheet is below and above it.
-Faces step(base::Random& random) {
-    constexpr int n = 40, side = 24, wall = 4, columns = 2 * side + wall;
-    const double rise = random.uniform(0.2, 0.5), from = random.uniform(-0.6, 0), slant = random.uniform(0.3, 1.2),
-                 bend = random.uniform(-0.2, 0.2), fall = random.uniform(0, 1);
-    Faces out;
-    for (int i = 0; i <= n; ++i)
-        for (int k = 0; k <= columns; ++k) {
-            const double x = -1 + 2.0 * i / n, begin = bend * x * x, d = std::max(0.0, x - from);
-            const double h = rise * d * (d + 0.15), wide = slant * h;
-            double y = 0, up = 0;
-            if (k <= side) {
-                y = -1 + (begin + 1) * k / side;
-            } else if (k <= side + wall) {
-                const double part = static_cast<double>(k - side) / wall;
-                y = begin + wide * part, up = h * part;
-            } else {
-                const double part = static_cast<double>(k - side - wall) / side;
-                y = begin + wide + (1 - begin - wide) * part, up = h * (1 - fall * part * part);
-            }
-            out.positions.push_back(base::cast<float>(Vec3d{x, y, 0.1 * x * y + 0.05 * y * y + up}));
-        }
-    const auto at = [](int i, int k) { return static_cast<std::uint32_t>(i * (columns + 1) + k); };
-    for (int i = 0; i < n; ++i)
-        for (int k = 0; k < columns; ++k) {
-            out.triangles.push_back({at(i, k), at(i + 1, k), at(i + 1, k + 1)});
-            out.triangles.push_back({at(i, k), at(i + 1, k + 1), at(i, k + 1)});
-        }
-    return out;
-}
-
-/// Where a ray first meets triangles; infinity where it does not.
-double firstHit(const Faces& f, const base::Rayd& ray) {
-    double out = std::numeric_limits<double>::infinity();
-    for (const mesh::Triangle& t : f.triangles) {
-        const auto at = [&](std::size_t k) { return base::cast<double>(f.positions[t[k]]); };
-        const Vec3d u = at(1) - at(0), v = at(2) - at(0), p = cross(ray.direction, v), q = ray.origin - at(0),
-                    r = cross(q, u);
-        const double det = dot(u, p), b = dot(q, p) / det, c = dot(ray.direction, r) / det, hit = dot(v, r) / det;
-        if (det != 0 && b >= 0 && c >= 0 && b + c <= 1 && hit > 0)
-            out = std::min(out, hit);
-    }
-    return out;
-}
 
 /// A prism from y = 0 to 1 over a convex outline.
 Faces extruded(const std::vector<Vec3f>& outline) {
@@ -138,7 +59,7 @@ Faces extruded(const std::vector<Vec3f>& outline) {
 } // namespace
 
 void FaceCreasesTest::boxesHaveSixCellsAndTwelveCreases() {
-    const mesh::OpenedFaces open = opened(box({1, 2, 3}), 4000);
+    const mesh::OpenedFaces open = openedFaces(box({1, 2, 3}), 4000);
     const cells::CellCounts counts = cells::countCells(open.points);
     QCOMPARE(counts.cells, std::size_t(6));
     QCOMPARE(counts.pairs, std::size_t(12));
@@ -147,24 +68,26 @@ void FaceCreasesTest::boxesHaveSixCellsAndTwelveCreases() {
 }
 
 void FaceCreasesTest::withoutCreasesNothingIsAdded() {
-    const mesh::OpenedFaces open = opened(box({1, 2, 3}), 2000, false);
+    const mesh::OpenedFaces open = openedFaces(box({1, 2, 3}), 2000, false);
     QVERIFY(!open.points.layout->find("cell") && !open.points.layout->find("partner"));
     QVERIFY(labelsOf(open.points).empty());
 }
 
 void FaceCreasesTest::samplesStayWhereTheyAre() {
-    const mesh::OpenedFaces with = opened(box({1, 2, 3}), 2000), without = opened(box({1, 2, 3}), 2000, false);
+    const mesh::OpenedFaces with = openedFaces(box({1, 2, 3}), 2000),
+                            without = openedFaces(box({1, 2, 3}), 2000, false);
     QVERIFY(with.points.items == without.points.items);
 }
 
 void FaceCreasesTest::smoothMeshesHaveNone() {
-    const mesh::OpenedFaces open = opened(band(60, 30, false), 4000);
+    const mesh::OpenedFaces open = openedFaces(band(60, 30, false), 4000);
     QVERIFY(labelsOf(open.points).empty());
 }
 
 void FaceCreasesTest::ofBentPairsTheSignIsThatOfTheNormals() {
     for (const double up : {1.0, -1.0}) {
-        const mesh::OpenedFaces open = opened(sheet(8, [up](double, double y) { return -up * std::abs(y); }), 2000);
+        const mesh::OpenedFaces open =
+            openedFaces(sheet(8, [up](double, double y) { return -up * std::abs(y); }), 2000);
         int beside = 0;
         for (const Label& label : labelsOf(open.points)) {
             beside += label.meeting != Meeting::None ? 1 : 0;
@@ -180,7 +103,7 @@ void FaceCreasesTest::smallPatchesJoinTheirFlattestNeighbour() {
     constexpr float e = 0.0005f;
     const Faces f = extruded({{0, 0, 0}, {1, 0, 0}, {1, 0, 1 - 2 * e}, {1 - e, 0, 1}, {0, 0, 1}});
     QCOMPARE(f.topology(20 * std::numbers::pi / 180).patchCount, std::size_t(7));
-    const mesh::OpenedFaces open = opened(f, 1500, true, 20 * std::numbers::pi / 180);
+    const mesh::OpenedFaces open = openedFaces(f, 1500, true, 20 * std::numbers::pi / 180);
     QCOMPARE(cells::countCells(open.points).cells, std::size_t(6));
 }
 
@@ -191,7 +114,7 @@ void FaceCreasesTest::narrowChamfersAreNoCells() {
     for (const float width : {0.25f, 0.5f, 0.75f, 1.5f}) {
         const float e = width * spacing * 0.7071f;
         const Faces f = extruded({{0, 0, 0}, {1, 0, 0}, {1, 0, 1 - e}, {1 - e, 0, 1}, {0, 0, 1}});
-        const mesh::OpenedFaces open = opened(f, count);
+        const mesh::OpenedFaces open = openedFaces(f, count);
         QCOMPARE(cells::countCells(open.points).cells, std::size_t(width < 0.9f ? 6 : 7));
         surface::SurfaceDefinition definition;
         definition.oneSheet = false;
@@ -213,7 +136,7 @@ void FaceCreasesTest::narrowChamfersAreNoCells() {
 
 /// They turn by as much, but to two sides: as one with either the plate would end in a slope.
 void FaceCreasesTest::sidesOfThinPlatesAreCells() {
-    const mesh::OpenedFaces open = opened(box({1, 1, 0.012f}), 6000); // of 0.65 spacings
+    const mesh::OpenedFaces open = openedFaces(box({1, 1, 0.012f}), 6000); // of 0.65 spacings
     QCOMPARE(cells::countCells(open.points).cells, std::size_t(6));
 }
 
@@ -222,7 +145,7 @@ void FaceCreasesTest::narrowSidesHaveRowsOfTheirOwn() {
     constexpr std::size_t count = 6000;
     const double spacing = std::sqrt(2.0 / count);
     for (const auto& [width, longest] : {std::pair(0.25, 6.0), std::pair(0.5, 3.0), std::pair(0.75, 2.0)}) {
-        const mesh::OpenedFaces open = opened(box({1, 1, static_cast<float>(width * spacing)}), count);
+        const mesh::OpenedFaces open = openedFaces(box({1, 1, static_cast<float>(width * spacing)}), count);
         std::vector<double> along[4];
         for (const surfel::Surfel& s : open.points.items) {
             if (std::abs(s.normal.x) > 0.9f)
@@ -249,7 +172,7 @@ void FaceCreasesTest::creasesThatEndFadeBetweenTwoBands() {
     };
     const Faces f = sheet(40, height);
     QCOMPARE(f.topology().patchCount, std::size_t(1));
-    const mesh::OpenedFaces open = opened(f, 12000);
+    const mesh::OpenedFaces open = openedFaces(f, 12000);
     const std::vector<Label> labels = labelsOf(open.points);
     QVERIFY(!labels.empty());
     std::set<std::uint32_t> cells;
@@ -297,99 +220,9 @@ void FaceCreasesTest::creasesThatEndFadeBetweenTwoBands() {
     QVERIFY2(worst < 0.2, QByteArray::number(worst));
 }
 
-/// Below and above of a narrow wall is one face, whose samples tell of two sheets.
-void FaceCreasesTest::stepsThatRunOutKeepBothLevelsApart() {
-    base::Random random(test::seed());
-    int rays = 0, lost = 0;
-    double squares = 0;
-    for (int round = 0; round < test::effort(5); ++round) {
-        const Faces f = step(random);
-        const mesh::OpenedFaces open = opened(f, 1600);
-        surface::SurfaceDefinition definition;
-        definition.boundary = surface::Boundary::None;
-        const surface::Surface surface(tree::SurfelTree::build(open.points), definition);
-        const cells::CellSurface cells = *cells::CellSurface::of(surface);
-        const double spacing = static_cast<double>(open.points.items[0].support) / 3.5;
-        const std::vector<Label> labels = labelsOf(open.points);
-        for (int k = 0; k < 400; ++k) {
-            const std::size_t i = random.below(labels.size());
-            const Vec3d target =
-                base::cast<double>(open.points.items[i].position) + random.unitVector() * (spacing * random.uniform());
-            const Vec3d d = base::normalized(Vec3d{random.uniform(-1, 1), random.uniform(-1, 1), -1});
-            if (labels[i].meeting == Meeting::None || std::max(std::abs(target.x), std::abs(target.y)) > 0.8)
-                continue;
-            const base::Rayd ray{target - d * 2, d};
-            const double t = firstHit(f, ray), beside = firstHit(f, {ray.origin + Vec3d{0, 0.05 * spacing, 0}, d});
-            if (!(std::abs(t - beside) < spacing))
-                continue;
-            ++rays;
-            const cells::CellHit hit = intersectCells(cells, ray);
-            if (!hit.hit.hit || std::abs(hit.hit.t - t) > spacing)
-                ++lost;
-            else
-                squares += (hit.hit.t - t) * (hit.hit.t - t) / (spacing * spacing);
-        }
-    }
-    const double rms = std::sqrt(squares / rays);
-    const QByteArray told =
-        QString("seed %1: %2 rays, %3 lost, rms %4 spacings").arg(test::seed()).arg(rays).arg(lost).arg(rms).toUtf8();
-    qInfo() << told;
-    QVERIFY(rays > test::effort(5) * 20);
-    QVERIFY2(lost <= 1 + rays / 300 && rms < 0.045, told);
-}
-
-/// Where bands and faces go on into one another each has a stretch of the curve.
-void FaceCreasesTest::stepsThatRunOutAreCutAlongOneCurve() {
-    base::Random random(test::seed());
-    const auto lengthWithin = [](Vec3d a, Vec3d b) { // beyond, the surface ends in air
-        constexpr double within = 0.85;
-        if (a.y > b.y)
-            std::swap(a, b);
-        const double from = std::max(a.y, -within), to = std::min(b.y, within);
-        return from < to ? base::distance(a, b) * (to - from) / (b.y - a.y) : 0;
-    };
-    for (int round = 0; round < test::effort(4); ++round) {
-        const Faces f = step(random);
-        const mesh::OpenedFaces open = opened(f, 1600);
-        surface::SurfaceDefinition definition;
-        definition.boundary = surface::Boundary::None;
-        const surface::Surface surface(tree::SurfelTree::build(open.points), definition);
-        const cells::CellSurface cells = *cells::CellSurface::of(surface);
-        for (int k = 0; k < 8; ++k) {
-            const Vec3d n = base::normalized(Vec3d{1, random.uniform(-0.4, 0.4), random.uniform(-0.3, 0.3)});
-            const base::Plane plane{n, dot(n, Vec3d{random.uniform(-0.4, 0.6), 0, 0})};
-            double expected = 0;
-            for (const mesh::Triangle& t : f.triangles) {
-                std::vector<Vec3d> ends;
-                for (std::size_t e = 0; e < 3; ++e) {
-                    const Vec3d a = base::cast<double>(f.positions[t[e]]),
-                                b = base::cast<double>(f.positions[t[(e + 1) % 3]]);
-                    if ((plane.distance(a) > 0) != (plane.distance(b) > 0))
-                        ends.push_back(a + (b - a) * (plane.distance(a) / (plane.distance(a) - plane.distance(b))));
-                }
-                if (ends.size() == 2)
-                    expected += lengthWithin(ends[0], ends[1]);
-            }
-            const auto curves = findSection(cells, plane);
-            double found = 0;
-            for (const surface::SectionCurve& curve : curves)
-                for (std::size_t e = 1; e < curve.points.size(); ++e)
-                    found += lengthWithin(curve.points[e - 1].position, curve.points[e].position);
-            QVERIFY2(curves.size() == 1 && std::abs(found - expected) < 0.12 * expected,
-                     qPrintable(QString("seed %1, round %2, plane %3: %4 curves, of %5, not %6")
-                                    .arg(test::seed())
-                                    .arg(round)
-                                    .arg(k)
-                                    .arg(curves.size())
-                                    .arg(found)
-                                    .arg(expected)));
-        }
-    }
-}
-
 void FaceCreasesTest::openBoxesAreHitAtTheirEdges() {
     const Faces f = box({1, 2, 3});
-    const mesh::OpenedFaces open = opened(f, 6000);
+    const mesh::OpenedFaces open = openedFaces(f, 6000);
     surface::SurfaceDefinition definition;
     definition.oneSheet = false;
     const auto surface = cells::CellSurface::of({tree::SurfelTree::build(open.points), definition});
@@ -436,7 +269,7 @@ void FaceCreasesTest::sharpEdgesAmongBumpsAreNoCreases() {
     const mesh::FaceOptions options{.use = mesh::FaceUse::Sample, .count = 3000};
     const mesh::OpenedFaces open = mesh::openFaces(torus.list(), torus.triangles, {}, options);
     QVERIFY(open.messages.back().find("noise") != std::string::npos);
-    QVERIFY(!labelsOf(opened(torus, 3000).points).empty());
+    QVERIFY(!labelsOf(openedFaces(torus, 3000).points).empty());
 }
 
 /// What a chain is does not depend on others.

@@ -7,6 +7,7 @@
 #include "core/session/journal.h"
 #include "core/session/recover.h"
 #include "core/session/session_file.h"
+#include "support/threads.h"
 
 #include <cmath>
 #include <fstream>
@@ -80,6 +81,32 @@ inline void makeWorkpiece(Workbench& bench) {
         stroke["resample"] = tool == std::string_view("draw");
         bench.run(stroke);
     }
+}
+
+/// The hash of a step that undo takes back and redo brings again, with the same bits on one and two threads and from
+/// the journal; empty where any of that is not so. `prepare(bench)` makes the model. The result is left in `out`.
+template <class Prepare>
+std::string hashOfStep(Workbench& out, const Prepare& prepare, const json& step) {
+    const auto made = [&](Workbench& bench) {
+        session::Journal journal(bench.path("j.jsonl"));
+        bench.context.journal = &journal;
+        prepare(bench);
+        const std::string before = bench.hash();
+        bench.run(step);
+        bench.document.surface().tree().validate();
+        const std::string after = bench.hash();
+        bench.run({{"op", "undo"}});
+        const bool back = bench.hash() == before && after != before;
+        bench.run({{"op", "redo"}});
+        bench.context.journal = nullptr;
+        return back && bench.hash() == after ? after : std::string();
+    };
+    Workbench two, again;
+    const std::string hash = onThreads(1, [&] { return made(out); });
+    if (onThreads(2, [&] { return made(two); }) != hash)
+        return {};
+    session::recover(out.path("j.jsonl"), again.context);
+    return again.hash() == hash ? hash : std::string();
 }
 
 } // namespace test

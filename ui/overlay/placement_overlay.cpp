@@ -1,14 +1,15 @@
 #include "ui/overlay/placement_overlay.h"
 
+#include "ui/theme/theme.h"
+
 #include <QPainter>
 #include <QPolygonF>
 
 namespace ui {
 
 static QColor colourOf(const Handle& handle) {
-    static const QColor axes[] = {QColor(226, 84, 84), QColor(122, 186, 66), QColor(84, 140, 232)};
     const bool plain = handle.kind == Handle::Kind::Free || handle.kind == Handle::Kind::Scale;
-    return plain ? QColor(240, 240, 240) : axes[handle.axis];
+    return plain ? QColor(240, 240, 240) : axisColour(handle.axis);
 }
 
 static void paintHead(QPainter& painter, const QPointF& from, const QPointF& to, double size) {

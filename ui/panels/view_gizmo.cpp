@@ -1,5 +1,7 @@
 #include "ui/panels/view_gizmo.h"
 
+#include "ui/theme/theme.h"
+
 #include <algorithm>
 #include <QApplication>
 #include <QMouseEvent>
@@ -9,7 +11,6 @@ namespace ui {
 
 constexpr double radius = 10; // of an end
 constexpr double arm = ViewGizmo::side / 2.0 - radius - 1;
-const QColor colours[] = {QColor(226, 84, 84), QColor(122, 186, 66), QColor(84, 140, 232)};
 
 ViewGizmo::ViewGizmo(QWidget& canvas) : QWidget(&canvas), m_canvas(canvas) {
     setObjectName("view-gizmo");
@@ -47,9 +48,8 @@ bool ViewGizmo::eventFilter(QObject*, QEvent* event) {
 // --- geometry ---
 
 base::Vec3d ViewGizmo::seen(int axis, bool positive) const {
-    const double sign = positive ? 1 : -1;
     base::Vec3d direction;
-    (axis == 0 ? direction.x : axis == 1 ? direction.y : direction.z) = sign;
+    direction[static_cast<std::size_t>(axis)] = positive ? 1 : -1;
     return {dot(direction, m_right), dot(direction, m_up), dot(direction, m_toEye)};
 }
 
@@ -79,7 +79,7 @@ std::optional<ViewGizmo::End> ViewGizmo::endAt(const QPointF& at) const {
 // --- painting ---
 
 static void paintEnd(QPainter& painter, const QPointF& at, int axis, bool positive, bool under) {
-    const QColor colour = under ? colours[axis].lighter(135) : colours[axis];
+    const QColor colour = under ? axisColour(axis).lighter(135) : axisColour(axis);
     QColor faint = colour;
     faint.setAlpha(90);
     painter.setPen(QPen(colour, 1.4));
@@ -108,7 +108,7 @@ void ViewGizmo::paintEvent(QPaintEvent*) {
     for (const End& end : ends()) {
         const QPointF at = place(end.axis, end.positive);
         if (end.positive) {
-            painter.setPen(QPen(colours[end.axis], 2.2));
+            painter.setPen(QPen(axisColour(end.axis), 2.2));
             painter.drawLine(middle, at);
         }
         paintEnd(painter, at, end.axis, end.positive, m_under == end);
@@ -144,7 +144,7 @@ void ViewGizmo::mouseReleaseEvent(QMouseEvent* event) {
     constexpr double straight = 1 - 1e-6;
     const bool there = seen(end->axis, end->positive).z > straight;
     base::Vec3d out;
-    (end->axis == 0 ? out.x : end->axis == 1 ? out.y : out.z) = end->positive != there ? 1 : -1;
+    out[static_cast<std::size_t>(end->axis)] = end->positive != there ? 1 : -1;
     Q_EMIT sideWanted(out);
 }
 

@@ -9,7 +9,9 @@ using base::Vec3d;
 constexpr double halfTurn = std::numbers::pi;
 
 static Vec3d axisOf(int axis) {
-    return {axis == 0 ? 1.0 : 0, axis == 1 ? 1.0 : 0, axis == 2 ? 1.0 : 0};
+    Vec3d out;
+    out[static_cast<std::size_t>(axis)] = 1;
+    return out;
 }
 
 AxisAngle axisAngleOf(const Rotation& turn) {

@@ -23,8 +23,6 @@ constexpr float margin = 1.5f;
 /// Where the stroke found a sampling that differs by more than this from the centre's, a dab does less and less, up to
 /// where it does nothing: searches reach as far as the coarsest asks, and there the stroke has not come yet.
 constexpr float alike = 1.6f, unlike = 2.5f;
-/// Around what is resampled others are in the way, in spacings.
-constexpr float inTheWay = 4;
 /// Supports under a brush that differ by less are one.
 constexpr float even = 1.2f;
 
@@ -196,13 +194,6 @@ tree::Selection concerned(const tree::SurfelTree& tree, const Brush& brush, cons
     return out;
 }
 
-std::vector<surfel::BlockPtr> blocksAround(const tree::SurfelTree& tree, const base::Vec3f& centre, float radius) {
-    std::vector<surfel::BlockPtr> out;
-    tree.forBlocksInBall(centre, radius,
-                         [&](std::uint32_t number, const surfel::SurfelBlock&) { out.push_back(tree.block(number)); });
-    return out;
-}
-
 /// Each place to its own aim.
 tree::Edit byPlaces(const surface::Surface& version, const Brush& brush, const Aims& aims, Found& found,
                     process::ResampleOptions options) {
@@ -246,10 +237,7 @@ static tree::Edit density(const surface::Surface& version, const Dab& dab) {
     if (!oneSupport && uneven(began.tree(), brush)) {
         const float reach = process::reachByChance(began, dab.centre);
         std::unique_ptr<ToolMemory> once;
-        std::unique_ptr<ToolMemory>& memory = dab.memory ? *dab.memory : once;
-        if (!memory)
-            memory = std::make_unique<Found>(began);
-        Found& found = static_cast<Found&>(*memory);
+        Found& found = memoryOf<Found>(dab, once, began);
         return byPlaces(version, brush, Aims(aim, found, factor / reach, change), found, options);
     }
     // Coarse sampling begins only where the supports are wide enough for it.

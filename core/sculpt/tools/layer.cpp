@@ -175,10 +175,8 @@ static tree::Edit layer(const surface::Surface& version, const Dab& dab) {
     const Brush brush(dab);
     if (dab.strength == 0)
         return {};
-    Memory once;
-    if (dab.memory && !*dab.memory)
-        *dab.memory = std::make_unique<Memory>();
-    Memory& memory = dab.memory ? static_cast<Memory&>(**dab.memory) : once;
+    std::unique_ptr<ToolMemory> once;
+    Memory& memory = memoryOf<Memory>(dab, once);
     const float height = std::copysign(dab.parameter("height") * dab.radius, dab.strength);
     const std::vector<BrushBlock> blocks = blocksUnder(version.tree(), brush.centre, brush.radius);
     const Gathered list = gather(blocks, brush);

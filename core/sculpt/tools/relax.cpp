@@ -14,9 +14,6 @@ namespace sculpt {
 constexpr float sweeps = 5;
 /// What stays inside the rim, in spacings.
 constexpr float margin = 1.5f;
-
-/// Around what is relaxed others are in the way, in spacings.
-constexpr float inTheWay = 4;
 /// Supports under the brush that differ by no more are made for one spacing.
 constexpr float alike = 1.25f;
 
@@ -49,10 +46,7 @@ static float measureUnder(const tree::SurfelTree& tree, const tree::Selection& u
             if (under[i].slots[static_cast<std::size_t>(slot)])
                 spacing =
                     std::max(spacing, kept.target(kept.measured(*blocks[i], slot), kept.supportOf(*blocks[i], slot)));
-    blocks.clear();
-    tree.forBlocksInBall(
-        dab.centre, dab.radius + inTheWay * spacing,
-        [&](std::uint32_t number, const surfel::SurfelBlock&) { blocks.push_back(tree.block(number)); });
+    blocks = blocksAround(tree, dab.centre, dab.radius + inTheWay * spacing);
     kept.keepOnly(blocks);
     kept.measure(blocks);
     return spacing;
@@ -71,10 +65,7 @@ static tree::Edit relax(const surface::Surface& version, const Dab& dab) {
         return process::resample(version, under, options);
     // Nothing has left its surface: what is measured on the first version holds here.
     std::unique_ptr<ToolMemory> once;
-    std::unique_ptr<ToolMemory>& memory = dab.memory ? *dab.memory : once;
-    if (!memory)
-        memory = std::make_unique<RelaxMemory>(dab.first ? *dab.first : version, options.spacing);
-    KeptSpacing& kept = static_cast<RelaxMemory&>(*memory).kept;
+    KeptSpacing& kept = memoryOf<RelaxMemory>(dab, once, dab.first ? *dab.first : version, options.spacing).kept;
     options.spacing = measureUnder(version.tree(), under, dab, options.spacing, kept);
     options.targetOf = [&](const surfel::SurfelBlock& block, int slot) {
         return kept.target(kept.measured(block, slot), kept.supportOf(block, slot));

@@ -106,7 +106,8 @@ struct SectionProblem {
     static bool holds(const Candidate& p) { return p.surface; }
 };
 
-/// Surfels whose distance to the plane is small for their support, in tree order.
+} // namespace
+
 std::vector<Vec3d> surfelsNear(const tree::SurfelTree& tree, const Plane& plane) {
     std::vector<Vec3d> out;
     const Vec3d& n = plane.normal;
@@ -136,6 +137,8 @@ std::vector<Vec3d> surfelsNear(const tree::SurfelTree& tree, const Plane& plane)
         walk(walk, *tree.root());
     return out;
 }
+
+namespace {
 
 /// Points of the section near those surfels, in their order.
 std::vector<Candidate> findSeeds(const Surface& surface, const Plane& plane, const base::Progress& progress) {

@@ -38,6 +38,10 @@ struct SectionSearch {
 SectionSearch findSectionPoint(const Surface& surface, const base::Plane& plane, const base::Vec3d& start,
                                const OrientationHint& hint = {});
 
+/// Places of the surfels that look for the section: those so near to the plane for their support that whatever it cuts
+/// has one; in tree order. Costs what these cost.
+std::vector<base::Vec3d> surfelsNear(const tree::SurfelTree& tree, const base::Plane& plane);
+
 /// One curve of a section; a closed one does not repeat its first point.
 struct SectionCurve {
     std::vector<SectionPoint> points;

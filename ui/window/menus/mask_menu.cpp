@@ -15,27 +15,25 @@ namespace {
 
 struct MaskRow {
     const char *id, *label, *key, *tip;
+    bool byLength = false; ///< of half the brush, as steps of selections
 };
 /// In the order of the pie: what is opposite does the opposite.
 constexpr MaskRow rows[] = {
     {"invert", QT_TR_NOOP("&Invert"), "Ctrl+I", QT_TR_NOOP("What is masked becomes free, and the other way round")},
-    {"grow", QT_TR_NOOP("&Grow"), "", QT_TR_NOOP("Farther along the surface, by half the brush")},
-    {"sharpen", QT_TR_NOOP("&Sharpen"), "", QT_TR_NOOP("A harder border")},
-    {"cavity", QT_TR_NOOP("From &Hollows"), "", QT_TR_NOOP("Masks hollows as wide as half the brush")},
+    {"grow", QT_TR_NOOP("&Grow"), "", QT_TR_NOOP("Farther along the surface, by half the brush"), true},
+    {"sharpen", QT_TR_NOOP("&Sharpen"), "", QT_TR_NOOP("A harder border"), true},
+    {"cavity", QT_TR_NOOP("From &Hollows"), "", QT_TR_NOOP("Masks hollows as wide as half the brush"), true},
     {"clear", QT_TR_NOOP("&Clear"), "Alt+M", QT_TR_NOOP("All is free")},
-    {"shrink", QT_TR_NOOP("Sh&rink"), "", QT_TR_NOOP("Less far along the surface, by half the brush")},
-    {"blur", QT_TR_NOOP("&Blur"), "", QT_TR_NOOP("A softer border")},
+    {"shrink", QT_TR_NOOP("Sh&rink"), "", QT_TR_NOOP("Less far along the surface, by half the brush"), true},
+    {"blur", QT_TR_NOOP("&Blur"), "", QT_TR_NOOP("A softer border"), true},
     {"copy", QT_TR_NOOP("From Se&lection"), "", QT_TR_NOOP("Masks what is selected")},
 };
 
-/// Lengths follow the brush, as steps of selections do.
-void change(MainWindow& window, const char* what) {
+void change(MainWindow& window, const MaskRow& row) {
     SculptView& view = window.sculptView();
-    const double length = 0.5 * view.sizing().radiusAt(view.motion().view().target);
-    nlohmann::json command{{"op", "mask"}, {"do", what}};
-    for (const char* each : {"grow", "sharpen", "cavity", "shrink", "blur"})
-        if (std::string_view(each) == what)
-            command["length"] = length;
+    nlohmann::json command{{"op", "mask"}, {"do", row.id}};
+    if (row.byLength)
+        command["length"] = 0.5 * view.sizing().radiusAt(view.motion().view().target);
     window.editor().run(command);
 }
 
@@ -46,7 +44,7 @@ void addMaskMenu(MainWindow& window) {
     QList<QAction*> all;
     for (const MaskRow& row : rows) {
         QAction* action = addEntry(*menu, "", QObject::tr(row.label), QKeySequence(row.key),
-                                   [&window, id = row.id] { change(window, id); });
+                                   [&window, &row] { change(window, row); });
         action->setData(QString("mask-%1").arg(row.id));
         action->setObjectName(action->data().toString());
         action->setToolTip(QObject::tr(row.tip));

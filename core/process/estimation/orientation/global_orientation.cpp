@@ -1,7 +1,6 @@
 #include "core/process/estimation/orientation/global_orientation.h"
 
 #include "core/process/estimation/orientation/orientation_pieces.h"
-#include "core/process/estimation/orientation/orientation_trees.h"
 #include "core/process/estimation/orientation/piece_fields.h"
 #include "core/process/estimation/part_progress.h"
 
@@ -33,13 +32,6 @@ std::vector<SignRelation> relations(const Cloud& cloud, const NeighbourTable& li
     return {};
 }
 
-void joinAll(const Cloud& cloud, std::span<const Vec3f> normals, OrientationTrees& trees,
-             const base::Progress& progress) {
-    trees.joinBelow(pieceUnlike, part(progress, 0, 0.5));
-    relateBodiesApart(cloud, normals, trees.signs());
-    trees.joinAll(part(progress, 0.5, 1));
-}
-
 } // namespace
 
 bool orientGlobally(const Cloud& cloud, const NeighbourTable& links, std::span<Vec3f> normals,
@@ -49,7 +41,7 @@ bool orientGlobally(const Cloud& cloud, const NeighbourTable& links, std::span<V
     OrientationTrees trees(cloud, links, normals, part(progress, 0, 0.5));
     const std::vector<SignRelation> said = relations(cloud, links, normals, trees, part(progress, 0.5, 0.7));
     const OrientationTrees::State certain = trees.state();
-    joinAll(cloud, normals, trees, part(progress, 0.7, 0.8));
+    joinPieces(cloud, normals, trees, part(progress, 0.7, 0.8));
     if (std::any_of(said.begin(), said.end(), [&](const SignRelation& each) {
             const auto p = trees.signs().find(each.a), q = trees.signs().find(each.b);
             return p.root == q.root && (p.opposite != q.opposite) != each.opposite;
@@ -59,7 +51,7 @@ bool orientGlobally(const Cloud& cloud, const NeighbourTable& links, std::span<V
         trees.resume(certain);
         for (const SignRelation& each : said)
             trees.signs().relate(each.a, each.b, each.opposite);
-        joinAll(cloud, normals, trees, part(progress, 0.8, 0.9));
+        joinPieces(cloud, normals, trees, part(progress, 0.8, 0.9));
         if (const double now = farFromBodies(cloud, links, normals, trees.signs()); now > bodies || now > better * off)
             trees.resume(std::move(byTrees));
     }

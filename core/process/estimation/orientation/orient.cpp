@@ -2,7 +2,6 @@
 // with a flip rule (process/README 2.2) that knows the edge between the two points.
 #include "core/process/estimation/cloud_normals.h"
 #include "core/process/estimation/orientation/orientation_pieces.h"
-#include "core/process/estimation/orientation/orientation_trees.h"
 #include "core/process/estimation/part_progress.h"
 
 namespace process {
@@ -12,9 +11,7 @@ bool orient(const Cloud& cloud, const NeighbourTable& links, std::span<base::Vec
     if (cloud.size() < 2)
         return true;
     OrientationTrees trees(cloud, links, normals, part(progress, 0, 0.5));
-    trees.joinBelow(pieceUnlike, part(progress, 0.5, 0.6));
-    relateBodiesApart(cloud, normals, trees.signs());
-    trees.joinAll(part(progress, 0.6, 0.7));
+    joinPieces(cloud, normals, trees, part(progress, 0.5, 0.7));
     const bool sided = !trees.hasSeam(part(progress, 0.7, 0.8));
     trees.takeSigns(given, part(progress, 0.8, 1));
     return sided;

@@ -1,7 +1,7 @@
 #include "core/process/estimation/orientation/orientation_pieces.h"
 
 #include "core/base/box.h"
-#include "core/process/estimation/orientation/outside.h"
+#include "core/process/estimation/part_progress.h"
 
 #include <algorithm>
 
@@ -46,7 +46,8 @@ std::vector<std::vector<std::uint32_t>> largePieces(base::ParitySets& trees, std
     return out;
 }
 
-void relateBodiesApart(const Cloud& cloud, std::span<const Vec3f> normals, base::ParitySets& trees) {
+/// `trees` are joined below pieceUnlike.
+static void relateBodiesApart(const Cloud& cloud, std::span<const Vec3f> normals, base::ParitySets& trees) {
     const std::vector<std::vector<std::uint32_t>> pieces = largePieces(trees, cloud.size(), mostBodies);
     if (pieces.size() < 2)
         return;
@@ -71,6 +72,13 @@ void relateBodiesApart(const Cloud& cloud, std::span<const Vec3f> normals, base:
     }
     for (std::size_t k = 1; k < bodies.size(); ++k)
         trees.relate(bodies[0].first, bodies[k].first, bodies[0].turned != bodies[k].turned);
+}
+
+void joinPieces(const Cloud& cloud, std::span<const Vec3f> normals, OrientationTrees& trees,
+                const base::Progress& progress) {
+    trees.joinBelow(pieceUnlike, part(progress, 0, 0.5));
+    relateBodiesApart(cloud, normals, trees.signs());
+    trees.joinAll(part(progress, 0.5, 1));
 }
 
 } // namespace process

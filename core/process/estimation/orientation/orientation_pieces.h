@@ -2,8 +2,7 @@
 // 2.4). Inside this folder.
 #pragma once
 
-#include "core/base/disjoint_sets.h"
-#include "core/process/estimation/cloud_normals.h"
+#include "core/process/estimation/orientation/orientation_trees.h"
 
 #include <vector>
 
@@ -16,8 +15,9 @@ constexpr double pieceUnlike = 0.3;
 /// with its members in the order of the curve. The rest follows its neighbours.
 std::vector<std::vector<std::uint32_t>> largePieces(base::ParitySets& trees, std::size_t n, std::size_t most);
 
-/// Bodies that enclose something each and lie beside each other look outwards each by its own vote
-/// (process/README 2.3), before strays between them are asked. `trees` are joined below pieceUnlike.
-void relateBodiesApart(const Cloud& cloud, std::span<const base::Vec3f> normals, base::ParitySets& trees);
+/// Joins all that is not joined. Bodies that enclose something each and lie beside each other look outwards each by its
+/// own vote (process/README 2.3), before strays between them are asked.
+void joinPieces(const Cloud& cloud, std::span<const base::Vec3f> normals, OrientationTrees& trees,
+                const base::Progress& progress);
 
 } // namespace process

@@ -72,15 +72,16 @@ class Pieces {
     std::vector<std::size_t> m_group;
 };
 
-/// The area that a point stands for, by its nearest neighbours.
-float areaOf(const Cloud& cloud, const NeighbourTable& links, std::uint32_t i) {
+/// The area that a point stands for, by its nearest neighbours, times its normal as the trees turn it.
+Vec3f areaOf(const Cloud& cloud, const NeighbourTable& links, std::span<const Vec3f> normals, base::ParitySets& trees,
+             std::uint32_t i) {
     const NeighbourTable::Row row = links.row(i);
     std::array<float, ringSize> distancesSq;
     const std::size_t count = std::min(ringSize, links.count());
     for (std::size_t k = 0; k < count; ++k)
         distancesSq[k] = base::distanceSq(cloud.positions()[i], cloud.positions()[row[k]]);
     const float spacing = spacingOfRing(std::span(distancesSq).first(count));
-    return spacing * spacing;
+    return normals[i] * (trees.find(i).opposite ? -spacing * spacing : spacing * spacing);
 }
 
 /// Above zero where the signs of two pieces fit the surface of a body: both on one flat sheet, or on its two sides.
@@ -95,8 +96,7 @@ std::vector<double> fitsBetween(const Cloud& cloud, const NeighbourTable& links,
         std::vector<Vec3f> places;
         for (const std::uint32_t i : pieces[p]) {
             places.push_back(cloud.positions()[i]);
-            areas[p].push_back(normals[i] *
-                               (trees.find(i).opposite ? -areaOf(cloud, links, i) : areaOf(cloud, links, i)));
+            areas[p].push_back(areaOf(cloud, links, normals, trees, i));
         }
         fields.emplace_back(places, areas[p]);
     }
@@ -145,7 +145,7 @@ double farFromBodies(const Cloud& cloud, const NeighbourTable& links, std::span<
                      base::ParitySets& signs) {
     std::vector<Vec3f> areas(cloud.size());
     for (std::uint32_t i = 0; i < areas.size(); ++i)
-        areas[i] = normals[i] * (signs.find(i).opposite ? -areaOf(cloud, links, i) : areaOf(cloud, links, i));
+        areas[i] = areaOf(cloud, links, normals, signs, i);
     const surface::WindingNumber winding(cloud.positions(), areas);
     const std::size_t step = 1 + areas.size() / mostLookedAt, count = (areas.size() + step - 1) / step;
     std::vector<double> off(count);

@@ -38,15 +38,13 @@ CommandRow hideCommand() {
     static const CommandParameter parameters[] = {
         {"what", "choice", "",
          "selection: what is selected; rest: what is not; mask: what is masked; swap: what is shown, and what is "
-         "hidden "
-         "is shown",
+         "hidden is shown",
          "\"selection\"", "selection rest mask swap", 0, 0},
     };
     return {"hide",
             "Hide",
             "Hides a part of the model: it is not seen, and tools and rays pass it by. What is hidden is no longer "
-            "selected; "
-            "it is saved, meshed, measured and cut as before.",
+            "selected; it is saved, meshed, measured and cut as before.",
             parameters,
             true,
             false,
