@@ -24,6 +24,7 @@ class OrientationTest : public QObject {
     void manyStraysTurnNoBodyInsideOut();
     void wedgesLookOutwards();
     void basesOfConesLookOutwards();
+    void bothSidesOfLensesLookOutwards();
     void openSheetsStayAsNeighboursSay();
     void flippedPatchesAreInDoubt();
     void threadsDoNotShow();
@@ -277,6 +278,27 @@ void OrientationTest::basesOfConesLookOutwards() {
         QVERIFY(found.sided);
         QVERIFY2(
             found.inwards < body.outwards.size() / 15,
+            qPrintable(QString("%1 inwards, height %2, seed %3").arg(found.inwards).arg(height).arg(test::seed())));
+    }
+}
+
+/// Around the rim of a lens normals turn by so little, up to their sign, that neighbours say that both sides look the
+/// same way. The winding number tells: above such a sheet it is -1, and 1 below.
+void OrientationTest::bothSidesOfLensesLookOutwards() {
+    base::Random random(test::seed());
+    for (int k = 0; k < test::effort(10); ++k) {
+        const double height = random.uniform(0.07, 0.12), slant = std::hypot(1, height);
+        Body body;
+        for (int i = 0; i < 9000; ++i) {
+            const double turn = random.uniform(0, 2 * std::numbers::pi), r = std::sqrt(random.uniform());
+            const double up = random.uniform() < 0.5 ? 1 : -1;
+            const Vec3d out{std::cos(turn), std::sin(turn), 0};
+            body.positions.push_back(base::cast<float>(out * r + Vec3d{0, 0, up * height * (1 - r)}));
+            body.outwards.push_back(base::cast<float>((out * height + Vec3d{0, 0, up}) / slant));
+        }
+        const Estimate found = estimated(body, true);
+        QVERIFY2(
+            found.inwards < body.outwards.size() / 5,
             qPrintable(QString("%1 inwards, height %2, seed %3").arg(found.inwards).arg(height).arg(test::seed())));
     }
 }

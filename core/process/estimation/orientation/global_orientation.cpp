@@ -1,7 +1,7 @@
 #include "core/process/estimation/orientation/global_orientation.h"
 
 #include "core/process/estimation/orientation/orientation_pieces.h"
-#include "core/process/estimation/orientation/piece_fields.h"
+#include "core/process/estimation/orientation/winding_signs.h"
 #include "core/process/estimation/part_progress.h"
 
 #include <algorithm>
@@ -14,20 +14,59 @@ namespace {
 
 constexpr std::size_t mostPieces = 200; ///< that are judged
 constexpr double doubtfulShare = 0.25;
-/// What pieces say of each other has a say where it makes bodies, so near, and much more than the trees do.
-constexpr double bodies = 0.2, better = 0.8;
+/// Winding numbers have a say where they make bodies, so near and better ones than what stood before, or much better
+/// ones: a scan from one side is as near to a body with its parts turned at random.
+constexpr double bodies = 0.2, better = 0.8, muchBetter = 0.6;
+/// Where what stands is no body, so near, it is taken apart into so many patches, of a handful of points at least.
+constexpr double surelyBodies = 0.05;
+constexpr std::size_t patchCounts[] = {200, 800};
+constexpr std::size_t leastPatch = 8;
 
-/// By the fields of pieces of what is certain; where noise leaves little that is, of what is less so.
-std::vector<SignRelation> relations(const Cloud& cloud, const NeighbourTable& links, std::span<const Vec3f> normals,
-                                    OrientationTrees& trees, const base::Progress& progress) {
+/// The best orientation so far, and others that may be better.
+class Choice {
+  public:
+    Choice(const Cloud& cloud, const NeighbourTable& links, std::span<const Vec3f> normals, OrientationTrees& trees)
+        : m_cloud(cloud), m_links(links), m_normals(normals), m_trees(trees), m_best(trees.state()), m_sides(sides()) {}
+
+    const WindingSides& bestSides() const { return m_sides; }
+    /// Of what certain pieces make by winding numbers, and that their neighbours join. `pieces`: as `trees` have them.
+    void judge(const std::vector<std::vector<std::uint32_t>>& pieces, const base::Progress& progress) {
+        for (const SignRelation& each :
+             signsByWinding(m_cloud, m_links, m_normals, pieces, m_trees.signs(), part(progress, 0, 0.7)))
+            m_trees.signs().relate(each.a, each.b, each.opposite);
+        joinPieces(m_cloud, m_normals, m_trees, part(progress, 0.7, 1));
+        WindingSides now = sides();
+        if (now.off <= muchBetter * m_sides.off || (now.off <= bodies && now.off <= better * m_sides.off)) {
+            m_best = m_trees.state();
+            m_sides = std::move(now);
+        }
+    }
+    OrientationTrees::State take() { return std::move(m_best); }
+
+  private:
+    WindingSides sides() { return windingSides(m_cloud, m_links, m_normals, m_trees.signs()); }
+
+    const Cloud& m_cloud;
+    const NeighbourTable& m_links;
+    std::span<const Vec3f> m_normals;
+    OrientationTrees& m_trees;
+    OrientationTrees::State m_best;
+    WindingSides m_sides; ///< of the best
+};
+
+/// Pieces of what is certain; where noise leaves little that is, of what is less so. Joins them.
+std::vector<std::vector<std::uint32_t>> certainPieces(const Cloud& cloud, OrientationTrees& trees,
+                                                      const base::Progress& progress) {
+    double done = 0;
     for (const double unlike : {0.1, 0.15, 0.2, pieceUnlike}) {
-        trees.joinBelow(unlike, part(progress, 0, 0.2));
-        const std::vector<std::vector<std::uint32_t>> pieces = largePieces(trees.signs(), cloud.size(), mostPieces);
+        trees.joinBelow(unlike, part(progress, done, done + 0.25));
+        done += 0.25;
+        std::vector<std::vector<std::uint32_t>> pieces = largePieces(trees.signs(), cloud.size(), mostPieces);
         std::size_t held = 0;
         for (const std::vector<std::uint32_t>& piece : pieces)
             held += piece.size();
         if (2 * held >= cloud.size())
-            return relationsOfPieces(cloud, links, normals, pieces, trees.signs(), part(progress, 0.2, 1));
+            return pieces;
     }
     return {};
 }
@@ -39,24 +78,27 @@ bool orientGlobally(const Cloud& cloud, const NeighbourTable& links, std::span<V
     if (cloud.size() < 2)
         return true;
     OrientationTrees trees(cloud, links, normals, part(progress, 0, 0.5));
-    const std::vector<SignRelation> said = relations(cloud, links, normals, trees, part(progress, 0.5, 0.7));
-    const OrientationTrees::State certain = trees.state();
-    joinPieces(cloud, normals, trees, part(progress, 0.7, 0.8));
-    if (std::any_of(said.begin(), said.end(), [&](const SignRelation& each) {
-            const auto p = trees.signs().find(each.a), q = trees.signs().find(each.b);
-            return p.root == q.root && (p.opposite != q.opposite) != each.opposite;
-        })) {
-        OrientationTrees::State byTrees = trees.state();
-        const double off = farFromBodies(cloud, links, normals, trees.signs());
-        trees.resume(certain);
-        for (const SignRelation& each : said)
-            trees.signs().relate(each.a, each.b, each.opposite);
-        joinPieces(cloud, normals, trees, part(progress, 0.8, 0.9));
-        if (const double now = farFromBodies(cloud, links, normals, trees.signs()); now > bodies || now > better * off)
-            trees.resume(std::move(byTrees));
+    const std::vector<std::vector<std::uint32_t>> pieces = certainPieces(cloud, trees, part(progress, 0.5, 0.55));
+    OrientationTrees::State certain = trees.state();
+    joinPieces(cloud, normals, trees, part(progress, 0.55, 0.65));
+    Choice choice(cloud, links, normals, trees);
+    if (pieces.size() > 1 && choice.bestSides().off > surelyBodies) {
+        trees.resume(std::move(certain));
+        choice.judge(pieces, part(progress, 0.65, 0.75));
     }
+    double done = 0.75;
+    for (const std::size_t count : patchCounts) {
+        if (choice.bestSides().off <= surelyBodies)
+            break;
+        trees.joinPatches(pieceUnlike, std::max(2 * cloud.size() / count, 4 * leastPatch),
+                          part(progress, done, done + 0.02));
+        choice.judge(largePieces(trees.signs(), cloud.size(), 2 * count, leastPatch),
+                     part(progress, done + 0.02, done + 0.07));
+        done += 0.07;
+    }
+    trees.resume(choice.take());
     const bool sided = !trees.hasSeam(part(progress, 0.9, 0.95));
-    trees.takeSigns(given, part(progress, 0.95, 1));
+    trees.takeSigns(given, choice.bestSides().components, part(progress, 0.95, 1));
     return sided;
 }
 

@@ -13,7 +13,7 @@ bool orient(const Cloud& cloud, const NeighbourTable& links, std::span<base::Vec
     OrientationTrees trees(cloud, links, normals, part(progress, 0, 0.5));
     joinPieces(cloud, normals, trees, part(progress, 0.5, 0.7));
     const bool sided = !trees.hasSeam(part(progress, 0.7, 0.8));
-    trees.takeSigns(given, part(progress, 0.8, 1));
+    trees.takeSigns(given, {}, part(progress, 0.8, 1));
     return sided;
 }
 

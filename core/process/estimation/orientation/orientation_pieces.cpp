@@ -11,7 +11,6 @@ using base::Vec3d, base::Vec3f;
 
 namespace {
 
-constexpr std::size_t fewest = 50; ///< points of a piece
 constexpr std::size_t mostBodies = 2000;
 constexpr double encloses = 0.3;       ///< |mean normal| below which a piece does: half a ball has 0.5
 constexpr double clearlyOutside = 0.4; ///< of votes
@@ -25,7 +24,8 @@ struct Body {
 
 } // namespace
 
-std::vector<std::vector<std::uint32_t>> largePieces(base::ParitySets& trees, std::size_t n, std::size_t most) {
+std::vector<std::vector<std::uint32_t>> largePieces(base::ParitySets& trees, std::size_t n, std::size_t most,
+                                                    std::size_t fewest) {
     std::vector<std::uint32_t> size(n);
     for (std::uint32_t i = 0; i < n; ++i)
         ++size[trees.find(i).root];

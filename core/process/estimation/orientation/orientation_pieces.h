@@ -11,9 +11,10 @@ namespace process {
 /// Pieces are joined by edges less unlike than this (of 1): what noise leaves certain, and what thin parts do not.
 constexpr double pieceUnlike = 0.3;
 
-/// The pieces of n points worth judging, of 50 points and of a share of 1 / `most` at least: the largest first, each
-/// with its members in the order of the curve. The rest follows its neighbours.
-std::vector<std::vector<std::uint32_t>> largePieces(base::ParitySets& trees, std::size_t n, std::size_t most);
+/// The pieces of n points worth judging, of `fewest` points and of a share of 1 / `most` at least: the largest first,
+/// each with its members in the order of the curve. The rest follows its neighbours.
+std::vector<std::vector<std::uint32_t>> largePieces(base::ParitySets& trees, std::size_t n, std::size_t most,
+                                                    std::size_t fewest = 50);
 
 /// Joins all that is not joined. Bodies that enclose something each and lie beside each other look outwards each by its
 /// own vote (process/README 2.3), before strays between them are asked.

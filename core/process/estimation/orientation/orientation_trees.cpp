@@ -34,6 +34,9 @@ constexpr std::int32_t agreed = unlikeClasses * 3 / 10;
 constexpr int leastAgreed = 4, rounds = 4;
 constexpr std::size_t smallSheet = 10; ///< times as large is another: strays by chance on a sheet have no say
 constexpr std::uint32_t nowhere = ~0u;
+/// How far winding numbers may be from those of a body that says which side is outside, whatever the outermost points
+/// say, and where these say nothing.
+constexpr double certainBody = 0.2, likelyBody = 0.3;
 
 /// body(begin, end, chunk) for n points, in parallel.
 template <class Body>
@@ -158,10 +161,32 @@ void OrientationTrees::sort(std::vector<std::vector<Edge>>& parts) {
     m_classEnd = std::move(next); // where each began, one by one moved to its end
 }
 
-void OrientationTrees::joinBelow(double unlike, const base::Progress& progress) {
+/// How many joints are less unlike: the first ones.
+std::size_t OrientationTrees::edgesBelow(double unlike) const {
     const double wanted = std::ceil(unlike / scale * static_cast<double>(unlikeClasses));
     const auto below = static_cast<std::size_t>(std::clamp(wanted, 0.0, static_cast<double>(unlikeClasses)));
-    const std::size_t end = below > 0 ? m_classEnd[below - 1] : 0, begin = m_joined;
+    return below > 0 ? m_classEnd[below - 1] : 0;
+}
+
+void OrientationTrees::joinPatches(double unlike, std::size_t most, const base::Progress& progress) {
+    m_signs = base::ParitySets(m_links.size());
+    m_joined = 0;
+    std::vector<std::uint32_t> size(m_links.size(), 1);
+    const std::size_t end = edgesBelow(unlike);
+    for (std::size_t k = 0; k < end; ++k) {
+        if (k % 131072 == 0)
+            progress.step(static_cast<double>(k) / static_cast<double>(end), orienting);
+        const Joint& joint = m_joints[k];
+        const std::uint32_t a = m_signs.find(joint.a).root, b = m_signs.find(joint.b >> 1).root;
+        if (a == b || size[a] + size[b] > most)
+            continue;
+        m_signs.relate(joint.a, joint.b >> 1, (joint.b & 1) != 0);
+        size[std::min(a, b)] = size[a] + size[b]; // the smaller one represents both
+    }
+}
+
+void OrientationTrees::joinBelow(double unlike, const base::Progress& progress) {
+    const std::size_t end = edgesBelow(unlike), begin = m_joined;
     for (; m_joined < end; ++m_joined) {
         if ((m_joined - begin) % 131072 == 0)
             progress.step(static_cast<double>(m_joined - begin) / static_cast<double>(end - begin), orienting);
@@ -301,7 +326,8 @@ double OrientationTrees::votesFor(const Outside& outside, std::span<const std::u
     return outside.vote(m_normals, some);
 }
 
-void OrientationTrees::takeSigns(Sides given, const base::Progress& progress) {
+void OrientationTrees::takeSigns(Sides given, const std::map<std::uint32_t, WindingSides::Component>& known,
+                                 const base::Progress& progress) {
     m_joints = {}, m_layered = {}; // room for what follows
     shorten();
     const std::vector<std::uint32_t> sheetOf = borneOut({nullptr, progress.cancel});
@@ -330,8 +356,12 @@ void OrientationTrees::takeSigns(Sides given, const base::Progress& progress) {
             continue;
         progress.step(static_cast<double>(root) / static_cast<double>(n), orienting);
         const double votes = votesFor(outside, component, sheetOf);
-        const bool unclear = given == Sides::Mostly && std::abs(votes) < Outside::clear;
-        if (unclear ? mostlyTurned(component) : outside.inward(m_normals, component, votes))
+        const bool unclear = std::abs(votes) < Outside::clear;
+        const auto found = known.find(static_cast<std::uint32_t>(root));
+        const double off = found == known.end() ? 1 : found->second.off;
+        if (off <= certainBody || (unclear && off <= likelyBody) ? found->second.inwards
+            : unclear && given == Sides::Mostly                  ? mostlyTurned(component)
+                                                                 : outside.inward(m_normals, component, votes))
             for (const std::uint32_t i : component)
                 m_normals[i] = -m_normals[i];
     }

@@ -7,6 +7,7 @@
 #include "core/process/estimation/cloud_normals.h"
 #include "core/process/estimation/orientation/normal_links.h"
 #include "core/process/estimation/orientation/outside.h"
+#include "core/process/estimation/orientation/winding_signs.h"
 
 namespace process {
 
@@ -23,6 +24,9 @@ class OrientationTrees {
     /// Joins along all edges that are less unlike, of 1, and were not asked for before.
     void joinBelow(double unlike, const base::Progress& progress);
     void joinAll(const base::Progress& progress) { joinBelow(4, progress); }
+    /// Forgets what was joined, and joins anew along edges that are less unlike, the most alike first, as long as what
+    /// hangs together has no more than `most` points.
+    void joinPatches(double unlike, std::size_t most, const base::Progress& progress);
     /// What is known by now; more may be added.
     base::ParitySets& signs() { return m_signs; }
 
@@ -40,9 +44,10 @@ class OrientationTrees {
     /// Is there a seam, along which certain edges contradict the signs that the trees gave? Then the surface has no two
     /// sides.
     bool hasSeam(const base::Progress& progress);
-    /// Turns normals as the trees say, and each component so that it looks outwards (process/README 2.3). The last
-    /// thing to be asked for.
-    void takeSigns(Sides given, const base::Progress& progress);
+    /// Turns normals as the trees say, and each component so that it looks outwards, by winding numbers where these
+    /// know and by its outermost points (process/README 2.3, 2.4). The last thing to be asked for.
+    void takeSigns(Sides given, const std::map<std::uint32_t, WindingSides::Component>& known,
+                   const base::Progress& progress);
 
   private:
     class Edge;
@@ -57,6 +62,7 @@ class OrientationTrees {
     std::vector<Edge> candidates(std::size_t begin, std::size_t end) const;
     void sort(std::vector<std::vector<Edge>>& parts);
     void shorten();
+    std::size_t edgesBelow(double unlike) const;
     std::vector<std::vector<std::uint32_t>> losing(const std::vector<std::vector<std::uint32_t>>& lost,
                                                    std::span<const std::uint16_t> alike,
                                                    std::span<std::uint8_t> borneOut) const;

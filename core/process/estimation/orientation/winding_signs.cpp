@@ -1,0 +1,147 @@
+#include "core/process/estimation/orientation/winding_signs.h"
+
+#include "core/base/parallel.h"
+#include "core/process/estimation/cloud_spacing.h"
+#include "core/process/estimation/part_progress.h"
+#include "core/surface/winding/winding_number.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+namespace process {
+
+using base::Vec3d, base::Vec3f;
+
+namespace {
+
+constexpr std::size_t mostLookedAt = 4000;
+constexpr std::size_t leastAsked = 20; ///< of a component that has a say about its side
+constexpr std::size_t mostDipoles = 500000;
+constexpr const char* orienting = "Orienting normals";
+constexpr double ridge = 0.01; ///< of the mean diagonal: pieces that say next to nothing stay small
+
+/// Points as dipoles, one in `thinning` of them.
+struct Dipoles {
+    std::vector<Vec3f> places, areas; ///< areas times normals as the trees turn them
+
+    Dipoles(const Cloud& cloud, const NeighbourTable& links, std::span<const Vec3f> normals, base::ParitySets& trees,
+            std::span<const std::uint32_t> points)
+        : m_thinning(1 + cloud.size() / mostDipoles) {
+        for (std::size_t k = m_thinning / 2 % points.size(); k < points.size(); k += m_thinning) {
+            const std::uint32_t i = points[k];
+            const NeighbourTable::Row row = links.row(i);
+            std::array<float, ringSize> distancesSq;
+            const std::size_t count = std::min(ringSize, links.count());
+            for (std::size_t n = 0; n < count; ++n)
+                distancesSq[n] = base::distanceSq(cloud.positions()[i], cloud.positions()[row[n]]);
+            const float spacing = spacingOfRing(std::span(distancesSq).first(count));
+            const float area = spacing * spacing * static_cast<float>(m_thinning);
+            places.push_back(cloud.positions()[i]);
+            areas.push_back(normals[i] * (trees.find(i).opposite ? -area : area));
+        }
+    }
+    surface::WindingNumber field() const { return {places, areas}; }
+
+  private:
+    std::size_t m_thinning;
+};
+
+/// min |A s - b|^2 over signs s: what A s comes nearest without the condition is rounded, then single signs turn as
+/// long as that makes it smaller, the one first that does most.
+Eigen::VectorXd nearestSigns(const Eigen::MatrixXd& a, const Eigen::VectorXd& b) {
+    const Eigen::MatrixXd gram = a.transpose() * a;
+    const Eigen::VectorXd right = a.transpose() * b;
+    Eigen::MatrixXd regular = gram;
+    regular.diagonal().array() += ridge * gram.diagonal().mean();
+    Eigen::VectorXd signs = regular.ldlt().solve(right).unaryExpr([](double soft) { return soft < 0 ? -1.0 : 1.0; });
+    Eigen::VectorXd slope = gram * signs - right;
+    for (Eigen::Index turns = 0; turns < 4 * signs.size(); ++turns) { // each makes it smaller
+        Eigen::Index best = 0;
+        const double change = (gram.diagonal() - signs.cwiseProduct(slope)).minCoeff(&best);
+        if (change >= 0)
+            break;
+        slope -= 2 * signs[best] * gram.col(best);
+        signs[best] = -signs[best];
+    }
+    return signs;
+}
+
+} // namespace
+
+std::vector<SignRelation> signsByWinding(const Cloud& cloud, const NeighbourTable& links,
+                                         std::span<const Vec3f> normals,
+                                         const std::vector<std::vector<std::uint32_t>>& pieces, base::ParitySets& trees,
+                                         const base::Progress& progress) {
+    if (pieces.size() < 2)
+        return {};
+    std::vector<Dipoles> dipoles;
+    std::size_t held = 0;
+    for (const std::vector<std::uint32_t>& piece : pieces) {
+        progress.step(0.3 * static_cast<double>(held) / static_cast<double>(cloud.size()), orienting);
+        held += dipoles.emplace_back(cloud, links, normals, trees, piece).places.size();
+    }
+    const std::size_t step = 1 + held / mostLookedAt;
+    std::vector<surface::WindingNumber> fields;
+    std::vector<Vec3d> asked;
+    std::vector<double> weights;
+    for (const Dipoles& each : dipoles) {
+        progress.step(0.4, orienting);
+        for (std::size_t k = step / 2 % each.places.size(); k < each.places.size(); k += step) {
+            asked.push_back(base::cast<double>(each.places[k]));
+            weights.push_back(std::sqrt(static_cast<double>(length(each.areas[k]))));
+        }
+        fields.push_back(each.field());
+    }
+    Eigen::MatrixXd winding(asked.size(), pieces.size());
+    base::parallelFor(asked.size(), 16, [&](std::size_t k) {
+        for (std::size_t p = 0; p < pieces.size(); ++p)
+            winding(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(p)) = weights[k] * fields[p].at(asked[k]);
+    });
+    const Eigen::VectorXd signs = nearestSigns(
+        winding, 0.5 * Eigen::Map<const Eigen::VectorXd>(weights.data(), static_cast<Eigen::Index>(weights.size())));
+    std::vector<SignRelation> out;
+    const std::uint32_t a = pieces[0].front();
+    for (std::size_t p = 1; p < pieces.size(); ++p) {
+        const std::uint32_t b = pieces[p].front();
+        const bool alike = trees.find(a).opposite == trees.find(b).opposite;
+        out.push_back({a, b, alike == (signs[0] != signs[static_cast<Eigen::Index>(p)])});
+    }
+    return out;
+}
+
+WindingSides windingSides(const Cloud& cloud, const NeighbourTable& links, std::span<const Vec3f> normals,
+                          base::ParitySets& signs) {
+    std::vector<std::uint32_t> all(cloud.size());
+    std::iota(all.begin(), all.end(), 0u);
+    const surface::WindingNumber winding = Dipoles(cloud, links, normals, signs, all).field();
+    const std::size_t step = 1 + all.size() / mostLookedAt, count = (all.size() + step - 1) / step;
+    std::vector<double> numbers(count);
+    base::parallelFor(count, 16,
+                      [&](std::size_t k) { numbers[k] = winding.at(base::cast<double>(cloud.positions()[k * step])); });
+    struct Sum {
+        double outwards = 0, inwards = 0;
+        std::size_t count = 0;
+    };
+    std::map<std::uint32_t, Sum> sums;
+    for (std::size_t k = 0; k < count; ++k) {
+        Sum& sum = sums[signs.find(static_cast<std::uint32_t>(k * step)).root];
+        sum.outwards += std::abs(numbers[k] - 0.5);
+        sum.inwards += std::abs(numbers[k] + 0.5);
+        ++sum.count;
+    }
+    WindingSides out;
+    for (const auto& [root, sum] : sums) {
+        const double least = std::min(sum.outwards, sum.inwards);
+        out.off += least / static_cast<double>(count);
+        if (sum.count >= leastAsked)
+            out.components[root] = {least / static_cast<double>(sum.count), sum.inwards < sum.outwards};
+    }
+    return out;
+}
+
+} // namespace process
