@@ -16,6 +16,7 @@ class PointGridTest : public QObject {
     void findsAllThatLieNear();
     void walksMeetAllNeighbours_data() { findsAllThatLieNear_data(); }
     void walksMeetAllNeighbours();
+    void passesOverWhatIsFarInACrowdedCell();
     void boxesOfAnySizeHaveCells();
 };
 
@@ -77,12 +78,41 @@ void PointGridTest::walksMeetAllNeighbours() {
     std::vector<std::vector<std::uint32_t>> met(entries.size());
     PointGrid::Walk walk(grid, 0);
     for (std::size_t rank = 0; rank < grid.cellCount(); ++rank)
-        walk.around(rank, [&](std::span<const PointGrid::Entry> near) {
+        walk.around(rank, [&](std::size_t near) {
             for (const PointGrid::Entry& member : grid.members(rank))
-                for (const PointGrid::Entry& e : near)
+                for (const PointGrid::Entry& e : grid.members(near))
                     met[member.index].push_back(e.index);
         });
     QVERIFY(meetsAll(entries, cell, [&](const PointGrid::Entry& each) { return met[each.index]; }));
+}
+
+void PointGridTest::passesOverWhatIsFarInACrowdedCell() {
+    // As in a tree: points that follow each other lie side by side. All are in a cell or two of the coarsest sampling.
+    base::Random random(test::seed());
+    std::vector<PointGrid::Entry> entries;
+    base::Vec3f at{0.5f, 0.5f, 0.5f};
+    constexpr float step = 0.02f;
+    for (std::uint32_t i = 0; i < 1000; ++i) {
+        at += base::cast<float>(random.unitVector()) * step;
+        for (std::size_t k = 0; k < 3; ++k)
+            at[k] = std::clamp(at[k], 0.0f, 1.0f);
+        entries.push_back({at, i});
+    }
+    PointGrid built({}, 4), filled({}, 4);
+    built.build(entries);
+    for (const PointGrid::Entry& each : entries)
+        filled.insert(each);
+    for (const PointGrid* grid : {&built, &filled}) {
+        std::size_t met = 0;
+        for (const PointGrid::Entry& each : entries)
+            grid->forNear(each.position, step, [&](const PointGrid::Entry&) { ++met; });
+        QVERIFY2(met < entries.size() * entries.size() / 8, qPrintable(QString::number(met)));
+        QVERIFY(meetsAll(entries, step, [&](const PointGrid::Entry& each) {
+            std::vector<std::uint32_t> found;
+            grid->forNear(each.position, step, [&](const PointGrid::Entry& e) { found.push_back(e.index); });
+            return found;
+        }));
+    }
 }
 
 void PointGridTest::boxesOfAnySizeHaveCells() {

@@ -11,7 +11,7 @@ namespace process {
 std::uint32_t PointGrid::findOrAdd(std::uint64_t key) {
     if (const std::uint32_t cell = m_index.find(key, keyOf()); cell != base::KeyIndex::none)
         return cell;
-    m_cells.push_back({key, 0, 0, -1});
+    m_cells.push_back({key, 0, 0, 0, -1});
     const auto added = static_cast<std::uint32_t>(m_cells.size() - 1);
     m_index.add(added, keyOf());
     return added;
@@ -73,17 +73,36 @@ void PointGrid::build(std::span<const Entry> entries) {
         const std::uint64_t key = keys[k];
         if (m_cells.empty() || m_cells.back().key != key) {
             m_ranked.push_back({key, static_cast<std::uint32_t>(m_cells.size())});
-            m_cells.push_back({key, k, 0, -1});
+            m_cells.push_back({key, k, 0, 0, -1});
         }
         ++m_cells.back().count;
     }
+    boxRuns();
     m_index.assign(static_cast<std::uint32_t>(m_cells.size()), keyOf());
+}
+
+void PointGrid::boxRuns() {
+    std::uint32_t boxes = 0;
+    for (Occupied& cell : m_cells)
+        if (cell.count > runLength)
+            cell.firstBox = boxes, boxes += (cell.count + runLength - 1) / runLength;
+    m_boxes.assign(boxes, {});
+    base::parallelFor(m_cells.size(), 512, [&](std::size_t c) {
+        const Occupied& cell = m_cells[c];
+        for (std::uint32_t i = 0; cell.count > runLength && i < cell.count; ++i)
+            m_boxes[cell.firstBox + i / runLength].extend(m_entries[cell.first + i].position);
+    });
 }
 
 void PointGrid::insert(const Entry& entry) {
     Occupied& cell = m_cells[findOrAdd(cellOf(entry.position).key())];
-    m_added.push_back({entry, cell.chain});
-    cell.chain = static_cast<std::int32_t>(m_added.size() - 1);
+    if (cell.chain < 0 || m_added[static_cast<std::size_t>(cell.chain)].count == runLength) {
+        m_added.emplace_back().next = cell.chain;
+        cell.chain = static_cast<std::int32_t>(m_added.size() - 1);
+    }
+    Added& run = m_added[static_cast<std::size_t>(cell.chain)];
+    run.entries[run.count++] = entry;
+    run.box.extend(entry.position);
 }
 
 PointGrid::Walk::Walk(const PointGrid& grid, std::size_t firstRank) : m_grid(grid) {

@@ -1,7 +1,10 @@
 // Points in cubic cells of a hash table, for searches within about one cell size while points come and go.
 //
 // `build` lays the points of a cell side by side; `insert` chains later ones to their cell. Order within a cell is the
-// order of building and inserting, so that visits are deterministic. Const functions may run on any thread.
+// order of building, then the latest of the inserted first, so that visits are deterministic. Where many share a cell,
+// since it is as wide as the coarsest sampling asks, they stand in runs, each with its own box: points that come in the
+// order of a tree lie side by side, and a search passes over runs that are not near. Const functions may run on any
+// thread.
 #pragma once
 
 #include "core/base/box.h"
@@ -50,12 +53,17 @@ class PointGrid {
         const Occupied& cell = m_cells[m_ranked[rank].cell];
         return {m_entries.data() + cell.first, cell.count};
     }
+    /// fn(points, box) for the cell's runs; the box is that of its points, null where the cell is one run.
+    template <class Fn>
+    void forRuns(std::size_t rank, const Fn& fn) const {
+        visitRuns(m_cells[m_ranked[rank].cell], fn);
+    }
     /// Walks cells by ascending rank and knows the 26 around each without searching: along each of the nine rows of
     /// three cells a cursor only moves on.
     class Walk {
       public:
         Walk(const PointGrid& grid, std::size_t firstRank);
-        /// fn(entries) for every occupied cell of the 27 at and around a rank, which never decreases between calls.
+        /// fn(rank) for every occupied cell of the 27 at and around a rank, which never decreases between calls.
         template <class Fn>
         void around(std::size_t rank, const Fn& fn);
 
@@ -65,14 +73,19 @@ class PointGrid {
     };
 
   private:
+    static constexpr std::uint32_t runLength = 8;
     struct Occupied {
         std::uint64_t key = 0;
         std::uint32_t first = 0, count = 0;
-        std::int32_t chain = -1; ///< into m_added
+        std::uint32_t firstBox = 0; ///< of its runs, where it has more than one
+        std::int32_t chain = -1;    ///< into m_added
     };
+    /// A run of inserted points.
     struct Added {
-        Entry entry;
-        std::int32_t next;
+        Entry entries[runLength];
+        std::uint32_t count = 0;
+        std::int32_t next = -1;
+        base::Box3f box;
     };
     struct Ranked {
         std::uint64_t key;
@@ -88,8 +101,11 @@ class PointGrid {
     }
     std::vector<std::uint32_t> orderOf(std::span<const base::Cell> cells) const; ///< by cell, stable
     std::uint32_t findOrAdd(std::uint64_t key);
+    void boxRuns();
     template <class Fn>
-    void visit(const Occupied& cell, const Fn& fn) const;
+    void visitRuns(const Occupied& cell, const Fn& fn) const;
+    template <class Fn>
+    void visit(const Occupied& cell, const base::Box3f& box, const Fn& fn) const;
 
     base::Vec3f m_origin;
     float m_scale;
@@ -97,15 +113,32 @@ class PointGrid {
     base::KeyIndex m_index;        ///< of the cells
     std::vector<Ranked> m_ranked;  ///< the cells by key, that is by x, then y, then z
     std::vector<Entry> m_entries;
+    std::vector<base::Box3f> m_boxes; ///< of runs, for cells of several
     std::vector<Added> m_added;
 };
 
 template <class Fn>
-void PointGrid::visit(const Occupied& cell, const Fn& fn) const {
-    for (std::uint32_t i = 0; i < cell.count; ++i)
-        fn(m_entries[cell.first + i]);
-    for (std::int32_t k = cell.chain; k >= 0; k = m_added[static_cast<std::size_t>(k)].next)
-        fn(m_added[static_cast<std::size_t>(k)].entry);
+void PointGrid::visitRuns(const Occupied& cell, const Fn& fn) const {
+    const Entry* const entries = m_entries.data() + cell.first;
+    if (cell.count <= runLength)
+        return fn(std::span(entries, cell.count), nullptr);
+    for (std::uint32_t run = 0, at = 0; at < cell.count; ++run, at += runLength)
+        fn(std::span(entries + at, std::min(runLength, cell.count - at)), &m_boxes[cell.firstBox + run]);
+}
+
+template <class Fn>
+void PointGrid::visit(const Occupied& cell, const base::Box3f& box, const Fn& fn) const {
+    visitRuns(cell, [&](std::span<const Entry> entries, const base::Box3f* of) {
+        if (!of || of->overlaps(box))
+            for (const Entry& each : entries)
+                fn(each);
+    });
+    for (std::int32_t k = cell.chain; k >= 0; k = m_added[static_cast<std::size_t>(k)].next) {
+        const Added& run = m_added[static_cast<std::size_t>(k)];
+        if (run.box.overlaps(box))
+            for (std::uint32_t i = run.count; i-- > 0;)
+                fn(run.entries[i]);
+    }
 }
 
 template <class Fn>
@@ -116,7 +149,7 @@ void PointGrid::forIn(const base::Box3f& box, const Fn& fn) const {
             for (std::int64_t cz = lo.z; cz <= hi.z; ++cz)
                 if (const std::uint32_t cell = m_index.find(base::Cell{cx, cy, cz}.key(), keyOf());
                     cell != base::KeyIndex::none)
-                    visit(m_cells[cell], fn);
+                    visit(m_cells[cell], box, fn);
 }
 
 template <class Fn>
@@ -128,7 +161,7 @@ void PointGrid::Walk::around(std::size_t rank, const Fn& fn) {
         while (at < ranked.size() && ranked[at].key < begin)
             ++at;
         for (std::size_t k = at; k < ranked.size() && ranked[k].key <= begin + 2; ++k)
-            fn(m_grid.members(k));
+            fn(k);
     }
 }
 

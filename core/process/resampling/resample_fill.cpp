@@ -73,6 +73,9 @@ Fate fateOf(const SampleSet& set, const Gap& gap, const Landing& y, const base::
     }
     if (!acceptable(set, gap, y))
         return Fate::Refused;
+    // Two in three on raw scans: samples stand off the surface there, and what is clear of them above it is not on it.
+    if (occupied(set, set.grid, y.place, n, fillApart * target))
+        return Fate::Taken;
     return stray(set, y.place, y.gradient, fillReach * target) ? Fate::Taken : Fate::Landed;
 }
 

@@ -114,22 +114,40 @@ struct Scanner {
         out.pairs.push_back({sq, std::min(i, j), std::max(i, j)});
     }
 
+    /// The box of all that `look` may ask for, for any of these.
+    base::Box3f seenFrom(std::span<const PointGrid::Entry> entries) const {
+        base::Box3f box;
+        float most = 0;
+        for (const PointGrid::Entry& e : entries)
+            box.extend(e.position), most = std::max(most, set.target[e.index]);
+        return box.inflated(std::max(fillReach, lookedAt(set.options) * unlike) * most);
+    }
+    void gather(std::span<const std::size_t> cells, const base::Box3f& seen, Around& around) const {
+        around.clear();
+        for (const std::size_t rank : cells)
+            set.grid.forRuns(rank, [&](std::span<const PointGrid::Entry> entries, const base::Box3f* box) {
+                if (!box || box->overlaps(seen))
+                    for (const PointGrid::Entry& e : entries)
+                        if (!set.is(e.index, Gone))
+                            around.add(e);
+            });
+    }
     void scanCells(std::size_t begin, std::size_t end, ScanResult& out) const {
         PointGrid::Walk walk(set.grid, begin);
+        std::vector<std::size_t> cells;
         Around around;
         for (std::size_t rank = begin; rank < end; ++rank) {
             const auto members = set.grid.members(rank);
             if (std::none_of(members.begin(), members.end(), [&](const auto& e) { return asked(e.index); }))
                 continue;
-            around.clear();
-            walk.around(rank, [&](std::span<const PointGrid::Entry> entries) {
-                for (const PointGrid::Entry& e : entries)
-                    if (!set.is(e.index, Gone))
-                        around.add(e);
+            cells.clear();
+            walk.around(rank, [&](std::size_t near) { cells.push_back(near); });
+            set.grid.forRuns(rank, [&](std::span<const PointGrid::Entry> run, const base::Box3f*) {
+                gather(cells, seenFrom(run), around);
+                for (const PointGrid::Entry& e : run)
+                    if (asked(e.index))
+                        look(e.index, around, out);
             });
-            for (const PointGrid::Entry& e : members)
-                if (asked(e.index))
-                    look(e.index, around, out);
         }
     }
 };
