@@ -3,6 +3,7 @@
 #include "core/mesh/delaunay/delaunay.h"
 #include "core/mesh/faces/open_faces.h"
 #include "core/mesh/marching/marching_cubes.h"
+#include "core/process/estimation/prepare.h"
 #include "mesh/soups.h"
 #include "support/registry.h"
 #include "support/sanitized.h"
@@ -20,6 +21,7 @@ class CrumbsTest : public QObject {
     void facesWithHolesHaveNoPiecesInThem_data();
     void facesWithHolesHaveNoPiecesInThem();
     void whatIsSmallAndAloneStays();
+    void nothingFloatsBeyondAcuteEdges();
 };
 
 namespace {
@@ -81,6 +83,31 @@ mesh::Mesh meshOf(const surface::Surface& surface, const std::string& method) {
     return mesh::marchingCubes(surface, {}, report);
 }
 
+/// Bare random points of a star of six points with edges of 48 degrees, two of it high.
+surfel::SurfelList star(std::size_t n, base::Random& random) {
+    constexpr double wide = 0.5, high = 0.4;
+    const auto rim = [](std::size_t k) {
+        const double turn = std::numbers::pi * static_cast<double>(k % 12) / 6, r = k % 2 == 0 ? 1 : wide;
+        return base::Vec3d{r * std::cos(turn), r * std::sin(turn), 0};
+    };
+    const double flank = length(rim(1) - rim(0)) * high, face = wide / 4; // areas of one, and a twelfth of a face
+    surfel::SurfelList out;
+    for (std::size_t i = 0; i < n; ++i) {
+        const std::size_t k = random.below(12);
+        double u = random.uniform(), v = random.uniform();
+        base::Vec3d x;
+        if (random.uniform(0, flank + 2 * face) < flank) {
+            x = rim(k) * (1 - u) + rim(k + 1) * u + base::Vec3d{0, 0, high * v};
+        } else {
+            if (u + v > 1)
+                u = 1 - u, v = 1 - v;
+            x = rim(k) * u + rim(k + 1) * v + base::Vec3d{0, 0, random.uniform() < 0.5 ? 0 : high};
+        }
+        out.items.emplace_back().position = base::cast<float>(x);
+    }
+    return out;
+}
+
 } // namespace
 
 void CrumbsTest::facesWithHolesHaveNoPiecesInThem_data() {
@@ -129,6 +156,17 @@ void CrumbsTest::whatIsSmallAndAloneStays() {
     QCOMPARE(report.pieces, std::size_t(1));
     for (const base::Vec3d& x : m.positions)
         QVERIFY(x.x > 2);
+}
+
+/// Off tips f has small closed zeros, on which no surfels lie.
+void CrumbsTest::nothingFloatsBeyondAcuteEdges() {
+    for (int round = 0; round < test::effort(3); ++round) {
+        const std::uint64_t seed = test::seed() + static_cast<std::uint64_t>(round);
+        base::Random random(seed);
+        const mesh::Mesh m = meshOf(process::prepare(star(7000, random), {}), "marching-cubes");
+        const mesh::Topology t = mesh::topologyOf(m.triangles, m.positions.size(), m.kinds);
+        QVERIFY2(t.components == 1, qPrintable(QString("seed %1: %2 pieces").arg(seed).arg(t.components)));
+    }
 }
 
 static const test::Registered<CrumbsTest> registered;

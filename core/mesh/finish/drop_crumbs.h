@@ -1,4 +1,4 @@
-// Crumbs: open pieces that no surfels make (mesh/README 3.10).
+// Crumbs: small pieces that no surfels make (mesh/README 3.10).
 #pragma once
 
 #include "core/mesh/finish/orient_mesh.h"
@@ -6,8 +6,9 @@
 
 namespace mesh {
 
-/// Removes pieces that end somewhere and have less area than `surfelsOfPiece` surfels cover where they lie; returns how
-/// many pieces. What is nothing but crumbs stays. Vertices stay; `pieces` is void afterwards. REQUIRES: kinds.
+/// Removes pieces of less area than `surfelsOfPiece` surfels cover where they lie, closed ones only where no more than
+/// three surfels lie on them; returns how many pieces. What is nothing but crumbs stays. Vertices stay; `pieces` is
+/// void afterwards. REQUIRES: kinds.
 std::size_t dropCrumbs(Mesh& mesh, const Orientation& pieces, const surface::Surface& surface);
 
 /// Of which a sheet is made at least.
