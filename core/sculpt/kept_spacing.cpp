@@ -19,8 +19,6 @@ constexpr float agreement = 1.15f;
 constexpr float steady = 1.2f;
 /// Two surfels that are this part of the spacing apart at most lie there by chance: what was resampled has none.
 constexpr float chance = 0.6f;
-/// Nearest surfels asked for the ring, so that the other side of something thin may be among them.
-constexpr std::size_t asked = 14;
 
 static float typicalRatio(const surface::Surface& surface) {
     std::vector<float> ratios;
@@ -59,9 +57,13 @@ KeptSpacing::Search::Search(const KeptSpacing& kept) : m_kept(kept), m_around(ke
 
 LocalSpacing KeptSpacing::Search::at(const base::Vec3f& x, const base::Vec3f& n) {
     m_around.at(x, m_near);
+    return among(m_near, n);
+}
+
+LocalSpacing KeptSpacing::Search::among(std::span<const tree::Neighbour> near, const base::Vec3f& n) {
     m_alike.clear(), m_all.clear(), m_places.clear();
     float least = std::numeric_limits<float>::infinity(), most = 0;
-    for (const tree::Neighbour& each : m_near) {
+    for (const tree::Neighbour& each : near) {
         m_all.push_back(each.distanceSq);
         const float support = m_kept.supportOf(*each.block, each.slot);
         least = std::min(least, support), most = std::max(most, support);

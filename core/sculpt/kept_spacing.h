@@ -39,6 +39,10 @@ class KeptSpacing {
       public:
         explicit Search(const KeptSpacing& kept);
         LocalSpacing at(const base::Vec3f& x, const base::Vec3f& n);
+        /// The same of a place whose nearest surfels are known: `asked` of them, or all there are.
+        LocalSpacing among(std::span<const tree::Neighbour> near, const base::Vec3f& n);
+        /// So many, so that the other side of something thin may be among them.
+        static constexpr std::size_t asked = 14;
 
       private:
         const KeptSpacing& m_kept;

@@ -23,6 +23,7 @@ class ChannelToolsTest : public QObject {
     void eraseDoesNotDigOnThroughItsHole();
     void aHoleStaysOpenUnderLaterStrokes();
     void relaxEvensTheSpacingAndKeepsTheSurface();
+    void relaxKeepsTheNumberOfSurfelsThatLieByChance();
     void densityReachesItsFactorAndKeepsTheSurface();
     void densityOfOneStrokeStopsAtItsFactor();
     void densityKeepsToTheSamplingOfEachPlace();
@@ -199,6 +200,26 @@ void ChannelToolsTest::relaxEvensTheSpacingAndKeepsTheSurface() {
     QVERIFY2(under(before).min < 0.5f && under(now).min > 0.65f, qPrintable(QString::number(double(under(now).min))));
     for (const surfel::Surfel& each : now.tree().surfels().items)
         QVERIFY(std::abs(length(each.position) - 1) < 0.02f * float(spacing));
+}
+
+void ChannelToolsTest::relaxKeepsTheNumberOfSurfelsThatLieByChance() {
+    base::Random random(test::seed());
+    const auto count = std::size_t(test::effort(6000)), under = count / 5;
+    const surface::Surface before = test::randomBall(random, count, 0.02, 0);
+    for (int place = 0; place < 2; ++place) {
+        const base::Vec3f at = before.tree().surfels().items[random.below(count)].position;
+        std::vector<tree::Neighbour> near;
+        before.tree().nearest(at, under, near);
+        Dab dab = dabOf(tool("relax"), at, std::sqrt(near.back().distanceSq), 1);
+        dab.first = &before;
+        surface::Surface now = before;
+        for (int k = 0; k < 4; ++k)
+            now = applied(tool("relax"), now, dab);
+        const double more = (double(now.tree().size()) - double(count)) / double(under);
+        const QString told = QString("%1 of %2, seed %3").arg(more).arg(under).arg(test::seed());
+        qInfo("%s", qPrintable(told));
+        QVERIFY2(std::abs(more) < 0.06, qPrintable(told));
+    }
 }
 
 /// Median spacing near the pole, in those of the start.

@@ -1,7 +1,7 @@
 #include "core/sculpt/tools/relax.h"
 
 #include "core/process/resampling/resample.h"
-#include "core/sculpt/kept_spacing.h"
+#include "core/sculpt/tools/area_spacing.h"
 #include "core/sculpt/tools/inside.h"
 
 #include <algorithm>
@@ -30,25 +30,24 @@ static bool oneSpacing(const tree::SurfelTree& tree, const tree::Selection& unde
 
 /// What the stroke has measured around the surfels that the last dab looked at: most have not moved since.
 struct RelaxMemory : ToolMemory {
-    KeptSpacing kept;
-    RelaxMemory(const surface::Surface& first, float spacing) : kept(first, spacing) {}
+    AreaSpacing found;
+    RelaxMemory(const surface::Surface& first, float spacing) : found(first, spacing) {}
 };
 
 /// The largest target under the brush. All around it is measured then.
 static float measureUnder(const tree::SurfelTree& tree, const tree::Selection& under, const Dab& dab, float spacing,
-                          KeptSpacing& kept) {
+                          AreaSpacing& found) {
     std::vector<surfel::BlockPtr> blocks;
     for (const tree::SelectedBlock& each : under)
         blocks.push_back(tree.block(each.block));
-    kept.measure(blocks);
+    found.measure(blocks);
     for (std::size_t i = 0; i < under.size(); ++i)
         for (int slot = 0; slot < blocks[i]->size(); ++slot)
             if (under[i].slots[static_cast<std::size_t>(slot)])
-                spacing =
-                    std::max(spacing, kept.target(kept.measured(*blocks[i], slot), kept.supportOf(*blocks[i], slot)));
+                spacing = std::max(spacing, found.at(*blocks[i], slot));
     blocks = blocksAround(tree, dab.centre, dab.radius + inTheWay * spacing);
-    kept.keepOnly(blocks);
-    kept.measure(blocks);
+    found.keepOnly(blocks);
+    found.measure(blocks);
     return spacing;
 }
 
@@ -65,11 +64,9 @@ static tree::Edit relax(const surface::Surface& version, const Dab& dab) {
         return process::resample(version, under, options);
     // Nothing has left its surface: what is measured on the first version holds here.
     std::unique_ptr<ToolMemory> once;
-    KeptSpacing& kept = memoryOf<RelaxMemory>(dab, once, dab.first ? *dab.first : version, options.spacing).kept;
-    options.spacing = measureUnder(version.tree(), under, dab, options.spacing, kept);
-    options.targetOf = [&](const surfel::SurfelBlock& block, int slot) {
-        return kept.target(kept.measured(block, slot), kept.supportOf(block, slot));
-    };
+    AreaSpacing& found = memoryOf<RelaxMemory>(dab, once, dab.first ? *dab.first : version, options.spacing).found;
+    options.spacing = measureUnder(version.tree(), under, dab, options.spacing, found);
+    options.targetOf = [&](const surfel::SurfelBlock& block, int slot) { return found.at(block, slot); };
     return process::resample(version, under, options);
 }
 
