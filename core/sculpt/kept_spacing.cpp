@@ -17,8 +17,9 @@ constexpr float band = 1.25f;
 constexpr float agreement = 1.15f;
 /// Supports that differ by no more are alike.
 constexpr float steady = 1.2f;
-/// Two surfels that are this part of the spacing apart at most lie there by chance: what was resampled has none.
-constexpr float chance = 0.6f;
+/// Two surfels that are this part of the spacing apart at most lie there by chance: what was resampled has none. With a
+/// pair so close among its nearest, a surfel has neighbours that nothing but chance has placed.
+constexpr float byChance = 0.6f, byNothingElse = 0.2f;
 
 static float typicalRatio(const surface::Surface& surface) {
     std::vector<float> ratios;
@@ -38,19 +39,21 @@ KeptSpacing::KeptSpacing(surface::Surface first, float atContact)
     m_ratio = agree ? 1 : ratio, m_typical = agree ? ratio : 1;
 }
 
-/// s^2 is the area of a surfel: that of the disc out to the farthest, over those that it holds, which lies on its rim.
-static float spacingFromDisc(const std::vector<float>& distancesSq) {
-    const float held = static_cast<float>(distancesSq.size()) - 0.5f;
+/// s^2 is the area of a surfel: that of the disc out to the farthest, over those that it holds. Of those told, the
+/// surfel in the middle among them, that is half of one less where they lie evenly, with the farthest on its rim, and
+/// two less where they lie by chance. `chance`: between 0 and 1.
+static float spacingFromDisc(const std::vector<float>& distancesSq, float chance) {
+    const float held = static_cast<float>(distancesSq.size()) - std::lerp(0.5f, 2.0f, chance);
     return std::sqrt(std::numbers::pi_v<float> * distancesSq.back() / held);
 }
 
-/// Are no two of these nearer than that?
-static bool apart(const std::vector<base::Vec3f>& places, float distance) {
+/// The least distance between two of these.
+static float closest(const std::vector<base::Vec3f>& places) {
+    float sq = std::numeric_limits<float>::infinity();
     for (std::size_t i = 0; i < places.size(); ++i)
         for (std::size_t k = i + 1; k < places.size(); ++k)
-            if (distanceSq(places[i], places[k]) < distance * distance)
-                return false;
-    return true;
+            sq = std::min(sq, distanceSq(places[i], places[k]));
+    return std::sqrt(sq);
 }
 
 KeptSpacing::Search::Search(const KeptSpacing& kept) : m_kept(kept), m_around(kept.first().tree(), asked) {}
@@ -72,9 +75,14 @@ LocalSpacing KeptSpacing::Search::among(std::span<const tree::Neighbour> near, c
     }
     constexpr std::size_t ring = 7; // with itself
     const std::vector<float>& of = m_alike.size() < ring ? m_all : m_alike;
-    const bool same = most < steady * least;
-    const float value = same || of.size() < ring ? process::spacingFromRing(of) : spacingFromDisc(of);
-    return {true, same, apart(m_places, chance * value), value};
+    const bool same = most < steady * least, fewer = of.size() < ring;
+    const float value = same || fewer ? process::spacingFromRing(of) : spacingFromDisc(of, 0);
+    const float apart = closest(m_places) / value;
+    const bool even = !(apart < byChance);
+    if (even || fewer)
+        return {true, same, even, value};
+    const float chance = std::min((byChance - apart) / (byChance - byNothingElse), 1.0f);
+    return {true, same, false, spacingFromDisc(of, chance)};
 }
 
 void KeptSpacing::measure(std::span<const surfel::BlockPtr> blocks) {

@@ -1,7 +1,7 @@
 // The sampling that a stroke is to keep: for every surfel the spacing that was around it before the stroke.
 //
-//     m   measured: from the 6 nearest that face alike (all of the 14 nearest where supports vary), around the surfel's
-//         origin (stretches.h), on the version that the stroke began on
+//     m   measured: from the 6 nearest that face alike (all of the 14 nearest where supports vary, or where surfels lie
+//         by chance), around the surfel's origin (stretches.h), on the version that the stroke began on
 //     h   what the surfel's support was made for; where a model's supports are made otherwise on the whole, that times
 //         their median ratio
 //     s = h within [m / 1.25, 1.25 m] where the supports around are alike, else m

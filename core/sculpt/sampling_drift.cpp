@@ -9,9 +9,9 @@ namespace sculpt {
 
 /// At the end a surfel that a stroke has stretched by more than this counts with what strokes before have done.
 constexpr float stretched = 1.02f;
-/// The same where surfels lie by chance, for what is usual around them: supports then hold a quarter of what they are
-/// made for, about nine. Between coarse and fine they are off by up to 1.7 from the beginning.
-constexpr float driftByChance = 2;
+/// The same where surfels lie by chance, for what is usual around them: supports then hold a fifth of what they are
+/// made for, about eight. Between coarse and fine they are off by up to 1.7 from the beginning.
+constexpr float driftByChance = 2.2f;
 /// So many surfels tell what is usual among them.
 constexpr std::size_t enoughToTell = 6;
 

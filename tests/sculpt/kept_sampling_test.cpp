@@ -3,10 +3,12 @@
 #include "core/base/random.h"
 #include "core/process/estimation/prepare.h"
 #include "core/sculpt/crumbs.h"
+#include "core/sculpt/kept_spacing.h"
 #include "sculpt/shapes.h"
 #include "support/registry.h"
 
 #include <map>
+#include <numbers>
 #include <QTest>
 #include <tuple>
 
@@ -21,6 +23,7 @@ class KeptSamplingTest : public QObject {
     void whatStretchesNothingKeepsEverySurfel();
     void whatIsHardlyStretchedKeepsItsPlaces_data();
     void whatIsHardlyStretchedKeepsItsPlaces();
+    void chanceMakesNoSpacingSmaller();
     void fineDetailStaysFine();
     void aSheetOfFiveThatWasLargerGoes();
     void eraseLeavesNoCrumbsAndKeepsStrays();
@@ -43,6 +46,42 @@ static surfel::SurfelList unevenBall(base::Random& random, double noise) {
     for (int k = 0; k < 4000; ++k)
         add(normalized(Vec3d{1, 0, 0} + random.unitVector() * (0.1 * std::sqrt(random.uniform()))));
     return out;
+}
+
+/// The squares of all spacings on a ball, over its area. `scatter`: in spacings off an even layout; below 0: random.
+static double areaOfSpacings(base::Random& random, double scatter) {
+    constexpr std::size_t count = 6000;
+    const double s = test::sphereSpacing(count);
+    surfel::SurfelList points = test::spherePoints(count);
+    for (surfel::Surfel& each : points.items) {
+        const Vec3d u = random.unitVector();
+        each.position =
+            base::cast<float>(scatter < 0 ? u : normalized(base::cast<double>(each.position) + u * (scatter * s)));
+        each.normal = each.position;
+    }
+    const surface::Surface ball = process::prepare(points, {});
+    const KeptSpacing kept(ball, float(s));
+    double sum = 0;
+    ball.tree().forEachBlock([&](std::uint32_t, const surfel::SurfelBlock& block) {
+        for (int slot = 0; slot < block.size(); ++slot)
+            sum += std::pow(double(kept.measured(block, slot).value), 2);
+    });
+    return sum / (4 * std::numbers::pi);
+}
+
+void KeptSamplingTest::chanceMakesNoSpacingSmaller() {
+    base::Random random(test::seed());
+    const double even = areaOfSpacings(random, 0);
+    for (const double scatter : {0.2, 0.45, -1.0}) {
+        const double area = areaOfSpacings(random, scatter);
+        const QString told = QString("scatter %1: %2 of the area, evenly %3, seed %4")
+                                 .arg(scatter)
+                                 .arg(area)
+                                 .arg(even)
+                                 .arg(test::seed());
+        qInfo("%s", qPrintable(told));
+        QVERIFY2(std::abs(area / even - 1) < 0.05, qPrintable(told));
+    }
 }
 
 /// Looking at +x from outside, along y.
