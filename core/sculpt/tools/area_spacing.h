@@ -1,8 +1,8 @@
-// The spacing at which as many surfels cover a version as do: s^2 is the area that each has there. The six nearest of a
-// surfel tell too little where surfels lie by chance: they are an eleventh too near there, and a sampling evened to
-// that has a fifth more surfels. So how far the 31st is counts as well, on the same side and in all directions: the
-// larger of the two, since a target that is too small makes surfels and one that is too large for a single one hardly
-// takes any.
+// The spacing at which as many surfels cover a version as do: s^2 is the area that each has there. The spacing that a
+// stroke keeps (kept_spacing.h) is told by too few where surfels lie by chance: it varies by a seventh from one to the
+// next, what is too small makes surfels, and a whole stroke of relax made a fifth more. So how far the 31st is counts
+// as well, on the same side and in all directions: the larger of the two, since what is too large for one takes hardly
+// any.
 //
 // What is found is kept by the block. A value; const functions may run on any thread.
 #pragma once
@@ -14,7 +14,7 @@ namespace sculpt {
 
 class AreaSpacing {
   public:
-    /// `atContact`: as for KeptSpacing, which knows of the six.
+    /// `atContact`: as for KeptSpacing.
     AreaSpacing(const surface::Surface& first, float atContact) : m_kept(first, atContact) {}
 
     /// Measures around all surfels of these blocks, unless that has been done. In parallel.
