@@ -22,6 +22,7 @@ class FacesTest : public QObject {
     void bothSidesOfAThinWallGetTheirPoints();
     void theSamePointsAtAnyThreadCount();
     void normalsKeepToTheirSideOfAnEdge();
+    void tipsTiltNoNormals();
     void coloursAndAttributesFollowTheCorners();
     void evenVerticesStayAndCoarseOnesDoNot();
     void brokenFacesLendNoNormals();
@@ -103,6 +104,29 @@ void FacesTest::normalsKeepToTheirSideOfAnEdge() {
         QVERIFY(std::abs(s.normal.x) + std::abs(s.normal.y) + std::abs(s.normal.z) < 1.00001f); // along an axis
         const Vec3f outwards = s.position - Vec3f{0.5f, 1, 1.5f};
         QVERIFY(dot(s.normal, outwards) > 0.49f);
+    }
+}
+
+/// The normals of a cone's side are those of the side as far as its tip, whose own looks along the axis.
+void FacesTest::tipsTiltNoNormals() {
+    for (const float height : {0.4f, 1.0f, 3.0f}) {
+        constexpr std::uint32_t corners = 64;
+        Faces cone{{{0, 0, height}, {0, 0, 0}}, {}};
+        for (std::uint32_t i = 0; i < corners; ++i) {
+            const float a = 2 * std::numbers::pi_v<float> * static_cast<float>(i) / corners;
+            cone.positions.push_back({std::cos(a), std::sin(a), 0});
+            cone.triangles.push_back({0, 2 + i, 2 + (i + 1) % corners});
+            cone.triangles.push_back({1, 2 + (i + 1) % corners, 2 + i});
+        }
+        const mesh::OpenedFaces found =
+            mesh::openFaces(cone.list(), cone.triangles, {}, {.use = mesh::FaceUse::Sample, .count = 1500});
+        for (const surfel::Surfel& s : found.points.items) {
+            const float r = std::hypot(s.position.x, s.position.y);
+            if (s.normal.z < -0.9f || !(r > 0))
+                continue;
+            const Vec3f side = base::normalized(Vec3f{height * s.position.x / r, height * s.position.y / r, 1});
+            QVERIFY2(dot(s.normal, side) > 0.995f, qPrintable(QString("%1 %2").arg(height).arg(dot(s.normal, side))));
+        }
     }
 }
 

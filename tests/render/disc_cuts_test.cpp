@@ -1,8 +1,10 @@
 #include "core/render/splats/disc_cuts.h"
 
+#include "cells/solids.h"
 #include "core/base/error.h"
 #include "core/render/cast/raycast_image.h"
 #include "core/render/splats/cpu_splatter.h"
+#include "render/masks.h"
 #include "render/render_models.h"
 #include "support/registry.h"
 #include "ui/gl/offscreen_renderer.h"
@@ -17,6 +19,7 @@ class DiscCutsTest : public QObject {
     Q_OBJECT
   private Q_SLOTS:
     void codesTellDirectionAndDistance();
+    void codesTellTwoLines();
     void discsEndWhereTheSurfaceDoes();
     void insideNothingIsCut();
     void splatsEndLikeRays_data();
@@ -24,6 +27,7 @@ class DiscCutsTest : public QObject {
     void normalsThatStandAcrossLoseTheirDiscs();
     void updatesAreTheWholePicture();
     void theGpuCutsTheSame();
+    void theGpuCutsCornersTheSame();
 };
 
 static surface::SurfaceDefinition bounded(float limit = 0.3f) {
@@ -42,7 +46,7 @@ void DiscCutsTest::codesTellDirectionAndDistance() {
         const std::size_t which = random.below(3);
         const auto beside = static_cast<Beside>(which);
         const auto part = static_cast<float>(random.uniform(0.05, beside == Beside::Edge ? 0.95 : 0.46));
-        const DiscCut cut = discCut(n, cutCode(n, direction, part, beside));
+        const DiscCut cut = discCut(n, 1, cutCode(n, direction, part, beside));
         QCOMPARE(cut.radius, radii[which]);
         QVERIFY(std::abs(cut.part - part) <= 1 / 64.0f + 1e-6f);
         QVERIFY(dot(cut.direction, direction) > std::cos(0.025f));
@@ -51,10 +55,29 @@ void DiscCutsTest::codesTellDirectionAndDistance() {
     }
     QCOMPARE(cutCode({0, 0, 1}, {1, 0, 0}, 1), wholeDisc);
     // what is left of the radius is the bound then
-    QVERIFY(discCut({0, 0, 1}, cutCode({0, 0, 1}, {1, 0, 0}, 2, Beside::Corner)).part >= cornerRadius);
-    QVERIFY(discCut({0, 0, 1}, cutCode({0, 0, 1}, {1, 0, 0}, 2, Beside::Tip)).part >= tipRadius);
-    QCOMPARE(discCut({0, 0, 1}, wholeDisc).part, 0.0f);
-    QCOMPARE(discCut({0, 0, 1}, acrossDisc).part, 0.0f);
+    QVERIFY(discCut({0, 0, 1}, 1, cutCode({0, 0, 1}, {1, 0, 0}, 2, Beside::Corner)).part >= cornerRadius);
+    QVERIFY(discCut({0, 0, 1}, 1, cutCode({0, 0, 1}, {1, 0, 0}, 2, Beside::Tip)).part >= tipRadius);
+    QCOMPARE(discCut({0, 0, 1}, 1, wholeDisc).part, 0.0f);
+    QCOMPARE(discCut({0, 0, 1}, 1, acrossDisc).part, 0.0f);
+}
+
+void DiscCutsTest::codesTellTwoLines() {
+    base::Random random(test::seed());
+    for (int k = 0; k < 2000; ++k) {
+        const auto n = base::cast<float>(k == 0 ? Vec3d{1, 0, 0} : random.unitVector());
+        const auto support = static_cast<float>(std::exp(random.uniform(-9, 9)));
+        CutLine lines[2];
+        for (CutLine& line : lines) {
+            const auto any = base::cast<float>(random.unitVector());
+            line = {normalized(any - n * dot(n, any), Vec3f{1, 0, 0}), static_cast<float>(random.uniform(0.05, 0.7))};
+        }
+        const DiscCut cut = discCut(n, support, twoCutsCode(n, support, lines[0], lines[1]));
+        QVERIFY(std::abs(cut.radius / cutRadius - 1) < 0.126f);
+        for (const auto& [found, wanted] : {std::pair<CutLine, CutLine>{cut, lines[0]}, {cut.second, lines[1]}}) {
+            QVERIFY(std::abs(found.part - wanted.part) < 0.029f);
+            QVERIFY(dot(found.direction, wanted.direction) > std::cos(0.05f));
+        }
+    }
 }
 
 static std::vector<const surfel::SurfelBlock*> blocksOf(const tree::SurfelTree& model) {
@@ -80,7 +103,8 @@ void DiscCutsTest::discsEndWhereTheSurfaceDoes() {
                 const Vec3f p = block->position(slot);
                 if (std::abs(p.y) > 0.6f || p.x < -0.3f)
                     continue;
-                const DiscCut found = discCut(block->normal(slot), (*codes)[static_cast<std::size_t>(slot)]);
+                const DiscCut found =
+                    discCut(block->normal(slot), block->support(slot), (*codes)[static_cast<std::size_t>(slot)]);
                 if (found.part == 0)
                     continue;
                 ++cut;
@@ -210,6 +234,35 @@ void DiscCutsTest::theGpuCutsTheSame() {
         test::drawn(*gl, model, camera, options);
         QCOMPARE(gl->splatter().storage().uploadedBytes(), std::size_t(0));
         model = holed(model, {0.1f * static_cast<float>(k), 0, 0}, 0.08f);
+    }
+}
+
+void DiscCutsTest::theGpuCutsCornersTheSame() {
+    std::unique_ptr<OffscreenRenderer> gl;
+    try {
+        gl = std::make_unique<OffscreenRenderer>(makeOsMesaContext());
+    } catch (const base::Error& e) {
+        QSKIP(e.what());
+    }
+    base::Random random(test::seed());
+    const plane_solids::Solid solid = plane_solids::polyhedron(random);
+    const tree::SurfelTree model =
+        plane_solids::surfaceOf(plane_solids::sampled(solid, 2.4, 0.15, random).surfels).tree();
+    DiscCuts cuts;
+    cuts.use({}, splatRadiusOfSupport);
+    cuts.follow(model);
+    cuts.prepare(blocksOf(model));
+    int two = 0;
+    for (const surfel::SurfelBlock* block : blocksOf(model))
+        if (const CutCodes* codes = cuts.of(block))
+            two += static_cast<int>(std::ranges::count_if(*codes, [](CutCode c) { return (c & twoCuts) != 0; }));
+    QVERIFY2(two > 8, qPrintable(QString("%1, seed %2").arg(two).arg(test::seed())));
+    CpuSplatter cpu;
+    for (Camera& camera : test::allAround(model.bounds(), 240, 180)) {
+        const Image a = test::drawn(cpu, model, camera), b = test::drawn(*gl, model, camera);
+        const test::Difference d = test::difference(a, b);
+        QVERIFY2(d.mean < 0.5 && d.apart <= 20,
+                 qPrintable(QString("%1, apart %2, seed %3").arg(d.mean).arg(d.apart).arg(test::seed())));
     }
 }
 

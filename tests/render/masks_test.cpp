@@ -1,4 +1,5 @@
 // Splats show what the surface is: their masks are those of rays, however unevenly it was sampled.
+#include "cells/solids.h"
 #include "core/process/estimation/prepare.h"
 #include "render/masks.h"
 #include "render/render_models.h"
@@ -16,6 +17,8 @@ class MasksTest : public QObject {
     void splatsCoverWhatRaysHit();
     void discsEndAtSharpEdges_data();
     void discsEndAtSharpEdges();
+    void discsEndAtCornersOfCells_data();
+    void discsEndAtCornersOfCells();
     void gapsAndStraysAreCounted();
 };
 
@@ -155,6 +158,53 @@ void MasksTest::discsEndAtSharpEdges() {
         QString("%1 % holes, %2 % strays, seed %3").arg(all.holesPercent()).arg(all.straysPercent()).arg(test::seed());
     QVERIFY2(all.holesPercent() < 0.1, qPrintable(found));
     QVERIFY2(all.straysPercent() < 0.7, qPrintable(found));
+}
+
+void MasksTest::discsEndAtCornersOfCells_data() {
+    QTest::addColumn<int>("kind");
+    QTest::newRow("cube") << 0;
+    QTest::newRow("L-block") << 1;
+    QTest::newRow("pyramid") << 2;
+    QTest::newRow("polyhedron") << 3;
+}
+
+/// Models with cells, a spacing of eight pixels: neither corners nor edges fray, and nothing shows through them. Depths
+/// tell where the inside of the far side does.
+void MasksTest::discsEndAtCornersOfCells() {
+    QFETCH(int, kind);
+    base::Random random(test::seed());
+    const plane_solids::Solid solid = kind == 0   ? plane_solids::cube(0.8)
+                                      : kind == 1 ? plane_solids::lBlock(0.9)
+                                      : kind == 2 ? plane_solids::pyramid(4, 1, 1.2)
+                                                  : plane_solids::polyhedron(random);
+    const surface::Surface surface = plane_solids::surfaceOf(plane_solids::sampled(solid, 2.4, 0.1, random).surfels);
+    const render::RenderOptions options = test::atRest(surface);
+    render::CpuSplatter splatter;
+    MaskGap all;
+    std::size_t through = 0;
+    std::vector<render::Camera> views = test::allAround(surface.tree().bounds(), 240, 180);
+    views.resize(std::size_t(test::effort(6)));
+    for (const render::Camera& camera : views) {
+        render::Image rays;
+        rays.resize(camera.width, camera.height);
+        render::RayCounts counts;
+        render::rayCast(surface, camera, options, rays, counts);
+        const render::Image splats = test::drawn(splatter, surface.tree(), camera, options);
+        all += test::maskGap(rays, splats);
+        for (std::size_t i = 0; i < rays.depth.size(); ++i)
+            through +=
+                std::isfinite(rays.depth[i]) && std::isfinite(splats.depth[i]) && splats.depth[i] > rays.depth[i] + 0.2f
+                    ? 1
+                    : 0;
+    }
+    const QString found = QString("%1 % holes, %2 % strays, %3 of %4 pixels show through, seed %5")
+                              .arg(all.holesPercent())
+                              .arg(all.straysPercent())
+                              .arg(through)
+                              .arg(all.hit)
+                              .arg(test::seed());
+    QVERIFY2(all.hit > 10000 && all.holesPercent() < 0.02 && all.straysPercent() < 0.05, qPrintable(found));
+    QVERIFY2(1000 * through <= all.hit, qPrintable(found));
 }
 
 void MasksTest::gapsAndStraysAreCounted() {

@@ -16,6 +16,7 @@ static std::string head() {
     return "#version 330 core\n" + glslConstants(constants) +
            "const int mostClips = " + std::to_string(ClipPlanes::most) + ";\n" +
            "const uint cutMask = " + std::to_string((1u << cutBits) - 1) +
+           "u, twoCutMask = " + std::to_string((1u << twoCutBits) - 1) + "u, twoCuts = " + std::to_string(twoCuts) +
            "u, acrossDisc = " + std::to_string(acrossDisc) + "u, noDisc = " + std::to_string(noDisc) + "u;\n" +
            "const int lightSize = " + std::to_string(lightSize) + ";\n";
 }
@@ -42,13 +43,13 @@ layout(location = 3) in vec4 colourAndMask;
 flat out vec4 centre; // image place, depth, radius
 flat out vec4 plane;  // gradient of w across the image, bias, w from where it is cut
 flat out vec3 normal;
-flat out vec3 edge;    // the disc ends where (x - centre) . edge = 1
+flat out vec3 edge, secondEdge; // the disc ends where (x - centre) . edge = 1
 flat out vec4 attributes;
 
-// As discCut in disc_cuts.h, for a unit normal.
-vec3 cutDirection(vec3 n, uint code) {
-    vec3 u = normalize((code >> 13 & 1u) != 0u ? vec3(n.z, 0.0, -n.x) : vec3(0.0, -n.z, n.y));
-    float angle = float(code >> 5 & 127u) * (6.28318531 / 128.0);
+// As in disc_cuts.cpp, for a unit normal.
+vec3 directionAt(vec3 n, bool yAxis, uint steps, float count) {
+    vec3 u = normalize(yAxis ? vec3(n.z, 0.0, -n.x) : vec3(0.0, -n.z, n.y));
+    float angle = float(steps) * (6.28318531 / count);
     return u * cos(angle) + cross(n, u) * sin(angle);
 }
 
@@ -60,20 +61,32 @@ void main() {
     vec3 ray = parallel ? vec3(0.0, 0.0, 1.0) : p;
     float distance = length(ray);
     n = dot(n, n) < 0.25 ? ray / -distance : turn(normalize(n));
-    uint code = floatBitsToUint(support) & cutMask;
-    float facing = dot(n, ray), radius = uintBitsToFloat(floatBitsToUint(support) & ~cutMask) * image.w;
-    if (code == noDisc) {
+    uint bits = floatBitsToUint(support);
+    bool two = (bits & twoCuts) != 0u;
+    uint mask = two ? twoCutMask : cutMask, code = bits & mask;
+    float facing = dot(n, ray), radius = uintBitsToFloat(bits & ~mask & ~twoCuts) * image.w;
+    vec3 unit = normalize(packedNormal.xyz);
+    edge = secondEdge = vec3(0.0);
+    if (two) {
+        bool yAxis = (code >> 20 & 1u) != 0u;
+        vec2 parts = (vec2(code >> 4 & 15u, code & 15u) + 1.0) / 20.0;
+        edge = turn(directionAt(unit, yAxis, code >> 14 & 63u, 64.0)) / (parts.x * radius);
+        secondEdge = turn(directionAt(unit, yAxis, code >> 8 & 63u, 64.0)) / (parts.y * radius);
+        radius *= cutRadius;
+    } else if (code == noDisc) {
         gl_Position = vec4(2.0, 2.0, 2.0, 1.0); // out of the picture
         gl_PointSize = 1.0;
         return;
-    }
-    if (code == acrossDisc)
+    } else if (code == acrossDisc) {
         radius *= acrossRadius;
-    bool corner = (code >> 12 & 1u) != 0u; // distances end at 15 there, and are 16 more at tips
-    float part = float(code & (corner ? 15u : 31u)) / 32.0;
-    edge = part > 0.0 ? turn(cutDirection(normalize(packedNormal.xyz), code)) / (part * radius) : vec3(0.0);
-    if (part > 0.0)
-        radius *= !corner ? cutRadius : (code & 31u) > 16u ? tipRadius : cornerRadius;
+    } else {
+        bool corner = (code >> 12 & 1u) != 0u; // distances end at 15 there, and are 16 more at tips
+        float part = float(code & (corner ? 15u : 31u)) / 32.0;
+        if (part > 0.0) {
+            edge = turn(directionAt(unit, (code >> 13 & 1u) != 0u, code >> 5 & 127u, 128.0)) / (part * radius);
+            radius *= !corner ? cutRadius : (code & 31u) > 16u ? tipRadius : cornerRadius;
+        }
+    }
     bool away = facing > 0.0;
     if (away && !oriented) {
         n = -n;
@@ -117,7 +130,7 @@ static constexpr const char* splatFragment = R"(
 flat in vec4 centre;
 flat in vec4 plane;
 flat in vec3 normal;
-flat in vec3 edge;
+flat in vec3 edge, secondEdge;
 flat in vec4 attributes;
 layout(location = 0) out vec4 normalSum;
 layout(location = 1) out vec4 colourSum;
@@ -135,7 +148,7 @@ void main() {
             discard;
     float z = parallel ? -w : 1.0 / w, dz = z - centre.z;
     vec3 a = vec3(parallel ? d : dz * centre.xy + z * d, dz);
-    float r2 = min(exact > plane.w || dot(a, edge) > 1.0 ? 2.0 : dot(a, a) / (radius * radius),
+    float r2 = min(exact > plane.w || max(dot(a, edge), dot(a, secondEdge)) > 1.0 ? 2.0 : dot(a, a) / (radius * radius),
                    dot(d, d) * image.z * image.z / (filterPx * filterPx));
     if (r2 > 1.0)
         discard;

@@ -17,6 +17,8 @@ static std::uint32_t packed(const base::Vec3f& n) {
 }
 
 static std::uint32_t packed(float support, CutCode code) {
+    if ((code & twoCuts) != 0)
+        return std::bit_cast<std::uint32_t>(roughSupport(support)) | code;
     constexpr std::uint32_t mask = (1u << cutBits) - 1;
     return ((std::bit_cast<std::uint32_t>(support) + mask / 2) & ~mask) | code;
 }

@@ -20,7 +20,8 @@ namespace render {
 struct GlSurfel {
     base::Vec3f position;
     std::uint32_t normal;        ///< GL_INT_2_10_10_10_REV; zero where unknown
-    std::uint32_t support;       ///< a float whose lowest cutBits bits are a CutCode
+    std::uint32_t support;       ///< a float whose lowest cutBits bits are a CutCode,
+                                 ///< or, where it is negative, its lowest twoCutBits bits
     std::uint32_t colourAndMask; ///< the mask takes the place of alpha
 };
 constexpr std::size_t slotBytes = sizeof(GlSurfel) * surfel::blockCapacity;

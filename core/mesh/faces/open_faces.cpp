@@ -8,6 +8,7 @@
 #include "core/mesh/faces/face_normals.h"
 #include "core/mesh/faces/face_sampling.h"
 #include "core/mesh/faces/face_spacing.h"
+#include "core/mesh/faces/face_tips.h"
 #include "core/mesh/faces/figures.h"
 #include "core/mesh/faces/large_faces.h"
 #include "core/process/estimation/keep_points.h"
@@ -77,11 +78,35 @@ class FaceSampler {
         return out;
     }
 
+    /// Beside tips normals are those of the faces (face_tips.h): for samples with edges that stay sharp.
+    template <class SizeOf>
+    void straightenTips(std::span<const FacePoint> points, const SizeOf& sizeOf, SurfelList& samples) const {
+        const std::vector<std::uint8_t> tips = tipFans(m_topology, m_normals);
+        base::parallelFor(points.size(), 2048, [&](std::size_t i) {
+            const std::uint32_t* fans = m_topology.fans.data() + 3 * std::size_t(points[i].triangle);
+            if (std::any_of(fans, fans + 3, [&](std::uint32_t fan) { return tips[fan] != 0; }))
+                samples.items[i].normal = normalAt(points[i], sizeOf(i).spacing, tips);
+        });
+    }
+
   private:
     struct Weights {
         float w[3];
     };
     static Weights weightsOf(const FacePoint& point) { return {{1 - point.b - point.c, point.b, point.c}}; }
+
+    Vec3f normalAt(const FacePoint& point, double spacing, std::span<const std::uint8_t> tips) const {
+        const auto [w] = weightsOf(point);
+        const Vec3f face = base::cast<float>(m_topology.normals[point.triangle]);
+        Vec3f out;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint32_t fan = m_topology.fans[3 * point.triangle + k];
+            out += (!tips.empty() && tips[fan] != 0 ? face : m_normals[fan]) * w[k];
+        }
+        const double wide = std::sqrt(2 * m_topology.areas[point.triangle]), smooth = smoothOver * spacing;
+        const auto t = static_cast<float>(wide > smooth ? smooth / wide : 1);
+        return normalized(normalized(out, face) * t + face * (1 - t), face);
+    }
 
     surfel::Surfel surfelAt(const FacePoint& point, const Size& size) const {
         const auto [w] = weightsOf(point);
@@ -91,14 +116,10 @@ class FaceSampler {
         surfel::Colour colours[3];
         for (std::size_t k = 0; k < 3; ++k) {
             const surfel::Surfel& corner = m_vertices.items[m_topology.triangles[point.triangle][k]];
-            out.normal += m_normals[m_topology.fans[3 * point.triangle + k]] * w[k];
             out.mask += corner.mask * w[k];
             colours[k] = corner.colour;
         }
-        const Vec3f face = base::cast<float>(m_topology.normals[point.triangle]);
-        const double wide = std::sqrt(2 * m_topology.areas[point.triangle]), smooth = smoothOver * size.spacing;
-        const auto t = static_cast<float>(wide > smooth ? smooth / wide : 1);
-        out.normal = normalized(normalized(out.normal, face) * t + face * (1 - t), face);
+        out.normal = normalAt(point, size.spacing, {});
         out.colour = blended(colours, w);
         if (m_paint)
             if (const auto own =
@@ -347,13 +368,16 @@ OpenedFaces openFaces(SurfelList vertices, std::span<const Triangle> triangles,
                                " % of the faces' area.");
     const FaceSampling sampling = sampleFaces(topology, positions, inside, definition, options, progress);
     const std::vector<FacePoint>& points = sampling.points;
-    out.points = FaceSampler(vertices, topology, positions, paint, layoutFor(vertices.layout, topology, paint))
-                     .run(points, [&](std::size_t i) {
-                         const double spacing = sampling.spacings[sampling.spacings.size() == 1 ? 0 : i];
-                         return FaceSampler::Size{process::supportOf(definition, static_cast<float>(spacing)), spacing};
-                     });
+    const FaceSampler sampler(vertices, topology, positions, paint, layoutFor(vertices.layout, topology, paint));
+    const auto sizeOf = [&](std::size_t i) {
+        const double spacing = sampling.spacings[sampling.spacings.size() == 1 ? 0 : i];
+        return FaceSampler::Size{process::supportOf(definition, static_cast<float>(spacing)), spacing};
+    };
+    out.points = sampler.run(points, sizeOf);
     out.sampled = true;
     const std::string edges = labelEdges(topology, options, points, sampling.spacings, out.points);
+    if (cells::LabelLayout::of(*out.points.layout))
+        sampler.straightenTips(points, sizeOf, out.points);
     out.apart = sampling.apart;
     out.blades = hasBlades(topology);
     out.messages.push_back(counted(topology.triangles.size(), "triangle", "triangles") + " sampled to " +

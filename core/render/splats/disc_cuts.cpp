@@ -7,6 +7,7 @@
 #include "core/render/splats/sharp_cuts.h"
 
 #include <algorithm>
+#include <bit>
 #include <numbers>
 #include <optional>
 #include <unordered_set>
@@ -23,6 +24,26 @@ Vec3f zeroAngle(const Vec3f& n, bool yAxis) {
     return normalized(yAxis ? Vec3f{n.z, 0, -n.x} : Vec3f{0, -n.z, n.y}, Vec3f{});
 }
 
+/// In how many steps of `count` a turn about the normal leads from there to a direction.
+unsigned angleSteps(const Vec3f& n, bool yAxis, const Vec3f& direction, int count) {
+    const Vec3f u = zeroAngle(n, yAxis), v = cross(n, u);
+    const float turns = std::atan2(dot(direction, v), dot(direction, u)) / (2 * std::numbers::pi_v<float>);
+    return static_cast<unsigned>(std::lround(turns * static_cast<float>(count))) & static_cast<unsigned>(count - 1);
+}
+
+Vec3f directionAt(const Vec3f& n, bool yAxis, unsigned steps, int count) {
+    const Vec3f u = zeroAngle(n, yAxis), v = cross(n, u);
+    const float angle = static_cast<float>(steps) * (2 * std::numbers::pi_v<float> / static_cast<float>(count));
+    return u * std::cos(angle) + v * std::sin(angle);
+}
+
+bool countsFromY(const Vec3f& n) {
+    return std::abs(n.x) > 0.8f;
+}
+
+constexpr int oneAngles = 128, twoAngles = 64;
+constexpr float twoParts = 20;
+
 } // namespace
 
 CutCode cutCode(const Vec3f& n, const Vec3f& direction, float part, Beside beside) {
@@ -31,24 +52,42 @@ CutCode cutCode(const Vec3f& n, const Vec3f& direction, float part, Beside besid
         return wholeDisc;
     if (beside != Beside::Edge) // farther off than what is left of the radius
         steps = std::min(steps, 15l) + (beside == Beside::Tip ? 16 : 0);
-    const bool yAxis = std::abs(n.x) > 0.8f;
-    const Vec3f u = zeroAngle(n, yAxis), v = cross(n, u);
-    const float turns = std::atan2(dot(direction, v), dot(direction, u)) / (2 * std::numbers::pi_v<float>);
-    const auto angle = static_cast<unsigned>(std::lround(turns * 128)) & 127u;
-    return static_cast<CutCode>((yAxis ? 1u << 13 : 0u) | (beside != Beside::Edge ? 1u << 12 : 0u) | angle << 5 |
-                                static_cast<unsigned>(steps));
+    const bool yAxis = countsFromY(n);
+    return (yAxis ? 1u << 13 : 0u) | (beside != Beside::Edge ? 1u << 12 : 0u) |
+           angleSteps(n, yAxis, direction, oneAngles) << 5 | static_cast<unsigned>(steps);
 }
 
-DiscCut discCut(const Vec3f& n, CutCode code) {
+float roughSupport(float support) {
+    constexpr std::uint32_t mask = (1u << twoCutBits) - 1;
+    return std::bit_cast<float>((std::bit_cast<std::uint32_t>(support) + mask / 2) & ~mask);
+}
+
+CutCode twoCutsCode(const Vec3f& n, float support, const CutLine& first, const CutLine& second) {
+    const bool yAxis = countsFromY(n);
+    const float scale = twoParts * support / roughSupport(support);
+    const auto steps = [&](const CutLine& line) {
+        return static_cast<unsigned>(std::clamp(std::lround(line.part * scale), 1l, 16l)) - 1;
+    };
+    return twoCuts | (yAxis ? 1u << 20 : 0u) | angleSteps(n, yAxis, first.direction, twoAngles) << 14 |
+           angleSteps(n, yAxis, second.direction, twoAngles) << 8 | steps(first) << 4 | steps(second);
+}
+
+DiscCut discCut(const Vec3f& n, float support, CutCode code) {
+    if ((code & twoCuts) != 0) {
+        const float rough = roughSupport(support) / support;
+        const auto line = [&](int angleAt, int stepsAt) {
+            return CutLine{directionAt(n, (code >> 20 & 1u) != 0, code >> angleAt & 63u, twoAngles),
+                           static_cast<float>((code >> stepsAt & 15u) + 1) / twoParts * rough};
+        };
+        return {line(14, 4), cutRadius * rough, line(8, 0)};
+    }
     const unsigned steps = code & 31u;
     if (steps == 0)
-        return {{}, 0, code == acrossDisc ? acrossRadius : code == noDisc ? 0.0f : 1.0f};
-    const Vec3f u = zeroAngle(n, (code >> 13 & 1u) != 0), v = cross(n, u);
-    const float angle = static_cast<float>(code >> 5 & 127u) * (2 * std::numbers::pi_v<float> / 128);
-    const Vec3f direction = u * std::cos(angle) + v * std::sin(angle);
+        return {{}, code == acrossDisc ? acrossRadius : code == noDisc ? 0.0f : 1.0f, {}};
+    const Vec3f direction = directionAt(n, (code >> 13 & 1u) != 0, code >> 5 & 127u, oneAngles);
     if ((code >> 12 & 1u) == 0)
-        return {direction, static_cast<float>(steps) / 32, cutRadius};
-    return {direction, static_cast<float>(steps & 15u) / 32, steps > 16 ? tipRadius : cornerRadius};
+        return {{direction, static_cast<float>(steps) / 32}, cutRadius, {}};
+    return {{direction, static_cast<float>(steps & 15u) / 32}, steps > 16 ? tipRadius : cornerRadius, {}};
 }
 
 void DiscCuts::use(const surface::SurfaceDefinition& definition, float radiusOfSupport) {

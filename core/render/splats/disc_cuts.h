@@ -10,6 +10,11 @@
 //     disc's radius, 1 to 31; at corners 1 to 15, and 16 more at tips
 //     0: the whole disc     32: its radius times acrossRadius     64: no disc
 //
+// A corner may have two lines, in 21 bits and the highest one, which tells; the GPU's support then has two bits of its
+// fraction left, and distances are in 20ths of the radius of that (roughSupport), 1 to 16:
+//
+//     1 << 31 | axis << 20 | angles (6 bits each) << 14, << 8 | distances less one (4 bits each) << 4, << 0
+//
 // The angle counts from axis x normal towards normal x (axis x normal); the axis is x, or y where the normal is near x.
 //
 // Neighbours decide about a surfel, so that an edit changes the codes of blocks that it leaves alone: `follow` finds
@@ -23,8 +28,9 @@
 
 namespace render {
 
-using CutCode = std::uint16_t;
-constexpr int cutBits = 14;
+using CutCode = std::uint32_t;
+constexpr int cutBits = 14, twoCutBits = 21;
+constexpr CutCode twoCuts = 1u << 31;
 constexpr CutCode wholeDisc = 0, acrossDisc = 32, noDisc = 64;
 /// What is left of the radius of a disc that stands across the surface.
 constexpr float acrossRadius = 0.35f;
@@ -42,12 +48,21 @@ enum class Beside { Edge, Corner, Tip };
 /// The code of a disc cut at `part` of its radius in a tangential direction; beside an edge part >= 1 is whole.
 CutCode cutCode(const base::Vec3f& normal, const base::Vec3f& direction, float part, Beside beside = Beside::Edge);
 
-struct DiscCut {
-    base::Vec3f direction; ///< unit, tangential
-    float part = 0;        ///< of the radius, 0 where nothing is cut
-    float radius = 1;      ///< what is left of it; 0: nothing
+/// A line that cuts a disc: across a tangential direction, at a part of its radius.
+struct CutLine {
+    base::Vec3f direction; ///< unit
+    float part = 0;        ///< 0 where nothing is cut
 };
-DiscCut discCut(const base::Vec3f& normal, CutCode code);
+/// The code of a disc cut by two lines.
+CutCode twoCutsCode(const base::Vec3f& normal, float support, const CutLine& first, const CutLine& second);
+/// The support of a disc with two lines, as far as the GPU knows it.
+float roughSupport(float support);
+
+struct DiscCut : CutLine {
+    float radius = 1; ///< what is left of it; 0: nothing
+    CutLine second;   ///< at corners
+};
+DiscCut discCut(const base::Vec3f& normal, float support, CutCode code);
 
 /// One per slot of a block.
 using CutCodes = std::array<CutCode, surfel::blockCapacity>;

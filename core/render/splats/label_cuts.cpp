@@ -19,9 +19,13 @@ constexpr float aboutNearest = 1;
 constexpr float reach = 2.5f;
 /// Cosine between normals of a patch that is no plane to a disc that it cuts.
 constexpr float turned = 0.9f;
-/// What is left of a disc at a corner may reach over the second edge by this part of the radius: smaller ones leave
-/// gaps. Edges that meet at an angle near 180 degrees (cosine between their directions) are one.
-constexpr float mostOver = 0.2f, nearlyOne = 0.5f;
+/// How much worse than a gap what is drawn beyond an edge is, for each radius that it is beyond.
+constexpr float fringe = 100;
+/// Cosines: normals on one side of a bend, and on both; where all are this near to their mean nothing is bent.
+constexpr float oneSide = 0.985f, bent = 0.94f, narrow = 0.98f;
+/// The same about tips.
+constexpr float sameSide = 0.9f, farTurn = 0.77f;
+constexpr int mostSides = 4;
 /// A cut is rounded to 32nds of a radius: by half of one it leaves no crack.
 constexpr float slack = 0.5f / 32;
 
@@ -40,7 +44,7 @@ void LabelCuts::gather(const SurfelBlock& block) {
                     continue;
                 const float radius = m_radius * each.support(slot);
                 if (box.inflated(reach * std::max(radius, own)).contains(each.position(slot)))
-                    m_near.push_back({each.position(slot), each.normal(slot), radius, label});
+                    m_near.push_back({each.position(slot), each.normal(slot), each.support(slot), radius, label});
             }
         },
         reach * m_radius);
@@ -113,52 +117,162 @@ std::vector<LabelCuts::Edge> LabelCuts::edgesOf(const Disc& disc) const {
     return out;
 }
 
+/// All discs near the block whose cell is bent there.
+void LabelCuts::gatherBent(const SurfelBlock& block) {
+    m_bent.clear();
+    const float own = m_radius * block.maxSupport();
+    const base::Box3f box = block.box().inflated(2 * own);
+    m_model.forBlocksInSupport(
+        box,
+        [&](std::uint32_t, const SurfelBlock& each) {
+            for (int slot = 0; slot < each.size(); ++slot)
+                if (box.contains(each.position(slot)))
+                    m_bent.push_back({each.position(slot), each.normal(slot), each.support(slot),
+                                      m_radius * each.support(slot), m_labels.at(each, slot)});
+        },
+        2 * m_radius);
+    std::stable_sort(m_bent.begin(), m_bent.end(),
+                     [](const Disc& a, const Disc& b) { return a.label.cell < b.label.cell; });
+    auto kept = m_bent.begin();
+    for (auto begin = m_bent.begin(), end = begin; begin != m_bent.end(); begin = end) {
+        Vec3f mean;
+        for (end = begin; end != m_bent.end() && end->label.cell == begin->label.cell; ++end)
+            mean += end->normal;
+        mean = normalized(mean, Vec3f{});
+        if (std::any_of(begin, end, [&](const Disc& each) { return dot(each.normal, mean) < narrow; }))
+            kept = std::move(begin, end, kept);
+    }
+    m_bent.erase(kept, m_bent.end());
+}
+
+/// Where the disc's own cell turns along lines within it, one or two: hardly a disc there turns by less than the bend
+/// and by more than what lies on one side of it. About a tip, where some turn by every angle, those count that turn
+/// far.
+void LabelCuts::addBends(const Disc& disc, std::vector<Edge>& edges) const {
+    const auto [begin, end] = std::equal_range(
+        m_bent.begin(), m_bent.end(), disc, [](const Disc& a, const Disc& b) { return a.label.cell < b.label.cell; });
+    struct Beyond {
+        Vec3f normal, way;
+        float cosine, distance;
+    };
+    std::vector<Beyond> beyond;
+    std::size_t bends = 0, between = 0;
+    for (auto each = begin; each != end; ++each) {
+        const Vec3f way = each->centre - disc.centre;
+        const float cosine = dot(each->normal, disc.normal), reach = disc.radius + each->radius;
+        if (cosine > oneSide || lengthSq(way) > reach * reach)
+            continue;
+        ++(cosine > bent ? between : bends);
+        const float distance = dot(way, each->normal) / std::sqrt(std::max(1e-30f, 1 - cosine * cosine));
+        if (cosine <= bent && dot(way, disc.normal) < 0 && distance > 0)
+            beyond.push_back({each->normal, way, cosine, distance});
+    }
+    const bool tip = 5 * between > bends;
+    if (tip)
+        std::erase_if(beyond, [](const Beyond& each) { return each.cosine > farTurn; });
+    const float alike = tip ? sameSide : oneSide;
+    for (int number = 0; number < (tip ? mostSides : 2); ++number) {
+        const auto nearest = std::min_element(beyond.begin(), beyond.end(),
+                                              [](const Beyond& a, const Beyond& b) { return a.distance < b.distance; });
+        if (nearest == beyond.end() || nearest->distance >= cutRadius * disc.radius)
+            return;
+        const Vec3f facing = nearest->normal;
+        const auto side = std::stable_partition(beyond.begin(), beyond.end(),
+                                                [&](const Beyond& each) { return dot(each.normal, facing) <= alike; });
+        Edge edge{{}, 0, {}, {}, disc.label.cell};
+        for (auto each = side; each != beyond.end(); ++each)
+            edge.normal += each->normal, edge.way += each->way;
+        const auto count = static_cast<float>(beyond.end() - side);
+        beyond.erase(side, beyond.end());
+        edge.normal = normalized(edge.normal, Vec3f{}), edge.way = edge.way / count;
+        const Vec3f across = edge.normal - disc.normal * dot(edge.normal, disc.normal);
+        edge.direction = normalized(across, Vec3f{});
+        edge.distance = dot(edge.way, edge.normal) / length(across);
+        if (count > 1 && edge.distance < disc.radius)
+            edges.push_back(edge);
+    }
+}
+
 namespace {
 
-/// How far what is left of a disc, by a line at `distance` and the radius, goes in a direction with that cosine to the
-/// line's.
-float reachOf(float distance, float radius, float cosine) {
-    if (cosine * radius <= distance)
-        return radius;
-    const float sine = std::sqrt(std::max(0.0f, 1 - cosine * cosine));
-    return cosine * distance + sine * std::sqrt(std::max(0.0f, radius * radius - distance * distance));
+/// Places of a disc of radius 1, evenly over what is left of it beside an edge: where is which cut right?
+std::vector<std::array<float, 2>> evenPlaces() {
+    constexpr int count = 128;
+    std::vector<std::array<float, 2>> out;
+    for (int i = 0; i < count; ++i) { // golden-angle spiral
+        const float r = cutRadius * std::sqrt((static_cast<float>(i) + 0.5f) / count);
+        const float angle = 2.3999632f * static_cast<float>(i);
+        out.push_back({r * std::cos(angle), r * std::sin(angle)});
+    }
+    return out;
 }
 
 } // namespace
 
+/// What a cut of a disc leaves out of its patch, and what it shows beyond the patch, which counts more: at an outline
+/// that is a fringe, while others may cover what one disc leaves out.
+float LabelCuts::faultOf(const Disc& disc, std::span<const Edge> edges, CutCode code) const {
+    static const std::vector<std::array<float, 2>> places = evenPlaces();
+    const DiscCut cut = discCut(disc.normal, disc.support, code);
+    const Vec3f u = base::perpendicular(disc.normal), v = cross(disc.normal, u);
+    float fault = 0;
+    for (const auto& [x, y] : places) {
+        const Vec3f at = u * x + v * y;
+        const bool drawn = x * x + y * y <= cut.radius * cut.radius && dot(at, cut.direction) <= cut.part &&
+                           (cut.second.part == 0 || dot(at, cut.second.direction) <= cut.second.part);
+        float over = 0;
+        for (const Edge& edge : edges)
+            over = std::max(over, dot(at, edge.direction) - edge.distance / disc.radius);
+        if (over <= 0)
+            fault += drawn ? 0.0f : 1.0f;
+        else if (drawn && over > 2 * slack)
+            fault += fringe * over * over;
+    }
+    return fault;
+}
+
 CutCode LabelCuts::cutOf(const Disc& disc) const {
-    const std::vector<Edge> edges = edgesOf(disc);
+    std::vector<Edge> edges;
+    if (disc.label.meeting != cells::Meeting::None && disc.label.sharpness >= leastSharpness)
+        edges = edgesOf(disc);
+    if (!m_bent.empty())
+        addBends(disc, edges);
     if (edges.empty())
         return wholeDisc;
+    const auto line = [&](const Edge& by) { return CutLine{by.direction, by.distance / disc.radius + slack}; };
     const auto code = [&](const Edge& by, Beside beside) {
-        return cutCode(disc.normal, by.direction, by.distance / disc.radius + slack, beside);
+        return cutCode(disc.normal, by.direction, line(by).part, beside);
     };
-    const Edge& first = edges.front();
-    for (const Edge& other : std::span(edges).subspan(1)) {
-        const float cosine = dot(first.direction, other.direction), radius = cornerRadius * disc.radius;
-        const float over = reachOf(first.distance, radius, cosine) - other.distance;
-        const float overFirst = reachOf(other.distance, radius, cosine) - first.distance;
-        if (cosine > nearlyOne || over < mostOver * disc.radius)
-            continue;
-        if (overFirst < mostOver * disc.radius && edges.size() == 2)
-            return code(other, Beside::Corner);
-        return code(other.distance < first.distance ? other : first, Beside::Tip);
+    if (edges.size() == 1)
+        return code(edges.front(), turnsAway(edges.front(), disc) ? Beside::Corner : Beside::Edge);
+    CutCode best = code(edges.front(), Beside::Tip);
+    float least = faultOf(disc, edges, best);
+    const auto consider = [&](CutCode other) {
+        if (const float fault = faultOf(disc, edges, other); fault < least)
+            least = fault, best = other;
+    };
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        for (const Beside beside : {Beside::Edge, Beside::Corner, Beside::Tip})
+            if (const CutCode one = code(edges[i], beside); one != wholeDisc)
+                consider(one);
+        for (std::size_t j = i + 1; j < edges.size(); ++j)
+            consider(twoCutsCode(disc.normal, disc.support, line(edges[i]), line(edges[j])));
     }
-    return code(first, edges.size() > 1 || turnsAway(first, disc) ? Beside::Corner : Beside::Edge);
+    return best;
 }
 
 bool LabelCuts::cut(const SurfelBlock& block, CutCodes& codes) {
-    bool gathered = false, any = false;
+    gather(block);
+    gatherBent(block);
+    if (m_near.empty() && m_bent.empty())
+        return false;
+    bool any = false;
     for (int slot = 0; slot < block.size(); ++slot) {
         CutCode& code = codes[static_cast<std::size_t>(slot)];
-        const Disc disc{block.position(slot), block.normal(slot), m_radius * block.support(slot),
+        const Disc disc{block.position(slot), block.normal(slot), block.support(slot), m_radius * block.support(slot),
                         m_labels.at(block, slot)};
-        if (code != wholeDisc || disc.label.meeting == cells::Meeting::None || disc.label.sharpness < leastSharpness ||
-            lengthSq(disc.normal) < 0.25f)
+        if (code != wholeDisc || lengthSq(disc.normal) < 0.25f)
             continue;
-        if (!gathered)
-            gather(block);
-        gathered = true;
         code = cutOf(disc);
         any |= code != wholeDisc;
     }

@@ -22,7 +22,7 @@ class LabelCuts {
   private:
     struct Disc {
         base::Vec3f centre, normal;
-        float radius = 0;
+        float support = 0, radius = 0;
         cells::Label label;
     };
     /// The line in which the plane of a disc meets that of a patch.
@@ -34,16 +34,20 @@ class LabelCuts {
     };
 
     void gather(const surfel::SurfelBlock& block);
+    void gatherBent(const surfel::SurfelBlock& block);
+    void addBends(const Disc& disc, std::vector<Edge>& edges) const;
     std::optional<Edge> edgeTo(std::uint32_t cell, cells::Meeting meeting, const Disc& disc) const;
     static bool reflex(const Edge& a, const Edge& b, cells::Meeting meeting);
     bool turnsAway(const Edge& edge, const Disc& disc) const;
     std::vector<Edge> edgesOf(const Disc& disc) const;
+    float faultOf(const Disc& disc, std::span<const Edge> edges, CutCode code) const;
     CutCode cutOf(const Disc& disc) const;
 
     const tree::SurfelTree& m_model;
     cells::LabelLayout m_labels;
     float m_radius;
     std::vector<Disc> m_near; ///< beside creases
+    std::vector<Disc> m_bent; ///< of cells that bend near the block
 };
 
 } // namespace render

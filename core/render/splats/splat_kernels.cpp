@@ -141,14 +141,18 @@ int gather(const BinEntry& entry, const ViewFrame& view, const SplatStyle& style
                 continue;
             const CutCode code =
                 entry.cuts ? (*entry.cuts)[static_cast<std::size_t>(cluster * clusterSize + i)] : wholeDisc;
+            const int slot = cluster * clusterSize + i;
             const DiscCut cut =
-                code == wholeDisc ? DiscCut{} : discCut(entry.block->normal(cluster * clusterSize + i), code);
+                code == wholeDisc ? DiscCut{} : discCut(entry.block->normal(slot), entry.block->support(slot), code);
             if (!(cut.radius > 0))
                 continue;
             const float radius = cut.radius * s.radius[i], z = s.z[i];
             const bool behind = style.oriented && s.back[i] > 0;
             const float mean = shaped ? cut.radius * s.mean[i] : radius;
             const float filter = filterPx * view.pixelSize(z), range = radius + filterDepth * filter;
+            const auto edge = [&](const CutLine& line) HWY_ATTR {
+                return line.part > 0 ? view.turn(line.direction) * (1 / (line.part * s.radius[i])) : base::Vec3f{};
+            };
             out[count++] = {s.x[i],
                             s.y[i],
                             z,
@@ -169,7 +173,8 @@ int gather(const BinEntry& entry, const ViewFrame& view, const SplatStyle& style
                             static_cast<std::uint8_t>(s.right[i]),
                             static_cast<std::uint8_t>(s.top[i]),
                             static_cast<std::uint8_t>(s.bottom[i]),
-                            cut.part > 0 ? view.turn(cut.direction) * (1 / (cut.part * s.radius[i])) : base::Vec3f{},
+                            edge(cut),
+                            edge(cut.second),
                             shaped ? base::Vec3f{s.shapeX[i], s.shapeY[i], s.shapeZ[i]} : base::Vec3f{}};
         }
     }
@@ -215,7 +220,8 @@ HWY_INLINE Fragments<D> meet(D d, const Splat& s, const ViewFrame& view, V dx, f
     V onDisc = hn::Mul(distanceSq, hn::Set(d, s.inverseRadiusSq));
     onDisc = hn::IfThenElse(hn::Gt(exact, hn::Set(d, s.cut)), hn::Set(d, 2.0f), onDisc);
     if constexpr (isCut)
-        onDisc = hn::IfThenElse(hn::Gt(along(s.edge), hn::Set(d, 1.0f)), hn::Set(d, 2.0f), onDisc);
+        onDisc = hn::IfThenElse(hn::Gt(hn::Max(along(s.edge), along(s.secondEdge)), hn::Set(d, 1.0f)), hn::Set(d, 2.0f),
+                                onDisc);
     const V onScreen = hn::MulAdd(hn::Mul(dx, hn::Set(d, filter)), dx, hn::Set(d, dy2));
     return {z, uncut(d, s, view, dx, dy, inverse, hn::Min(onDisc, onScreen))};
 }

@@ -63,7 +63,7 @@ struct Splat {
     surfel::Colour colour;
     std::uint8_t left, right, top, bottom; ///< pixels of the tile, inclusive
     /// The disc ends where (x - centre) . edge = 1, in view coordinates; zero where it is whole (disc_cuts.h).
-    base::Vec3f edge;
+    base::Vec3f edge, secondEdge;
     base::Vec3f shape; ///< b in view coordinates, in the plane of the disc; zero where that is round
 };
 
