@@ -96,14 +96,16 @@ DetectedCreases detectCreases(const surface::Surface& surface, const DetectOptio
     CellRefit refit(links, cells, found.faces, points.normals, points.noise);
     for (int k = 0; k < refits; ++k)
         refit.reassign();
+    refit.takeBackFlat();
     const std::vector<Vec3f> normals = refit.ownNormals();
+    std::vector<std::uint32_t> faces(links.size());
     std::vector<Label> labels(links.size());
     for (std::size_t i = 0; i < labels.size(); ++i) {
         labels[i].cell = labels[i].partner = cells[i];
-        labels[i].face = found.faces[i];
+        labels[i].face = faces[i] = refit.faceOf(static_cast<std::uint32_t>(i));
         surfels.items[i].normal = normals[i];
     }
-    labelByLinks(links, cells, found.faces, normals, options.sharpness, labels);
+    labelByLinks(links, cells, faces, normals, options.sharpness, labels);
     out.found = std::any_of(labels.begin(), labels.end(), [](const Label& l) { return l.meeting != Meeting::None; });
     if (out.found)
         out.surface = labelled(surface, std::move(surfels), labels);

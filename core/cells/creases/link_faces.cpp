@@ -14,10 +14,10 @@ namespace cells {
 
 namespace {
 
-constexpr std::size_t fewest = 8;   ///< surfels of a face
-constexpr double leastDepth = 0.75; ///< spacings from its creases to its middle: a quarter of the width and more
-constexpr std::size_t fewestCut = 2;
-constexpr double neck = 0.5; ///< of the depth of the shallower of two faces: what is narrower parts them
+constexpr std::size_t fewest = 8;       ///< surfels of a face
+constexpr double leastDepth = 0.75;     ///< spacings from its creases to its middle: a quarter of the width and more
+constexpr std::size_t fewestAcross = 3; ///< links where creases leave a gap: fewer are of faces that touch at a tip
+constexpr double neck = 0.5;            ///< of the depth of the shallower of two faces: what is narrower parts them
 
 class FaceFinder {
   public:
@@ -154,7 +154,7 @@ class FaceFinder {
         for (const auto& [pair, border] : borders()) {
             const bool small = std::min(sizes[pair.first], sizes[pair.second]) < fewest;
             const double share = static_cast<double>(border.uncut) / static_cast<double>(border.uncut + border.cut);
-            if (small || share > 0.5 || border.cut < fewestCut)
+            if (small || (share > 0.5 && border.uncut >= fewestAcross))
                 joins.push_back({small, share, pair});
         }
         std::vector<bool> small(m_links.size());
