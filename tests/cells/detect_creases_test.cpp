@@ -162,7 +162,7 @@ void DetectCreasesTest::facesOfSolidsAreCells() {
     QVERIFY2(known.size() + (narrow ? 1 : 0) >= solid.planes.size(), told);
     QVERIFY2(faces.size() <= solid.planes.size() + (narrow ? 8 : 4), told);
     QVERIFY2(wrong <= all / (narrow ? 5 : noise > 0 ? 18 : 50), told);
-    QVERIFY2(beside > 200 && far <= beside / 20 && turned <= beside / (noise > 0 ? 7 : 40), told);
+    QVERIFY2(beside > 200 && far <= beside / 20 && turned <= beside / (noise > 0 ? 6 : 40), told);
     QVERIFY2(inverted <= beside / (kind == 2 ? 20 : 80), told);
 }
 

@@ -25,6 +25,18 @@ std::uint64_t farSide(const FaceTopology& topology, std::size_t corner) {
     return std::uint64_t(std::min(a, b)) << 32 | std::max(a, b);
 }
 
+/// Fans that do not go all around: there an edge ends them, and no tip is.
+void leaveOutOpen(const FaceTopology& topology, std::vector<std::uint8_t>& tips) {
+    std::unordered_map<std::uint64_t, int> spokes; // from each fan to the next around it
+    for (std::size_t c = 0; c < topology.fans.size(); ++c)
+        if (const std::uint32_t fan = topology.fans[c]; tips[fan] != 0)
+            for (const std::size_t k : {(c % 3 + 1) % 3, (c % 3 + 2) % 3})
+                ++spokes[std::uint64_t(fan) << 32 | topology.fans[c / 3 * 3 + k]];
+    for (const auto& [spoke, count] : spokes)
+        if (count != 2)
+            tips[spoke >> 32] = 0;
+}
+
 } // namespace
 
 std::vector<std::uint8_t> tipFans(const FaceTopology& topology, std::span<const base::Vec3f> fanNormals) {
@@ -51,6 +63,7 @@ std::vector<std::uint8_t> tipFans(const FaceTopology& topology, std::span<const 
             side->second.faces[side->second.faces[0] == none ? 0 : 1] = static_cast<std::uint32_t>(c / 3);
     for (std::size_t fan = 0; fan < out.size(); ++fan)
         out[fan] = turn[fan] > leastTurn ? 1 : 0;
+    leaveOutOpen(topology, out);
     for (std::size_t c = 0; c < corners; ++c) {
         std::uint8_t& tip = out[topology.fans[c]];
         if (tip == 0)

@@ -8,8 +8,8 @@
 
 namespace mesh {
 
-/// 1 for each fan with a face that turns from its normal by more than 10 degrees and by more than any of its faces do
-/// from those across the far edges: what is bent all over turns as much there.
+/// 1 for each fan all around a vertex with a face that turns from its normal by more than 10 degrees and by more than
+/// any of its faces do from those across the far edges: what is bent all over turns as much there.
 std::vector<std::uint8_t> tipFans(const FaceTopology& topology, std::span<const base::Vec3f> fanNormals);
 
 } // namespace mesh
