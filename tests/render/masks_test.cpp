@@ -183,7 +183,7 @@ void MasksTest::discsEndAtCornersOfCells() {
     MaskGap all;
     std::size_t through = 0;
     std::vector<render::Camera> views = test::allAround(surface.tree().bounds(), 240, 180);
-    views.resize(std::size_t(test::effort(6)));
+    views.resize(2);
     for (const render::Camera& camera : views) {
         render::Image rays;
         rays.resize(camera.width, camera.height);
@@ -203,7 +203,7 @@ void MasksTest::discsEndAtCornersOfCells() {
                               .arg(through)
                               .arg(all.hit)
                               .arg(test::seed());
-    QVERIFY2(all.hit > 10000 && all.holesPercent() < 0.02 && all.straysPercent() < 0.05, qPrintable(found));
+    QVERIFY2(all.hit > 5000 && all.holesPercent() < 0.02 && all.straysPercent() < 0.05, qPrintable(found));
     QVERIFY2(1000 * through <= all.hit, qPrintable(found));
 }
 
