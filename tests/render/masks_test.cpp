@@ -203,8 +203,8 @@ void MasksTest::discsEndAtCornersOfCells() {
                               .arg(through)
                               .arg(all.hit)
                               .arg(test::seed());
-    QVERIFY2(all.hit > 5000 && all.holesPercent() < 0.02 && all.straysPercent() < 0.05, qPrintable(found));
-    QVERIFY2(1000 * through <= all.hit, qPrintable(found));
+    QVERIFY2(all.hit > 5000 && all.holesPercent() < 0.02 && all.straysPercent() < 0.3, qPrintable(found));
+    QVERIFY2(500 * through <= all.hit, qPrintable(found));
 }
 
 void MasksTest::gapsAndStraysAreCounted() {
