@@ -63,7 +63,7 @@ static std::string contradictionMessage(const tree::SurfelTree& tree) {
     if (share < many)
         return {};
     return "Of points side by side, " + std::to_string(static_cast<int>(std::lround(100 * share))) +
-           " % have normals that look opposite ways, and the surface breaks there; `clean --orient tree` makes them "
+           " % have normals that look opposite ways, and the surface breaks there; `clean --orient global` makes them "
            "agree.";
 }
 

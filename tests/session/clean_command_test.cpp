@@ -22,6 +22,7 @@ class CleanCommandTest : public QObject {
     void maskedSurfelsAreProtected();
     void othersKeepEveryBit();
     void sidesGuessedAmongStraysAreGuessedAgain();
+    void basesOfConesLookOutwardsAfterCleaning();
     void viewpointsTurnNormals();
     void gridsGiveNormals();
     void nonsenseIsRefused();
@@ -63,6 +64,22 @@ std::string boxInShell(std::uint64_t seed) {
             p[axis] = p[axis] < 0 ? -1 : 1;
             p = {p.x * half.x, p.y * half.y, p.z * half.z};
         }
+        out << p.x << ' ' << p.y << ' ' << p.z << '\n';
+    }
+    return out.str();
+}
+
+/// A cone, whose base no way reaches but over an acute edge, with strays around it.
+std::string coneAmongStrays(std::uint64_t seed, double height) {
+    base::Random random(seed);
+    const double slant = std::hypot(1, height);
+    std::ostringstream out;
+    for (int i = 0; i < 6150; ++i) {
+        const double turn = random.uniform(0, 6.283185307179586), r = std::sqrt(random.uniform());
+        const bool base = random.uniform(0, 1 + slant) < 1;
+        Vec3d p{std::cos(turn) * r, std::sin(turn) * r, base ? 0 : height * (1 - r)};
+        if (i >= 6000)
+            p = {random.uniform(-2, 2), random.uniform(-2, 2), random.uniform(-1, 3)};
         out << p.x << ' ' << p.y << ' ' << p.z << '\n';
     }
     return out.str();
@@ -207,6 +224,33 @@ void CleanCommandTest::sidesGuessedAmongStraysAreGuessedAgain() {
             QCOMPARE(looksOutwards(bench), !before);
         }
     QVERIFY(inwards > 0 || test::sanitized); // else nothing was shown
+}
+
+/// What opening gets right by asking the whole, no step of cleaning undoes.
+void CleanCommandTest::basesOfConesLookOutwardsAfterCleaning() {
+    base::Random random(test::seed());
+    for (int k = 0; k < test::effort(4); ++k) {
+        const double height = random.uniform(0.8, 2.2);
+        Workbench bench;
+        bench.run(
+            {{"op", "open"},
+             {"path",
+              test::write(bench.path("cone.xyz"), coneAmongStrays(test::seed() + std::uint64_t(k), height)).string()}});
+        bench.run({{"op", "outliers"}});
+        for (const char* line : {R"({"op":"expect"})", R"({"op":"orient"})"}) {
+            bench.run(json::parse(line));
+            std::size_t base = 0, inwards = 0;
+            for (const surfel::Surfel& s : bench.document.surface().tree().surfels().items)
+                if (std::abs(s.position.z) < 1e-3f && length(s.position) < 0.8f)
+                    ++base, inwards += s.normal.z > 0;
+            QVERIFY2(base > 500 && inwards < base / 10, qPrintable(QString("%1: %2 of %3 inwards, height %4, seed %5")
+                                                                       .arg(line)
+                                                                       .arg(inwards)
+                                                                       .arg(base)
+                                                                       .arg(height)
+                                                                       .arg(test::seed())));
+        }
+    }
 }
 
 void CleanCommandTest::viewpointsTurnNormals() {

@@ -1,6 +1,7 @@
 #include "core/process/estimation/normals.h"
 
 #include "core/process/estimation/cloud_normals.h"
+#include "core/process/estimation/orientation/global_orientation.h"
 #include "core/process/estimation/part_progress.h"
 
 namespace process {
@@ -39,7 +40,7 @@ bool orientNormals(surfel::SurfelList& points, int neighbours, const base::Progr
     for (std::size_t i = 0; i < points.size(); ++i)
         normals[cloud.places()[i]] = points.items[i].normal;
     const NeighbourTable links = nearestTable(cloud, static_cast<std::size_t>(neighbours), part(progress, 0.2, 0.5));
-    if (!orient(cloud, links, normals, part(progress, 0.5, 1))) {
+    if (!orientGlobally(cloud, links, normals, part(progress, 0.5, 1))) {
         setFlags(points, false);
         return false;
     }

@@ -265,7 +265,7 @@ Surface normals(Context& context, const Surface& surface, const std::string& way
     } else {
         const process::NeighbourTable links =
             process::nearestTable(cloud, orientNeighbours, process::part(context.progress, 0.7, 0.8));
-        oriented = process::orient(cloud, links, fresh, process::part(context.progress, 0.8, 0.9));
+        oriented = process::orientGlobally(cloud, links, fresh, process::part(context.progress, 0.8, 0.9));
     }
     process::ListChange change;
     double sum = 0;
@@ -347,8 +347,8 @@ Surface guessedAgain(Context& context, const Surface& surface) {
         document.canUndo() || !layout.normals || !layout.oriented ||
         surface.tree().size() == document.surface().tree().size())
         return surface;
-    Orientation found = orientation(context, surface, "tree", nullptr);
-    return found.flipped == 0 || !found.sided ? surface : withOrientation(context, surface, "tree", std::move(found));
+    Orientation found = orientation(context, surface, "global", nullptr); // as opening does
+    return found.flipped == 0 || !found.sided ? surface : withOrientation(context, surface, "global", std::move(found));
 }
 
 } // namespace session::clean

@@ -16,7 +16,7 @@ static void runOrient(Context& context, const nlohmann::json& complete) {
 
 CommandRow orientCommand() {
     static const CommandParameter parameters[] = {
-        {"method", "choice", "", clean::orientTip, "\"tree\"", clean::orientWays, 0, 0},
+        {"method", "choice", "", clean::orientTip, "\"global\"", clean::orientWays, 0, 0},
         {"viewpoint", "list", "model units", clean::viewpointTip, "null", "", 0, 0},
     };
     return {"orient",
