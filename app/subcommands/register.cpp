@@ -68,7 +68,9 @@ nlohmann::ordered_json reportOf(const Scans& scans) {
         out.push_back({{"model", scans.names[m]},
                        {"matrix", rowsOf(session::betweenFiles(scans, m))},
                        {"rms", scans.placed[m].rms},
-                       {"overlap", scans.placed[m].overlap}});
+                       {"overlap", scans.placed[m].overlap},
+                       {"held", scans.placed[m].held},
+                       {"unique", scans.placed[m].unique}});
     return out;
 }
 
@@ -111,7 +113,9 @@ Action addRegister(OptionSet command) {
                     "begin where they are");
     command
         .add("--report", options->report,
-             "JSON file to write: for each moving model its matrix (16 numbers by row), rms and overlap")
+             "JSON file to write: for each moving model its matrix (16 numbers by row), rms and overlap; held: it does "
+             "not "
+             "slide along the others; unique: it was not found to fit nearly as well in another place")
         .typeName("OUT.json");
     options->surface = addSurfaceOptions(command, false);
     return [options](Console& console) { run(*options, console); };

@@ -28,6 +28,13 @@ void add(Scans& scans, const std::string& name, const Document& document) {
     scans.placed.push_back(placed);
 }
 
+static std::string lengthText(double length) {
+    std::ostringstream out;
+    out.precision(3);
+    out << length;
+    return out.str();
+}
+
 void bring(Scans& scans, bool anywhere, std::vector<std::string>& messages, const base::Progress& progress) {
     process::AlignOptions how;
     if (anywhere) {
@@ -44,6 +51,13 @@ void bring(Scans& scans, bool anywhere, std::vector<std::string>& messages, cons
         text << scans.names[m] << ": rms " << scans.placed[m].rms << " to the others' surfaces, which "
              << 100 * scans.placed[m].overlap << " % of it overlaps.";
         messages.push_back(text.str());
+        if (!scans.placed[m].held)
+            messages.push_back(scans.names[m] + " is not held there: it slides along the others, and fits as well " +
+                               lengthText(found.slide) + " beside; move it to its place by hand, or add what " +
+                               "overlaps where the shape tells more.");
+        else if (!scans.placed[m].unique)
+            messages.push_back(scans.names[m] + " fits nearly as well in another place; look whether this is the " +
+                               "right one, or move it near its place and do not look for it everywhere.");
     }
 }
 

@@ -7,6 +7,7 @@
 #include "core/process/registering/align.h"
 #include "core/process/registering/features.h"
 #include "core/process/registering/find_place.h"
+#include "core/process/registering/place_all.h"
 #include "process/even_shapes.h"
 #include "support/registry.h"
 #include "support/sanitized.h"
@@ -23,6 +24,8 @@ class AlignTest : public QObject {
     void twoScansMeet();
     void loopsClose();
     void scansAreFoundAnywhere();
+    void whatSlidesIsTold();
+    void placesThatAreAlikeAreTold();
     void strangersAreRefused();
     void threadsDoNotShow();
     void featuresCanBeCancelledWhileTheyAreSorted();
@@ -103,6 +106,7 @@ void AlignTest::twoScansMeet() {
         QVERIFY2(error(models[1].pose, motion) < 0.004, told(error(models[1].pose, motion)));
         QVERIFY2(models[1].overlap > 0.3 && models[1].overlap < 0.9, told(models[1].overlap));
         QVERIFY2(models[1].rms < 0.004, told(models[1].rms));
+        QVERIFY2(models[1].held && models[1].unique, told(models[1].rms));
     }
 }
 
@@ -135,13 +139,76 @@ void AlignTest::scansAreFoundAnywhere() {
                                    {scan({1.5, 2.8, 0}, 6000, 0.001, motion, random), {}}};
         const float spacing = 0.06f;
         const Features fixed = featuresOf(models[0].surface, spacing), moving = featuresOf(models[1].surface, spacing);
-        const FoundPlace place = findPlace(moving, fixed, spacing);
+        const FoundPlace place = findPlaces(moving, fixed, spacing, 1).at(0);
         QVERIFY2(error(place.pose, motion) < 0.1, told(place.share));
         models[1].pose = place.pose;
         AlignOptions options;
         options.reach = 0.2;
         align(models, options);
         QVERIFY2(error(models[1].pose, motion) < 0.005, told(error(models[1].pose, motion)));
+    }
+}
+
+namespace {
+
+/// Random points of a shape that slides along itself (a ball, a round bar, a plate), or of a cube's faces.
+surface::Surface simpleScan(int shape, double noise, const Rigid& motion, base::Random& random) {
+    surfel::SurfelList out;
+    out.layout = test::orientedLayout();
+    while (out.size() < 3000) {
+        const Vec3d d = random.unitVector();
+        const Vec3d across = base::normalized(Vec3d{d.x, d.y, 0});
+        const double u = random.uniform(-1, 1), v = random.uniform(-1, 1);
+        Vec3d p = d, n = d; // the ball
+        if (shape == 1)
+            p = across * 0.5 + Vec3d{0, 0, u}, n = across;
+        if (shape == 2)
+            p = {u, v, 0}, n = {0, 0, 1};
+        if (shape == 3) {
+            const std::size_t axis = random.below(3);
+            n = {}, n[axis] = random.uniform() < 0.5 ? -1 : 1;
+            p = {u, v, random.uniform(-1, 1)}, p[axis] = n[axis];
+        }
+        surfel::Surfel s;
+        s.position = base::cast<float>(motion(p + n * (noise * random.normal())));
+        s.normal = base::cast<float>(motion.turn(n));
+        out.append(s, {});
+    }
+    return prepare(out, {});
+}
+
+} // namespace
+
+/// One place is as good as the next on what slides along itself: the residual is small, and says nothing.
+void AlignTest::whatSlidesIsTold() {
+    base::Random random(test::seed());
+    for (int shape = 0; shape < 4; ++shape) {
+        const double noise = random.uniform(0, 0.01); // a fifth of the spacing and less
+        std::vector<Placed> models{{simpleScan(shape, noise, {}, random), {}},
+                                   {simpleScan(shape, noise, disturbance(0.05, 0.03, random), random), {}}};
+        const Alignment found = align(models);
+        QVERIFY2(models[1].held == (shape == 3), told(shape));
+        QVERIFY(found.slide > 0.1 && models[0].held);
+    }
+}
+
+/// A cube found anywhere may be any of its 24 turns; the lumpy body has one place.
+void AlignTest::placesThatAreAlikeAreTold() {
+    if (test::sanitized)
+        QSKIP("ten seconds under a sanitizer");
+    base::Random random(test::seed());
+    for (const bool cube : {true, false}) {
+        const Rigid motion = disturbance(random.uniform(0.5, 3), 5, random);
+        std::vector<Placed> models;
+        for (const Rigid& each : {Rigid{}, motion})
+            models.push_back(
+                {cube ? simpleScan(3, 0.002, each, random)
+                      : scan(each == motion ? Vec3d{1.5, 2.8, 0} : Vec3d{3, 0, 0}, 3000, 0.002, each, random),
+                 {}});
+        const std::string names[] = {"a", "b"};
+        placeAll(models, names);
+        QVERIFY2(models[1].unique != cube, told(cube));
+        QVERIFY2(cube || error(models[1].pose, motion) < 0.03, told(error(models[1].pose, motion)));
     }
 }
 

@@ -17,6 +17,8 @@ struct Placed {
     Rigid pose;
     double rms = 0;     ///< distances of its points that count, along normals
     double overlap = 0; ///< share of its points that have a foot on another model
+    bool held = true;   ///< else it slides along the others, and fits as well where it is moved to
+    bool unique = true; ///< else it was found to fit nearly as well in another place
 };
 
 struct AlignOptions {
@@ -29,6 +31,7 @@ struct AlignOptions {
 struct Alignment {
     int rounds = 0;
     bool settled = false; ///< the last round moved nothing
+    double slide = 0;     ///< by so much models were moved to see whether they are held
 };
 
 /// Moves all but the first. The same bits at any thread count. Throws base::Error where a model has no foot on any

@@ -1,5 +1,6 @@
 #include "core/process/registering/find_place.h"
 
+#include "core/base/box.h"
 #include "core/base/cells.h"
 #include "core/base/parallel.h"
 #include "core/base/random.h"
@@ -140,10 +141,50 @@ FoundPlace refined(FoundPlace start, const Features& moving, const Features& fix
     return start;
 }
 
-/// Each the best of a task's tries.
+/// The best of many places, best first, each of which differs from the others by more than three spacings somewhere.
+class Shortlist {
+  public:
+    Shortlist(const Features& moving, float spacing, std::size_t most)
+        : m_apartSq(9 * static_cast<double>(spacing) * static_cast<double>(spacing)), m_most(most) {
+        base::Box3d box;
+        for (const Vec3d& p : moving.position)
+            box.extend(p);
+        for (std::size_t k = 0; k < 4; ++k) // what moves none of these far moves none far
+            m_corner[k] = {k & 1 ? box.hi.x : box.lo.x, k & 2 ? box.hi.y : box.lo.y,
+                           (k ^ k >> 1) & 1 ? box.hi.z : box.lo.z};
+    }
+    /// What a place must beat to be kept.
+    double least() const { return m_kept.size() < m_most ? 0 : m_kept.back().share; }
+    void add(const FoundPlace& place) {
+        const auto same = [&](const FoundPlace& other) {
+            return std::all_of(std::begin(m_corner), std::end(m_corner),
+                               [&](const Vec3d& p) { return distanceSq(place.pose(p), other.pose(p)) < m_apartSq; });
+        };
+        if (!(place.share > least()) || std::any_of(m_kept.begin(), m_kept.end(), [&](const FoundPlace& each) {
+                return each.share >= place.share && same(each);
+            }))
+            return;
+        std::erase_if(m_kept, same); // worse ones
+        m_kept.insert(std::find_if(m_kept.begin(), m_kept.end(),
+                                   [&](const FoundPlace& each) { return each.share < place.share; }),
+                      place);
+        if (m_kept.size() > m_most)
+            m_kept.pop_back();
+    }
+    const std::vector<FoundPlace>& kept() const { return m_kept; }
+
+  private:
+    double m_apartSq;
+    std::size_t m_most;
+    Vec3d m_corner[4];
+    std::vector<FoundPlace> m_kept;
+};
+
+/// Some of each task's tries.
 std::vector<FoundPlace> bestOfTasks(const std::vector<Match>& matches, const Features& moving, const Features& fixed,
                                     const Places& places, float spacing, bool oriented) {
-    std::vector<FoundPlace> best(tasks);
+    constexpr std::size_t ofEach = 4;
+    std::vector<Shortlist> best(tasks, Shortlist(moving, spacing, ofEach));
     base::parallelFor(tasks, 1, [&](std::size_t task) {
         base::Random random(task);
         for (std::size_t t = 0; t < tries / tasks; ++t) {
@@ -160,21 +201,23 @@ std::vector<FoundPlace> bestOfTasks(const std::vector<Match>& matches, const Fea
                 !bestMotion(handleOf(a, na).place, handleOf(b, nb).place, 4, pose))
                 continue;
             // few points rule most of them out
-            if (shareOf(pose, moving, places, oriented, 40) < 0.8 * best[task].share)
+            if (shareOf(pose, moving, places, oriented, 40) < 0.8 * best[task].least())
                 continue;
-            if (const double share = shareOf(pose, moving, places, oriented, judged); share > best[task].share)
-                best[task] = {pose, share};
+            best[task].add({pose, shareOf(pose, moving, places, oriented, judged)});
         }
     });
-    return best;
+    std::vector<FoundPlace> out;
+    for (const Shortlist& each : best)
+        out.insert(out.end(), each.kept().begin(), each.kept().end());
+    return out;
 }
 
 } // namespace
 
-FoundPlace findPlace(const Features& moving, const Features& fixed, float spacing, const base::Progress& progress) {
-    FoundPlace out;
+std::vector<FoundPlace> findPlaces(const Features& moving, const Features& fixed, float spacing, std::size_t most,
+                                   const base::Progress& progress) {
     if (moving.feature.size() < 4 || fixed.feature.size() < 4)
-        return out;
+        return {};
     progress.step(0, "Looking for its place");
     const std::vector<std::uint32_t> there = mostAlike(moving, fixed), back = mostAlike(fixed, moving);
     std::vector<Match> matches;
@@ -191,10 +234,10 @@ FoundPlace findPlace(const Features& moving, const Features& fixed, float spacin
         if (best[k].share > 0)
             best[k] = refined(best[k], moving, fixed, places, spacing, oriented);
     });
+    Shortlist out(moving, spacing, most);
     for (const FoundPlace& each : best)
-        if (each.share > out.share)
-            out = each;
-    return out;
+        out.add(each);
+    return out.kept();
 }
 
 } // namespace process

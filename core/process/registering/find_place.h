@@ -13,7 +13,9 @@ struct FoundPlace {
     double share = 0; ///< of moving's points that then lie on fixed's, to a third of a spacing, and face the same way
 };
 
-/// `spacing`: that both features were made with. The same bits at any thread count. Throws base::Cancelled.
-FoundPlace findPlace(const Features& moving, const Features& fixed, float spacing, const base::Progress& progress = {});
+/// At most so many places that differ, the most likely ones first. `spacing`: that both features were made with. The
+/// same bits at any thread count. Throws base::Cancelled.
+std::vector<FoundPlace> findPlaces(const Features& moving, const Features& fixed, float spacing, std::size_t most,
+                                   const base::Progress& progress = {});
 
 } // namespace process
