@@ -56,10 +56,8 @@ struct Candidates {
                 const base::Vec3f q = u * (step * static_cast<float>(i)) + v * (step * static_cast<float>(j));
                 const float own = lengthSq(q);
                 const bool taken =
-                    own > radius * radius || std::any_of(others.begin(), others.end(), [&](const auto& o) {
-                        const base::Vec3f flat = o - n * dot(n, o);
-                        return distanceSq(q, flat) < own;
-                    });
+                    own > radius * radius || // in space: tangent planes over a bend meet where neither is nearer
+                    std::any_of(others.begin(), others.end(), [&](const auto& o) { return distanceSq(q, o) < own; });
                 if (taken)
                     continue;
                 position.push_back(p + q);

@@ -3,9 +3,11 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/base/random.h"
 #include "core/process/estimation/spacing.h"
 #include "reduce/reduced_models.h"
 #include "support/registry.h"
+#include "support/sanitized.h"
 
 #include <QTest>
 
@@ -17,6 +19,7 @@ class RefineTest : public QObject {
   private Q_SLOTS:
     void refiningComesBackToTheSurface();
     void anySpacingIsReached();
+    void bendsBetweenFewSamplesLeaveNoGap();
     void openSurfacesKeepTheirRims();
     void sameBitsAtAnyThreadCount();
     void impossibleSpacingsAreRefused();
@@ -49,6 +52,25 @@ void RefineTest::anySpacingIsReached() {
         QVERIFY2(double(s.min) > 0.6 * target && double(s.max) < 1.5 * target, told);
         QVERIFY2(std::abs(double(s.median) / target - 1) < 0.12, told);
     }
+}
+
+/// Where tangent planes of neighbours stand steeply to each other, they meet above the middle.
+void RefineTest::bendsBetweenFewSamplesLeaveNoGap() {
+    base::Random random(test::seed());
+    const std::size_t count = 24 + random.below(8);
+    const Reduced few = reduceToCount(test::sphere(3000).surface, count);
+    const float spacing = test::sanitized ? 0.07f : 0.035f;
+    const Refined many = refine(few.surface, spacing);
+    double farthest = 0;
+    std::vector<tree::Neighbour> near;
+    for (int i = 0; i < 3000; ++i) {
+        many.surface.tree().nearest(base::cast<float>(random.unitVector()), 1, near);
+        farthest = std::max(farthest, std::sqrt(double(near.front().distanceSq)));
+    }
+    QVERIFY2(
+        farthest < 2 * double(spacing),
+        qPrintable(
+            QString("%1 samples: %2 spacings, seed %3").arg(count).arg(farthest / double(spacing)).arg(test::seed())));
 }
 
 void RefineTest::openSurfacesKeepTheirRims() {
