@@ -35,6 +35,8 @@ void lookForSlack(std::vector<Placed>& models, const std::vector<AskedPoints>& a
     constexpr double exact = 0.004; // part of `size` that surfaces are off anyway
     const std::vector<Rigid> motion = equations.loosest(size);
     std::vector<std::uint8_t> moves(models.size());
+    for (Placed& each : models)
+        each.held = true;
     for (std::uint32_t m = 1; m < models.size(); ++m)
         moves[m] = farthest(asked, models, motion[m], m) > size / 4;
     const auto counts = [&](const FootPair& p) { return moves[p.from] != moves[p.to]; };
