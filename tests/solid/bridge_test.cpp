@@ -1,5 +1,5 @@
 // Bridges between boundary loops: sheets against the surfaces that they complete, and what is refused.
-#include "core/solid/bridge.h"
+#include "core/solid/loops/bridge.h"
 
 #include "core/base/error.h"
 #include "core/base/random.h"

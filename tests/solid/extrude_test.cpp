@@ -1,5 +1,5 @@
 // Matter drawn out: volumes by formulas, closed models that stay closed, edges that are sharp, walls along loops.
-#include "core/solid/extrude.h"
+#include "core/solid/extrude/extrude.h"
 
 #include "core/base/error.h"
 #include "core/base/random.h"

@@ -1,5 +1,5 @@
 // Holes filled: patches against the shapes that they complete, and what is left alone.
-#include "core/solid/fill.h"
+#include "core/solid/loops/fill.h"
 
 #include "core/base/error.h"
 #include "core/process/estimation/prepare.h"

@@ -1,6 +1,6 @@
 // Holes filled in relief: as high and as long waves as around, on spheres and planes; smooth where there are none.
-#include "core/solid/fill.h"
-#include "core/solid/relief_texture.h"
+#include "core/solid/loops/fill.h"
+#include "core/solid/loops/relief_texture.h"
 
 #include "core/base/random.h"
 #include "process/even_shapes.h"

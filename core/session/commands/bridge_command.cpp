@@ -1,7 +1,7 @@
 #include "core/base/error.h"
 #include "core/session/commands/commands.h"
 #include "core/session/number_text_list.h"
-#include "core/solid/bridge.h"
+#include "core/solid/loops/bridge.h"
 
 #include <nlohmann/json.hpp>
 

@@ -3,7 +3,7 @@
 #include "core/session/commands/commands.h"
 #include "core/session/commands/selected/limits.h"
 #include "core/session/number_text_list.h"
-#include "core/solid/extrude.h"
+#include "core/solid/extrude/extrude.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,6 @@
 #include "core/session/commands/commands.h"
 #include "core/session/place_text.h"
-#include "core/solid/fill.h"
+#include "core/solid/loops/fill.h"
 
 #include <nlohmann/json.hpp>
 #include <sstream>

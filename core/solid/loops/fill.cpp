@@ -1,11 +1,11 @@
-#include "core/solid/fill.h"
+#include "core/solid/loops/fill.h"
 
 #include "core/base/cancel_scope.h"
 #include "core/base/error.h"
 #include "core/process/estimation/part_progress.h"
-#include "core/solid/open_loops.h"
-#include "core/solid/patch_surfels.h"
-#include "core/solid/relief.h"
+#include "core/solid/loops/open_loops.h"
+#include "core/solid/loops/patch_surfels.h"
+#include "core/solid/loops/relief.h"
 
 namespace solid {
 

@@ -1,14 +1,14 @@
-#include "core/solid/extrude.h"
+#include "core/solid/extrude/extrude.h"
 
 #include "core/base/cancel_scope.h"
 #include "core/base/error.h"
 #include "core/cells/creases/labelled_surface.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/process/resampling/point_grid.h"
-#include "core/solid/extrude_wall.h"
+#include "core/solid/extrude/extrude_wall.h"
+#include "core/solid/extrude/seam_border.h"
 #include "core/solid/link_creases.h"
-#include "core/solid/open_loops.h"
-#include "core/solid/seam_border.h"
+#include "core/solid/loops/open_loops.h"
 #include "core/surface/projection/project.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "core/solid/loop_triangles.h"
+#include "core/solid/loops/loop_triangles.h"
 
 #include "core/base/parallel.h"
 

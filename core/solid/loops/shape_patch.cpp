@@ -1,4 +1,4 @@
-#include "core/solid/shape_patch.h"
+#include "core/solid/loops/shape_patch.h"
 
 #include "core/base/cancel_scope.h"
 #include "core/base/parallel.h"

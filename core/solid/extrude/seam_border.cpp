@@ -1,4 +1,4 @@
-#include "core/solid/seam_border.h"
+#include "core/solid/extrude/seam_border.h"
 
 #include "core/base/segment.h"
 #include "core/solid/segment_runs.h"

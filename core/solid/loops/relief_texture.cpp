@@ -1,4 +1,4 @@
-#include "core/solid/relief_texture.h"
+#include "core/solid/loops/relief_texture.h"
 
 #include "core/base/cancel_scope.h"
 #include "core/base/parallel.h"

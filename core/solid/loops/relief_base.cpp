@@ -1,4 +1,4 @@
-#include "core/solid/relief_base.h"
+#include "core/solid/loops/relief_base.h"
 
 #include <algorithm>
 #include <cmath>

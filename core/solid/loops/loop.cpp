@@ -1,4 +1,4 @@
-#include "core/solid/loop.h"
+#include "core/solid/loops/loop.h"
 
 #include "core/base/cancel_scope.h"
 #include "core/base/parallel.h"

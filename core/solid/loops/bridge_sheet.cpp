@@ -1,4 +1,4 @@
-#include "core/solid/bridge_sheet.h"
+#include "core/solid/loops/bridge_sheet.h"
 
 #include "core/base/parallel.h"
 #include "core/surface/projection/project.h"

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/cells/seam_lines.h"
-#include "core/solid/loop.h"
+#include "core/solid/loops/loop.h"
 
 namespace solid {
 

@@ -1,4 +1,4 @@
-#include "core/solid/extrude_wall.h"
+#include "core/solid/extrude/extrude_wall.h"
 
 #include "core/process/resampling/resample.h"
 #include "core/solid/map_places.h"

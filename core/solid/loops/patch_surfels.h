@@ -1,7 +1,7 @@
 // What stands at the vertices of patches: surfels of the model's own kind (solid/README 1.4).
 #pragma once
 
-#include "core/solid/patch.h"
+#include "core/solid/loops/patch.h"
 #include "core/surface/surface.h"
 
 namespace solid {

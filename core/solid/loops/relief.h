@@ -2,7 +2,7 @@
 // base go on in the hole.
 #pragma once
 
-#include "core/solid/patch.h"
+#include "core/solid/loops/patch.h"
 #include "core/surface/surface.h"
 
 namespace solid {

@@ -11,7 +11,7 @@
 #pragma once
 
 #include "core/base/progress.h"
-#include "core/solid/shape_patch.h"
+#include "core/solid/loops/shape_patch.h"
 
 #include <optional>
 

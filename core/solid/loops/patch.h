@@ -4,7 +4,7 @@
 
 #include "core/base/progress.h"
 #include "core/mesh/mesh.h"
-#include "core/solid/loop.h"
+#include "core/solid/loops/loop.h"
 
 #include <span>
 

@@ -4,7 +4,7 @@
 // Before: patchOver. After: patchNormals. Linear systems are Eigen's, which stays behind this header.
 #pragma once
 
-#include "core/solid/patch.h"
+#include "core/solid/loops/patch.h"
 #include "core/surface/surface.h"
 
 namespace solid {

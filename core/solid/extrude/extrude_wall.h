@@ -1,7 +1,7 @@
 // Surfels of a wall that a loop sweeps (solid/README 4.4). Inside this room only.
 #pragma once
 
-#include "core/solid/loop.h"
+#include "core/solid/loops/loop.h"
 
 #include <functional>
 

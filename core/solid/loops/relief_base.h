@@ -1,7 +1,7 @@
 // The smooth base under the relief about a hole, over a map of it (solid/README 1.5). Inside this room only.
 #pragma once
 
-#include "core/solid/patch.h"
+#include "core/solid/loops/patch.h"
 
 #include <memory>
 #include <span>

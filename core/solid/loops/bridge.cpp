@@ -1,12 +1,12 @@
-#include "core/solid/bridge.h"
+#include "core/solid/loops/bridge.h"
 
 #include "core/base/cancel_scope.h"
 #include "core/base/error.h"
 #include "core/process/estimation/part_progress.h"
-#include "core/solid/bridge_sheet.h"
-#include "core/solid/open_loops.h"
-#include "core/solid/patch_surfels.h"
-#include "core/solid/shape_patch.h"
+#include "core/solid/loops/bridge_sheet.h"
+#include "core/solid/loops/open_loops.h"
+#include "core/solid/loops/patch_surfels.h"
+#include "core/solid/loops/shape_patch.h"
 
 #include <tuple>
 

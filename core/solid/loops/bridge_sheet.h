@@ -2,7 +2,7 @@
 // cubic that begins and ends in the surface's tangent planes, as long as an arc of a circle would be.
 #pragma once
 
-#include "core/solid/patch.h"
+#include "core/solid/loops/patch.h"
 #include "core/surface/surface.h"
 
 namespace solid {

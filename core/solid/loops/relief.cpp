@@ -1,10 +1,10 @@
-#include "core/solid/relief.h"
+#include "core/solid/loops/relief.h"
 
 #include "core/base/cancel_scope.h"
 #include "core/base/parallel.h"
-#include "core/solid/relief_base.h"
-#include "core/solid/relief_texture.h"
-#include "core/solid/shape_patch.h"
+#include "core/solid/loops/relief_base.h"
+#include "core/solid/loops/relief_texture.h"
+#include "core/solid/loops/shape_patch.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
-#include "core/solid/patch.h"
+#include "core/solid/loops/patch.h"
 
 #include "core/base/cancel_scope.h"
 #include "core/mesh/connectivity/triangulation.h"
-#include "core/solid/loop_triangles.h"
+#include "core/solid/loops/loop_triangles.h"
 
 #include <map>
 #include <numbers>

@@ -1,7 +1,7 @@
-#include "core/solid/patch_surfels.h"
+#include "core/solid/loops/patch_surfels.h"
 
 #include "core/process/estimation/boundary_limit.h"
-#include "core/solid/shape_patch.h"
+#include "core/solid/loops/shape_patch.h"
 #include "core/surface/evaluation/attribute_sum.h"
 #include "core/surface/evaluation/weights.h"
 
