@@ -40,19 +40,22 @@ bool facesAnother(const tree::SurfelTree& tree, const surface::WindingNumber& wi
 ///
 ///     surface (1, 1/2, 0)    edge (1, 1/8 to 3/4, 0)    thin wall (0, 1/2, 0)    narrow gap (1, 1/2 to 1, 1)
 ///
-/// and so the sum of the second and the mean of the others is at most 2, and at least 2.4 inside of another.
-double around(const surface::WindingNumber& winding, const surfel::SurfelBlock& block, int slot) {
+/// and so the sum of the second and the mean of the others is at most 2, and at least 2.4 inside of another. With 1 - w
+/// in place of w the same is true of voids: what is solid and what is not change their parts.
+double around(const surface::WindingNumber& winding, const surfel::SurfelBlock& block, int slot, bool ofVoids) {
     constexpr double least = 0.9; // at what is inside, corners too
     const base::Vec3d x = base::cast<double>(block.position(slot)),
                       step = base::cast<double>(block.normal(slot)) * spacingOf(block.support(slot));
-    const double w = winding.at(x);
-    return w > least ? w + 0.5 * (winding.at(x + step) + winding.at(x - step)) : w;
+    const auto at = [&](const base::Vec3d& place) { return ofVoids ? 1 - winding.at(place) : winding.at(place); };
+    const double w = at(x);
+    return w > least ? w + 0.5 * (at(x + step) + at(x - step)) : w;
 }
 
 class Inside {
   public:
-    Inside(const tree::SurfelTree& tree, const base::Progress& progress)
-        : m_tree(tree), m_first(tree.firstSurfels()), m_found(tree.size()), m_progress(progress) {}
+    Inside(const tree::SurfelTree& tree, const base::Progress& progress, Overlaps overlaps)
+        : m_tree(tree), m_first(tree.firstSurfels()), m_found(tree.size()), m_progress(progress),
+          m_voids(overlaps == Overlaps::AndVoids) {}
 
     /// Of each surfel in tree order. Areas that are shared by all around fit everywhere but where sheets cross: there
     /// each has but half of its own. What may be beside such a place is asked with areas of sheets.
@@ -60,7 +63,7 @@ class Inside {
         constexpr double inside = 2.1, suspect = 1.6;
         const surface::WindingNumber whole(m_tree, process::part(m_progress, 0, 0.3));
         look([&](const surfel::SurfelBlock& block, int slot, Found) {
-            const double sum = around(whole, block, slot);
+            const double sum = mostAround(whole, block, slot);
             return sum > inside || facesAnother(m_tree, whole, block, slot) ? Found::Inside
                    : sum > suspect                                          ? Found::Suspect
                                                                             : Found::No;
@@ -71,7 +74,7 @@ class Inside {
             const surface::WindingNumber sheets(m_tree, process::part(m_progress, 0.5, 0.8), surface::Areas::Sheet);
             look([&](const surfel::SurfelBlock& block, int slot, Found before) {
                 const bool in =
-                    before == Found::Inside || (isNear(near, block, slot) && around(sheets, block, slot) > inside);
+                    before == Found::Inside || (isNear(near, block, slot) && mostAround(sheets, block, slot) > inside);
                 return in ? Found::Inside : Found::No;
             });
         }
@@ -82,6 +85,11 @@ class Inside {
 
   private:
     enum class Found : std::uint8_t { No, Suspect, Inside };
+
+    double mostAround(const surface::WindingNumber& winding, const surfel::SurfelBlock& block, int slot) const {
+        const double sum = around(winding, block, slot, false);
+        return m_voids ? std::max(sum, around(winding, block, slot, true)) : sum;
+    }
 
     /// found(block, slot, before) for all. In parallel.
     template <class Fn>
@@ -115,12 +123,14 @@ class Inside {
     std::vector<std::size_t> m_first;
     std::vector<Found> m_found;
     const base::Progress& m_progress;
+    bool m_voids;
 };
 
 } // namespace
 
-std::vector<std::uint8_t> insideOthers(const tree::SurfelTree& tree, const base::Progress& progress) {
-    return Inside(tree, progress).run();
+std::vector<std::uint8_t> insideOthers(const tree::SurfelTree& tree, const base::Progress& progress,
+                                       Overlaps overlaps) {
+    return Inside(tree, progress, overlaps).run();
 }
 
 } // namespace solid

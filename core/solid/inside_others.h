@@ -6,8 +6,13 @@
 
 namespace solid {
 
+/// What overlaps: matter with matter alone, or also what was taken away with what there was nothing of, as where a part
+/// was pushed in and out on the other side.
+enum class Overlaps { OfMatter, AndVoids };
+
 /// True for those, and for those that lie on another part and face it; in tree order. In parallel. REQUIRES: oriented
 /// normals. Throws base::Cancelled.
-std::vector<std::uint8_t> insideOthers(const tree::SurfelTree& tree, const base::Progress& progress = {});
+std::vector<std::uint8_t> insideOthers(const tree::SurfelTree& tree, const base::Progress& progress = {},
+                                       Overlaps overlaps = Overlaps::OfMatter);
 
 } // namespace solid

@@ -4,7 +4,6 @@
 #include "core/base/parallel.h"
 #include "core/process/cleaning/list_change.h"
 #include "core/process/estimation/part_progress.h"
-#include "core/solid/inside_others.h"
 #include "core/solid/link_creases.h"
 
 #include <algorithm>
@@ -18,7 +17,8 @@ namespace {
 /// Parts meet where what stays on one looks at what stays on another over a place where something went.
 class Seam {
   public:
-    Seam(const cells::SurfelLinks& links, const tree::SurfelTree& gone) : m_links(links), m_turn(links.size()) {
+    Seam(const cells::SurfelLinks& links, const tree::SurfelTree& gone, Overlaps overlaps)
+        : m_links(links), m_turn(links.size()), m_voids(overlaps == Overlaps::AndVoids) {
         base::parallelChunks(m_turn.size(), 512, [&](std::size_t begin, std::size_t end, std::size_t) {
             std::vector<tree::Neighbour> near;
             for (std::size_t i = begin; i < end; ++i) {
@@ -32,16 +32,16 @@ class Seam {
             }
         });
     }
-    /// Does the link lead over the seam? Both ends are above each other's planes there, which turn by more than they do
-    /// between neighbours of one part.
+    /// Does the link lead over the seam? Both ends are above each other's planes there, below them around voids, and
+    /// turn by more than they do between neighbours of one part.
     bool crosses(std::uint32_t a, std::uint32_t b) const {
         constexpr float usually = 1.5f;
         const Vec3f way = m_links.surfel(b).position - m_links.surfel(a).position;
         if (std::isinf(std::max(m_turn[a], m_turn[b])))
             return false;
         const float most = usually * std::min(m_turn[a], m_turn[b]) * length(way);
-        return dot(m_links.surfel(a).normal, way) > 0 && dot(m_links.surfel(b).normal, way) < 0 &&
-               turn(a, b) > std::max(least, most);
+        const float ahead = dot(m_links.surfel(a).normal, way), back = -dot(m_links.surfel(b).normal, way);
+        return ((ahead > 0 && back > 0) || (m_voids && ahead < 0 && back < 0)) && turn(a, b) > std::max(least, most);
     }
 
   private:
@@ -67,14 +67,16 @@ class Seam {
 
     const cells::SurfelLinks& m_links;
     std::vector<float> m_turn; ///< infinity where nothing went near by
+    bool m_voids;
 };
 
 /// With creases where parts meet.
-surface::Surface creased(const surface::Surface& surface, const tree::SurfelTree& gone, std::size_t& atSeam) {
+surface::Surface creased(const surface::Surface& surface, const tree::SurfelTree& gone, Overlaps overlaps,
+                         std::size_t& atSeam) {
     return creasedWhere(
         surface,
         [&](const cells::SurfelLinks& links) -> LeadsOver {
-            return [seam = std::make_shared<Seam>(links, gone), &links](std::uint32_t a, std::uint32_t e) {
+            return [seam = std::make_shared<Seam>(links, gone, overlaps), &links](std::uint32_t a, std::uint32_t e) {
                 return seam->crosses(a, links.link(e).other);
             };
         },
@@ -83,10 +85,10 @@ surface::Surface creased(const surface::Surface& surface, const tree::SurfelTree
 
 } // namespace
 
-Combined merged(const surface::Surface& model, bool creases, const base::Progress& progress) {
+Combined merged(const surface::Surface& model, bool creases, const base::Progress& progress, Overlaps overlaps) {
     requireSolid(model);
     progress.step(0, "Looking for what lies inside");
-    const std::vector<std::uint8_t> goes = insideOthers(model.tree(), process::part(progress, 0, 0.6));
+    const std::vector<std::uint8_t> goes = insideOthers(model.tree(), process::part(progress, 0, 0.6), overlaps);
     const surfel::SurfelList surfels = model.tree().surfels();
     surfel::SurfelList gone; // places are all that is asked of these
     for (std::size_t i = 0; i < goes.size(); ++i)
@@ -99,7 +101,7 @@ Combined merged(const surface::Surface& model, bool creases, const base::Progres
         return out;
     progress.step(0.6, "Joining");
     const base::CancelScope scope(progress.cancel);
-    out.surface = creased(out.surface, tree::SurfelTree::build(gone), out.atSeam);
+    out.surface = creased(out.surface, tree::SurfelTree::build(gone), overlaps, out.atSeam);
     return out;
 }
 

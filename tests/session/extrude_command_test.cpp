@@ -18,6 +18,7 @@ class ExtrudeCommandTest : public QObject {
     void eachIsAStepThatUndoAndReplayBringBack();
     void whatMovedStaysSelected();
     void strokesGoOnOverItsEdges();
+    void whatRunsThroughTheModelIsTold();
     void wrongNumbersAreRefused();
 };
 
@@ -34,7 +35,8 @@ void ExtrudeCommandTest::eachIsAStepThatUndoAndReplayBringBack_data() {
     QTest::addColumn<QString>("line");
     for (const char* line :
          {R"({"op":"extrude","length":0.4})", R"({"op":"extrude","length":-0.3,"creases":false})",
-          R"({"op":"extrude","length":0.4,"direction":"0.3,0,1"})", R"({"op":"extrude","what":"loop","length":0.3})",
+          R"({"op":"extrude","length":0.4,"direction":"0.3,0,1"})", R"({"op":"extrude","length":-2.2,"merge":true})",
+          R"({"op":"extrude","what":"loop","length":0.3})",
           R"({"op":"extrude","what":"loop","length":0.3,"loop":0,"direction":[0,0.2,1]})"})
         QTest::newRow(line) << line;
 }
@@ -70,6 +72,23 @@ void ExtrudeCommandTest::strokesGoOnOverItsEdges() {
         bench.document.surface().tree().validate();
         QVERIFY(mesh::extentOf(bench.document.surface()).closed);
     }
+}
+
+void ExtrudeCommandTest::whatRunsThroughTheModelIsTold() {
+    for (const bool merge : {false, true}) {
+        Workbench bench;
+        openPart(bench);
+        bench.run({{"op", "extrude"}, {"length", -2.2}, {"merge", merge}});
+        QVERIFY(bench.context.messages.back().find(merge ? "both are one" : "\"merge\" makes one") !=
+                std::string::npos);
+        QVERIFY(bench.context.figures.at("crossings") > 0);
+    }
+    Workbench bench;
+    openPart(bench);
+    bench.run({{"op", "extrude"}, {"length", -0.3}});
+    QCOMPARE(bench.context.figures.at("crossings"), 0.0);
+    QVERIFY(bench.refusal({{"op", "extrude"}, {"length", 1}, {"what", "loop"}, {"merge", true}}).find("merge") !=
+            std::string::npos);
 }
 
 void ExtrudeCommandTest::wrongNumbersAreRefused() {

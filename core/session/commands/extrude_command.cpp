@@ -3,23 +3,44 @@
 #include "core/session/commands/commands.h"
 #include "core/session/commands/selected/limits.h"
 #include "core/session/number_text_list.h"
+#include "core/session/place_text.h"
 #include "core/solid/extrude/extrude.h"
 
 #include <nlohmann/json.hpp>
 
 namespace session {
 
+/// What ran through the model, and what became or could become of it.
+static void tellCrossings(Context& context, const solid::Extruded& result, const nlohmann::json& complete) {
+    const bool merge = complete.at("merge"), selected = complete.at("what") == "selection";
+    context.figures["crossings"] = static_cast<double>(result.crossings.rays);
+    if (result.crossings.rays == 0)
+        return;
+    const std::string where = "near " +
+                              placeText(result.crossings.place + context.document.provenance().origin,
+                                        std::abs(complete.at("length").get<double>())) +
+                              " it runs through the model";
+    context.messages.push_back(merge ? "On its way " + where + ": " + std::to_string(result.inside) +
+                                           " points inside of each other went, and both are one."
+                                     : "On its way " + where + ", or lies on it; a shorter length keeps clear" +
+                                           (selected ? ", \"merge\" makes one solid of both." : "."));
+}
+
 static void extrude(Context& context, const nlohmann::json& complete) {
     requireModel(context);
     solid::ExtrudeOptions options;
     options.length = complete.at("length");
     options.creases = complete.at("creases");
+    options.merge = complete.at("merge");
     if (complete.contains("direction"))
         options.direction = directionOf(complete.at("direction").get<std::string>(), "direction");
     const bool selected = complete.at("what") == "selection";
     if (selected && complete.contains("loop"))
         throw base::Error("\"loop\" has no say where a selection is extruded", {},
                           "leave it out, or say \"what\":\"loop\"");
+    if (!selected && options.merge)
+        throw base::Error("\"merge\" has no say where a wall is put along a loop: what is open bounds no solid", {},
+                          "leave it out");
     if (selected)
         requireSelection(context);
     const surface::Surface& surface = context.document.surface();
@@ -31,6 +52,7 @@ static void extrude(Context& context, const nlohmann::json& complete) {
         (selected ? std::to_string(result.moved) + " points were moved, and walls of " : "A wall of ") +
         std::to_string(result.walls) + (selected ? " points were added" : " points was added") +
         (result.atEdge > 0 ? "; its edges are sharp." : "."));
+    tellCrossings(context, result, complete);
     context.figures["moved"] = static_cast<double>(result.moved);
     context.figures["walls"] = static_cast<double>(result.walls);
     context.document.commit(std::move(result.surface), "Extrude", layers::How::Keep);
@@ -49,6 +71,10 @@ CommandRow extrudeCommand() {
         {"loop", "integer", "",
          "which boundary loop: longest first, from 0, as boundary lists them; may be left out where there is one",
          "null", "", 0, largestCount},
+        {"merge", "boolean", "",
+         "where what moves runs through the model: what is inside of each other goes, and both are one solid, or "
+         "a hole goes through",
+         "false", "", 0, 0},
         {"creases", "boolean", "", "edges stay sharp; else they are round over about a support", "true", "", 0, 0},
     };
     return {"extrude",

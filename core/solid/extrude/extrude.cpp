@@ -5,10 +5,13 @@
 #include "core/cells/creases/labelled_surface.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/process/resampling/point_grid.h"
+#include "core/solid/extrude/crossings.h"
 #include "core/solid/extrude/extrude_wall.h"
+#include "core/solid/extrude/lying_walls.h"
 #include "core/solid/extrude/seam_border.h"
 #include "core/solid/link_creases.h"
 #include "core/solid/loops/open_loops.h"
+#include "core/solid/merge.h"
 #include "core/surface/projection/project.h"
 
 #include <algorithm>
@@ -61,42 +64,6 @@ surface::Surface withEdges(const surface::Surface& surface, const Made& made, st
         },
         atEdge);
 }
-
-/// A part of a model, as a list of flags and a surface of its own.
-class Part {
-  public:
-    Part(const surface::Surface& surface, const tree::Selection& selected)
-        : m_surface(surface), m_in(surface.tree().size(), 0) {
-        const std::vector<std::size_t> first = surface.tree().firstSurfels();
-        for (const tree::SelectedBlock& each : selected)
-            for (std::size_t slot = 0; slot < each.slots.size(); ++slot)
-                if (each.slots[slot])
-                    m_in[first[each.block] + slot] = 1;
-    }
-    std::size_t size() const { return static_cast<std::size_t>(std::count(m_in.begin(), m_in.end(), 1)); }
-    bool holds(std::size_t number) const { return m_in[number] != 0; }
-    void put(std::size_t number, bool in) { m_in[number] = in ? 1 : 0; }
-
-    /// The part, or what is beside it.
-    surfel::SurfelList surfels(bool in) const {
-        surfel::SurfelList out;
-        out.layout = m_surface.tree().layout();
-        std::vector<std::uint32_t> words(out.layout->words());
-        std::size_t number = 0;
-        m_surface.tree().forEachBlock([&](std::uint32_t, const SurfelBlock& block) {
-            for (int slot = 0; slot < block.size(); ++slot, ++number)
-                if (holds(number) == in) {
-                    block.extra(slot, words);
-                    out.append(block.surfel(slot), words);
-                }
-        });
-        return out;
-    }
-
-  private:
-    const surface::Surface& m_surface;
-    std::vector<std::uint8_t> m_in;
-};
 
 /// The border of a part: where o reaches L, pulled back to where the area of its outermost surfels ends. Of a
 /// half-plane under Wendland's C2 kernel o is .35 h so far beyond its edge: at the edge itself, where it is .21 h, gaps
@@ -192,6 +159,54 @@ tree::SurfelTree treeOf(const surfel::SurfelList& list) {
     return list.size() > 0 ? tree::SurfelTree::build(list) : tree::SurfelTree();
 }
 
+/// Where a part borders on the rest of the model, laid onto its sharp edges. Throws base::Error where it does not.
+struct Borders {
+    std::vector<Loop> loops;
+    std::vector<std::vector<std::uint8_t>> stands;
+};
+
+Borders bordersWithRest(const surface::Surface& surface, const Part& part, const surface::SurfaceDefinition& definition,
+                        const base::Progress& progress) {
+    constexpr std::size_t reach = 4; // of raggedness, in spacings
+    const surface::Surface alone{tree::SurfelTree::build(part.surfels(true)), definition};
+    const tree::SurfelTree rest = tree::SurfelTree::build(part.surfels(false));
+    const std::vector<cells::SeamLine> seams = cells::seamLines(surface, process::part(progress, 0, 0.3));
+    Borders out;
+    for (const surface::BoundaryCurve& curve : bordersOf(alone, process::part(progress, 0.3, 0.6))) {
+        Loop loop = evenLoop(alone, curve, 1, behind);
+        straighten(loop, reach);
+        layOnto(seams, loop);
+        std::vector<std::uint8_t> where = besideRest(loop, rest);
+        if (std::ranges::count(where, 1) == 0) // the model ends there, too
+            continue;
+        out.loops.push_back(std::move(loop));
+        out.stands.push_back(std::move(where));
+    }
+    if (out.loops.empty())
+        throw base::Error("what is selected has no border with the rest of the model", "extrude",
+                          "select a part of it, or move it as a whole");
+    return out;
+}
+
+/// What moved, and its walls, in the place of the part and of what walls cover.
+tree::SurfelTree replaced(const tree::SurfelTree& tree, const Part& part, const std::vector<std::uint8_t>& covered,
+                          const surfel::SurfelList& moved, const surfel::SurfelList& walls) {
+    tree::Edit edit;
+    edit.inserted = moved;
+    edit.inserted.items.insert(edit.inserted.items.end(), walls.items.begin(), walls.items.end());
+    edit.inserted.extra.insert(edit.inserted.extra.end(), walls.extra.begin(), walls.extra.end());
+    std::size_t number = 0;
+    tree.forEachBlock([&](std::uint32_t block, const SurfelBlock& content) {
+        tree::BlockEdit change{block, {}, {}};
+        for (int slot = 0; slot < content.size(); ++slot, ++number)
+            change.removed[static_cast<std::size_t>(slot)] =
+                part.holds(number) || (!covered.empty() && covered[number] != 0);
+        if (change.removed.any())
+            edit.blocks.push_back(change);
+    });
+    return tree.apply(edit);
+}
+
 } // namespace
 
 Extruded extrudeSelected(const surface::Surface& surface, const tree::Selection& selected,
@@ -210,30 +225,15 @@ Extruded extrudeSelected(const surface::Surface& surface, const tree::Selection&
     surface::SurfaceDefinition definition = surface.definition();
     definition.boundary = surface::Boundary::Limit;
     definition.boundaryLimit = limitOfBorder;
-    const surface::Surface alone{tree::SurfelTree::build(part.surfels(true)), definition};
-    const tree::SurfelTree rest = tree::SurfelTree::build(part.surfels(false));
-    const std::vector<cells::SeamLine> seams = cells::seamLines(surface, process::part(progress, 0, 0.3));
-    constexpr std::size_t reach = 4; // of raggedness, in spacings
-    std::vector<Loop> loops;
-    std::vector<std::vector<std::uint8_t>> stands;
-    for (const surface::BoundaryCurve& curve : bordersOf(alone, process::part(progress, 0.3, 0.6))) {
-        Loop loop = evenLoop(alone, curve, 1, behind);
-        straighten(loop, reach);
-        layOnto(seams, loop);
-        std::vector<std::uint8_t> where = besideRest(loop, rest);
-        if (std::ranges::count(where, 1) == 0) // the model ends there, too
-            continue;
-        loops.push_back(std::move(loop));
-        stands.push_back(std::move(where));
-    }
-    if (loops.empty())
-        throw base::Error("what is selected has no border with the rest of the model", "extrude",
-                          "select a part of it, or move it as a whole");
+    auto [loops, stands] = bordersWithRest(surface, part, definition, progress);
     takeSides(surface, loops, stands, part);
 
     surfel::SurfelList moved = part.surfels(true), walls;
     const Vec3d way = directionOf(moved, options) * options.length;
     const tree::SurfelTree left = tree::SurfelTree::build(part.surfels(false));
+    const Crossings crossings =
+        crossingsOf({{tree::SurfelTree::build(moved), definition}, {left, definition}, loops, stands, way},
+                    process::part(progress, 0.6, 0.8));
     walls.layout = moved.layout;
     for (std::size_t l = 0; l < loops.size(); ++l) {
         // walls go on from the rest, whose loop runs the other way
@@ -245,22 +245,23 @@ Extruded extrudeSelected(const surface::Surface& surface, const tree::Selection&
     }
     for (surfel::Surfel& s : moved.items)
         s.position = base::cast<float>(base::cast<double>(s.position) + way);
-    tree::Edit edit;
-    edit.inserted = moved;
-    edit.inserted.items.insert(edit.inserted.items.end(), walls.items.begin(), walls.items.end());
-    edit.inserted.extra.insert(edit.inserted.extra.end(), walls.extra.begin(), walls.extra.end());
-    std::size_t number = 0;
-    surface.tree().forEachBlock([&](std::uint32_t block, const SurfelBlock& content) {
-        tree::BlockEdit change{block, {}, {}};
-        for (int slot = 0; slot < content.size(); ++slot, ++number)
-            change.removed[static_cast<std::size_t>(slot)] = part.holds(number);
-        if (change.removed.any())
-            edit.blocks.push_back(change);
-    });
-    Extruded out{{surface.tree().apply(edit), surface.definition()}, moved.size(), walls.size(), 0};
+    std::vector<std::uint8_t> covered;
+    const bool merges = options.merge && crossings.rays > 0;
+    if (merges)
+        takeLying(surface, part, walls, covered);
+    Extruded out{{replaced(surface.tree(), part, covered, moved, walls), surface.definition()},
+                 moved.size(),
+                 walls.size(),
+                 0,
+                 crossings,
+                 static_cast<std::size_t>(std::ranges::count(covered, 1))};
     progress.step(0.8, "Sharpening edges");
     if (options.creases && surface.tree().layout()->oriented)
         out.surface = withEdges(out.surface, {treeOf(moved), treeOf(walls)}, out.atEdge);
+    if (merges) {
+        Combined whole = merged(out.surface, options.creases, process::part(progress, 0.85, 1), Overlaps::AndVoids);
+        out.surface = std::move(whole.surface), out.inside += whole.removed, out.atEdge += whole.atSeam;
+    }
     return out;
 }
 
@@ -295,7 +296,11 @@ Extruded extrudeLoop(const surface::Surface& surface, std::optional<std::size_t>
     wallAlong(loop, way, {}, surface.tree(), surface.definition(), walls);
     tree::Edit edit;
     edit.inserted = walls;
-    Extruded out{{surface.tree().apply(edit), surface.definition()}, 0, walls.size(), 0};
+    Extruded out{{surface.tree().apply(edit), surface.definition()}, 0, walls.size(), 0, {}, 0};
+    std::vector<Vec3d> ways;
+    for (std::size_t i = 0; i < loop.size(); ++i)
+        ways.push_back(way(i));
+    out.crossings = crossingsOf(surface, loop, ways);
     progress.step(0.8, "Sharpening edges");
     if (options.creases && surface.tree().layout()->oriented)
         out.surface = withEdges(out.surface, {{}, treeOf(walls)}, out.atEdge);

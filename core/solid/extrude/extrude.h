@@ -4,12 +4,14 @@
 //     findBoundaryCurves       surface/curves/boundary_curves.h
 //     evenLoop                 loop.h
 //     wallAlong                extrude_wall.h
+//     crossingsOf              crossings.h
 //     creasedWhere             link_creases.h
 //
 // Surfels that stay keep every bit, but for labels beside the edges. The same bits at any thread count.
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/solid/extrude/crossings.h"
 #include "core/surface/surface.h"
 #include "core/tree/selection.h"
 
@@ -21,6 +23,7 @@ struct ExtrudeOptions {
     double length = 0;                    ///< model units; below 0 against the direction
     std::optional<base::Vec3d> direction; ///< unit; none: along the normal
     bool creases = true;                  ///< label both sides of the edges, so that they stay sharp
+    bool merge = false; ///< where what moves runs through the model, make one solid of both (of selections alone)
 };
 
 struct Extruded {
@@ -28,6 +31,8 @@ struct Extruded {
     std::size_t moved = 0;  ///< surfels
     std::size_t walls = 0;  ///< surfels that came
     std::size_t atEdge = 0; ///< surfels beside the edges, where these are creases
+    Crossings crossings;    ///< with the model, on the way
+    std::size_t inside = 0; ///< surfels that merging took out
 };
 
 /// What is selected goes along the direction, or its mean normal, as one piece; where it bordered on the rest walls
