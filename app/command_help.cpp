@@ -87,12 +87,22 @@ static constexpr const char* exampleSession =
     R"(  {"op":"save","path":"ridge.ply"})"
     "\n\n";
 
+std::string hiddenHelp() {
+    std::string spared;
+    for (const session::CommandRow& row : session::commandTable())
+        if (row.hidden == session::HiddenParts::Spared)
+            spared += (spared.empty() ? "" : ", ") + std::string(row.op);
+    return "Hidden parts of a model (hide) are spared by " + spared +
+           ". All other commands work on the whole model, and say how many hidden surfels they changed.";
+}
+
 std::string commandHelp() {
     std::string out = std::string(exampleSession) +
                       "Commands: one JSON object per line; lines that begin with # are comments; relative paths start "
                       "in the session's folder:\n";
     for (const session::CommandRow& row : session::commandTable())
         out += std::string("  ") + row.op + ": " + row.tip + "\n" + parametersHelp(row);
+    out += hiddenHelp() + "\n";
     out += "Stroke tools and their own parameters:\n" + toolHelp();
     out.pop_back(); // help ends its last line
     return out;

@@ -10,6 +10,9 @@ namespace app {
 /// "number, above 0, model units, default 1"
 std::string detailsOf(const session::CommandParameter& parameter);
 
+/// Which commands spare what is hidden: one sentence from the table.
+std::string hiddenHelp();
+
 std::string commandHelp();
 
 } // namespace app

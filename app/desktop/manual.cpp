@@ -124,7 +124,8 @@ std::string commands() {
     std::string out =
         "<p>One JSON object a line, as the journal writes them: <code>{\"op\":\"undo\"}</code>. Lines that "
         "begin with # are comments, and relative paths start in the session's folder. <code>pointclay run "
-        "FILE</code> executes them without a window.</p>\n";
+        "FILE</code> executes them without a window.</p>\n<p>" +
+        escapedMarkup(hiddenHelp()) + "</p>\n";
     for (const session::CommandRow& each : session::commandTable()) {
         out += "<h3>" + code(each.op) + "</h3>\n<p>" + escapedMarkup(each.tip) + "</p>\n";
         if (each.parameters.empty())

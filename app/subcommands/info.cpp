@@ -8,6 +8,7 @@
 #include "core/mesh/surface_traits.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/process/estimation/spacing.h"
+#include "core/selection/field.h"
 #include "core/session/document.h"
 #include "core/session/opened_file.h"
 #include "core/session/scene/models_read.h"
@@ -77,6 +78,7 @@ void describeSurface(ordered_json& out, session::OpenedFile file, const base::Pr
         out["cells"] = definition.manifold == surface::Manifold::Complex ? definition.connectivity->cells.size()
                                                                          : cells::countCells(surfels).cells;
         out["shapes"] = anyEllipsoid(surfels);
+        countParts(out, made.surface.tree());
         std::vector<float> supports;
         for (const surfel::Surfel& s : surfels.items)
             supports.push_back(s.support);

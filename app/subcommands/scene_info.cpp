@@ -1,5 +1,7 @@
 #include "app/subcommands/scene_info.h"
 
+#include "core/selection/field.h"
+
 #include <nlohmann/json.hpp>
 
 namespace app {
@@ -26,6 +28,14 @@ base::Box3d boundsOf(const session::SceneModel& model) {
 
 } // namespace
 
+void countParts(ordered_json& out, const tree::SurfelTree& tree) {
+    using selection::Field;
+    for (const auto& [key, field] : {std::pair("selected", Field::Selection), std::pair("hidden", Field::Hidden)})
+        if (const surfel::Attribute* own = tree.layout()->find(selection::attributeName(field));
+            own && own->type == surfel::ScalarType::Float32)
+            out[key] = sizeOf(selection::selectedIn(tree, field));
+}
+
 ordered_json infoOf(const session::Scene& scene) {
     ordered_json models = ordered_json::array();
     std::size_t surfels = 0;
@@ -44,6 +54,7 @@ ordered_json infoOf(const session::Scene& scene) {
                           {"locked", model.locked},
                           {"active", k == scene.active},
                           {"matrix", session::matrixOf(model.pose)}});
+        countParts(models.back(), model.surface.tree());
     }
     return {{"surfels", surfels},
             {"bounds", textOf(all)},

@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/layers/layer_words.h"
 #include "core/process/estimation/rim_samples.h"
+#include "core/surface/definition.h"
 
 #include <algorithm>
 
@@ -130,6 +131,91 @@ SurfelTree grafted(const SurfelTree& whole, const SurfelTree& before, const Surf
         edit.inserted.append(each.block->surfel(each.slot), words);
     }
     return whole.apply(edit);
+}
+
+Step stepBesideHidden(const SurfelTree& whole, const SurfelTree& before, const SurfelTree& after) {
+    constexpr float beside = 1.6f; // spacings
+    constexpr std::size_t looked = 12;
+    const int channel = channelOf(*whole.layout(), Field::Hidden);
+    Step out;
+    std::vector<tree::Neighbour> near;
+    for (const surfel::BlockPtr& block : diff(before, after).added)
+        for (int slot = 0; slot < block->size(); ++slot) {
+            const base::Vec3f x = block->position(slot);
+            const float spacing = block->support(slot) * static_cast<float>(surface::spacingOfUnit);
+            whole.nearest(x, looked, near);
+            for (const tree::Neighbour& each : near) {
+                const base::Vec3f way = x - each.block->position(each.slot), n = each.block->normal(each.slot);
+                const float height = std::abs(dot(way, n));
+                if (valueAt(*each.block, channel, each.slot) < half ||
+                    length(way - n * dot(way, n)) > beside * spacing || dot(n, block->normal(slot)) < 0 ||
+                    !(height > static_cast<float>(out.spacings) * spacing))
+                    continue;
+                out = {static_cast<double>(height / spacing), static_cast<double>(height), x};
+            }
+        }
+    return out;
+}
+
+namespace {
+
+/// What of a surfel is its shape.
+using Shape = std::array<float, 7>;
+
+Shape shapeOf(const SurfelBlock& block, int slot) {
+    const base::Vec3f p = block.position(slot), n = block.normal(slot);
+    return {p.x, p.y, p.z, n.x, n.y, n.z, block.support(slot)};
+}
+
+/// Sorted; of a channel's hidden surfels alone unless that is -1.
+std::vector<Shape> shapesIn(const std::vector<surfel::BlockPtr>& blocks, int channel) {
+    std::vector<Shape> out;
+    for (const surfel::BlockPtr& block : blocks)
+        for (int slot = 0; slot < block->size(); ++slot)
+            if (channel < 0 || valueAt(*block, channel, slot) >= half)
+                out.push_back(shapeOf(*block, slot));
+    std::ranges::sort(out);
+    return out;
+}
+
+} // namespace
+
+std::size_t hiddenChanged(const SurfelTree& before, const SurfelTree& after) {
+    const int channel = channelOf(*before.layout(), Field::Hidden);
+    if (channel < 0 || before == after)
+        return 0;
+    const tree::Diff difference = diff(before, after);
+    const std::vector<Shape> was = shapesIn(difference.removed, channel), is = shapesIn(difference.added, -1);
+    std::vector<Shape> gone;
+    std::ranges::set_difference(was, is, std::back_inserter(gone));
+    return gone.size();
+}
+
+SurfelTree hiddenSpared(const SurfelTree& before, const SurfelTree& after) {
+    const int channel = channelOf(*before.layout(), Field::Hidden);
+    if (channel < 0)
+        return after;
+    const std::vector<const SurfelBlock*> was = blocksOf(before), is = blocksOf(after);
+    tree::Edit edit;
+    for (std::size_t b = 0; b < is.size(); ++b) {
+        if (was[b] == is[b])
+            continue;
+        surfel::MutableBlockPtr kept;
+        for (int slot = 0; slot < is[b]->size(); ++slot)
+            if (valueAt(*was[b], channel, slot) >= half) {
+                if (!kept)
+                    kept = is[b]->clone();
+                const int cluster = slot / clusterSize, lane = slot % clusterSize,
+                          channels = surfel::Extra + static_cast<int>(kept->extraWords());
+                for (int word = 0; word < channels; ++word)
+                    kept->words(cluster, word)[lane] = was[b]->words(cluster, word)[lane];
+            }
+        if (kept) {
+            kept->seal();
+            edit.blocks.push_back({static_cast<std::uint32_t>(b), kept, {}});
+        }
+    }
+    return after.apply(edit);
 }
 
 } // namespace selection

@@ -27,4 +27,19 @@ surface::Surface shownOf(const surface::Surface& surface);
 /// keeps every bit. Cost: the blocks that differ. REQUIRES: layouts of the same words.
 tree::SurfelTree grafted(const tree::SurfelTree& whole, const tree::SurfelTree& before, const tree::SurfelTree& after);
 
+/// The highest step between what a stroke changed of what is shown, in spacings there, and what is hidden beside it in
+/// `whole`, and where; below 1/2 nothing is to be seen. Cost: the blocks that differ.
+struct Step {
+    double spacings = 0, height = 0; ///< model units
+    base::Vec3f place;
+};
+Step stepBesideHidden(const tree::SurfelTree& whole, const tree::SurfelTree& before, const tree::SurfelTree& after);
+
+/// How many hidden surfels of `before` are not in `after`, at the same place with the same normal and support. Cost:
+/// the blocks that differ; nothing where nothing is hidden.
+std::size_t hiddenChanged(const tree::SurfelTree& before, const tree::SurfelTree& after);
+
+/// `after` with what is hidden as it was before. REQUIRES: the same surfels in the same blocks, and the same words.
+tree::SurfelTree hiddenSpared(const tree::SurfelTree& before, const tree::SurfelTree& after);
+
 } // namespace selection

@@ -61,6 +61,12 @@ struct Context {
     std::function<void(const nlohmann::json& complete)> recorded = {};
 };
 
+/// What a command does to parts of the model that are hidden (selection/README 10).
+enum class HiddenParts {
+    Included, ///< the model is one: they change along with it, and the executor says how many surfels that were
+    Spared    ///< they keep their shape, colour and mask
+};
+
 struct CommandRow {
     const char* op;
     const char* label;
@@ -72,6 +78,7 @@ struct CommandRow {
     /// Parameters that depend on others (a tool's own): throws base::Error for one that is unknown or out of range.
     /// Null where there are none.
     void (*checkFurther)(const nlohmann::json& command, const std::string& key, const nlohmann::json& value);
+    HiddenParts hidden = HiddenParts::Included;
 };
 
 std::span<const CommandRow> commandTable();

@@ -6,6 +6,7 @@
 #include "core/selection/hidden.h"
 #include "core/session/command.h"
 #include "core/session/commands/commands.h"
+#include "core/session/place_text.h"
 #include "core/session/stroke_edges.h"
 #include "core/session/stroke_json.h"
 #include "core/surface/definition_text.h"
@@ -89,6 +90,20 @@ surface::Surface LiveStroke::withItsEdges() {
     return again.surface();
 }
 
+void LiveStroke::tellOfStep(const tree::SurfelTree& done) {
+    constexpr double seen = 0.5; // spacings
+    const selection::Step step = selection::stepBesideHidden(m_context.document.surface().tree(), m_start.tree(), done);
+    if (step.spacings < seen)
+        return;
+    std::ostringstream height;
+    height.precision(3);
+    height << step.height;
+    m_context.messages.push_back(
+        "A step of " + height.str() + " is left beside what is hidden, at " +
+        placeText(base::cast<double>(step.place) + m_context.document.provenance().origin, step.height) +
+        ": smooth it once that is shown, or mask there first.");
+}
+
 bool LiveStroke::finish() {
     const base::CancelScope scope(m_context.progress.cancel);
     m_stroke.finish();
@@ -98,8 +113,10 @@ bool LiveStroke::finish() {
     if (done.tree() == m_start.tree())
         return false;
     const surface::Surface& whole = m_context.document.surface();
-    if (!(m_start.tree() == whole.tree()))
+    if (!(m_start.tree() == whole.tree())) {
+        tellOfStep(done.tree());
         done = {selection::grafted(whole.tree(), m_start.tree(), done.tree()), whole.definition()};
+    }
     m_context.document.commit(done, label(), layers::How::Keep);
     record(m_context, line());
     return true;

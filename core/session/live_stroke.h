@@ -41,6 +41,7 @@ class LiveStroke {
 
   private:
     surface::Surface withItsEdges();
+    void tellOfStep(const tree::SurfelTree& done); ///< beside hidden parts
 
     Context& m_context;
     sculpt::StrokeSettings m_settings;

@@ -1,6 +1,7 @@
 // The one executor: check, run, roll back on failure, validate in debug builds, journal.
 #include "core/base/cancel_scope.h"
 #include "core/complexes/complex.h"
+#include "core/selection/hidden.h"
 #include "core/session/command.h"
 #include "core/session/journal.h"
 
@@ -31,6 +32,19 @@ static void requireFree(const Scene& before, const Scene& now) {
     }
 }
 
+/// Nobody saw what is hidden change.
+static void tellOfHidden(const Scene& before, Context& context) {
+    const Scene& now = context.document.scene();
+    std::size_t count = 0;
+    for (const SceneModel& was : before.models)
+        if (const int at = now.indexOf(was.id); was.id != 0 && at >= 0)
+            count +=
+                selection::hiddenChanged(was.surface.tree(), now.models[static_cast<std::size_t>(at)].surface.tree());
+    if (count > 0)
+        context.messages.push_back(std::to_string(count) +
+                                   " hidden surfels changed as well: this works on the whole model.");
+}
+
 static void execute(const CommandRow& row, Context& context, const nlohmann::json& complete) {
     const base::CancelScope scope(context.progress.cancel);
     const Document before = context.document;
@@ -39,6 +53,8 @@ static void execute(const CommandRow& row, Context& context, const nlohmann::jso
         requireSound(context.document.surface(), before.surface());
         if (!walksHistory(row))
             requireFree(before.scene(), context.document.scene());
+        if (row.changesModel && !row.startsModel && !walksHistory(row) && row.hidden == HiddenParts::Included)
+            tellOfHidden(before.scene(), context);
 #ifndef NDEBUG
         context.document.surface().tree().validate();
 #endif

@@ -36,6 +36,9 @@ class HideCommandTest : public QObject {
     void whatIsHiddenIsShownWhereNothingElseIsLeft();
     void filesKeepWhatIsHidden();
     void modelsBesideShowNoHiddenParts();
+    void commandsSpareWhatIsHiddenOrSayThatTheyDoNot_data();
+    void commandsSpareWhatIsHiddenOrSayThatTheyDoNot();
+    void stepsBesideWhatIsHiddenAreTold();
     void nonsenseIsRefused();
 };
 
@@ -374,6 +377,66 @@ void HideCommandTest::modelsBesideShowNoHiddenParts() {
     const std::vector<session::ShownModel>& beside = scene.beside(bench.document.scene());
     QCOMPARE(beside.size(), std::size_t(1));
     QCOMPARE(beside[0].surface.tree().size(), shown);
+}
+
+void HideCommandTest::commandsSpareWhatIsHiddenOrSayThatTheyDoNot_data() {
+    QTest::addColumn<QString>("line");
+    QTest::addColumn<bool>("meets");
+    for (const char* line :
+         {R"({"op":"cut","plane":"-1,0,0,-0.5"})",
+          R"({"op":"drill","from":"2,0,0","direction":"-1,0,0","radius":0.3,"depth":1.5})",
+          R"({"op":"primitive","shape":"ball","size":"0.6","position":"1,0,0"})",
+          R"({"op":"mirror","plane":"0,1,0,0"})", R"({"op":"resample","count":2000})", R"({"op":"flip"})",
+          R"({"op":"transform","move":[0,0,1]})", R"({"op":"tube","along":[[0.8,0,0],[2,0,0]],"radius":0.1})",
+          R"({"op":"colour","colour":[255,0,0]})", R"({"op":"mask","do":"invert"})",
+          R"({"op":"mask","do":"curvature","to":0.5})", R"({"op":"inflate","length":0.05})",
+          R"({"op":"smooth","scale":3})", R"({"op":"sharpen"})", R"({"op":"noise","amplitude":0.05,"size":0.3})",
+          R"({"op":"select","by":"all"})", R"({"op":"show"})"})
+        QTest::newRow(line) << line << true;
+    // far from what is hidden, and beneath it
+    for (const char* line : {R"({"op":"cut","plane":"1,0,0,-0.5"})", R"({"op":"hollow","thickness":0.2})"})
+        QTest::newRow(line) << line << false;
+}
+
+/// The row says which; none does it without a word.
+void HideCommandTest::commandsSpareWhatIsHiddenOrSayThatTheyDoNot() {
+    QFETCH(QString, line);
+    QFETCH(bool, meets);
+    const json command = parsed(line.toUtf8().constData());
+    Workbench bench;
+    makeHidden(bench);
+    const tree::SurfelTree before = bench.document.surface().tree();
+    const base::Hash128 hidden = hashOfHidden(bench.document.surface());
+    bench.context.messages.clear();
+    bench.run(command);
+    const tree::SurfelTree after = bench.document.surface().tree();
+    QVERIFY(!(before == after));
+    const std::size_t changed = selection::hiddenChanged(before, after);
+    const bool told = std::ranges::any_of(bench.context.messages, [&](const std::string& each) {
+        return each.find(std::to_string(changed) + " hidden surfels changed") != std::string::npos;
+    });
+    QCOMPARE(told, changed > 0);
+    if (session::command(command["op"].get<std::string>()).hidden == session::HiddenParts::Spared)
+        QVERIFY(changed == 0 && (command["op"] == "show" || command["op"] == "select" ||
+                                 hashOfHidden(bench.document.surface()) == hidden));
+    else
+        QCOMPARE(changed > 0, meets);
+}
+
+void HideCommandTest::stepsBesideWhatIsHiddenAreTold() {
+    const auto told = [](double x) {
+        Workbench bench;
+        makeHidden(bench);
+        bench.context.messages.clear();
+        json samples = json::array();
+        for (int k = 0; k < 8; ++k)
+            samples.push_back({x, 0.1 * k - 0.4, 5.0, 0.0, 0.0, -1.0, 1.0, 0.02 * k});
+        bench.run({{"op", "stroke"}, {"tool", "draw"}, {"radius", 0.25}, {"strength", 1}, {"samples", samples}});
+        return std::ranges::any_of(bench.context.messages,
+                                   [](const std::string& each) { return each.find("A step of") != std::string::npos; });
+    };
+    QVERIFY(told(0.0)); // the end is at 0.1
+    QVERIFY(!told(-0.5));
 }
 
 void HideCommandTest::nonsenseIsRefused() {

@@ -65,7 +65,8 @@ std::vector<CommandParameter> strokeParameters() {
 
 CommandRow strokeCommand() {
     static const auto parameters = strokeParameters();
-    return {"stroke", "Stroke", "Sculpts along a path of rays.", parameters, true, false, stroke, checkToolParameter};
+    return {"stroke",           "Stroke",           "Sculpts along a path of rays.", parameters, true, false, stroke,
+            checkToolParameter, HiddenParts::Spared};
 }
 
 } // namespace session

@@ -151,7 +151,8 @@ CommandRow touchCommand() {
             true,
             false,
             touch,
-            checkToolParameter};
+            checkToolParameter,
+            HiddenParts::Spared};
 }
 
 } // namespace session

@@ -1,4 +1,5 @@
 #include "core/base/error.h"
+#include "core/selection/hidden.h"
 #include "core/selection/parts.h"
 #include "core/session/commands/commands.h"
 #include "core/session/commands/scans/clean_steps.h"
@@ -12,11 +13,9 @@ namespace session {
 static void colour(Context& context, const nlohmann::json& complete) {
     requireModel(context);
     const surface::Surface& now = context.document.surface();
-    clean::commit(context,
-                  {selection::coloured(now.tree(), colourOf(complete, "colour"), complete.at("strength").get<double>(),
-                                       limitOf(context, complete)),
-                   now.definition()},
-                  "Colour");
+    const tree::SurfelTree next = selection::coloured(
+        now.tree(), colourOf(complete, "colour"), complete.at("strength").get<double>(), limitOf(context, complete));
+    clean::commit(context, {selection::hiddenSpared(now.tree(), next), now.definition()}, "Colour");
 }
 
 CommandRow colourCommand() {
@@ -27,7 +26,7 @@ CommandRow colourCommand() {
     };
     return {"colour",   "Colour", "Fills what is selected with a colour; soft selections shade into what is around.",
             parameters, true,     false,
-            colour,     nullptr};
+            colour,     nullptr,  HiddenParts::Spared};
 }
 
 static void flip(Context& context, const nlohmann::json& complete) {

@@ -41,8 +41,15 @@ static void deleteSelected(Context& context, const nlohmann::json&) {
 }
 
 CommandRow deleteCommand() {
-    return {"delete",       "Delete", "Takes out what is selected; what stays keeps every bit.", {}, true, false,
-            deleteSelected, nullptr};
+    return {"delete",
+            "Delete",
+            "Takes out what is selected; what stays keeps every bit.",
+            {},
+            true,
+            false,
+            deleteSelected,
+            nullptr,
+            HiddenParts::Spared};
 }
 
 static void keepSelected(Context& context, const nlohmann::json&) {
@@ -52,8 +59,9 @@ static void keepSelected(Context& context, const nlohmann::json&) {
 }
 
 CommandRow keepCommand() {
-    return {"keep",       "Keep", "Takes out all that is not selected; what stays keeps every bit.", {}, true, false,
-            keepSelected, nullptr};
+    return {"keep",       "Keep",  "Takes out all that is not selected; what stays keeps every bit.",
+            {},           true,    false,
+            keepSelected, nullptr, HiddenParts::Spared};
 }
 
 } // namespace session

@@ -49,7 +49,8 @@ CommandRow hideCommand() {
             true,
             false,
             hide,
-            nullptr};
+            nullptr,
+            HiddenParts::Spared};
 }
 
 static void show(Context& context, const nlohmann::json&) {
@@ -58,7 +59,8 @@ static void show(Context& context, const nlohmann::json&) {
 }
 
 CommandRow showCommand() {
-    return {"show", "Show all", "Shows all that is hidden of the model.", {}, true, false, show, nullptr};
+    return {"show",  "Show all",         "Shows all that is hidden of the model.", {}, true, false, show,
+            nullptr, HiddenParts::Spared};
 }
 
 } // namespace session

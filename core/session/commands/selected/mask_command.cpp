@@ -1,5 +1,6 @@
 #include "core/base/error.h"
 #include "core/selection/blur.h"
+#include "core/selection/hidden.h"
 #include "core/session/commands/commands.h"
 #include "core/session/commands/scans/clean_steps.h"
 #include "core/session/commands/selected/field_steps.h"
@@ -30,7 +31,9 @@ static tree::SurfelTree masked(Context& context, const nlohmann::json& complete)
 
 static void mask(Context& context, const nlohmann::json& complete) {
     requireModel(context);
-    clean::commit(context, {masked(context, complete), context.document.surface().definition()}, "Change mask");
+    const surface::Surface& now = context.document.surface();
+    clean::commit(context, {selection::hiddenSpared(now.tree(), masked(context, complete)), now.definition()},
+                  "Change mask");
 }
 
 CommandRow maskCommand() {
@@ -56,7 +59,8 @@ CommandRow maskCommand() {
             true,
             false,
             mask,
-            nullptr};
+            nullptr,
+            HiddenParts::Spared};
 }
 
 } // namespace session

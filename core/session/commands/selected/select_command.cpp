@@ -81,7 +81,8 @@ CommandRow selectCommand() {
             true,
             false,
             select,
-            nullptr};
+            nullptr,
+            HiddenParts::Spared};
 }
 
 } // namespace session

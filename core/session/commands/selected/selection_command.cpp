@@ -33,7 +33,8 @@ CommandRow selectionCommand() {
         true,
         false,
         change,
-        nullptr};
+        nullptr,
+        HiddenParts::Spared};
 }
 
 } // namespace session

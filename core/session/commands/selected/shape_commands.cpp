@@ -40,7 +40,7 @@ CommandRow smoothCommand() {
     return {
         "smooth",   "Smooth", "Moves points onto the surface of wider supports, without shrinking; masked ones stay.",
         parameters, true,     false,
-        smooth,     nullptr};
+        smooth,     nullptr,  HiddenParts::Spared};
 }
 
 CommandRow sharpenCommand() {
@@ -56,7 +56,8 @@ CommandRow sharpenCommand() {
             true,
             false,
             sharpen,
-            nullptr};
+            nullptr,
+            HiddenParts::Spared};
 }
 
 static void inflate(Context& context, const json& complete) {
@@ -79,7 +80,7 @@ CommandRow inflateCommand() {
     };
     return {"inflate",  "Inflate", "Moves the surface along its normals by a length; masked points stay.",
             parameters, true,      false,
-            inflate,    nullptr};
+            inflate,    nullptr,   HiddenParts::Spared};
 }
 
 static void roughen(Context& context, const json& complete) {
@@ -105,7 +106,7 @@ CommandRow noiseCommand() {
     };
     return {"noise",    "Noise", "Raises and lowers the surface by smooth noise; masked points stay.",
             parameters, true,    false,
-            roughen,    nullptr};
+            roughen,    nullptr, HiddenParts::Spared};
 }
 
 } // namespace session
