@@ -7,13 +7,40 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 namespace app {
 
 using nlohmann::json;
 
-/// A number where the text is one, else the text: what the session's check wants to see.
+/// "0,0,9" as a list of numbers, "0,0 10,5" as a list of such: what a shell passes on as one word, or two in quotes.
+/// Text that is no list of numbers stays, for the session's check to refuse.
+static std::string listOf(const std::string& text) {
+    json groups = json::array();
+    std::istringstream in(text);
+    for (std::string group; in >> group;) {
+        json numbers = json::array();
+        std::istringstream parts(group);
+        for (std::string part; std::getline(parts, part, ',');) {
+            const auto number = io::numberOf(part);
+            if (!number || !std::isfinite(*number))
+                return text;
+            numbers.push_back(*number);
+        }
+        groups.push_back(numbers);
+    }
+    return groups.size() == 1 ? groups[0].dump() : groups.dump();
+}
+
+static std::string valueText(const session::CommandParameter& parameter, const std::string& text) {
+    return parameter.type == std::string_view("list") ? listOf(text) : text;
+}
+
+/// A number or a list where the text is one, else the text: what the session's check wants to see.
 static json valueOf(const std::string& text) {
+    if (text.starts_with('['))
+        if (const json list = json::parse(text, nullptr, false); list.is_array())
+            return list;
     if (const auto count = io::countOf(text))
         return *count;
     const auto number = io::numberOf(text);
@@ -37,6 +64,14 @@ static void requireNumbers(const std::string& id, const std::string& value) {
         session::vectorOf(value, id);
 }
 
+/// Something that passes the check.
+static json standIn(const session::CommandParameter& p) {
+    const std::string_view type = p.type;
+    if (type == "number" || type == "integer")
+        return std::clamp(1.0, p.min, p.max);
+    return type == "list" ? json::array({0}) : json("-");
+}
+
 /// The session's own check of one value: "" where it is all right.
 static std::string fault(const std::string& op, const std::string& id, const std::string& value) {
     try {
@@ -44,7 +79,7 @@ static std::string fault(const std::string& op, const std::string& id, const std
         json command{{"op", op}, {id, valueOf(value)}};
         for (const session::CommandParameter& p : session::command(op).parameters)
             if (!*p.fallback && id != p.id)
-                command[p.id] = "-"; // required, and not what is asked about
+                command[p.id] = standIn(p); // required, and not what is asked about
         session::complete(command);
         return {};
     } catch (const base::Error& error) {
@@ -59,8 +94,11 @@ Option addParameter(OptionSet command, const std::string& op, const session::Com
     std::string name = "--" + id;
     std::replace(name.begin(), name.end(), '_', '-');
     Option option = command.addTo(
-        name, [&given, id](const std::string& value) { given.emplace_back(id, value); }, help);
-    return option.check({[op, id](const std::string& value) { return fault(op, id, value); }});
+        name,
+        [&given, &parameter, id](const std::string& value) { given.emplace_back(id, valueText(parameter, value)); },
+        help);
+    return option.check(
+        {[op, id, &parameter](const std::string& value) { return fault(op, id, valueText(parameter, value)); }});
 }
 
 /// What holds where nothing is given, as it would be written; "" where that is nothing.

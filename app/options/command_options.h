@@ -19,8 +19,8 @@ bool has(const GivenParameters& given, const std::string& name);
 /// As a command's parameters: numbers where the texts are such.
 nlohmann::json parametersOf(const GivenParameters& given);
 
-/// `--sample-count` for `sample_count`. Values are checked as `op` would check them. REQUIRES: `given` outlives the
-/// command.
+/// `--sample-count` for `sample_count`. Values are checked as `op` would check them; lists are written 0,0,9, lists of
+/// lists "0,0 10,5 3,8". REQUIRES: `given` outlives the command, and `parameter` is of the session's table.
 Option addParameter(OptionSet command, const std::string& op, const session::CommandParameter& parameter,
                     const std::string& help, GivenParameters& given);
 

@@ -14,6 +14,20 @@ void addModelAndOutput(OptionSet command, ModelCommand& options, const char* nam
     command.add("-o,--output", options.out, "model to write; .ply keeps everything").typeName("OUT").required();
 }
 
+Action addModelCommand(OptionSet command, const char* op) {
+    auto options = std::make_shared<ModelCommand>();
+    addModelAndOutput(command, *options);
+    for (const session::CommandParameter& p : session::command(op).parameters) {
+        if (p.id == std::string_view("creases"))
+            continue;
+        Option option = addParameter(command, op, p, helpOf(p), options->wish);
+        if (!*p.fallback)
+            option.required();
+    }
+    options->surface = addSurfaceOptions(command, false);
+    return [options, op](Console& console) { runModelCommand(*options, op, nlohmann::json::object(), console); };
+}
+
 void runModelCommand(const ModelCommand& options, const char* op, const nlohmann::json& given, Console& console,
                      const std::function<void(const session::Context&)>& then) {
     requireOutputs({{"-o", options.out}});

@@ -100,7 +100,7 @@ void CommandLineTest::theSessionInHelpRuns() {
 
 /// Of subcommands that are commands of sessions: the table's defaults.
 void CommandLineTest::helpNamesWhatHoldsWithoutAnOption() {
-    for (const char* op : {"fill", "reduce", "crease", "cut", "solid"}) {
+    for (const char* op : {"fill", "reduce", "crease", "cut", "solid", "trim", "tube"}) {
         const std::string help = Program().run({op, "--help"}).out;
         int named = 0;
         for (const session::CommandParameter& p : session::command(op).parameters) {
