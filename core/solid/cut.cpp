@@ -2,7 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/process/cleaning/list_change.h"
-#include "core/process/estimation/boundary_limit.h"
+#include "core/process/estimation/part_limit.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/process/resampling/resample.h"
 #include "core/solid/map_places.h"
@@ -72,54 +72,16 @@ class CapSampler {
     surfel::SurfelList m_out;
 };
 
-/// Does the cut part neighbours that look the same way? Then what stays has a rim there, which few surfels, as those
-/// of a reduced model, may not show.
-bool partsSheets(const tree::SurfelTree& tree, const Side& side, int gone) {
-    constexpr std::size_t looked = 8;
-    constexpr int enough = 3; // one may be a stray
-    constexpr float alike = 0.5f;
-    const auto height = [&](const base::Vec3f& p) { return -gone * side.at(base::cast<double>(p)).value; };
-    int found = 0;
-    std::vector<tree::Neighbour> near;
-    tree.forEachBlock([&](std::uint32_t, const surfel::SurfelBlock& block) {
-        const base::Box3f box = block.box().inflated(block.maxSupport());
-        if (!side.meets({base::cast<double>(box.lo), base::cast<double>(box.hi)}))
-            return;
-        for (int slot = 0; slot < block.size() && found < enough; ++slot) {
-            const double h = height(block.position(slot));
-            if (h < 0 || h > static_cast<double>(block.support(slot)))
-                continue;
-            tree.nearest(block.position(slot), looked, near);
-            found += std::any_of(near.begin(), near.end(), [&](const tree::Neighbour& each) {
-                return height(each.block->position(each.slot)) < 0 &&
-                       dot(each.block->normal(each.slot), block.normal(slot)) > alike;
-            });
-        }
-    });
-    return found >= enough;
-}
-
 } // namespace
 
-Combined leftOpen(const surface::Surface& model, const Side& side, std::span<const std::int8_t> sides, int gone,
+Combined leftOpen(const surface::Surface& model, std::span<const std::int8_t> sides, int gone,
                   const base::Progress& progress) {
     std::vector<std::uint8_t> goes(sides.size());
     std::ranges::transform(sides, goes.begin(), [&](std::int8_t each) { return each * gone > 0; });
     Combined out;
     out.removed = static_cast<std::size_t>(std::ranges::count(goes, 1));
-    surface::SurfaceDefinition definition = model.definition();
-    out.surface = {process::changed(model.tree(), {goes, {}, {}, {}, {}}), definition};
-    constexpr float ofFewSurfels = 0.3f; // h: as for bands all of whose samples see a rim
-    // What was closed had none; now it ends where neighbours are parted.
-    const bool none = definition.boundary == surface::Boundary::None;
-    const bool ends = none && out.removed > 0 && partsSheets(model.tree(), side, gone);
-    if (ends || (out.removed > 0 && definition.boundary == surface::Boundary::Auto)) {
-        definition.boundary = surface::Boundary::Auto;
-        definition.boundaryLimit = process::automaticBoundaryLimit(out.surface, process::part(progress, 0.5, 1));
-        if (std::isinf(definition.boundaryLimit) && (ends || partsSheets(model.tree(), side, gone)))
-            definition.boundaryLimit = ofFewSurfels;
-        out.surface = {out.surface.tree(), definition};
-    }
+    out.surface =
+        process::partOf(model, process::changed(model.tree(), {goes, {}, {}, {}, {}}), process::part(progress, 0.5, 1));
     return out;
 }
 
@@ -132,7 +94,7 @@ Combined cutByPlane(const surface::Surface& model, const base::Plane& plane, con
     if (options.cap)
         return combine(model, {side, CapSampler(model, plane).result(), sides}, Operation::Difference,
                        {options.creases}, progress);
-    return leftOpen(model, side, sides, -1, progress);
+    return leftOpen(model, sides, -1, progress);
 }
 
 } // namespace solid

@@ -18,7 +18,7 @@ Combined cutByPlane(const surface::Surface& model, const base::Plane& plane, con
 
 /// Without a cap: what is on the side `gone` (1: outside, -1: inside; `sides` as sidesOf tells them) goes, and the
 /// model ends there.
-Combined leftOpen(const surface::Surface& model, const Side& side, std::span<const std::int8_t> sides, int gone,
+Combined leftOpen(const surface::Surface& model, std::span<const std::int8_t> sides, int gone,
                   const base::Progress& progress = {});
 
 } // namespace solid

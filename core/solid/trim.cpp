@@ -24,7 +24,7 @@ Combined trimmed(const surface::Surface& model, const OutlineSide& side, Trim tr
         throw base::Error(trim == Trim::Keep ? "there is nothing to trim away" : "nothing would be left", "trim",
                           "draw a smaller outline");
     if (!options.cap)
-        return leftOpen(model, side, sides, gone, progress);
+        return leftOpen(model, sides, gone, progress);
     return combine(model, {side, wallsOf(side, model), sides},
                    trim == Trim::Away ? Operation::Difference : Operation::Intersection, {options.creases}, progress);
 }

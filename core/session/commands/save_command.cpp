@@ -1,7 +1,7 @@
 #include "core/base/error.h"
 #include "core/io/formats.h"
 #include "core/io/safe_file.h"
-#include "core/process/estimation/boundary_limit.h"
+#include "core/process/estimation/part_limit.h"
 #include "core/selection/parts.h"
 #include "core/session/commands/commands.h"
 #include "core/session/commands/selected/limits.h"
@@ -33,7 +33,8 @@ static io::FileModel partOf(Context& context, bool selected) {
         throw base::Error("everything is selected, so that there is no rest", {}, "select less");
     model.shape = {};
     model.definition =
-        process::withOwnLimit(tree::SurfelTree::build(model.points), *model.definition, context.progress).definition();
+        process::partOf(context.document.surface(), tree::SurfelTree::build(model.points), context.progress)
+            .definition();
     model.faces = model.dropped = 0;
     model.elements.clear(); // they tell of surfels by number
     return model;

@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/base/listed.h"
 #include "core/process/estimation/boundary_limit.h"
+#include "core/process/estimation/part_limit.h"
 #include "core/selection/parts.h"
 #include "core/session/commands/commands.h"
 #include "core/session/commands/selected/limits.h"
@@ -46,7 +47,7 @@ void requireParts(const SceneModel& model) {
 
 /// The same model, of other surfels.
 SceneModel withSurfels(Context& context, SceneModel model, tree::SurfelTree tree) {
-    model.surface = process::withOwnLimit(std::move(tree), model.surface.definition(), context.progress);
+    model.surface = process::partOf(model.surface, std::move(tree), context.progress);
     return model;
 }
 

@@ -1,4 +1,4 @@
-#include "core/process/estimation/boundary_limit.h"
+#include "core/process/estimation/part_limit.h"
 #include "core/selection/hidden.h"
 #include "core/selection/parts.h"
 #include "core/session/commands/commands.h"
@@ -9,20 +9,6 @@
 
 namespace session {
 
-/// With a limit of its own: it has rims where it was cut. So has what was closed and had none, as models of closed
-/// meshes.
-static surface::Surface leftOf(const surface::Surface& now, const tree::SurfelTree& next,
-                               const base::Progress& progress) {
-    surface::SurfaceDefinition definition = now.definition();
-    const bool closed = definition.boundary == surface::Boundary::None &&
-                        definition.manifold == surface::Manifold::Surface &&
-                        std::isinf(process::automaticBoundaryLimit(now, progress));
-    if (closed)
-        definition.boundary = surface::Boundary::Auto;
-    const surface::Surface out = process::withOwnLimit(next, definition, progress);
-    return closed && std::isinf(out.definition().boundaryLimit) ? surface::Surface{next, now.definition()} : out;
-}
-
 /// All that is left may be hidden: then it is shown.
 static void take(Context& context, tree::SurfelTree next, const std::string& label) {
     const surface::Surface& now = context.document.surface();
@@ -31,7 +17,7 @@ static void take(Context& context, tree::SurfelTree next, const std::string& lab
         next = selection::allShown(next);
     context.messages.push_back(std::to_string(now.tree().size() - next.size()) + " surfels were taken out, " +
                                std::to_string(next.size()) + (unseen ? " that were hidden are left." : " are left."));
-    clean::commit(context, next == now.tree() ? now : leftOf(now, next, context.progress), label);
+    clean::commit(context, next == now.tree() ? now : process::partOf(now, next, context.progress), label);
 }
 
 static void deleteSelected(Context& context, const nlohmann::json&) {
