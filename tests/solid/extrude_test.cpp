@@ -32,6 +32,8 @@ class ExtrudeTest : public QObject {
     void whatStaysKeepsItsPlacesAndWhatMovesItsShape();
     void threadsDoNotShow();
     void loopsGetWallsAsHighAsAsked();
+    void rimsOfWallsAreAsHighAsAsked_data();
+    void rimsOfWallsAreAsHighAsAsked();
     void wallsGoOnFromTheSurface();
     void whatCannotBeExtrudedIsRefused();
 };
@@ -231,11 +233,17 @@ void ExtrudeTest::loopsGetWallsAsHighAsAsked() {
     QCOMPARE(surface::findBoundaryCurves(slanting.surface).size(), std::size_t(1));
 }
 
-/// Along the axis of an open tube: the tube goes on.
-void ExtrudeTest::wallsGoOnFromTheSurface() {
+void ExtrudeTest::rimsOfWallsAreAsHighAsAsked_data() {
+    QTest::addColumn<double>("limit");
+    for (const double limit : {0.15, 0.18, 0.21, 0.26, 0.3})
+        QTest::addRow("%g", limit) << limit;
+}
+
+namespace {
+
+surface::Surface openTube(double limit, double s) {
     surfel::SurfelList points;
     points.layout = test::orientedLayout();
-    const double s = 0.06;
     const int around = int(std::lround(2 * pi / s * 0.93));
     for (int row = 0; row < 30; ++row)
         for (int k = 0; k < around; ++k) {
@@ -244,8 +252,42 @@ void ExtrudeTest::wallsGoOnFromTheSurface() {
             points.append(test::surfelAt(n + Vec3d{0, 0, row * s * 0.93}, n, s), {});
         }
     surface::SurfaceDefinition definition;
-    definition.boundaryLimit = 0.3F;
-    const surface::Surface tube{tree::SurfelTree::build(points), definition};
+    definition.boundaryLimit = float(limit);
+    return {tree::SurfelTree::build(points), definition};
+}
+
+/// Mean heights of its rims, the lower one first.
+std::vector<double> rimsOf(const surface::Surface& tube) {
+    std::vector<double> out;
+    for (const surface::BoundaryCurve& curve : surface::findBoundaryCurves(tube)) {
+        double sum = 0;
+        for (const surface::BoundaryPoint& p : curve.points)
+            sum += p.position.z;
+        out.push_back(sum / double(curve.points.size()));
+    }
+    std::ranges::sort(out);
+    return out;
+}
+
+} // namespace
+
+/// Wherever the limit draws them.
+void ExtrudeTest::rimsOfWallsAreAsHighAsAsked() {
+    QFETCH(double, limit);
+    const double s = 0.07;
+    const surface::Surface tube = openTube(limit, s);
+    const std::vector<double> before = rimsOf(tube);
+    QCOMPARE(before.size(), std::size_t(2));
+    const auto curves = surface::findBoundaryCurves(tube);
+    const std::size_t upper = curves[0].points[0].position.z > 0.5 ? 0 : 1;
+    const std::vector<double> after = rimsOf(solid::extrudeLoop(tube, upper, {0.6, Vec3d{0, 0, 1}, true}).surface);
+    QVERIFY2(after.size() == 2 && std::abs(after[1] - before[1] - 0.6) < 0.12 * s,
+             qPrintable(QString::number((after.back() - before[1] - 0.6) / s)));
+}
+
+/// Along the axis of an open tube: the tube goes on.
+void ExtrudeTest::wallsGoOnFromTheSurface() {
+    const surface::Surface tube = openTube(0.3, 0.06);
     const auto curves = surface::findBoundaryCurves(tube);
     const std::size_t upper = curves.at(0).points[0].position.z > 0.5 ? 0 : 1;
     const solid::Extruded result = solid::extrudeLoop(tube, upper, {0.8, Vec3d{0, 0, 1}, true});
