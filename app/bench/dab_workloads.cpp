@@ -127,7 +127,8 @@ Run undoing(Scene& scene) {
 std::vector<Workload> dabWorkloads() {
     std::vector<Workload> out;
     for (const sculpt::ToolRow& row : sculpt::toolTable())
-        out.push_back(dabWorkload(row, brushSizes[0], false));
+        if (!row.needs.layer)
+            out.push_back(dabWorkload(row, brushSizes[0], false));
     for (const char* id : thorough)
         for (const BrushSize& size : brushSizes)
             for (const bool resampled : {false, true})

@@ -31,7 +31,10 @@ class Dabs {
          std::shared_ptr<const BrushStamp> stamp, const std::atomic<bool>* cancel);
 
     /// The model has layers, which edits must keep up with. Before the first dab.
-    void onLayers(std::shared_ptr<const layers::Stack> stack) { m_layers = std::move(stack), m_whole = m_base; }
+    void onLayers(std::shared_ptr<const layers::Stack> stack) {
+        m_layers = std::move(stack), m_whole = m_base;
+        m_pattern.layers = m_layers.get();
+    }
 
     const StrokeSettings& settings() const { return m_settings; }
     const surface::Surface& surface() const { return m_surface; }

@@ -14,6 +14,10 @@
 #include <string>
 #include <string_view>
 
+namespace layers {
+struct Stack;
+}
+
 namespace sculpt {
 
 class BrushStamp;
@@ -45,6 +49,7 @@ struct Dab {
     base::Mat3f image = base::Mat3f::identity();   ///< what symmetry did to directions
     const surface::Surface* first = nullptr;       ///< the version that the stroke began on; null: the present one
     std::span<const PastDab> past;                 ///< the stroke's dabs so far, all images, oldest first
+    const layers::Stack* layers = nullptr;         ///< of the model; null: it has none
     std::unique_ptr<ToolMemory>* memory = nullptr; ///< the stroke's, empty at first; null: nothing is remembered
     float radius = 0;
     float strength = 0;      ///< 0 to 1, pressure and symmetry included; negative when inverted
@@ -112,6 +117,7 @@ enum class Writes {
 struct ToolNeeds {
     bool source = false; ///< a place to copy from
     bool plane = false;  ///< Dab::areaCentre
+    bool layer = false;  ///< one that strokes act on
 };
 
 struct ToolRow {

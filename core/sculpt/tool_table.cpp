@@ -16,6 +16,7 @@
 #include "core/sculpt/tools/inflate.h"
 #include "core/sculpt/tools/layer.h"
 #include "core/sculpt/tools/mask.h"
+#include "core/sculpt/tools/morph.h"
 #include "core/sculpt/tools/nudge.h"
 #include "core/sculpt/tools/paint.h"
 #include "core/sculpt/tools/pinch.h"
@@ -32,10 +33,10 @@ namespace sculpt {
 /// Copied at the first call, when the rows of the other files exist.
 std::span<const ToolRow> toolTable() {
     static const ToolRow rows[] = {
-        drawTool,   drawSharpTool,   clayTool,      clayStripsTool, inflateTool, layerTool,  blobTool,
-        creaseTool, pinchTool,       smoothTool,    flattenTool,    fillTool,    scrapeTool, relaxTool,
-        grabTool,   elasticGrabTool, snakeHookTool, twistTool,      nudgeTool,   cloneTool,  densityTool,
-        eraseTool,  maskTool,        paintTool,     smearTool,
+        drawTool,    drawSharpTool, clayTool,        clayStripsTool, inflateTool, layerTool,  blobTool,
+        creaseTool,  pinchTool,     smoothTool,      flattenTool,    fillTool,    scrapeTool, relaxTool,
+        morphTool,   grabTool,      elasticGrabTool, snakeHookTool,  twistTool,   nudgeTool,  cloneTool,
+        densityTool, eraseTool,     maskTool,        paintTool,      smearTool,
     };
     return rows;
 }

@@ -28,6 +28,10 @@ static surface::Surface startOf(const Context& context, const sculpt::StrokeSett
         throw base::Error("the layer \"" + stack.layers[static_cast<std::size_t>(stack.target())].name +
                               "\" does not show what would be sculpted on it",
                           {}, "show it, raise its strength, or make another layer the active one");
+    if (sculpt::tool(settings.tool).needs.layer && stack.target() < 0)
+        throw base::Error("there is no stored shape to go back to", {},
+                          stack.empty() ? "add a layer first: it stores the shape, and strokes go into it"
+                                        : "make the layer the active one whose strokes are to be taken back");
     if ((leavesEdge(settings) || fadesEdges(settings)) && !stack.empty())
         throw base::Error("strokes on layers neither leave nor fade edges", {},
                           "merge the layers, or leave \"edge\" and \"fade-edges\" as they are");

@@ -100,6 +100,8 @@ void sizes(benchmark::internal::Benchmark* b) {
 
 const bool registered = [] {
     for (const sculpt::ToolRow& row : sculpt::toolTable()) {
+        if (row.needs.layer)
+            continue;
         const std::string name = std::string("dab-") + row.id;
         sizes(benchmark::RegisterBenchmark(name.c_str(), dab, row, false));
         sizes(benchmark::RegisterBenchmark((name + "-resampled").c_str(), dab, row, true));

@@ -215,6 +215,8 @@ void CommandTest::aStrokeThatMissesLeavesNoStep() {
 
 void CommandTest::everyToolUndoesToTheSameHash() {
     for (const sculpt::ToolRow& tool : sculpt::toolTable()) {
+        if (tool.needs.layer)
+            continue;
         Workbench bench;
         test::makeWorkpiece(bench);
         const std::string before = bench.hash();

@@ -15,8 +15,11 @@ class RandomStrokes {
     RandomStrokes(const session::Document& document, base::Random& random) : m_document(document), m_random(random) {}
 
     nlohmann::json next() {
-        const auto tools = sculpt::toolTable();
-        return next(tools[m_random.below(tools.size())].id);
+        std::vector<const char*> tools;
+        for (const sculpt::ToolRow& row : sculpt::toolTable())
+            if (!row.needs.layer)
+                tools.push_back(row.id);
+        return next(tools[m_random.below(tools.size())]);
     }
     nlohmann::json next(const std::string& tool) {
         const float size = m_document.surface().tree().bounds().diagonal();

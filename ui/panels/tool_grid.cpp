@@ -39,7 +39,7 @@ QSize ToolGrid::sizeHint() const {
 }
 
 QSize ToolGrid::minimumSizeHint() const {
-    return {m_columns * (cell().width() + gap) - gap, heightOf(most)};
+    return {m_columns * (cell().width() + gap) - gap, heightOf(most) - spare * rowsOf(most)};
 }
 
 void ToolGrid::resizeEvent(QResizeEvent*) {
@@ -50,7 +50,9 @@ void ToolGrid::arrange() {
     int columns = fewest;
     while (columns < most && heightOf(columns) > height())
         ++columns;
-    const QSize size = cell();
+    QSize size = cell();
+    if (heightOf(columns) > height())
+        size.setHeight(std::max(size.height() - spare, (height() + gap) / std::max(1, rowsOf(columns)) - gap));
     for (std::size_t i = 0; i < m_buttons.size(); ++i) {
         const int place = static_cast<int>(i);
         const QPoint at(place % columns * (size.width() + gap), place / columns * (size.height() + gap));

@@ -1,5 +1,5 @@
 // The tool buttons in as few columns as the height allows: two where there is room, more in a low window, so that none
-// is ever cut off. Interface's thread only.
+// is ever cut off; where the most are not enough buttons are a little lower. Interface's thread only.
 #pragma once
 
 #include <QWidget>
@@ -25,7 +25,8 @@ class ToolGrid : public QWidget {
 
   private:
     static constexpr int fewest = 2, most = 5, gap = 1;
-    QSize cell() const; ///< as the style has it where the grid is now
+    static constexpr int spare = 4; ///< of a button's height, around its icon
+    QSize cell() const;             ///< as the style has it where the grid is now
     int rowsOf(int columns) const;
     int heightOf(int columns) const;
     void arrange();

@@ -208,7 +208,8 @@ CommandRow layerCommand() {
     static const std::string ids = idsOf(actions);
     static const CommandParameter parameters[] = {
         {"do", "choice", "",
-         "add: a new one on top; merge: into the one below; base: strokes go below all layers; move: to another place; "
+         "add: a new one on top, which keeps the shape for the tool morph; merge: into the one below; base: strokes go "
+         "below all layers; move: to another place; "
          "mask: hide it in parts",
          "", ids.c_str(), 0, 0},
         {"name", "text", "", "which layer, the active one unless told; add: what the new one is called", "null", "", 0,
