@@ -84,6 +84,9 @@ class ParitySets {
         return true;
     }
 
+    /// What `other` says of i. REQUIRES: to be called for all of a set that both have.
+    void take(const ParitySets& other, std::uint32_t i) { m_link[i] = other.m_link[i]; }
+
   private:
     std::uint32_t linkOf(std::uint32_t i) { return std::atomic_ref(m_link[i]).load(std::memory_order_relaxed); }
 

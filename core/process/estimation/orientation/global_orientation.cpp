@@ -5,6 +5,7 @@
 #include "core/process/estimation/part_progress.h"
 
 #include <algorithm>
+#include <map>
 
 namespace process {
 
@@ -22,36 +23,59 @@ constexpr double surelyBodies = 0.05;
 constexpr std::size_t patchCounts[] = {200, 800};
 constexpr std::size_t leastPatch = 8;
 
-/// The best orientation so far, and others that may be better.
+/// The best orientation of each component so far, and others that may be better. Each surface is judged by itself:
+/// whether what is inside of another bounds a hollow of it, nothing tells, and strays make no body.
 class Choice {
   public:
+    /// Of all that the trees have joined by now.
     Choice(const Cloud& cloud, const NeighbourTable& links, std::span<const Vec3f> normals, OrientationTrees& trees)
-        : m_cloud(cloud), m_links(links), m_normals(normals), m_trees(trees), m_best(trees.state()), m_sides(sides()) {}
+        : m_cloud(cloud), m_links(links), m_normals(normals), m_trees(trees), m_surfaceOf(surfacesOf(links)),
+          m_best(trees.state()), m_sides(sides()) {}
 
-    const WindingSides& bestSides() const { return m_sides; }
-    /// Of what certain pieces make by winding numbers, and that their neighbours join. `pieces`: as `trees` have them.
-    void judge(const std::vector<std::vector<std::uint32_t>>& pieces, const base::Progress& progress) {
-        for (const SignRelation& each :
-             signsByWinding(m_cloud, m_links, m_normals, pieces, m_trees.signs(), part(progress, 0, 0.7)))
-            m_trees.signs().relate(each.a, each.b, each.opposite);
+    const std::map<std::uint32_t, WindingSide>& best() const { return m_sides; }
+    bool settled() const {
+        return std::ranges::none_of(m_sides, [](const auto& each) { return each.second.off > surelyBodies; });
+    }
+    /// Of what pieces make by winding numbers, and that their neighbours join. `pieces`: as `trees` have them.
+    void judge(std::vector<std::vector<std::uint32_t>> pieces, const base::Progress& progress) {
+        std::map<std::uint32_t, std::vector<std::vector<std::uint32_t>>> surfaces;
+        for (std::vector<std::uint32_t>& piece : pieces)
+            surfaces[m_surfaceOf[piece.front()]].push_back(std::move(piece));
+        double done = 0;
+        for (const auto& [first, own] : surfaces) {
+            const double next = done + 0.7 * static_cast<double>(own.size()) / static_cast<double>(pieces.size());
+            for (const SignRelation& each :
+                 signsByWinding(m_cloud, m_links, m_normals, own, m_trees.signs(), part(progress, done, next)))
+                m_trees.signs().relate(each.a, each.b, each.opposite);
+            done = next;
+        }
         joinPieces(m_cloud, m_normals, m_trees, part(progress, 0.7, 1));
-        WindingSides now = sides();
-        if (now.off <= muchBetter * m_sides.off || (now.off <= bodies && now.off <= better * m_sides.off)) {
-            m_best = m_trees.state();
-            m_sides = std::move(now);
+        for (auto& [root, side] : sides()) {
+            const auto before = m_sides.find(root); // bodies apart may be of one component here, and not there
+            if (before == m_sides.end() || before->second.members != side.members)
+                continue;
+            const double off = before->second.off;
+            if (side.off > muchBetter * off && (side.off > bodies || side.off > better * off))
+                continue;
+            for (const std::uint32_t i : side.members)
+                m_best.signs.take(m_trees.signs(), i);
+            before->second = std::move(side);
         }
     }
     OrientationTrees::State take() { return std::move(m_best); }
 
   private:
-    WindingSides sides() { return windingSides(m_cloud, m_links, m_normals, m_trees.signs()); }
+    std::map<std::uint32_t, WindingSide> sides() {
+        return windingSides(m_cloud, m_links, m_normals, m_surfaceOf, m_trees.signs());
+    }
 
     const Cloud& m_cloud;
     const NeighbourTable& m_links;
     std::span<const Vec3f> m_normals;
     OrientationTrees& m_trees;
+    std::vector<std::uint32_t> m_surfaceOf;
     OrientationTrees::State m_best;
-    WindingSides m_sides; ///< of the best
+    std::map<std::uint32_t, WindingSide> m_sides; ///< of the best
 };
 
 /// Pieces of what is certain; where noise leaves little that is, of what is less so. Joins them.
@@ -78,17 +102,17 @@ bool orientGlobally(const Cloud& cloud, const NeighbourTable& links, std::span<V
     if (cloud.size() < 2)
         return true;
     OrientationTrees trees(cloud, links, normals, part(progress, 0, 0.5));
-    const std::vector<std::vector<std::uint32_t>> pieces = certainPieces(cloud, trees, part(progress, 0.5, 0.55));
+    std::vector<std::vector<std::uint32_t>> pieces = certainPieces(cloud, trees, part(progress, 0.5, 0.55));
     OrientationTrees::State certain = trees.state();
     joinPieces(cloud, normals, trees, part(progress, 0.55, 0.65));
     Choice choice(cloud, links, normals, trees);
-    if (pieces.size() > 1 && choice.bestSides().off > surelyBodies) {
+    if (pieces.size() > 1 && !choice.settled()) {
         trees.resume(std::move(certain));
-        choice.judge(pieces, part(progress, 0.65, 0.75));
+        choice.judge(std::move(pieces), part(progress, 0.65, 0.75));
     }
     double done = 0.75;
     for (const std::size_t count : patchCounts) {
-        if (choice.bestSides().off <= surelyBodies)
+        if (choice.settled())
             break;
         trees.joinPatches(pieceUnlike, std::max(2 * cloud.size() / count, 4 * leastPatch),
                           part(progress, done, done + 0.02));
@@ -98,7 +122,7 @@ bool orientGlobally(const Cloud& cloud, const NeighbourTable& links, std::span<V
     }
     trees.resume(choice.take());
     const bool sided = !trees.hasSeam(part(progress, 0.9, 0.95));
-    trees.takeSigns(given, choice.bestSides().components, part(progress, 0.95, 1));
+    trees.takeSigns(given, choice.best(), part(progress, 0.95, 1));
     return sided;
 }
 

@@ -326,7 +326,7 @@ double OrientationTrees::votesFor(const Outside& outside, std::span<const std::u
     return outside.vote(m_normals, some);
 }
 
-void OrientationTrees::takeSigns(Sides given, const std::map<std::uint32_t, WindingSides::Component>& known,
+void OrientationTrees::takeSigns(Sides given, const std::map<std::uint32_t, WindingSide>& known,
                                  const base::Progress& progress) {
     m_joints = {}, m_layered = {}; // room for what follows
     shorten();

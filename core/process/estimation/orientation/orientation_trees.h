@@ -46,8 +46,7 @@ class OrientationTrees {
     bool hasSeam(const base::Progress& progress);
     /// Turns normals as the trees say, and each component so that it looks outwards, by winding numbers where these
     /// know and by its outermost points (process/README 2.3, 2.4). The last thing to be asked for.
-    void takeSigns(Sides given, const std::map<std::uint32_t, WindingSides::Component>& known,
-                   const base::Progress& progress);
+    void takeSigns(Sides given, const std::map<std::uint32_t, WindingSide>& known, const base::Progress& progress);
 
   private:
     class Edge;

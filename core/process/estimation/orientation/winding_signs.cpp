@@ -11,7 +11,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numeric>
 
 namespace process {
 
@@ -20,7 +19,7 @@ using base::Vec3d, base::Vec3f;
 namespace {
 
 constexpr std::size_t mostLookedAt = 4000;
-constexpr std::size_t leastAsked = 20; ///< of a component that has a say about its side
+constexpr std::size_t leastAsked = 50; ///< of a surface
 constexpr std::size_t mostDipoles = 500000;
 constexpr const char* orienting = "Orienting normals";
 constexpr double ridge = 0.01; ///< of the mean diagonal: pieces that say next to nothing stay small
@@ -114,32 +113,52 @@ std::vector<SignRelation> signsByWinding(const Cloud& cloud, const NeighbourTabl
     return out;
 }
 
-WindingSides windingSides(const Cloud& cloud, const NeighbourTable& links, std::span<const Vec3f> normals,
-                          base::ParitySets& signs) {
-    std::vector<std::uint32_t> all(cloud.size());
-    std::iota(all.begin(), all.end(), 0u);
-    const surface::WindingNumber winding = Dipoles(cloud, links, normals, signs, all).field();
-    const std::size_t step = 1 + all.size() / mostLookedAt, count = (all.size() + step - 1) / step;
-    std::vector<double> numbers(count);
-    base::parallelFor(count, 16,
-                      [&](std::size_t k) { numbers[k] = winding.at(base::cast<double>(cloud.positions()[k * step])); });
+std::vector<std::uint32_t> surfacesOf(const NeighbourTable& links) {
+    base::DisjointSets sets(links.size());
+    for (std::uint32_t i = 0; i < links.size(); ++i)
+        for (const std::uint32_t j : links.row(i))
+            if (j < i && links.sees(j, i))
+                sets.join(i, j);
+    std::vector<std::uint32_t> out(links.size());
+    for (std::uint32_t i = 0; i < links.size(); ++i)
+        out[i] = sets.find(i);
+    return out;
+}
+
+std::map<std::uint32_t, WindingSide> windingSides(const Cloud& cloud, const NeighbourTable& links,
+                                                  std::span<const Vec3f> normals,
+                                                  std::span<const std::uint32_t> surfaceOf, base::ParitySets& signs) {
+    std::map<std::uint32_t, WindingSide> out;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::uint32_t>> surfaces; // of a component
+    for (std::uint32_t i = 0; i < cloud.size(); ++i) {
+        const std::uint32_t root = signs.find(i).root;
+        out[root].members.push_back(i);
+        surfaces[{root, surfaceOf[i]}].push_back(i);
+    }
     struct Sum {
         double outwards = 0, inwards = 0;
         std::size_t count = 0;
     };
     std::map<std::uint32_t, Sum> sums;
-    for (std::size_t k = 0; k < count; ++k) {
-        Sum& sum = sums[signs.find(static_cast<std::uint32_t>(k * step)).root];
-        sum.outwards += std::abs(numbers[k] - 0.5);
-        sum.inwards += std::abs(numbers[k] + 0.5);
-        ++sum.count;
+    for (const auto& [at, points] : surfaces) {
+        if (points.size() < leastAsked)
+            continue;
+        const surface::WindingNumber winding = Dipoles(cloud, links, normals, signs, points).field();
+        const std::size_t step = std::min(1 + cloud.size() / mostLookedAt, points.size() / leastAsked);
+        std::vector<double> numbers(points.size() / step);
+        base::parallelFor(numbers.size(), 16, [&](std::size_t k) {
+            numbers[k] = winding.at(base::cast<double>(cloud.positions()[points[k * step]]));
+        });
+        Sum& sum = sums[at.first];
+        for (const double w : numbers)
+            sum.outwards += std::abs(w - 0.5), sum.inwards += std::abs(w + 0.5);
+        sum.count += numbers.size();
     }
-    WindingSides out;
-    for (const auto& [root, sum] : sums) {
-        const double least = std::min(sum.outwards, sum.inwards);
-        out.off += least / static_cast<double>(count);
-        if (sum.count >= leastAsked)
-            out.components[root] = {least / static_cast<double>(sum.count), sum.inwards < sum.outwards};
+    std::erase_if(out, [&](const auto& each) { return !sums.contains(each.first); });
+    for (auto& [root, side] : out) {
+        const Sum& sum = sums[root];
+        side.off = std::min(sum.outwards, sum.inwards) / static_cast<double>(sum.count);
+        side.inwards = sum.inwards < sum.outwards;
     }
     return out;
 }

@@ -24,20 +24,24 @@ std::vector<SignRelation> signsByWinding(const Cloud& cloud, const NeighbourTabl
                                          const std::vector<std::vector<std::uint32_t>>& pieces, base::ParitySets& trees,
                                          const base::Progress& progress = {});
 
-/// What winding numbers on the surface say of signs: they are 1/2 on bodies that look outwards, -1/2 inwards.
-struct WindingSides {
-    /// How far they are from that on average, the components free to look inwards: nothing for bodies, 1/2 for planes,
-    /// and where both sides of a thin body look the same way.
+/// Which points have a surface in common: what neighbours that see each other join, by one of its points. Strays see a
+/// surface that sees nothing of them.
+std::vector<std::uint32_t> surfacesOf(const NeighbourTable& links);
+
+/// What winding numbers say of the signs of a component, each of its surfaces by itself: they are 1/2 on bodies that
+/// look outwards, -1/2 on such as look inwards.
+struct WindingSide {
+    std::vector<std::uint32_t> members; ///< in the order of the curve
+    /// How far they are from that on average, whichever is nearer: nothing for bodies, 1/2 for planes, and where both
+    /// sides of a thin body look the same way.
     double off = 0;
-    struct Component {
-        double off = 0; ///< its own
-        bool inwards = false;
-    };
-    std::map<std::uint32_t, Component> components; ///< those of some size, by their roots in `signs`
+    bool inwards = false;
 };
 
-/// Of up to 4000 points.
-WindingSides windingSides(const Cloud& cloud, const NeighbourTable& links, std::span<const base::Vec3f> normals,
-                          base::ParitySets& signs);
+/// Of components with a surface of 50 points and more, by their roots in `signs`. Of up to 4000 points, 50 of a
+/// surface.
+std::map<std::uint32_t, WindingSide> windingSides(const Cloud& cloud, const NeighbourTable& links,
+                                                  std::span<const base::Vec3f> normals,
+                                                  std::span<const std::uint32_t> surfaceOf, base::ParitySets& signs);
 
 } // namespace process
