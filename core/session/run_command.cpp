@@ -41,8 +41,8 @@ static void tellOfHidden(const Scene& before, Context& context) {
             count +=
                 selection::hiddenChanged(was.surface.tree(), now.models[static_cast<std::size_t>(at)].surface.tree());
     if (count > 0)
-        context.messages.push_back(std::to_string(count) +
-                                   " hidden surfels changed as well: this works on the whole model.");
+        context.messages.push_back(std::to_string(count) + (count == 1 ? " hidden surfel" : " hidden surfels") +
+                                   " changed as well: this works on the whole model.");
 }
 
 static void execute(const CommandRow& row, Context& context, const nlohmann::json& complete) {

@@ -21,6 +21,8 @@ class SolidCommandsTest : public QObject {
     void reducedModelsEndWhereTheyAreCut();
     void partsPushedIntoEachOtherBecomeOne();
     void rimsOfTheOtherModelStayRims();
+    void insideOfOpenModelsIsSaidToBeAGuess();
+    void whatMeetsNothingIsSaidToBeApart();
     void wrongNumbersAreRefused();
 };
 
@@ -155,6 +157,41 @@ void SolidCommandsTest::rimsOfTheOtherModelStayRims() {
         bench.run({{"op", "solid"}, {"path", bowl.path("bowl.ply").string()}, {"position", position}});
         QVERIFY2(std::isinf(bench.document.surface().definition().boundaryLimit) == closed, position);
     }
+}
+
+static bool told(const Workbench& bench, const char* words) {
+    return std::ranges::any_of(bench.context.messages,
+                               [&](const std::string& each) { return each.find(words) != std::string::npos; });
+}
+
+/// By every command that closes or joins, and by none that leaves a cut open.
+void SolidCommandsTest::insideOfOpenModelsIsSaidToBeAGuess() {
+    for (const bool open : {false, true})
+        for (const char* line : lines) {
+            json command = json::parse(line);
+            if (command["op"] == "mirror")
+                continue;
+            command.erase("fillet"); // it would not fit at the rim
+            Workbench bench;
+            bench.run(test::newSphere(2500));
+            if (open)
+                bench.run({{"op", "cut"}, {"plane", "0,0,1,-0.6"}, {"cap", false}});
+            bench.context.messages.clear();
+            bench.run(command);
+            QVERIFY2(told(bench, "are a guess") == (open && command.value("cap", true)), line);
+        }
+}
+
+void SolidCommandsTest::whatMeetsNothingIsSaidToBeApart() {
+    for (const char* line : {R"({"op":"tube","along":[[%1,0,0],[%1,1,0]],"radius":0.2})",
+                             R"({"op":"primitive","size":"0.3","position":"%1,0,0"})",
+                             R"({"op":"solid","sample":"sphere:500","scale":0.4,"position":"%1,0,0"})"})
+        for (const auto& [x, apart] : {std::pair("0.9", false), std::pair("3", true)}) {
+            Workbench bench;
+            bench.run(test::newSphere(2500));
+            bench.run(json::parse(QString(line).arg(x).toStdString()));
+            QVERIFY2(told(bench, "does not meet") == apart, line);
+        }
 }
 
 void SolidCommandsTest::wrongNumbersAreRefused() {

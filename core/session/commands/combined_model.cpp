@@ -3,6 +3,7 @@
 #include "core/process/estimation/spacing_sample.h"
 #include "core/session/number_text_list.h"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
@@ -11,13 +12,14 @@ namespace session {
 void take(Context& context, solid::Combined result, const char* label, const std::string& unchanged) {
     const bool changed = result.removed + result.inserted > 0;
     context.messages.push_back(changed ? std::to_string(result.removed) + " points went, " +
-                                             std::to_string(result.inserted) + " came"
+                                             std::to_string(result.inserted) + " came."
                                        : "The model is as it was: " + unchanged + ".");
     context.figures["removed"] = static_cast<double>(result.removed);
     context.figures["inserted"] = static_cast<double>(result.inserted);
     context.figures["at_seam"] = static_cast<double>(result.atSeam);
     if (result.rounded > 0)
-        context.messages.push_back(std::to_string(result.rounded) + " of those that came round the seam");
+        context.messages.push_back(std::to_string(result.rounded) +
+                                   " of the points that came make the seam round or flat.");
     double length = 0;
     std::size_t pieces = 0, corners = 0;
     for (const solid::SeamCurve& seam : result.seams) {
@@ -30,6 +32,21 @@ void take(Context& context, solid::Combined result, const char* label, const std
     context.figures["corners"] = static_cast<double>(corners);
     if (changed)
         context.document.commit(std::move(result.surface), label);
+}
+
+void takeBoth(Context& context, solid::Combined result, const char* label) {
+    const bool apart = result.removed == 0 && result.inserted > 0;
+    take(context, std::move(result), label);
+    if (apart)
+        context.messages.push_back("It does not meet the model's surface: what came is a part of its own.");
+}
+
+bool tellOfGuess(Context& context, const surface::Surface& surface, const char* name) {
+    const bool open = std::isfinite(surface.definition().boundaryLimit);
+    if (open)
+        context.messages.push_back(std::string("The ") + name +
+                                   " has a boundary: where it is open, inside and outside are a guess.");
+    return open;
 }
 
 CommandParameter creasesParameter() {

@@ -12,6 +12,12 @@ namespace session {
 void take(Context& context, solid::Combined result, const char* label,
           const std::string& unchanged = "no point went, and none came");
 
+/// As take, of the model and another surface; tells where they do not meet.
+void takeBoth(Context& context, solid::Combined result, const char* label);
+
+/// Tells that what is inside of an open surface is a guess. Returns whether it is open.
+bool tellOfGuess(Context& context, const surface::Surface& surface, const char* name = "model");
+
 /// "creases": are seams sharp? "fillet": or rounded by a ball? "chamfer": or cut flat?
 CommandParameter creasesParameter();
 CommandParameter filletParameter();

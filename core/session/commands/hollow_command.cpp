@@ -9,6 +9,7 @@ namespace session {
 
 static void hollow(Context& context, const nlohmann::json& complete) {
     requireModel(context);
+    tellOfGuess(context, context.document.surface());
     take(context, solid::hollowed(context.document.surface(), complete.at("thickness").get<double>(), context.progress),
          "Hollow");
 }

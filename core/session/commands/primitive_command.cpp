@@ -21,6 +21,7 @@ static solid::Combined withPrimitive(Context& context, const solid::PrimitiveRow
         s.normal = base::unitNormal(base::cast<float>(pose.turn * base::cast<double>(s.normal)));
     }
     const solid::PrimitiveSide side(row, size, pose);
+    tellOfGuess(context, model);
     return solid::combine(model, {side, std::move(surfels)}, operation, combineOptions(complete), context.progress);
 }
 
@@ -37,10 +38,10 @@ static void primitive(Context& context, const json& complete) {
     const solid::Pose pose = poseOf(complete, context.document.provenance().origin);
     const double spacing = complete.contains("spacing") ? complete.at("spacing").get<double>()
                                                         : spacingNear(context.document.surface(), pose.middle);
-    take(context,
-         withPrimitive(context, row, size, pose, spacing, complete,
-                       solid::operation(complete.at("operation").get<std::string>())),
-         row.label);
+    takeBoth(context,
+             withPrimitive(context, row, size, pose, spacing, complete,
+                           solid::operation(complete.at("operation").get<std::string>())),
+             row.label);
 }
 
 CommandRow primitiveCommand() {
@@ -103,10 +104,10 @@ static void drill(Context& context, const json& complete) {
     const auto [first, last] = alongModel(model, from, direction);
     const double begin = first - radius, end = depth > 0 ? hit.t + depth : last + radius;
     const solid::Pose pose = solid::poseAlong(from + direction * (0.5 * (begin + end)), direction);
-    take(context,
-         withPrimitive(context, solid::primitive("cylinder"), {radius, end - begin, 0}, pose,
-                       spacingNear(model, hit.position), complete, solid::Operation::Difference),
-         "Drill");
+    takeBoth(context,
+             withPrimitive(context, solid::primitive("cylinder"), {radius, end - begin, 0}, pose,
+                           spacingNear(model, hit.position), complete, solid::Operation::Difference),
+             "Drill");
 }
 
 CommandRow drillCommand() {

@@ -80,13 +80,8 @@ static void solidWith(Context& context, const json& complete) {
     surfel::SurfelList surfels =
         placed(other, poseOf(complete, context.document.provenance().origin), complete.at("scale").get<double>());
     const solid::SurfaceSide side({tree::SurfelTree::build(surfels), other.surface().definition()});
-    bool open = false;
-    for (const surface::Surface* each : {&model, &other.surface()})
-        if (std::isfinite(each->definition().boundaryLimit)) {
-            open = true;
-            context.messages.push_back(std::string(each == &model ? "the model" : "the other model") +
-                                       " has a boundary: where it is open, inside and outside are a guess");
-        }
+    const bool modelOpen = tellOfGuess(context, model),
+               open = tellOfGuess(context, other.surface(), "other model") || modelOpen;
     solid::CombineOptions options = combineOptions(complete);
     options.seams = complete.at("seams").get<bool>();
     solid::Combined result =
@@ -94,7 +89,7 @@ static void solidWith(Context& context, const json& complete) {
                        options, context.progress);
     if (open && result.removed + result.inserted > 0) // its rims may be in the result, or the model's may be gone
         result.surface = process::withOwnLimit(result.surface.tree(), result.surface.definition(), context.progress);
-    take(context, std::move(result), "Combine");
+    takeBoth(context, std::move(result), "Combine");
     if (complete.contains("model") && !(context.document.surface().tree() == before)) { // it is in this one now
         Scene scene = context.document.scene();
         scene.models[sceneModel(scene, complete.at("model").get<std::string>())].visible = false;

@@ -18,16 +18,17 @@ static void tube(Context& context, const json& complete) {
     std::vector<Vec3d> line =
         solid::curveThrough(placesOf(context, complete, "along"), radius, complete.at("smooth").get<bool>());
     if (line.size() < 2)
-        throw base::Error("\"along\" has fewer than two places", "tube", "write [[x,y,z],[x,y,z],...]");
+        throw base::Error("\"along\" has fewer than two places", "tube", "give two at least, with three numbers each");
     constexpr double finest = 0.4; // radii: a dozen points around it at least
     const double spacing = complete.contains("spacing") ? complete.at("spacing").get<double>()
                                                         : std::min(spacingNear(model, line.front()), finest * radius);
     const solid::TubeSide side(std::move(line), radius);
-    take(context,
-         solid::combine(model, {side, solid::surfelsOf(side, spacing, model.definition())},
-                        solid::operation(complete.at("operation").get<std::string>()), combineOptions(complete),
-                        context.progress),
-         "Tube");
+    tellOfGuess(context, model);
+    takeBoth(context,
+             solid::combine(model, {side, solid::surfelsOf(side, spacing, model.definition())},
+                            solid::operation(complete.at("operation").get<std::string>()), combineOptions(complete),
+                            context.progress),
+             "Tube");
 }
 
 CommandRow tubeCommand() {
