@@ -87,7 +87,7 @@ ordered_json cleaned(const Options& options, const BatchJob& job, Console& conso
     console.tell(context.messages);
     context.messages.clear();
     if (options.dryRun)
-        console.tell("Nothing was written: " + job.out + " would have " +
+        console.tell("Nothing was written: " + (job.out.empty() ? "the model" : job.out) + " would have " +
                      std::to_string(document.surface().tree().size()) + " of " + std::to_string(before) + " points.");
     else
         session::run(context, {{"op", "save"}, {"path", job.out}});
@@ -100,7 +100,7 @@ void run(const Options& options, OptionSet set, Console& console) {
         throw UsageError("--dry-run is of one file, not of many");
     if (!options.batch.wanted()) {
         requireNoBatch(options.batch);
-        if (options.out.empty())
+        if (options.out.empty() && !options.dryRun)
             throw UsageError("OUT is required: the model to write");
     }
     const bool limit = has(options.steps, "limit");
@@ -127,7 +127,7 @@ void run(const Options& options, OptionSet set, Console& console) {
 Action addClean(OptionSet command) {
     auto options = std::make_shared<Options>();
     command.add("IN", options->in, modelHelp).required();
-    command.add("OUT", options->out, "model to write; .ply keeps everything");
+    command.add("OUT", options->out, "model to write; .ply keeps everything; may be left out with --dry-run");
     for (const session::CommandParameter& p : session::command("clean").parameters)
         if (p.id == std::string_view("duplicates"))
             command.addFlag("--duplicates", options->duplicates, p.tip);

@@ -11,6 +11,7 @@
 #include "core/render/depth_exr.h"
 #include "core/render/image_io.h"
 #include "core/render/scene_picture.h"
+#include "core/selection/field.h"
 #include "ui/gl/backends.h"
 
 #include <nlohmann/json.hpp>
@@ -50,6 +51,17 @@ void saveDepth(const render::Image& image, const std::filesystem::path& path) {
         render::savePfm(image, path);
 }
 
+/// A picture lacks them, and does not look so.
+void tellOfHidden(const session::Scene& scene, Console& console) {
+    std::size_t count = 0;
+    for (const session::SceneModel& model : scene.models)
+        if (model.visible)
+            count += sizeOf(selection::selectedIn(model.surface.tree(), selection::Field::Hidden));
+    if (count > 0)
+        console.tell(std::to_string(count) + (count == 1 ? " surfel is" : " surfels are") +
+                     " hidden in the model, and not drawn; the command `show` of sessions shows them.");
+}
+
 void run(Options options, Console& console) {
     requireOutputs({{"-o", options.image}, {"--depth", options.depth}, {"--stats", options.stats}});
     session::Document document;
@@ -57,6 +69,7 @@ void run(Options options, Console& console) {
     session::Context context{document, {}, progress, {}, 0, {}, nullptr};
     options.picture.rayCast = options.mode == "raycast";
     openModel(context, options.model, options.surface->parameters(), console, SceneUse::All);
+    tellOfHidden(document.scene(), console);
     const SceneView scene = sceneView(document, progress);
     const auto cameras = camerasOf(*options.view, scene.whole, document.provenance().origin, document.up());
     const int count = static_cast<int>(cameras.size());

@@ -240,6 +240,10 @@ void BatchTest::dryRunsWriteNothing() {
     QVERIFY2(outcome.code == 0 && outcome.err.find("Nothing was written") != std::string::npos, outcome.err.c_str());
     QVERIFY(!QFile::exists(program.dir().filePath("out.ply")));
     const json dry = json::parse(program.read("report.json"));
+    const Outcome nameless = program.run({"clean", "a.ply", "--thin", "0.2", "--dry-run", "--report", "report.json"});
+    QVERIFY2(nameless.code == 0 && nameless.err.find("the model would have") != std::string::npos,
+             nameless.err.c_str());
+    QCOMPARE(json::parse(program.read("report.json")), dry);
     QCOMPARE(program.run({"clean", "a.ply", "out.ply", "--thin", "0.2", "--report", "report.json"}).code, 0);
     QCOMPARE(json::parse(program.read("report.json")), dry);
 }

@@ -19,6 +19,7 @@ class RenderTest : public QObject {
     void qualitySavesRays();
     void theDefaultViewShowsTheWholeModel();
     void viewsFollowTheUpAxis();
+    void whatIsHiddenAndNotDrawnIsTold();
 };
 
 struct Depth {
@@ -176,6 +177,22 @@ void RenderTest::viewsFollowTheUpAxis() {
     QCOMPARE(program.run({"render", "m.xyz", "-o", "a.png", "--size", "40x30", "--up=-z"}).code, 0);
     QCOMPARE(program.run({"render", "m.xyz", "-o", "a.png", "--up", "w"}).code, 2);
     QCOMPARE(program.run({"render", "m.xyz", "-o", "a.png", "--up", "0,0,0"}).code, 2);
+}
+
+void RenderTest::whatIsHiddenAndNotDrawnIsTold() {
+    const Program program;
+    program.write("s.jsonl", R"({"op":"new","sample":"sphere","count":2000}
+{"op":"save","path":"whole.ply"}
+{"op":"select","by":"plane","plane":[0,1,0,0.5]}
+{"op":"hide"}
+{"op":"save","path":"part.ply"}
+)");
+    QCOMPARE(program.run({"run", "s.jsonl"}).code, 0);
+    for (const auto& [name, told] : {std::pair("whole.ply", false), std::pair("part.ply", true)}) {
+        const Outcome outcome = program.run({"render", name, "-o", "o.png", "--size", "64x48"});
+        QVERIFY2(outcome.code == 0 && (outcome.err.find("not drawn") != std::string::npos) == told,
+                 outcome.err.c_str());
+    }
 }
 
 static const test::Registered<RenderTest> registered;
