@@ -88,15 +88,30 @@ static std::string fault(const std::string& op, const std::string& id, const std
     }
 }
 
+/// A tip that begins with how a session writes the list, "[x,y,z] that" or "[[x,y],...], a lasso": how a shell does,
+/// x,y,z or 'x,y x,y ...', and the rest. Both are empty of other tips.
+static std::pair<std::string, std::string> listHelp(const std::string& help) {
+    const bool nested = help.starts_with("[[") && help.find("...]") != std::string::npos;
+    const std::size_t end = help.find(']'), rest = nested ? help.find("...]") + 4 : end + 1;
+    if (!help.starts_with('[') || end == std::string::npos || rest > help.size())
+        return {};
+    const std::string each = help.substr(nested ? 2 : 1, end - (nested ? 2 : 1));
+    return {nested ? "'" + each + " " + each + " ...'" : each,
+            help.substr(std::min(help.find_first_not_of(", ", rest), help.size()))};
+}
+
 Option addParameter(OptionSet command, const std::string& op, const session::CommandParameter& parameter,
                     const std::string& help, GivenParameters& given) {
     const std::string id = parameter.id;
     std::string name = "--" + id;
+    const auto [written, meaning] = parameter.type == std::string_view("list") ? listHelp(help) : listHelp({});
     std::replace(name.begin(), name.end(), '_', '-');
     Option option = command.addTo(
         name,
         [&given, &parameter, id](const std::string& value) { given.emplace_back(id, valueText(parameter, value)); },
-        help);
+        meaning.empty() ? help : meaning);
+    if (!written.empty())
+        option.typeName(written);
     return option.check(
         {[op, id, &parameter](const std::string& value) { return fault(op, id, valueText(parameter, value)); }});
 }

@@ -30,8 +30,8 @@ std::span<const SubcommandRow> subcommandTable() {
          "pointclay haptic bunny.ply --trajectory tool.csv -o felt.csv --radius 0.002 --friction 0.3", addHaptic},
         {"solid", "Put two models together as solids: union, difference or intersection",
          "pointclay solid bunny.ply sample:sphere -o bitten.ply --op difference --scale 0.03", addSolid},
-        {"cut", "Cut a model by a plane, and close it", "pointclay cut bunny.ply --plane 0,1,0,0.1 --cap -o bust.ply",
-         addCut},
+        {"cut", "Cut a model by a plane; --cap closes it",
+         "pointclay cut bunny.ply --plane 0,1,0,0.1 --cap -o bust.ply", addCut},
         {"trim", "Cut a model along an outline drawn in a picture of it, straight through, and close it",
          "pointclay trim bunny.ply -o ear.ply --eye 0,0.1,0.6 --target 0,0.1,0 --rectangle 400,80,640,300 --keep "
          "inside",

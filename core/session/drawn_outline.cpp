@@ -12,18 +12,20 @@ using nlohmann::json;
 
 std::vector<CommandParameter> pictureParameters(const char* needed) {
     return {
-        {"eye", "list", "model units", "[x,y,z], of the camera of a view", needed, "", 0, 0},
-        {"target", "list", "model units", "[x,y,z] that it looks at", needed, "", 0, 0},
-        {"up", "list", "", "[x,y,z] that is upwards in its picture; the model's unless told", "null", "", 0, 0},
+        {"eye", "list", "model units", "[x,y,z], place of the camera of a view", needed, "", 0, 0},
+        {"target", "list", "model units", "[x,y,z], place that the camera looks at", needed, "", 0, 0},
+        {"up", "list", "", "[x,y,z], direction that is upwards in the picture; the model's unless told", "null", "", 0,
+         0},
         {"fov", "number", "degrees", "vertical angle of view; 35 unless told", "null", "", 1, 170},
         {"ortho", "number", "model units", "parallel rays: height of the picture", "null", "", positive, largest},
-        {"size", "list", "pixels", "[width,height] of the picture; [1280,720] unless told", "null", "", 0, 0},
+        {"size", "list", "pixels", "[width,height], size of the picture; 1280,720 unless told", "null", "", 0, 0},
     };
 }
 
 std::vector<CommandParameter> outlineParameters() {
     return {
-        {"rectangle", "list", "pixels", "[x0,y0,x1,y1] from the upper left corner of the picture", "null", "", 0, 0},
+        {"rectangle", "list", "pixels",
+         "[x0,y0,x1,y1], two opposite corners, from the upper left corner of the picture", "null", "", 0, 0},
         {"polygon", "list", "pixels", "[[x,y],...], a lasso: what it goes round, by the even-odd rule", "null", "", 0,
          0},
     };

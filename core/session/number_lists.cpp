@@ -42,7 +42,7 @@ std::vector<Vec3d> placesOf(const Context& context, const json& complete, const 
     const auto wrong = [&] {
         return base::Error("\"" + std::string(id) + "\" of \"" + complete.at("op").get<std::string>() +
                                "\" is no list of places",
-                           {}, "write [[x,y,z],[x,y,z],...]");
+                           {}, "give three numbers for each place");
     };
     const auto take = [&](const json& number) {
         if (!number.is_number() || !(std::abs(number.get<double>()) <= CommandParameter::largest))

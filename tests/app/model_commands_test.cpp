@@ -15,6 +15,7 @@ class ModelCommandsTest : public QObject {
     void theyDoWhatTheCommandDoes_data();
     void theyDoWhatTheCommandDoes();
     void listsThatAreNoneAreWrongUsage();
+    void helpWritesListsAsAShellDoes();
 };
 
 void ModelCommandsTest::theyDoWhatTheCommandDoes_data() {
@@ -57,6 +58,16 @@ void ModelCommandsTest::listsThatAreNoneAreWrongUsage() {
     QVERIFY2(text.err.find("--along") != std::string::npos, text.err.c_str());
     QCOMPARE(program.run({"tube", "sample:sphere:500", "-o", "o.ply", "--radius", "1"}).code, 2);
     QCOMPARE(program.run({"trim", "sample:sphere:500", "-o", "o.ply", "--eye", "0,0,9"}).code, 2);
+}
+
+void ModelCommandsTest::helpWritesListsAsAShellDoes() {
+    const Program program;
+    const std::string trim = program.run({"trim", "--help"}).out, tube = program.run({"tube", "--help"}).out;
+    for (const char* words : {"--eye x,y,z REQUIRED", "--polygon 'x,y x,y ...'", "--rectangle x0,y0,x1,y1",
+                              "a lasso: what it goes round", " place that the camera looks at"})
+        QVERIFY2(trim.find(words) != std::string::npos, (words + ("\n" + trim)).c_str());
+    QVERIFY2(tube.find("--along 'x,y,z x,y,z ...' REQUIRED") != std::string::npos, tube.c_str());
+    QVERIFY(trim.find("[x,y") == std::string::npos && tube.find("[x,y") == std::string::npos);
 }
 
 static const test::Registered<ModelCommandsTest> registered;
