@@ -28,15 +28,18 @@ constexpr std::size_t leastPatch = 8;
 class Choice {
   public:
     /// Of all that the trees have joined by now.
-    Choice(const Cloud& cloud, const NeighbourTable& links, std::span<const Vec3f> normals, OrientationTrees& trees)
+    Choice(const Cloud& cloud, const NeighbourTable& links, std::span<const Vec3f> normals, OrientationTrees& trees,
+           const base::Progress& progress)
         : m_cloud(cloud), m_links(links), m_normals(normals), m_trees(trees), m_surfaceOf(surfacesOf(links)),
-          m_best(trees.state()), m_sides(sides()) {}
+          m_best(trees.state()), m_sides(sides()), m_seam(trees.hasSeam(progress)) {}
 
     const std::map<std::uint32_t, WindingSide>& best() const { return m_sides; }
+    bool hasSeam() const { return m_seam; }
     bool settled() const {
         return std::ranges::none_of(m_sides, [](const auto& each) { return each.second.off > surelyBodies; });
     }
     /// Of what pieces make by winding numbers, and that their neighbours join. `pieces`: as `trees` have them.
+    /// What has two sides so far keeps them: patches that are wrong in themselves part it by seams.
     void judge(std::vector<std::vector<std::uint32_t>> pieces, const base::Progress& progress) {
         std::map<std::uint32_t, std::vector<std::vector<std::uint32_t>>> surfaces;
         for (std::vector<std::uint32_t>& piece : pieces)
@@ -49,22 +52,35 @@ class Choice {
                 m_trees.signs().relate(each.a, each.b, each.opposite);
             done = next;
         }
-        joinPieces(m_cloud, m_normals, m_trees, part(progress, 0.7, 1));
+        joinPieces(m_cloud, m_normals, m_trees, part(progress, 0.7, 0.9));
+        std::map<std::uint32_t, WindingSide> best = m_sides;
+        OrientationTrees::State turned = m_best;
+        bool any = false;
         for (auto& [root, side] : sides()) {
-            const auto before = m_sides.find(root); // bodies apart may be of one component here, and not there
-            if (before == m_sides.end() || before->second.members != side.members)
-                continue;
-            const double off = before->second.off;
-            if (side.off > muchBetter * off && (side.off > bodies || side.off > better * off))
+            const auto before = best.find(root); // bodies apart may be of one component here, and not there
+            if (before == best.end() || before->second.members != side.members || !isBetter(side, before->second))
                 continue;
             for (const std::uint32_t i : side.members)
-                m_best.signs.take(m_trees.signs(), i);
+                turned.signs.take(m_trees.signs(), i);
             before->second = std::move(side);
+            any = true;
         }
+        if (!any)
+            return;
+        m_trees.resume(turned);
+        const bool seam = m_trees.hasSeam(part(progress, 0.9, 1));
+        if (seam && !m_seam)
+            return;
+        m_best = std::move(turned);
+        m_sides = std::move(best);
+        m_seam = seam;
     }
     OrientationTrees::State take() { return std::move(m_best); }
 
   private:
+    static bool isBetter(const WindingSide& now, const WindingSide& before) {
+        return now.off <= muchBetter * before.off || (now.off <= bodies && now.off <= better * before.off);
+    }
     std::map<std::uint32_t, WindingSide> sides() {
         return windingSides(m_cloud, m_links, m_normals, m_surfaceOf, m_trees.signs());
     }
@@ -76,6 +92,7 @@ class Choice {
     std::vector<std::uint32_t> m_surfaceOf;
     OrientationTrees::State m_best;
     std::map<std::uint32_t, WindingSide> m_sides; ///< of the best
+    bool m_seam; ///< of the best: certain edges contradict it, as on what has no two sides
 };
 
 /// Pieces of what is certain; where noise leaves little that is, of what is less so. Joins them.
@@ -105,10 +122,10 @@ bool orientGlobally(const Cloud& cloud, const NeighbourTable& links, std::span<V
     std::vector<std::vector<std::uint32_t>> pieces = certainPieces(cloud, trees, part(progress, 0.5, 0.55));
     OrientationTrees::State certain = trees.state();
     joinPieces(cloud, normals, trees, part(progress, 0.55, 0.65));
-    Choice choice(cloud, links, normals, trees);
+    Choice choice(cloud, links, normals, trees, part(progress, 0.65, 0.7));
     if (pieces.size() > 1 && !choice.settled()) {
         trees.resume(std::move(certain));
-        choice.judge(std::move(pieces), part(progress, 0.65, 0.75));
+        choice.judge(std::move(pieces), part(progress, 0.7, 0.75));
     }
     double done = 0.75;
     for (const std::size_t count : patchCounts) {
@@ -121,9 +138,8 @@ bool orientGlobally(const Cloud& cloud, const NeighbourTable& links, std::span<V
         done += 0.07;
     }
     trees.resume(choice.take());
-    const bool sided = !trees.hasSeam(part(progress, 0.9, 0.95));
-    trees.takeSigns(given, choice.best(), part(progress, 0.95, 1));
-    return sided;
+    trees.takeSigns(given, choice.best(), part(progress, 0.9, 1));
+    return !choice.hasSeam();
 }
 
 std::vector<std::uint8_t> doubtfulSigns(const Cloud& cloud, const NeighbourTable& links, std::span<const Vec3f> normals,

@@ -1,5 +1,5 @@
 // Orientation by agreement of the whole: pieces of the surface whose signs are certain in themselves are turned so that
-// each lies in the field of all others as the surface of a body does (process/README 2.4).
+// winding numbers are those on the surface of a body (process/README 2.4).
 //
 // Where the spanning tree carries one wrong decision from a doubtful bridge to all that hangs on it, here every piece
 // is judged by all the others, near and far. In parallel, the same bits at any thread count.
