@@ -114,8 +114,7 @@ Action addRegister(OptionSet command) {
     command
         .add("--report", options->report,
              "JSON file to write: for each moving model its matrix (16 numbers by row), rms and overlap; held: it does "
-             "not "
-             "slide along the others; unique: it was not found to fit nearly as well in another place")
+             "not slide along the others; unique: it was not found to fit nearly as well in another place")
         .typeName("OUT.json");
     options->surface = addSurfaceOptions(command, false);
     return [options](Console& console) { run(*options, console); };
