@@ -133,8 +133,19 @@ SurfelTree grafted(const SurfelTree& whole, const SurfelTree& before, const Surf
     return whole.apply(edit);
 }
 
+/// By how much more a place is off a plane than where the surface was there before.
+static float grown(const SurfelTree& before, const base::Vec3f& x, const base::Vec3f& on, const base::Vec3f& n) {
+    std::vector<tree::Neighbour> at;
+    before.nearest(x, 1, at);
+    if (at.empty())
+        return 0;
+    const base::Vec3f own = at[0].block->normal(at[0].slot);
+    const base::Vec3f was = x - own * dot(x - at[0].block->position(at[0].slot), own);
+    return std::abs(dot(x - on, n)) - std::abs(dot(was - on, n));
+}
+
 Step stepBesideHidden(const SurfelTree& whole, const SurfelTree& before, const SurfelTree& after) {
-    constexpr float beside = 1.6f; // spacings
+    constexpr float beside = 1.6f, moved = 0.1f; // spacings; what was beside an edge stays far from the plane across
     constexpr std::size_t looked = 12;
     const int channel = channelOf(*whole.layout(), Field::Hidden);
     Step out;
@@ -149,7 +160,8 @@ Step stepBesideHidden(const SurfelTree& whole, const SurfelTree& before, const S
                 const float height = std::abs(dot(way, n));
                 if (valueAt(*each.block, channel, each.slot) < half ||
                     length(way - n * dot(way, n)) > beside * spacing || dot(n, block->normal(slot)) < 0 ||
-                    !(height > static_cast<float>(out.spacings) * spacing))
+                    !(height > static_cast<float>(out.spacings) * spacing) ||
+                    grown(before, x, each.block->position(each.slot), n) < moved * spacing)
                     continue;
                 out = {static_cast<double>(height / spacing), static_cast<double>(height), x};
             }

@@ -27,8 +27,8 @@ surface::Surface shownOf(const surface::Surface& surface);
 /// keeps every bit. Cost: the blocks that differ. REQUIRES: layouts of the same words.
 tree::SurfelTree grafted(const tree::SurfelTree& whole, const tree::SurfelTree& before, const tree::SurfelTree& after);
 
-/// The highest step between what a stroke changed of what is shown, in spacings there, and what is hidden beside it in
-/// `whole`, and where; below 1/2 nothing is to be seen. Cost: the blocks that differ.
+/// The highest step that a stroke on what is shown left or made higher, in spacings there, to what is hidden beside it
+/// in `whole`, and where; below 1/2 nothing is to be seen. Cost: the blocks that differ.
 struct Step {
     double spacings = 0, height = 0; ///< model units
     base::Vec3f place;

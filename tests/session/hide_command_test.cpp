@@ -425,19 +425,30 @@ void HideCommandTest::commandsSpareWhatIsHiddenOrSayThatTheyDoNot() {
 }
 
 void HideCommandTest::stepsBesideWhatIsHiddenAreTold() {
-    const auto told = [](double x) {
-        Workbench bench;
-        makeHidden(bench);
+    const auto toldBy = [](Workbench& bench, const char* tool, double x) {
         bench.context.messages.clear();
         json samples = json::array();
         for (int k = 0; k < 8; ++k)
             samples.push_back({x, 0.1 * k - 0.4, 5.0, 0.0, 0.0, -1.0, 1.0, 0.02 * k});
-        bench.run({{"op", "stroke"}, {"tool", "draw"}, {"radius", 0.25}, {"strength", 1}, {"samples", samples}});
+        bench.run({{"op", "stroke"}, {"tool", tool}, {"radius", 0.25}, {"strength", 1}, {"samples", samples}});
         return std::ranges::any_of(bench.context.messages,
                                    [](const std::string& each) { return each.find("A step of") != std::string::npos; });
     };
-    QVERIFY(told(0.0)); // the end is at 0.1
-    QVERIFY(!told(-0.5));
+    for (const double x : {0.0, -0.5}) { // the end is at 0.1
+        Workbench bench;
+        makeHidden(bench);
+        QCOMPARE(toldBy(bench, "draw", x), x == 0);
+    }
+    // an edge is no step, and colours make none
+    Workbench bench;
+    bench.run(test::newSphere());
+    bench.run(parsed(R"({"op":"cut","plane":"-1,0,0,-0.5","cap":true})"));
+    bench.run(parsed(R"({"op":"select","by":"plane","plane":[1,0,0,0.49]})"));
+    bench.run(parsed(R"({"op":"hide"})"));
+    QVERIFY(hiddenIn(bench) > 100);
+    const std::string before = bench.hash();
+    QVERIFY(!toldBy(bench, "paint", 0.4));
+    QVERIFY(bench.hash() != before);
 }
 
 void HideCommandTest::nonsenseIsRefused() {
