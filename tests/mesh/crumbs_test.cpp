@@ -160,7 +160,7 @@ void CrumbsTest::whatIsSmallAndAloneStays() {
 
 /// Off tips f has small closed zeros, on which no surfels lie.
 void CrumbsTest::nothingFloatsBeyondAcuteEdges() {
-    for (int round = 0; round < test::effort(3); ++round) {
+    for (int round = 0; round < test::effort(2); ++round) {
         const std::uint64_t seed = test::seed() + static_cast<std::uint64_t>(round);
         base::Random random(seed);
         const mesh::Mesh m = meshOf(process::prepare(star(7000, random), {}), "marching-cubes");

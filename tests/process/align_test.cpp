@@ -182,7 +182,7 @@ surface::Surface simpleScan(int shape, double noise, const Rigid& motion, base::
 /// One place is as good as the next on what slides along itself: the residual is small, and says nothing.
 void AlignTest::whatSlidesIsTold() {
     base::Random random(test::seed());
-    for (int shape = 0; shape < 4; ++shape) {
+    for (int shape = test::sanitized ? 2 : 0; shape < 4; ++shape) {
         const double noise = random.uniform(0, 0.01); // a fifth of the spacing and less
         std::vector<Placed> models{{simpleScan(shape, noise, {}, random), {}},
                                    {simpleScan(shape, noise, disturbance(0.05, 0.03, random), random), {}}};

@@ -108,8 +108,8 @@ void ExtrudeCrossingTest::whatComesOutBehindBecomesABore() {
 void ExtrudeCrossingTest::whatMeetsAnotherPartBecomesOneWithIt() {
     base::Random random(test::seed() + 3);
     const double angle = random.uniform(0.3, 0.7);
-    surfel::SurfelList both = test::spherePoints(2000);
-    for (surfel::Surfel s : test::spherePoints(2000).items) {
+    surfel::SurfelList both = test::spherePoints(1000);
+    for (surfel::Surfel s : test::spherePoints(1000).items) {
         s.position = s.position + Vec3f{3, 0, 0};
         both.append(s, {});
     }

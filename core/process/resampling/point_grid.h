@@ -10,6 +10,7 @@
 #include "core/base/box.h"
 #include "core/base/cells.h"
 
+#include <algorithm>
 #include <span>
 #include <vector>
 

@@ -16,9 +16,9 @@ struct SignRelation {
 };
 
 /// The signs of the pieces, each to the first one, with which winding numbers on all of them are nearest to 1/2.
-/// `pieces`: members in the order of the curve; `trees` join what is inside of them. The matrix has 4000 rows and a
-/// column for each piece: at most a thousand should come. In parallel, the same bits at any thread count. Throws
-/// base::Cancelled.
+/// `pieces`: members in the order of the curve; `trees` join what is inside of them. The matrix has up to 4000 rows
+/// and a column for each piece: not many more than a thousand should come. In parallel, the same bits at any thread
+/// count. Throws base::Cancelled.
 std::vector<SignRelation> signsByWinding(const Cloud& cloud, const NeighbourTable& links,
                                          std::span<const base::Vec3f> normals,
                                          const std::vector<std::vector<std::uint32_t>>& pieces, base::ParitySets& trees,
