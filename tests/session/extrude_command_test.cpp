@@ -84,6 +84,11 @@ void ExtrudeCommandTest::whatRunsThroughTheModelIsTold() {
         QVERIFY(bench.context.figures.at("crossings") > 0);
     }
     Workbench bench;
+    bench.run(test::newSphere());
+    bench.run(json::parse(R"({"op":"select","by":"plane","plane":[0,0,1,0.95]})"));
+    bench.run({{"op", "extrude"}, {"length", -1.9}, {"merge", true}}); // it only just touches the far side
+    QVERIFY(bench.context.figures.at("crossings") > 0);
+    QVERIFY(bench.context.messages.back().find("nothing was merged") != std::string::npos);
     openPart(bench);
     bench.run({{"op", "extrude"}, {"length", -0.3}});
     QCOMPARE(bench.context.figures.at("crossings"), 0.0);

@@ -20,10 +20,15 @@ static void tellCrossings(Context& context, const solid::Extruded& result, const
                               placeText(result.crossings.place + context.document.provenance().origin,
                                         std::abs(complete.at("length").get<double>())) +
                               " it runs through the model";
-    context.messages.push_back(merge ? "On its way " + where + ": " + std::to_string(result.inside) +
-                                           " points inside of each other went, and both are one."
-                                     : "On its way " + where + ", or lies on it; a shorter length keeps clear" +
-                                           (selected ? ", \"merge\" makes one solid of both." : "."));
+    if (merge && result.inside == 0)
+        context.messages.push_back("On its way " + where +
+                                   ", or lies on it, but no points are inside of each other, and nothing was merged; a "
+                                   "shorter length keeps clear, a longer one goes through.");
+    else
+        context.messages.push_back(merge ? "On its way " + where + ": " + std::to_string(result.inside) +
+                                               " points inside of each other went, and both are one."
+                                         : "On its way " + where + ", or lies on it; a shorter length keeps clear" +
+                                               (selected ? ", \"merge\" makes one solid of both." : "."));
 }
 
 static void extrude(Context& context, const nlohmann::json& complete) {
