@@ -1,0 +1,179 @@
+// What the tools do that move and make surfels on the surface, which stays: relax and density.
+#include "core/process/estimation/prepare.h"
+#include "sculpt/dabs.h"
+#include "sculpt/random_ball.h"
+#include "support/registry.h"
+
+#include <QTest>
+
+using namespace sculpt;
+using test::applied;
+using test::dabOf;
+
+class SamplingToolsTest : public QObject {
+    Q_OBJECT
+  private Q_SLOTS:
+    void relaxEvensTheSpacingAndKeepsTheSurface();
+    void relaxKeepsTheNumberOfSurfelsThatLieByChance();
+    void densityReachesItsFactorAndKeepsTheSurface();
+    void densityOfOneStrokeStopsAtItsFactor();
+    void densityKeepsToTheSamplingOfEachPlace();
+};
+
+void SamplingToolsTest::relaxEvensTheSpacingAndKeepsTheSurface() {
+    constexpr std::size_t count = 12000;
+    const double spacing = test::sphereSpacing(count);
+    base::Random random(test::seed());
+    surfel::SurfelList points = test::spherePoints(count);
+    for (surfel::Surfel& each : points.items) {
+        const base::Vec3d p = base::cast<double>(each.position) + random.unitVector() * (0.4 * spacing);
+        each.position = each.normal = base::cast<float>(normalized(p));
+    }
+    const surface::Surface before = test::surfaceOf(points);
+    surface::Surface now = before;
+    for (int k = 0; k < 4; ++k)
+        now = applied(tool("relax"), now, dabOf(tool("relax"), {0, 0, 1}, 0.5f, 1));
+    const auto under = [&](const surface::Surface& surface) {
+        std::vector<float> out;
+        std::vector<tree::Neighbour> near;
+        for (const surfel::Surfel& each : surface.tree().surfels().items) {
+            if (distance(each.position, {0, 0, 1}) > 0.3f)
+                continue;
+            surface.tree().nearest(each.position, 2, near);
+            out.push_back(std::sqrt(near[1].distanceSq) / float(spacing));
+        }
+        return process::summarise(out);
+    };
+    QVERIFY2(under(before).min < 0.5f && under(now).min > 0.65f, qPrintable(QString::number(double(under(now).min))));
+    for (const surfel::Surfel& each : now.tree().surfels().items)
+        QVERIFY(std::abs(length(each.position) - 1) < 0.02f * float(spacing));
+}
+
+void SamplingToolsTest::relaxKeepsTheNumberOfSurfelsThatLieByChance() {
+    base::Random random(test::seed());
+    const auto count = std::size_t(test::effort(6000)), under = count / 5;
+    const surface::Surface before = test::randomBall(random, count, 0.02, 0);
+    for (int place = 0; place < 2; ++place) {
+        const base::Vec3f at = before.tree().surfels().items[random.below(count)].position;
+        std::vector<tree::Neighbour> near;
+        before.tree().nearest(at, under, near);
+        Dab dab = dabOf(tool("relax"), at, std::sqrt(near.back().distanceSq), 1);
+        dab.first = &before;
+        surface::Surface now = before;
+        for (int k = 0; k < 4; ++k)
+            now = applied(tool("relax"), now, dab);
+        const double more = (double(now.tree().size()) - double(count)) / double(under);
+        const QString told = QString("%1 of %2, seed %3").arg(more).arg(under).arg(test::seed());
+        qInfo("%s", qPrintable(told));
+        QVERIFY2(std::abs(more) < 0.06, qPrintable(told));
+    }
+}
+
+/// Median spacing near the pole, in those of the start.
+static double spacingAt(const surface::Surface& surface, std::size_t count, float within) {
+    std::vector<float> near;
+    const std::vector<surfel::Surfel> items = surface.tree().surfels().items;
+    const std::vector<float> all = process::spacings(items);
+    for (std::size_t i = 0; i < items.size(); ++i)
+        if (distance(items[i].position, {0, 0, 1}) < within)
+            near.push_back(all[i]);
+    return double(process::summarise(near).median) / test::sphereSpacing(count);
+}
+
+static surface::Surface densified(const surface::Surface& start, float strength, double factor, int dabs) {
+    surface::Surface now = start;
+    Dab dab = dabOf(tool("density"), {0, 0, 1}, 0.7f, strength);
+    dab.parameters["factor"] = factor;
+    dab.first = &start;
+    for (int k = 0; k < dabs; ++k)
+        now = applied(tool("density"), now, dab);
+    return now;
+}
+
+void SamplingToolsTest::densityReachesItsFactorAndKeepsTheSurface() {
+    constexpr std::size_t count = 8000;
+    const surface::Surface start = test::surfaceOf(test::spherePoints(count));
+    for (const float strength : {1.0f, -1.0f}) {
+        const surface::Surface now = densified(start, strength, 0.6, 5);
+        now.tree().validate();
+        const double expected = strength > 0 ? 0.6 : 1 / 0.6, found = spacingAt(now, count, 0.25f);
+        QVERIFY2(std::abs(found / expected - 1) < 0.18, qPrintable(QString::number(found)));
+        for (const surfel::Surfel& each : now.tree().surfels().items) {
+            QVERIFY2(std::abs(length(each.position) - 1) < 0.03f * float(test::sphereSpacing(count)),
+                     qPrintable(QString::number(double(length(each.position) - 1))));
+            QVERIFY(now.evaluate(each.position, surface::Need::Value).samples >= 10);
+        }
+        base::Random random(test::seed());
+        for (int k = 0; k < 2000; ++k) { // the surface between them, where supports change
+            const base::Vec3f p = base::cast<float>(random.unitVector());
+            const auto e = now.evaluate(p, surface::Need::Gradient);
+            QVERIFY(e.ok());
+            QVERIFY2(std::abs(e.value) < 0.06f * float(test::sphereSpacing(count)),
+                     qPrintable(QString::number(double(e.value))));
+        }
+    }
+}
+
+void SamplingToolsTest::densityOfOneStrokeStopsAtItsFactor() {
+    constexpr std::size_t count = 4000;
+    const surface::Surface start = test::surfaceOf(test::spherePoints(count));
+    const double five = spacingAt(densified(start, 1, 0.7, 5), count, 0.25f),
+                 ten = spacingAt(densified(start, 1, 0.7, 10), count, 0.25f);
+    QVERIFY2(std::abs(ten / five - 1) < 0.02, qPrintable(QString("%1 %2").arg(five).arg(ten)));
+}
+
+/// Random points of the unit sphere, 20 times as far apart at one end of x as at the other.
+static surface::Surface onePerTwenty(base::Random& random, int count) {
+    surfel::SurfelList out;
+    out.layout = test::orientedLayout();
+    while (int(out.size()) < count) {
+        const base::Vec3d u = random.unitVector();
+        if (random.uniform() > std::pow(20.0, u.x - 1))
+            continue;
+        surfel::Surfel each;
+        each.position = each.normal = base::cast<float>(u);
+        out.append(each, {});
+    }
+    return process::prepare(out, {});
+}
+
+void SamplingToolsTest::densityKeepsToTheSamplingOfEachPlace() {
+    // A brush over all densities: nothing is eaten where it is finer than in the middle, nothing drowned where coarser.
+    base::Random random(test::seed());
+    const surface::Surface start = onePerTwenty(random, 5000);
+    for (const float strength : {1.0f, -1.0f})
+        for (const double at : {-0.6, 0.0, 0.6}) {
+            surface::Surface now = start;
+            const base::Vec3f centre = base::cast<float>(base::Vec3d{at, std::sqrt(1 - at * at), 0});
+            Dab dab = dabOf(tool("density"), centre, 1.4f, strength);
+            dab.first = &start;
+            for (int k = 0; k < 3; ++k)
+                now = applied(tool("density"), now, dab);
+            now.tree().validate();
+            for (const surfel::Surfel& each : now.tree().surfels().items)
+                QVERIFY(std::abs(length(each.position) - 1) <
+                        0.1f * process::spacingOf(now.definition(), each.support));
+            int before[4] = {}, after[4] = {}; // by quarters of x under the brush
+            const auto count = [&](const surface::Surface& of, int(&into)[4]) {
+                for (const surfel::Surfel& each : of.tree().surfels().items)
+                    if (distance(each.position, centre) < 1)
+                        ++into[std::clamp(int(2 + 2 * each.position.x), 0, 3)];
+            };
+            count(start, before), count(now, after);
+            for (int k = 0; k < 4; ++k) {
+                const double ratio = double(after[k]) / std::max(1, before[k]);
+                const QByteArray what = QString("strength %1, middle %2, quarter %3: %4 -> %5")
+                                            .arg(double(strength))
+                                            .arg(at)
+                                            .arg(k)
+                                            .arg(before[k])
+                                            .arg(after[k])
+                                            .toUtf8();
+                if (before[k] >= 30)
+                    QVERIFY2(strength > 0 ? ratio > 0.7 && ratio < 4 : ratio > 0.2 && ratio < 1.4, what.constData());
+            }
+        }
+}
+
+static const test::Registered<SamplingToolsTest> registered;
+#include "sampling_tools_test.moc"
