@@ -91,7 +91,9 @@ void ExtrudeCrossingTest::whatComesOutBehindBecomesABore() {
     base::Random random(test::seed() + 2);
     const Vec3d axis = random.unitVector();
     const double angle = random.uniform(0.4, 0.9);
-    const surface::Surface ball = test::surfaceOf(test::spherePoints(test::sanitized ? 2500 : 4000));
+    const std::size_t count = test::sanitized ? 2500 : 4000;
+    const double bound = 80.0 / static_cast<double>(count); // knives are blunt by the area of surfels
+    const surface::Surface ball = test::surfaceOf(test::spherePoints(count));
     const solid::Extruded result = pushed(ball, axis, angle, -random.uniform(2.1, 3), true);
     result.surface.tree().validate();
     mesh::MarchingReport report; // its edges are knives, at which extents take long
@@ -100,7 +102,7 @@ void ExtrudeCrossingTest::whatComesOutBehindBecomesABore() {
     const double volume = mesh::volumeOf(mesh), wanted = 4 * pi / 3 * std::pow(std::cos(angle), 3);
     const QByteArray told =
         QString("angle %1: volume %2 of %3, seed %4").arg(angle).arg(volume).arg(wanted).arg(test::seed()).toUtf8();
-    QVERIFY2(std::abs(volume / wanted - 1) < 0.02 && result.inside > 0, told);
+    QVERIFY2(std::abs(volume / wanted - 1) < bound && result.inside > 0, told);
     QVERIFY2(topology.boundaryLoops == 0 && topology.components == 1 && topology.genus() == 1, told);
 }
 
