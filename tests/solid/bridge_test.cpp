@@ -3,10 +3,9 @@
 
 #include "core/base/error.h"
 #include "core/base/random.h"
-#include "core/mesh/check/topology.h"
-#include "core/mesh/marching/marching_cubes.h"
 #include "core/process/registering/rigid.h"
 #include "core/surface/curves/boundary_curves.h"
+#include "meshed.h"
 #include "placed_shapes.h"
 #include "process/even_shapes.h"
 #include "support/registry.h"
@@ -18,6 +17,7 @@
 
 using base::Vec3d;
 using std::numbers::pi;
+using test::meshed;
 
 class BridgeTest : public QObject {
     Q_OBJECT
@@ -106,12 +106,6 @@ Off worst(const surface::Surface& before, const surface::Surface& after, const p
         out.normal = std::max(out.normal, std::acos(std::clamp(dot(n, m), -1.0, 1.0)));
     }
     return out;
-}
-
-mesh::Topology meshed(const surface::Surface& surface) {
-    mesh::MarchingReport report;
-    const mesh::Mesh mesh = mesh::marchingCubes(surface, {}, report);
-    return mesh::topologyOf(mesh.triangles, mesh.positions.size(), mesh.kinds);
 }
 
 } // namespace

@@ -1,9 +1,11 @@
 // Parts that are drawn or pushed through the model: told exactly where they are, and made one solid where asked for.
+#include "chosen.h"
 #include "core/base/random.h"
 #include "core/mesh/check/topology.h"
 #include "core/mesh/extent/extent.h"
 #include "core/mesh/marching/marching_cubes.h"
 #include "core/solid/extrude/extrude.h"
+#include "meshed.h"
 #include "placed_shapes.h"
 #include "process/even_shapes.h"
 #include "support/registry.h"
@@ -15,6 +17,7 @@
 
 using base::Vec3d, base::Vec3f;
 using std::numbers::pi;
+using test::chosen, test::meshed;
 
 class ExtrudeCrossingTest : public QObject {
     Q_OBJECT
@@ -29,30 +32,11 @@ class ExtrudeCrossingTest : public QObject {
 
 namespace {
 
-template <class Fn>
-tree::Selection chosen(const tree::SurfelTree& tree, const Fn& fn) {
-    tree::Selection out;
-    tree.forEachBlock([&](std::uint32_t number, const surfel::SurfelBlock& block) {
-        tree::SelectedBlock each{number, {}};
-        for (int slot = 0; slot < block.size(); ++slot)
-            each.slots[std::size_t(slot)] =
-                fn(base::cast<double>(block.position(slot)), base::cast<double>(block.normal(slot)));
-        if (each.slots.any())
-            out.push_back(each);
-    });
-    return out;
-}
-
 /// The cap about a direction.
 solid::Extruded pushed(const surface::Surface& ball, const Vec3d& axis, double angle, double length, bool merge) {
-    const auto cap = chosen(ball.tree(), [&](const Vec3d& p, const Vec3d&) { return dot(p, axis) > std::cos(angle); });
+    const auto cap =
+        chosen(ball.tree(), {}, [&](const Vec3d& p, const Vec3d&) { return dot(p, axis) > std::cos(angle); });
     return solid::extrudeSelected(ball, cap, {length, axis, merge, merge});
-}
-
-mesh::Topology meshed(const surface::Surface& surface) {
-    mesh::MarchingReport report;
-    const mesh::Mesh mesh = mesh::marchingCubes(surface, {}, report);
-    return mesh::topologyOf(mesh.triangles, mesh.positions.size(), mesh.kinds);
 }
 
 } // namespace
@@ -117,7 +101,7 @@ void ExtrudeCrossingTest::whatMeetsAnotherPartBecomesOneWithIt() {
     }
     const surface::Surface pair = test::surfaceOf(both);
     const auto cap =
-        chosen(pair.tree(), [&](const Vec3d& p, const Vec3d&) { return p.x < 1.5 && p.x > std::cos(angle); });
+        chosen(pair.tree(), {}, [&](const Vec3d& p, const Vec3d&) { return p.x < 1.5 && p.x > std::cos(angle); });
     const solid::Extruded apart = solid::extrudeSelected(pair, cap, {0.8, Vec3d{1, 0, 0}, true, true});
     QCOMPARE(apart.crossings.rays, std::size_t(0));
     QCOMPARE(apart.inside, std::size_t(0));
@@ -136,7 +120,7 @@ void ExtrudeCrossingTest::wholeFacesArePushedInFlush() {
     const solid::Size size{random.uniform(0.9, 1.4), random.uniform(0.9, 1.4), random.uniform(0.7, 1)};
     const double length = -random.uniform(0.2, 0.5);
     const surface::Surface box = test::shapeAt("box", size, 0.05);
-    const auto face = chosen(box.tree(), [](const Vec3d&, const Vec3d& n) { return n.z > 0.9; });
+    const auto face = chosen(box.tree(), {}, [](const Vec3d&, const Vec3d& n) { return n.z > 0.9; });
     QVERIFY(solid::extrudeSelected(box, face, {length, {}, true, false}).crossings.rays > 0);
     const solid::Extruded result = solid::extrudeSelected(box, face, {length, {}, true, true});
     const mesh::Extent extent = mesh::extentOf(result.surface);

@@ -1,14 +1,14 @@
 // Matter drawn out: volumes by formulas, closed models that stay closed, edges that are sharp, walls along loops.
 #include "core/solid/extrude/extrude.h"
 
+#include "chosen.h"
 #include "core/base/error.h"
 #include "core/base/random.h"
-#include "core/mesh/check/topology.h"
 #include "core/mesh/extent/extent.h"
-#include "core/mesh/marching/marching_cubes.h"
 #include "core/process/estimation/prepare.h"
 #include "core/process/registering/rigid.h"
 #include "core/surface/curves/boundary_curves.h"
+#include "meshed.h"
 #include "placed_shapes.h"
 #include "process/even_shapes.h"
 #include "support/registry.h"
@@ -20,6 +20,7 @@
 
 using base::Vec3d, base::Vec3f;
 using std::numbers::pi;
+using test::chosen, test::meshed;
 
 class ExtrudeTest : public QObject {
     Q_OBJECT
@@ -54,21 +55,6 @@ surface::Surface placed(surfel::SurfelList list, const process::Rigid& pose, dou
     return test::surfaceOf(list);
 }
 
-template <class Fn>
-tree::Selection chosen(const tree::SurfelTree& tree, const process::Rigid& pose, const Fn& fn) {
-    const process::Rigid back = pose.inverse();
-    tree::Selection out;
-    tree.forEachBlock([&](std::uint32_t number, const surfel::SurfelBlock& block) {
-        tree::SelectedBlock each{number, {}};
-        for (int slot = 0; slot < block.size(); ++slot)
-            each.slots[std::size_t(slot)] =
-                fn(back(base::cast<double>(block.position(slot))), back.turn(base::cast<double>(block.normal(slot))));
-        if (each.slots.any())
-            out.push_back(each);
-    });
-    return out;
-}
-
 std::string refusal(const auto& work) {
     try {
         work();
@@ -76,12 +62,6 @@ std::string refusal(const auto& work) {
         return error.what();
     }
     return {};
-}
-
-mesh::Topology meshed(const surface::Surface& surface) {
-    mesh::MarchingReport report;
-    const mesh::Mesh mesh = mesh::marchingCubes(surface, {}, report);
-    return mesh::topologyOf(mesh.triangles, mesh.positions.size(), mesh.kinds);
 }
 
 } // namespace
