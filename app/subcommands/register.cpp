@@ -6,6 +6,7 @@
 #include "app/subcommands/subcommand.h"
 #include "app/writable_models.h"
 #include "core/base/cancel_scope.h"
+#include "core/base/short_number.h"
 #include "core/io/formats.h"
 #include "core/io/safe_file.h"
 #include "core/process/estimation/part_progress.h"
@@ -13,7 +14,6 @@
 #include "core/session/scans.h"
 
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 namespace app {
 
@@ -83,11 +83,9 @@ void run(const Options& options, Console& console) {
     std::vector<std::string> messages;
     session::bring(scans, options.global, messages, process::part(progress, 0.2, 0.9));
     console.tell(messages);
-    std::ostringstream hint;
-    hint.precision(3);
-    hint << "Where models overlap there are points of each. One even layer of them: pointclay clean --thin "
-         << process::typicalSpacing(scans.placed[0].surface.tree()) << ", or resample.";
-    console.tell(hint.str());
+    const auto spacing = static_cast<double>(process::typicalSpacing(scans.placed[0].surface.tree()));
+    console.tell("Where models overlap there are points of each. One even layer of them: pointclay clean --thin " +
+                 base::shortNumber(spacing, 3) + ", or resample.");
     if (const std::string loss = session::lossOf(scans); !loss.empty())
         console.tell(loss);
     io::write(options.out, fileOf(scans), process::part(progress, 0.9, 1));

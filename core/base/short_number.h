@@ -1,4 +1,4 @@
-// Numbers in sentences: six significant digits, as printf's %g writes them, but with a decimal point in every locale.
+// Numbers in sentences: six significant digits unless told, as printf's %g writes them, but with a decimal point in every locale.
 #pragma once
 
 #include <charconv>
@@ -6,9 +6,9 @@
 
 namespace base {
 
-inline std::string shortNumber(double value) {
+inline std::string shortNumber(double value, int digits = 6) {
     char out[32];
-    return {out, std::to_chars(out, out + sizeof out, value, std::chars_format::general, 6).ptr};
+    return {out, std::to_chars(out, out + sizeof out, value, std::chars_format::general, digits).ptr};
 }
 
 } // namespace base

@@ -2,6 +2,7 @@
 
 #include "core/base/cancel_scope.h"
 #include "core/base/error.h"
+#include "core/base/short_number.h"
 #include "core/io/grey_image.h"
 #include "core/selection/hidden.h"
 #include "core/session/command.h"
@@ -99,11 +100,8 @@ void LiveStroke::tellOfStep(const tree::SurfelTree& done) {
     const selection::Step step = selection::stepBesideHidden(m_context.document.surface().tree(), m_start.tree(), done);
     if (step.spacings < seen)
         return;
-    std::ostringstream height;
-    height.precision(3);
-    height << step.height;
     m_context.messages.push_back(
-        "A step of " + height.str() + " is left beside what is hidden, at " +
+        "A step of " + base::shortNumber(step.height, 3) + " is left beside what is hidden, at " +
         placeText(base::cast<double>(step.place) + m_context.document.provenance().origin, step.height) +
         ": smooth it once that is shown, or mask there first.");
 }

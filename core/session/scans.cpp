@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/base/listed.h"
+#include "core/base/short_number.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/process/estimation/spacing_sample.h"
 #include "core/process/registering/place_all.h"
@@ -28,13 +29,6 @@ void add(Scans& scans, const std::string& name, const Document& document) {
     scans.placed.push_back(placed);
 }
 
-static std::string lengthText(double length) {
-    std::ostringstream out;
-    out.precision(3);
-    out << length;
-    return out.str();
-}
-
 void bring(Scans& scans, bool anywhere, std::vector<std::string>& messages, const base::Progress& progress) {
     process::AlignOptions how;
     if (anywhere) {
@@ -53,7 +47,8 @@ void bring(Scans& scans, bool anywhere, std::vector<std::string>& messages, cons
         messages.push_back(text.str());
         if (!scans.placed[m].held)
             messages.push_back(scans.names[m] + " is not held there: it slides along the others, and fits as well " +
-                               lengthText(found.slide) + " beside; move it to its place by hand, or add what " +
+                               base::shortNumber(found.slide, 3) +
+                               " beside; move it to its place by hand, or add what " +
                                "overlaps where the shape tells more.");
         else if (!scans.placed[m].unique)
             messages.push_back(scans.names[m] + " fits nearly as well in another place; look whether this is the " +

@@ -1,7 +1,6 @@
 #include "core/process/registering/agreement.h"
 
 #include "core/base/error.h"
-#include "core/base/parallel.h"
 #include "core/process/cleaning/spread.h"
 #include "core/process/estimation/spacing_sample.h"
 #include "core/process/registering/feet.h"
@@ -20,18 +19,6 @@ struct Trial {
     bool held = false;
     std::vector<double> off; ///< of the points that lie on the other's surface and face the same way
 };
-
-/// How many of the points have a surfel of the model within reach.
-std::size_t countNear(const Placed& model, const AskedPoints& asked, const Rigid& pose, float reach) {
-    const Rigid there = model.pose.inverse() * pose;
-    std::vector<std::uint8_t> is(asked.position.size());
-    base::parallelFor(is.size(), 64, [&](std::size_t i) {
-        std::vector<tree::Neighbour> found;
-        model.surface.tree().nearest(base::cast<float>(there(asked.position[i])), 1, found, reach);
-        is[i] = !found.empty();
-    });
-    return static_cast<std::size_t>(std::count(is.begin(), is.end(), 1));
-}
 
 Trial tried(const Placed& fixed, const Placed& moving, const AskedPoints& asked, double spacing, double reach,
             const base::Progress& progress) {
@@ -88,7 +75,10 @@ Agreement bestAgreement(const std::vector<Placed>& placed, const surface::Surfac
     for (const Rigid& pose : places) {
         std::size_t most = 0, on = 0;
         for (std::size_t m = 0; m < placed.size(); ++m)
-            if (const std::size_t count = countNear(placed[m], few, pose, static_cast<float>(wide)); count > most)
+            if (const std::size_t count =
+                    pointsNear(placed[m].surface, few, placed[m].pose.inverse() * pose, static_cast<float>(wide))
+                        .size();
+                count > most)
                 most = count, on = m;
         trials.push_back(tried(placed[on], {moving, pose}, asked, spacing, reach * wide, progress));
     }

@@ -20,18 +20,8 @@ AskedPoints askedPoints(const surface::Surface& surface, std::size_t count) {
     return out;
 }
 
-namespace {
-
-/// Feet as exact as weights and normals need them; what does not get there soon lies beyond or between.
-surface::ProjectOptions footing() {
-    surface::ProjectOptions out;
-    out.tolerance = 1e-5;
-    out.maxIterations = 10;
-    return out;
-}
-
-/// Which of the points, moved by `there`, have a surfel of the model within reach: others have no foot to look for.
-std::vector<std::uint32_t> near(const surface::Surface& on, const AskedPoints& asked, const Rigid& there, float reach) {
+std::vector<std::uint32_t> pointsNear(const surface::Surface& on, const AskedPoints& asked, const Rigid& there,
+                                      float reach) {
     const base::Box3f box = on.tree().bounds().inflated(reach);
     std::vector<std::uint8_t> is(asked.position.size());
     base::parallelFor(is.size(), 64, [&](std::size_t i) {
@@ -47,12 +37,22 @@ std::vector<std::uint32_t> near(const surface::Surface& on, const AskedPoints& a
     return out;
 }
 
+namespace {
+
+/// Feet as exact as weights and normals need them; what does not get there soon lies beyond or between.
+surface::ProjectOptions footing() {
+    surface::ProjectOptions out;
+    out.tolerance = 1e-5;
+    out.maxIterations = 10;
+    return out;
+}
+
 void add(const std::vector<Placed>& models, const std::vector<AskedPoints>& asked, std::uint32_t from, std::uint32_t to,
          double reach, std::vector<FootPair>& out) {
     constexpr double sameSide = 0.5; // cosine between a point's normal and its foot's
     const surface::Surface& on = models[to].surface;
     const Rigid &pose = models[to].pose, there = pose.inverse() * models[from].pose;
-    const std::vector<std::uint32_t> which = near(on, asked[from], there, static_cast<float>(reach));
+    const std::vector<std::uint32_t> which = pointsNear(on, asked[from], there, static_cast<float>(reach));
     std::vector<Vec3f> moved;
     for (const std::uint32_t i : which)
         moved.push_back(base::cast<float>(there(asked[from].position[i])));

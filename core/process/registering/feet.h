@@ -15,6 +15,11 @@ struct AskedPoints {
 
 AskedPoints askedPoints(const surface::Surface& surface, std::size_t count);
 
+/// Which of the points, moved by `there` into the model's own coordinates, have a surfel of it within reach: others
+/// have no foot on it. In parallel.
+std::vector<std::uint32_t> pointsNear(const surface::Surface& on, const AskedPoints& asked, const Rigid& there,
+                                      float reach);
+
 /// A point of one model with its foot on another one, both in the coordinates of all.
 struct FootPair {
     std::uint32_t from, to, point;

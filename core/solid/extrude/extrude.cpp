@@ -256,7 +256,7 @@ Extruded extrudeSelected(const surface::Surface& surface, const tree::Selection&
     std::vector<std::uint8_t> covered;
     const bool merges = options.merge && crossings.rays > 0;
     if (merges)
-        takeLying(surface, part, walls, covered);
+        takeLying(surface, part, left, walls, covered);
     Extruded out{{replaced(surface.tree(), part, covered, moved, walls), surface.definition()},
                  moved.size(),
                  walls.size(),

@@ -26,10 +26,10 @@ static std::vector<std::uint8_t> facedIn(const tree::SurfelTree& tree, std::span
     return out;
 }
 
-void takeLying(const surface::Surface& surface, const Part& part, surfel::SurfelList& walls,
-               std::vector<std::uint8_t>& covered) {
+void takeLying(const surface::Surface& surface, const Part& part, const tree::SurfelTree& rest,
+               surfel::SurfelList& walls, std::vector<std::uint8_t>& covered) {
     covered.assign(surface.tree().size(), 0);
-    const std::vector<std::uint8_t> lying = facedIn(tree::SurfelTree::build(part.surfels(false)), walls.items);
+    const std::vector<std::uint8_t> lying = facedIn(rest, walls.items);
     surfel::SurfelList left, gone;
     left.layout = gone.layout = walls.layout;
     for (std::size_t i = 0; i < walls.size(); ++i)

@@ -7,7 +7,8 @@
 namespace solid {
 
 /// Takes such surfels out of `walls`, and what they lie on, in tree order of the model, into `covered`: of `part` none.
-void takeLying(const surface::Surface& surface, const Part& part, surfel::SurfelList& walls,
-               std::vector<std::uint8_t>& covered);
+/// `rest`: what is beside it.
+void takeLying(const surface::Surface& surface, const Part& part, const tree::SurfelTree& rest,
+               surfel::SurfelList& walls, std::vector<std::uint8_t>& covered);
 
 } // namespace solid

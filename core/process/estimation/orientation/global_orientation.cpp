@@ -30,8 +30,9 @@ class Choice {
     /// Of all that the trees have joined by now.
     Choice(const Cloud& cloud, const NeighbourTable& links, std::span<const Vec3f> normals, OrientationTrees& trees,
            const base::Progress& progress)
-        : m_cloud(cloud), m_links(links), m_normals(normals), m_trees(trees), m_surfaceOf(surfacesOf(links)),
-          m_best(trees.state()), m_sides(sides()), m_seam(trees.hasSeam(progress)) {}
+        : m_cloud(cloud), m_links(links), m_normals(normals), m_trees(trees),
+          m_surfaceOf(surfacesOf(links, part(progress, 0, 0.3))), m_best(trees.state()),
+          m_sides(sides(part(progress, 0.3, 0.7))), m_seam(trees.hasSeam(part(progress, 0.7, 1))) {}
 
     const std::map<std::uint32_t, WindingSide>& best() const { return m_sides; }
     bool hasSeam() const { return m_seam; }
@@ -46,43 +47,43 @@ class Choice {
             surfaces[m_surfaceOf[piece.front()]].push_back(std::move(piece));
         double done = 0;
         for (const auto& [first, own] : surfaces) {
-            const double next = done + 0.7 * static_cast<double>(own.size()) / static_cast<double>(pieces.size());
+            const double next = done + 0.6 * static_cast<double>(own.size()) / static_cast<double>(pieces.size());
             for (const SignRelation& each :
                  signsByWinding(m_cloud, m_links, m_normals, own, m_trees.signs(), part(progress, done, next)))
                 m_trees.signs().relate(each.a, each.b, each.opposite);
             done = next;
         }
-        joinPieces(m_cloud, m_normals, m_trees, part(progress, 0.7, 0.9));
-        std::map<std::uint32_t, WindingSide> best = m_sides;
+        joinPieces(m_cloud, m_normals, m_trees, part(progress, 0.6, 0.8));
+        std::map<std::uint32_t, WindingSide> now = sides(part(progress, 0.8, 0.9));
+        std::erase_if(now, [&](const auto& each) { return !isBetter(each.first, each.second); });
+        if (now.empty())
+            return;
         OrientationTrees::State turned = m_best;
-        bool any = false;
-        for (auto& [root, side] : sides()) {
-            const auto before = best.find(root); // bodies apart may be of one component here, and not there
-            if (before == best.end() || before->second.members != side.members || !isBetter(side, before->second))
-                continue;
+        for (const auto& [root, side] : now)
             for (const std::uint32_t i : side.members)
                 turned.signs.take(m_trees.signs(), i);
-            before->second = std::move(side);
-            any = true;
-        }
-        if (!any)
-            return;
         m_trees.resume(turned);
         const bool seam = m_trees.hasSeam(part(progress, 0.9, 1));
         if (seam && !m_seam)
             return;
         m_best = std::move(turned);
-        m_sides = std::move(best);
         m_seam = seam;
+        for (auto& [root, side] : now)
+            m_sides[root] = std::move(side);
     }
     OrientationTrees::State take() { return std::move(m_best); }
 
   private:
-    static bool isBetter(const WindingSide& now, const WindingSide& before) {
-        return now.off <= muchBetter * before.off || (now.off <= bodies && now.off <= better * before.off);
+    /// Than the best, if it is the same component: bodies apart may be of one there, and not here.
+    bool isBetter(std::uint32_t root, const WindingSide& now) const {
+        const auto found = m_sides.find(root);
+        if (found == m_sides.end() || found->second.members != now.members)
+            return false;
+        const double before = found->second.off;
+        return now.off <= muchBetter * before || (now.off <= bodies && now.off <= better * before);
     }
-    std::map<std::uint32_t, WindingSide> sides() {
-        return windingSides(m_cloud, m_links, m_normals, m_surfaceOf, m_trees.signs());
+    std::map<std::uint32_t, WindingSide> sides(const base::Progress& progress) {
+        return windingSides(m_cloud, m_links, m_normals, m_surfaceOf, m_trees.signs(), progress);
     }
 
     const Cloud& m_cloud;

@@ -24,14 +24,14 @@ constexpr std::size_t mostDipoles = 500000;
 constexpr const char* orienting = "Orienting normals";
 constexpr double ridge = 0.01; ///< of the mean diagonal: pieces that say next to nothing stay small
 
-/// Points as dipoles, one in `thinning` of them.
+/// Points as dipoles, one in so many of them that a cloud has no more than `mostDipoles`.
 struct Dipoles {
     std::vector<Vec3f> places, areas; ///< areas times normals as the trees turn them
 
     Dipoles(const Cloud& cloud, const NeighbourTable& links, std::span<const Vec3f> normals, base::ParitySets& trees,
-            std::span<const std::uint32_t> points)
-        : m_thinning(1 + cloud.size() / mostDipoles) {
-        for (std::size_t k = m_thinning / 2 % points.size(); k < points.size(); k += m_thinning) {
+            std::span<const std::uint32_t> points) {
+        const std::size_t thinning = 1 + cloud.size() / mostDipoles;
+        for (std::size_t k = thinning / 2 % points.size(); k < points.size(); k += thinning) {
             const std::uint32_t i = points[k];
             const NeighbourTable::Row row = links.row(i);
             std::array<float, ringSize> distancesSq;
@@ -39,15 +39,12 @@ struct Dipoles {
             for (std::size_t n = 0; n < count; ++n)
                 distancesSq[n] = base::distanceSq(cloud.positions()[i], cloud.positions()[row[n]]);
             const float spacing = spacingOfRing(std::span(distancesSq).first(count));
-            const float area = spacing * spacing * static_cast<float>(m_thinning);
+            const float area = spacing * spacing * static_cast<float>(thinning);
             places.push_back(cloud.positions()[i]);
             areas.push_back(normals[i] * (trees.find(i).opposite ? -area : area));
         }
     }
     surface::WindingNumber field() const { return {places, areas}; }
-
-  private:
-    std::size_t m_thinning;
 };
 
 /// min |A s - b|^2 over signs s: what A s comes nearest without the condition is rounded, then single signs turn as
@@ -113,12 +110,15 @@ std::vector<SignRelation> signsByWinding(const Cloud& cloud, const NeighbourTabl
     return out;
 }
 
-std::vector<std::uint32_t> surfacesOf(const NeighbourTable& links) {
+std::vector<std::uint32_t> surfacesOf(const NeighbourTable& links, const base::Progress& progress) {
     base::DisjointSets sets(links.size());
-    for (std::uint32_t i = 0; i < links.size(); ++i)
+    for (std::uint32_t i = 0; i < links.size(); ++i) {
+        if (i % 131072 == 0)
+            progress.step(static_cast<double>(i) / static_cast<double>(links.size()), orienting);
         for (const std::uint32_t j : links.row(i))
             if (j < i && links.sees(j, i))
                 sets.join(i, j);
+    }
     std::vector<std::uint32_t> out(links.size());
     for (std::uint32_t i = 0; i < links.size(); ++i)
         out[i] = sets.find(i);
@@ -127,20 +127,28 @@ std::vector<std::uint32_t> surfacesOf(const NeighbourTable& links) {
 
 std::map<std::uint32_t, WindingSide> windingSides(const Cloud& cloud, const NeighbourTable& links,
                                                   std::span<const Vec3f> normals,
-                                                  std::span<const std::uint32_t> surfaceOf, base::ParitySets& signs) {
+                                                  std::span<const std::uint32_t> surfaceOf, base::ParitySets& signs,
+                                                  const base::Progress& progress) {
+    using Key = std::pair<std::uint32_t, std::uint32_t>; // a component, and a surface of it
     std::map<std::uint32_t, WindingSide> out;
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::uint32_t>> surfaces; // of a component
+    std::map<Key, std::vector<std::uint32_t>> surfaces;
+    std::vector<std::uint32_t>*ofComponent = nullptr, *ofSurface = nullptr;
+    Key last;
     for (std::uint32_t i = 0; i < cloud.size(); ++i) {
-        const std::uint32_t root = signs.find(i).root;
-        out[root].members.push_back(i);
-        surfaces[{root, surfaceOf[i]}].push_back(i);
+        if (const Key key{signs.find(i).root, surfaceOf[i]}; !ofSurface || key != last) // mostly the same as before
+            last = key, ofComponent = &out[key.first].members, ofSurface = &surfaces[key];
+        ofComponent->push_back(i);
+        ofSurface->push_back(i);
     }
     struct Sum {
         double outwards = 0, inwards = 0;
         std::size_t count = 0;
     };
     std::map<std::uint32_t, Sum> sums;
-    for (const auto& [at, points] : surfaces) {
+    std::size_t done = 0;
+    for (const auto& [key, points] : surfaces) {
+        progress.step(static_cast<double>(done) / static_cast<double>(cloud.size()), orienting);
+        done += points.size();
         if (points.size() < leastAsked)
             continue;
         const surface::WindingNumber winding = Dipoles(cloud, links, normals, signs, points).field();
@@ -149,7 +157,7 @@ std::map<std::uint32_t, WindingSide> windingSides(const Cloud& cloud, const Neig
         base::parallelFor(numbers.size(), 16, [&](std::size_t k) {
             numbers[k] = winding.at(base::cast<double>(cloud.positions()[points[k * step]]));
         });
-        Sum& sum = sums[at.first];
+        Sum& sum = sums[key.first];
         for (const double w : numbers)
             sum.outwards += std::abs(w - 0.5), sum.inwards += std::abs(w + 0.5);
         sum.count += numbers.size();

@@ -26,7 +26,7 @@ std::vector<SignRelation> signsByWinding(const Cloud& cloud, const NeighbourTabl
 
 /// Which points have a surface in common: what neighbours that see each other join, by one of its points. Strays see a
 /// surface that sees nothing of them.
-std::vector<std::uint32_t> surfacesOf(const NeighbourTable& links);
+std::vector<std::uint32_t> surfacesOf(const NeighbourTable& links, const base::Progress& progress = {});
 
 /// What winding numbers say of the signs of a component, each of its surfaces by itself: they are 1/2 on bodies that
 /// look outwards, -1/2 on such as look inwards.
@@ -42,6 +42,7 @@ struct WindingSide {
 /// surface.
 std::map<std::uint32_t, WindingSide> windingSides(const Cloud& cloud, const NeighbourTable& links,
                                                   std::span<const base::Vec3f> normals,
-                                                  std::span<const std::uint32_t> surfaceOf, base::ParitySets& signs);
+                                                  std::span<const std::uint32_t> surfaceOf, base::ParitySets& signs,
+                                                  const base::Progress& progress = {});
 
 } // namespace process

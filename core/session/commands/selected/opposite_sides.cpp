@@ -1,6 +1,7 @@
 #include "core/session/commands/selected/opposite_sides.h"
 
 #include "core/base/error.h"
+#include "core/base/short_number.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/process/measuring/thickness.h"
 #include "core/session/place_text.h"
@@ -60,13 +61,12 @@ void requireApart(const Context& context, const tree::SurfelTree& after) {
     }
     if (worst == surfels.size())
         return;
-    std::ostringstream what;
-    what.precision(3);
-    what << "the model is " << thick.at[worst] << " thick at "
-         << placeText(base::cast<double>(surfels.items[worst].position) + context.document.provenance().origin,
-                      thick.at[worst])
-         << ": both sides would meet";
-    throw base::Error(what.str(), "inflate", "go less deep, or mask what is thin");
+    throw base::Error(
+        "the model is " + base::shortNumber(thick.at[worst], 3) + " thick at " +
+            placeText(base::cast<double>(surfels.items[worst].position) + context.document.provenance().origin,
+                      thick.at[worst]) +
+            ": both sides would meet",
+        "inflate", "go less deep, or mask what is thin");
 }
 
 } // namespace session
