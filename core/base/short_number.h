@@ -1,4 +1,5 @@
-// Numbers in sentences: six significant digits unless told, as printf's %g writes them, but with a decimal point in every locale.
+// Numbers in sentences: six significant digits unless told, as printf's %g writes them, but with a decimal point in
+// every locale.
 #pragma once
 
 #include <charconv>
