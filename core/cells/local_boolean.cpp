@@ -1,6 +1,7 @@
 #include "core/cells/local_boolean.h"
 
 #include "core/surface/rays/intersect.h"
+#include "core/surface/rims.h"
 
 namespace cells {
 
@@ -250,7 +251,7 @@ bool beyondBoundary(Source& source, std::size_t i) {
         way += (meets ? turned(sums.way, base::normalized(sums.normal), own.normal) : sums.way) * share;
         weight += sums.weight * share;
     }
-    return length(way) > limit * own.unit * weight;
+    return length(way) > limit * own.unit * weight && surface::mayEnd(source.surface().surface(), source.position());
 }
 
 template <class Source>

@@ -2,6 +2,7 @@
 
 #include "core/surface/definition.h"
 #include "core/surface/frames/frame_table.h"
+#include "core/surface/rims.h"
 
 #include <cmath>
 #include <numbers>
@@ -19,6 +20,7 @@ double spacingsPerUnitOf(const surface::SurfaceDefinition& definition) {
 SurfaceTraits::SurfaceTraits(const surface::Surface& surface)
     : oriented(surface.tree().layout()->normals && surface.tree().layout()->oriented),
       closed(oriented && std::isinf(surface.definition().boundaryLimit)),
+      sided(closed || (oriented && surface::knowsRims(surface))),
       continuous(surface::rowOf(surface.effectiveFrame()).solids || !surface.definition().oneSheet),
       distances(surface::rowOf(surface.effectiveFrame()).distance),
       spacingsPerUnit(spacingsPerUnitOf(surface.definition())) {}

@@ -23,7 +23,7 @@ double plainSupport(const surface::SurfaceDefinition& definition, float support)
 
 /// How far from the nearest surfel the surface may be, in supports: what the limit leaves of rims and holes.
 double reachOf(const surface::SurfaceDefinition& definition) {
-    return definition.boundaryLimit <= 0.3f ? 0.6 : 0.8;
+    return definition.boundaryLimit <= 0.3f && !definition.knownRims ? 0.6 : 0.8;
 }
 
 /// Counts of spacings in pixels, eight bins to an octave.

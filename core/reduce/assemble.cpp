@@ -60,6 +60,7 @@ surface::SurfaceDefinition reducedDefinition(const surface::SurfaceDefinition& m
     out.shrinkFree = true;
     out.interpolating = false;
     out.boundaryLimit = std::numeric_limits<float>::infinity();
+    out.knownRims = false; // supports grew
     return out;
 }
 

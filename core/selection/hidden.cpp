@@ -67,6 +67,7 @@ surface::Surface shownOf(const surface::Surface& surface) {
     for (const tree::SelectedBlock& each : gone)
         edit.blocks.push_back({each.block, {}, each.slots});
     surface::SurfaceDefinition definition = surface.definition();
+    definition.knownRims = false; // it ends where what is hidden begins
     if (!std::isfinite(definition.boundaryLimit))
         definition.boundaryLimit = process::loosestLimit; // which opens no pinholes, whatever the sampling
     return {tree.apply(edit), std::move(definition)};

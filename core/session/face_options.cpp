@@ -90,6 +90,7 @@ FacesOpened openFaces(io::FileModel& model, surface::SurfaceDefinition& definiti
     model.messages.insert(model.messages.end(), opened.messages.begin(), opened.messages.end());
     if (opened.closed && definition.boundary == surface::Boundary::Auto)
         definition.boundary = surface::Boundary::None;
+    definition.knownRims = opened.rims;
     return {opened.sampled, opened.closed, opened.apart, opened.blades};
 }
 

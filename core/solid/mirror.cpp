@@ -100,6 +100,7 @@ surface::Surface mirrored(const surface::Surface& model, const base::Plane& plan
     if (settled || !seam.empty())
         whole = {tree::SurfelTree::build(doubled(half, plane)), definition};
     if (definition.boundary == surface::Boundary::Auto) {
+        definition.knownRims = false;
         definition.boundaryLimit = process::automaticBoundaryLimit(whole);
         whole = {whole.tree(), definition};
     }

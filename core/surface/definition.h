@@ -37,6 +37,7 @@ struct SurfaceDefinition {
     /// Off-centre limit in units of h: x is on the surface only where o(x) <= limit * h (surface/README 5.1). Set by
     /// whoever resolves Boundary::Auto for a model; infinity for closed ones.
     float boundaryLimit = std::numeric_limits<float>::infinity();
+    bool knownRims = false;     ///< the surfels' attribute `rim` tells where the surface ends (rims.h)
     bool shrinkFree = true;     ///< the symmetric form mu = 1/2 (surface/README 2.6); false: mu = 0 [Adamson07]
     bool oneSheet = true;       ///< near sheets are kept apart (surface/README 2.7)
     bool interpolating = false; ///< weights over r^2: the surface passes through the points (surface/README 2.10)

@@ -6,6 +6,7 @@
 #include "core/complexes/complex_projection.h"
 #include "core/surface/curves/boundary.h"
 #include "core/surface/projection/project.h"
+#include "core/surface/rims.h"
 
 #include <algorithm>
 
@@ -24,9 +25,9 @@ double byOneEvaluation(const surface::Surface& surface, const Vec3d& x, const su
     const surface::Evaluationd e = surface.evaluateReference(x, surface::Need::Gradient, hint);
     if (!e.ok() && e.status != Status::BeyondBoundary)
         return none;
-    const double limit = double(surface.definition().boundaryLimit);
     const double slope = length(e.gradient);
-    if (!(std::abs(e.value) <= close * e.unit * slope) || !(e.offCentre <= (limit + rounding) * e.unit))
+    if (!(std::abs(e.value) <= close * e.unit * slope) ||
+        surface::isPastEnd(surface, x, e.offCentre - rounding * e.unit, e.unit))
         return none;
     return std::abs(e.value) / slope;
 }

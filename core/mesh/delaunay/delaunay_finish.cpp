@@ -7,6 +7,7 @@
 #include "core/mesh/finish/drop_triangles.h"
 #include "core/mesh/finish/own_sheet.h"
 #include "core/surface/projection/project.h"
+#include "core/surface/rims.h"
 
 #include <utility>
 
@@ -125,7 +126,8 @@ void tellBoundaryKinds(const surface::Surface& surface, Mesh& mesh) {
         const surface::Evaluationd e =
             surface.evaluateReference(mesh.positions[v], surface::Need::Value, {mesh.normals[v]});
         const bool usable = e.ok() || e.status == surface::Status::BeyondBoundary;
-        mesh.kinds[v] = usable && e.offCentre > nearLimit * limit * e.unit ? VertexKind::Limit : VertexKind::Fold;
+        const bool atLimit = usable && e.offCentre > nearLimit * limit * e.unit;
+        mesh.kinds[v] = atLimit && surface::mayEnd(surface, mesh.positions[v]) ? VertexKind::Limit : VertexKind::Fold;
     });
 }
 

@@ -176,8 +176,11 @@ void turnOutwards(FaceTopology& out, std::span<const Vec3f> positions, const Fac
     out.turnedOut = static_cast<std::size_t>(std::count(facing.begin(), facing.end(), Facing::Inwards));
 }
 
-void countEdges(FaceTopology& out, const std::vector<FaceSide>& sides) {
+void countEdges(FaceTopology& out, std::span<const Vec3f> positions, const std::vector<FaceSide>& sides) {
     forEdges(sides, [&](std::span<const FaceSide> edge) {
+        const auto a = static_cast<std::uint32_t>(edge[0].key >> 32), b = static_cast<std::uint32_t>(edge[0].key);
+        if (edge.size() == 1)
+            out.borderEdges.push_back({base::cast<double>(positions[a]), base::cast<double>(positions[b]), {a, b}});
         out.borders += edge.size() % 2;
         out.nonManifold += edge.size() > 2 ? 1 : 0;
     });
@@ -327,7 +330,7 @@ FaceTopology topologyOf(std::span<const Vec3f> positions, std::span<const Triang
     out.area = std::accumulate(out.areas.begin(), out.areas.end(), 0.0);
     turnOutwards(out, positions, turnAlike(out, positions, sidesOf(out.triangles, places)));
     const std::vector<FaceSide> sides = sidesOf(out.triangles, places); // the turned ones run the other way
-    countEdges(out, sides);
+    countEdges(out, positions, sides);
     joinSmooth(out, positions, places, sides, sharp);
     lookAtEnds(out, positions, sides, sharp);
     return out;

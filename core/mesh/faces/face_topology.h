@@ -34,6 +34,12 @@ struct SharpEdge {
     double rough = 0; ///< mean turn of the smooth edges at both ends, by length, radians: is it an edge among bumps?
 };
 
+/// An edge of one triangle only.
+struct BorderEdge {
+    base::Vec3d from, to;
+    std::uint32_t ends[2] = {}; ///< as numbers of the places
+};
+
 constexpr std::uint32_t noBody = ~0u; ///< faces that enclose nothing
 
 struct FaceTopology {
@@ -58,6 +64,7 @@ struct FaceTopology {
     std::size_t nonManifold = 0;              ///< edges with more than two faces
     bool oneSided = false;                    ///< some piece cannot be turned alike: a Moebius strip
     std::vector<SharpEdge> sharpEdges;
+    std::vector<BorderEdge> borderEdges;
     std::vector<float> turns; ///< dihedral angle of each edge of exactly two faces, radians
     double sharpShare = 0;    ///< of their length, of those that are sharp
     double area = 0;          ///< of all triangles

@@ -6,10 +6,12 @@
 #include "core/base/parallel.h"
 #include "core/mesh/faces/edge_labels.h"
 #include "core/mesh/faces/face_normals.h"
+#include "core/mesh/faces/face_rims.h"
 #include "core/mesh/faces/face_sampling.h"
 #include "core/mesh/faces/face_spacing.h"
 #include "core/mesh/faces/face_tips.h"
 #include "core/mesh/faces/figures.h"
+#include "core/mesh/faces/kept_vertices.h"
 #include "core/mesh/faces/large_faces.h"
 #include "core/process/estimation/keep_points.h"
 #include "core/process/estimation/part_progress.h"
@@ -156,50 +158,6 @@ class FaceSampler {
     surfel::AttributeLayoutPtr m_layout;
 };
 
-/// Turns the vertices' own normals where those of a closed piece look inwards, by most of its area; false where none
-/// does.
-bool turnOwnNormals(SurfelList& vertices, const FaceTopology& topology) {
-    std::vector<double> balance(topology.triangles.size()); // of bodies
-    const auto forCorners = [&](const auto& fn) {
-        for (std::size_t t = 0; t < topology.triangles.size(); ++t)
-            for (std::size_t k = 0; k < 3 && topology.bodies[t] != noBody; ++k)
-                fn(topology.bodies[t], t, topology.triangles[t][k]);
-    };
-    forCorners([&](std::uint32_t body, std::size_t t, std::uint32_t v) {
-        const double along = dot(base::cast<double>(vertices.items[v].normal), topology.normals[t]);
-        balance[body] += along < 0 ? -topology.areas[t] : along > 0 ? topology.areas[t] : 0;
-    });
-    std::vector<std::uint8_t> turned(vertices.size());
-    forCorners([&](std::uint32_t body, std::size_t, std::uint32_t v) { turned[v] |= balance[body] < 0; });
-    for (std::size_t v = 0; v < turned.size(); ++v)
-        if (turned[v])
-            vertices.items[v].normal = -vertices.items[v].normal;
-    return std::find(turned.begin(), turned.end(), 1) != turned.end();
-}
-
-/// The vertices as they are, with what the faces tell of them. True where own normals had to be turned.
-bool completeVertices(SurfelList& vertices, const FaceTopology& topology, std::span<const Vec3f> positions) {
-    const std::vector<Vec3f> normals = vertexNormals(topology, positions);
-    const bool own = vertices.layout->normals, turned = own && turnOwnNormals(vertices, topology);
-    for (std::size_t i = 0; i < vertices.size(); ++i) {
-        surfel::Surfel& s = vertices.items[i];
-        if (!own || lengthSq(s.normal) == 0)
-            s.normal = normals[i];
-    }
-    auto layout = std::make_shared<surfel::AttributeLayout>(*vertices.layout);
-    layout->normals = true;
-    layout->oriented = own ? vertices.layout->oriented : !topology.oneSided;
-    vertices.layout = std::move(layout);
-    return turned;
-}
-
-void paintVertices(SurfelList& vertices, const FacePaint& paint) {
-    paint.paint(vertices.items);
-    auto layout = std::make_shared<surfel::AttributeLayout>(*vertices.layout);
-    layout->colours = true;
-    vertices.layout = std::move(layout);
-}
-
 /// Vertices that are kept leave large faces empty: points on these, where they do not lie inside of the solid, join
 /// them. Returns how many.
 std::size_t fillLargeFaces(SurfelList& vertices, const FaceTopology& topology, std::span<const Vec3f> positions,
@@ -225,6 +183,11 @@ bool broken(const FaceTopology& topology) {
     return 500 * (topology.repeated + topology.nonManifold) > topology.turns.size();
 }
 
+/// Is there a boundary, and do the faces tell where?
+bool hasRims(const FaceTopology& topology) {
+    return !topology.closed() && !broken(topology) && !topology.borderEdges.empty();
+}
+
 /// What had to be mended before the faces could be used; empty where nothing.
 std::string mended(const FaceTopology& topology) {
     std::string out;
@@ -244,17 +207,6 @@ std::string mended(const FaceTopology& topology) {
     if (!out.empty())
         out[0] = static_cast<char>(out[0] - 'a' + 'A');
     return out.empty() ? out : out + ".";
-}
-
-/// Vertices of nothing but faces inside of the solid.
-void leaveOutInner(SurfelList& vertices, const FaceTopology& topology) {
-    std::vector<std::uint8_t> inner(vertices.size());
-    for (const std::uint32_t v : topology.insideCorners)
-        inner[v] = 1;
-    for (const Triangle& t : topology.triangles)
-        for (const std::uint32_t v : t)
-            inner[v] = 0;
-    process::keepPoints(vertices, [&](std::size_t i) { return !inner[i]; });
 }
 
 /// Whether two closed pieces may run into each other, by their boxes.
@@ -359,6 +311,8 @@ OpenedFaces openFaces(SurfelList vertices, std::span<const Triangle> triangles,
         if (options.asksForCreases())
             out.messages.push_back("The vertices are kept, without creases; --faces sample makes them.");
         out.points = std::move(vertices);
+        if (whole && hasRims(topology))
+            out.rims = markRims(topology, vertexSupports(out.points, topology, positions, definition), out.points);
         return out;
     }
     const InnerPlaces inside(topology, positions);
@@ -378,6 +332,12 @@ OpenedFaces openFaces(SurfelList vertices, std::span<const Triangle> triangles,
     const std::string edges = labelEdges(topology, options, points, sampling.spacings, out.points);
     if (cells::LabelLayout::of(*out.points.layout))
         sampler.straightenTips(points, sizeOf, out.points);
+    if (hasRims(topology)) {
+        std::vector<float> supports(points.size());
+        for (std::size_t i = 0; i < points.size(); ++i)
+            supports[i] = out.points.items[i].support;
+        out.rims = markRims(topology, supports, out.points);
+    }
     out.apart = sampling.apart;
     out.blades = hasBlades(topology);
     out.messages.push_back(counted(topology.triangles.size(), "triangle", "triangles") + " sampled to " +

@@ -36,6 +36,7 @@ struct OpenedFaces {
     surfel::SurfelList points; ///< samples with their supports, vertices with those that they came with
     bool sampled = false;
     bool closed = false; ///< the faces have no boundary
+    bool rims = false;   ///< they have one, and the points tell where (face_rims.h)
     bool blades = false; ///< there are edges of less than 60 degrees, towards which no samples resolve walls
     bool apart = false;  ///< the samples resolve all walls: sheets need not be told apart (Definition::oneSheet)
     std::vector<std::string> messages;

@@ -39,28 +39,32 @@ std::vector<CrossingGrid::Disc> CrossingGrid::discsOf(std::span<const surfel::Bl
 
 std::vector<CrossingGrid::NodeSide> CrossingGrid::evaluated(std::span<const Vec3f> x) const {
     std::vector<Evaluationf> at(x.size());
-    std::vector<std::uint8_t> inside(x.size());
+    std::vector<SolidSide> sides(x.size(), SolidSide::Untold);
     if (m_solid)
-        inside = m_solid->inside(x, at);
+        sides = m_solid->sides(x, at);
     else
         m_surface.evaluate(x, surface::Need::Value, at);
     std::vector<NodeSide> out;
     out.reserve(x.size());
     for (std::size_t i = 0; i < x.size(); ++i)
-        out.push_back({NodeValue::of(at[i]), inside[i] != 0});
+        out.push_back({NodeValue::of(at[i]), sides[i]});
     return out;
 }
 
 bool CrossingGrid::mayCross(const Edge& edge, const NodeSide& first, const NodeSide& last) const {
-    if (m_solid)
-        return first.inside != last.inside;
+    if (told(first.side) && told(last.side))
+        return first.side != last.side;
     return !EdgeWalk::passes(m_traits, edge, first.value, last.value);
 }
 
 std::optional<Crossing> CrossingGrid::crossingOn(const Edge& edge, const NodeSide& first, const NodeSide& last,
                                                  surface::Source& source, Care care) const {
-    if (m_solid)
-        return solidCrossing(*m_solid, m_traits, source, edge, {first.value, last.value, first.inside ? 1 : -1});
+    if (told(first.side) && told(last.side)) {
+        if (first.side == last.side)
+            return std::nullopt;
+        return solidCrossing(*m_solid, m_traits, source, edge,
+                             {first.value, last.value, first.side == SolidSide::Inside ? 1 : -1});
+    }
     return EdgeWalk(m_traits, source, edge, care).run(first.value, last.value);
 }
 

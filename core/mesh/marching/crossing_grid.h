@@ -46,11 +46,11 @@ class CrossingGrid {
 
     struct NodeSide {
         NodeValue value;
-        bool inside = false; ///< of closed surfaces
+        SolidSide side = SolidSide::Untold;
     };
     /// Of many nodes.
     std::vector<NodeSide> evaluated(std::span<const base::Vec3f> x) const;
-    /// Where there is an inside, exactly the edges that enter or leave it do.
+    /// Where there is an inside at both ends, exactly the edges that enter or leave it do.
     bool mayCross(const Edge& edge, const NodeSide& first, const NodeSide& last) const;
     std::optional<Crossing> crossingOn(const Edge& edge, const NodeSide& first, const NodeSide& last,
                                        surface::Source& source, Care care) const;
@@ -63,7 +63,7 @@ class CrossingGrid {
     const surface::Surface& m_surface;
     SurfaceTraits m_traits;
     Lattice m_lattice;
-    std::optional<Solid> m_solid; ///< of closed surfaces
+    std::optional<Solid> m_solid; ///< of surfaces with sides
     std::vector<Crossing> m_crossings;
 };
 

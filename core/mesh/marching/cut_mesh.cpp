@@ -212,6 +212,8 @@ bool addCrowdedCubes(const GradedGrid& grid, std::vector<std::vector<BrickBits>>
         const SparseSet& cubes = grid.cubes(level);
         for (std::uint32_t b = 0; b < cubes.bricks().size(); ++b)
             cubes.forMembers(b, [&](const GridIndex& place, std::uint32_t) {
+                if (!grid.traits().closed && hasLooseEnd(grid, {place, level}))
+                    return; // at a rim
                 loopsOf(grid, none, {place, level}, loops);
                 if (loops.size() < 2)
                     return;
@@ -233,7 +235,7 @@ Mesh gradedMesh(const surface::Surface& surface, const MarchingOptions& options,
     for (int round = 0; round < rounds; ++round) {
         built.emplace(surface, solidTraits(surface, options), lattice, CubeLevels(halve));
         built->build(process::part(progress, 0.8 - 0.8 / (1 << round), 0.8 - 0.4 / (1 << round)));
-        if (!built->traits().closed || !addCrowdedCubes(*built, halve))
+        if (!built->traits().sided || !addCrowdedCubes(*built, halve))
             break;
     }
     GradedGrid& grid = *built;
@@ -289,6 +291,7 @@ Mesh evenMesh(const surface::Surface& surface, const MarchingOptions& options, d
 SurfaceTraits solidTraits(const surface::Surface& surface, const MarchingOptions& options) {
     SurfaceTraits out(surface);
     out.closed = out.closed && options.solid;
+    out.sided = out.sided && options.solid;
     return out;
 }
 

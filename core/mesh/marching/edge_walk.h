@@ -32,6 +32,7 @@ struct Crossing {
     float unit = 0;      ///< h there
     float offCentre = 0; ///< in units of h
     bool bridge = false; ///< no root of f: a closed surface goes on there as its winding number says
+    bool sided = false;  ///< between an inside and an outside
 };
 
 /// Usual: trust ends that describe one smooth sheet. Thorough: short steps all along.

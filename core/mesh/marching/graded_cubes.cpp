@@ -38,6 +38,15 @@ std::vector<LooseEnd> looseEnds(const GradedGrid& grid) {
     return out;
 }
 
+bool hasLooseEnd(const GradedGrid& grid, const CubeLevels::Cube& cube) {
+    bool any = false;
+    forPairedFaces(grid, cube, [&](const GridFace& face, const FacePairs& pairs, int) {
+        for (int i = 0; i < face.count; ++i)
+            any = any || pairs.partner[std::size_t(i)] < 0;
+    });
+    return any;
+}
+
 void loopsOf(const GradedGrid& grid, const LooseEnds& loose, const CubeLevels::Cube& cube, std::vector<Loop>& out) {
     out.clear();
     LargeCubeGraph graph;

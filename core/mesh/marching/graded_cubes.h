@@ -11,6 +11,7 @@ namespace mesh {
 std::vector<LooseEnd> looseEnds(const GradedGrid& grid);
 
 /// Replaces `out` by the loops of a cube.
+bool hasLooseEnd(const GradedGrid& grid, const CubeLevels::Cube& cube);
 void loopsOf(const GradedGrid& grid, const LooseEnds& loose, const CubeLevels::Cube& cube, std::vector<Loop>& out);
 
 } // namespace mesh

@@ -28,7 +28,7 @@ void joinLevels(std::vector<std::vector<BrickBits>>& into, const std::vector<std
 } // namespace
 
 void GradedGrid::build(const base::Progress& progress) {
-    if (m_traits.closed)
+    if (m_traits.sided)
         m_solid.emplace(m_surface, process::part(progress, 0, 0.1));
     complete(discs(process::part(progress, 0.1, 0.2)), process::part(progress, 0.2, 1));
     number();

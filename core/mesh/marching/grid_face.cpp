@@ -63,7 +63,7 @@ double costOf(const CrossingGrid& grid, const GridFace& face, std::size_t i, std
     const Vec3d d = base::normalized(b.position - a.position);
     const Vec3d na = base::cast<double>(a.normal), nb = base::cast<double>(b.normal);
     const double outA = std::abs(dot(na, d)), outB = std::abs(dot(nb, d));
-    const bool closed = grid.traits().closed;
+    const bool closed = a.sided && b.sided;
     if (!closed && std::max(outA, outB) > steepest)
         return never;
     if (grid.traits().oriented) {

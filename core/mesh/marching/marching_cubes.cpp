@@ -51,15 +51,15 @@ RelaxOptions shapingOf(const Mesh& mesh, const MarchingOptions& options, const M
 void shape(Mesh& mesh, const surface::Surface& surface, const MarchingOptions& options, const MarchingReport& report,
            const base::Progress& progress) {
     const RelaxOptions shaping = shapingOf(mesh, options, report);
-    const bool closed = solidTraits(surface, options).closed,
+    const bool sided = solidTraits(surface, options).sided,
                joined = options.adaptive > 0 && report.largestCell > report.cell;
-    if (!closed && !joined)
+    if (!sided && !joined)
         return relax(mesh, surface, shaping, progress);
     const VertexPlaces before{mesh.positions, mesh.normals};
     relax(mesh, surface, shaping, process::part(progress, 0, 0.8));
     if (joined)
         holdTolerance(mesh, surface, before, options.adaptive);
-    if (closed)
+    if (sided)
         untangle(mesh, before, graded(options, report) ? report.largestCell : report.cell,
                  process::part(progress, 0.8, 1));
 }

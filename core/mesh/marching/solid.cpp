@@ -1,6 +1,7 @@
 #include "core/mesh/marching/solid.h"
 
 #include "core/base/parallel.h"
+#include "core/surface/rims.h"
 
 #include <cmath>
 
@@ -37,8 +38,12 @@ double smoothStep(double t) {
 } // namespace
 
 Solid::Solid(const surface::Surface& surface, const base::Progress& progress)
-    : m_surface(surface), m_plain(withoutSecondPass(surface)), m_winding(surface.tree(), progress) {
-    classify();
+    : m_surface(surface), m_plain(withoutSecondPass(surface)), m_winding(surface.tree(), progress),
+      m_open(std::isfinite(surface.definition().boundaryLimit)) {
+    if (m_open)
+        findMissing();
+    else
+        classify();
 }
 
 /// By a few surfels of each cluster.
@@ -77,21 +82,62 @@ void Solid::classify() {
     }
 }
 
-int Solid::turnsNear(const Vec3d& x) const {
-    if (m_turns.empty())
-        return 0;
+/// What is missing at surfels of which one sheet is alone, mean over those of a block: near sheets are too near for
+/// winding numbers of points.
+void Solid::findMissing() {
+    constexpr int stride = 3;
+    const tree::SurfelTree& tree = m_surface.tree();
+    std::vector<surfel::BlockPtr> blocks;
+    tree.forEachBlock([&](std::uint32_t number, const surfel::SurfelBlock&) { blocks.push_back(tree.block(number)); });
+    std::vector<std::vector<Vec3f>> places(blocks.size());
+    std::vector<double> missing(blocks.size());
+    base::parallelFor(blocks.size(), 16, [&](std::size_t b) {
+        double sum = 0;
+        for (int slot = 0; slot < blocks[b]->size(); slot += stride) {
+            const Vec3f x = blocks[b]->position(slot);
+            const Evaluationf at = m_plain.evaluate(x, surface::Need::Value);
+            if (at.status == surface::Status::Outside || !(at.agreement >= oneSheet))
+                continue;
+            places[b].push_back(x);
+            sum += m_winding.at(base::cast<double>(x));
+        }
+        if (!places[b].empty())
+            missing[b] = 0.5 - sum / static_cast<double>(places[b].size());
+    });
+    surfel::SurfelList known;
+    for (std::size_t b = 0; b < blocks.size(); ++b)
+        for (const Vec3f& x : places[b]) {
+            known.items.emplace_back().position = x;
+            known.items.back().support = 1;
+            known.items.back().mask = static_cast<float>(missing[b]);
+        }
+    m_missing = tree::SurfelTree::build(known);
+}
+
+Solid::Sheet Solid::sheetNear(const Vec3d& x) const {
     thread_local std::vector<tree::Neighbour> nearest;
+    if (!m_missing.empty()) {
+        m_missing.nearest(base::cast<float>(x), 1, nearest);
+        return {0, static_cast<double>(nearest.front().block->mask(nearest.front().slot))};
+    }
+    if (m_turns.empty())
+        return {};
     m_surface.tree().nearest(base::cast<float>(x), 1, nearest);
     const tree::Neighbour& beside = nearest.front();
     const float support = beside.block->support(beside.slot);
     const auto found = m_turns.find(beside.block);
     if (found == m_turns.end() || beside.distanceSq > support * support)
-        return 0;
-    return found->second[std::size_t(beside.slot / surfel::clusterSize)];
+        return {};
+    return {found->second[std::size_t(beside.slot / surfel::clusterSize)], 0};
+}
+
+/// Where no surfel has a say, an open surface has no sides: a sheet would span its holes.
+bool Solid::rimReaches(const Vec3f& x, const Evaluationf& at) const {
+    return at.status == surface::Status::Outside || surface::mayEnd(m_surface, x);
 }
 
 /// Where one sheet is alone it makes no difference what is done about near ones.
-std::vector<std::uint8_t> Solid::inside(std::span<const Vec3f> x, std::span<Evaluationf> out) const {
+std::vector<SolidSide> Solid::sides(std::span<const Vec3f> x, std::span<Evaluationf> out) const {
     m_plain.evaluate(x, surface::Need::Value, out);
     std::vector<std::size_t> several;
     std::vector<Vec3f> again;
@@ -102,25 +148,28 @@ std::vector<std::uint8_t> Solid::inside(std::span<const Vec3f> x, std::span<Eval
         }
     std::vector<Evaluationf> answers(again.size());
     m_surface.evaluate(again, surface::Need::Value, answers);
-    std::vector<std::uint8_t> alone(x.size(), 1), result(x.size());
+    std::vector<std::uint8_t> alone(x.size(), 1);
+    std::vector<SolidSide> result(x.size());
     for (std::size_t i = 0; i < several.size(); ++i) {
         out[several[i]] = answers[i];
         alone[several[i]] = 0;
     }
     base::parallelFor(x.size(), 256, [&](std::size_t i) {
-        result[i] = height(base::cast<double>(x[i]), out[i], alone[i] != 0).value < 0;
+        if (!m_open || !rimReaches(x[i], out[i]))
+            result[i] = height(base::cast<double>(x[i]), out[i], alone[i] != 0).value < 0 ? SolidSide::Inside
+                                                                                          : SolidSide::Outside;
     });
     return result;
 }
 
 Solid::Height Solid::height(const Vec3d& x, const Evaluationf& at, bool alone) const {
-    const int turns = turnsNear(x);
+    const Sheet sheet = sheetNear(x);
     if (!at.ok())
-        return {0.5 - winding(x, turns), 1, true};
+        return {0.5 - winding(x, sheet), 1, true};
     const double f = double(at.value) / double(at.unit), o = double(at.offCentre) / double(at.unit);
-    if (o <= offCentre && alone && at.weight >= fewSamples && turns <= 0)
+    if (o <= offCentre && alone && at.weight >= fewSamples && sheet.turns <= 0)
         return {f, 0, false};
-    const double w = winding(x, turns);
+    const double w = winding(x, sheet);
     if ((w < surelyOut && f < 0) || (w > surelyIn && f >= 0))
         return {0.5 - w, 1, true};
     const double share = smoothStep((o - offCentre) / (farOff - offCentre));

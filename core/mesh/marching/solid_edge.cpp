@@ -79,6 +79,7 @@ Crossing solidCrossing(const Solid& solid, const SurfaceTraits& traits, surface:
     const double t = dot(out.position - edge.from, edge.direction);
     const double kept = std::clamp(t, margin * edge.length, (1 - margin) * edge.length);
     out.position = edge.from + edge.direction * kept;
+    out.sided = true;
     return out;
 }
 

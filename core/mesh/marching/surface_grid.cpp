@@ -54,7 +54,7 @@ SurfaceGrid::SurfaceGrid(const surface::Surface& surface, const SurfaceTraits& t
     : CrossingGrid(surface, traits, lattice) {}
 
 void SurfaceGrid::build(const base::Progress& progress) {
-    if (m_traits.closed)
+    if (m_traits.sided)
         m_solid.emplace(m_surface, process::part(progress, 0, 0.1));
     complete(discs(process::part(progress, 0.1, 0.2)), process::part(progress, 0.2, 1));
     number();
@@ -124,7 +124,8 @@ void SurfaceGrid::add(std::vector<BrickBits> cubes) {
     if (nodes.size() > 0x50000000u)
         throw base::Error("the cell size makes more cubes than can be numbered", "", "choose larger cells");
     std::vector<NodeValue> values(nodes.size());
-    std::vector<std::uint8_t> known(nodes.size()), inside(m_solid ? nodes.size() : 0);
+    std::vector<std::uint8_t> known(nodes.size());
+    std::vector<SolidSide> sides(m_solid ? nodes.size() : 0);
     std::vector<std::uint32_t> edges(3 * nodes.size(), unknown);
     base::parallelFor(m_nodes.bricks().size(), bricksPerTask, [&](std::size_t b) {
         const SparseSet::Brick& before = m_nodes.bricks()[b];
@@ -135,14 +136,14 @@ void SurfaceGrid::add(std::vector<BrickBits> cubes) {
             values[to] = m_values[from];
             known[to] = m_known[from];
             if (m_solid)
-                inside[to] = m_inside[from];
+                sides[to] = m_sides[from];
             std::copy_n(&m_edges[3 * std::size_t(from)], 3, &edges[3 * std::size_t(to)]);
         }
     });
     m_nodes = std::move(nodes);
     m_values = std::move(values);
     m_known = std::move(known);
-    m_inside = std::move(inside);
+    m_sides = std::move(sides);
     m_edges = std::move(edges);
 }
 
@@ -163,7 +164,7 @@ void SurfaceGrid::evaluateNodes(const base::Progress& progress) {
             for (std::size_t i = 0; i < x.size(); ++i) {
                 m_values[ranks[i]] = sides[i].value;
                 if (m_solid)
-                    m_inside[ranks[i]] = sides[i].inside ? 1 : 0;
+                    m_sides[ranks[i]] = sides[i].side;
                 m_known[ranks[i]] = 1;
             }
         });

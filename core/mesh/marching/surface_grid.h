@@ -60,12 +60,12 @@ class SurfaceGrid : public CrossingGrid {
     std::vector<BrickBits> cubesAbout(std::span<const Job> jobs) const;
     void number();
 
-    NodeSide sideOf(std::uint32_t node) const { return {m_values[node], m_solid && m_inside[node] != 0}; }
+    NodeSide sideOf(std::uint32_t node) const { return {m_values[node], m_solid ? m_sides[node] : SolidSide::Untold}; }
 
     SparseSet m_nodes;
     std::vector<NodeValue> m_values;
-    std::vector<std::uint8_t> m_known;  ///< is the value of the node there?
-    std::vector<std::uint8_t> m_inside; ///< is the node? Of closed surfaces
+    std::vector<std::uint8_t> m_known; ///< is the value of the node there?
+    std::vector<SolidSide> m_sides;    ///< of the nodes, where there are any
     std::vector<std::uint32_t> m_edges;
 };
 

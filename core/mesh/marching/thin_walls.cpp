@@ -61,7 +61,7 @@ float leastOf(std::size_t thin, std::size_t surfels) {
 } // namespace
 
 std::vector<float> thinWalls(const surface::Surface& surface) {
-    if (!SurfaceTraits(surface).closed)
+    if (!SurfaceTraits(surface).sided)
         return {};
     std::vector<float> out(surface.tree().size());
     forSurfels(surface, [&](std::size_t number, const surfel::SurfelBlock& block, int slot, float spacing) {

@@ -2,6 +2,7 @@
 
 #include "core/process/estimation/part_progress.h"
 #include "core/process/estimation/rim_runs.h"
+#include "core/surface/rims.h"
 
 #include <algorithm>
 #include <numbers>
@@ -67,7 +68,9 @@ std::vector<float> offCentreInGaps(const surface::Surface& surface, std::span<co
 
 float automaticBoundaryLimit(const surface::Surface& surface, const base::Progress& progress) {
     std::vector<RimSample> samples = lookAt(surface, samplePlaces(surface.tree()), part(progress, 0, 0.6));
-    if (!hasOpenRun(surface, samples, part(progress, 0.6, 0.9)))
+    const bool open = surface::knowsRims(surface) ? surface::hasRim(surface.tree())
+                                                  : hasOpenRun(surface, samples, part(progress, 0.6, 0.9));
+    if (!open)
         return std::numeric_limits<float>::infinity();
     std::erase_if(samples, [](const RimSample& each) { return !(each.gap < closedGap); });
     if (samples.empty())
@@ -83,6 +86,7 @@ float automaticBoundaryLimit(const surface::Surface& surface, const base::Progre
 
 surface::Surface withOwnLimit(tree::SurfelTree tree, surface::SurfaceDefinition definition,
                               const base::Progress& progress) {
+    definition.knownRims = false;
     if (definition.boundary == surface::Boundary::Auto)
         definition.boundaryLimit = automaticBoundaryLimit({tree, definition}, progress);
     return {std::move(tree), std::move(definition)};

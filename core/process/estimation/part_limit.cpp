@@ -2,7 +2,9 @@
 
 #include "core/base/cancel_scope.h"
 #include "core/process/estimation/boundary_limit.h"
+#include "core/process/estimation/left_rims.h"
 #include "core/process/estimation/part_progress.h"
+#include "core/surface/rims.h"
 
 #include <algorithm>
 
@@ -16,6 +18,18 @@ bool isIn(const tree::SurfelTree& tree, const base::Vec3f& place) {
     std::vector<tree::Neighbour> at;
     tree.nearest(place, 1, at);
     return !at.empty() && at[0].distanceSq == 0;
+}
+
+/// Where surfels were that the part lacks.
+std::vector<base::Vec3f> placesLost(const tree::SurfelTree& whole, const tree::SurfelTree& part) {
+    std::vector<base::Vec3f> out;
+    for (const surfel::BlockPtr& block : diff(whole, part).removed) {
+        base::CancelScope::check();
+        for (int slot = 0; slot < block->size(); ++slot)
+            if (!isIn(part, block->position(slot)))
+                out.push_back(block->position(slot));
+    }
+    return out;
 }
 
 /// Did neighbours that look the same way lose each other?
@@ -51,6 +65,8 @@ surface::Surface partOf(const surface::Surface& whole, tree::SurfelTree part, co
                limitless = definition.boundary == Boundary::None && surface;
     if ((definition.boundary != Boundary::Auto && !limitless) || part == whole.tree())
         return {std::move(part), std::move(definition)};
+    if (surface::knowsRims(whole))
+        part = part.apply(rimsBeside({part, definition}, placesLost(whole.tree(), part)));
     const bool parted = surface && parts(whole.tree(), part);
     if (limitless && (!parted || !std::isinf(automaticBoundaryLimit(whole, process::part(progress, 0, 0.4)))))
         return {std::move(part), std::move(definition)}; // open though without a limit: somebody wants that

@@ -186,6 +186,7 @@ class CellResampler {
     surface::Surface aloneFrom(const surfel::SurfelList& list) const {
         surface::SurfaceDefinition definition = m_version.definition();
         definition.boundaryLimit = std::min(definition.boundaryLimit, openLimit);
+        definition.knownRims = false; // it ends at creases
         return {tree::SurfelTree::build(list), definition};
     }
 

@@ -1,4 +1,5 @@
 #include "core/render/splats/boundary_cuts.h"
+#include "core/surface/rims.h"
 
 namespace render {
 
@@ -93,7 +94,7 @@ CutCode BoundaryCuts::cutOf(const SurfelBlock& block, int slot, surface::SelfLan
     const float facing = dot(n, lanes.normalAt(lane)), off = lanes.offCentre[lane] / lanes.unit[lane];
     if ((m_of.oriented ? facing : std::abs(facing)) < acrossCosine)
         return acrossDisc;
-    if (!(off > quiet * m_of.limit))
+    if (!(off > quiet * m_of.limit) || !surface::mayEnd(m_of.plain, block.position(slot)))
         return wholeDisc;
     const Vec3f outward = tangential(block.position(slot) - lanes.centroidAt(lane), n);
     if (!(lengthSq(outward) > 0))

@@ -1,6 +1,7 @@
 #include "core/sculpt/tools/erase.h"
 
 #include "core/base/parallel.h"
+#include "core/process/estimation/left_rims.h"
 #include "core/sculpt/tools/brush.h"
 
 #include <cmath>
@@ -30,7 +31,10 @@ static tree::Edit erase(const surface::Surface& version, const Dab& dab) {
     for (std::size_t b = 0; b < blocks.size(); ++b)
         if (gone[b].any())
             count += gone[b].count(), edit.blocks.push_back({blocks[b].number, {}, gone[b]});
-    return count + fewest <= version.tree().size() ? edit : tree::Edit{};
+    if (count + fewest > version.tree().size())
+        return {};
+    process::addRims(version, edit);
+    return edit;
 }
 
 const ToolRow eraseTool{

@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/cells/creases/labelled_surface.h"
+#include "core/surface/rims.h"
 
 #include <algorithm>
 
@@ -85,7 +86,10 @@ surface::Surface joined(const std::vector<SceneModel>& models) {
     }
     if (labelled)
         cells::setLabels(out, labelsOf(models, out.size()));
-    return {tree::SurfelTree::build(out), first.surface.definition()};
+    surface::SurfaceDefinition definition = first.surface.definition();
+    definition.knownRims =
+        std::ranges::all_of(models, [](const SceneModel& model) { return surface::knowsRims(model.surface); });
+    return {tree::SurfelTree::build(out), std::move(definition)};
 }
 
 } // namespace session

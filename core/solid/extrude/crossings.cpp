@@ -3,6 +3,7 @@
 #include "core/base/parallel.h"
 #include "core/surface/definition.h"
 #include "core/surface/rays/intersect.h"
+#include "core/surface/rims.h"
 
 namespace solid {
 
@@ -54,7 +55,7 @@ void lieOn(const surface::Surface& surface, std::span<const LoopPoint> from, con
     std::vector<surface::Evaluationf> at(places.size());
     surface.evaluate(places, surface::Need::Gradient, at);
     for (std::size_t i = 0; i < places.size(); ++i)
-        if (surface::isSurface(at[i]) && at[i].offCentre <= surface.definition().boundaryLimit * at[i].unit &&
+        if (surface::isSurface(at[i]) && !surface::isPastEnd(surface, places[i], at[i].offCentre, at[i].unit) &&
             std::abs(at[i].value) < onto * spacings[i] && out.rays++ == 0)
             out.place = base::cast<double>(places[i]);
     out.of += places.size();

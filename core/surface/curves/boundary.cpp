@@ -2,6 +2,7 @@
 
 #include "core/surface/curves/curve_tracing.h"
 #include "core/surface/evaluation/assemble.h"
+#include "core/surface/rims.h"
 
 namespace surface {
 
@@ -117,7 +118,7 @@ struct BoundaryProblem {
         const BoundarySearch found = findBoundaryPoint(of, start, hint);
         return found.ok() ? std::optional(found.point) : std::nullopt;
     }
-    static bool holds(const BoundaryPoint&) { return true; }
+    static bool holds(const BoundaryPoint&) { return true; } // `find` has asked
 };
 
 } // namespace
@@ -125,7 +126,10 @@ struct BoundaryProblem {
 BoundarySearch findBoundaryPoint(const Surface& surface, const Vec3d& start, const OrientationHint& hint) {
     if (!std::isfinite(surface.definition().boundaryLimit))
         return {Status::NotConverged, {}, 0};
-    return BoundaryNewton(surface, start, hint).run();
+    BoundarySearch out = BoundaryNewton(surface, start, hint).run();
+    if (out.ok() && !mayEnd(surface, out.point.position))
+        out.status = Status::NotConverged; // off centre, as at a fold, and no rim
+    return out;
 }
 
 double BoundaryCurve::length() const {

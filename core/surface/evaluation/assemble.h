@@ -11,6 +11,7 @@
 #include "core/surface/evaluation/surfel_here.h"
 #include "core/surface/evaluation/two_solids.h"
 #include "core/surface/frames/frame_part.h"
+#include "core/surface/rims.h"
 
 namespace surface {
 
@@ -145,8 +146,7 @@ class Assembler {
         }
         if constexpr (O >= 2)
             m_out.hessian = detail::matrixOf(field.f.dd.data());
-        const float limit = m_at.definition().boundaryLimit;
-        const bool beyond = std::isfinite(limit) && m_out.offCentre > static_cast<T>(limit) * m_out.unit;
+        const bool beyond = isPastEnd(m_at.source.surface(), m_at.x, m_out.offCentre, m_out.unit);
         m_out.status = beyond ? Status::BeyondBoundary : Status::Ok;
         m_out.cause = Cause::None;
     }

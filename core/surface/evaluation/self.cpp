@@ -62,7 +62,10 @@ void SelfEvaluator::evaluateCluster(const surfel::SurfelBlock& block, int cluste
                        need == Need::Gradient,
                        false,
                        m_plain.shape()};
-    if (const unsigned special = selfKernel(in, scratch, out) & used)
+    const unsigned special = selfKernel(in, scratch, out) & used;
+    for (int lane = 0; lane < count; ++lane)
+        out.status[lane] = m_plain.settled(out.status[lane], block.position(cluster * surfel::clusterSize + lane));
+    if (special)
         evaluateSingly(block, cluster, special, need, out);
 }
 

@@ -8,7 +8,7 @@ namespace surface {
 
 using base::Vec3f;
 
-SummedNormals::SummedNormals(const Surface& surface) {
+SummedNormals::SummedNormals(const Surface& surface) : m_surface(&surface) {
     const SurfaceDefinition& definition = surface.definition();
     const surfel::AttributeLayout& layout = *surface.tree().layout();
     m_applies = surface.effectiveFrame() == Frame::Normals && layout.normals && layout.oriented &&
@@ -57,7 +57,7 @@ bool SummedNormals::begin(const Sums& sums, const Vec3f& x, Evaluationf& out) co
     out.unit = unit;
     out.agreement = agreement;
     const bool beyond = std::isfinite(m_limit) && out.offCentre > m_limit * unit;
-    out.status = beyond ? Status::BeyondBoundary : Status::Ok;
+    out.status = settled(beyond ? Status::BeyondBoundary : Status::Ok, x);
     out.cause = Cause::None;
     return true;
 }

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "core/surface/evaluation/moments_float.h"
-#include "core/surface/surface.h"
+#include "core/surface/rims.h"
 
 namespace surface {
 
@@ -19,6 +19,10 @@ class SummedNormals {
     int shape() const { return m_sums.shape; }
     float mu() const { return m_mu; }
     float boundaryLimit() const { return m_limit; }
+    /// What kernels say of x, who know the limit alone, once rims have their say.
+    Status settled(Status told, const base::Vec3f& x) const {
+        return told == Status::BeyondBoundary && !mayEnd(*m_surface, x) ? Status::Ok : told;
+    }
     /// Computes everything up to `need`; false, with `out` left as it is, where the position is special.
     /// REQUIRES: applies().
     bool evaluate(ClusterSpan clusters, const base::Vec3f& x, Need need, Evaluationf& out) const;
@@ -34,6 +38,7 @@ class SummedNormals {
     bool m_applies;
     KernelInput m_sums; ///< without clusters and position
     float m_mu, m_limit;
+    const Surface* m_surface; ///< for its rims
 };
 
 } // namespace surface

@@ -116,8 +116,10 @@ class Together {
         for (std::size_t lane = 0; lane < which.size(); ++lane)
             if (special >> lane & 1)
                 evaluateSingly(which[lane]);
-            else
+            else {
+                m_at.status[lane] = m_plain.settled(m_at.status[lane], m_x[which[lane]]);
                 m_out[which[lane]] = plainAt(m_at, static_cast<int>(lane));
+            }
     }
 
     void evaluateSingly(std::uint32_t i) {

@@ -1,0 +1,16 @@
+// What is left beside surfels that went has a rim there, in models that know their rims (surface/rims.h).
+#pragma once
+
+#include "core/surface/surface.h"
+
+namespace process {
+
+/// Of `left`, a version before or after surfels went from the places `gone`: the same with the attribute `rim` on all
+/// within half their support of these. Empty where nothing changes. REQUIRES: surface::knowsRims(left).
+tree::Edit rimsBeside(const surface::Surface& left, std::span<const base::Vec3f> gone);
+
+/// Adds them to an edit of `version` that takes surfels away and changes none; models that do not know their rims stay
+/// as they are.
+void addRims(const surface::Surface& version, tree::Edit& edit);
+
+} // namespace process
