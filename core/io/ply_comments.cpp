@@ -79,7 +79,7 @@ std::string nativeCommentLines(const NativeComments& native) {
     if (native.up)
         out += std::string("comment pointclay up ") + base::upRow(*native.up).id + "\n";
     if (native.definition)
-        out += "comment pointclay surface " + surface::toWords(*native.definition) + "\n";
+        out += "comment pointclay surface " + surface::toWords(*native.definition, native.limitDecided) + "\n";
     return out;
 }
 

@@ -43,6 +43,7 @@ std::string PlyWriter::header() const {
     NativeComments native;
     native.origin = m_model.origin;
     native.definition = m_model.definition;
+    native.limitDecided = m_model.limitDecided;
     native.up = m_model.up;
     if (m_model.points.layout->normals)
         native.oriented = m_model.points.layout->oriented;

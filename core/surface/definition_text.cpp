@@ -84,10 +84,11 @@ Projector parseProjector(std::string_view name) {
     return parseIn(projectorNames(), "unknown projection '%'", name);
 }
 
-std::string toWords(const SurfaceDefinition& definition) {
+std::string toWords(const SurfaceDefinition& definition, bool decided) {
     std::string out;
     for (const DefinitionOption& each : definitionOptionTable())
-        out.append(out.empty() ? "" : " ").append(each.id).append("=").append(textOf(each, definition));
+        if (decided || std::string_view(each.id) != "boundary-limit")
+            out.append(out.empty() ? "" : " ").append(each.id).append("=").append(textOf(each, definition));
     return out;
 }
 

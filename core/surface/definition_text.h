@@ -35,8 +35,9 @@ Weight parseWeight(std::string_view name);
 Frame parseFrame(std::string_view name);
 Projector parseProjector(std::string_view name);
 
-/// All options as `name=value` words separated by blanks.
-std::string toWords(const SurfaceDefinition& definition);
+/// All options as `name=value` words separated by blanks; the limit that auto was resolved to only where that is
+/// decided.
+std::string toWords(const SurfaceDefinition& definition, bool decided = true);
 /// The definition of such words; what they leave out has its default. Throws base::Error for words
 /// that are no option=value.
 SurfaceDefinition definitionFromWords(std::string_view words);

@@ -19,6 +19,7 @@ class PlyRoundTripTest : public QObject {
     void smallFloatsNearAFarOriginSurvive();
     void movedDoublesWinOverStaleFloats();
     void definitionCommentsAndElementsSurvive();
+    void limitsThatNobodyDecidedStayUndecided();
     void shapesOfTreesSurvive();
     void shapesThatAreNotOursAreNone();
     void everyEncodingOfEveryLayoutReadsTheSame();
@@ -125,6 +126,7 @@ void PlyRoundTripTest::definitionCommentsAndElementsSurvive() {
     model.definition->frame = surface::Frame::Covariance;
     model.definition->support = 0.1f;
     model.definition->boundaryLimit = 0.37f;
+    model.limitDecided = true;
     model.comments = {"made by hand", "obj_info num_cols 512", ""};
     model.elements.push_back({"element camera 1\nproperty float view_px\nproperty list uchar int ids\n",
                               std::string("\0\0\x80\x3f\2\1\0\0\0\2\0\0\0", 13)});
@@ -349,6 +351,23 @@ void PlyRoundTripTest::cancelledWritingLeavesNothing() {
     QCOMPARE(folder.entries(), std::size_t(0));
     io::write(folder.path("a.ply"), model);
     QVERIFY_EXCEPTION_THROWN(io::read(folder.path("a.ply"), progress), base::Cancelled);
+}
+
+void PlyRoundTripTest::limitsThatNobodyDecidedStayUndecided() {
+    const test::Folder folder;
+    FileModel model;
+    model.points.items.push_back(at({1, 2, 3}));
+    for (const bool decided : {false, true}) {
+        model.definition = surface::SurfaceDefinition();
+        model.definition->boundaryLimit = 0.25f;
+        model.definition->knownRims = true;
+        model.limitDecided = decided;
+        io::write(folder.path("a.ply"), model);
+        const FileModel read = io::read(folder.path("a.ply"));
+        QCOMPARE(read.limitDecided, decided);
+        QVERIFY(read.definition->knownRims);
+        QVERIFY(decided ? read.definition == model.definition : std::isinf(read.definition->boundaryLimit));
+    }
 }
 
 static const test::Registered<PlyRoundTripTest> registered;

@@ -98,7 +98,7 @@ io::FileModel fileModel(const SceneModel& model) {
     out.origin = provenance.origin;
     out.up = model.up;
     out.definition = model.surface.definition();
-    out.hasSupports = true;
+    out.hasSupports = out.limitDecided = true;
     out.faces = provenance.faces;
     out.dropped = provenance.dropped;
     out.format = provenance.format;

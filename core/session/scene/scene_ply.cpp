@@ -52,7 +52,7 @@ io::FileModel togetherAsParts(const Scene& scene) {
     io::FileModel out;
     out.origin = first.pose(first.origin());
     out.up = first.up;
-    out.hasSupports = true;
+    out.hasSupports = out.limitDecided = true;
     out.definition = first.surface.definition();
     const std::shared_ptr<AttributeLayout> layout = unitedLayout(scene.models);
     if (!layout->find(partAttribute))
