@@ -22,6 +22,8 @@ class CommandDialogTest : public QObject {
     void surfaceShowsWhatTheModelHas();
     void everyLabelIsWordsWithAKey();
     void scannersStandAtThreeNumbers();
+    void returnAcceptsFromEveryField();
+    void endlessRangesAreNotTold();
 };
 
 static QLineEdit& line(ui::CommandDialog& dialog, const char* name) {
@@ -120,6 +122,31 @@ void CommandDialogTest::scannersStandAtThreeNumbers() {
     QVERIFY(dialog.command()["viewpoint"] == (nlohmann::json{1.0, 2.5, -3.0}));
     line(dialog, "viewpoint").setText("1, here");
     QVERIFY_THROWS_EXCEPTION(base::Error, dialog.command());
+}
+
+/// The list's completion took the first Return for itself, and nothing happened.
+void CommandDialogTest::returnAcceptsFromEveryField() {
+    WindowFixture f;
+    QVERIFY(f.make("sphere", 500));
+    for (const char* field : {"holes", "method", "up_to"}) {
+        ui::CommandDialog dialog(session::command("fill"), f.editor().snapshot());
+        dialog.show();
+        QSignalSpy accepted(&dialog, &QDialog::accepted);
+        auto* widget = dialog.findChild<QWidget*>(field);
+        widget->setFocus();
+        QTest::keyClick(widget, Qt::Key_Return);
+        QVERIFY2(accepted.count() == 1, field);
+    }
+}
+
+void CommandDialogTest::endlessRangesAreNotTold() {
+    WindowFixture f;
+    for (const session::CommandRow& row : session::commandTable())
+        if (ui::hasDialog(row)) {
+            const ui::CommandDialog dialog(row, f.editor().snapshot());
+            for (const QWidget* each : dialog.findChildren<QWidget*>())
+                QVERIFY2(!each->toolTip().contains("e+"), qPrintable(each->toolTip()));
+        }
 }
 
 static const test::Registered<CommandDialogTest> registered;

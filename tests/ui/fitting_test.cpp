@@ -1,9 +1,11 @@
 // The window on small screens, and whether what it says can be read.
 #include "support/patience.h"
 #include "support/registry.h"
+#include "ui/panels/elided_label.h"
 #include "ui/panels/properties_panel.h"
 #include "ui/panels/tool_bar.h"
 #include "ui/panels/tool_grid.h"
+#include "ui/settings/settings_file.h"
 #include "ui/theme/theme.h"
 #include "ui/window/command_desk.h"
 #include "ui/window/command_dialog.h"
@@ -37,6 +39,9 @@ class FittingTest : public QObject {
     void pullDownsAreLegible();
     void leftHandsHaveToolsOnTheRightFromThenOn();
     void dialogsStayOnTheScreen();
+    void dialogsGrowWithWhatTheySay();
+    void maximisedWindowsComeBackOnASmallerScreen();
+    void cutHintsSayThatTheyAreCut();
 
   private:
     QPalette m_palette;
@@ -162,6 +167,61 @@ void FittingTest::dialogsStayOnTheScreen() {
         QVERIFY2(screen.contains(desk.dialog()->geometry()), op);
         desk.dialog()->reject();
     }
+}
+
+/// A preview has told of 23 loops in a box made for one line, over the fields above it.
+void FittingTest::dialogsGrowWithWhatTheySay() {
+    WindowFixture f;
+    QVERIFY(f.make("sphere", 800));
+    auto& desk = *f.window->findChild<ui::CommandDesk*>();
+    desk.open(session::command("fill"));
+    ui::CommandDialog& dialog = *desk.dialog();
+    QCoreApplication::processEvents();
+    QStringList said;
+    for (int k = 0; k < 22; ++k)
+        said
+            << QString("boundary loop %1 of length 61.42 about 1202.8 -382.9 224.0 was left: it does not close").arg(k);
+    dialog.sayPreviewed((said << "5 of 27 boundary loops filled with 22987 points").join('\n'));
+    QCoreApplication::processEvents();
+    const auto labels = dialog.findChildren<QLabel*>(Qt::FindDirectChildrenOnly);
+    for (const QLabel* one : labels) {
+        if (!one->isVisible())
+            continue;
+        QVERIFY2(one->height() >= one->heightForWidth(one->width()), qPrintable(one->text()));
+        for (const QLabel* other : labels)
+            QVERIFY(one == other || !other->isVisible() || !one->geometry().intersects(other->geometry()));
+    }
+    const auto& shown = *dialog.findChild<QLabel*>("previewed");
+    QVERIFY(shown.text().contains("… and 19 more.") && shown.text().endsWith("filled with 22987 points."));
+    QVERIFY(shown.toolTip().contains("loop 17 of"));
+    QVERIFY(f.window->screen()->availableGeometry().contains(dialog.geometry()));
+    dialog.reject();
+}
+
+void FittingTest::maximisedWindowsComeBackOnASmallerScreen() {
+    WindowFixture f;
+    f.window->resize(1600, 1200);
+    QCoreApplication::processEvents();
+    ui::Settings left = f.window->settings();
+    left.windowState = f.window->saveState();
+    f.window->setWindowState(Qt::WindowMaximized);
+    left.geometry = f.window->saveGeometry();
+    f.window->close();
+    ui::SettingsFile file(f.file("settings.ini"));
+    file.write(left);
+    f.open();
+    f.window->statusLine().showProgress(0.5, "reading"); // its layout is asked for anew
+    QCoreApplication::processEvents();
+    f.window->statusLine().hideProgress();
+    QVERIFY(f.window->toolBar().isVisible() && f.view().isVisible());
+}
+
+void FittingTest::cutHintsSayThatTheyAreCut() {
+    ui::ElidedLabel label("Drag: Draw, with Ctrl the other way, with Shift Smooth");
+    label.resize(label.fontMetrics().horizontalAdvance(label.text()) + 8, 20);
+    QCOMPARE(label.shownText(), label.text());
+    label.resize(label.width() / 2, 20);
+    QVERIFY(label.shownText().endsWith("…") && label.text().startsWith(label.shownText().chopped(1)));
 }
 
 static const test::Registered<FittingTest> registered;

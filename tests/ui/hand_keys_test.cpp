@@ -27,6 +27,7 @@ class HandKeysTest : public QObject {
     void aClickOnAnAxisLooksAlongIt();
     void draggingTheAxesTurnsTheView();
     void presetsNameActionsThatAreThereAndDisturbNone();
+    void keysLeaveTheMenusTheirLetters();
 };
 
 static void type(WindowFixture& f, int key, const QString& text = {}, Qt::KeyboardModifiers modifiers = {}) {
@@ -229,6 +230,24 @@ void HandKeysTest::presetsNameActionsThatAreThereAndDisturbNone() {
     QVERIFY(f.window->settings().keys.empty());
     QVERIFY(ui::disturb(QKeySequence("B"), QKeySequence("B, S, T")) &&
             !ui::disturb(QKeySequence("S"), QKeySequence("B, S")));
+}
+
+/// Alt+M was the mask's and the Model menu's, so that it did nothing at all.
+void HandKeysTest::keysLeaveTheMenusTheirLetters() {
+    WindowFixture f;
+    const auto entries = ui::paletteEntries(*f.window->menuBar());
+    QList<QKeySequence> letters;
+    for (const QAction* menu : f.window->menuBar()->actions()) {
+        const QKeySequence letter = QKeySequence::mnemonic(menu->text());
+        QVERIFY2(!letter.isEmpty() && !letters.contains(letter), qPrintable(menu->text()));
+        letters << letter;
+        for (const ui::PaletteEntry& entry : entries)
+            for (const QKeySequence& key : entry.action ? ui::ownKeysOf(*entry.action) : QList<QKeySequence>())
+                QVERIFY2(!ui::disturb(letter, key), qPrintable(menu->text() + " and " + entry.label));
+        for (const ui::KeyPreset& preset : ui::keyPresets())
+            for (const auto& [id, key] : preset.keys)
+                QVERIFY2(!ui::disturb(letter, QKeySequence(key)), id);
+    }
 }
 
 static const test::Registered<HandKeysTest> registered;

@@ -1,11 +1,11 @@
 #include "ui/panels/scene_panel.h"
 
+#include "ui/theme/counted.h"
 #include "ui/theme/icon.h"
 
 #include <nlohmann/json.hpp>
 #include <QHBoxLayout>
 #include <QHeaderView>
-#include <QLocale>
 #include <QSignalBlocker>
 #include <QToolButton>
 #include <QTreeWidget>
@@ -126,8 +126,7 @@ void ScenePanel::show(const Snapshot& snapshot) {
         item->setFlags(item->flags() | Qt::ItemIsEditable | Qt::ItemIsUserCheckable);
         item->setCheckState(Shown, each.visible ? Qt::Checked : Qt::Unchecked);
         item->setCheckState(Locked, each.locked ? Qt::Checked : Qt::Unchecked);
-        item->setToolTip(Name,
-                         tr("%1 points; double click to rename").arg(QLocale().toString(qulonglong(each.surfels))));
+        item->setToolTip(Name, tr("%1 points; double click to rename").arg(counted(each.surfels)));
         m_list->addTopLevelItem(item);
     }
     m_list->setCurrentItem(m_list->topLevelItem(static_cast<int>(m_active)));

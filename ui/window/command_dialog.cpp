@@ -1,8 +1,10 @@
 #include "ui/window/command_dialog.h"
 
 #include "core/surface/definition_options.h"
+#include "ui/theme/counted.h"
 #include "ui/theme/theme.h"
 #include "ui/window/file_dialogs.h"
+#include "ui/window/grown_dialog.h"
 #include "ui/window/parameter_values.h"
 #include "ui/window/parameter_words.h"
 #include "ui/window/status_line.h"
@@ -19,7 +21,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QLocale>
 #include <QPushButton>
 #include <QScreen>
 #include <QScrollArea>
@@ -39,15 +40,13 @@ bool hasDialog(const session::CommandRow& row) {
 }
 
 static QString rangeOf(const CommandParameter& p) {
-    if (p.max <= p.min)
+    constexpr double endless = 1e9; // as good as no limit at all
+    if (p.max <= p.min || p.max >= endless)
         return {};
     const QString low = p.min < 1e-30 ? QString(p.min < 0 ? "" : "0") : QString::number(p.min);
-    const QString high = p.max > 1e30 ? QString() : QString::number(p.max);
-    return high.isEmpty() ? QString() : QObject::tr(" (%1 to %2)").arg(low, high);
-}
-
-static QString counted(double count) {
-    return QLocale::c().toString(qulonglong(count));
+    constexpr double large = 1e5; // told with its digits, not as 2e+08
+    return QObject::tr(" (%1 to %2)")
+        .arg(low, p.max < large ? QString::number(p.max) : counted(static_cast<qulonglong>(p.max)));
 }
 
 static QString enteredIn(const QWidget* field) {
@@ -151,6 +150,8 @@ QString CommandDialog::present(const CommandParameter& p) const {
 static QComboBox* listOf(const CommandParameter& p, const QString& present) {
     auto* out = new QComboBox;
     out->setEditable(QString(p.type).startsWith("number"));
+    out->setInsertPolicy(QComboBox::NoInsert);
+    out->setCompleter(nullptr); // its first Return would be a completion's, not the dialog's
     const QString fallback = present.isEmpty() ? fallbackOf(p) : present;
     if (fallback.isEmpty())
         out->addItem(isOptional(p) ? QObject::tr("(none)") : QString(), QString());
@@ -184,7 +185,9 @@ QWidget* CommandDialog::make(const CommandParameter& p) {
     else if (type == "list" && std::string_view(p.tip).find("x,y,z") != std::string_view::npos)
         line->setPlaceholderText("x, y, z");
     else if (std::string_view(p.id) == "count" && m_model.surfels > 0)
-        line->setPlaceholderText(tr("now %1").arg(counted(static_cast<double>(m_model.surfels))));
+        line->setPlaceholderText(tr("now %1").arg(counted(m_model.surfels)));
+    else if (isOptional(p) && shown.isEmpty())
+        line->setPlaceholderText(tr("optional"));
     connect(line, &QLineEdit::textChanged, this, &CommandDialog::follow);
     if (isOptional(p) && shown.isEmpty())
         connect(line, &QLineEdit::textEdited, this, [this, line] { giveWay(line); });
@@ -289,7 +292,8 @@ QString CommandDialog::outcome() const {
     if (!(points >= 1) || !(points < 1e15))
         return {};
     const double unit = points >= 1000 ? std::pow(10, std::floor(std::log10(points)) - 2) : 1;
-    return tr("About %1 points; now there are %2.").arg(counted(std::round(points / unit) * unit), counted(now));
+    return tr("About %1 points; now there are %2.")
+        .arg(counted(static_cast<qulonglong>(std::round(points / unit) * unit)), counted(m_model.surfels));
 }
 
 void CommandDialog::follow() {
@@ -297,6 +301,7 @@ void CommandDialog::follow() {
         return;
     tell(*m_outcome, outcome());
     tell(*m_trouble, {});
+    growToWords(*this);
     Q_EMIT changed();
 }
 
@@ -368,8 +373,24 @@ void CommandDialog::setPreviews(bool on) {
     m_preview->setChecked(on);
 }
 
+/// The first ones and the last one, which sums up: a list of all would push the buttons off the screen.
+static QString fewOf(QStringList sentences) {
+    constexpr qsizetype first = 3;
+    for (QString& each : sentences)
+        each = sentenceOf(each);
+    const qsizetype more = sentences.size() - first - 1;
+    if (more > 1) {
+        const QString last = sentences.back();
+        sentences = sentences.mid(0, first) << QObject::tr("… and %1 more.").arg(more) << last;
+    }
+    return sentences.join('\n');
+}
+
 void CommandDialog::sayPreviewed(const QString& text) {
-    tell(*m_said, sentenceOf(text));
+    const QStringList all = text.split('\n', Qt::SkipEmptyParts);
+    tell(*m_said, fewOf(all));
+    m_said->setToolTip(all.join('\n'));
+    growToWords(*this);
 }
 
 void CommandDialog::checkAndAccept() {
@@ -378,6 +399,7 @@ void CommandDialog::checkAndAccept() {
         accept();
     } catch (const std::exception& error) {
         tell(*m_trouble, QString::fromUtf8(error.what()));
+        growToWords(*this);
     }
 }
 

@@ -63,8 +63,10 @@ MainWindow::MainWindow(const WindowOptions& options, QWidget* parent)
     if (m_settings.leftHanded)
         layOut(*this, true);
     resize(fitting(QSize(1280, 800)));
-    restoreGeometry(m_settings.geometry);
+    // In this order: Qt keeps the bars' state of a window that it takes for maximised and too small for them, and falls
+    // over it when they ask for another layout.
     restoreState(m_settings.windowState);
+    restoreGeometry(m_settings.geometry);
     constexpr int pauseMs = 1000; // between a change and its being safe
     auto* clock = new QTimer(this);
     connect(clock, &QTimer::timeout, this, &MainWindow::keepSettings);

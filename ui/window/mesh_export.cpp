@@ -1,11 +1,11 @@
 #include "ui/window/mesh_export.h"
 
+#include "ui/theme/counted.h"
 #include "ui/window/file_dialogs.h"
 #include "ui/work/editor.h"
 #include "ui/work/post.h"
 
 #include <QFileDialog>
-#include <QLocale>
 #include <QPainter>
 
 namespace ui {
@@ -76,16 +76,12 @@ void MeshExport::make() {
         m_mesher.want(m_bar->choice(), m_editor.snapshot());
 }
 
-static QString count(std::size_t number) {
-    return QLocale::c().toString(qulonglong(number));
-}
-
 void MeshExport::tellEstimate() {
     const Snapshot& now = m_editor.snapshot();
     const auto spacing = static_cast<double>(now.spacing);
     const double triangles = static_cast<double>(estimatedTriangles(m_area, spacing, m_bar->choice()));
     const double unit = triangles >= 1000 ? std::pow(10, std::floor(std::log10(triangles)) - 1) : 1;
-    m_bar->tell(tr("about %1 triangles").arg(count(static_cast<std::size_t>(std::round(triangles / unit) * unit))));
+    m_bar->tell(tr("about %1 triangles").arg(counted(static_cast<std::size_t>(std::round(triangles / unit) * unit))));
 }
 
 void MeshExport::tellMade() {
@@ -93,20 +89,20 @@ void MeshExport::tellMade() {
     const MadeMesh& made = *m_mesher.made();
     if (!(made.model == m_editor.snapshot().surface.tree() && made.choice.sameMesh(m_bar->choice())))
         return;
-    QString text = tr("%1 triangles").arg(count(made.mesh->triangles.size()));
+    QString text = tr("%1 triangles").arg(counted(made.mesh->triangles.size()));
     if (made.limitLoops > 0)
-        text += made.limitLoops > 1 ? tr(", %1 boundary loops").arg(count(made.limitLoops)) : tr(", 1 boundary loop");
+        text += made.limitLoops > 1 ? tr(", %1 boundary loops").arg(counted(made.limitLoops)) : tr(", 1 boundary loop");
     if (made.foldLoops > 0)
-        text += tr(", %1 at folds").arg(count(made.foldLoops));
+        text += tr(", %1 at folds").arg(counted(made.foldLoops));
     m_bar->tell(text, tr("%1 vertices, made in %2 s. Boundary loops: orange where the surface ends at its limit, "
                          "red at folds, where it is undefined")
-                          .arg(count(made.mesh->positions.size()))
+                          .arg(counted(made.mesh->positions.size()))
                           .arg(made.seconds, 0, 'f', 1));
 }
 
 void MeshExport::askPath() {
     const std::filesystem::path& path = m_editor.snapshot().path;
-    const QString name = path.empty() ? QString("mesh") : QString::fromStdString(path.stem().string() + "-mesh");
+    const QString name = path.empty() ? QString("mesh") : textOf(path.parent_path() / (path.stem().string() + "-mesh"));
     auto* dialog = new QFileDialog(&m_window, tr("Export Mesh"), name, meshFilter());
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);

@@ -1,6 +1,7 @@
 #include "ui/window/recovery_dialog.h"
 
 #include "ui/window/file_dialogs.h"
+#include "ui/window/grown_dialog.h"
 
 #include <chrono>
 #include <QDateTime>
@@ -53,6 +54,7 @@ RecoveryDialog::RecoveryDialog(const session::LeftJournal& journal, QWidget* par
     connect(&m_preview, &RecoveryPreview::failed, this, [this](const QString& why) {
         m_picture->setText(tr("There is no picture of it."));
         m_steps->setText(why);
+        growToWords(*this);
     });
     connect(&m_preview, &RecoveryPreview::progressed, this, [this](double share, const QString&) {
         if (m_shown.isNull())
@@ -66,6 +68,7 @@ void RecoveryDialog::showPicture(const QImage& picture, const QString& steps) {
     m_shown.setDevicePixelRatio(devicePixelRatioF());
     m_picture->setPixmap(QPixmap::fromImage(m_shown));
     m_steps->setText(steps.isEmpty() ? QString() : tr("Done to it: %1.").arg(steps));
+    growToWords(*this);
 }
 
 } // namespace ui

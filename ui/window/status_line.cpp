@@ -1,10 +1,11 @@
 #include "ui/window/status_line.h"
 
+#include "ui/panels/elided_label.h"
+#include "ui/theme/counted.h"
 #include "ui/theme/icon.h"
 #include "ui/theme/theme.h"
 
 #include <QLabel>
-#include <QLocale>
 #include <QProgressBar>
 #include <QRegularExpression>
 #include <QToolButton>
@@ -42,7 +43,7 @@ QLabel* StatusLine::cell(const QString& tip) {
     return label;
 }
 
-StatusLine::StatusLine(QWidget* parent) : QStatusBar(parent), m_message(new QLabel) {
+StatusLine::StatusLine(QWidget* parent) : QStatusBar(parent), m_message(new ElidedLabel) {
     setSizeGripEnabled(false);
     m_message->setTextFormat(Qt::PlainText);
     m_message->setIndent(8);
@@ -109,7 +110,7 @@ void StatusLine::resizeEvent(QResizeEvent* event) {
 
 void StatusLine::showModel(const Snapshot& snapshot) {
     const bool model = !snapshot.surface.tree().empty();
-    want(m_surfels, model, tr("%1 surfels").arg(QLocale::c().toString(qulonglong(snapshot.surfels))));
+    want(m_surfels, model, tr("%1 surfels").arg(counted(snapshot.surfels)));
     want(m_memory, model, tr("%1 + %2").arg(bytesText(snapshot.modelBytes), bytesText(snapshot.historyBytes)));
     want(m_spacing, model, tr("Spacing %1").arg(static_cast<double>(snapshot.spacing), 0, 'g', 3));
     want(m_dab, snapshot.dabSeconds > 0, tr("Dab %1").arg(milliseconds(snapshot.dabSeconds)));

@@ -98,7 +98,7 @@ void CommandPreview::make(const Wanted& wanted, const base::Progress& progress) 
         QStringList said;
         for (const std::string& each : context.messages)
             said << textOf(each);
-        found.said = said.join(' ');
+        found.said = said.join('\n');
         answer(wanted.wish, [this, found] { Q_EMIT shown(found); });
     } catch (const base::Cancelled&) {
         throw;

@@ -11,7 +11,7 @@ struct Previewed {
     Snapshot after;
     /// Where surfels stand that would go, if the command does nothing but take some out; every so many of them.
     std::vector<base::Vec3d> gone;
-    QString said; ///< by the command
+    QString said; ///< by the command, a line for each message
 };
 
 /// Places of the surfels of `before` that `after` has not, if it has no others; else none. Evenly thinned to `most`.

@@ -36,7 +36,7 @@ static void showAbout(MainWindow& window) {
 }
 
 void addHelpMenu(MainWindow& window) {
-    QMenu* help = addMenu(window, "help", QObject::tr("&Help"));
+    QMenu* help = addMenu(window, "help", QObject::tr("Hel&p"));
     QAction* find = addEntry(*help, "keyboard", QObject::tr("&Find an Action…"), QKeySequence("F3"), [&window] {
         auto* palette = new CommandPalette(*window.menuBar(), &window);
         palette->setAttribute(Qt::WA_DeleteOnClose);

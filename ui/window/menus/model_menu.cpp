@@ -33,7 +33,7 @@ static std::vector<const session::CommandRow*> commandsOf(const ModelGroup& grou
 }
 
 void addModelMenu(MainWindow& window) {
-    QMenu* model = addMenu(window, "model", QObject::tr("&Model"));
+    QMenu* model = addMenu(window, "model", QObject::tr("M&odel"));
     auto* desk = new CommandDesk(window);
     for (const ModelGroup& group : modelGroups()) {
         QMenu* menu = addMenu(window, group.id, QObject::tr(group.title), model);

@@ -1,0 +1,18 @@
+// One line that ends in "…" where it has no room, so that nobody takes a cut sentence for a whole one.
+#pragma once
+
+#include <QLabel>
+
+namespace ui {
+
+class ElidedLabel : public QLabel {
+  public:
+    using QLabel::QLabel;
+    /// What can be read of it now.
+    QString shownText() const;
+
+  protected:
+    void paintEvent(QPaintEvent* event) override;
+};
+
+} // namespace ui
