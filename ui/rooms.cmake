@@ -25,9 +25,22 @@ function(pointclay_qt_room name)
 endfunction()
 
 pointclay_qt_room(theme ui/theme)
-pointclay_qt_room(work ui/work session render)
+# Every language's catalogue is in the program. Qt's tools make it of the text that translators edit.
+pointclay_qt_room(words ui/words)
+set(words ${CMAKE_BINARY_DIR}/words)
+file(CONFIGURE OUTPUT ${words}/words.qrc CONTENT
+     "<RCC><qresource prefix=\"/words\"><file>pointclay_de.qm</file></qresource></RCC>\n")
+add_custom_command(OUTPUT ${words}/qrc_words.cpp
+    COMMAND ${LRELEASE} -silent ${CMAKE_SOURCE_DIR}/ui/words/pointclay_de.ts -qm ${words}/pointclay_de.qm
+    COMMAND Qt6::rcc --name words --output ${words}/qrc_words.cpp ${words}/words.qrc
+    DEPENDS ${CMAKE_SOURCE_DIR}/ui/words/pointclay_de.ts ${words}/words.qrc VERBATIM)
+set_source_files_properties(${words}/qrc_words.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON SKIP_AUTOGEN ON
+    SKIP_PRECOMPILE_HEADERS ON)
+target_sources(pointclay_words PRIVATE ${words}/qrc_words.cpp)
+
+pointclay_qt_room(work ui/work session render words)
 pointclay_qt_room(settings ui/settings session view)
-pointclay_qt_room(overlay ui/overlay sculpt render view theme)
+pointclay_qt_room(overlay ui/overlay sculpt render view theme words)
 pointclay_qt_room(panels ui/panels theme settings work)
 pointclay_qt_room(viewport ui/viewport gl work)
 pointclay_qt_room(interaction ui/interaction settings overlay viewport)

@@ -5,6 +5,7 @@
 #include "ui/view/placement.h"
 #include "ui/window/command_desk.h"
 #include "ui/window/command_dialog.h"
+#include "ui/window/status_line.h"
 #include "ui/window_fixture.h"
 
 #include <numbers>
@@ -164,6 +165,8 @@ void PlacementTest::draggingFillsTheFieldsAndShowsWhatComes() {
     QVERIFY(desk.dialog() && desk.dialog()->command() == command);
     desk.dialog()->accept();
     QVERIFY(f.settle() && !handles.on());
+    // What it said of them goes with them.
+    QTRY_VERIFY_WITH_TIMEOUT(!f.window->statusLine().message().startsWith("Drag an arrow"), test::patience);
     const base::Vec3f middle = f.editor().snapshot().surface.tree().bounds().centre();
     QVERIFY(std::abs(middle.x - 0.3f) < 0.02f && std::abs(middle.y) < 0.01f);
 }

@@ -46,6 +46,7 @@ static Settings unusual(base::Random& random, test::Part part = test::Part::With
     out.annotated = render::ScaleBar;
     out.grid = true;
     out.theme = "light";
+    out.language = "de";
     out.historyMib = 256;
     out.keys = {{"View > frame-all", "Ctrl+Home"}, {"Edit > undo", ""}};
     out.truth = {true, 2.5, {raycast::Material::Glass, raycast::LightRig::Sun, {}, true, true, true}};

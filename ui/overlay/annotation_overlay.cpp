@@ -1,5 +1,7 @@
 #include "ui/overlay/annotation_overlay.h"
 
+#include "ui/words/words.h"
+
 #include <QFontMetricsF>
 #include <QPainter>
 #include <QPainterPath>
@@ -15,11 +17,17 @@ static QColor outlineOf(const base::Vec3f& c) {
     return c.x + c.y + c.z > 1.2f ? QColor(13, 13, 15, 120) : QColor(255, 255, 255, 150);
 }
 
+/// Titles are words; numbers and the axes' letters are the same in every language.
+static QString wordsOf(const std::string& text) {
+    const bool words = text.size() > 1 && QChar(text.front()).isLetter();
+    return words ? spoken(text, "legend") : QString::fromStdString(text);
+}
+
 static void paintText(QPainter& painter, const render::DrawnText& text) {
     QFont font = painter.font();
     font.setPixelSize(std::max(6, qRound(text.capHeight * 1.4f))); // capitals are some 0.7 of a font's size
     const QFontMetricsF metrics(font);
-    const QString words = QString::fromStdString(text.text);
+    const QString words = wordsOf(text.text);
     const double x = text.at.x - text.anchor * metrics.horizontalAdvance(words);
     QPainterPath path;
     path.addText(QPointF(x, text.at.y), font, words);

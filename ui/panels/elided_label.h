@@ -10,6 +10,7 @@ class ElidedLabel : public QLabel {
     using QLabel::QLabel;
     /// What can be read of it now.
     QString shownText() const;
+    QSize minimumSizeHint() const override;
 
   protected:
     void paintEvent(QPaintEvent* event) override;

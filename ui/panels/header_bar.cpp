@@ -1,6 +1,7 @@
 #include "ui/panels/header_bar.h"
 
 #include "ui/panels/radius_range.h"
+#include "ui/words/words.h"
 
 #include <QMenu>
 #include <QToolButton>
@@ -77,7 +78,7 @@ void HeaderBar::addMethods() {
     m_methods = new QMenu(this);
     m_methods->setToolTipsVisible(true);
     for (const sculpt::MethodRow& row : sculpt::methodTable()) {
-        QAction* action = m_methods->addAction(tr(row.label));
+        QAction* action = m_methods->addAction(spoken(row.label, "option"));
         action->setToolTip(tr(row.tip));
         action->setCheckable(true);
         connect(action, &QAction::triggered, this, [this, method = row.value] {
@@ -113,7 +114,7 @@ void HeaderBar::refresh() {
     const auto methods = sculpt::methodTable();
     for (std::size_t k = 0; k < methods.size(); ++k)
         m_methods->actions()[qsizetype(k)]->setChecked(methods[k].value == choice.method);
-    m_method->setText(tr(sculpt::row(choice.method).label));
+    m_method->setText(spoken(sculpt::row(choice.method).label, "option"));
     m_method->setEnabled(!sculpt::holds(m_settings.toolRow())); // what is held goes with the pointer
     QString on;
     for (std::size_t k = 0; k < std::size(planeRows); ++k) {

@@ -1,5 +1,7 @@
 #include "ui/panels/history_panel.h"
 
+#include "ui/words/words.h"
+
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -66,7 +68,7 @@ void HistoryPanel::show(const Snapshot& snapshot) {
     m_list->addItem(tr("Start"));
     for (const auto* labels : {&m_past, &m_future})
         for (const std::string& label : *labels)
-            m_list->addItem(QString::fromStdString(label));
+            m_list->addItem(spoken(label, "step"));
     for (int row = present + 1; row < m_list->count(); ++row)
         m_list->item(row)->setForeground(palette().color(QPalette::Disabled, QPalette::Text));
     m_list->setCurrentRow(present);

@@ -39,7 +39,7 @@ void LayerBar::addList() {
     m_list->setObjectName("layer-list");
     m_list->setToolTip(tr("The layer that strokes act on; the uppermost stands first"));
     m_list->setFocusPolicy(Qt::NoFocus);
-    m_list->setMinimumContentsLength(12);
+    m_list->setMinimumContentsLength(10);
     addWidget(m_list);
     connect(m_list, &QComboBox::activated, this, [this] {
         const QString name = m_list->currentData().toString();
@@ -58,7 +58,7 @@ void LayerBar::addStrength() {
                                      "other way"),
                                   range);
     m_strength->setObjectName("layer-strength");
-    m_strength->setFixedWidth(220);
+    m_strength->setFixedWidth(180);
     addWidget(m_strength);
     connect(m_strength, &NumberSlider::edited, this, [this](double value) {
         m_moved = m_stack.active, m_wish = value;

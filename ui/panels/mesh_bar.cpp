@@ -1,5 +1,6 @@
 #include "ui/panels/mesh_bar.h"
 
+#include "ui/panels/elided_label.h"
 #include "ui/panels/number_slider.h"
 
 #include <QCheckBox>
@@ -19,7 +20,7 @@ MeshBar::MeshBar(QWidget* parent) : QToolBar(tr("Mesh"), parent) {
     addWidget(box("mesh-small", tr("Drop small parts"), tr("Leave out parts of fewer than 200 triangles"),
                   &MeshChoice::dropSmall));
     addWidget(box("mesh-preview", tr("Preview"), tr("Draw the mesh over the picture"), &MeshChoice::preview));
-    m_text = new QLabel;
+    m_text = new ElidedLabel; // gives way, so that Export stays
     m_text->setObjectName("mesh-text");
     m_text->setIndent(10);
     m_text->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
@@ -51,7 +52,7 @@ void MeshBar::addCell() {
     range.unit = tr("spacings");
     auto* cell = new NumberSlider(tr("Cell"), tr("Size of the triangles, in typical distances between surfels"), range);
     cell->setObjectName("mesh-cell");
-    cell->setFixedWidth(200);
+    cell->setFixedWidth(160);
     cell->setValue(m_choice.cell);
     addWidget(cell);
     connect(cell, &NumberSlider::edited, this,

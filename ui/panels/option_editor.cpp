@@ -4,6 +4,7 @@
 #include "ui/panels/curve_editor.h"
 #include "ui/panels/number_slider.h"
 #include "ui/panels/stamp_field.h"
+#include "ui/words/words.h"
 
 #include <algorithm>
 #include <QCheckBox>
@@ -31,7 +32,7 @@ static QWidget* labelled(const char* label, QWidget* field, QBoxLayout::Directio
     auto* name = new QLabel(QObject::tr(label));
     name->setObjectName("faint");
     if (direction == QBoxLayout::LeftToRight)
-        name->setFixedWidth(labelWidth);
+        name->setMinimumWidth(labelWidth);
     layout->addWidget(name);
     layout->addWidget(field, 1);
     return out;
@@ -46,7 +47,7 @@ static NumberSlider* slider(const StrokeOption& option, int decimals) {
     const auto& range = option.range;
     return new NumberSlider(
         QObject::tr(option.label), QObject::tr(option.tip),
-        {range.low, range.high, range.logarithmic, decimals, shortUnit(option.unit), range.min, range.max});
+        {range.low, range.high, range.logarithmic, decimals, spoken(shortUnit(option.unit)), range.min, range.max});
 }
 
 static OptionEditor number(const StrokeOption& option, float StrokeSettings::*field, const EditSettings& edit) {
@@ -115,7 +116,7 @@ static OptionEditor choice(const StrokeOption& option, Choice Owner::*field, con
     const auto rows = sculpt::choicesOf<Choice>();
     auto* box = new QComboBox;
     for (const auto& row : rows) {
-        box->addItem(QObject::tr(row.label));
+        box->addItem(spoken(row.label, std::is_same_v<Choice, sculpt::Falloff> ? "falloff" : "option"));
         box->setItemData(box->count() - 1, tipOf(row), Qt::ToolTipRole);
     }
     QObject::connect(box, &QComboBox::activated, box, [=](int index) {
@@ -207,7 +208,7 @@ OptionEditor makeParameterEditor(const sculpt::ToolParameter& parameter, const E
                }};
     } else {
         auto* slider = new NumberSlider(QObject::tr(parameter.label), {},
-                                        {parameter.min, parameter.max, false, 2, parameter.unit});
+                                        {parameter.min, parameter.max, false, 2, spoken(parameter.unit)});
         QObject::connect(slider, &NumberSlider::edited, slider, set);
         out = {slider, false, [=](const StrokeSettings& s) { slider->setValue(wanted(s)); }};
     }

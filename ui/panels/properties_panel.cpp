@@ -3,6 +3,7 @@
 #include "ui/panels/panel_group.h"
 #include "ui/panels/radius_range.h"
 #include "ui/theme/icon.h"
+#include "ui/words/words.h"
 
 #include <algorithm>
 #include <QHBoxLayout>
@@ -184,7 +185,7 @@ void PropertiesPanel::showTool() {
         m_shownTool = row.id;
         buildToolParameters();
         m_toolIcon->setPixmap(icon(row.icon).pixmap(20, 20));
-        m_toolName->setText(tr(row.label));
+        m_toolName->setText(spoken(row.label, "tool"));
         m_toolName->setToolTip(tr(row.tip));
         m_source->setVisible(row.needs.source);
     }

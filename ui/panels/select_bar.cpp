@@ -13,19 +13,35 @@ namespace ui {
 SelectBar::SelectBar(std::span<const SelectChoice> ways, QWidget* parent) : QToolBar(tr("Select"), parent) {
     setObjectName("select");
     setMovable(false);
-    auto* panel = new QWidget; // two rows: as wide as the other bars
+    auto* panel = new QWidget; // rows: as wide as the other bars
     auto* rows = new QVBoxLayout(panel);
     rows->setContentsMargins(4, 2, 4, 2);
     rows->setSpacing(6);
     addWidget(panel);
-    QHBoxLayout* row[] = {new QHBoxLayout, new QHBoxLayout};
+    QHBoxLayout* row[] = {new QHBoxLayout, new QHBoxLayout, new QHBoxLayout};
     addWays(ways, *row[0]);
     addGap(*row[0]);
     addModes(*row[0]);
-    addChanges(*row[1]);
+    addChanges(*row[1], *row[2]);
     for (QHBoxLayout* each : row) {
         each->addStretch();
         rows->addLayout(each);
+    }
+}
+
+/// In the second row as far as a window of 1280 pixels has room; a language with longer words needs a third.
+void SelectBar::addGroups(const std::vector<QList<QAction*>>& groups, QHBoxLayout& second, QHBoxLayout& third) {
+    constexpr qsizetype room = 72; // letters: there is no style sheet yet that would say how wide buttons are
+    QHBoxLayout* row = &second;
+    qsizetype used = 0;
+    for (const QList<QAction*>& each : groups) {
+        for (const QAction* action : each)
+            used += action->text().size();
+        if (row == &second && used > room)
+            row = &third;
+        else if (row->count() > 0)
+            addGap(*row);
+        addButtons(*row, each);
     }
 }
 
@@ -60,7 +76,7 @@ void SelectBar::addModes(QHBoxLayout& row) {
     addButtons(row, {m_visible});
 }
 
-void SelectBar::addChanges(QHBoxLayout& row) {
+void SelectBar::addChanges(QHBoxLayout& second, QHBoxLayout& third) {
     struct Change {
         const char *name, *label, *tip;
         nlohmann::json command; ///< null: it takes a length
@@ -108,13 +124,7 @@ void SelectBar::addChanges(QHBoxLayout& row) {
                 Q_EMIT wanted(command);
         });
     }
-    addButtons(row, m_changes.mid(0, 3));
-    addGap(row);
-    addButtons(row, m_changes.mid(3, 2));
-    addGap(row);
-    addButtons(row, m_changes.mid(5, 5));
-    addGap(row);
-    addButtons(row, m_changes.mid(10));
+    addGroups({m_changes.mid(0, 3), m_changes.mid(3, 2), m_changes.mid(5, 5), m_changes.mid(10)}, second, third);
 }
 
 int SelectBar::way() const {

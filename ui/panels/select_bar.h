@@ -42,7 +42,8 @@ class SelectBar : public QToolBar {
   private:
     void addWays(std::span<const SelectChoice> ways, QHBoxLayout& row);
     void addModes(QHBoxLayout& row);
-    void addChanges(QHBoxLayout& row);
+    void addChanges(QHBoxLayout& second, QHBoxLayout& third);
+    void addGroups(const std::vector<QList<QAction*>>& groups, QHBoxLayout& second, QHBoxLayout& third);
 
     QList<QAction*> m_ways, m_changes;
     QComboBox* m_mode = nullptr;

@@ -2,6 +2,7 @@
 
 #include "ui/panels/tool_grid.h"
 #include "ui/theme/icon.h"
+#include "ui/words/words.h"
 
 #include <QActionGroup>
 
@@ -9,16 +10,18 @@ namespace ui {
 
 static QString tipOf(const sculpt::ToolRow& row) {
     const QString shortcut = row.shortcut;
-    const QString title = shortcut.isEmpty() ? QString(row.label) : QString("%1  (%2)").arg(row.label, shortcut);
-    return QString("<b>%1</b><br>%2").arg(title, row.tip);
+    const QString title =
+        shortcut.isEmpty() ? spoken(row.label, "tool") : QString("%1  (%2)").arg(spoken(row.label, "tool"), shortcut);
+    return QString("<b>%1</b><br>%2").arg(title, spoken(row.tip));
 }
 
 static QAction* actionOf(const sculpt::ToolRow& row, QObject* parent) {
-    auto* action = new QAction(icon(row.icon), row.label, parent);
+    auto* action = new QAction(icon(row.icon), spoken(row.label, "tool"), parent);
     action->setCheckable(true);
     action->setData(row.id);
+    action->setProperty(inEnglish, QString(row.label));
     action->setToolTip(tipOf(row));
-    action->setStatusTip(row.tip);
+    action->setStatusTip(spoken(row.tip));
     if (*row.shortcut)
         action->setShortcuts(QKeySequence::listFromString(row.shortcut));
     return action;

@@ -182,6 +182,7 @@ Settings readSettings(const QSettings& store) {
         if (key.startsWith("panel/"))
             out.groups[key.mid(6).toStdString()] = store.value(key).toBool();
     out.theme = store.value("window/theme", "dark").toString().toStdString();
+    out.language = store.value("window/language", "system").toString().toStdString();
     out.historyMib = std::max(16, store.value("history/mib", 1024).toInt());
     out.navigation = navigation(store.value("view/navigation").toString().toStdString()).id;
     for (const QString& line : store.value("window/keys").toStringList())
@@ -240,6 +241,7 @@ Entries entriesOf(const Settings& settings) {
     out["view/occlusion"] = lighting.occlusion;
     out["view/shadowGround"] = lighting.ground;
     out["window/theme"] = QString::fromStdString(settings.theme);
+    out["window/language"] = QString::fromStdString(settings.language);
     out["history/mib"] = settings.historyMib;
     out["view/navigation"] = QString::fromStdString(settings.navigation);
     QStringList keys;

@@ -58,6 +58,7 @@ struct Settings {
     TruthSettings truth;
     std::map<std::string, std::string> keys; ///< of actions, by id, where a person has chosen others (window/keys.h)
     std::string theme = "dark";              ///< id of a row of ui::themeTable()
+    std::string language = "system";         ///< id of a row of ui::languageTable()
     int historyMib = 1024;                   ///< memory that the steps back may hold
     std::string navigation = "turntable";    ///< id of the style in which dragging turns the view
     std::vector<SavedView> savedViews;       ///< names differ

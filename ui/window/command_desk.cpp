@@ -219,7 +219,10 @@ void CommandDesk::endPick() {
 // --- its end ---
 
 void CommandDesk::finish(bool accepted) {
+    const bool handles = m_window.sculptView().placement().on();
     m_window.sculptView().placement().end();
+    if (handles)
+        m_window.showHint(); // of the tool again
     m_trying = m_again = false;
     if (m_picking)
         m_window.sculptView().picker().end();

@@ -8,6 +8,7 @@
 #include "ui/window/parameter_values.h"
 #include "ui/window/parameter_words.h"
 #include "ui/window/status_line.h"
+#include "ui/words/words.h"
 
 #include <algorithm>
 #include <array>
@@ -87,9 +88,9 @@ static QScrollArea* scrolled(QWidget& fields, int screen) {
 CommandDialog::CommandDialog(const session::CommandRow& row, const Snapshot& model, QWidget* parent,
                              const std::optional<base::Plane>& plane)
     : QDialog(parent), m_row(row), m_model(model), m_plane(plane) {
-    setWindowTitle(row.label);
+    setWindowTitle(spoken(row.label));
     auto* layout = new QVBoxLayout(this);
-    auto* tip = new QLabel(row.tip);
+    auto* tip = new QLabel(spoken(row.tip));
     tip->setWordWrap(true);
     layout->addWidget(tip);
     auto* fields = new QWidget;
@@ -123,7 +124,7 @@ void CommandDialog::addAnswers(QVBoxLayout& layout) {
     m_preview->setToolTip(tr("Shows in the picture what the command would make of the model, without doing it"));
     connect(m_preview, &QCheckBox::toggled, this, &CommandDialog::previewsSwitched);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
-    buttons->button(QDialogButtonBox::Ok)->setText(m_row.label);
+    buttons->button(QDialogButtonBox::Ok)->setText(spoken(m_row.label));
     connect(buttons, &QDialogButtonBox::accepted, this, &CommandDialog::checkAndAccept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     auto* line = new QHBoxLayout;
@@ -229,8 +230,8 @@ void CommandDialog::lookForFile(QLineEdit& line) {
 
 void CommandDialog::add(QFormLayout& form, const CommandParameter& p, QString& taken) {
     QWidget* field = make(p);
-    const QString unit = *p.unit ? QString(", %1").arg(p.unit) : QString();
-    field->setToolTip(QString("%1%2%3").arg(p.tip, unit, rangeOf(p)));
+    const QString unit = *p.unit ? QString(", %1").arg(spoken(p.unit)) : QString();
+    field->setToolTip(QString("%1%2%3").arg(spoken(p.tip), unit, rangeOf(p)));
     field->setObjectName(p.id);
     field->installEventFilter(this);
     auto* label = new QLabel(withMnemonic(parameterWords(m_row.op, p.id), taken) + unit);

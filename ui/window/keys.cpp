@@ -1,14 +1,25 @@
 #include "ui/window/keys.h"
 
+#include "ui/words/words.h"
+
 #include <algorithm>
 #include <QAction>
 #include <QVariant>
 
 namespace ui {
 
+/// In English whatever the window speaks, and as it was at first: words of undo change with what would be undone.
 std::string keyIdOf(const PaletteEntry& entry) {
-    const QString name = entry.action->objectName();
-    return (entry.way + " > " + (name.isEmpty() ? entry.label : name)).toStdString();
+    constexpr const char* id = "key-id";
+    if (!entry.action->property(id).isValid()) {
+        QStringList way = entry.way.split(" > ");
+        for (QString& each : way)
+            each = englishOf(each);
+        const QString name = entry.action->objectName(), said = entry.action->property(inEnglish).toString();
+        way << (!name.isEmpty() ? name : !said.isEmpty() ? said : englishOf(entry.label));
+        entry.action->setProperty(id, way.join(" > "));
+    }
+    return entry.action->property(id).toString().toStdString();
 }
 
 QList<QKeySequence> ownKeysOf(QAction& action) {

@@ -11,7 +11,7 @@ namespace ui {
 /// Chosen keys by an action's id, as QKeySequence writes them; empty: none.
 using Keys = std::map<std::string, std::string>;
 
-/// Of an entry, stable while labels tell what they would do: its way, and its object name or label.
+/// Of an entry, the same in every language: its way, and its object name or label.
 std::string keyIdOf(const PaletteEntry& entry);
 /// Those that the menus gave it. Remembered at the first call, which comes before any key is changed.
 QList<QKeySequence> ownKeysOf(QAction& action);

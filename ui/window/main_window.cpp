@@ -8,6 +8,7 @@
 #include "ui/window/dropped.h"
 #include "ui/window/file_dialogs.h"
 #include "ui/window/keys.h"
+#include "ui/window/menus/letters.h"
 #include "ui/window/menus/menus.h"
 #include "ui/window/mesh_export.h"
 #include "ui/window/notices.h"
@@ -15,6 +16,7 @@
 #include "ui/window/thumbnails.h"
 #include "ui/window/welcome.h"
 #include "ui/window/work_progress.h"
+#include "ui/words/words.h"
 #include "ui/work/measurer.h"
 
 #include <QCloseEvent>
@@ -127,7 +129,7 @@ void MainWindow::buildTools() {
     connect(m_tools, &ToolBar::chosen, this, [this] {
         m_view->picker().end(); // a tool is wanted in the hand
         m_panel->refresh();
-        tell(m_settings.toolRow().tip);
+        tell(spoken(m_settings.toolRow().tip));
         showHint();
     });
     showHint();
@@ -135,9 +137,11 @@ void MainWindow::buildTools() {
 
 void MainWindow::showHint() {
     const sculpt::ToolRow& row = m_settings.toolRow();
-    const QString hand = row.needs.source ? tr("Drag: %1; Ctrl+click: where to copy from").arg(tr(row.label))
-                                          : tr("Drag: %1, with Ctrl the other way, with Shift %2")
-                                                .arg(tr(row.label), tr(sculpt::tool(m_settings.shiftTool).label));
+    const QString hand =
+        row.needs.source
+            ? tr("Drag: %1; Ctrl+click: where to copy from").arg(spoken(row.label, "tool"))
+            : tr("Drag: %1, with Ctrl the other way, with Shift %2")
+                  .arg(spoken(row.label, "tool"), spoken(sculpt::tool(m_settings.shiftTool).label, "tool"));
     m_status->setHint(
         hand + tr("; beside the model or with the right button: turn the view; middle button: pan; wheel: zoom."));
 }
@@ -173,6 +177,7 @@ void MainWindow::buildMenus() {
     addViewMenu(*this);
     addHelpMenu(*this);
     applyKeys(paletteEntries(*menuBar()), m_settings.keys);
+    giveLetters(*menuBar());
     addCornerBar(*this);
 }
 

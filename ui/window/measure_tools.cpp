@@ -2,6 +2,7 @@
 
 #include "ui/panels/measure_bar.h"
 #include "ui/window/main_window.h"
+#include "ui/words/words.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -68,7 +69,7 @@ void MeasureTools::pick(const Pick& found) {
 }
 
 void MeasureTools::receive(const Ruled& ruled) {
-    const QString value = QString::fromStdString(textOf(ruled)), more = QString::fromStdString(ruled.text);
+    const QString value = QString::fromStdString(textOf(ruled)), more = spokenMessage(ruled.text);
     m_marks.push_back({ruled.line, value});
     m_lines << (more.isEmpty() || more == value ? value : tr("%1 (%2)").arg(value, more));
     m_bar.say(m_lines.back());

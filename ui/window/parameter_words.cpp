@@ -1,5 +1,7 @@
 #include "ui/window/parameter_words.h"
 
+#include "ui/words/words.h"
+
 #include <QObject>
 #include <span>
 #include <string>
@@ -8,7 +10,10 @@
 namespace ui {
 
 static QString plain(std::string_view id) {
-    QString out = QString::fromUtf8(id.data(), static_cast<qsizetype>(id.size())).replace('-', ' ').replace('_', ' ');
+    QString out = QString::fromUtf8(id.data(), static_cast<qsizetype>(id.size()));
+    for (qsizetype i = 1; i < out.size(); ++i) // a first one is the sign of an axis
+        if (out[i] == '-' || out[i] == '_')
+            out[i] = ' ';
     if (!out.isEmpty())
         out[0] = out[0].toUpper();
     return out;
@@ -97,7 +102,7 @@ QString parameterWords(std::string_view op, std::string_view id) {
     if (const char* own = find(ofCommands, std::string(op) + '.' + std::string(id)))
         return QObject::tr(own);
     const char* shared = find(ofAll, id);
-    return shared ? QObject::tr(shared) : plain(id);
+    return shared ? QObject::tr(shared) : spoken(plain(id).toStdString(), "parameter");
 }
 
 QString choiceWords(std::string_view id) {
@@ -113,7 +118,7 @@ QString choiceWords(std::string_view id) {
         {"z", "z"},
     };
     const char* text = find(words, id);
-    return text ? QObject::tr(text) : plain(id);
+    return spoken(text ? std::string(text) : plain(id).toStdString(), "choice");
 }
 
 QString withMnemonic(const QString& label, QString& taken) {

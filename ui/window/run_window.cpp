@@ -7,6 +7,7 @@
 #include "ui/window/guarded_application.h"
 #include "ui/window/main_window.h"
 #include "ui/window/welcome.h"
+#include "ui/words/language.h"
 
 #include <clocale>
 #include <cstdio>
@@ -23,7 +24,9 @@ static void prepare(QApplication& application) {
     QApplication::setApplicationVersion(POINTCLAY_VERSION);
     QApplication::setDesktopFileName("pointclay");
     QApplication::setWindowIcon(icon("pointclay"));
-    applyTheme(application, SettingsFile().read().theme);
+    const Settings settings = SettingsFile().read();
+    speak(application, languageFor(settings.language, QLocale::system().uiLanguages()));
+    applyTheme(application, settings.theme);
 }
 
 /// Without any display Qt would abort instead of telling.

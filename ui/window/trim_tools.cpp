@@ -4,6 +4,7 @@
 #include "ui/interaction/select_ways.h"
 #include "ui/window/main_window.h"
 #include "ui/window/menus/menu_tools.h"
+#include "ui/words/words.h"
 
 #include <nlohmann/json.hpp>
 #include <QAction>
@@ -36,6 +37,7 @@ void addTrimMenu(MainWindow& window, QMenu& menu) {
         QAction* action = addEntry(*trims, "", QObject::tr("Trim by %1").arg(QObject::tr(way.label)), {},
                                    [&window, &way] { begin(window, way); });
         action->setData(QString("trim-%1").arg(way.id));
+        action->setProperty(inEnglish, QString("Trim by %1").arg(way.label));
         action->setToolTip(QObject::tr("Cut straight through the model along an outline, and close it"));
     }
 }

@@ -1,6 +1,7 @@
 #include "ui/work/command_preview.h"
 
 #include "core/base/cancel_scope.h"
+#include "ui/words/words.h"
 #include "ui/work/post.h"
 
 #include <bit>
@@ -86,7 +87,7 @@ void CommandPreview::answer(std::uint64_t wish, Call call) {
 void CommandPreview::make(const Wanted& wanted, const base::Progress& progress) {
     const base::CancelScope scope(progress.cancel);
     const auto told = [this, wish = wanted.wish](double share, std::string_view doing) {
-        answer(wish, [this, share, what = textOf(doing)] { Q_EMIT progressed(share, what); });
+        answer(wish, [this, share, what = spoken(doing, "progress")] { Q_EMIT progressed(share, what); });
     };
     session::Document document = wanted.document;
     session::Context context{document, {}, {told, progress.cancel}, {}, 0, {}};
@@ -97,13 +98,13 @@ void CommandPreview::make(const Wanted& wanted, const base::Progress& progress) 
         found.gone = goneFrom(wanted.document.surface().tree(), document.surface().tree(), mostShown);
         QStringList said;
         for (const std::string& each : context.messages)
-            said << textOf(each);
+            said << spokenMessage(each);
         found.said = said.join('\n');
         answer(wanted.wish, [this, found] { Q_EMIT shown(found); });
     } catch (const base::Cancelled&) {
         throw;
     } catch (const std::exception& error) {
-        answer(wanted.wish, [this, why = textOf(error)] { Q_EMIT failed(why); });
+        answer(wanted.wish, [this, why = spokenMessage(textOf(error).toStdString())] { Q_EMIT failed(why); });
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/process/curve_tube.h"
 #include "core/session/json_text.h"
+#include "ui/words/words.h"
 #include "ui/work/post.h"
 
 #include <chrono>
@@ -36,12 +37,12 @@ bool ModelWorker::guarded(const Work& work) {
         work();
         return true;
     } catch (const base::Cancelled&) {
-        m_reports.told(m_document.surface().tree() == before ? "Cancelled; the model is unchanged."
-                                                             : "Cancelled; what was done before stays.");
+        m_reports.told(m_document.surface().tree() == before ? QObject::tr("Cancelled; the model is unchanged.")
+                                                             : QObject::tr("Cancelled; what was done before stays."));
     } catch (const std::bad_alloc&) {
-        m_reports.failed("There is not enough memory for this; the model is unchanged.");
+        m_reports.failed(QObject::tr("There is not enough memory for this; the model is unchanged."));
     } catch (const std::exception& error) {
-        m_reports.failed(QString::fromStdString(error.what()));
+        m_reports.failed(spokenMessage(error.what()));
     }
     return false;
 }
@@ -53,7 +54,7 @@ base::Progress ModelWorker::progress() {
         if (Clock::now() - *last < pause)
             return;
         *last = Clock::now();
-        m_reports.progressed(share, textOf(doing));
+        m_reports.progressed(share, spoken(doing, "progress"));
     };
     return {report, &m_signals.cancel.flag()};
 }
@@ -72,7 +73,7 @@ session::Context ModelWorker::context() {
 
 void ModelWorker::tell(const std::vector<std::string>& messages) {
     for (const auto& message : messages)
-        m_reports.told(textOf(message));
+        m_reports.told(spokenMessage(message));
 }
 
 // --- publishing ---

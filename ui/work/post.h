@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "ui/words/words.h"
 
 #include <QObject>
 #include <QString>
@@ -43,7 +44,7 @@ template <class Tell>
 base::Progress postedProgress(const base::Progress& stop, QObject* receiver, const Tell& tell) {
     base::Progress out = stop;
     out.report = [receiver, tell](double share, std::string_view doing) {
-        post(receiver, [tell, share, text = textOf(doing)] { tell(share, text); });
+        post(receiver, [tell, share, text = spoken(doing, "progress")] { tell(share, text); });
     };
     return out;
 }

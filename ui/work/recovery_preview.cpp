@@ -5,6 +5,7 @@
 #include "core/render/shading/own_colours.h"
 #include "core/render/smooth_image.h"
 #include "core/render/splats/cpu_splatter.h"
+#include "ui/words/words.h"
 #include "ui/work/post.h"
 #include "ui/work/snapshot.h"
 
@@ -13,7 +14,7 @@ namespace ui {
 QString stepsText(const session::Recovery& recovery) {
     QStringList out;
     for (const auto& [label, count] : recovery.steps)
-        out << (count == 1 ? textOf(label) : QObject::tr("%1 × %2").arg(count).arg(textOf(label)));
+        out << (count == 1 ? spoken(label, "step") : QObject::tr("%1 × %2").arg(count).arg(spoken(label, "step")));
     return out.join(", ");
 }
 
@@ -52,7 +53,7 @@ void RecoveryPreview::make(const Wanted& wanted, const base::Progress& progress)
     base::Progress told;
     told.cancel = progress.cancel;
     told.report = [this](double share, std::string_view doing) {
-        post(this, [this, share, what = textOf(doing)] { Q_EMIT progressed(share, what); });
+        post(this, [this, share, what = spoken(doing, "progress")] { Q_EMIT progressed(share, what); });
     };
     session::Document document;
     session::Context context{document, {}, told, {}, 0, {}};

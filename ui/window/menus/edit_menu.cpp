@@ -12,9 +12,9 @@ namespace ui {
 /// What undo and redo would do now, in their entries.
 static void showSteps(const Snapshot& now, QAction& undo, QAction& redo) {
     undo.setEnabled(now.canUndo);
-    undo.setText(now.canUndo ? QObject::tr("Undo %1").arg(QString::fromStdString(now.undoLabel)) : QObject::tr("Undo"));
+    undo.setText(now.canUndo ? QObject::tr("Undo %1").arg(spoken(now.undoLabel, "step")) : QObject::tr("Undo"));
     redo.setEnabled(now.canRedo);
-    redo.setText(now.canRedo ? QObject::tr("Redo %1").arg(QString::fromStdString(now.redoLabel)) : QObject::tr("Redo"));
+    redo.setText(now.canRedo ? QObject::tr("Redo %1").arg(spoken(now.redoLabel, "step")) : QObject::tr("Redo"));
 }
 
 void addEditMenu(MainWindow& window) {

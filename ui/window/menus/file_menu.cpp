@@ -16,9 +16,11 @@ static void addNewMenu(MainWindow& window, QMenu& file) {
     QMenu* fresh = addMenu(window, "new", QObject::tr("&New"), &file);
     fresh->setIcon(icon("new"));
     for (const auto& row : process::sampleTable()) {
-        QAction* action = addEntry(*fresh, "model", row.label, {}, [&window, id = row.id] { window.files().make(id); });
-        action->setToolTip(row.tip);
+        QAction* action =
+            addEntry(*fresh, "model", spoken(row.label), {}, [&window, id = row.id] { window.files().make(id); });
+        action->setToolTip(spoken(row.tip));
         action->setData(row.id);
+        action->setProperty(inEnglish, QString(row.label));
     }
 }
 

@@ -85,7 +85,7 @@ static void addBit(MainWindow& window, QMenu& menu, const Row& row, std::uint32_
     addSwitch(menu, row.id, QObject::tr(row.label), QObject::tr(row.tip), set & bit, [&window, &set, bit](bool on) {
         set = on ? set | bit : set & ~bit;
         window.sculptView().refresh();
-    });
+    })->setProperty(inEnglish, QString(row.label));
 }
 
 static void addEffectsMenu(MainWindow& window, QMenu& view) {

@@ -2,11 +2,13 @@
 // the window. Interface's thread only.
 #pragma once
 
+#include "ui/words/words.h"
+
 #include <functional>
+#include <QAction>
 #include <QKeySequence>
 #include <QString>
 
-class QAction;
 class QActionGroup;
 class QMainWindow;
 class QMenu;
@@ -24,7 +26,9 @@ QAction* addChoice(QMenu& menu, QActionGroup& group, const char* id, const QStri
 /// The same, of a table's row.
 template <class Row>
 QAction* addChoice(QMenu& menu, QActionGroup& group, const Row& row, bool chosen, const std::function<void()>& choose) {
-    return addChoice(menu, group, row.id, row.label, row.tip, chosen, choose);
+    QAction* out = addChoice(menu, group, row.id, spoken(row.label), spoken(row.tip), chosen, choose);
+    out->setProperty(inEnglish, QString(row.label));
+    return out;
 }
 /// From now on a click on one of its switches leaves the menu open: several are wanted at once.
 void stayOpen(QMenu& menu);

@@ -17,9 +17,11 @@ static void addCommand(MainWindow& window, CommandDesk& desk, QMenu& menu, const
         return addTrimMenu(window, menu);
     if (!hasDialog(row))
         return;
-    QAction* action = addEntry(menu, row.op, QObject::tr("%1…").arg(row.label), {}, [&desk, &row] { desk.open(row); });
-    action->setToolTip(row.tip);
+    QAction* action =
+        addEntry(menu, row.op, QObject::tr("%1…").arg(spoken(row.label)), {}, [&desk, &row] { desk.open(row); });
+    action->setToolTip(spoken(row.tip));
     action->setData(row.op);
+    action->setProperty(inEnglish, QString("%1…").arg(row.label));
 }
 
 /// The group's commands as it names them, then what it does not name.

@@ -3,6 +3,7 @@
 #include "ui/window/main_window.h"
 #include "ui/window/menus/menu_tools.h"
 #include "ui/window/menus/menus.h"
+#include "ui/words/language.h"
 
 #include <QAction>
 #include <QActionGroup>
@@ -22,8 +23,9 @@ void addViewEntries(MainWindow& window, QMenu& view) {
         scene.frameSelection();
     })->setToolTip(QObject::tr("What is selected; else what is not masked; else what is under the brush"));
     for (const auto& row : render::namedViews())
-        addEntry(view, "view", QObject::tr(row.label), QKeySequence(row.shortcut),
-                 [&motion, &row] { motion.turnTo(row); });
+        addEntry(view, "view", spoken(row.label, "view"), QKeySequence(row.shortcut), [&motion, &row] {
+            motion.turnTo(row);
+        })->setProperty(inEnglish, QString(row.label));
     addEntry(view, "view", QObject::tr("&Turn the Up Axis"), QKeySequence("U"), [&window] {
         const char* next = base::upRow(nextUp(window.editor().snapshot().up)).id;
         window.editor().run({{"op", "up"}, {"axis", next}});
@@ -66,6 +68,16 @@ void addThemeMenu(MainWindow& window, QMenu& view) {
         });
 }
 
+static void addLanguageMenu(MainWindow& window, QMenu& view) {
+    QMenu* menu = addMenu(window, "language", QObject::tr("Language"), &view);
+    auto* one = new QActionGroup(menu);
+    for (const LanguageRow& row : languageTable())
+        addChoice(*menu, *one, row, row.id == window.settings().language, [&window, &row] {
+            window.settings().language = row.id;
+            window.tell(QObject::tr("The window speaks it from the next start on."));
+        });
+}
+
 /// Which renderer draws, for information only.
 static void addRenderer(MainWindow& window, QMenu& view) {
     QAction* renderer = view.addAction(QString());
@@ -99,6 +111,7 @@ void addViewMenu(MainWindow& window) {
     addLayerBar(window, *view);
     addTouchBar(window, *view);
     addThemeMenu(window, *view);
+    addLanguageMenu(window, *view);
     addSwitch(*view, "left-handed", QObject::tr("Le&ft-handed"), QObject::tr("Tools on the right, panels on the left"),
               window.settings().leftHanded, [&window](bool on) {
                   window.settings().leftHanded = on;
