@@ -310,8 +310,27 @@ void Dabs::restart() {
     m_seconds.clear();
 }
 
+bool Dabs::restSlice() {
+    if (!m_row.rest || !m_memory)
+        return false;
+    tree::Edit edit = m_row.rest(m_surface, *m_memory);
+    if (edit.empty())
+        return false;
+    base::Box3f box;
+    for (const tree::BlockEdit& each : edit.blocks)
+        box.extend(m_surface.tree().block(each.block)->box());
+    Dab dab = m_pattern;
+    dab.centre = box.centre();
+    dab.radius = 0.5f * box.diagonal();
+    commit(std::move(edit), dab);
+    m_base = m_whole = m_surface;
+    return true;
+}
+
 bool Dabs::finishSlice() {
     checkCancelled();
+    if (restSlice())
+        return false;
     if (m_sampling.pending())
         m_surface = m_base = m_whole = m_sampling.resampleSlice(m_surface);
     return !m_sampling.pending();

@@ -82,7 +82,7 @@ class Dabs {
 
     /// Back to the first version, as if no dab had been.
     void restart();
-    /// A slice of the last resampling; true when nothing is left of it.
+    /// A slice of what dabs have left to the end, and of the last resampling; true when nothing is left of it.
     bool finishSlice();
 
     int count() const { return m_count; }
@@ -101,6 +101,8 @@ class Dabs {
     void holdBack(const Dab& dab);
     tree::Edit smoothing(const surface::Surface& version, Dab dab) const;
     void commit(tree::Edit edit, const Dab& dab);
+    /// A slice of what the tool has left to the end. False: nothing is left.
+    bool restSlice();
     void aim(Dab& dab, const Mirror& image, const base::Vec3f& view, const Form& form) const;
     void join(Dab& dab, const surface::Surface& version) const;
     /// With what a tool may ask of the stroke so far, for a dab that works on `version`.

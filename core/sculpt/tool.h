@@ -134,6 +134,9 @@ struct ToolRow {
     tree::Edit (*apply)(const surface::Surface& version, const Dab& dab);
     Writes writes = Writes::Shape;
     ToolNeeds needs = {};
+    /// At the end of a stroke, what its dabs have left to be done, a slice at a time; an empty edit: nothing is left.
+    /// Null where dabs leave nothing. `memory`: what they have made.
+    tree::Edit (*rest)(const surface::Surface& version, ToolMemory& memory) = nullptr;
 };
 
 /// Surfels move, and none comes or goes.

@@ -54,8 +54,30 @@ static void mergeAndFill(SampleSet& set, ScanResult& found, float distance, std:
     firstNew = fill(set, std::move(gaps));
 }
 
-static bool changed(const SampleSet& set) {
-    return std::any_of(set.flags.begin(), set.flags.end(), [](std::uint8_t f) { return (f & (Moved | Gone)) != 0; });
+/// Steps 1 to 4.
+static void mergeFillAndRelax(SampleSet& set) {
+    ScanResult found = scan(set);
+    std::size_t firstNew = 0;
+    const float closeSq = closeDistance * closeDistance;
+    mergeAndFill(set, found, set.options.merge, firstNew);
+    set.options.merge = mergeDistance;
+    std::erase_if(found.pairs, [&](const ClosePair& pair) { return pair.distanceSq >= closeSq; });
+    wake(set, found.pairs, firstNew);
+    relax(set);
+}
+
+/// Step 4 alone.
+static void relaxAsTheyAre(SampleSet& set) {
+    if (set.options.order == Order::RelaxOnly)
+        for (std::size_t i = 0; i < set.size(); ++i)
+            set.unmark(i, Scan);
+    wake(set, {}, set.size());
+    relax(set);
+}
+
+/// Is there a sample with one of these flags?
+static bool anyIs(const SampleSet& set, unsigned flag) {
+    return std::any_of(set.flags.begin(), set.flags.end(), [&](std::uint8_t f) { return (f & flag) != 0; });
 }
 
 tree::Edit resample(const surface::Surface& version, const tree::Selection& touched, const ResampleOptions& options,
@@ -71,19 +93,16 @@ tree::Edit resample(const surface::Surface& version, const tree::Selection& touc
     if (restless.empty() && !options.relaxAll)
         return {};
     SampleSet set(version, touched, restless, options, ground);
-    ScanResult found = scan(set);
-    std::size_t firstNew = 0;
-    const float closeSq = closeDistance * closeDistance;
-    mergeAndFill(set, found, options.merge, firstNew);
-    set.options.merge = mergeDistance;
-    std::erase_if(found.pairs, [&](const ClosePair& pair) { return pair.distanceSq >= closeSq; });
-    wake(set, found.pairs, firstNew);
-    relax(set);
-    if (!changed(set))
+    if (options.order == Order::FillFirst)
+        mergeFillAndRelax(set);
+    else
+        relaxAsTheyAre(set);
+    if (!anyIs(set, Moved | Gone | Scan))
         return {};
     set.rebuildGrid();
     set.scanNearMoved(fillReach + relaxStep);
-    found = scan(set);
+    ScanResult found = scan(set);
+    std::size_t firstNew = 0;
     mergeAndFill(set, found, mergeDistance, firstNew);
     return settle(set);
 }

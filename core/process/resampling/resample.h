@@ -6,7 +6,7 @@
 //                                                                                             resample_merge.cpp
 //     fill    where a surfel has room beside it at 1.05 s, the surface gets a new one         resample_fill.cpp
 //     relax   surfels near new ones and near close pairs repel each other along the surface   resample_relax.cpp
-//     merge and fill once more
+//     merge and fill once more                                                                 (in Order::FillFirst)
 //     settle  what moved or is new lands exactly on the frozen surface, with its own height   resample_settle.cpp
 //     fit     it is raised and tilted until the surface is the frozen one again                resample_fit.cpp
 //
@@ -24,12 +24,20 @@
 
 namespace process {
 
+/// Which comes first. Where surfels lie by chance a sixteenth as many go and come if they are relaxed before.
+enum class Order {
+    FillFirst,  ///< as above
+    RelaxFirst, ///< of a sampling that is to become no coarser: once
+    RelaxOnly   ///< and then only what has moved is looked at: of a sampling that is to stay as fine as it is
+};
+
 struct ResampleOptions {
     float spacing = 0;     ///< target s, model units; REQUIRES > 0
     float support = 0;     ///< reach of new and moved surfels; 0: by the definition, from the spacing
     int sweeps = 3;        ///< of relaxation
     bool relaxAll = false; ///< relax all that was touched, not only what needs it
-    int fitRounds = 2;     ///< that what moved or is new is fitted to the surface before, against erosion; 0: none
+    Order order = Order::FillFirst;
+    int fitRounds = 2; ///< that what moved or is new is fitted to the surface before, against erosion; 0: none
     /// Pairs closer than this part of the spacing lose one before gaps are filled. Larger ones thin an even sampling
     /// that would pass as good enough, so that it is filled again at the spacing asked for.
     float merge = 0.60f;

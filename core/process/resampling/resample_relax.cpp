@@ -16,6 +16,9 @@ constexpr float rounding = 1.0001f;
 /// A displacement shorter than this part of the spacing is taken back: not worth a changed surfel. What is pushed by
 /// less is at rest, and need not be asked where the surface is.
 constexpr float notice = 0.01f;
+/// Where all are to relax, what is pushed by less than this is at rest: most of what has been relaxed before. (By .05
+/// pairs that are .62 spacings apart may stay so.)
+constexpr float restAll = 0.03f;
 
 static void wakeAround(SampleSet& set, std::size_t i) {
     base::CancelScope::check();
@@ -152,8 +155,9 @@ struct Relaxing {
 };
 
 void dropResting(Relaxing& those) {
+    const float rest = those.set.options.relaxAll ? restAll : notice;
     those.keep([&](std::size_t k) {
-        const float least = notice * those.set.target[those.awake[k]];
+        const float least = rest * those.set.target[those.awake[k]];
         return dot(those.push[k], those.push[k]) > least * least;
     });
 }

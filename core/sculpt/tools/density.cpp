@@ -233,6 +233,8 @@ static tree::Edit density(const surface::Surface& version, const Dab& dab) {
     options.spacing = std::clamp(goal, present / change, present * change);
     options.support = process::supportOf(definition, options.spacing);
     options.relaxAll = true;
+    if (dab.strength > 0)
+        options.order = process::Order::RelaxFirst;
     const Aim aim{dab.centre, dab.radius, process::supportOf(definition, first), options.support};
     if (!oneSupport && uneven(began.tree(), brush)) {
         const float reach = process::reachByChance(began, dab.centre);
