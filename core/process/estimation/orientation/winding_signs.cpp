@@ -2,10 +2,9 @@
 
 #include "core/base/parallel.h"
 #include "core/process/estimation/cloud_spacing.h"
+#include "core/process/estimation/orientation/nearest_signs.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/surface/winding/winding_number.h"
-
-#include <Eigen/Dense>
 
 #include <algorithm>
 #include <array>
@@ -22,7 +21,6 @@ constexpr std::size_t mostLookedAt = 4000;
 constexpr std::size_t leastAsked = 50; ///< of a surface
 constexpr std::size_t mostDipoles = 500000;
 constexpr const char* orienting = "Orienting normals";
-constexpr double ridge = 0.01; ///< of the mean diagonal: pieces that say next to nothing stay small
 
 /// Points as dipoles, one in so many of them that a cloud has no more than `mostDipoles`.
 struct Dipoles {
@@ -46,26 +44,6 @@ struct Dipoles {
     }
     surface::WindingNumber field() const { return {places, areas}; }
 };
-
-/// min |A s - b|^2 over signs s: what A s comes nearest without the condition is rounded, then single signs turn as
-/// long as that makes it smaller, the one first that does most.
-Eigen::VectorXd nearestSigns(const Eigen::MatrixXd& a, const Eigen::VectorXd& b) {
-    const Eigen::MatrixXd gram = a.transpose() * a;
-    const Eigen::VectorXd right = a.transpose() * b;
-    Eigen::MatrixXd regular = gram;
-    regular.diagonal().array() += ridge * gram.diagonal().mean();
-    Eigen::VectorXd signs = regular.ldlt().solve(right).unaryExpr([](double soft) { return soft < 0 ? -1.0 : 1.0; });
-    Eigen::VectorXd slope = gram * signs - right;
-    for (Eigen::Index turns = 0; turns < 4 * signs.size(); ++turns) { // each makes it smaller
-        Eigen::Index best = 0;
-        const double change = (gram.diagonal() - signs.cwiseProduct(slope)).minCoeff(&best);
-        if (change >= 0)
-            break;
-        slope -= 2 * signs[best] * gram.col(best);
-        signs[best] = -signs[best];
-    }
-    return signs;
-}
 
 } // namespace
 
@@ -93,19 +71,19 @@ std::vector<SignRelation> signsByWinding(const Cloud& cloud, const NeighbourTabl
         }
         fields.push_back(each.field());
     }
-    Eigen::MatrixXd winding(asked.size(), pieces.size());
-    base::parallelFor(asked.size(), 16, [&](std::size_t k) {
+    std::vector<double> winding(asked.size() * pieces.size()), closed(asked.size());
+    base::parallelFor(asked.size(), 2, [&](std::size_t k) { // a few are some milliseconds
+        closed[k] = 0.5 * weights[k];
         for (std::size_t p = 0; p < pieces.size(); ++p)
-            winding(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(p)) = weights[k] * fields[p].at(asked[k]);
+            winding[p * asked.size() + k] = weights[k] * fields[p].at(asked[k]);
     });
-    const Eigen::VectorXd signs = nearestSigns(
-        winding, 0.5 * Eigen::Map<const Eigen::VectorXd>(weights.data(), static_cast<Eigen::Index>(weights.size())));
+    const std::vector<double> signs = nearestSigns(winding, closed);
     std::vector<SignRelation> out;
     const std::uint32_t a = pieces[0].front();
     for (std::size_t p = 1; p < pieces.size(); ++p) {
         const std::uint32_t b = pieces[p].front();
         const bool alike = trees.find(a).opposite == trees.find(b).opposite;
-        out.push_back({a, b, alike == (signs[0] != signs[static_cast<Eigen::Index>(p)])});
+        out.push_back({a, b, alike == (signs[0] != signs[p])});
     }
     return out;
 }
