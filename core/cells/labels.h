@@ -13,6 +13,7 @@
 
 #include "core/surfel/surfel_block.h"
 
+#include <algorithm>
 #include <optional>
 
 namespace cells {
@@ -52,6 +53,12 @@ class LabelLayout {
             return block.words(cluster, surfel::Extra + static_cast<int>(index));
         };
         return {words(m_cell), words(m_face.value_or(m_cell))};
+    }
+    /// Does any surfel of a cluster lie beside a crease?
+    bool anyMeets(const surfel::SurfelBlock& block, int cluster) const {
+        const int count = std::min(surfel::clusterSize, block.size() - cluster * surfel::clusterSize);
+        const std::uint32_t* const signs = block.words(cluster, surfel::Extra + static_cast<int>(m_sign));
+        return std::any_of(signs, signs + count, [](std::uint32_t sign) { return sign != 0; });
     }
     /// Of a surfel by its words.
     Label at(std::span<const std::uint32_t> words) const;

@@ -23,6 +23,12 @@ constexpr float turned = 0.9f;
 constexpr float fringe = 100;
 /// Cosines: normals on one side of a bend, and on both; where all are this near to their mean nothing is bent.
 constexpr float oneSide = 0.985f, bent = 0.94f, narrow = 0.98f;
+/// Where all are this near to their mean no two differ by as much as a bend.
+constexpr float unbent = 0.985f;
+/// Where all normals, of whatever cells, are this near to their mean, those of each are as near to theirs as `narrow`.
+constexpr float flat = 0.9951f;
+/// A square that is larger by this has a larger root.
+constexpr float rounding = 1.0001f;
 /// The same about tips.
 constexpr float sameSide = 0.9f, farTurn = 0.77f;
 constexpr int mostSides = 4;
@@ -31,6 +37,14 @@ constexpr float slack = 0.5f / 32;
 
 } // namespace
 
+/// fn(slot) for the slots of a cluster.
+template <class Fn>
+static void forSlots(const SurfelBlock& block, int cluster, const Fn& fn) {
+    const int begin = cluster * surfel::clusterSize;
+    for (int slot = begin; slot < std::min(begin + surfel::clusterSize, block.size()); ++slot)
+        fn(slot);
+}
+
 void LabelCuts::gather(const SurfelBlock& block) {
     m_near.clear();
     const float own = m_radius * block.maxSupport(); // partners may be sampled more finely
@@ -38,13 +52,17 @@ void LabelCuts::gather(const SurfelBlock& block) {
     m_model.forBlocksInSupport(
         box,
         [&](std::uint32_t, const SurfelBlock& each) {
-            for (int slot = 0; slot < each.size(); ++slot) {
-                const cells::Label label = m_labels.at(each, slot);
-                if (label.meeting == cells::Meeting::None)
+            const auto boxFor = [&](float support) { return box.inflated(reach * std::max(m_radius * support, own)); };
+            for (int cluster = 0; cluster < each.clusterCount(); ++cluster) {
+                const surfel::ClusterBounds bounds = each.bounds(cluster);
+                if (!m_labels.anyMeets(each, cluster) || !boxFor(bounds.maxSupport).overlaps(bounds.box))
                     continue;
-                const float radius = m_radius * each.support(slot);
-                if (box.inflated(reach * std::max(radius, own)).contains(each.position(slot)))
-                    m_near.push_back({each.position(slot), each.normal(slot), each.support(slot), radius, label});
+                forSlots(each, cluster, [&](int slot) {
+                    const cells::Label label = m_labels.at(each, slot);
+                    const float support = each.support(slot);
+                    if (label.meeting != cells::Meeting::None && boxFor(support).contains(each.position(slot)))
+                        m_near.push_back({each.position(slot), each.normal(slot), support, m_radius * support, label});
+                });
             }
         },
         reach * m_radius);
@@ -117,40 +135,78 @@ std::vector<LabelCuts::Edge> LabelCuts::edgesOf(const Disc& disc) const {
     return out;
 }
 
+/// Of discs by cell, those of cells whose normals are not all within this cosine of their mean.
+void LabelCuts::keepTurning(std::vector<Disc>& discs, float within) {
+    auto kept = discs.begin();
+    for (auto begin = discs.begin(), end = begin; begin != discs.end(); begin = end) {
+        Vec3f mean;
+        for (end = begin; end != discs.end() && end->label.cell == begin->label.cell; ++end)
+            mean += end->normal;
+        mean = normalized(mean, Vec3f{});
+        if (std::any_of(begin, end, [&](const Disc& each) { return dot(each.normal, mean) < within; }))
+            kept = std::move(begin, end, kept);
+    }
+    discs.erase(kept, discs.end());
+}
+
+/// Is nothing bent in m_clusters, whatever cell it is of?
+bool LabelCuts::isFlat() const {
+    Vec3f mean;
+    for (const Cluster& each : m_clusters)
+        forSlots(*each.block, each.number, [&](int slot) { mean += each.block->normal(slot); });
+    mean = normalized(mean, Vec3f{});
+    bool is = true;
+    for (const Cluster& each : m_clusters)
+        forSlots(*each.block, each.number, [&](int slot) { is &= dot(each.block->normal(slot), mean) > flat; });
+    return is;
+}
+
 /// All discs near the block whose cell is bent there.
 void LabelCuts::gatherBent(const SurfelBlock& block) {
     m_bent.clear();
     const float own = m_radius * block.maxSupport();
     const base::Box3f box = block.box().inflated(2 * own);
+    m_clusters.clear();
     m_model.forBlocksInSupport(
         box,
         [&](std::uint32_t, const SurfelBlock& each) {
-            for (int slot = 0; slot < each.size(); ++slot)
-                if (box.contains(each.position(slot)))
-                    m_bent.push_back({each.position(slot), each.normal(slot), each.support(slot),
-                                      m_radius * each.support(slot), m_labels.at(each, slot)});
+            for (int cluster = 0; cluster < each.clusterCount(); ++cluster)
+                if (box.overlaps(each.bounds(cluster).box))
+                    m_clusters.push_back({&each, cluster});
         },
         2 * m_radius);
+    if (isFlat())
+        return;
+    for (const Cluster& from : m_clusters)
+        forSlots(*from.block, from.number, [&, &each = *from.block](int slot) {
+            if (box.contains(each.position(slot)))
+                m_bent.push_back({each.position(slot), each.normal(slot), each.support(slot),
+                                  m_radius * each.support(slot), m_labels.at(each, slot)});
+        });
     std::stable_sort(m_bent.begin(), m_bent.end(),
                      [](const Disc& a, const Disc& b) { return a.label.cell < b.label.cell; });
-    auto kept = m_bent.begin();
-    for (auto begin = m_bent.begin(), end = begin; begin != m_bent.end(); begin = end) {
-        Vec3f mean;
-        for (end = begin; end != m_bent.end() && end->label.cell == begin->label.cell; ++end)
-            mean += end->normal;
-        mean = normalized(mean, Vec3f{});
-        if (std::any_of(begin, end, [&](const Disc& each) { return dot(each.normal, mean) < narrow; }))
-            kept = std::move(begin, end, kept);
+    keepTurning(m_bent, narrow);
+}
+
+/// What of m_bent a disc of the cluster may reach, where that is bent enough.
+void LabelCuts::gatherAround(const surfel::ClusterBounds& bounds) {
+    m_around.clear();
+    const float widest = m_radius * bounds.maxSupport;
+    for (const Disc& each : m_bent) {
+        const float far = widest + each.radius;
+        if (bounds.box.distanceSq(each.centre) <= rounding * far * far)
+            m_around.push_back(each);
     }
-    m_bent.erase(kept, m_bent.end());
+    keepTurning(m_around, unbent);
 }
 
 /// Where the disc's own cell turns along lines within it, one or two: hardly a disc there turns by less than the bend
 /// and by more than what lies on one side of it. About a tip, where some turn by every angle, those count that turn
 /// far.
 void LabelCuts::addBends(const Disc& disc, std::vector<Edge>& edges) const {
-    const auto [begin, end] = std::equal_range(
-        m_bent.begin(), m_bent.end(), disc, [](const Disc& a, const Disc& b) { return a.label.cell < b.label.cell; });
+    const auto [begin, end] =
+        std::equal_range(m_around.begin(), m_around.end(), disc,
+                         [](const Disc& a, const Disc& b) { return a.label.cell < b.label.cell; });
     struct Beyond {
         Vec3f normal, way;
         float cosine, distance;
@@ -163,8 +219,10 @@ void LabelCuts::addBends(const Disc& disc, std::vector<Edge>& edges) const {
         if (cosine > oneSide || lengthSq(way) > reach * reach)
             continue;
         ++(cosine > bent ? between : bends);
+        if (cosine > bent || !(dot(way, disc.normal) < 0))
+            continue;
         const float distance = dot(way, each->normal) / std::sqrt(std::max(1e-30f, 1 - cosine * cosine));
-        if (cosine <= bent && dot(way, disc.normal) < 0 && distance > 0)
+        if (distance > 0)
             beyond.push_back({each->normal, way, cosine, distance});
     }
     const bool tip = 5 * between > bends;
@@ -235,7 +293,7 @@ CutCode LabelCuts::cutOf(const Disc& disc) const {
     std::vector<Edge> edges;
     if (disc.label.meeting != cells::Meeting::None && disc.label.sharpness >= leastSharpness)
         edges = edgesOf(disc);
-    if (!m_bent.empty())
+    if (!m_around.empty())
         addBends(disc, edges);
     if (edges.empty())
         return wholeDisc;
@@ -268,6 +326,8 @@ bool LabelCuts::cut(const SurfelBlock& block, CutCodes& codes) {
         return false;
     bool any = false;
     for (int slot = 0; slot < block.size(); ++slot) {
+        if (slot % surfel::clusterSize == 0)
+            gatherAround(block.bounds(slot / surfel::clusterSize));
         CutCode& code = codes[static_cast<std::size_t>(slot)];
         const Disc disc{block.position(slot), block.normal(slot), block.support(slot), m_radius * block.support(slot),
                         m_labels.at(block, slot)};

@@ -33,8 +33,16 @@ class LabelCuts {
         std::uint32_t cell = 0;
     };
 
+    struct Cluster {
+        const surfel::SurfelBlock* block;
+        int number;
+    };
+
     void gather(const surfel::SurfelBlock& block);
+    bool isFlat() const;
     void gatherBent(const surfel::SurfelBlock& block);
+    void gatherAround(const surfel::ClusterBounds& bounds);
+    static void keepTurning(std::vector<Disc>& discs, float within);
     void addBends(const Disc& disc, std::vector<Edge>& edges) const;
     std::optional<Edge> edgeTo(std::uint32_t cell, cells::Meeting meeting, const Disc& disc) const;
     static bool reflex(const Edge& a, const Edge& b, cells::Meeting meeting);
@@ -46,8 +54,10 @@ class LabelCuts {
     const tree::SurfelTree& m_model;
     cells::LabelLayout m_labels;
     float m_radius;
-    std::vector<Disc> m_near; ///< beside creases
-    std::vector<Disc> m_bent; ///< of cells that bend near the block
+    std::vector<Disc> m_near;        ///< beside creases
+    std::vector<Cluster> m_clusters; ///< that reach into where bends are looked for
+    std::vector<Disc> m_bent;        ///< of cells that bend near the block, cell after cell
+    std::vector<Disc> m_around;      ///< of those, what is near a cluster of it
 };
 
 } // namespace render
