@@ -73,7 +73,7 @@ class Sampling {
     void askForDrift(const surface::Surface& surface);
     bool drifted(const Stretches::Tracked& each) const;
     void measureAround(const tree::SurfelTree& tree);
-    surface::Surface withoutCrumbs(const surface::Surface& surface) const;
+    surface::Surface withoutCrumbs(const surface::Surface& surface);
     surface::Surface withLabels(const surface::Surface& surface) const;
     tree::Selection mayBeCrumbs(const tree::SurfelTree& tree) const;
     LocalSpacing measuredOf(const Stretches::Tracked& each, int slot) const;
