@@ -24,6 +24,7 @@ constexpr double stepLength = 0.5;    ///< spacings
 constexpr double shortestStep = 0.02; ///< spacings: steps are halved to this where a seam turns or ends
 constexpr double taken = 0.4;         ///< spacings: feet so near to a seam belong to it
 constexpr double takenWhereFlat = 1;  ///< the same, where feet are as uncertain as weights
+constexpr double longestSpur = 4;     ///< spacings: shorter ways that run into a known seam are none of their own
 constexpr double closing = 0.75;      ///< steps from the end to the beginning of what is closed
 constexpr double farthestFoot = 3;    ///< spacings from a surfel beside the crease
 constexpr double leastCosine = 0.8;   ///< of the turn in one step
@@ -48,27 +49,28 @@ class PairTracer {
     PairTracer(const CellSurface& surface, const Pair& pair) : m_source(surface), m_pair(pair) {}
 
     void trace(std::span<const Start> starts, std::vector<Seam>& out) {
-        double reach = 0;
         for (const Start& start : starts)
-            reach = std::max(reach, taken * start.spacing);
+            m_reach = std::max(m_reach, taken * start.spacing);
+        const std::size_t first = out.size();
         for (const Start& start : starts) {
             base::CancelScope::check();
             const auto at = footNear(start.position, start.spacing, farthestFoot * start.spacing);
-            if (!at || isTaken(*at, start.spacing, reach))
+            if (!at || isTaken(*at, start.spacing))
                 continue;
-            Seam seam{m_pair.first, m_pair.second, {}, false, start.spacing};
-            std::vector<Vec3d> back;
+            Seam seam{m_pair.first, m_pair.second, {*at}, false, start.spacing};
             const Vec3d way = tangent(*at); // of this foot: marching forgets it
-            seam.closed = march(*at, way, start.spacing, seam.points);
-            if (!seam.closed)
-                march(*at, -way, start.spacing, back);
-            std::reverse(back.begin(), back.end());
-            back.push_back(*at);
-            seam.points.insert(seam.points.begin(), back.begin(), back.end());
-            if (seam.closed)
-                seam.points.push_back(*at);
-            take(seam, reach);
-            if (seam.length() > stepLength * start.spacing)
+            const End end = march(way, start.spacing, seam.points);
+            End back = End::Open;
+            if (end == End::Open || end == End::Met) {
+                std::reverse(seam.points.begin(), seam.points.end());
+                back = march(-way, start.spacing, seam.points);
+            }
+            seam.closed = end == End::Closed;
+            take(seam);
+            if (joins(end, seam.points.front(), seam, first, out) || joins(back, seam.points.back(), seam, first, out))
+                continue;
+            const bool spur = end == End::Met || back == End::Met;
+            if (seam.length() > (spur ? longestSpur : stepLength) * start.spacing)
                 out.push_back(std::move(seam));
         }
     }
@@ -147,10 +149,16 @@ class PairTracer {
         return base::normalized(
             cross(m_source.at(i, Need::Gradient).gradient, m_source.at(j, Need::Gradient).gradient));
     }
-    /// Appends points behind `start`. True where it comes back to it.
-    bool march(const Vec3d& start, Vec3d way, double spacing, std::vector<Vec3d>& out) {
+    /// How a way ends: somewhere, where it began, or on a seam that is known.
+    enum class End { Open, Closed, Met };
+
+    /// Appends points behind the last one.
+    End march(Vec3d way, double spacing, std::vector<Vec3d>& out) {
         const std::size_t before = out.size();
+        const Vec3d start = out.back();
         Vec3d p = start;
+        const double side = stepLength * spacing; // of a grid of the way so far
+        base::CellMap<std::vector<std::uint32_t>> passed;
         for (double step = stepLength * spacing; step > shortestStep * spacing;) {
             base::CancelScope::check();
             const auto next = footNear(p + way * step, spacing, step);
@@ -164,31 +172,71 @@ class PairTracer {
             p = *next;
             way = turned;
             if (out.size() > before + 3 && base::distance(p, start) < closing * stepLength * spacing) {
-                return true;
+                out.push_back(start);
+                return End::Closed;
             }
+            if (const auto again = passedAt(passed, out, p, side); again) { // it began on a spur of what closes
+                out.erase(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(*again));
+                out.push_back(out.front());
+                return End::Closed;
+            }
+            passed.at(base::cellOf(p, Vec3d(), 1 / side)).push_back(static_cast<std::uint32_t>(out.size()));
             out.push_back(p);
+            if (isTaken(p, spacing))
+                return End::Met;
             step = std::min(2 * step, stepLength * spacing);
-            if (out.size() > mostPoints)
-                break;
+        }
+        return End::Open;
+    }
+    /// Which point of a way, not one of its last ones, is near a place.
+    static std::optional<std::size_t> passedAt(const base::CellMap<std::vector<std::uint32_t>>& passed,
+                                               const std::vector<Vec3d>& way, const Vec3d& p, double side) {
+        std::optional<std::size_t> out;
+        base::forCellsAround(base::cellOf(p, Vec3d(), 1 / side), [&](const base::Cell& cell) {
+            if (const std::vector<std::uint32_t>* there = passed.find(cell))
+                for (const std::uint32_t k : *there)
+                    if (k + 4 < way.size() && base::distance(way[k], p) < side / 2 && (!out || k < *out))
+                        out = k;
+        });
+        return out;
+    }
+    /// Where a seam has met the end of one that is known, because nothing led on from there, both become one.
+    static bool joins(End end, const Vec3d& place, const Seam& seam, std::size_t first, std::vector<Seam>& out) {
+        if (end != End::Met)
+            return false;
+        for (std::size_t k = first; k < out.size(); ++k) {
+            std::vector<Vec3d>& known = out[k].points;
+            const double reach = atCorner * seam.spacing;
+            const bool front = base::distance(known.front(), place) < reach;
+            if (out[k].closed || (!front && !(base::distance(known.back(), place) < reach)))
+                continue;
+            std::vector<Vec3d> more(seam.points);
+            if (place == more.front())
+                std::reverse(more.begin(), more.end()); // it ends where it meets the known one
+            if (front)
+                known.insert(known.begin(), more.begin(), more.end() - 1);
+            else
+                known.insert(known.end(), more.rbegin() + 1, more.rend());
+            return true;
         }
         return false;
     }
-    void take(const Seam& seam, double reach) {
+    void take(const Seam& seam) {
         m_segments.reserve(m_segments.size() + seam.points.size());
         for (std::size_t k = 0; k + 1 < seam.points.size(); ++k)
-            put(seam.points[k], seam.points[k + 1], reach);
+            put(seam.points[k], seam.points[k + 1]);
         if (seam.points.size() == 1)
-            put(seam.points.front(), seam.points.front(), reach);
+            put(seam.points.front(), seam.points.front());
     }
-    double side(double reach) const { return 2 * (reach + stepLength / taken * reach); }
-    void put(const Vec3d& from, const Vec3d& to, double reach) {
+    double side() const { return 2 * (m_reach + stepLength / taken * m_reach); }
+    void put(const Vec3d& from, const Vec3d& to) {
         m_segments.push_back({from, to});
-        m_grid.at(base::cellOf((from + to) / 2, Vec3d(), 1 / side(reach)))
+        m_grid.at(base::cellOf((from + to) / 2, Vec3d(), 1 / side()))
             .push_back(static_cast<std::uint32_t>(m_segments.size() - 1));
     }
-    bool isTaken(const Vec3d& p, double spacing, double reach) const {
+    bool isTaken(const Vec3d& p, double spacing) const {
         bool out = false;
-        base::forCellsAround(base::cellOf(p, Vec3d(), 1 / side(reach)), [&](const base::Cell& cell) {
+        base::forCellsAround(base::cellOf(p, Vec3d(), 1 / side()), [&](const base::Cell& cell) {
             if (const std::vector<std::uint32_t>* there = m_grid.find(cell))
                 for (const std::uint32_t k : *there) {
                     const auto& [from, to] = m_segments[k];
@@ -199,9 +247,9 @@ class PairTracer {
         return out;
     }
 
-    static constexpr std::size_t mostPoints = 1'000'000;
     CellSource m_source;
     Pair m_pair;
+    double m_reach = 0;  ///< of what is taken, at most
     bool m_flat = false; ///< was the last foot one where both patches go on as one?
     Vec3d m_across;      ///< there: from the first cell to the second
     std::vector<std::pair<Vec3d, Vec3d>> m_segments;
