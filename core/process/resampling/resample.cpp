@@ -35,9 +35,15 @@ static bool opened(const SampleSet& set, const Gap& gap) {
     return found;
 }
 
+/// Does the surface go on there, so that its end was nearer before?
+static bool goesOn(const SampleSet& set, const Gap& gap) {
+    return set.options.goesOn && set.options.goesOn(gap.place, set.position[gap.from]);
+}
+
 /// Leaves out gaps that were there before what is resampled was.
 static void dropOld(const SampleSet& set, std::vector<Gap>& gaps) {
-    std::erase_if(gaps, [&](const Gap& gap) { return set.is(gap.from, Full) && !opened(set, gap); });
+    std::erase_if(gaps,
+                  [&](const Gap& gap) { return set.is(gap.from, Full) && !opened(set, gap) && !goesOn(set, gap); });
 }
 
 /// The steps after which no gap and no close pair is left among what was touched.

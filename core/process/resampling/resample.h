@@ -48,6 +48,9 @@ struct ResampleOptions {
     std::function<float(const surfel::SurfelBlock&, int slot)> targetOf;
     /// Where set: new ones come only beside those of which it is true, and where one went. From many threads.
     std::function<bool(const surfel::SurfelBlock&, int slot)> drawnApart;
+    /// Where set: does the surface go on at a place beyond what its samples bear, seen from their centroid there, until
+    /// something else ends it? From many threads.
+    std::function<bool(const base::Vec3f& place, const base::Vec3f& centroid)> goesOn;
 };
 
 /// What has to change so that the touched part of `version` has the target spacing. `frozen`: the surface to stay on,

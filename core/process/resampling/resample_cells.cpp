@@ -4,6 +4,7 @@
 #include "core/base/cells.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/process/resampling/resample_set.h"
+#include "core/surface/rays/intersect.h"
 
 #include <algorithm>
 #include <limits>
@@ -20,6 +21,8 @@ constexpr float openLimit = 0.3f;        ///< off-centre limit at which a cell b
 constexpr std::size_t fewestOfCell = 12; ///< smaller ones keep their surfels when a whole model is resampled
 constexpr float acrossReach =
     2.5f; ///< how far from the partner's nearest surfel its plane still ends a cell, in spacings
+constexpr float aheadReach = 4.5f;   ///< the same for what a cell has no surfels beside yet
+constexpr float leastTowards = 0.1f; ///< sine of the way to a crease with the plane across
 
 /// Where labels are among the words of a surfel.
 struct LabelWords {
@@ -65,10 +68,12 @@ class CellResampler {
 
     tree::Edit run() {
         m_edit.inserted.layout = m_version.tree().layout();
+        for (const auto& [cell, members] : m_byCell)
+            m_alone.emplace(cell, aloneFrom(listOf(members)));
         for (const auto& [cell, members] : m_byCell) {
             base::CancelScope::check();
             if (std::any_of(members.begin(), members.end(), [&](std::size_t i) { return m_all[i].touched; }))
-                resampleCell(cell, members);
+                resampleCell(cell);
         }
         for (auto& [number, change] : m_changes) {
             if (change.content) {
@@ -150,15 +155,17 @@ class CellResampler {
     }
 
     float reach() const { return acrossReach * m_options.spacing; }
+    float ahead() const { return aheadReach * m_options.spacing; }
     base::Cell placeOf(const Vec3f& x) const {
-        return base::cellOf(base::cast<double>(x), base::Vec3d(), 1 / static_cast<double>(reach()));
+        return base::cellOf(base::cast<double>(x), base::Vec3d(), 1 / static_cast<double>(ahead()));
     }
 
     const Origin& originOf(const surfel::SurfelBlock& block, int slot) const {
         return m_all[wordOf(block, slot, m_count)];
     }
 
-    void resampleCell(std::uint32_t cell, const std::vector<std::size_t>& members) {
+    /// Surfels with where they come from.
+    surfel::SurfelList listOf(const std::vector<std::size_t>& members) const {
         surfel::SurfelList list;
         list.layout = m_layout;
         std::vector<std::uint32_t> words(m_count + 1);
@@ -167,7 +174,11 @@ class CellResampler {
             words[m_count] = static_cast<std::uint32_t>(i);
             list.append(m_all[i].block->surfel(m_all[i].slot), words);
         }
-        const surface::Surface alone = aloneFrom(list);
+        return list;
+    }
+
+    void resampleCell(std::uint32_t cell) {
+        const surface::Surface& alone = m_alone.at(cell);
         ResampleOptions options = m_options;
         if (m_options.targetOf)
             options.targetOf = [&](const surfel::SurfelBlock& block, int slot) {
@@ -179,6 +190,7 @@ class CellResampler {
                 const Origin& origin = originOf(block, slot);
                 return m_options.drawnApart(*origin.block, origin.slot);
             };
+        options.goesOn = [&](const Vec3f& place, const Vec3f& centroid) { return goesOn(cell, place, centroid); };
         take(cell, alone, resample(alone, touchedOf(alone.tree()), options, alone));
     }
 
@@ -232,10 +244,11 @@ class CellResampler {
         return out;
     }
 
-    /// Is a place of a cell beyond a crease of it: on the wrong side of the plane of a cell that it meets nearby? Where
-    /// points stand closer than the spacing that all of it is looked at with, planes tell less far: `support` is that
-    /// of a surfel there.
-    bool across(std::uint32_t cell, const Vec3f& x, float support = std::numeric_limits<float>::infinity()) const {
+    /// fn(nearest surfel, sign) of the cells that a cell meets within `within` of a place, until one is true; the sign
+    /// as most labels tell it, convex > 0. Where points stand closer than the spacing that all of it is looked at with,
+    /// planes tell less far: `support` is that of a surfel there.
+    template <class Fn>
+    bool anyMet(std::uint32_t cell, const Vec3f& x, float within, float support, const Fn& fn) const {
         std::map<std::uint32_t, std::pair<float, const Origin*>> nearest; // by other cell
         std::map<std::uint32_t, int> signs;                               // convex > 0
         base::forCellsAround(placeOf(x), [&](const base::Cell& around) {
@@ -249,7 +262,7 @@ class CellResampler {
                 const std::uint32_t partner = wordOf(*each.block, each.slot, m_words.partner);
                 const std::uint32_t sign = wordOf(*each.block, each.slot, m_words.sign);
                 const float near = 2 * std::max(support, each.block->support(each.slot));
-                if (!(farSq < reach() * reach()) || !(farSq < near * near) || (own != cell && partner != cell))
+                if (!(farSq < within * within) || !(farSq < near * near) || (own != cell && partner != cell))
                     continue;
                 signs[own == cell ? partner : own] += sign == 1 ? 1 : sign == 2 ? -1 : 0;
                 if (own == cell)
@@ -261,12 +274,46 @@ class CellResampler {
         });
         return std::any_of(nearest.begin(), nearest.end(), [&](const auto& each) {
             const auto sign = signs.find(each.first);
-            if (sign == signs.end() || sign->second == 0)
-                return false;
-            const Origin& other = *each.second.second;
-            const float above = dot(x - other.block->position(other.slot), other.block->normal(other.slot));
-            return sign->second > 0 ? above > 0 : above < 0;
+            return sign != signs.end() && sign->second != 0 && fn(*each.second.second, sign->second);
         });
+    }
+
+    /// Is a place of a cell beyond a crease of it: on the wrong side of a cell that it meets nearby?
+    bool across(std::uint32_t cell, const Vec3f& x, float support = std::numeric_limits<float>::infinity()) const {
+        return anyMet(cell, x, reach(), support, [&](const Origin& other, int sign) { return ends(other, sign, x); });
+    }
+    /// Does the cell of a surfel end another one, which it meets so, before a place?
+    bool ends(const Origin& other, int sign, const Vec3f& x) const {
+        const float above = heightOver(other, x);
+        return sign > 0 ? above > 0 : above < 0;
+    }
+
+    /// Of a place over the cell of a surfel near it: as the local Boolean has it, or where that cell by itself tells
+    /// nothing, over the surfel's plane.
+    float heightOver(const Origin& other, const Vec3f& x) const {
+        const Vec3f n = other.block->normal(other.slot);
+        const auto alone = m_alone.find(wordOf(*other.block, other.slot, m_words.cell));
+        if (alone != m_alone.end())
+            if (const surface::Evaluationf at = alone->second.evaluate(x, surface::Need::Value, {n}); told(at))
+                return at.value;
+        return dot(x - other.block->position(other.slot), n);
+    }
+    static bool told(const surface::Evaluationf& at) {
+        return (at.status == surface::Status::Ok || at.status == surface::Status::BeyondBoundary) &&
+               at.offCentre <= static_cast<float>(surface::maxOffCentre) * at.unit;
+    }
+
+    /// Does a cell go on at a place, off the centre of its samples there, as far as a crease? Else what a stroke draws
+    /// apart along a crease leaves room on both sides of it that nothing fills.
+    bool goesOn(std::uint32_t cell, const Vec3f& x, const Vec3f& centroid) const {
+        constexpr float anySupport = std::numeric_limits<float>::infinity();
+        const Vec3f way = x - centroid;
+        const auto nearer = [&](const Origin& other, int sign) {
+            const float along = dot(way, other.block->normal(other.slot));
+            return (sign > 0 ? along : -along) > leastTowards * length(way);
+        };
+        const auto isBefore = [&](const Origin& other, int sign) { return ends(other, sign, x); };
+        return anyMet(cell, x, reach(), anySupport, nearer) && !anyMet(cell, x, ahead(), anySupport, isBefore);
     }
 
     const surface::Surface& m_version;
@@ -277,6 +324,7 @@ class CellResampler {
     std::vector<Origin> m_all;
     base::CellMap<std::vector<std::uint32_t>> m_beside; ///< creases, by place
     std::map<std::uint32_t, std::vector<std::size_t>> m_byCell;
+    std::map<std::uint32_t, surface::Surface> m_alone; ///< each cell as a model of its own
     std::map<std::uint32_t, Change> m_changes;
     tree::Edit m_edit;
 };

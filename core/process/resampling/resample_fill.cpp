@@ -47,16 +47,22 @@ bool stray(const SampleSet& set, const base::Vec3f& x, const base::Vec3f& n, flo
     return isStray(alike, others);
 }
 
+/// Do the samples bear the place, or does the surface go on there?
+bool borne(const SampleSet& set, const Landing& y) {
+    return y.at.offCentre <= set.grown * y.at.unit ||
+           (y.at.offCentre <= set.grownOn * y.at.unit && set.options.goesOn(y.place, y.at.centroid));
+}
+
 bool acceptable(const SampleSet& set, const Gap& gap, const Landing& y) {
     const base::Vec3f n = set.normal[gap.from];
     const float stray = fillStray * set.target[gap.from];
     return y.ok && distanceSq(y.place, gap.place) <= stray * stray && y.at.agreement >= leastAgreement &&
-           set.facing.same(n, y.gradient) && y.at.offCentre <= set.grown * y.at.unit;
+           set.facing.same(n, y.gradient) && borne(set, y);
 }
 
 /// Is it clear after a step that nothing will grow there: beyond an open border?
 bool beyondBorder(const SampleSet& set, const Landing& y, const base::Vec3f& evaluated) {
-    const float down = dot(y.gradient, evaluated - y.at.centroid), limit = hopeless * set.grown * y.at.unit;
+    const float down = dot(y.gradient, evaluated - y.at.centroid), limit = hopeless * set.grownOn * y.at.unit;
     return y.at.offCentre * y.at.offCentre - down * down > limit * limit;
 }
 

@@ -11,6 +11,8 @@ namespace process {
 /// Off-centre values at which a place belongs to an open border and at which nothing grows, in units of h
 /// (process/README 4.5). A straight border has 0.212 h with Wendland weights and 0.564 with the Gaussian's.
 constexpr float pinnedLimit = 0.12f, grownLimit = 0.15f;
+/// Where the surface goes on: a spacing beyond the last surfels before a straight border are 0.35 h.
+constexpr float grownOnLimit = 0.4f;
 constexpr float gaussianOver = 0.564190f / 0.212207f;
 
 /// How far around the touched surfels others can be in the way: a new surfel's distance, and its own reach.
@@ -99,6 +101,7 @@ SampleSet::SampleSet(const surface::Surface& v, const tree::Selection& touched, 
                      const ResampleOptions& o, const surface::Surface& f)
     : version(v), frozen(f), options(o), spacing(o.spacing), facing(*v.tree().layout()),
       pinned(pinnedAt(f.definition().weight)), grown(grownLimit * borderScale(f.definition().weight)),
+      grownOn(o.goesOn ? grownOnLimit * borderScale(f.definition().weight) : grown),
       grid(v.tree().bounds().centre(), fillReach * o.spacing) {
     if (options.support <= 0)
         options.support = supportOf(v.definition(), spacing);

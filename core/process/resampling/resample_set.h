@@ -58,8 +58,9 @@ struct SampleSet {
     ResampleOptions options;
     float spacing;
     Facing facing;
-    /// Off-centre values in units of h from which a place belongs to an open border, and at which nothing grows.
-    float pinned, grown;
+    /// Off-centre values in units of h from which a place belongs to an open border, and at which nothing grows; the
+    /// last where the surface goes on (ResampleOptions::goesOn).
+    float pinned, grown, grownOn;
 
     std::vector<base::Vec3f> position, normal;
     std::vector<float> target; ///< of each its own target spacing; `spacing` is the largest
