@@ -120,9 +120,28 @@ class LabelMeter {
                 continue;
             nearest = distance;
             out.partner = cell;
-            out.meeting = dot(n - normal, way) < 0 ? Meeting::Convex : Meeting::Concave;
+            out.meeting = meetingWith(before.cell, p + way, normal, s);
         }
         return (flat || m_kept) && out.meeting == Meeting::None ? before : out;
+    }
+
+    /// How a cell meets a patch around a place, as its surfels nearest to that tell: where faces bend towards an edge,
+    /// those farther off tell another angle.
+    Meeting meetingWith(std::uint32_t own, const Vec3f& place, const Vec3f& normal, float s) const {
+        float farSq = std::numeric_limits<float>::infinity();
+        for (const Near& each : m_near)
+            if (each.label.cell == own)
+                farSq = std::min(farSq, distanceSq(each.position, place));
+        const float within = std::sqrt(farSq) + aboutNearest * s;
+        Vec3f mean, way;
+        for (const Near& each : m_near) {
+            const float part = distanceSq(each.position, place) / (within * within);
+            if (each.label.cell == own && part < 1) {
+                const float weight = (1 - part) * (1 - part);
+                mean += each.normal * weight, way += (place - each.position) * weight;
+            }
+        }
+        return dot(normalized(mean) - normal, way) < 0 ? Meeting::Convex : Meeting::Concave;
     }
 
     const surface::Surface& m_surface;

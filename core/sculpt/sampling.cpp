@@ -1,6 +1,5 @@
 #include "core/sculpt/sampling.h"
 
-#include "core/cells/measured_labels.h"
 #include "core/layers/layer_edits.h"
 #include "core/sculpt/crumbs.h"
 
@@ -237,14 +236,17 @@ surface::Surface Sampling::resampleClass(const surface::Surface& surface, const 
     return {resampled(surface, taken, options), surface.definition()};
 }
 
+/// An edge that the stroke turns into a groove ends its sides elsewhere: resampling goes by signs as they are now.
+/// Until the end surfels keep their partners: an edge that is flat for a while is one again after it.
 surface::Surface Sampling::resampleDue(const surface::Surface& surface) {
-    surface::Surface out = surface;
+    surface::Surface out = withLabels(surface, m_labelled, cells::Partners::Kept);
+    m_labelled = m_balls.empty() ? 0 : m_balls.size() - 1; // the last one may grow
     if (m_graded) {
         m_stretches.ask(doneBeyond);
-        m_stretches.take(surface.tree(), [](const Stretches::Tracked&, int) { return true; });
-        out = evened(surface, When::During);
+        m_stretches.take(out.tree(), [](const Stretches::Tracked&, int) { return true; });
+        out = evened(out, When::During);
     } else {
-        m_stretches.askMost(surface.tree(), doneBeyond, mustBeyond, atOnce);
+        m_stretches.askMost(out.tree(), doneBeyond, mustBeyond, atOnce);
         while (resampleSome(out, std::numeric_limits<std::size_t>::max(), When::During)) {
         }
     }
@@ -292,13 +294,17 @@ surface::Surface Sampling::withoutCrumbs(const surface::Surface& surface) {
     return {surface.tree().apply(edit), surface.definition()};
 }
 
-/// Of models with cells: partners and signs as surfels lie now.
-surface::Surface Sampling::withLabels(const surface::Surface& surface) const {
+/// Of models with cells: signs in these balls, and partners where they are to be measured, as surfels lie now.
+surface::Surface Sampling::withLabels(const surface::Surface& surface, std::size_t firstBall,
+                                      cells::Partners partners) {
     std::vector<cells::EditedBall> balls;
-    for (const Ball& ball : m_balls)
-        balls.push_back({ball.centre, ball.radius});
-    const tree::Edit edit = cells::measuredLabels(surface, balls);
-    return edit.empty() ? surface : surface::Surface{surface.tree().apply(edit), surface.definition()};
+    for (std::size_t k = firstBall; k < m_balls.size(); ++k)
+        balls.push_back({m_balls[k].centre, m_balls[k].radius});
+    const tree::Edit edit = cells::measuredLabels(surface, balls, partners);
+    if (edit.empty())
+        return surface;
+    m_stretches.note(surface.tree(), edit); // the same surfels in other blocks
+    return {surface.tree().apply(edit), surface.definition()};
 }
 
 surface::Surface Sampling::resample(surface::Surface surface) {
@@ -312,21 +318,24 @@ surface::Surface Sampling::resampleSlice(const surface::Surface& surface) {
     switch (m_ending) {
     case Ending::Open:
         m_ending = m_counts || m_graded ? Ending::Crumbs : Ending::Asked;
+        if (!m_counts)
+            out = withLabels(surface, m_labelled, cells::Partners::Kept);
         if (m_ending == Ending::Asked)
-            askAtTheEnd(surface);
+            askAtTheEnd(out);
         else if (!m_counts)
-            out = evened(surface, When::AtTheEnd);
+            out = evened(out, When::AtTheEnd);
         return out;
     case Ending::Asked:
         if (!resampleSome(out, atOnce, When::AtTheEnd))
             m_ending = Ending::Crumbs;
         return out;
     case Ending::Crumbs:
-        out = withLabels(withoutCrumbs(surface));
+        out = withLabels(withoutCrumbs(surface), 0, cells::Partners::Measured);
         m_stretches.clear();
         m_range = {};
         m_waiting = 0;
         m_balls.clear();
+        m_labelled = 0;
         m_ending = Ending::Open;
     }
     return out;

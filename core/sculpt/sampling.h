@@ -7,6 +7,7 @@
 // (kept_spacing.h).
 #pragma once
 
+#include "core/cells/measured_labels.h"
 #include "core/layers/stack.h"
 #include "core/process/resampling/resample.h"
 #include "core/sculpt/kept_spacing.h"
@@ -74,7 +75,7 @@ class Sampling {
     bool drifted(const Stretches::Tracked& each) const;
     void measureAround(const tree::SurfelTree& tree);
     surface::Surface withoutCrumbs(const surface::Surface& surface);
-    surface::Surface withLabels(const surface::Surface& surface) const;
+    surface::Surface withLabels(const surface::Surface& surface, std::size_t firstBall, cells::Partners partners);
     tree::Selection mayBeCrumbs(const tree::SurfelTree& tree) const;
     LocalSpacing measuredOf(const Stretches::Tracked& each, int slot) const;
     float targetOf(const Stretches::Tracked& each, int slot) const;
@@ -87,7 +88,8 @@ class Sampling {
     StretchRange m_range;      ///< of the blocks
     std::size_t m_waiting = 0; ///< surfels in blocks that are nearly due
     Ending m_ending = Ending::Open;
-    std::vector<Ball> m_balls; ///< that hold all that was touched
+    std::vector<Ball> m_balls;  ///< that hold all that was touched
+    std::size_t m_labelled = 0; ///< in those before, signs are as surfels lay when resampling was due
     std::shared_ptr<const layers::Stack> m_layers;
 };
 
