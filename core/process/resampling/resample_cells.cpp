@@ -21,8 +21,9 @@ constexpr float openLimit = 0.3f;        ///< off-centre limit at which a cell b
 constexpr std::size_t fewestOfCell = 12; ///< smaller ones keep their surfels when a whole model is resampled
 constexpr float acrossReach =
     2.5f; ///< how far from the partner's nearest surfel its plane still ends a cell, in spacings
-constexpr float aheadReach = 4.5f;   ///< the same for what a cell has no surfels beside yet
-constexpr float leastTowards = 0.1f; ///< sine of the way to a crease with the plane across
+constexpr float aheadReach = 4.5f;    ///< the same for what a cell has no surfels beside yet
+constexpr float roomAtCrease = 0.15f; ///< spacings: what is born nearer to a crease may be across it after the next dab
+constexpr float leastTowards = 0.1f;  ///< sine of the way to a crease with the plane across
 
 /// Where labels are among the words of a surfel.
 struct LabelWords {
@@ -282,10 +283,10 @@ class CellResampler {
     bool across(std::uint32_t cell, const Vec3f& x, float support = std::numeric_limits<float>::infinity()) const {
         return anyMet(cell, x, reach(), support, [&](const Origin& other, int sign) { return ends(other, sign, x); });
     }
-    /// Does the cell of a surfel end another one, which it meets so, before a place?
-    bool ends(const Origin& other, int sign, const Vec3f& x) const {
+    /// Does the cell of a surfel end another one, which it meets so, before a place or less than `ahead` behind it?
+    bool ends(const Origin& other, int sign, const Vec3f& x, float ahead = 0) const {
         const float above = heightOver(other, x);
-        return sign > 0 ? above > 0 : above < 0;
+        return (sign > 0 ? above : -above) > -ahead;
     }
 
     /// Of a place over the cell of a surfel near it: as the local Boolean has it, or where that cell by itself tells
@@ -312,7 +313,8 @@ class CellResampler {
             const float along = dot(way, other.block->normal(other.slot));
             return (sign > 0 ? along : -along) > leastTowards * length(way);
         };
-        const auto isBefore = [&](const Origin& other, int sign) { return ends(other, sign, x); };
+        const float room = roomAtCrease * m_options.spacing;
+        const auto isBefore = [&](const Origin& other, int sign) { return ends(other, sign, x, room); };
         return anyMet(cell, x, reach(), anySupport, nearer) && !anyMet(cell, x, ahead(), anySupport, isBefore);
     }
 
