@@ -19,7 +19,7 @@ namespace {
 
 struct Options {
     std::string in, out, report, viewpoint;
-    bool duplicates = false, dryRun = false;
+    bool duplicates = false, mixed = false, dryRun = false;
     BatchOptions batch;
     GivenParameters steps;
     std::shared_ptr<SurfaceOptions> surface;
@@ -34,6 +34,7 @@ nlohmann::json commandOf(const Options& options) {
     nlohmann::json out = parametersOf(options.steps);
     out["op"] = "clean";
     out["duplicates"] = options.duplicates;
+    out["mixed"] = options.mixed;
     if (!options.viewpoint.empty()) {
         double v[3];
         parseNumbers(options.viewpoint, ',', v);
@@ -53,6 +54,8 @@ ordered_json reportOf(const nlohmann::json& command, const session::Context& con
     out["merged"] = document.provenance().merged;
     if (command.at("duplicates").get<bool>())
         out["duplicates"] = {{"removed", count("duplicates")}};
+    if (command.at("mixed").get<bool>())
+        out["mixed"] = {{"removed", count("mixed")}, {"viewpoints", count("viewpoints")}};
     if (command.contains("outliers")) {
         const auto methods = command.at("outliers").get<std::string>();
         out["outliers"] = {{"method", methods}, {"removed", count("outliers")}};
@@ -104,9 +107,9 @@ void run(const Options& options, OptionSet set, Console& console) {
             throw UsageError("OUT is required: the model to write");
     }
     const bool limit = has(options.steps, "limit");
-    if (!options.duplicates && options.steps.size() == (limit ? 1 : 0))
-        throw UsageError("nothing to do; name at least one of --duplicates, --outliers, --denoise, --thin, --normals "
-                         "and --orient");
+    if (!options.duplicates && !options.mixed && options.steps.size() == (limit ? 1 : 0))
+        throw UsageError("nothing to do; name at least one of --duplicates, --mixed, --outliers, --denoise, --thin, "
+                         "--normals and --orient");
     if (limit && !has(options.steps, "outliers"))
         throw UsageError("--limit belongs to --outliers");
     if (options.batch.wanted()) {
@@ -131,6 +134,8 @@ Action addClean(OptionSet command) {
     for (const session::CommandParameter& p : session::command("clean").parameters)
         if (p.id == std::string_view("duplicates"))
             command.addFlag("--duplicates", options->duplicates, p.tip);
+        else if (p.id == std::string_view("mixed"))
+            command.addFlag("--mixed", options->mixed, p.tip);
         else if (p.id == std::string_view("viewpoint"))
             command.add("--viewpoint", options->viewpoint, p.tip).typeName("x,y,z").check({viewpointFault});
         else

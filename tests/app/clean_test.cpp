@@ -79,7 +79,7 @@ void CleanTest::everyWayRuns_data() {
     for (const char* steps :
          {"--outliers radius", "--outliers islands", "--outliers surface --limit 3", "--denoise 0.01",
           "--normals plane", "--normals jet", "--normals viewpoint --viewpoint 0,0,9", "--orient viewpoint",
-          "--orient global", "--thin 0.1", "--duplicates"})
+          "--orient global", "--thin 0.1", "--duplicates", "--mixed --viewpoint 0,0,9"})
         QTest::newRow(steps) << steps;
 }
 
@@ -108,6 +108,7 @@ void CleanTest::wrongUsageIsRefused_data() {
     row("clean sample:sphere:500 out.ply --thin 0", 2, "above 0");
     row("clean sample:sphere:500 out.ply --orient viewpoint --viewpoint 1,2", 2, "x,y,z");
     row("clean sample:sphere:500 out.ply --normals grid", 1, "use plane or jet");
+    row("clean sample:sphere:500 out.ply --mixed", 1, "give the viewpoint");
     row("clean sample:sphere:500 out.ply --thin 50", 1, "ask for less");
     row("clean sample:sphere:500 out.unknown --duplicates", 2, "out.unknown");
     row("clean nowhere.ply out.ply --duplicates", 1, "nowhere.ply");

@@ -26,6 +26,7 @@ class CleanCommandTest : public QObject {
     void basesOfConesLookOutwardsAfterCleaning();
     void viewpointsTurnNormals();
     void gridsGiveNormals();
+    void mixedPixelsAreSeenFromWhereTheFileSays();
     void nonsenseIsRefused();
 };
 
@@ -115,6 +116,7 @@ void CleanCommandTest::everyStepUndoesAndReplays_data() {
           R"({"op":"outliers","method":"surface","limit":3})", R"({"op":"denoise"})",
           R"({"op":"denoise","sigma":0.02})", R"({"op":"thin","spacing":0.15})", R"({"op":"normals","method":"jet"})",
           R"({"op":"normals","method":"viewpoint","viewpoint":[0,0,9]})", R"({"op":"orient","method":"viewpoint"})",
+          R"({"op":"mixed","viewpoint":[1000000,0,9]})", R"({"op":"clean","mixed":true,"viewpoint":[1000000,0,9]})",
           R"({"op":"clean","outliers":"surface","denoise":"auto","thin":0.1,"normals":"jet","orient":"global"})"})
         QTest::newRow(line) << line;
 }
@@ -297,6 +299,51 @@ void CleanCommandTest::gridsGiveNormals() {
     Workbench none;
     none.run(test::newSphere(500));
     QVERIFY(none.refusal({{"op", "normals"}, {"method", "grid"}}).find("use plane or jet") != std::string::npos);
+}
+
+/// A board before a wall, and a row of points between them along its rims, seen from `eye`.
+static std::string boardBeforeWall(const Vec3d& eye, const std::string& comment, bool grid) {
+    base::Random random(5);
+    std::ostringstream out;
+    out.precision(12);
+    out << "ply\nformat ascii 1.0\n" << comment << "element vertex 3600\nproperty double x\nproperty double y\n"
+        << "property double z\n" << (grid ? "property int row\nproperty int column\n" : "") << "end_header\n";
+    for (int i = 0; i < 60; ++i)
+        for (int j = 0; j < 60; ++j) {
+            const int in = std::min(std::min(i - 20, 40 - i), std::min(j - 20, 40 - j));
+            const double depth = in > 0 ? 2 : in < 0 ? 4 : random.uniform(2.4, 3.6);
+            const Vec3d p = eye + Vec3d{(i - 29.5) * 0.01, (j - 29.5) * 0.01, 1} * depth;
+            out << p.x << ' ' << p.y << ' ' << p.z;
+            if (grid)
+                out << ' ' << i << ' ' << j;
+            out << '\n';
+        }
+    return out.str();
+}
+
+void CleanCommandTest::mixedPixelsAreSeenFromWhereTheFileSays() {
+    const auto left = [](const std::string& file, const json& command) {
+        Workbench bench;
+        bench.run(open(bench, file));
+        bench.run(command);
+        return std::make_pair(bench.size(), bench.context.figures.at("mixed"));
+    };
+    const json plain{{"op", "mixed"}};
+    const auto [grid, removed] = left(boardBeforeWall({}, "", true), plain);
+    QVERIFY2(removed >= 74 && removed <= 84, std::to_string(removed).c_str()); // 80 on the rims
+    QCOMPARE(grid, std::size_t(3600 - removed));
+    const Vec3d far{1e6, -2e6, 50};
+    QCOMPARE(left(boardBeforeWall(far, "comment viewpoint 1000000 -2000000 50 1 0 0 0\n", false), plain).second, removed);
+    QCOMPARE(left(boardBeforeWall(far, "", false), {{"op", "mixed"}, {"viewpoint", {1e6, -2e6, 50}}}).second, removed);
+    QCOMPARE(left(boardBeforeWall({}, "", true), {{"op", "clean"}, {"mixed", true}}).second, removed);
+    Workbench none;
+    none.run(test::newSphere(500));
+    QVERIFY(none.refusal(plain).find("give the viewpoint") != std::string::npos);
+    QVERIFY(!none.refusal({{"op", "mixed"}, {"viewpoint", {1, 2}}}).empty());
+    Workbench several; // of which one point is of none
+    several.run(open(several, boardBeforeWall({}, "comment scan 0 viewpoint 0 0 0 1 0 0 0\ncomment scan 1 viewpoint 1 0 0 1 "
+                                                  "0 0 0\n", false)));
+    QVERIFY(several.refusal(plain).find("give the viewpoint") != std::string::npos);
 }
 
 void CleanCommandTest::nonsenseIsRefused() {

@@ -52,8 +52,8 @@ FileModel readE57(const FileBytes& file, const base::Progress& progress, const p
     }
     FileModel model;
     model.format = "e57";
-    for (const e57::Scan& scan : scans)
-        if (!scan.pose.isIdentity())
+    for (const e57::Scan& scan : scans) // of several all, so that the k-th is that of scan k
+        if (scans.size() > 1 || !scan.pose.isIdentity())
             model.comments.push_back(viewpointOf(scan, scans.size() > 1));
     if (scans.size() > 1)
         model.messages.push_back("The " + std::to_string(scans.size()) +

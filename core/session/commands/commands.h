@@ -35,6 +35,7 @@ CommandRow registerCommand();
 CommandRow measureCommand();
 CommandRow cleanCommand();
 CommandRow duplicatesCommand();
+CommandRow mixedCommand();
 CommandRow outliersCommand();
 CommandRow denoiseCommand();
 CommandRow thinCommand();

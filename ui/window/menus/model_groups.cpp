@@ -8,7 +8,7 @@ namespace ui {
 
 std::span<const ModelGroup> modelGroups() {
     static const ModelGroup rows[] = {
-        {"clean-up", QT_TR_NOOP("C&lean Up"), "clean outliers duplicates denoise normals orient flip"},
+        {"clean-up", QT_TR_NOOP("C&lean Up"), "clean outliers mixed duplicates denoise normals orient flip"},
         {"sampling", QT_TR_NOOP("&Sampling"), "resample thin reduce refine"},
         {"holes-and-cuts", QT_TR_NOOP("Holes and &Cuts"), "fill bridge cut trim mirror"},
         {"solids", QT_TR_NOOP("S&olids"), "solid primitive drill tube merge hollow shell extrude"},

@@ -1,4 +1,5 @@
 #include "core/base/error.h"
+#include "core/process/cleaning/mixed_pixels.h"
 #include "core/session/commands/commands.h"
 #include "core/session/commands/scans/clean_steps.h"
 
@@ -33,21 +34,23 @@ static surface::Surface withoutOutliers(Context& context, surface::Surface surfa
 /// In the order in which each step helps the next one: strays first, then noise, then what is made of positions.
 static void runClean(Context& context, const json& complete) {
     requireModel(context);
-    const std::vector<const char*> steps{"duplicates", "outliers", "denoise", "thin", "normals", "orient"};
+    const std::vector<const char*> steps{"duplicates", "mixed", "outliers", "denoise", "thin", "normals", "orient"};
     const auto wanted = [&](const char* step) {
         const json value = given(complete, step);
         return !value.is_null() && !(value.is_boolean() && !value.get<bool>());
     };
     if (std::none_of(steps.begin(), steps.end(), wanted))
         throw base::Error("nothing to do", {},
-                          "name at least one of duplicates, outliers, denoise, thin, normals, orient");
+                          "name at least one of duplicates, mixed, outliers, denoise, thin, normals, orient");
     surface::Surface surface = context.document.surface();
     const json viewpoint = given(complete, "viewpoint");
     if (wanted("duplicates"))
         surface = clean::duplicates(context, surface);
+    if (wanted("mixed"))
+        surface = clean::mixed(context, surface, viewpoint, process::MixedQuestion().limit);
     if (wanted("outliers"))
         surface = withoutOutliers(context, surface, complete);
-    if (wanted("outliers") && !wanted("normals") && !wanted("orient"))
+    if ((wanted("outliers") || wanted("mixed")) && !wanted("normals") && !wanted("orient"))
         surface = clean::guessedAgain(context, surface);
     if (wanted("denoise"))
         surface = clean::denoise(context, surface, complete.at("denoise"));
@@ -63,6 +66,8 @@ static void runClean(Context& context, const json& complete) {
 CommandRow cleanCommand() {
     static const CommandParameter parameters[] = {
         {"duplicates", "boolean", "", "merge points that stand in one place", "false", "", 0, 0},
+        {"mixed", "boolean", "", "take out mixed pixels: half on the near, half on the far side of an edge in depth",
+         "false", "", 0, 0},
         {"outliers", "choices", "", clean::outlierTip, "null", clean::outlierWays, 0, 0},
         {"limit", "number", "", clean::limitTip, "null", "", 0, largest},
         {"denoise", "number or choice", "model units", clean::sigmaTip, "null", "auto", positive, largest},
@@ -73,7 +78,8 @@ CommandRow cleanCommand() {
     };
     return {"clean",
             "Clean",
-            "Takes out of a scan what is not the model, in this order: duplicates, outliers, noise; thins it, and "
+            "Takes out of a scan what is not the model, in this order: duplicates, mixed pixels, outliers, noise; "
+            "thins it, and "
             "makes its normals anew.",
             parameters,
             true,

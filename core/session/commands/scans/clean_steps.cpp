@@ -13,6 +13,7 @@
 #include "core/process/estimation/orientation/global_orientation.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/process/estimation/prepare.h"
+#include "core/session/commands/scans/viewpoints.h"
 #include "core/surface/definition_text.h"
 
 #include <algorithm>
@@ -139,6 +140,32 @@ Surface duplicates(Context& context, const Surface& surface) {
             change.normals[i] = points.items[kept++].normal;
     change.removed = std::move(removed);
     return {process::changed(surface.tree(), change), surface.definition()};
+}
+
+Surface mixed(Context& context, const Surface& surface, const json& viewpoint, double limit) {
+    refuseCurve(surface);
+    const surfel::SurfelList points = surface.tree().surfels();
+    const std::optional<process::Eyes> eyes =
+        viewpoint.is_null() ? eyesOf(context.document, points) : process::Eyes{{viewpointOf(context, viewpoint)}, {}};
+    if (!eyes)
+        throw base::Error("mixed pixels are told by the line of sight, and the file does not tell where the scanner "
+                          "stood",
+                          {}, "give the viewpoint, or take out what is off its surface (outliers, surface)");
+    std::vector<std::uint8_t> removed =
+        process::findMixedPixels(points, *eyes, {limit}, process::part(context.progress, 0, 0.5));
+    for (std::size_t i = 0; i < removed.size(); ++i)
+        removed[i] = removed[i] && !isMasked(points, i);
+    const auto count = static_cast<std::size_t>(std::count(removed.begin(), removed.end(), 1));
+    context.figures["mixed"] = static_cast<double>(count);
+    context.figures["viewpoints"] = static_cast<double>(eyes->places.size());
+    context.messages.push_back(
+        "Mixed pixels: " + countOf(count, points.size()) + " removed, " +
+        percent(static_cast<double>(count) / static_cast<double>(points.size())) + ", seen from " +
+        (!viewpoint.is_null()       ? "the viewpoint told."
+         : eyes->places.size() == 1 ? "the file's viewpoint."
+                                    : "the file's " + std::to_string(eyes->places.size()) + " viewpoints."));
+    return process::takenOut(surface, std::move(removed), process::Supports::WhereChanged,
+                             process::part(context.progress, 0.5, 1));
 }
 
 Surface outliers(Context& context, const Surface& surface, const std::string& way, const json& limit) {

@@ -1,5 +1,5 @@
-// The steps of cleaning, each from a surface to the next one: what the commands `duplicates`, `outliers`, `denoise`,
-// `thin`, `normals` and `orient` do, and `clean` one after the other. Inside this room.
+// The steps of cleaning, each from a surface to the next one: what the commands `duplicates`, `mixed`, `outliers`,
+// `denoise`, `thin`, `normals` and `orient` do, and `clean` one after the other. Inside this room.
 //
 // Each step tells the person one sentence with its numbers (Context::messages) and puts these under their names into
 // Context::figures. None commits by itself.
@@ -33,9 +33,15 @@ constexpr const char* normalTip =
 constexpr const char* orientTip = "tree: neighbours agree, the outermost look outwards; viewpoint: to the scanner; "
                                   "global: each piece in agreement with all others";
 constexpr const char* viewpointTip = "where the scanner stood: [x,y,z] in the file's coordinates; the origin unless "
-                                     "told";
+                                     "told, for mixed pixels what the file tells";
+constexpr const char* eyeTip = "where the scanner stood: [x,y,z] in the file's coordinates; what the file tells unless "
+                               "told";
+constexpr const char* stepTip = "steps in depth count from so many distances between neighbouring beams on";
 
 surface::Surface duplicates(Context& context, const surface::Surface& surface);
+/// `viewpoint`: three numbers, or null for what the file tells. Throws base::Error where nobody does.
+surface::Surface mixed(Context& context, const surface::Surface& surface, const nlohmann::json& viewpoint,
+                       double limit);
 /// `limit`: null for the way's own.
 surface::Surface outliers(Context& context, const surface::Surface& surface, const std::string& way,
                           const nlohmann::json& limit);
