@@ -306,8 +306,10 @@ static std::string boardBeforeWall(const Vec3d& eye, const std::string& comment,
     base::Random random(5);
     std::ostringstream out;
     out.precision(12);
-    out << "ply\nformat ascii 1.0\n" << comment << "element vertex 3600\nproperty double x\nproperty double y\n"
-        << "property double z\n" << (grid ? "property int row\nproperty int column\n" : "") << "end_header\n";
+    out << "ply\nformat ascii 1.0\n"
+        << comment << "element vertex 3600\nproperty double x\nproperty double y\n"
+        << "property double z\n"
+        << (grid ? "property int row\nproperty int column\n" : "") << "end_header\n";
     for (int i = 0; i < 60; ++i)
         for (int j = 0; j < 60; ++j) {
             const int in = std::min(std::min(i - 20, 40 - i), std::min(j - 20, 40 - j));
@@ -333,7 +335,8 @@ void CleanCommandTest::mixedPixelsAreSeenFromWhereTheFileSays() {
     QVERIFY2(removed >= 74 && removed <= 84, std::to_string(removed).c_str()); // 80 on the rims
     QCOMPARE(grid, std::size_t(3600 - removed));
     const Vec3d far{1e6, -2e6, 50};
-    QCOMPARE(left(boardBeforeWall(far, "comment viewpoint 1000000 -2000000 50 1 0 0 0\n", false), plain).second, removed);
+    QCOMPARE(left(boardBeforeWall(far, "comment viewpoint 1000000 -2000000 50 1 0 0 0\n", false), plain).second,
+             removed);
     QCOMPARE(left(boardBeforeWall(far, "", false), {{"op", "mixed"}, {"viewpoint", {1e6, -2e6, 50}}}).second, removed);
     QCOMPARE(left(boardBeforeWall({}, "", true), {{"op", "clean"}, {"mixed", true}}).second, removed);
     Workbench none;
@@ -341,8 +344,11 @@ void CleanCommandTest::mixedPixelsAreSeenFromWhereTheFileSays() {
     QVERIFY(none.refusal(plain).find("give the viewpoint") != std::string::npos);
     QVERIFY(!none.refusal({{"op", "mixed"}, {"viewpoint", {1, 2}}}).empty());
     Workbench several; // of which one point is of none
-    several.run(open(several, boardBeforeWall({}, "comment scan 0 viewpoint 0 0 0 1 0 0 0\ncomment scan 1 viewpoint 1 0 0 1 "
-                                                  "0 0 0\n", false)));
+    several.run(
+        open(several, boardBeforeWall({},
+                                      "comment scan 0 viewpoint 0 0 0 1 0 0 0\ncomment scan 1 viewpoint 1 0 0 1 "
+                                      "0 0 0\n",
+                                      false)));
     QVERIFY(several.refusal(plain).find("give the viewpoint") != std::string::npos);
 }
 

@@ -1,5 +1,6 @@
 #include "core/process/cleaning/denoise.h"
 
+#include "core/process/cleaning/crease_sides.h"
 #include "core/process/cleaning/local_quadric.h"
 #include "core/process/cleaning/spread.h"
 #include "core/process/estimation/part_progress.h"
@@ -46,10 +47,12 @@ struct Landing {
     Vec3d position, normal;
 };
 
-Landing landingOf(const Cloud& cloud, std::size_t i, const Neighbours& near, std::span<const Vec3f> normals,
-                  bool oriented, double noise) {
-    const std::span<const Vec3f> positions = cloud.positions();
-    const auto beside = [&](std::uint32_t j) { return !oriented || dot(normals[i], normals[j]) > 0; };
+Landing landingOf(const Cloud& cloud, std::size_t i, const Neighbours& near, const CreaseSides& sides, bool oriented,
+                  double noise) {
+    const std::span<const Vec3f> positions = cloud.positions(), normals = sides.normals;
+    const auto beside = [&](std::uint32_t j) {
+        return (!oriented || dot(normals[i], normals[j]) > 0) && sides.together(i, j, oriented);
+    };
     std::vector<std::uint32_t> ofFrame;
     for (std::size_t k = 0; k < near.size() && ofFrame.size() < framed; ++k)
         if (beside(near.index[k]))
@@ -102,14 +105,15 @@ Denoised denoised(const Cloud& cloud, std::span<const Vec3f> normals, bool orien
     Denoised out;
     out.positions.assign(cloud.positions().begin(), cloud.positions().end());
     out.normals.assign(normals.begin(), normals.end());
-    cloud.forEach(
-        scales[std::size(scales) - 1], progress, "Taking noise out", [&](std::size_t i, const Neighbours& near) {
-            if (!(noise[i] > 0))
-                return;
-            const Landing landing = landingOf(cloud, i, near, normals, oriented, static_cast<double>(noise[i]));
-            out.positions[i] = base::cast<float>(landing.position);
-            out.normals[i] = base::normalized(base::cast<float>(landing.normal), normals[i]);
-        });
+    const CreaseSides sides = creaseSides(cloud, normals, oriented, noise, part(progress, 0, 0.3));
+    cloud.forEach(scales[std::size(scales) - 1], part(progress, 0.3, 1), "Taking noise out",
+                  [&](std::size_t i, const Neighbours& near) {
+                      if (!(noise[i] > 0))
+                          return;
+                      const Landing landing = landingOf(cloud, i, near, sides, oriented, static_cast<double>(noise[i]));
+                      out.positions[i] = base::cast<float>(landing.position);
+                      out.normals[i] = base::normalized(base::cast<float>(landing.normal), normals[i]);
+                  });
     return out;
 }
 

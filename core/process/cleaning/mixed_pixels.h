@@ -1,5 +1,5 @@
 // Points that a scanner measured half on the near and half on the far side of an edge in depth: the beam met both, the
-// range is neither's. They hang as strings and veils along the line of sight (process/README 11.5).
+// range is neither's. They hang as strings and veils along the line of sight (process/README 11.2).
 //
 // Seen from the scanner a point has neighbours on all sides, whatever their depth (eye_view.h). A mixed pixel stands
 // well behind those on one side and well before those of the opposite one, it is on a bridge of a few beams with flat
