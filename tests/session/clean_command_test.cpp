@@ -26,6 +26,7 @@ class CleanCommandTest : public QObject {
     void basesOfConesLookOutwardsAfterCleaning();
     void viewpointsTurnNormals();
     void gridsGiveNormals();
+    void scansHaveGridsOfTheirOwn();
     void mixedPixelsAreSeenFromWhereTheFileSays();
     void nonsenseIsRefused();
 };
@@ -116,7 +117,6 @@ void CleanCommandTest::everyStepUndoesAndReplays_data() {
           R"({"op":"outliers","method":"surface","limit":3})", R"({"op":"denoise"})",
           R"({"op":"denoise","sigma":0.02})", R"({"op":"thin","spacing":0.15})", R"({"op":"normals","method":"jet"})",
           R"({"op":"normals","method":"viewpoint","viewpoint":[0,0,9]})", R"({"op":"orient","method":"viewpoint"})",
-          R"({"op":"mixed","viewpoint":[1000000,0,9]})", R"({"op":"clean","mixed":true,"viewpoint":[1000000,0,9]})",
           R"({"op":"clean","outliers":"surface","denoise":"auto","thin":0.1,"normals":"jet","orient":"global"})"})
         QTest::newRow(line) << line;
 }
@@ -301,6 +301,23 @@ void CleanCommandTest::gridsGiveNormals() {
     QVERIFY(none.refusal({{"op", "normals"}, {"method", "grid"}}).find("use plane or jet") != std::string::npos);
 }
 
+/// The same rows and columns in two scans: none of the one has neighbours in the other.
+void CleanCommandTest::scansHaveGridsOfTheirOwn() {
+    std::ostringstream out;
+    out << "ply\nformat ascii 1.0\nelement vertex 800\nproperty float x\nproperty float y\nproperty float z\n"
+           "property int row\nproperty int column\nproperty int scan\nend_header\n";
+    for (int scan = 0; scan < 2; ++scan)
+        for (int i = 0; i < 20; ++i)
+            for (int j = 0; j < 20; ++j) // the floor and a wall
+                out << i << ' ' << (scan ? 40 : j) << ' ' << (scan ? j + 30 : 0) << ' ' << i << ' ' << j << ' ' << scan
+                    << '\n';
+    Workbench bench;
+    bench.run({{"op", "open"}, {"path", test::write(bench.path("grids.ply"), out.str()).string()}});
+    bench.run({{"op", "normals"}, {"method", "grid"}});
+    for (const surfel::Surfel& s : bench.document.surface().tree().surfels().items)
+        QVERIFY(std::abs(s.position.y == 40 ? s.normal.y : s.normal.z) > 0.9999f);
+}
+
 /// A board before a wall, and a row of points between them along its rims, seen from `eye`.
 static std::string boardBeforeWall(const Vec3d& eye, const std::string& comment, bool grid) {
     base::Random random(5);
@@ -339,6 +356,18 @@ void CleanCommandTest::mixedPixelsAreSeenFromWhereTheFileSays() {
              removed);
     QCOMPARE(left(boardBeforeWall(far, "", false), {{"op", "mixed"}, {"viewpoint", {1e6, -2e6, 50}}}).second, removed);
     QCOMPARE(left(boardBeforeWall({}, "", true), {{"op", "clean"}, {"mixed", true}}).second, removed);
+    Workbench again;
+    session::Journal journal(again.path("j.jsonl"));
+    again.context.journal = &journal;
+    again.run(open(again, boardBeforeWall({}, "", true)));
+    const std::string whole = again.hash();
+    again.run(plain);
+    const std::string after = again.hash();
+    Workbench replayed;
+    session::recover(journal.path(), replayed.context);
+    QCOMPARE(replayed.hash(), after);
+    again.run({{"op", "undo"}});
+    QVERIFY(again.hash() == whole && after != whole);
     Workbench none;
     none.run(test::newSphere(500));
     QVERIFY(none.refusal(plain).find("give the viewpoint") != std::string::npos);

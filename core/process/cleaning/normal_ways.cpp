@@ -25,17 +25,22 @@ std::vector<Vec3f> quadricNormals(const Cloud& cloud, const base::Progress& prog
 
 namespace {
 
-/// Points by row and column. Of several at one place in the grid the first counts.
+/// Points by row and column, and by scan where there are several. Of several at one place in the grid the first counts.
 class Grid {
     auto keys() const {
         return [this](std::uint32_t i) { return m_keys[i]; };
     }
 
   public:
-    Grid(const surfel::SurfelList& points, const surfel::Attribute& row, const surfel::Attribute& column)
+    Grid(const surfel::SurfelList& points, const surfel::Attribute& row, const surfel::Attribute& column,
+         const surfel::Attribute* scan)
         : m_keys(points.size()) {
+        double rows = 0;
+        for (std::size_t i = 0; i < points.size(); ++i)
+            rows = std::max(rows, surfel::read(row, points.extraOf(i)) + 2);
         for (std::uint32_t i = 0; i < m_keys.size(); ++i) {
-            m_keys[i] = keyOf(surfel::read(row, points.extraOf(i)), surfel::read(column, points.extraOf(i)));
+            const double before = scan ? rows * surfel::read(*scan, points.extraOf(i)) : 0; // one above the other
+            m_keys[i] = keyOf(before + surfel::read(row, points.extraOf(i)), surfel::read(column, points.extraOf(i)));
             if (m_index.find(m_keys[i], keys()) == base::KeyIndex::none)
                 m_index.add(i, keys());
         }
@@ -73,14 +78,16 @@ Vec3d along(const surfel::SurfelList& points, std::uint32_t i, std::uint32_t bef
 
 std::optional<std::vector<Vec3f>> gridNormals(const surfel::SurfelList& points, const base::Progress& progress) {
     const surfel::Attribute *row = points.layout->find("row"), *column = points.layout->find("column");
+    const surfel::Attribute* scan = points.layout->find("scan");
     if (!row || !column || points.items.empty())
         return {};
     for (std::size_t i = 0; i < points.size(); ++i)
-        for (const surfel::Attribute* each : {row, column})
-            if (const double v = surfel::read(*each, points.extraOf(i)); !(v >= 0 && v < 1e9))
+        for (const surfel::Attribute* each : {row, column, scan})
+            if (const double v = each ? surfel::read(*each, points.extraOf(i)) : 0;
+                !(v >= 0 && v < (each == scan ? 1e5 : 1e9)))
                 return {};
     progress.step(0, "Estimating normals");
-    const Grid grid(points, *row, *column);
+    const Grid grid(points, *row, *column, scan);
     std::vector<Vec3f> out(points.size());
     base::parallelFor(points.size(), 4096, [&](std::size_t n) {
         const auto i = static_cast<std::uint32_t>(n);
