@@ -1,10 +1,12 @@
 // pointclay clean: what is not the model taken out of a scan, by the session's own command, with its numbers.
 #include "app/open_model.h"
 #include "app/options/batch_options.h"
+#include "app/options/memory_option.h"
 #include "app/options/number_list.h"
 #include "app/options/output_names.h"
 #include "app/options/surface_options.h"
 #include "app/subcommands/subcommand.h"
+#include "app/tiled_clean.h"
 #include "app/writable_models.h"
 #include "core/io/safe_file.h"
 
@@ -18,7 +20,7 @@ using nlohmann::ordered_json;
 namespace {
 
 struct Options {
-    std::string in, out, report, viewpoint;
+    std::string in, out, report, viewpoint, memory;
     bool duplicates = false, mixed = false, dryRun = false;
     BatchOptions batch;
     GivenParameters steps;
@@ -81,6 +83,13 @@ ordered_json reportOf(const nlohmann::json& command, const session::Context& con
 ordered_json cleaned(const Options& options, const BatchJob& job, Console& console) {
     if (!options.dryRun)
         requireModelName(job.out);
+    if (!options.memory.empty() && needsTiles(job.in, bytesOf(options.memory))) {
+        std::vector<std::string> messages;
+        ordered_json report = cleanInTiles(job.in, job.out, session::complete(commandOf(options)),
+                                           bytesOf(options.memory), options.dryRun, messages, console.progress());
+        console.tell(messages);
+        return report;
+    }
     session::Document document;
     session::Context context{document, {}, console.progress(), {}, 0, {}, nullptr};
     openModel(context, job.in, options.surface->parameters(), console);
@@ -142,6 +151,12 @@ Action addClean(OptionSet command) {
             addParameter(command, "clean", p, helpOf(p), options->steps);
     command.add("--report", options->report, "JSON file to write the numbers of each step to").typeName("OUT.json");
     command.addFlag("--dry-run", options->dryRun, "tell what would go, and write no model");
+    command
+        .add("--memory", options->memory,
+             "memory to take: LAS files that need more are cleaned in tiles, with the same result, by --duplicates and "
+             "--outliers statistical, radius and surface; other steps refuse")
+        .typeName("BYTES[K|M|G]")
+        .check({memoryFault});
     addBatchOptions(command, options->batch);
     options->surface = addSurfaceOptions(command, false);
     return [options, command](Console& console) { run(*options, command, console); };

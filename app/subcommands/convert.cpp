@@ -3,7 +3,7 @@
 #include "app/open_model.h"
 #include "app/options/batch_options.h"
 #include "app/options/face_options.h"
-#include "app/options/number_list.h"
+#include "app/options/memory_option.h"
 #include "app/options/option_checks.h"
 #include "app/options/output_names.h"
 #include "app/subcommands/subcommand.h"
@@ -18,7 +18,6 @@
 #include "core/process/estimation/part_progress.h"
 #include "core/session/face_options.h"
 
-#include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -61,23 +60,6 @@ struct Options {
     std::string memory = "4G";
     BatchOptions batch;
 };
-
-/// Bytes of "4G", "512M", "64K" or a plain number; 0 for anything else.
-std::uint64_t bytesOf(std::string text) {
-    static constexpr std::string_view units = "KMG";
-    const auto unit = text.empty() ? std::string_view::npos : units.find(text.back());
-    if (unit != std::string_view::npos)
-        text.pop_back();
-    double number = 0;
-    if (!parseNumbers(text, ',', {&number, 1}) || !(number > 0) || number > 1e15)
-        return 0;
-    const double bytes = std::ldexp(number, unit == std::string_view::npos ? 0 : 10 * (static_cast<int>(unit) + 1));
-    return bytes < 1e18 ? static_cast<std::uint64_t>(bytes) : 0;
-}
-
-std::string memoryFault(const std::string& text) {
-    return bytesOf(text) > 0 ? "" : "'" + text + "' is no amount of memory; write 4G or 512M";
-}
 
 void thinPoints(io::FileModel& model, double spacing, const base::Progress& progress) {
     const std::vector<std::uint8_t> removed = process::thinned(

@@ -134,32 +134,6 @@ void keepRecords(const LasHeader& header, FileModel& model) {
                                   std::move(body)});
 }
 
-/// Where the usual choice sees no need for an origin, but floats would leave the grid, the middle gets one.
-std::optional<base::Vec3d> originOf(const LasHeader& header, const RecordTable& table) {
-    std::vector<base::Vec3d> sample;
-    const std::size_t wanted = std::min<std::size_t>(table.count, 4096);
-    base::Vec3d low, high;
-    bool leaves = false;
-    for (std::size_t s = 0; s < wanted; ++s) {
-        const std::size_t i = table.count / wanted * s + (table.count % wanted) * s / wanted;
-        base::Vec3d p;
-        for (std::size_t k = 0; k < 3; ++k) {
-            p[k] = valueOf(table, table.fields[k], i);
-            low[k] = s == 0 ? p[k] : std::min(low[k], p[k]);
-            high[k] = s == 0 ? p[k] : std::max(high[k], p[k]);
-            leaves |= std::abs(p[k]) > 0x1p23 * std::abs(header.scale[k]);
-        }
-        sample.push_back(p);
-    }
-    const base::Vec3d usual = chooseOrigin(sample, table.count), middle = (low + high) * 0.5;
-    if (!(usual == base::Vec3d{}) || !leaves || !base::isFinite(middle))
-        return usual;
-    const double extent = std::max({high.x - low.x, high.y - low.y, high.z - low.z});
-    const double round = extent > 0 ? std::pow(10.0, std::floor(std::log10(extent))) : 1;
-    return base::Vec3d{std::round(middle.x / round) * round, std::round(middle.y / round) * round,
-                       std::round(middle.z / round) * round};
-}
-
 void LasPoints::tell(FileModel& model) const {
     std::string grid(lasGridComment);
     for (std::size_t k = 0; k < 3; ++k)
@@ -182,13 +156,47 @@ void LasPoints::tell(FileModel& model) const {
 
 } // namespace
 
+std::vector<std::uint64_t> lasSamplePlaces(std::uint64_t count) {
+    const std::uint64_t wanted = std::min<std::uint64_t>(count, 4096);
+    std::vector<std::uint64_t> out;
+    for (std::uint64_t s = 0; s < wanted; ++s)
+        out.push_back(count / wanted * s + (count % wanted) * s / wanted);
+    return out;
+}
+
+base::Vec3d lasOrigin(const base::Vec3d& scale, std::span<const base::Vec3d> sample, std::uint64_t count) {
+    base::Vec3d low, high;
+    bool leaves = false;
+    for (std::size_t s = 0; s < sample.size(); ++s)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double x = sample[s][k];
+            low[k] = s == 0 ? x : std::min(low[k], x);
+            high[k] = s == 0 ? x : std::max(high[k], x);
+            leaves |= std::abs(x) > 0x1p23 * std::abs(scale[k]);
+        }
+    const base::Vec3d usual = chooseOrigin(sample, static_cast<std::size_t>(count)), middle = (low + high) * 0.5;
+    if (!(usual == base::Vec3d{}) || !leaves || !base::isFinite(middle))
+        return usual;
+    const double extent = std::max({high.x - low.x, high.y - low.y, high.z - low.z});
+    const double round = extent > 0 ? std::pow(10.0, std::floor(std::log10(extent))) : 1;
+    return base::Vec3d{std::round(middle.x / round) * round, std::round(middle.y / round) * round,
+                       std::round(middle.z / round) * round};
+}
+
 FileModel lasPoints(const FileBytes& file, const LasHeader& header, RecordTable& table, const ProgressSpan& progress) {
     progress.step(0);
     FileModel model;
     LasPoints points(header, table);
     points.addFields();
     points.tell(model);
-    makePoints(model, file, table, rolesOf(table.fields, false), {originOf(header, table), true},
+    std::vector<base::Vec3d> sample;
+    for (const std::uint64_t i : lasSamplePlaces(table.count)) {
+        base::Vec3d p;
+        for (std::size_t k = 0; k < 3; ++k)
+            p[k] = valueOf(table, table.fields[k], static_cast<std::size_t>(i));
+        sample.push_back(p);
+    }
+    makePoints(model, file, table, rolesOf(table.fields, false), {lasOrigin(header.scale, sample, table.count), true},
                {progress.progress, progress.from, progress.to});
     return model;
 }

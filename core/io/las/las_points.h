@@ -16,6 +16,12 @@ constexpr std::string_view lasGridComment = "las scale ";
 /// must stay until this returns.
 FileModel lasPoints(const FileBytes& file, const LasHeader& header, RecordTable& table, const ProgressSpan& progress);
 
+/// Which records are looked at before an origin is chosen.
+std::vector<std::uint64_t> lasSamplePlaces(std::uint64_t count);
+/// By those and the grid: where the usual choice sees no need for an origin, but floats would leave the grid, the
+/// middle gets one.
+base::Vec3d lasOrigin(const base::Vec3d& scale, std::span<const base::Vec3d> sample, std::uint64_t count);
+
 /// The same for a file that LASzip has compressed. Throws base::Error and base::Cancelled.
 FileModel readLaz(const FileBytes& file, const LasHeader& header, const base::Progress& progress);
 
