@@ -3,8 +3,8 @@
 #include "core/base/error.h"
 #include "core/io/file_name.h"
 #include "core/io/las/las_tiles.h"
+#include "core/process/cleaning/missing_sight.h"
 #include "core/process/estimation/duplicates.h"
-#include "core/process/estimation/keep_points.h"
 #include "core/process/estimation/part_progress.h"
 
 #include <filesystem>
@@ -20,13 +20,13 @@ namespace {
 /// Bytes that a point takes while its neighbours are looked at; measured.
 constexpr std::uint64_t perPoint = 450;
 
-/// The steps that look at nothing but neighbours are none of these.
+/// Throws base::Error for what is no matter of neighbours, or not of points that go.
 void refuseWholes(const json& command) {
     static constexpr const char* steps[][2] = {
         {"denoise", "it moves points, and tiles only take points out"},
         {"thin", "convert --thin does it in any memory"},
-        {"normals", "LAS has no room for them"},
-        {"orient", "LAS has no room for normals"},
+        {"normals", "it changes points, and tiles only take points out"},
+        {"orient", "which side is outside the whole decides"},
         {"mixed", "the scanner sees points beside each other that are any distance apart"}};
     for (const auto& [step, why] : steps) {
         const json value = command.value(step, json());
@@ -124,6 +124,9 @@ ordered_json cleanInTiles(const std::string& in, const std::string& out, const j
     std::vector<process::OutlierQuestion> questions;
     json ways = command.value("outliers", json());
     ways = ways.is_array() || ways.is_null() ? ways : json::array({ways});
+    if (ways.size() > 1 && !command.value("limit", json()).is_null())
+        throw base::Error("\"limit\" means something else to each way of finding outliers", {},
+                          "give one way, or several without a limit");
     for (const json& way : ways) {
         process::OutlierQuestion question{wayOf(way.get<std::string>()), {}};
         if (command.contains("limit") && !command.at("limit").is_null())

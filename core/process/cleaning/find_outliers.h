@@ -29,10 +29,4 @@ struct OutlierQuestion {
 std::vector<std::uint8_t> findOutliers(const Cloud& cloud, const OutlierQuestion& question,
                                        const base::Progress& progress = {});
 
-/// Of a part of a larger cloud, all of it within `low` and `high` in x and y: by how much that is too narrow for what
-/// is told of the positions that are `own` to be what is told of the whole; 0 where it is not. Islands, and swarms of
-/// more than a twentieth of all, may be larger than any part.
-double missingSight(const Cloud& part, std::span<const std::uint8_t> own, const float (&low)[2], const float (&high)[2],
-                    const base::Progress& progress = {});
-
 } // namespace process

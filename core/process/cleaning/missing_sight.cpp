@@ -1,6 +1,4 @@
-#include "core/process/cleaning/find_outliers.h"
-
-#include "core/process/neighbours/neighbour_table.h"
+#include "core/process/cleaning/missing_sight.h"
 
 #include <algorithm>
 #include <cmath>
