@@ -67,7 +67,7 @@ void SamplingToolsTest::relaxKeepsTheNumberOfSurfelsThatLieByChance() {
         const double more = (double(now.tree().size()) - double(count)) / double(under);
         const QString told = QString("%1 of %2, seed %3").arg(more).arg(under).arg(test::seed());
         qInfo("%s", qPrintable(told));
-        QVERIFY2(std::abs(more) < 0.03, qPrintable(told));
+        QVERIFY2(std::abs(more) < 0.03 + 4.0 / double(under), qPrintable(told)); // a few count where there are few
     }
 }
 
