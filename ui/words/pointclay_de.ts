@@ -1994,6 +1994,10 @@
         <translation>Für Linkshänder</translation>
     </message>
     <message>
+        <source>Least step in depth</source>
+        <translation>Kleinster Tiefensprung</translation>
+    </message>
+    <message>
         <source>Leave out parts of fewer than 200 triangles</source>
         <translation>Teile mit weniger als 200 Dreiecken weglassen</translation>
     </message>
@@ -2272,6 +2276,10 @@
     <message>
         <source>Mirror at %1 = 0</source>
         <translation>Spiegelung an %1 = 0</translation>
+    </message>
+    <message>
+        <source>Mixed pixels at edges in depth</source>
+        <translation>Mischpixel an Tiefensprüngen</translation>
     </message>
     <message>
         <source>Model</source>
@@ -2831,6 +2839,10 @@
     <message>
         <source>Remove</source>
         <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Remove mixed pixels</source>
+        <translation>Mischpixel entfernen</translation>
     </message>
     <message>
         <source>Remove outliers</source>
@@ -3417,8 +3429,12 @@
         <translation>Entfernt alles, was nicht ausgewählt ist; was bleibt, behält jedes Bit.</translation>
     </message>
     <message>
-        <source>Takes out of a scan what is not the model, in this order: duplicates, outliers, noise; thins it, and makes its normals anew.</source>
-        <translation>Entfernt aus einem Scan, was nicht das Modell ist, in dieser Reihenfolge: Doppelte, Ausreißer, Rauschen; dünnt ihn aus und macht seine Normalen neu.</translation>
+        <source>Takes out of a scan what is not the model, in this order: duplicates, mixed pixels, outliers, noise; thins it, and makes its normals anew.</source>
+        <translation>Entfernt aus einem Scan, was nicht das Modell ist, in dieser Reihenfolge: Doppelte, Mischpixel, Ausreißer, Rauschen; dünnt ihn aus und macht seine Normalen neu.</translation>
+    </message>
+    <message>
+        <source>Takes out points that a scanner measured half on the near and half on the far side of an edge: veils along the line of sight between two surfaces; masked ones stay.</source>
+        <translation>Entfernt Punkte, die ein Scanner halb auf der nahen und halb auf der fernen Seite einer Kante maß: Schleier längs der Sichtlinie zwischen zwei Flächen; maskierte bleiben.</translation>
     </message>
     <message>
         <source>Takes out points that are not of the model; masked ones stay. Which way normals look that opening estimated is guessed again.</source>
@@ -4153,6 +4169,10 @@
         <translation>Kugel, Quader, Ebene: Teile des Raums; Ansicht: ein Umriss in einem Bild; Bereich: was sie tragen; Stück: was zusammenhängt; Rand: Ränder</translation>
     </message>
     <message>
+        <source>beams apart</source>
+        <translation>Strahlabstände</translation>
+    </message>
+    <message>
         <source>blur, sharpen, cavity: radius that means are taken over; grow, shrink: how far, along the surface</source>
         <translation>Weichzeichnen, Schärfen, Vertiefungen: Radius, über den gemittelt wird; Erweitern, Verkleinern: wie weit, entlang der Fläche</translation>
     </message>
@@ -4549,12 +4569,20 @@
         <translation>Statistisch: weiter von ihren Nachbarn als diese von den ihren; Radius: mit zu wenigen anderen ringsum; Inseln: in kleinen Stücken abseits; Fläche: neben der Fläche, die ihre Nachbarn bilden</translation>
     </message>
     <message>
+        <source>steps in depth count from so many distances between neighbouring beams on</source>
+        <translation>Tiefensprünge zählen ab so vielen Abständen benachbarter Strahlen</translation>
+    </message>
+    <message>
         <source>surfels</source>
         <translation>Surfels</translation>
     </message>
     <message>
         <source>symmetric form that does not erode the model</source>
         <translation>symmetrische Form, die das Modell nicht abträgt</translation>
+    </message>
+    <message>
+        <source>take out mixed pixels: half on the near, half on the far side of an edge in depth</source>
+        <translation>Mischpixel entfernen: halb auf der nahen, halb auf der fernen Seite eines Tiefensprungs</translation>
     </message>
     <message>
         <source>takes what is hidden, too</source>
@@ -4677,8 +4705,12 @@
         <translation>wohin der Ursprung des anderen kommt, als x,y,z</translation>
     </message>
     <message>
-        <source>where the scanner stood: [x,y,z] in the file's coordinates; the origin unless told</source>
-        <translation>wo der Scanner stand: [x,y,z] in den Koordinaten der Datei; ohne Angabe der Ursprung</translation>
+        <source>where the scanner stood: [x,y,z] in the file's coordinates; the origin unless told, for mixed pixels what the file tells</source>
+        <translation>wo der Scanner stand: [x,y,z] in den Koordinaten der Datei; ohne Angabe der Ursprung, für Mischpixel das, was die Datei sagt</translation>
+    </message>
+    <message>
+        <source>where the scanner stood: [x,y,z] in the file's coordinates; what the file tells unless told</source>
+        <translation>wo der Scanner stand: [x,y,z] in den Koordinaten der Datei; ohne Angabe das, was die Datei sagt</translation>
     </message>
     <message>
         <source>where to: x,y,z; a selection goes along its mean normal unless told, a wall along its loop stands across the surface</source>
@@ -5249,6 +5281,18 @@
         <translation>Es trifft die Fläche des Modells nicht: Was kam, ist ein Teil für sich.</translation>
     </message>
     <message>
+        <source>Mixed pixels: %1 of %2 points removed, %3 %, seen from the file's %4 viewpoints.</source>
+        <translation>Mischpixel: %1 von %2 Punkten entfernt, %3 %, von den %4 Standpunkten der Datei gesehen.</translation>
+    </message>
+    <message>
+        <source>Mixed pixels: %1 of %2 points removed, %3 %, seen from the file's viewpoint.</source>
+        <translation>Mischpixel: %1 von %2 Punkten entfernt, %3 %, vom Standpunkt der Datei gesehen.</translation>
+    </message>
+    <message>
+        <source>Mixed pixels: %1 of %2 points removed, %3 %, seen from the viewpoint told.</source>
+        <translation>Mischpixel: %1 von %2 Punkten entfernt, %3 %, vom angegebenen Standpunkt gesehen.</translation>
+    </message>
+    <message>
         <source>Outliers (islands): %1 of %2 points removed, %3 %.</source>
         <translation>Ausreißer (Inseln): %1 von %2 Punkten entfernt, %3 %.</translation>
     </message>
@@ -5766,6 +5810,10 @@
         <translation>Sucht Ränder</translation>
     </message>
     <message>
+        <source>Looking for creases</source>
+        <translation>Sucht Falze</translation>
+    </message>
+    <message>
         <source>Looking for duplicates</source>
         <translation>Sucht Doppelte</translation>
     </message>
@@ -5792,6 +5840,10 @@
     <message>
         <source>Looking for its place</source>
         <translation>Sucht seinen Ort</translation>
+    </message>
+    <message>
+        <source>Looking for mixed pixels</source>
+        <translation>Sucht Mischpixel</translation>
     </message>
     <message>
         <source>Looking for neighbours</source>
