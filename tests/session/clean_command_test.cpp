@@ -319,14 +319,16 @@ void CleanCommandTest::scansHaveGridsOfTheirOwn() {
 }
 
 /// A board before a wall, and a row of points between them along its rims, seen from `eye`.
-static std::string boardBeforeWall(const Vec3d& eye, const std::string& comment, bool grid) {
+/// Points come from `scans` scans by turns.
+static std::string boardBeforeWall(const Vec3d& eye, const std::string& comment, bool grid, int scans = 0) {
     base::Random random(5);
     std::ostringstream out;
     out.precision(12);
     out << "ply\nformat ascii 1.0\n"
         << comment << "element vertex 3600\nproperty double x\nproperty double y\n"
         << "property double z\n"
-        << (grid ? "property int row\nproperty int column\n" : "") << "end_header\n";
+        << (grid ? "property int row\nproperty int column\n" : "") << (scans > 0 ? "property int scan\n" : "")
+        << "end_header\n";
     for (int i = 0; i < 60; ++i)
         for (int j = 0; j < 60; ++j) {
             const int in = std::min(std::min(i - 20, 40 - i), std::min(j - 20, 40 - j));
@@ -335,6 +337,8 @@ static std::string boardBeforeWall(const Vec3d& eye, const std::string& comment,
             out << p.x << ' ' << p.y << ' ' << p.z;
             if (grid)
                 out << ' ' << i << ' ' << j;
+            if (scans > 0)
+                out << ' ' << (i + j) % scans;
             out << '\n';
         }
     return out.str();
@@ -379,6 +383,11 @@ void CleanCommandTest::mixedPixelsAreSeenFromWhereTheFileSays() {
                                       "0 0 0\n",
                                       false)));
     QVERIFY(several.refusal(plain).find("give the viewpoint") != std::string::npos);
+    const std::string one = "comment viewpoint 0 0 0 1 0 0 0\n";
+    QCOMPARE(left(boardBeforeWall({}, one, false, 1), plain).second, removed);
+    Workbench joined; // another scan was moved onto the one that the viewpoint is of
+    joined.run(open(joined, boardBeforeWall({}, one, false, 2)));
+    QVERIFY(joined.refusal(plain).find("give the viewpoint") != std::string::npos);
 }
 
 void CleanCommandTest::nonsenseIsRefused() {

@@ -1,7 +1,7 @@
 #include "ui/panels/scene_panel.h"
 
-#include "ui/theme/counted.h"
 #include "ui/theme/icon.h"
+#include "ui/words/counted.h"
 
 #include <nlohmann/json.hpp>
 #include <QHBoxLayout>

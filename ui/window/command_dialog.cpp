@@ -1,13 +1,13 @@
 #include "ui/window/command_dialog.h"
 
 #include "core/surface/definition_options.h"
-#include "ui/theme/counted.h"
 #include "ui/theme/theme.h"
 #include "ui/window/file_dialogs.h"
 #include "ui/window/grown_dialog.h"
 #include "ui/window/parameter_values.h"
 #include "ui/window/parameter_words.h"
 #include "ui/window/status_line.h"
+#include "ui/words/counted.h"
 #include "ui/words/words.h"
 
 #include <algorithm>

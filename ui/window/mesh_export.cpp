@@ -1,7 +1,7 @@
 #include "ui/window/mesh_export.h"
 
-#include "ui/theme/counted.h"
 #include "ui/window/file_dialogs.h"
+#include "ui/words/counted.h"
 #include "ui/work/editor.h"
 #include "ui/work/post.h"
 

@@ -1,9 +1,9 @@
 #include "ui/window/status_line.h"
 
 #include "ui/panels/elided_label.h"
-#include "ui/theme/counted.h"
 #include "ui/theme/icon.h"
 #include "ui/theme/theme.h"
+#include "ui/words/counted.h"
 
 #include <QLabel>
 #include <QProgressBar>
