@@ -63,6 +63,6 @@ set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON) # needs dpkg-dev, which g++ brings
 # Loaded when wanted, so that no library names them.
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "qt6-qpa-plugins, libxcb-cursor0, fonts-dejavu-core")
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "qt6-translations-l10n") # words of Qt's own dialogs
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libosmesa6, libgl1-mesa-dri")
+# The last one has the words of Qt's own dialogs.
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libosmesa6, libgl1-mesa-dri, qt6-translations-l10n")
 include(CPack)
