@@ -61,15 +61,16 @@ class PairTracer {
             const Vec3d way = tangent(*at); // of this foot: marching forgets it
             const End end = march(way, start.spacing, seam.points);
             End back = End::Open;
-            if (end == End::Open || end == End::Met) {
+            if (end != End::Closed) {
                 std::reverse(seam.points.begin(), seam.points.end());
                 back = march(-way, start.spacing, seam.points);
             }
-            seam.closed = end == End::Closed;
+            seam.closed = end == End::Closed || back == End::Closed;
             take(seam);
-            if (joins(end, seam.points.front(), seam, first, out) || joins(back, seam.points.back(), seam, first, out))
+            if (!seam.closed && (joins(end, seam.points.front(), seam, first, out) ||
+                                 joins(back, seam.points.back(), seam, first, out)))
                 continue;
-            const bool spur = end == End::Met || back == End::Met;
+            const bool spur = !seam.closed && (end == End::Met || back == End::Met);
             if (seam.length() > (spur ? longestSpur : stepLength) * start.spacing)
                 out.push_back(std::move(seam));
         }
@@ -152,7 +153,7 @@ class PairTracer {
     /// How a way ends: somewhere, where it began, or on a seam that is known.
     enum class End { Open, Closed, Met };
 
-    /// Appends points behind the last one.
+    /// Appends points behind the last one. Of what closes the ring alone is left.
     End march(Vec3d way, double spacing, std::vector<Vec3d>& out) {
         const std::size_t before = out.size();
         const Vec3d start = out.back();
@@ -171,11 +172,10 @@ class PairTracer {
             }
             p = *next;
             way = turned;
-            if (out.size() > before + 3 && base::distance(p, start) < closing * stepLength * spacing) {
-                out.push_back(start);
-                return End::Closed;
-            }
-            if (const auto again = passedAt(passed, out, p, side); again) { // it began on a spur of what closes
+            std::optional<std::size_t> again = passedAt(passed, out, p, side); // it began on a spur of what closes
+            if (out.size() > before + 3 && base::distance(p, start) < closing * stepLength * spacing)
+                again = before - 1;
+            if (again) {
                 out.erase(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(*again));
                 out.push_back(out.front());
                 return End::Closed;
