@@ -28,17 +28,16 @@ std::optional<process::Eyes> eyesOf(const Document& document, const surfel::Surf
         out.places.emplace_back();
     if (out.places.empty())
         return {};
-    if (out.places.size() > 1) {
-        const surfel::Attribute* scan = points.layout->find("scan");
-        if (!scan)
-            return {};
+    const surfel::Attribute* scan = points.layout->find("scan");
+    if (!scan && out.places.size() > 1)
+        return {};
+    if (scan) // of one place, too: other scans may have been moved onto the file's
         for (std::size_t i = 0; i < points.size(); ++i) {
             const double number = surfel::read(*scan, points.extraOf(i));
             if (!(number >= 0 && number < static_cast<double>(out.places.size())))
                 return {};
             out.of.push_back(static_cast<std::uint32_t>(number));
         }
-    }
     for (Vec3d& place : out.places)
         place = place - document.provenance().origin;
     return out;
