@@ -8,6 +8,7 @@
 #include "core/process/estimation/prepare.h"
 #include "core/process/registering/rigid.h"
 #include "core/surface/curves/boundary_curves.h"
+#include "core/surface/rims.h"
 #include "meshed.h"
 #include "placed_shapes.h"
 #include "process/even_shapes.h"
@@ -36,6 +37,7 @@ class ExtrudeTest : public QObject {
     void rimsOfWallsAreAsHighAsAsked_data();
     void rimsOfWallsAreAsHighAsAsked();
     void wallsGoOnFromTheSurface();
+    void modelsThatKnowTheirRimsGetTheSameWalls();
     void whatCannotBeExtrudedIsRefused();
 };
 
@@ -277,6 +279,44 @@ void ExtrudeTest::wallsGoOnFromTheSurface() {
         const Vec3d p = base::cast<double>(each.position), flat{p.x, p.y, 0};
         QVERIFY(std::abs(length(flat) - 1) < 0.01 && dot(normalized(flat), base::cast<double>(each.normal)) > 0.99);
     }
+}
+
+namespace {
+
+/// Round, of radius 1.5; its surfels tell where it ends, or its limit does.
+surface::Surface openDisc(bool known) {
+    auto layout = std::make_shared<surfel::AttributeLayout>(*test::orientedLayout());
+    layout->add(surface::rimName, surfel::ScalarType::UInt8);
+    surfel::SurfelList points;
+    points.layout = layout;
+    for (const surfel::Surfel& s : test::planePoints(90, 0.05).items)
+        if (length(s.position) < 1.5F) {
+            const std::uint32_t rim = 1.5F - length(s.position) < surface::rimReach * s.support ? 1 : 0;
+            points.append(s, {&rim, 1});
+        }
+    surface::SurfaceDefinition definition;
+    definition.boundaryLimit = 0.3F;
+    definition.knownRims = known;
+    return {tree::SurfelTree::build(points), definition};
+}
+
+} // namespace
+
+void ExtrudeTest::modelsThatKnowTheirRimsGetTheSameWalls() {
+    std::vector<std::size_t> walls, curves;
+    for (const bool known : {false, true}) {
+        const surface::Surface disc = openDisc(known);
+        const auto part = chosen(disc.tree(), {}, [](const Vec3d& p, const Vec3d&) { return length(p) < 0.7; });
+        for (const solid::Extruded& result :
+             {solid::extrudeLoop(disc, {}, {0.6, {}, true}), solid::extrudeSelected(disc, part, {0.5, {}, true})}) {
+            walls.push_back(result.walls);
+            curves.push_back(surface::findBoundaryCurves(result.surface).size());
+        }
+    }
+    QVERIFY(walls[0] > 0 && walls[1] > 0);
+    QCOMPARE(walls[2], walls[0]);
+    QCOMPARE(walls[3], walls[1]);
+    QCOMPARE(curves, std::vector<std::size_t>(4, 1));
 }
 
 void ExtrudeTest::whatCannotBeExtrudedIsRefused() {

@@ -233,6 +233,7 @@ Extruded extrudeSelected(const surface::Surface& surface, const tree::Selection&
     surface::SurfaceDefinition definition = surface.definition();
     definition.boundary = surface::Boundary::Limit;
     definition.boundaryLimit = limitOfBorder;
+    definition.knownRims = false; // borders with the rest are none of the whole's
     auto [loops, stands] = bordersWithRest(surface, part, definition, progress);
     takeSides(surface, loops, stands, part);
 
