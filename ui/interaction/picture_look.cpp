@@ -1,6 +1,7 @@
 #include "ui/interaction/picture_look.h"
 
 #include "core/render/shading/selected_colours.h"
+#include "core/surface/rims.h"
 
 #include <algorithm>
 #include <QWidget>
@@ -32,13 +33,16 @@ render::RenderOptions PictureLook::options() const {
     return out;
 }
 
-/// Of several models, all surfels as one surface, which ends where the first of them does.
+/// Of several models, all surfels as one surface, which ends where the first of them does; by their rims where all of
+/// them know these.
 static surface::Surface allOf(const Snapshot& now) {
     if (now.beside.empty())
         return now.surface;
     surface::SurfaceDefinition definition = now.surface.definition();
-    for (const session::ShownModel& each : now.beside)
+    for (const session::ShownModel& each : now.beside) {
         definition.boundaryLimit = std::min(definition.boundaryLimit, each.surface.definition().boundaryLimit);
+        definition.knownRims = definition.knownRims && surface::knowsRims(each.surface);
+    }
     return {now.whole, definition};
 }
 
