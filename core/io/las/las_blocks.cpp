@@ -1,7 +1,8 @@
 #include "core/io/las/las_blocks.h"
 
+#include "core/base/cancel_scope.h"
+
 #include <cstring>
-#include <iterator>
 
 namespace io {
 
@@ -58,10 +59,15 @@ std::optional<LasBlocks> LasBlocks::open(const std::filesystem::path& path) {
     return out;
 }
 
-std::string LasBlocks::tail() const {
+void LasBlocks::forTail(const std::function<void(const std::string&)>& fn) const {
     std::ifstream in(m_path, std::ios::binary);
     in.seekg(static_cast<std::streamoff>(m_head.size() + m_points * m_stride));
-    return {std::istreambuf_iterator<char>(in), {}};
+    std::string part(std::size_t(1) << 20, '\0');
+    while (in.read(part.data(), static_cast<std::streamsize>(part.size())) || in.gcount() > 0) {
+        base::CancelScope::check();
+        part.resize(static_cast<std::size_t>(in.gcount()));
+        fn(part);
+    }
 }
 
 } // namespace io

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <functional>
 #include <optional>
 
 namespace io {
@@ -41,8 +42,8 @@ class LasBlocks {
                 fn(first + k, bytes.data() + k * m_stride);
         }
     }
-    /// What stands behind the records.
-    std::string tail() const;
+    /// What stands behind the records, part by part: waveforms are more than memory holds, too. Throws base::Cancelled.
+    void forTail(const std::function<void(const std::string&)>& fn) const;
 
   private:
     std::filesystem::path m_path;

@@ -154,6 +154,7 @@ LasTile LasTiles::load(const Box& own, double margin, const base::Progress& prog
 }
 
 void LasTiles::sweep(const std::function<double(const LasTile&)>& decide, const base::Progress& progress) const {
+    constexpr double leastGrowth = 0.1; // each time is a pass over the file
     const auto all = static_cast<double>(m_tiles.size());
     for (std::size_t t = 0; t < m_tiles.size(); ++t) {
         const Box& box = m_tiles[t];
@@ -161,7 +162,8 @@ void LasTiles::sweep(const std::function<double(const LasTile&)>& decide, const 
         // A few points' distance on a surface of the tile's size to begin with.
         const double wide = static_cast<double>(box.high[0] - box.low[0]) * std::abs(m_records.scale().x);
         const double high = static_cast<double>(box.high[1] - box.low[1]) * std::abs(m_records.scale().y);
-        for (double margin = 0.02 * std::max(wide, high), missing = 1; missing > 0; margin += 1.1 * missing)
+        double margin = 0.02 * std::max(wide, high);
+        for (double missing = 1; missing > 0; margin += std::max(1.1 * missing, leastGrowth * margin))
             missing = decide(load(box, margin, progress, from, to));
     }
 }
@@ -220,7 +222,7 @@ void LasTiles::write(const std::filesystem::path& path, const base::Progress& pr
             file.write(bytes), bytes.clear();
     });
     file.write(bytes);
-    file.write(m_records.tail());
+    m_records.forTail([&](const std::string& part) { file.write(part); });
     file.commit();
 }
 
