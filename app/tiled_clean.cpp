@@ -45,6 +45,29 @@ process::OutlierWay wayOf(const std::string& name) {
                                : process::OutlierWay::Statistical;
 }
 
+/// A way of finding outliers, by its name.
+struct Wish {
+    std::string way;
+    process::OutlierQuestion question;
+};
+
+/// In the order in which they are asked for. Throws base::Error for those that do not work in tiles.
+std::vector<Wish> wishesOf(const json& command) {
+    const json outliers = command.value("outliers", json()), limit = command.value("limit", json());
+    const json ways = outliers.is_array() || outliers.is_null() ? outliers : json::array({outliers});
+    if (ways.size() > 1 && !limit.is_null())
+        throw base::Error("\"limit\" means something else to each way of finding outliers", {},
+                          "give one way, or several without a limit");
+    std::vector<Wish> out;
+    for (const json& way : ways) {
+        const auto name = way.get<std::string>();
+        out.push_back({name, {wayOf(name), {}}});
+        if (!limit.is_null())
+            out.back().question.limit = limit.get<double>();
+    }
+    return out;
+}
+
 class TiledClean {
   public:
     TiledClean(io::LasTiles& tiles, base::Progress progress) : m_tiles(tiles), m_progress(std::move(progress)) {}
@@ -121,42 +144,30 @@ ordered_json cleanInTiles(const std::string& in, const std::string& out, const j
                           "convert it to LAS, or give more --memory");
     if (!dryRun && io::extensionOf(out) != "las")
         throw base::Error("what was cleaned in tiles is written as LAS alone", out, "name it .las");
-    std::vector<process::OutlierQuestion> questions;
-    json ways = command.value("outliers", json());
-    ways = ways.is_array() || ways.is_null() ? ways : json::array({ways});
-    if (ways.size() > 1 && !command.value("limit", json()).is_null())
-        throw base::Error("\"limit\" means something else to each way of finding outliers", {},
-                          "give one way, or several without a limit");
-    for (const json& way : ways) {
-        process::OutlierQuestion question{wayOf(way.get<std::string>()), {}};
-        if (command.contains("limit") && !command.at("limit").is_null())
-            question.limit = command.at("limit").get<double>();
-        questions.push_back(question);
-    }
+    const std::vector<Wish> wishes = wishesOf(command);
     ordered_json report;
     const std::uint64_t read = records->size();
     io::LasTiles tiles(std::move(*records), memory / perPoint, process::part(progress, 0, 0.1));
     TiledClean clean(tiles, progress);
-    const double sweeps = static_cast<double>(questions.size() + 1);
-    const std::uint64_t merged = clean.duplicates(0.1, 0.1 + 0.8 / sweeps);
+    const double share = 0.8 / static_cast<double>(wishes.size() + 1); // of a sweep
+    double from = 0.1 + share;
+    const std::uint64_t merged = clean.duplicates(0.1, from);
     report["read"] = read, report["merged"] = merged, report["tiles"] = tiles.count();
     std::uint64_t all = 0;
-    for (std::size_t k = 0; k < questions.size(); ++k) {
-        const double from = 0.1 + 0.8 * static_cast<double>(k + 1) / sweeps;
-        const std::uint64_t before = tiles.left(), found = clean.outliers(questions[k], from, from + 0.8 / sweeps);
-        const auto way = ways[k].get<std::string>();
-        all += found;
-        report["outliers"]["by"][way] = found;
-        messages.push_back("Outliers (" + way + "): " + std::to_string(found) + " of " + std::to_string(before) +
+    for (const Wish& wish : wishes) {
+        const std::uint64_t before = tiles.left(), found = clean.outliers(wish.question, from, from + share);
+        from += share, all += found;
+        report["outliers"]["by"][wish.way] = found;
+        messages.push_back("Outliers (" + wish.way + "): " + std::to_string(found) + " of " + std::to_string(before) +
                            " points removed.");
     }
-    if (!questions.empty())
+    if (!wishes.empty())
         report["outliers"]["removed"] = all;
     report["surfels"] = tiles.left();
     messages.insert(messages.begin(), std::to_string(read) + " points were read in " + std::to_string(tiles.count()) +
                                           (tiles.count() == 1 ? " tile, " : " tiles, ") + std::to_string(merged) +
                                           " stood in the place of others and were merged with them.");
-    if (!questions.empty())
+    if (!wishes.empty())
         messages.emplace_back("Swarms of strays were looked for in each tile by itself.");
     if (!dryRun)
         tiles.write(out, process::part(progress, 0.9, 1));
