@@ -10,8 +10,10 @@ namespace mesh {
 /// All loose ends of the grid, in the order of faces.
 std::vector<LooseEnd> looseEnds(const GradedGrid& grid);
 
-/// Replaces `out` by the loops of a cube.
+/// Has a face of the cube an end of a section that nothing goes on from: is a rim in it?
 bool hasLooseEnd(const GradedGrid& grid, const CubeLevels::Cube& cube);
+
+/// Replaces `out` by the loops of a cube.
 void loopsOf(const GradedGrid& grid, const LooseEnds& loose, const CubeLevels::Cube& cube, std::vector<Loop>& out);
 
 } // namespace mesh

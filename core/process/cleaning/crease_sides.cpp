@@ -67,7 +67,7 @@ Vec3d faceNormal(const Planes& planes, const Vec3d& given) {
     constexpr std::size_t from = 4, to = 16;
     constexpr double better = 1.1;
     constexpr double clear = 0.68; // of noise alone 0.79 are left
-    Vec3d best = given, middle;
+    Vec3d middle;
     const std::span<const Vec3d> places = planes.places();
     for (const Vec3d& q : places)
         middle += q / static_cast<double>(places.size());
@@ -76,7 +76,7 @@ Vec3d faceNormal(const Planes& planes, const Vec3d& given) {
     double most = planes.holds(middle, normal) ? better * planes.agreement(middle, normal) : 0;
     if (most >= clear * better * static_cast<double>(places.size()))
         return normal;
-    best = most > 0 ? normal : given;
+    Vec3d best = most > 0 ? normal : given;
     for (std::size_t j = from; j < std::min(to, places.size()); ++j)
         for (std::size_t k = j + 1; k < std::min(to, places.size()); ++k) {
             Vec3d n = cross(places[j], places[k]), point;

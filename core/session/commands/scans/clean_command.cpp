@@ -79,8 +79,7 @@ CommandRow cleanCommand() {
     return {"clean",
             "Clean",
             "Takes out of a scan what is not the model, in this order: duplicates, mixed pixels, outliers, noise; "
-            "thins it, and "
-            "makes its normals anew.",
+            "thins it, and makes its normals anew.",
             parameters,
             true,
             false,
