@@ -28,6 +28,7 @@ class CleanCommandTest : public QObject {
     void gridsGiveNormals();
     void scansHaveGridsOfTheirOwn();
     void mixedPixelsAreSeenFromWhereTheFileSays();
+    void scannersMoveWithTheirModels();
     void nonsenseIsRefused();
 };
 
@@ -388,6 +389,33 @@ void CleanCommandTest::mixedPixelsAreSeenFromWhereTheFileSays() {
     Workbench joined; // another scan was moved onto the one that the viewpoint is of
     joined.run(open(joined, boardBeforeWall({}, one, false, 2)));
     QVERIFY(joined.refusal(plain).find("give the viewpoint") != std::string::npos);
+}
+
+/// Of a grid without a comment, of one with, and of two scans: what goes is what would have gone before.
+void CleanCommandTest::scannersMoveWithTheirModels() {
+    const json moves[] = {{{"op", "transform"}, {"matrix", {0, -2, 0, 5, 2, 0, 0, -7, 0, 0, 2, 1e3, 0, 0, 0, 1}}},
+                          {{"op", "unit"}, {"from", {0, 0, 0}}, {"to", {1, 0, 0}}, {"length", 1000}}};
+    const std::string files[] = {
+        boardBeforeWall({}, "", true), boardBeforeWall({3, 4, 5}, "comment viewpoint 3 4 5 1 0 0 0\n", false),
+        boardBeforeWall({}, "comment scan a viewpoint 0 0 0 1 0 0 0\ncomment scan b viewpoint 0 0 0 1 0 0 0\n", false,
+                        2)};
+    for (const std::string& file : files) {
+        Workbench bench;
+        bench.run(open(bench, file));
+        bench.run({{"op", "mixed"}});
+        const double removed = bench.context.figures.at("mixed");
+        bench.run({{"op", "undo"}});
+        for (const json& move : moves) {
+            bench.run(move);
+            bench.run({{"op", "mixed"}});
+            const double now = bench.context.figures.at("mixed");
+            QVERIFY2(removed > 20 && std::abs(now - removed) <= 2, qPrintable(QString("%1 %2").arg(now).arg(removed)));
+            bench.run({{"op", "undo"}});
+            bench.run({{"op", "undo"}});
+        }
+        bench.run({{"op", "mixed"}});
+        QCOMPARE(bench.context.figures.at("mixed"), removed);
+    }
 }
 
 void CleanCommandTest::nonsenseIsRefused() {

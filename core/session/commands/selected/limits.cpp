@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/io/origin_choice.h"
 #include "core/session/commands/scans/clean_steps.h"
+#include "core/session/commands/scans/viewpoints.h"
 #include "core/surface/definition_text.h"
 
 #include <nlohmann/json.hpp>
@@ -57,11 +58,18 @@ static void commitWhole(Context& context, selection::Affine map, const std::stri
     if (map.isNothing())
         return;
     const base::Vec3d origin = originAfter(document, map);
+    auto provenance = std::make_shared<Provenance>(document.provenance());
+    provenance->origin = origin;
+    provenance->comments = movedViewpoints(std::move(provenance->comments), *document.surface().tree().layout(),
+                                           map.about(document.provenance().origin));
     map.shift += document.provenance().origin - origin;
     const surface::Surface next = selection::transformed(document.surface(), map, selection::Limit::Everything);
     document.commitMoved(
         {layers::mapped(next.tree(), document.layers(), map.linear, map.shift), moved(next.definition(), map)}, origin,
         label);
+    Scene scene = document.scene();
+    scene.models[scene.active].provenance = std::move(provenance);
+    document.amend(std::move(scene)); // the same step
 }
 
 void commitMoved(Context& context, const selection::Affine& map, selection::Limit limit, const std::string& label) {
