@@ -40,16 +40,6 @@ bool hasDialog(const session::CommandRow& row) {
            std::find(elsewhere.begin(), elsewhere.end(), row.op) == elsewhere.end();
 }
 
-static QString rangeOf(const CommandParameter& p) {
-    constexpr double endless = 1e9; // as good as no limit at all
-    if (p.max <= p.min || p.max >= endless)
-        return {};
-    const QString low = p.min < 1e-30 ? QString(p.min < 0 ? "" : "0") : QString::number(p.min);
-    constexpr double large = 1e5; // told with its digits, not as 2e+08
-    return QObject::tr(" (%1 to %2)")
-        .arg(low, p.max < large ? QString::number(p.max) : counted(static_cast<qulonglong>(p.max)));
-}
-
 static QString enteredIn(const QWidget* field) {
     if (const auto* line = qobject_cast<const QLineEdit*>(field))
         return line->text().trimmed();
@@ -231,7 +221,7 @@ void CommandDialog::lookForFile(QLineEdit& line) {
 void CommandDialog::add(QFormLayout& form, const CommandParameter& p, QString& taken) {
     QWidget* field = make(p);
     const QString unit = *p.unit ? QString(", %1").arg(spoken(p.unit)) : QString();
-    field->setToolTip(QString("%1%2%3").arg(spoken(p.tip), unit, rangeOf(p)));
+    field->setToolTip(QString("%1%2%3").arg(spoken(p.tip), unit, rangeWords(p.min, p.max)));
     field->setObjectName(p.id);
     field->installEventFilter(this);
     auto* label = new QLabel(withMnemonic(parameterWords(m_row.op, p.id), taken) + unit);

@@ -2,10 +2,20 @@
 
 #include "core/io/formats.h"
 
+#include <QMimeData>
 #include <QString>
 #include <QStringList>
+#include <QUrl>
 
 namespace ui {
+
+std::vector<std::filesystem::path> localFiles(const QMimeData& data) {
+    std::vector<std::filesystem::path> out;
+    for (const QUrl& url : data.urls())
+        if (url.isLocalFile())
+            out.emplace_back(url.toLocalFile().toStdString());
+    return out;
+}
 
 Dropped droppedAs(const std::filesystem::path& path) {
     std::error_code none;

@@ -1,7 +1,10 @@
-// What becomes of a file that is dropped on the window. Free functions, from any thread.
+// Files that are dropped on the window, and what becomes of them. Free functions, from any thread.
 #pragma once
 
 #include <filesystem>
+#include <vector>
+
+class QMimeData;
 
 namespace ui {
 
@@ -12,6 +15,7 @@ enum class Dropped {
     Other   ///< nothing, and that is said
 };
 
+std::vector<std::filesystem::path> localFiles(const QMimeData& data);
 /// By what it is and by its extension.
 Dropped droppedAs(const std::filesystem::path& path);
 

@@ -26,7 +26,6 @@
 #include <QMimeData>
 #include <QScreen>
 #include <QTimer>
-#include <QUrl>
 
 namespace ui {
 
@@ -337,14 +336,6 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     keepSettings();
     m_editor->discardJournal();
     event->accept();
-}
-
-static std::vector<std::filesystem::path> localFiles(const QMimeData& data) {
-    std::vector<std::filesystem::path> out;
-    for (const QUrl& url : data.urls())
-        if (url.isLocalFile())
-            out.emplace_back(url.toLocalFile().toStdString());
-    return out;
 }
 
 /// Says before the button comes up what will happen.

@@ -1,5 +1,6 @@
 #include "ui/window/parameter_words.h"
 
+#include "ui/words/counted.h"
 #include "ui/words/words.h"
 
 #include <QObject>
@@ -121,6 +122,16 @@ QString choiceWords(std::string_view id) {
     };
     const char* text = find(words, id);
     return spoken(text ? std::string(text) : plain(id).toStdString(), "choice");
+}
+
+QString rangeWords(double min, double max) {
+    constexpr double endless = 1e9; // as good as no limit at all
+    constexpr double large = 1e5;   // told with its digits, not as 2e+08
+    if (max <= min || max >= endless)
+        return {};
+    const QString low = min < 1e-30 ? QString(min < 0 ? "" : "0") : QString::number(min);
+    return QObject::tr(" (%1 to %2)")
+        .arg(low, max < large ? QString::number(max) : counted(static_cast<qulonglong>(max)));
 }
 
 QString withMnemonic(const QString& label, QString& taken) {

@@ -11,6 +11,8 @@ namespace ui {
 /// Of a parameter of the command `op`.
 QString parameterWords(std::string_view op, std::string_view id);
 QString choiceWords(std::string_view id);
+/// " (0 to 1)"; empty where there is no limit worth telling.
+QString rangeWords(double min, double max);
 /// With an ampersand before a letter that is not in `taken` yet, and now is.
 QString withMnemonic(const QString& label, QString& taken);
 
