@@ -49,6 +49,11 @@ static std::vector<json> valuesOf(const DefinitionOption& option, base::Random& 
     return out;
 }
 
+/// As words of PLY comments have it.
+static std::string wordOf(const json& value) {
+    return value.is_boolean() ? value ? "on" : "off" : value.is_string() ? value.get<std::string>() : value.dump();
+}
+
 static bool isParameter(const DefinitionOption& option) {
     return option.chosenBy == surface::ChosenBy::Person;
 }
@@ -61,7 +66,7 @@ void DefinitionOptionsTest::everyRowSurvivesSessionLineAndWords() {
             if (isParameter(option))
                 set = session::changed({}, session::complete({{"op", "surface"}, {option.id, value}})).definition;
             else
-                surface::setText(option, set, value.is_string() ? value.get<std::string>() : value.dump());
+                surface::setText(option, set, wordOf(value));
             const std::string told = std::string(option.id) + " " + value.dump() + ", seed " +
                                      std::to_string(test::seed()) + ": " + surface::toWords(set);
             QVERIFY2(surface::definitionFromWords(surface::toWords(set)) == set, told.c_str());
@@ -69,7 +74,7 @@ void DefinitionOptionsTest::everyRowSurvivesSessionLineAndWords() {
             if (value.is_number())
                 QVERIFY2(json::parse(word).get<float>() == value.get<float>(), told.c_str());
             else
-                QVERIFY2(word == (value.is_boolean() ? value ? "on" : "off" : value.get<std::string>()), told.c_str());
+                QVERIFY2(word == wordOf(value), told.c_str());
         }
 }
 
