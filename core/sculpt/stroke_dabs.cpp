@@ -319,6 +319,8 @@ bool Dabs::restSlice() {
     base::Box3f box;
     for (const tree::BlockEdit& each : edit.blocks)
         box.extend(m_surface.tree().block(each.block)->box());
+    for (const surfel::Surfel& each : edit.inserted.items)
+        box.extend(each.position);
     Dab dab = m_pattern;
     dab.centre = box.centre();
     dab.radius = 0.5f * box.diagonal();
