@@ -58,17 +58,17 @@ static void commitWhole(Context& context, selection::Affine map, const std::stri
     if (map.isNothing())
         return;
     const base::Vec3d origin = originAfter(document, map);
-    auto provenance = std::make_shared<Provenance>(document.provenance());
-    provenance->origin = origin;
-    provenance->comments = movedViewpoints(std::move(provenance->comments), *document.surface().tree().layout(),
-                                           map.about(document.provenance().origin));
+    std::vector<std::string> comments = movedViewpoints(
+        document.provenance().comments, *document.surface().tree().layout(), map.about(document.provenance().origin));
     map.shift += document.provenance().origin - origin;
     const surface::Surface next = selection::transformed(document.surface(), map, selection::Limit::Everything);
     document.commitMoved(
         {layers::mapped(next.tree(), document.layers(), map.linear, map.shift), moved(next.definition(), map)}, origin,
         label);
+    const auto provenance = std::make_shared<Provenance>(document.provenance());
+    provenance->comments = std::move(comments);
     Scene scene = document.scene();
-    scene.models[scene.active].provenance = std::move(provenance);
+    scene.models[scene.active].provenance = provenance;
     document.amend(std::move(scene)); // the same step
 }
 
