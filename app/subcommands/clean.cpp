@@ -152,9 +152,11 @@ Action addClean(OptionSet command) {
     command.add("--report", options->report, "JSON file to write the numbers of each step to").typeName("OUT.json");
     command.addFlag("--dry-run", options->dryRun, "tell what would go, and write no model");
     command
-        .add("--memory", options->memory,
-             "memory to take: LAS files that need more are cleaned in tiles, with the same result, by --duplicates and "
-             "--outliers statistical, radius and surface; other steps refuse")
+        .add(
+            "--memory", options->memory,
+            "memory to take: LAS files that need more are cleaned in tiles by --duplicates and --outliers statistical, "
+            "radius and surface; other steps refuse. Strays in swarms are judged in each tile by itself, so that a few "
+            "points in a million may be told otherwise; normals are not made, and far strays may ask for more")
         .typeName("BYTES[K|M|G]")
         .check({memoryFault});
     addBatchOptions(command, options->batch);

@@ -177,16 +177,15 @@ std::string lossOf(const path& path, const FileModel& model) {
         for (const surfel::Attribute& attribute : layout.attributes())
             ask(!isAmong("short-attributes", holds) || !isShort(attribute.type), attribute.name,
                 inQuotes(attribute.name));
-    ask(model.definition.has_value(), "definition", "the options of its surface");
+    ask(model.definition.has_value(), "definition", "the options of the surface");
     for (const OpaqueElement& element : model.elements)
         if (const std::string name = nameOf(element); !isAmong(name, holds))
             ask(true, "elements", "the element " + name);
     ask(model.up && *model.up != row->up, "up", "the axis that is upwards");
     ask(std::any_of(model.comments.begin(), model.comments.end(),
                     [](const std::string& line) { return line.starts_with(lasGridComment); }),
-        "las-grid", "the grid of its LAS coordinates");
-    return lost.empty() ? std::string()
-                        : std::string(row->label) + " cannot hold " + base::listed(lost) + " of the model.";
+        "las-grid", "the grid of the LAS coordinates");
+    return lost.empty() ? std::string() : std::string(row->label) + " cannot hold " + base::listed(lost) + ".";
 }
 
 } // namespace io

@@ -225,23 +225,19 @@ void PcdTest::lossesAreNamedInOneSentence() {
     QCOMPARE(io::lossOf("a.ply", model), std::string());
     QCOMPARE(io::lossOf("a.pcd", model), std::string());
     QCOMPARE(io::lossOf("a.csv", model), std::string());
-    QCOMPARE(
-        io::lossOf("a.xyz", model),
-        std::string("Points as text cannot hold the support radii, the masks, 'label' and 'intensity' of the model."));
-    QCOMPARE(
-        io::lossOf("a.pts", model),
-        std::string("Points as text cannot hold the normals, the support radii, the masks and 'label' of the model."));
+    QCOMPARE(io::lossOf("a.xyz", model),
+             std::string("Points as text cannot hold the support radii, the masks, 'label' and 'intensity'."));
+    QCOMPARE(io::lossOf("a.pts", model),
+             std::string("Points as text cannot hold the normals, the support radii, the masks and 'label'."));
     model = {};
     model.up = base::UpAxis::Z;
     model.comments = {"las scale 0.01 0.01 0.01 offset 0 0 0 encoding 0"};
     QCOMPARE(io::lossOf("a.ply", model), std::string());
     QCOMPARE(io::lossOf("a.las", model), std::string()); // its z is upwards anyway
-    QCOMPARE(io::lossOf("a.e57", model),
-             std::string("ASTM E57 cannot hold the grid of its LAS coordinates of the model."));
+    QCOMPARE(io::lossOf("a.e57", model), std::string("ASTM E57 cannot hold the grid of the LAS coordinates."));
     for (const char* name : {"a.xyz", "a.csv", "a.glb", "a.obj"})
-        QVERIFY(
-            io::lossOf(name, model)
-                .ends_with(" cannot hold the axis that is upwards and the grid of its LAS coordinates of the model."));
+        QVERIFY(io::lossOf(name, model)
+                    .ends_with(" cannot hold the axis that is upwards and the grid of the LAS coordinates."));
 }
 
 static const test::Registered<PcdTest> registered;

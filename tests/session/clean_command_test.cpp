@@ -361,6 +361,12 @@ void CleanCommandTest::mixedPixelsAreSeenFromWhereTheFileSays() {
              removed);
     QCOMPARE(left(boardBeforeWall(far, "", false), {{"op", "mixed"}, {"viewpoint", {1e6, -2e6, 50}}}).second, removed);
     QCOMPARE(left(boardBeforeWall({}, "", true), {{"op", "clean"}, {"mixed", true}}).second, removed);
+    Workbench told;
+    told.run(open(told, boardBeforeWall({}, "", false)));
+    told.run({{"op", "clean"}, {"mixed", true}, {"viewpoint", {0, 0, 0}}});
+    const Vec3d eye = Vec3d{} - told.context.document.provenance().origin;
+    for (const surfel::Surfel& each : told.context.document.surface().tree().surfels().items)
+        QVERIFY(dot(base::cast<double>(each.normal), eye - base::cast<double>(each.position)) >= 0);
     Workbench again;
     session::Journal journal(again.path("j.jsonl"));
     again.context.journal = &journal;

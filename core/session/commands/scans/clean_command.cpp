@@ -51,7 +51,7 @@ static void runClean(Context& context, const json& complete) {
     if (wanted("outliers"))
         surface = withoutOutliers(context, surface, complete);
     if ((wanted("outliers") || wanted("mixed")) && !wanted("normals") && !wanted("orient"))
-        surface = clean::guessedAgain(context, surface);
+        surface = clean::guessedAgain(context, surface, viewpoint);
     if (wanted("denoise"))
         surface = clean::denoise(context, surface, complete.at("denoise"));
     if (wanted("thin"))

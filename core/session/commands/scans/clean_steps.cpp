@@ -367,15 +367,16 @@ Surface orient(Context& context, const Surface& surface, const std::string& way,
     return withOrientation(context, surface, way, orientation(context, surface, way, viewpoint));
 }
 
-Surface guessedAgain(Context& context, const Surface& surface) {
+Surface guessedAgain(Context& context, const Surface& surface, const json& viewpoint) {
     const Document& document = context.document;
     const surfel::AttributeLayout& layout = *surface.tree().layout();
     if (surface.definition().manifold != surface::Manifold::Surface || !document.provenance().guessedSides ||
         document.canUndo() || !layout.normals || !layout.oriented ||
         surface.tree().size() == document.surface().tree().size())
         return surface;
-    Orientation found = orientation(context, surface, "global", nullptr); // as opening does
-    return found.flipped == 0 || !found.sided ? surface : withOrientation(context, surface, "global", std::move(found));
+    const std::string way = viewpoint.is_null() ? "global" : "viewpoint"; // the former as opening does
+    Orientation found = orientation(context, surface, way, viewpoint);
+    return found.flipped == 0 || !found.sided ? surface : withOrientation(context, surface, way, std::move(found));
 }
 
 } // namespace session::clean

@@ -46,8 +46,8 @@ surface::Surface mixed(Context& context, const surface::Surface& surface, const 
 surface::Surface outliers(Context& context, const surface::Surface& surface, const std::string& way,
                           const nlohmann::json& limit);
 /// What strays may have turned: where sides of normals are still as opening guessed them, among strays, and some points
-/// have gone since, they are guessed again.
-surface::Surface guessedAgain(Context& context, const surface::Surface& surface);
+/// have gone since, they are guessed again; no guess where the viewpoint was told.
+surface::Surface guessedAgain(Context& context, const surface::Surface& surface, const nlohmann::json& viewpoint = {});
 /// `sigma`: "auto" or a length.
 surface::Surface denoise(Context& context, const surface::Surface& surface, const nlohmann::json& sigma);
 surface::Surface thin(Context& context, const surface::Surface& surface, float spacing);

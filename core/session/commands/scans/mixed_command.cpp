@@ -10,7 +10,8 @@ static void runMixed(Context& context, const nlohmann::json& complete) {
     const surface::Surface left =
         clean::mixed(context, context.document.surface(), complete.value("viewpoint", nlohmann::json()),
                      complete.at("limit").get<double>());
-    clean::commit(context, clean::guessedAgain(context, left), "Remove mixed pixels");
+    clean::commit(context, clean::guessedAgain(context, left, complete.value("viewpoint", nlohmann::json())),
+                  "Remove mixed pixels");
 }
 
 CommandRow mixedCommand() {
