@@ -1379,7 +1379,7 @@
     </message>
     <message>
         <source>Edges that stay sharp give way under the brush, by its strength and falloff; off: they are kept.</source>
-        <translation>Kanten, die scharf bleiben, geben unter dem Pinsel nach Stärke und Abfall nach; aus: Sie bleiben.</translation>
+        <translation>Kanten, die scharf bleiben, geben unter dem Pinsel nach Stärke und Abnahme nach; aus: Sie bleiben.</translation>
     </message>
     <message>
         <source>Edit &amp;Keys…</source>
@@ -1495,11 +1495,11 @@
     </message>
     <message>
         <source>Falloff</source>
-        <translation>Abfall</translation>
+        <translation>Abnahme</translation>
     </message>
     <message>
         <source>Falloff curve</source>
-        <translation>Abfallkurve</translation>
+        <translation>Abnahmekurve</translation>
     </message>
     <message>
         <source>Farther along the surface, by half the brush</source>
@@ -1595,7 +1595,7 @@
     </message>
     <message>
         <source>For the falloff custom: weight over distance in radii.</source>
-        <translation>Für den eigenen Abfall: Gewicht über dem Abstand in Radien.</translation>
+        <translation>Für die eigene Abnahme: Gewicht über dem Abstand in Radien.</translation>
     </message>
     <message>
         <source>Frame %1</source>
