@@ -72,21 +72,30 @@ void leaveOutInner(SurfelList& vertices, const FaceTopology& topology) {
 
 std::vector<float> vertexSupports(const SurfelList& kept, const FaceTopology& topology,
                                   std::span<const Vec3f> positions, const surface::SurfaceDefinition& definition) {
-    std::map<std::array<float, 3>, std::pair<double, std::size_t>> edges; // by place: vertices may stand in it twice
-    const auto at = [&](const Vec3f& p) { return std::array{p.x, p.y, p.z}; };
+    struct Edges {
+        double length = 0;
+        std::size_t count = 0;
+    };
+    std::vector<Edges> own(positions.size());
     for (const Triangle& t : topology.triangles)
         for (std::size_t k = 0; k < 3; ++k) {
-            const Vec3f &a = positions[t[k]], &b = positions[t[(k + 1) % 3]];
-            for (const Vec3f& end : {a, b}) {
-                auto& [length, count] = edges[at(end)];
-                length += static_cast<double>(distance(a, b)), ++count;
-            }
+            const std::uint32_t a = t[k], b = t[(k + 1) % 3];
+            const auto length = static_cast<double>(distance(positions[a], positions[b]));
+            for (const std::uint32_t end : {a, b})
+                own[end].length += length, ++own[end].count;
+        }
+    std::map<std::array<float, 3>, Edges> edges; // by place: vertices may stand in it twice
+    const auto at = [&](const Vec3f& p) { return std::array{p.x, p.y, p.z}; };
+    for (std::size_t v = 0; v < own.size(); ++v)
+        if (own[v].count > 0) {
+            Edges& here = edges[at(positions[v])];
+            here.length += own[v].length, here.count += own[v].count;
         }
     std::vector<float> out(kept.size());
     for (std::size_t i = 0; i < kept.size(); ++i)
         if (const auto found = edges.find(at(kept.items[i].position)); found != edges.end())
             out[i] = process::supportOf(
-                definition, static_cast<float>(found->second.first / static_cast<double>(found->second.second)));
+                definition, static_cast<float>(found->second.length / static_cast<double>(found->second.count)));
     return out;
 }
 
