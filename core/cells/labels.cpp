@@ -1,6 +1,7 @@
 #include "core/cells/labels.h"
 
 #include "core/base/error.h"
+#include "core/surfel/widen.h"
 
 #include <algorithm>
 #include <cassert>
@@ -66,7 +67,6 @@ void setLabels(surfel::SurfelList& surfels, std::span<const Label> labels, bool 
     const bool faded = std::any_of(labels.begin(), labels.end(), [](const Label& l) { return l.sharpness != 255; });
     const bool faces = std::any_of(labels.begin(), labels.end(), [](const Label& l) { return l.face != l.cell; });
     auto layout = std::make_shared<surfel::AttributeLayout>(*surfels.layout);
-    const std::size_t before = layout->words();
     const auto need = [&](const char* name, surfel::ScalarType type) {
         if (!layout->find(name))
             layout->add(name, type);
@@ -78,11 +78,10 @@ void setLabels(surfel::SurfelList& surfels, std::span<const Label> labels, bool 
         need("sharpness", surfel::ScalarType::UInt8);
     if (faces || whole)
         need("face", surfel::ScalarType::UInt32);
+    surfel::widen(surfels, layout);
     const std::size_t words = layout->words();
-    std::vector<std::uint32_t> extra(words * surfels.size());
     for (std::size_t i = 0; i < surfels.size(); ++i) {
-        const std::span<std::uint32_t> own = std::span(extra).subspan(i * words, words);
-        std::copy_n(surfels.extra.begin() + static_cast<std::ptrdiff_t>(i * before), before, own.begin());
+        const std::span<std::uint32_t> own = std::span(surfels.extra).subspan(i * words, words);
         const auto put = [&](const char* name, std::uint32_t value) {
             if (const surfel::Attribute* attribute = layout->find(name))
                 surfel::write(*attribute, own, value);
@@ -93,8 +92,6 @@ void setLabels(surfel::SurfelList& surfels, std::span<const Label> labels, bool 
         put("sharpness", labels[i].sharpness);
         put("face", labels[i].face);
     }
-    surfels.layout = std::move(layout);
-    surfels.extra = std::move(extra);
 }
 
 } // namespace cells

@@ -4,6 +4,7 @@
 #include "core/reduce/coverage.h"
 #include "core/reduce/numbered_tree.h"
 #include "core/surfel/shape.h"
+#include "core/surfel/widen.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,19 +25,13 @@ float spacingOf(const surfel::Surfel& s) {
 surfel::SurfelList withShapes(const surfel::SurfelList& list) {
     surfel::SurfelList out = surfel::withoutShape(list);
     auto layout = std::make_shared<surfel::AttributeLayout>(*out.layout);
-    const std::size_t before = layout->words();
     surfel::addShape(*layout);
+    surfel::widen(out, layout);
     const std::size_t words = layout->words(), first = surfel::shapeWord(*layout);
     const bool shaped = surfel::shapeChannel(*list.layout) > 0;
-    std::vector<std::uint32_t> extra(list.size() * words);
-    for (std::size_t i = 0; i < list.size(); ++i) {
-        const auto own = std::span(extra).subspan(i * words, words);
-        std::copy_n(out.extra.begin() + static_cast<std::ptrdiff_t>(i * before), before, own.begin());
-        surfel::putShape(own, first,
+    for (std::size_t i = 0; i < list.size(); ++i)
+        surfel::putShape(std::span(out.extra).subspan(i * words, words), first,
                          shaped ? surfel::shapeIn(list.extraOf(i), surfel::shapeWord(*list.layout)) : base::Vec3f{});
-    }
-    out.layout = std::move(layout);
-    out.extra = std::move(extra);
     return out;
 }
 

@@ -5,6 +5,7 @@
 #include "core/base/disjoint_sets.h"
 #include "core/base/parallel.h"
 #include "core/surface/rims.h"
+#include "core/surfel/widen.h"
 #include "core/tree/surfel_tree.h"
 
 #include <algorithm>
@@ -80,19 +81,13 @@ tree::SurfelTree marksOf(const std::vector<BorderEdge>& edges, const tree::Surfe
 
 void write(surfel::SurfelList& samples, const std::vector<std::uint8_t>& rim) {
     auto layout = std::make_shared<surfel::AttributeLayout>(*samples.layout);
-    const std::size_t before = layout->words();
     if (!layout->find(surface::rimName))
         layout->add(surface::rimName, surfel::ScalarType::UInt8);
+    surfel::widen(samples, layout);
     const surfel::Attribute& attribute = *layout->find(surface::rimName);
     const std::size_t words = layout->words();
-    std::vector<std::uint32_t> extra(words * samples.size());
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-        const std::span<std::uint32_t> own = std::span(extra).subspan(i * words, words);
-        std::copy_n(samples.extra.begin() + static_cast<std::ptrdiff_t>(i * before), before, own.begin());
-        surfel::write(attribute, own, rim[i]);
-    }
-    samples.layout = std::move(layout);
-    samples.extra = std::move(extra);
+    for (std::size_t i = 0; i < samples.size(); ++i)
+        surfel::write(attribute, std::span(samples.extra).subspan(i * words, words), rim[i]);
 }
 
 } // namespace
