@@ -99,11 +99,8 @@ surface::Surface mirrored(const surface::Surface& model, const base::Plane& plan
         half = settled(std::move(half));
     if (settled || !seam.empty())
         whole = {tree::SurfelTree::build(doubled(half, plane)), definition};
-    if (definition.boundary == surface::Boundary::Auto) {
-        definition.knownRims = false;
-        definition.boundaryLimit = process::automaticBoundaryLimit(whole);
-        whole = {whole.tree(), definition};
-    }
+    if (definition.boundary == surface::Boundary::Auto)
+        whole = process::withOwnLimit(whole.tree(), definition);
     progress.step(1, "Welding");
     return whole;
 }

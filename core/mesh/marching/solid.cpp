@@ -30,6 +30,12 @@ surface::Surface withoutSecondPass(const surface::Surface& surface) {
     return {surface.tree(), definition};
 }
 
+std::vector<surfel::BlockPtr> blocksOf(const tree::SurfelTree& tree) {
+    std::vector<surfel::BlockPtr> out;
+    tree.forEachBlock([&](std::uint32_t number, const surfel::SurfelBlock&) { out.push_back(tree.block(number)); });
+    return out;
+}
+
 double smoothStep(double t) {
     t = std::clamp(t, 0.0, 1.0);
     return t * t * (3 - 2 * t);
@@ -60,9 +66,7 @@ int Solid::turnsOn(const surfel::SurfelBlock& block, int cluster) const {
 }
 
 void Solid::classify() {
-    const tree::SurfelTree& tree = m_surface.tree();
-    std::vector<surfel::BlockPtr> blocks;
-    tree.forEachBlock([&](std::uint32_t number, const surfel::SurfelBlock&) { blocks.push_back(tree.block(number)); });
+    const std::vector<surfel::BlockPtr> blocks = blocksOf(m_surface.tree());
     std::vector<Turns> turns(blocks.size());
     base::parallelFor(blocks.size(), 16, [&](std::size_t b) {
         for (int cluster = 0; cluster < blocks[b]->clusterCount(); ++cluster)
@@ -86,9 +90,7 @@ void Solid::classify() {
 /// winding numbers of points.
 void Solid::findMissing() {
     constexpr int stride = 3;
-    const tree::SurfelTree& tree = m_surface.tree();
-    std::vector<surfel::BlockPtr> blocks;
-    tree.forEachBlock([&](std::uint32_t number, const surfel::SurfelBlock&) { blocks.push_back(tree.block(number)); });
+    const std::vector<surfel::BlockPtr> blocks = blocksOf(m_surface.tree());
     std::vector<std::vector<Vec3f>> places(blocks.size());
     std::vector<double> missing(blocks.size());
     base::parallelFor(blocks.size(), 16, [&](std::size_t b) {
