@@ -156,7 +156,8 @@ void SoupsTest::crossingPartsKeepTheirOuterSides() {
         const OpenedFaces found = sampled(shuffled(faces, random), 8000);
         const QByteArray told = QString("seed %1").arg(seed).toUtf8();
         QVERIFY2(found.closed, told);
-        QVERIFY2(found.points.size() > 7200 && found.points.size() < 8400, told);
+        QVERIFY2(found.points.size() > 7200 && found.points.size() < 8400,
+                 told + QByteArray::number(found.points.size()));
         std::size_t deep = 0;
         for (const surfel::Surfel& s : found.points.items) {
             double out = 1e9, on = 1e9;

@@ -67,23 +67,24 @@ class Cutting {
 
 FaceDensity::FaceDensity(const FaceTopology& topology, std::span<const Vec3f> positions, std::vector<double> spacings,
                          std::vector<SpacedPlace> places, double slope)
-    : m_topology(topology), m_spacings(std::move(spacings)),
+    : m_topology(topology), m_positions(positions), m_spacings(std::move(spacings)),
       m_least(*std::min_element(m_spacings.begin(), m_spacings.end())) {
+    for (const SpacedPlace& each : places)
+        m_least = std::min(m_least, each.spacing);
     if (!places.empty())
         m_near.emplace(std::move(places), slope);
-    cut(positions, slope);
+    cut(slope);
 }
 
 double FaceDensity::at(const Vec3d& place, std::uint32_t triangle) const {
-    const double own = m_spacings[m_topology.pieces[triangle]];
-    return m_near ? m_near->at(place, own) : own;
+    return near(place, m_spacings[m_topology.pieces[triangle]]);
 }
 
 double FaceDensity::at(const Vec3d& place, const FacePart& part) const {
     return m_near && !part.even ? m_near->at(place, part.most) : part.most;
 }
 
-void FaceDensity::cut(std::span<const Vec3f> positions, double slope) {
+void FaceDensity::cut(double slope) {
     constexpr std::size_t grain = 256;
     std::vector<std::vector<FacePart>> found(base::chunkCount(m_topology.triangles.size(), grain));
     base::parallelChunks(
@@ -91,7 +92,7 @@ void FaceDensity::cut(std::span<const Vec3f> positions, double slope) {
             for (std::size_t t = begin; t < end; ++t) {
                 std::array<Vec3d, 3> corners;
                 for (std::size_t k = 0; k < 3; ++k)
-                    corners[k] = base::cast<double>(positions[m_topology.triangles[t][k]]);
+                    corners[k] = base::cast<double>(m_positions[m_topology.triangles[t][k]]);
                 if (m_topology.areas[t] > 0)
                     Cutting(m_near ? &*m_near : nullptr, m_spacings[m_topology.pieces[t]], slope, found[chunk])
                         .run(static_cast<std::uint32_t>(t), corners);
@@ -107,11 +108,9 @@ void FaceDensity::cut(std::span<const Vec3f> positions, double slope) {
     }
 }
 
-double samplesOn(std::span<const FacePart> parts, const FaceTopology& topology, const InnerPlaces* inside) {
-    double out = 0;
-    for (const FacePart& part : parts)
-        out += part.weight * (inside ? inside->outerShare(topology.bodies[part.triangle]) : 1);
-    return out;
+double FaceDensity::samples(const InnerPlaces* inside) const {
+    const FaceDraws draws(m_parts);
+    return draws.total() * draws.outerShare(m_topology, m_positions, inside);
 }
 
 } // namespace mesh

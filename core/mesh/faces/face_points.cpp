@@ -46,45 +46,18 @@ struct Candidate {
     std::uint32_t level() const { return static_cast<std::uint32_t>(std::ceil(std::log2(scale))); }
 };
 
-/// Areas added up, for choosing triangles by area.
-std::vector<double> cumulated(const std::vector<double>& areas) {
-    std::vector<double> out(areas.size());
-    std::inclusive_scan(areas.begin(), areas.end(), out.begin());
-    return out;
-}
-
-std::vector<double> weightsOf(std::span<const FacePart> parts) {
-    std::vector<double> out;
-    for (const FacePart& part : parts)
-        out.push_back(part.weight);
-    return out;
-}
-
-/// The i-th of n points that are uniform by area: one in each of n equal shares of it (stratified).
-FacePoint drawn(const std::vector<double>& sums, std::size_t i, std::size_t n) {
-    base::Random random(base::mix(seed ^ i));
-    const double share = sums.back() / static_cast<double>(n);
-    const double at = (static_cast<double>(i) + random.uniform()) * share;
-    std::size_t t = static_cast<std::size_t>(std::upper_bound(sums.begin(), sums.end(), at) - sums.begin());
-    while (t >= sums.size() || (t > 0 && sums[t] == sums[t - 1])) // rounding, triangles without area
-        --t;
-    double u = random.uniform(), v = random.uniform();
-    if (u + v > 1)
-        u = 1 - u, v = 1 - v;
-    return {static_cast<std::uint32_t>(t), static_cast<float>(u), static_cast<float>(v)};
-}
-
 class DartThrower {
   public:
     DartThrower(const FaceTopology& topology, std::span<const Vec3f> positions, std::size_t count,
                 const InnerPlaces* inside, const FaceDensity* density, std::span<const std::uint32_t> patches)
         : m_topology(topology), m_positions(positions), m_inside(inside), m_density(density), m_patches(patches),
           m_count(count) {
-        double area = topology.area * outerShare(); // were the spacing the least one everywhere
-        if (density) {
+        if (density)
             m_parts = density->parts();
-            area = samplesOn(m_parts, topology, inside) * density->least() * density->least();
-        }
+        m_draws = density ? FaceDraws(m_parts) : FaceDraws(topology);
+        m_share = density ? m_draws->outerShare(topology, positions, inside) : inside ? inside->outerShare() : 1;
+        const double unit = density ? density->least() * density->least() : 1;
+        const double area = m_draws->total() * m_share * unit; // were the spacing the least one everywhere
         m_side = static_cast<float>(std::sqrt(firstShare * area / static_cast<double>(count)));
     }
 
@@ -131,8 +104,6 @@ class DartThrower {
         std::int64_t c[3]; ///< of a cell
     };
 
-    double outerShare() const { return m_inside ? m_inside->outerShare() : 1; }
-    FacePoint within(const FacePoint& point) const;
     void draw();
     void findCells();
     void addCell(std::uint32_t level, const Place& place, std::vector<std::uint32_t>& out) const;
@@ -147,9 +118,11 @@ class DartThrower {
 
     const FaceTopology& m_topology;
     std::span<const Vec3f> m_positions;
-    const InnerPlaces* m_inside;              ///< null: nothing is
-    const FaceDensity* m_density;             ///< null: all evenly
-    std::span<const FacePart> m_parts;        ///< of the density
+    const InnerPlaces* m_inside;       ///< null: nothing is
+    const FaceDensity* m_density;      ///< null: all evenly
+    std::span<const FacePart> m_parts; ///< of the density
+    std::optional<FaceDraws> m_draws;
+    double m_share = 1;                       ///< of what is drawn, what is not inside
     std::span<const std::uint32_t> m_patches; ///< of the triangles; empty: one
     std::size_t m_count;
     float m_side; ///< of the least cell: the distance of neighbours in a hexagonal layout of so many points
@@ -175,31 +148,20 @@ DartThrower::Place DartThrower::placeOfCell(const Vec3f& p, std::uint32_t level)
     return out;
 }
 
-/// A point of a part of a triangle as one of the triangle.
-FacePoint DartThrower::within(const FacePoint& point) const {
-    const FacePart& part = m_parts[point.triangle];
-    const float a = 1 - point.b - point.c;
-    const float b = std::clamp(a * part.b[0] + point.b * part.b[1] + point.c * part.b[2], 0.0f, 1.0f);
-    const float c = std::clamp(a * part.c[0] + point.b * part.c[1] + point.c * part.c[2], 0.0f, 1.0f - b);
-    return {part.triangle, b, c};
-}
-
 /// Candidates in the order of their cells, within one in that of their ranks.
 void DartThrower::draw() {
-    const std::vector<double> sums = cumulated(m_density ? weightsOf(m_parts) : m_topology.areas);
-    const double share = m_density ? samplesOn(m_parts, m_topology, m_inside) / sums.back() : outerShare();
-    const auto all = static_cast<std::size_t>(static_cast<double>(candidatesPerPoint * m_count) / share);
+    const auto all = static_cast<std::size_t>(static_cast<double>(candidatesPerPoint * m_count) / m_share);
     const auto candidate = [&](std::size_t i, std::optional<float> scale = {}) {
-        const FacePoint point = drawn(sums, i, all);
+        const FaceDraws::Draw drawn = m_draws->at(i, all);
         Candidate out;
-        out.point = m_density ? within(point) : point;
+        out.point = drawn.point;
         const Vec3d place = placeOf(out.point, m_topology, m_positions);
         out.position = base::cast<float>(place);
         if (scale)
             out.scale = *scale;
         else if (m_density)
             out.scale =
-                static_cast<float>(std::max(1.0, m_density->at(place, m_parts[point.triangle]) / m_density->least()));
+                static_cast<float>(std::max(1.0, m_density->at(place, m_parts[drawn.part]) / m_density->least()));
         return out;
     };
     const auto keyFor = [&](const Candidate& each, std::size_t i) -> Key {
@@ -208,7 +170,7 @@ void DartThrower::draw() {
                 each.scale};
     };
     std::vector<Key> keys;
-    if (share < 1) { // only what stays is kept: it may be a small part
+    if (m_share < 1) { // only what stays is kept: it may be a small part
         std::vector<std::vector<Key>> parts(base::chunkCount(all, 65536));
         base::parallelChunks(all, 65536, [&](std::size_t begin, std::size_t end, std::size_t part) {
             for (std::size_t i = begin; i < end; ++i)
@@ -363,13 +325,6 @@ std::vector<FacePoint> spreadPoints(const FaceTopology& topology, std::span<cons
                                     const base::Progress& progress, const InnerPlaces* inside,
                                     const FaceDensity* density, std::span<const std::uint32_t> patches) {
     return DartThrower(topology, positions, count, inside, density, patches).run(progress);
-}
-
-Vec3d placeOf(const FacePoint& point, const FaceTopology& topology, std::span<const Vec3f> positions) {
-    const Triangle& t = topology.triangles[point.triangle];
-    const Vec3d p = base::cast<double>(positions[t[0]]);
-    return p + (base::cast<double>(positions[t[1]]) - p) * static_cast<double>(point.b) +
-           (base::cast<double>(positions[t[2]]) - p) * static_cast<double>(point.c);
 }
 
 } // namespace mesh

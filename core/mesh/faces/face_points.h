@@ -19,11 +19,6 @@
 
 namespace mesh {
 
-struct FacePoint {
-    std::uint32_t triangle = 0; ///< of the topology
-    float b = 0, c = 0;         ///< barycentric coordinates of corners 1 and 2; corner 0 has 1 - b - c
-};
-
 /// `count` points, or a few percent fewer where the faces are too small for so many; none at places that are inside. In
 /// the order of cells. `density`: how they are spread, up to a factor; evenly without. `patches`: of each triangle the
 /// one between sharp edges; none are sharp without. REQUIRES: an area above 0. Throws base::Cancelled.
@@ -31,8 +26,5 @@ std::vector<FacePoint> spreadPoints(const FaceTopology& topology, std::span<cons
                                     std::size_t count, const base::Progress& progress = {},
                                     const InnerPlaces* inside = nullptr, const FaceDensity* density = nullptr,
                                     std::span<const std::uint32_t> patches = {});
-
-/// Where a point is.
-base::Vec3d placeOf(const FacePoint& point, const FaceTopology& topology, std::span<const base::Vec3f> positions);
 
 } // namespace mesh

@@ -29,7 +29,7 @@ std::vector<std::uint32_t> InnerPlaces::sealedTriangles() const {
 
 InnerPlaces::InnerPlaces(const FaceTopology& topology, std::span<const base::Vec3f> positions)
     : m_topology(topology), m_positions(positions), m_sealed(sealedTriangles()), m_cells(topology, positions, m_sealed),
-      m_depths(topology.sealed.size()), m_shares(topology.sealed.size(), 1) {
+      m_depths(topology.sealed.size()) {
     if (!m_sealed.empty())
         judge();
 }
@@ -82,10 +82,9 @@ void InnerPlaces::judge() {
     double inner = 0;
     for (std::uint32_t body = 0; body < m_depths.size(); ++body) {
         const auto own = std::span(all).subspan(first[body], first[body + 1] - first[body]);
-        double inside = 0, whole = 0;
+        double inside = 0;
         bool same = true;
         for (const Probe& each : own) {
-            whole += each.weight;
             const auto& [outside, within] = each.turns;
             inside += outside >= 1 && within >= 1 ? each.weight : 0;
             same &= outside == own.front().turns.outside;
@@ -95,14 +94,12 @@ void InnerPlaces::judge() {
         else if (inside > 0 && own.front().turns.outside >= 2)
             buried.push_back(body);
         inner += m_depths[body] == Depth::Cut ? inside : 0;
-        m_shares[body] = m_depths[body] == Depth::Cut ? std::max(leastShare, 1 - inside / whole) : 1;
     }
     std::vector<std::uint8_t> is(buried.size());
     base::parallelFor(buried.size(), 1, [&](std::size_t i) { is[i] = isBuried(all, first, buried[i]); });
     for (std::size_t i = 0; i < buried.size(); ++i)
         if (is[i] != 0) {
             m_depths[buried[i]] = Depth::Buried;
-            m_shares[buried[i]] = 0;
             for (std::uint32_t at = first[buried[i]]; at < first[buried[i] + 1]; ++at)
                 inner += all[at].weight;
         }

@@ -19,8 +19,6 @@ class InnerPlaces {
 
     /// Of the faces' area, what is not inside.
     double outerShare() const { return m_outerShare; }
-    /// Of that of one body, or of what is none.
-    double outerShare(std::uint32_t body) const { return body < m_shares.size() ? m_shares[body] : 1; }
     /// For a place on a triangle. Safe for threads.
     bool has(const base::Vec3d& place, std::uint32_t triangle) const;
 
@@ -47,7 +45,6 @@ class InnerPlaces {
     WindingCells m_cells;
     std::vector<Depth> m_depths; ///< of each body
     double m_outerShare = 1;
-    std::vector<double> m_shares; ///< of each body
 };
 
 } // namespace mesh

@@ -4,6 +4,7 @@
 #include "core/base/cancel_scope.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/cells/labels.h"
 #include "core/mesh/faces/edge_labels.h"
 #include "core/mesh/faces/face_normals.h"
 #include "core/mesh/faces/face_rims.h"

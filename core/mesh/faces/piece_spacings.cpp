@@ -1,6 +1,6 @@
 #include "core/mesh/faces/piece_spacings.h"
 
-#include "core/mesh/faces/face_spacing.h"
+#include "core/mesh/faces/face_walls.h"
 #include "core/process/estimation/part_progress.h"
 
 #include <algorithm>
@@ -20,6 +20,9 @@ constexpr double fewestTriangles = 12; ///< of open pieces: leaves and crumbs of
 constexpr double forSmallPieces = 400'000, forSmallOfCount = 0.5; ///< of a count that was asked for
 constexpr double samplesOfProbe = 5;
 constexpr double acrossWall = 3; ///< spacings
+constexpr double finestForWalls =
+    0.125; ///< of a piece's spacing. Where less than a 100th asks for less, it touches itself
+constexpr std::size_t fewPlaces = 100;
 
 struct Piece {
     double area = 0, volume = 0;
@@ -70,7 +73,7 @@ PieceSpacings pieceSpacings(const FaceTopology& topology, std::span<const Vec3f>
     const double evenly = topology.area * inside.outerShare() / asked; // area of a sample
     const double small = count > 0 ? asked * forSmallOfCount : forSmallPieces;
     const double fewest = std::min(fewestOfPiece, small / static_cast<double>(pieces.size()));
-    std::vector<double> counts, thin;
+    std::vector<double> counts, thick;
     PieceSpacings out;
     std::vector<double> probes;
     const auto spacingOf = [](const Piece& piece, double samples) {
@@ -81,23 +84,32 @@ PieceSpacings pieceSpacings(const FaceTopology& topology, std::span<const Vec3f>
         const double shape = piece.closed ? 1 : std::min(1.0, static_cast<double>(piece.triangles) / fewestTriangles);
         counts.push_back(std::max({piece.area / evenly, fewest * shape, triangles}));
         probes.push_back(spacingOf(piece, counts.back() / samplesOfProbe));
+        thick.push_back(count > 0 ? 0 : piece.forThickness());
     }
     const FaceDensity sparse(topology, positions, probes);
-    const double all = samplesOn(sparse.parts(), topology, &inside);
+    const double all = sparse.samples(&inside);
     const std::vector<FacePoint> points =
         spreadPoints(topology, positions, static_cast<std::size_t>(std::max(4.0, std::min(all, mostCount))),
                      process::part(progress, 0, 0.5), &inside, &sparse);
-    out.walls = thinnestWalls(topology, positions, points, probes, process::part(progress, 0.5, 1));
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-        const double wall = out.walls[i] / acrossWall;
-        thin.push_back(count > 0 ? 0 : std::max(pieces[i].area / (wall * wall), pieces[i].forThickness()));
-    }
-    const double most = levelFor(thin, mostForWalls);
+    const std::vector<float> walls = wallsBehind(topology, positions, points, probes, process::part(progress, 0.5, 1));
+    const double most = levelFor(thick, mostForWalls);
     for (std::size_t i = 0; i < pieces.size(); ++i)
-        out.spacings.push_back(spacingOf(pieces[i], std::max(counts[i], std::min(thin[i], most))));
-    for (const FacePoint& point : points) {
-        const std::uint32_t piece = topology.pieces[point.triangle];
-        out.places.push_back({placeOf(point, topology, positions), out.spacings[piece], probes[piece]});
+        out.spacings.push_back(spacingOf(pieces[i], std::max(counts[i], std::min(thick[i], most))));
+    std::vector<std::size_t> placesOf(pieces.size()), foils(pieces.size());
+    const auto wanted = [&](std::size_t i) { return static_cast<double>(walls[i]) / acrossWall; };
+    const auto finest = [&](std::uint32_t piece) { return finestForWalls * out.spacings[piece]; };
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const std::uint32_t piece = topology.pieces[points[i].triangle];
+        out.places.push_back({placeOf(points[i], topology, positions), out.spacings[piece], probes[piece]});
+        out.walls.push_back({walls[i], piece});
+        ++placesOf[piece];
+        foils[piece] += wanted(i) < finest(piece) ? 1 : 0;
+    }
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const std::uint32_t piece = out.walls[i].piece;
+        const bool foil = wanted(i) < finest(piece), fewFoils = foils[piece] * fewPlaces < placesOf[piece];
+        if (wanted(i) < out.spacings[piece] && !(foil && fewFoils))
+            out.finer.push_back({out.places[i].place, std::max(wanted(i), finest(piece)), probes[piece]});
     }
     return out;
 }

@@ -1,5 +1,5 @@
 // How finely each connected piece of faces is to be sampled: as if it stood alone in its file, but for what all of them
-// may cost (mesh/README 8.3).
+// may cost, and more finely where it is thin (mesh/README 8.3).
 #pragma once
 
 #include "core/base/progress.h"
@@ -7,16 +7,24 @@
 
 namespace mesh {
 
+/// Of a place on a piece: what is behind it, infinity where that is some spacings away and more.
+struct ProbedWall {
+    float wall = 0;
+    std::uint32_t piece = 0;
+};
+
 struct PieceSpacings {
     std::vector<double> spacings;    ///< of each piece
-    std::vector<double> walls;       ///< the thinnest of each, infinity where that is some spacings and more
-    std::vector<SpacedPlace> places; ///< spread over the pieces
+    std::vector<SpacedPlace> places; ///< spread over the pieces: what they ask of each other
+    std::vector<SpacedPlace> finer;  ///< places that ask for less than their piece
+    std::vector<ProbedWall> walls;   ///< of each of the places
 
     void scale(double by) {
         for (double& each : spacings)
             each *= by;
-        for (SpacedPlace& each : places)
-            each.spacing *= by;
+        for (auto* all : {&places, &finer})
+            for (SpacedPlace& each : *all)
+                each.spacing *= by;
     }
 };
 
