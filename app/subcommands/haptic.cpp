@@ -1,5 +1,6 @@
 // pointclay haptic: plays the way of a tool over a model, and writes where its proxy is and what it feels.
 #include "app/csv_writer.h"
+#include "app/force_picture.h"
 #include "app/open_model.h"
 #include "app/options/option_checks.h"
 #include "app/options/output_names.h"
@@ -8,6 +9,7 @@
 #include "core/haptics/servo.h"
 #include "core/io/safe_file.h"
 #include "core/process/curve_tube.h"
+#include "core/render/image_io.h"
 #include "core/session/trajectory_file.h"
 
 #include <nlohmann/json.hpp>
@@ -19,7 +21,7 @@ using base::Vec3d;
 namespace {
 
 struct Options {
-    std::string model, trajectory, out;
+    std::string model, trajectory, out, plot;
     haptics::ToolShape tool;
     haptics::ForceLaw law;
     std::shared_ptr<SurfaceOptions> surface;
@@ -43,8 +45,8 @@ void write(CsvWriter& csv, const haptics::Tick& tick, const haptics::TimedPlace&
 }
 
 void run(const Options& options, Console& console) {
-    requireOutputs({{"-o", options.out}});
-    requireInputsKept({{"-o", options.out}}, {options.model, options.trajectory});
+    requireOutputs({{"-o", options.out}, {"--plot", options.plot}});
+    requireInputsKept({{"-o", options.out}, {"--plot", options.plot}}, {options.model, options.trajectory});
     session::Document document;
     const base::Progress progress = console.progress();
     session::Context context{document, {}, progress, {}, 0, {}, nullptr};
@@ -63,14 +65,20 @@ void run(const Options& options, Console& console) {
     CsvWriter csv(true, origin);
     file.write("t,x,y,z,px,py,pz,fx,fy,fz,contact,us\n");
     haptics::DeviceState state;
+    std::vector<FeltForce> felt;
     for (std::size_t i = 0; device->read(state); ++i) {
         progress.step(static_cast<double>(i) / static_cast<double>(given.size()), "Feeling");
-        write(csv, servo.step(patch, state, {state.time, 0, state.time, true}), given[i], origin);
+        const haptics::Tick tick = servo.step(patch, state, {state.time, 0, state.time, true});
+        write(csv, tick, given[i], origin);
+        if (!options.plot.empty())
+            felt.push_back({given[i].time, tick.force, tick.contact});
         if (i % 4096 == 0)
             file.write(csv.take());
     }
     file.write(csv.take());
     file.commit();
+    if (!options.plot.empty())
+        render::savePng(forcePicture(felt), options.plot);
 }
 
 } // namespace
@@ -111,6 +119,24 @@ Action addHaptic(OptionSet command) {
         .typeName("B")
         .check(atLeast(0))
         .showDefault();
+    command
+        .add("--shading", options->law.shading,
+             "radius, in units of the local support, of the spot over which the normal of the force is averaged: edges "
+             "feel rounder; 0: none")
+        .check(between(0, 2))
+        .showDefault();
+    command
+        .add("--relief", options->law.texture.relief,
+             "texture: part of the stiffness that comes and goes with how the surface stands out, ridges push harder "
+             "than hollows")
+        .check(between(0, 1))
+        .showDefault();
+    command
+        .add("--colour", options->law.texture.colour,
+             "texture: part of the stiffness that comes and goes with how light the surface is")
+        .check(between(0, 1))
+        .showDefault();
+    command.add("--plot", options->plot, "PNG to draw of the force over time").typeName("F.png").check(pictureName());
     options->surface = addSurfaceOptions(command, false);
     return [options](Console& console) { run(*options, console); };
 }

@@ -25,9 +25,11 @@ Vec3d forceOn(const ForceLaw& law, const Proxy& proxy, const surface::Surface& s
     if (!proxy.touches())
         return {};
     const Vec3d normal = proxy.normal();
-    const double spring = law.stiffness * proxy.depth();
-    const double along = std::max(0.0, spring - law.damping * dot(velocity, normal));
-    const Vec3d tangential = (proxy.position() - x) * law.stiffness - normal * spring;
+    const Grain grain = grainAt(law.texture, proxy, surface);
+    const double depth = proxy.depth(), spring = law.stiffness * depth;
+    const double along = std::max(0.0, spring * grain.factor - law.damping * dot(velocity, normal));
+    const Vec3d tangential =
+        (proxy.position() - x) * law.stiffness - normal * spring - grain.slope * (0.5 * spring * depth);
     const Vec3d direction = law.shading > 0 ? shadedNormal(surface, proxy, law.shading) : normal;
     return tangential + direction * along;
 }

@@ -1,8 +1,8 @@
-// The force that a tool feels: a spring from the proxy to the tool, a damper along the contact's normal, and force
-// shading (haptics/README 3). Forces are in units of stiffness times length.
+// The force that a tool feels: a spring from the proxy to the tool, a damper along the contact's normal, force shading
+// and texture (haptics/README 3). Forces are in units of stiffness times length.
 #pragma once
 
-#include "core/haptics/proxy.h"
+#include "core/haptics/texture.h"
 
 namespace haptics {
 
@@ -12,6 +12,7 @@ struct ForceLaw {
     /// Radius in units of h of the spot over which the normal is averaged [Morgenbesser96]; 0: the exact normal. Edges
     /// feel rounder than they are.
     double shading = 0;
+    Texture texture = {};
     bool operator==(const ForceLaw&) const = default;
 };
 

@@ -15,6 +15,8 @@ class HapticCommandTest : public QObject {
   private Q_SLOTS:
     void aSpherePushesBack();
     void farFromZeroNothingIsLost();
+    void forcesArePlotted();
+    void lightPlacesPushHarder();
     void wrongInputIsRefused_data();
     void wrongInputIsRefused();
 };
@@ -93,6 +95,33 @@ void HapticCommandTest::farFromZeroNothingIsLost() {
         contacts += rows[0][i].at(10) == "1" ? 1 : 0;
     }
     QVERIFY(contacts > 30);
+}
+
+void HapticCommandTest::forcesArePlotted() {
+    const Program program;
+    program.write("t.csv", press(0.0625));
+    const QStringList call{"haptic", "sample:sphere:2000", "--trajectory", "t.csv", "-o", "f.csv", "--plot"};
+    const Outcome outcome = program.run(call + QStringList{"f.png"});
+    QVERIFY2(outcome.code == 0, outcome.err.c_str());
+    QVERIFY(program.read("f.png").starts_with("\x89PNG"));
+    QCOMPARE(program.run(call + QStringList{"f.csv"}).code, 2);
+}
+
+void HapticCommandTest::lightPlacesPushHarder() {
+    const Program program;
+    std::ostringstream floor;
+    for (int i = -20; i <= 20; ++i)
+        for (int j = -20; j <= 20; ++j)
+            floor << i / 20.0 << ' ' << j / 20.0 << " 0 0 0 1 " << (i > 0 ? "255 255 255\n" : "0 0 0\n");
+    program.write("floor.xyz", floor.str());
+    program.write("t.csv", "t,x,y,z\n0,-0.5,0,0.2\n0.001,-0.5,0,-0.0625\n0.002,-0.5,0,0.2\n0.003,0.5,0,0.2\n"
+                           "0.004,0.5,0,-0.0625\n");
+    const Outcome outcome = program.run(
+        {"haptic", "floor.xyz", "--trajectory", "t.csv", "-o", "f.csv", "--stiffness", "16", "--colour", "0.5"});
+    QVERIFY2(outcome.code == 0, outcome.err.c_str());
+    const auto rows = rowsOf(program.read("f.csv"));
+    QVERIFY(std::abs(std::stod(rows.at(2).at(9)) - 0.75) < 0.01);
+    QVERIFY(std::abs(std::stod(rows.at(5).at(9)) - 1.25) < 0.01);
 }
 
 void HapticCommandTest::wrongInputIsRefused_data() {

@@ -21,6 +21,8 @@ constexpr int pollMs = 8;
 /// Metres: how far in front of the model a hand begins, how deep the simulated one and a button press it.
 constexpr double before = 0.03, deep = 0.012;
 constexpr double wheelStep = 0.002;
+/// Newtons a second: half a metre a second against the stiffest clay there is.
+constexpr double mostSlew = 1500;
 
 /// In a device's frame: to the surface in front, eights on it for a while, and back.
 haptics::Trajectory demonstration() {
@@ -101,6 +103,7 @@ haptics::ServoOptions TouchInput::servoOptions() const {
     haptics::ServoOptions out = m_options;
     out.tool = {m_set.tip * radius, m_set.friction};
     out.law.stiffness = m_set.stiffness;
+    out.law.texture = {m_set.relief, m_set.grain};
     haptics::TouchLaw law;
     law.viscosity = m_set.viscosity;
     out.touch = session::touchLawOf(strokeSettings(m_parts.settings, row, static_cast<float>(radius), false), law);
@@ -119,6 +122,7 @@ void TouchInput::open() {
         auto device = openDevice();
         m_options = {};
         m_options.safety.mostForce = 8;
+        m_options.safety.mostSlew = mostSlew;
         m_options.workspace.scale = m_parts.motion.view().heightAtTarget() / (0.01 * m_set.reach);
         m_options.workspace.centre = m_pointer ? Vec3d{} : frame().middle;
         m_options = servoOptions();

@@ -18,7 +18,7 @@ constexpr int sliderWidth = 142;
 TouchBar::TouchBar(QWidget* parent) : QToolBar(tr("Touch"), parent) {
     setObjectName("touch");
     setMovable(false);
-    auto* panel = new QWidget; // three rows: as wide as the other bars
+    auto* panel = new QWidget; // four rows: as wide as the other bars
     auto* grid = new QGridLayout(panel);
     grid->setContentsMargins(4, 2, 4, 2);
     grid->setSpacing(6);
@@ -55,11 +55,10 @@ TouchBar::TouchBar(QWidget* parent) : QToolBar(tr("Touch"), parent) {
     grid->addLayout(switches, 0, 1);
     grid->addWidget(view, 0, 2);
     m_plot = new ForcePlot;
-    grid->addWidget(m_plot, 0, 3, 3, 1);
+    grid->addWidget(m_plot, 0, 3, 4, 1);
     m_state = new QLabel;
     m_state->setObjectName("touch-state");
-    m_state->setFixedWidth(sliderWidth);
-    grid->addWidget(m_state, 2, 2);
+    grid->addWidget(m_state, 3, 1, 1, 2);
 
     NumberRange range;
     range.min = 50, range.max = 3000, range.logarithmic = true, range.decimals = 0, range.unit = "N/m";
@@ -75,11 +74,16 @@ TouchBar::TouchBar(QWidget* parent) : QToolBar(tr("Touch"), parent) {
     range = {};
     slider("touch-tip", tr("Ball"), tr("Its radius, in radii of the brush"), range, m_settings.tip);
     range = {};
+    slider("touch-relief", tr("Relief"), tr("Texture: how much harder ridges push than hollows"), range,
+           m_settings.relief);
+    slider("touch-grain", tr("Grain"), tr("Texture: how much harder light places push than dark ones"), range,
+           m_settings.grain);
     range.min = 2, range.max = 60, range.decimals = 0, range.unit = "cm";
     slider("touch-reach", tr("Reach"), tr("How far the hand goes from the picture's lower edge to its upper"), range,
            m_settings.reach);
     int at = 0;
-    for (const char* name : {"touch-stiffness", "touch-friction", "touch-viscosity", "touch-tip", "touch-reach"}) {
+    for (const char* name : {"touch-stiffness", "touch-friction", "touch-viscosity", "touch-tip", "touch-reach",
+                             "touch-relief", "touch-grain"}) {
         grid->addWidget(findChild<QWidget*>(name), 1 + at / 3, at % 3);
         ++at;
     }

@@ -1674,6 +1674,10 @@
         <translation>Abgestuft</translation>
     </message>
     <message>
+        <source>Grain</source>
+        <translation>Körnung</translation>
+    </message>
+    <message>
         <source>Greatest thickness of the layer that one stroke lays.</source>
         <translation>Größte Dicke der Schicht, die ein Strich legt.</translation>
     </message>
@@ -2837,6 +2841,10 @@
         <translation>Registrieren</translation>
     </message>
     <message>
+        <source>Relief</source>
+        <translation>Relief</translation>
+    </message>
+    <message>
         <source>Remove</source>
         <translation>Entfernen</translation>
     </message>
@@ -3451,6 +3459,14 @@
     <message>
         <source>Taper</source>
         <translation>Verjüngung</translation>
+    </message>
+    <message>
+        <source>Texture: how much harder light places push than dark ones</source>
+        <translation>Textur: um wie viel härter helle Stellen drücken als dunkle</translation>
+    </message>
+    <message>
+        <source>Texture: how much harder ridges push than hollows</source>
+        <translation>Textur: um wie viel härter Erhebungen drücken als Vertiefungen</translation>
     </message>
     <message>
         <source>The active model goes out of the scene</source>

@@ -60,6 +60,7 @@ static haptics::ServoOptions servoOptions(const Context& context, const json& co
     out.tool = {number("tip"), number("friction")};
     out.law.stiffness = number("stiffness");
     out.law.damping = number("damping");
+    out.law.texture = {number("relief"), number("grain")};
     haptics::TouchLaw law;
     law.threshold = number("threshold");
     law.full = std::max(number("full"), law.threshold);
@@ -131,6 +132,9 @@ static std::vector<CommandParameter> touchParameters() {
         {"stiffness", "number", "N/m", "of the clay under the tip", "1000", "", positive, 3000},
         {"friction", "number", "", "of the tip on the clay: tangential over normal force", "0", "", 0, 100},
         {"damping", "number", "N s/m", "along the normal, in contact", "0", "", 0, 20},
+        {"relief", "number", "", "texture: part of the stiffness that comes and goes with how the surface stands out",
+         "0", "", 0, 1},
+        {"grain", "number", "", "the same with how light it is", "0", "", 0, 1},
         {"viscosity", "number", "N s/m", "of the clay while it is worked or pulled", "2", "", 0, 20},
         {"threshold", "number", "N", "pressing more than this makes the tool work", "0.5", "", positive, 100},
         {"full", "number", "N", "the force of pressure 1", "3", "", positive, 100},
