@@ -1,6 +1,7 @@
 #include "core/sculpt/sampling.h"
 
 #include "core/layers/layer_edits.h"
+#include "core/process/resampling/refine_under.h"
 #include "core/sculpt/crumbs.h"
 
 #include <algorithm>
@@ -37,6 +38,17 @@ void Sampling::start(const surface::Surface& surface, const base::Vec3f& contact
 bool restructures(const tree::Edit& edit) {
     return !edit.inserted.items.empty() ||
            std::any_of(edit.blocks.begin(), edit.blocks.end(), [](const auto& each) { return each.removed.any(); });
+}
+
+void Sampling::refined(const tree::SurfelTree& before, const surface::Surface& after, const base::Vec3f& centre,
+                       float radius) {
+    if (!started())
+        return;
+    m_stretches.follow(before, after.tree());
+    // the version that the stroke began on, had it been refined then
+    if (const auto first = process::refinedUnder(m_kept.first(), centre, radius))
+        m_kept = {*first, m_spacing};
+    m_spacing = std::min(m_spacing, process::localSpacing(after, centre));
 }
 
 void Sampling::note(const tree::SurfelTree& before, const tree::Edit& edit, const Dab& dab) {

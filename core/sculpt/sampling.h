@@ -32,6 +32,10 @@ class Sampling {
     /// At the first contact.
     float spacing() const { return m_spacing; }
 
+    /// Before a dab samples under the brush have given way to finer ones on the same surface: their spacing is to be
+    /// kept.
+    void refined(const tree::SurfelTree& before, const surface::Surface& after, const base::Vec3f& centre,
+                 float radius);
     /// After a dab: `before` is the version it was applied to.
     void note(const tree::SurfelTree& before, const tree::Edit& edit, const Dab& dab);
     /// The same for tools that make the sampling that they want: of these only crumbs are taken away.

@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/layers/layer_edits.h"
+#include "core/process/resampling/refine_under.h"
 #include "core/sculpt/brush_connected.h"
 #include "core/sculpt/keep_apart.h"
 #include "core/sculpt/stroke_accumulate.h"
@@ -140,8 +141,10 @@ void Dabs::aim(Dab& dab, const Mirror& image, const Vec3f& view, const Form& for
 void Dabs::begin(const Contact& first) {
     if (!m_depth)
         m_depth = first.distance;
-    if (!m_sampling.started())
-        m_sampling.start(touched(), first.position, m_settings.graded, m_layers);
+    if (m_sampling.started())
+        return;
+    refineUnder(first.position, m_settings.radius);
+    m_sampling.start(touched(), first.position, m_settings.graded, m_layers);
 }
 
 /// Contacts and areas of all images are found before any of them is applied, so that a symmetric model keeps symmetric
@@ -205,6 +208,8 @@ surface::Surface Dabs::preview(std::span<const Dab> images) const {
     surface::Surface out = m_surface;
     for (Dab dab : images) {
         checkCancelled();
+        if (refines())
+            out = process::refinedUnder(out, dab.centre, dab.radius).value_or(out);
         complete(dab, out);
         out = {out.tree().apply(edited(out, dab)), out.definition()};
         out = {out.tree().apply(smoothing(out, dab)), out.definition()};
@@ -225,7 +230,23 @@ void Dabs::complete(Dab& dab, const surface::Surface& version) const {
     dab.past = m_past;
 }
 
+/// Dabs that do not add up begin anew from there, as where surfels come or go otherwise.
+void Dabs::refineUnder(const Vec3f& centre, float radius) {
+    if (!refines())
+        return;
+    const auto along = [&](const tree::SurfelTree& tree, tree::Edit edit) {
+        return m_layers ? layers::carried(tree, std::move(edit), *m_layers) : std::move(edit);
+    };
+    const std::optional<surface::Surface> finer = process::refinedUnder(m_surface, centre, radius, along);
+    if (!finer)
+        return;
+    m_sampling.refined(m_surface.tree(), *finer, centre, radius);
+    m_surface = *finer;
+    m_base = m_whole = m_surface;
+}
+
 void Dabs::applyOne(Dab dab) {
+    refineUnder(dab.centre, dab.radius);
     complete(dab, touched());
     dab.memory = &m_memory;
     if (m_accumulate)

@@ -95,6 +95,9 @@ class Dabs {
     /// Throws base::Cancelled.
     void checkCancelled() const;
     void applyOne(Dab dab);
+    bool refines() const { return m_settings.resample && movesSurfaces(m_row); }
+    /// Samples that are large against the brush give way to finer ones on the same surface.
+    void refineUnder(const base::Vec3f& centre, float radius);
     /// What the tool makes of the dab.
     tree::Edit edited(const surface::Surface& version, const Dab& dab) const;
     void pileUp(Dab dab);

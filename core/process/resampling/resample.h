@@ -48,6 +48,9 @@ struct ResampleOptions {
     std::function<float(const surfel::SurfelBlock&, int slot)> targetOf;
     /// Where set: new ones come only beside those of which it is true, and where one went. From many threads.
     std::function<bool(const surfel::SurfelBlock&, int slot)> drawnApart;
+    /// Off-centre values in units of h from which a place of the frozen surface belongs to an open border; 0: as where
+    /// many neighbours bear it. With few they are larger everywhere.
+    float border = 0;
     /// Where set: does the surface go on at a place beyond what its samples bear, seen from their centroid there, until
     /// something else ends it? From many threads.
     std::function<bool(const base::Vec3f& place, const base::Vec3f& centroid)> goesOn;

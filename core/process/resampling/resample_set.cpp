@@ -100,7 +100,8 @@ class Follower {
 SampleSet::SampleSet(const surface::Surface& v, const tree::Selection& touched, const tree::Selection& restless,
                      const ResampleOptions& o, const surface::Surface& f)
     : version(v), frozen(f), options(o), spacing(o.spacing), facing(*v.tree().layout()),
-      pinned(pinnedAt(f.definition().weight)), grown(grownLimit * borderScale(f.definition().weight)),
+      pinned(o.border > 0 ? o.border : pinnedAt(f.definition().weight)),
+      grown(o.border > 0 ? o.border * grownLimit / pinnedLimit : grownLimit * borderScale(f.definition().weight)),
       grownOn(o.goesOn ? grownOnLimit * borderScale(f.definition().weight) : grown),
       grid(v.tree().bounds().centre(), fillReach * o.spacing) {
     if (options.support <= 0)
