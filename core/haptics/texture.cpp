@@ -13,6 +13,7 @@ namespace {
 
 constexpr double step = 0.05;     ///< of h, to each side: differences
 constexpr double middling = 0.02; ///< of h: a height that is felt by 0.7 of what a large one is
+constexpr double steepest = 4;    ///< of h: what changes faster is no texture but a fold, or noise
 constexpr double approach = 0.1;  ///< of h: contacts come in from there
 
 /// From -1 in hollows to 1 on ridges. A surface stands over the mean of its surfels by how it bends.
@@ -59,11 +60,15 @@ Vec3d slopeAt(const Texture& texture, const Surface& surface, const Foot& foot, 
             track(surface, foot.position - way * (step * foot.unit), foot, there[0]) != Tracked::Found)
             continue; // beside a rim there is no telling
         const double apart = dot(there[1].position - there[0].position, way);
+        if (!(apart > step * foot.unit)) // nor where both ended at one place
+            continue;
         along += way * ((excessAt(texture, surface, there[1]) - excessAt(texture, surface, there[0])) / apart);
     }
     surface::TangentMatrix<double> matrix(foot.normal);
     matrix.add(foot.bend, above);
-    return matrix.solve(along, 0.5);
+    const Vec3d out = matrix.solve(along, 0.5);
+    const double most = steepest / foot.unit, size = length(out);
+    return size > most ? out * (most / size) : out;
 }
 
 } // namespace

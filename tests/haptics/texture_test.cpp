@@ -17,6 +17,7 @@ class TextureTest : public QObject {
     void closedLoopsGainNothing();
     void forcesBeginAtZero();
     void withoutColoursThereIsNoGrain();
+    void forcesAreBoundedAtRimsAndThinWalls();
 };
 
 namespace {
@@ -131,6 +132,34 @@ void TextureTest::withoutColoursThereIsNoGrain() {
     const Solid s = plane();
     const Vec3d x{0.02, 0.01, -0.05};
     QCOMPARE(forceAt(s.surface, {0, 1}, {0, 0, 0.3}, x).z, forceAt(s.surface, {}, {0, 0, 0.3}, x).z);
+}
+
+/// Where feet beside the contact end at one place, or on other sheets, nothing may be read from how they differ.
+void TextureTest::forcesAreBoundedAtRimsAndThinWalls() {
+    base::Random random(test::seed());
+    surfel::SurfelList thin = shapes::plates(12, 0.1, 0.35, 0.15), sheet = shapes::plane(12, 0.1, 0.35);
+    for (surfel::SurfelList* list : {&thin, &sheet})
+        for (surfel::Surfel& each : list->items)
+            each.position += base::cast<float>(random.unitVector() * 0.03);
+    const auto grey = [](const Vec3d& x) { return x.x > 0.2 ? 1.0 : 0.0; };
+    surfel::SurfelList bounded = painted(sheet, grey).tree().surfels();
+    for (const surface::Surface& model : {painted(thin, grey), shapes::surfaceOf(bounded, shapes::bounded(0.25f))}) {
+        for (int i = 0; i < test::effort(200); ++i) {
+            Proxy proxy;
+            const Vec3d begin{random.uniform(-1.3, 1.3), random.uniform(-1.3, 1.3), 0.6};
+            proxy.place(model, begin);
+            for (int k = 0; k < 10; ++k) {
+                const Vec3d x = begin + Vec3d{0.02 * k, 0, -0.05 * k - 0.25};
+                proxy.move(model, x);
+                const double depth = proxy.depth();
+                const Vec3d plain = forceOn({1, 0, 0}, proxy, model, x, {}),
+                            felt = forceOn({1, 0, 0, {1, 1}}, proxy, model, x, {});
+                QVERIFY2(
+                    length(felt - plain) <= depth * (1 + 0.5 * depth * 4 / 0.35 * 1.1),
+                    (std::to_string(length(felt - plain) / depth) + " seed " + std::to_string(test::seed())).c_str());
+            }
+        }
+    }
 }
 
 static const test::Registered<TextureTest> registered;
