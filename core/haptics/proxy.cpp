@@ -12,6 +12,7 @@ namespace {
 
 constexpr double longestStep = 0.25; ///< of h, in contact
 constexpr double done = 1e-6;        ///< of h: a step that is not worth while
+constexpr double mostShift = 8;      ///< out of a corner, in depths: one of 14 degrees
 constexpr double released = 0.05;    ///< of h: feet are kept in mind so far when the tool leaves them
 
 /// Closed and oriented: what is behind the surface is inside.
@@ -41,7 +42,9 @@ Proxy::Pull Proxy::pullOf(const Vec3d& x) const {
     Pull out;
     for (const Foot& foot : m_contacts.feet())
         if (const double gap = gapOf(foot, m_position, m_tool.radius); gap <= touching * foot.unit) {
-            spaces[static_cast<std::size_t>(out.contacts++)] = {foot.normal, -gap};
+            // where the proxy has got to is allowed, even if no room is there: planes that nearly face each other have
+            // a place in common far away
+            spaces[static_cast<std::size_t>(out.contacts++)] = {foot.normal, std::min(0.0, -gap)};
             out.only = &foot;
         }
     const Vec3d pull = x - m_position;
@@ -142,7 +145,12 @@ void Proxy::settle(const Surface& surface, const Way& way) {
         std::size_t count = 0;
         for (const Foot& foot : feet)
             spaces[count++] = {foot.normal, -gapOf(foot, m_position, m_tool.radius)};
+        double deepest = 0;
+        for (const HalfSpace& each : std::span(spaces).first(count))
+            deepest = std::max(deepest, each.offset);
         const Vec3d shift = nearestIn({spaces.data(), count}, {}).value_or(Vec3d{});
+        if (length(shift) > mostShift * deepest) // between planes that nearly face each other
+            return;
         const double least = 0.1 * touching * leastUnit();
         m_position += shift;
         if (lengthSq(shift) <= least * least || !refresh(surface, {m_position - shift, way.tool, false}))
