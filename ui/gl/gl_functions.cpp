@@ -43,6 +43,7 @@ GlFunctions GlFunctions::load(const GetProcAddress& address) {
     find(gl.depthFunc, address, "glDepthFunc");
     find(gl.depthMask, address, "glDepthMask");
     find(gl.disable, address, "glDisable");
+    find(gl.disableVertexAttribArray, address, "glDisableVertexAttribArray");
     find(gl.drawArrays, address, "glDrawArrays");
     find(gl.drawArraysInstanced, address, "glDrawArraysInstanced");
     find(gl.drawBuffers, address, "glDrawBuffers");

@@ -39,6 +39,7 @@ struct GlFunctions {
     PFNGLDEPTHFUNCPROC depthFunc = nullptr;
     PFNGLDEPTHMASKPROC depthMask = nullptr;
     PFNGLDISABLEPROC disable = nullptr;
+    PFNGLDISABLEVERTEXATTRIBARRAYPROC disableVertexAttribArray = nullptr;
     PFNGLDRAWARRAYSPROC drawArrays = nullptr;
     PFNGLDRAWARRAYSINSTANCEDPROC drawArraysInstanced = nullptr;
     PFNGLDRAWBUFFERSPROC drawBuffers = nullptr;

@@ -2,17 +2,25 @@
 
 #include "core/render/shading/shading.h"
 #include "core/render/splats/splat_kernels.h"
+#include "core/surfel/shape.h"
 #include "ui/gl/glsl_text.h"
 
 namespace render {
 
 static std::string head() {
-    const SharedConstant constants[] = {{"filterPx", filterPx},         {"layerDepth", layerDepth},
-                                        {"filterDepth", filterDepth},   {"backBias", backBias},
-                                        {"backClip", backClip},         {"minCosine", minCosine},
-                                        {"backFrom", backFrom},         {"backTo", backTo},
-                                        {"acrossRadius", acrossRadius}, {"cutRadius", cutRadius},
-                                        {"cornerRadius", cornerRadius}, {"tipRadius", tipRadius}};
+    const SharedConstant constants[] = {{"filterPx", filterPx},
+                                        {"layerDepth", layerDepth},
+                                        {"filterDepth", filterDepth},
+                                        {"backBias", backBias},
+                                        {"backClip", backClip},
+                                        {"minCosine", minCosine},
+                                        {"backFrom", backFrom},
+                                        {"backTo", backTo},
+                                        {"acrossRadius", acrossRadius},
+                                        {"cutRadius", cutRadius},
+                                        {"cornerRadius", cornerRadius},
+                                        {"tipRadius", tipRadius},
+                                        {"longestShape", surfel::longestShape}};
     return "#version 330 core\n" + glslConstants(constants) +
            "const int mostClips = " + std::to_string(ClipPlanes::most) + ";\n" +
            "const uint cutMask = " + std::to_string((1u << cutBits) - 1) +
@@ -40,9 +48,11 @@ layout(location = 0) in vec3 position;
 layout(location = 1) in vec4 packedNormal;
 layout(location = 2) in float support;
 layout(location = 3) in vec4 colourAndMask;
+layout(location = 4) in vec4 packedShape; // 0 where supports are balls
 flat out vec4 centre; // image place, depth, radius
 flat out vec4 plane;  // gradient of w across the image, bias, w from where it is cut
 flat out vec3 normal;
+flat out vec4 shape; // b of an ellipse in its plane, radius of a disc of its area
 flat out vec3 edge, secondEdge; // the disc ends where (x - centre) . edge = 1
 flat out vec4 attributes;
 
@@ -95,13 +105,18 @@ void main() {
     float steep = (facing < 0.0 ? -1.0 : 1.0) * max(abs(facing), minCosine * distance);
     centre = vec4(parallel ? p.xy : p.xy / p.z, p.z, radius);
     bool behind = away && oriented;
-    float rise = radius * sqrt(max(0.0, 1.0 - n.z * n.z));
-    plane = vec4(n.xy / steep, behind ? (radius + filterPx * pixelSize(p.z)) * layerDepth * backBias : 0.0,
+    vec3 b = turn(packedShape.xyz * longestShape);
+    b -= n * dot(n, b);
+    float aspect = sqrt(1.0 + dot(b, b));
+    shape = vec4(b, radius / sqrt(aspect));
+    vec3 lacks = b / aspect;
+    vec3 extent = radius * sqrt(max(vec3(0.0), 1.0 - n * n - lacks * lacks));
+    float rise = extent.z;
+    plane = vec4(n.xy / steep, behind ? (shape.w + filterPx * pixelSize(p.z)) * layerDepth * backBias : 0.0,
                  behind ? nearness(centre.z - backClip * rise) : 3e38);
     normal = n;
     attributes = colourAndMask;
 
-    vec3 extent = radius * sqrt(max(vec3(0.0), 1.0 - n * n));
     vec2 wide = parallel ? extent.xy : (extent.xy + abs(centre.xy) * extent.z) / (p.z - extent.z);
     vec2 halfPx = max(vec2(filterPx), image.z * wide);
     vec2 px = (centre.xy - image.xy) * image.z + 0.5;
@@ -130,6 +145,7 @@ static constexpr const char* splatFragment = R"(
 flat in vec4 centre;
 flat in vec4 plane;
 flat in vec3 normal;
+flat in vec4 shape;
 flat in vec3 edge, secondEdge;
 flat in vec4 attributes;
 layout(location = 0) out vec4 normalSum;
@@ -148,12 +164,13 @@ void main() {
             discard;
     float z = parallel ? -w : 1.0 / w, dz = z - centre.z;
     vec3 a = vec3(parallel ? d : dz * centre.xy + z * d, dz);
-    float r2 = min(exact > plane.w || max(dot(a, edge), dot(a, secondEdge)) > 1.0 ? 2.0 : dot(a, a) / (radius * radius),
+    float off = dot(a, shape.xyz);
+    float r2 = min(exact > plane.w || max(dot(a, edge), dot(a, secondEdge)) > 1.0 ? 2.0 : (dot(a, a) + off * off) / (radius * radius),
                    dot(d, d) * image.z * image.z / (filterPx * filterPx));
     if (r2 > 1.0)
         discard;
 #ifdef VISIBILITY
-    gl_FragDepth = (z + layerDepth * (radius + pixel) + plane.z - depthRange.x) * depthRange.y;
+    gl_FragDepth = (z + layerDepth * (shape.w + pixel) + plane.z - depthRange.x) * depthRange.y;
 #else
     gl_FragDepth = (z + plane.z - depthRange.x) * depthRange.y;
     float weight = exp(-2.0 * r2);

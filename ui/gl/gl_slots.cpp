@@ -23,31 +23,43 @@ static std::uint32_t packed(float support, CutCode code) {
     return ((std::bit_cast<std::uint32_t>(support) + mask / 2) & ~mask) | code;
 }
 
-/// `shape`: the channel of the shapes of supports, 0: they are balls.
-static void pack(const surfel::SurfelBlock& block, int shape, const BlockColours* colours, const CutCodes* codes,
-                 GlSurfel* out) {
+/// `shape`: the channel of the shapes of supports.
+static void packShapes(const surfel::SurfelBlock& block, int shape, GlShape* out) {
     if (block.extraWords() == 0) // what stands for many is round
         shape = 0;
+    for (int slot = 0; slot < block.size(); ++slot)
+        out[slot] = packed(surfel::shapeOf(block, slot, shape) / surfel::longestShape);
+}
+
+static void pack(const surfel::SurfelBlock& block, const BlockColours* colours, const CutCodes* codes, GlSurfel* out) {
     const surfel::Colour* shown = colours ? colours->of(&block) : nullptr;
     for (int slot = 0; slot < block.size(); ++slot) {
         const surfel::Surfel s = block.surfel(slot);
         const auto mask = static_cast<std::uint32_t>(std::clamp(s.mask, 0.0f, 1.0f) * 255 + 0.5f);
         const surfel::Colour colour = shown ? shown[slot] : s.colour;
         const CutCode code = codes ? (*codes)[static_cast<std::size_t>(slot)] : wholeDisc;
-        out[slot] = {s.position, packed(s.normal), packed(surfel::ballOf(block, slot, shape), code),
-                     (colour & 0x00ffffffu) | mask << 24};
+        out[slot] = {s.position, packed(s.normal), packed(s.support, code), (colour & 0x00ffffffu) | mask << 24};
     }
 }
 
 GlSlots::~GlSlots() {
-    m_gl.deleteBuffers(static_cast<GLsizei>(m_pages.size()), m_pages.data());
+    clear();
 }
 
-static GLuint newPage(const GlFunctions& gl, std::size_t slots) {
+void GlSlots::clear() {
+    m_gl.deleteBuffers(static_cast<GLsizei>(m_pages.size()), m_pages.data());
+    m_gl.deleteBuffers(static_cast<GLsizei>(m_shapePages.size()), m_shapePages.data());
+    m_pages.clear(), m_shapePages.clear();
+    m_capacity = 0;
+    m_shown = {};
+    m_slotOf.clear(), m_cut.clear(), m_free.clear();
+}
+
+static GLuint newPage(const GlFunctions& gl, std::size_t bytes) {
     GLuint out = 0;
     gl.genBuffers(1, &out);
     gl.bindBuffer(GL_COPY_WRITE_BUFFER, out);
-    gl.bufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(slots * slotBytes), nullptr, GL_DYNAMIC_DRAW);
+    gl.bufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(bytes), nullptr, GL_DYNAMIC_DRAW);
     return out;
 }
 
@@ -58,19 +70,25 @@ void GlSlots::grow(std::size_t wanted) {
         m_capacity == 0 ? wanted : std::max(wanted, m_capacity + std::min(m_capacity / 4, slotsPerPage));
     for (std::size_t slot = m_capacity; slot < capacity; ++slot)
         m_free.push_back(slot);
+    growPages(m_pages, slotBytes, capacity);
+    if (shaped())
+        growPages(m_shapePages, shapeBytes, capacity);
+    m_capacity = capacity;
+}
+
+/// `bytes`: of a slot.
+void GlSlots::growPages(std::vector<GLuint>& pages, std::size_t bytes, std::size_t capacity) const {
     const std::size_t begun = m_capacity % slotsPerPage;
     if (begun > 0) { // the last page was not a full one
-        const std::size_t size = std::min(slotsPerPage, capacity - (m_pages.size() - 1) * slotsPerPage);
-        const GLuint bigger = newPage(m_gl, size);
-        m_gl.bindBuffer(GL_COPY_READ_BUFFER, m_pages.back());
-        m_gl.copyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0,
-                               static_cast<GLsizeiptr>(begun * slotBytes));
-        m_gl.deleteBuffers(1, &m_pages.back());
-        m_pages.back() = bigger;
+        const std::size_t size = std::min(slotsPerPage, capacity - (pages.size() - 1) * slotsPerPage);
+        const GLuint bigger = newPage(m_gl, size * bytes);
+        m_gl.bindBuffer(GL_COPY_READ_BUFFER, pages.back());
+        m_gl.copyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0, static_cast<GLsizeiptr>(begun * bytes));
+        m_gl.deleteBuffers(1, &pages.back());
+        pages.back() = bigger;
     }
-    while (m_pages.size() * slotsPerPage < capacity)
-        m_pages.push_back(newPage(m_gl, std::min(slotsPerPage, capacity - m_pages.size() * slotsPerPage)));
-    m_capacity = capacity;
+    while (pages.size() * slotsPerPage < capacity)
+        pages.push_back(newPage(m_gl, std::min(slotsPerPage, capacity - pages.size() * slotsPerPage) * bytes));
 }
 
 void GlSlots::upload(std::span<const surfel::SurfelBlock* const> blocks, std::span<const std::size_t> slots) {
@@ -82,7 +100,7 @@ void GlSlots::upload(std::span<const surfel::SurfelBlock* const> blocks, std::sp
         m_staging.resize((end - begin) * surfel::blockCapacity);
         for (std::size_t i = begin; i < end; ++i) {
             const auto cut = m_cut.find(blocks[i]);
-            pack(*blocks[i], m_shape, m_colours.get(), cut == m_cut.end() ? nullptr : &cut->second,
+            pack(*blocks[i], m_colours.get(), cut == m_cut.end() ? nullptr : &cut->second,
                  m_staging.data() + (i - begin) * surfel::blockCapacity);
         }
         m_gl.bindBuffer(GL_COPY_WRITE_BUFFER, m_pages[slots[begin] / slotsPerPage]);
@@ -90,6 +108,15 @@ void GlSlots::upload(std::span<const surfel::SurfelBlock* const> blocks, std::sp
                            static_cast<GLsizeiptr>((end - begin) * slotBytes), m_staging.data());
         ++m_uploads;
         m_uploadedBytes += (end - begin) * slotBytes;
+        if (!shaped())
+            continue;
+        m_shapeStaging.resize((end - begin) * surfel::blockCapacity);
+        for (std::size_t i = begin; i < end; ++i)
+            packShapes(*blocks[i], m_shape, m_shapeStaging.data() + (i - begin) * surfel::blockCapacity);
+        m_gl.bindBuffer(GL_COPY_WRITE_BUFFER, m_shapePages[slots[begin] / slotsPerPage]);
+        m_gl.bufferSubData(GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(slots[begin] % slotsPerPage * shapeBytes),
+                           static_cast<GLsizeiptr>((end - begin) * shapeBytes), m_shapeStaging.data());
+        m_uploadedBytes += (end - begin) * shapeBytes;
     }
 }
 
@@ -155,11 +182,14 @@ void GlSlots::recolour(std::shared_ptr<const BlockColours> colours) {
 
 void GlSlots::show(const tree::SurfelTree& model, std::shared_ptr<const BlockColours> colours) {
     m_uploads = m_uploadedBytes = 0;
+    const int shape = surfel::shapeChannel(*model.layout());
+    if ((shape > 0) != shaped())
+        clear();
+    m_shape = shape;
     const tree::Diff change = model == m_shown ? tree::Diff{} : tree::diff(m_shown, model);
     for (const surfel::BlockPtr& block : change.removed)
         release(block.get());
     recolour(std::move(colours));
-    m_shape = surfel::shapeChannel(*model.layout());
     std::vector<const surfel::SurfelBlock*> added;
     for (const surfel::BlockPtr& block : change.added)
         added.push_back(block.get());

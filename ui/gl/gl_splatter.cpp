@@ -80,7 +80,16 @@ void GlSplatter::bindAttributes(std::size_t page, GLint firstSurfel, GLuint divi
     m_gl.vertexAttribPointer(1, 4, GL_INT_2_10_10_10_REV, GL_TRUE, sizeof(GlSurfel), at(offsetof(GlSurfel, normal)));
     m_gl.vertexAttribPointer(2, 1, GL_FLOAT, GL_FALSE, sizeof(GlSurfel), at(offsetof(GlSurfel, support)));
     m_gl.vertexAttribPointer(3, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(GlSurfel), at(offsetof(GlSurfel, colourAndMask)));
-    for (GLuint k = 0; k < 4; ++k) {
+    constexpr GLuint shape = 4;
+    if (m_slots.shaped()) {
+        m_gl.bindBuffer(GL_ARRAY_BUFFER, m_slots.shapes(page));
+        m_gl.vertexAttribPointer(
+            shape, 4, GL_INT_2_10_10_10_REV, GL_TRUE, sizeof(GlShape),
+            reinterpret_cast<const void*>(static_cast<std::size_t>(firstSurfel) * sizeof(GlShape)));
+    } else {
+        m_gl.disableVertexAttribArray(shape); // then it is 0
+    }
+    for (GLuint k = 0; k < (m_slots.shaped() ? 5u : 4u); ++k) {
         m_gl.enableVertexAttribArray(k);
         m_gl.vertexAttribDivisor(k, divisor);
     }
