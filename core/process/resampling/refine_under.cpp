@@ -17,15 +17,15 @@ namespace {
 
 /// With more neighbours over a place than that a surface is no reduced one.
 constexpr int fewNeighbours = 16;
-/// Of the new samples: a ball needs more of them than what was fitted.
+/// Over a place, of the new samples: they are fitted to less, and more of them even out where they lie.
 constexpr float neighbours = 14;
-constexpr float perRadius = 4.5f; ///< new samples in the brush's radius
+constexpr float perRadius = 4.5f; ///< new spacings in the brush's radius
 constexpr float growth = 0.5f;    ///< of the spacing, per length outside of the brush
 /// In radii: how far spacings stay fine when there is something to do, so that the next dabs find nothing, and how far
 /// they must be fine.
 constexpr float fineWithin = 1.5f, askedWithin = 1.1f;
 constexpr float coarser = 1.25f; ///< than wanted, and worth while
-constexpr float beside = 0.6f;   ///< of a semi-axis: about a spacing away from a sample at a rim there is nothing
+constexpr float beside = 0.6f;   ///< of a semi-axis, about a spacing: at rims there is nothing on one side
 constexpr float inside = 0.8f;   ///< of the boundary limit: that is no border yet
 constexpr int mostRounds = 8;
 
@@ -77,19 +77,16 @@ class Refining {
                 tree = tree.apply(along ? along(tree, std::move(edit)) : edit);
         };
         apply(balls(tree));
-        for (int round = 0; round < mostRounds; ++round) {
-            const bool last = round + 1 == mostRounds;
+        bool settled = false;
+        for (int round = 0; round < mostRounds && !settled; ++round) {
             tree::Edit edit = resample({tree, m_surface.definition()}, chosen(tree), options, m_surface);
-            const bool settled = edit.inserted.items.empty();
+            settled = edit.inserted.items.empty();
             apply(std::move(edit));
             apply(balls(tree));
-            if (settled || last)
-                break;
         }
         options.relaxAll = true;
         options.order = Order::RelaxOnly;
         options.fitRounds = 4;
-        options.sweeps = 3;
         apply(resample({tree, m_surface.definition()}, chosen(tree), options, m_surface));
         apply(balls(tree));
         return {tree, m_surface.definition()};
