@@ -144,10 +144,15 @@ class CellRays {
         out.hit.agreement = at.agreement;
         return out;
     }
-    /// Hits that are the same place: where the ray goes through a seam, both its cells have one.
-    static void dropRepeated(std::vector<CellHit>& hits) {
-        const auto same = [](const CellHit& a, const CellHit& b) {
-            return b.hit.t - a.hit.t < surface::secondaryEpsilon * surface::spacingOfUnit * b.hit.unit;
+    /// Hits that are the same place: where the ray goes through a seam, both its cells have one; and where the sums of
+    /// two cells are nearly the same, as beside creases that are flat or fade, both have one that nothing cuts off. No
+    /// surface is passed twice from the same side.
+    void dropRepeated(std::vector<CellHit>& hits) const {
+        constexpr double sameSide = 0.5; // spacings
+        const auto facing = [&](const CellHit& hit) { return dot(hit.hit.outward, m_ray.direction) > 0; };
+        const auto same = [&](const CellHit& a, const CellHit& b) {
+            const double gap = (b.hit.t - a.hit.t) / (surface::spacingOfUnit * b.hit.unit);
+            return gap < surface::secondaryEpsilon || (gap < sameSide && a.cell != b.cell && facing(a) == facing(b));
         };
         hits.erase(std::unique(hits.begin(), hits.end(), same), hits.end());
     }

@@ -100,19 +100,17 @@ class LabelMeter {
             const float within = std::sqrt(farSq) + aboutNearest * s;
             Vec3f normal, way;
             float total = 0;
-            bool drawn = false; // between cells of one face, or what was one
             for (const Near& each : m_near) {
                 const float part = distanceSq(each.position, p) / (within * within);
                 if (each.label.cell != cell || !(part < 1))
                     continue;
                 const float weight = (1 - part) * (1 - part);
-                drawn = each.label.face == before.face || before.sharpness == 0;
                 normal += each.normal * weight, way += (each.position - p) * weight, total += weight;
             }
             normal = normalized(normal), way = way / std::max(total, 1e-30f);
             const float sine = length(normal - n * dot(n, normal));
             if (!(sine > leastSine)) {
-                flat |= cell == before.partner && drawn && farSq < flatReach * flatReach * s * s;
+                flat |= cell == before.partner && farSq < flatReach * flatReach * s * s;
                 continue;
             }
             const float distance = std::abs(dot(way, normal)) / sine;

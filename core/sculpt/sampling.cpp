@@ -1,5 +1,6 @@
 #include "core/sculpt/sampling.h"
 
+#include "core/cells/flat_pairs.h"
 #include "core/layers/layer_edits.h"
 #include "core/process/resampling/refine_under.h"
 #include "core/sculpt/crumbs.h"
@@ -312,11 +313,17 @@ surface::Surface Sampling::withLabels(const surface::Surface& surface, std::size
     std::vector<cells::EditedBall> balls;
     for (std::size_t k = firstBall; k < m_balls.size(); ++k)
         balls.push_back({m_balls[k].centre, m_balls[k].radius});
-    const tree::Edit edit = cells::measuredLabels(surface, balls, partners);
-    if (edit.empty())
-        return surface;
-    m_stretches.note(surface.tree(), edit); // the same surfels in other blocks
-    return {surface.tree().apply(edit), surface.definition()};
+    surface::Surface out = surface;
+    const auto apply = [&](const tree::Edit& edit) {
+        if (edit.empty())
+            return;
+        m_stretches.note(out.tree(), edit); // the same surfels in other blocks
+        out = {out.tree().apply(edit), out.definition()};
+    };
+    apply(cells::measuredLabels(out, balls, partners));
+    if (partners == cells::Partners::Measured && !m_layers) // whose strengths bring edges back
+        apply(cells::mergedFlatPairs(out, balls));
+    return out;
 }
 
 surface::Surface Sampling::resample(surface::Surface surface) {

@@ -5,6 +5,7 @@
 #include "cells/solids.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/cells/cell_rays.h"
 #include "core/cells/cell_value.h"
 #include "core/cells/seams.h"
 #include "support/registry.h"
@@ -23,6 +24,7 @@ class DrawCreaseTest : public QObject {
   private Q_SLOTS:
     void besideALineBothSidesMeet();
     void drawingMovesADomeHardlyAtAll();
+    void noSideIsPassedTwice();
     void closedLinesAreClosedSeams();
     void edgesBecomeSharp();
     void smoothedCreasesAreGone();
@@ -118,6 +120,28 @@ void DrawCreaseTest::drawingMovesADomeHardlyAtAll() {
                                        plain.evaluateReference(p, surface::Need::Value).value));
     }
     QVERIFY2(most < 0.03 * spacing, qPrintable(QString("seed %1: %2 s").arg(test::seed()).arg(most / spacing)));
+}
+
+/// Cells on both sides of a crease that is flat, or ends, have nearly the same zeros: they are one place.
+void DrawCreaseTest::noSideIsPassedTwice() {
+    Random random(test::seed());
+    surfel::SurfelList noisy = ball();
+    for (surfel::Surfel& s : noisy.items)
+        s.position += s.normal * static_cast<float>(0.05 * spacing * random.uniform(-1, 1));
+    const cells::DrawnCrease drawn = cells::drawCrease(surfaceOf(noisy), parallelOf(0.2, 0, 1.2, 25), 1);
+    const CellSurface surface = *CellSurface::of(drawn.surface);
+    std::size_t twice = 0;
+    for (int k = 0; k < 1500; ++k) {
+        const double a = random.uniform(-0.3, 1.5), b = 0.2 + random.uniform(-0.2, 0.2);
+        const Vec3d p{std::cos(b) * std::cos(a), std::cos(b) * std::sin(a), std::sin(b)};
+        const base::Rayd ray = towards(p, random.unitVector(), 5);
+        double side = -1;
+        for (const auto& hit : cells::intersectAllReference(surface, ray)) {
+            twice += dot(hit.outward, ray.direction) * side < 0 ? 1 : 0;
+            side = -side;
+        }
+    }
+    QVERIFY2(twice == 0, qPrintable(QString("%1, seed %2").arg(twice).arg(test::seed())));
 }
 
 void DrawCreaseTest::closedLinesAreClosedSeams() {

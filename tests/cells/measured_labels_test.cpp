@@ -1,5 +1,6 @@
-// Labels after an edit: nothing new where nothing moved; what was bent the other way is concave; flat is no crease.
-#include "core/cells/measured_labels.h"
+// Labels after an edit: nothing new where nothing moved; what was bent the other way is concave; cells that go on into
+// one another all along are one.
+#include "core/cells/flat_pairs.h"
 
 #include "cells/solids.h"
 #include "support/registry.h"
@@ -19,6 +20,8 @@ class MeasuredLabelsTest : public QObject {
     void creasesAreFoundWhereTheyWere();
     void bentTheOtherWayTheSignTurns_data();
     void bentTheOtherWayTheSignTurns();
+    void cellsThatHaveBecomeFlatAreOne_data();
+    void cellsThatHaveBecomeFlatAreOne();
     void flatCreasesWithinAFaceStay();
     void nothingChangesElsewhere();
 };
@@ -95,7 +98,6 @@ void MeasuredLabelsTest::bentTheOtherWayTheSignTurns_data() {
     QTest::addColumn<double>("to");
     QTest::newRow("ridge to valley") << -30.0 << 25.0;
     QTest::newRow("valley to ridge") << 30.0 << -20.0;
-    QTest::newRow("to flat") << -30.0 << 1.0;
 }
 
 void MeasuredLabelsTest::bentTheOtherWayTheSignTurns() {
@@ -111,7 +113,7 @@ void MeasuredLabelsTest::bentTheOtherWayTheSignTurns() {
     }
     const surface::Surface before = surfaceOf(s.surfels);
     const tree::SurfelTree after = before.tree().apply(cells::measuredLabels(before, everywhere()));
-    const Meeting expected = std::abs(to) < 2 ? Meeting::None : to > 0 ? Meeting::Concave : Meeting::Convex;
+    const Meeting expected = to > 0 ? Meeting::Concave : Meeting::Convex;
     std::size_t beside = 0, wrong = 0;
     forLabels(after, [&](auto, auto, const Vec3d& p, const Label& label) {
         if (std::abs(p.x) > 1.2 * spacing || std::abs(p.y) > 0.7)
@@ -121,6 +123,53 @@ void MeasuredLabelsTest::bentTheOtherWayTheSignTurns() {
     });
     QVERIFY2(beside > 20 && wrong == 0,
              qPrintable(QString("%1 of %2, seed %3").arg(wrong).arg(beside).arg(test::seed())));
+}
+
+void MeasuredLabelsTest::cellsThatHaveBecomeFlatAreOne_data() {
+    QTest::addColumn<double>("left"); // degrees by which one side rises at the two ends
+    QTest::addColumn<double>("right");
+    QTest::addColumn<double>("radius"); // of the bend
+    QTest::addColumn<bool>("merge");
+    QTest::newRow("flat") << 1.0 << 1.0 << 1e6 << true;
+    QTest::newRow("6 degrees") << 6.0 << 6.0 << 1e6 << true;
+    QTest::newRow("11 degrees") << 11.0 << 11.0 << 1e6 << false;
+    QTest::newRow("flat in part") << 25.0 << 0.0 << 1e6 << false;
+    QTest::newRow("bent") << 0.0 << 0.0 << 0.9 << true;
+    QTest::newRow("bent with an edge") << 12.0 << 12.0 << 0.9 << false;
+}
+
+/// One side rises over the y axis by an angle that goes from one to another along it, on what is bent across it.
+void MeasuredLabelsTest::cellsThatHaveBecomeFlatAreOne() {
+    QFETCH(double, left);
+    QFETCH(double, right);
+    QFETCH(double, radius);
+    QFETCH(bool, merge);
+    Random random(test::seed());
+    SampledSolid s = roof(-20, random);
+    for (surfel::Surfel& each : s.surfels.items) {
+        const double x = double(each.position.x), y = double(each.position.y);
+        const double slope = std::tan((left + (right - left) * (y + 1) / 2) * pi / 180);
+        const double rise = x > 0 ? slope : 0, bend = std::sqrt(radius * radius - 0.5 * x * x);
+        each.position.z = static_cast<float>(x * rise + radius - bend);
+        each.normal = base::cast<float>(base::normalized(
+            Vec3d{-rise - 0.5 * x / bend, x > 0 ? -x * (right - left) / 2 * pi / 180 * (1 + slope * slope) : 0, 1}));
+    }
+    surface::Surface now = surfaceOf(s.surfels);
+    const auto apply = [&](const tree::Edit& edit) {
+        if (!edit.empty())
+            now = {now.tree().apply(edit), now.definition()};
+        return !edit.empty();
+    };
+    apply(cells::measuredLabels(now, everywhere()));
+    const bool merged = apply(cells::mergedFlatPairs(now, everywhere()));
+    std::size_t cellsLeft = 0, beside = 0;
+    forLabels(now.tree(), [&](auto, auto, auto&&, const Label& label) {
+        cellsLeft |= std::size_t(1) << label.cell;
+        beside += label.meeting != Meeting::None ? 1 : 0;
+    });
+    const QByteArray told =
+        QString("seed %1: cells %2, %3 beside").arg(test::seed()).arg(cellsLeft).arg(beside).toUtf8();
+    QVERIFY2(merged == merge && (cellsLeft != 3) == merge && (beside == 0) == merge, told);
 }
 
 /// They were drawn, and are to become an edge by the strokes that follow.
@@ -134,9 +183,10 @@ void MeasuredLabelsTest::flatCreasesWithinAFaceStay() {
         halves[i].partner = std::abs(x) > 2 * static_cast<float>(spacing) ? halves[i].cell : x < 0 ? 2 : 1;
         halves[i].meeting = halves[i].partner == halves[i].cell ? Meeting::None : Meeting::Convex;
     }
-    cells::setLabels(s.surfels, halves);
+    cells::setLabels(s.surfels, halves, true);
     const surface::Surface drawn = surfaceOf(s.surfels);
     QVERIFY(cells::measuredLabels(drawn, everywhere()).empty());
+    QVERIFY(cells::mergedFlatPairs(drawn, everywhere()).empty());
 }
 
 void MeasuredLabelsTest::nothingChangesElsewhere() {

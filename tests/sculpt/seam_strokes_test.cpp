@@ -17,6 +17,7 @@ class SeamStrokesTest : public QObject {
     void everyEdgeStaysOneSeam_data();
     void everyEdgeStaysOneSeam();
     void edgesThatAreDrawnApartStayOneSeam();
+    void smoothingLeavesPlanesAlone();
 };
 
 namespace {
@@ -117,6 +118,29 @@ void SeamStrokesTest::edgesThatAreDrawnApartStayOneSeam() {
         const QByteArray wrong = notOfCube(stroked(cube, settings, random));
         QVERIFY2(wrong.isEmpty(), wrong + ", " + QByteArray::number(k));
     }
+}
+
+/// Each cell is drawn to its own surface: edges and corners of planes stay where they are.
+void SeamStrokesTest::smoothingLeavesPlanesAlone() {
+    Random random(test::seed());
+    Cube cube(random);
+    sculpt::StrokeSettings settings = anyStroke("smooth", random);
+    settings.strength = 1;
+    for (int k = 0; k < 3; ++k)
+        cube.surface = stroked(cube, settings, random);
+    double off = 0, turned = 0;
+    cube.surface.tree().forEachBlock([&](std::uint32_t, const surfel::SurfelBlock& block) {
+        for (int slot = 0; slot < block.size(); ++slot) {
+            const Vec3d p = base::cast<double>(block.position(slot)), n = base::cast<double>(block.normal(slot));
+            const Vec3d axis = *std::max_element(cube.axes, cube.axes + 3, [&](const Vec3d& a, const Vec3d& b) {
+                return std::abs(dot(n, a)) < std::abs(dot(n, b));
+            });
+            off = std::max(off, std::abs(std::abs(dot(p, axis)) - half));
+            turned = std::max(turned, 1 - std::abs(dot(n, axis)));
+        }
+    });
+    QVERIFY2(off < 1e-4 * spacing && turned < 1e-6,
+             qPrintable(QString("off %1 s, turned %2, seed %3").arg(off / spacing).arg(turned).arg(test::seed())));
 }
 
 static const test::Registered<SeamStrokesTest> registered;

@@ -2,6 +2,7 @@
 
 #include "core/base/clones.h"
 #include "core/base/parallel.h"
+#include "core/sculpt/own_cells.h"
 #include "core/sculpt/tools/brush.h"
 #include "core/surface/evaluation/self.h"
 
@@ -82,12 +83,14 @@ void settle(surfel::SurfelBlock& block, int cluster, const float* share, const s
 }
 
 /// The block after the dab; null where nothing moves.
-surfel::BlockPtr smoothed(const Brush& brush, const BrushBlock& in, float strength, surface::SelfEvaluator& self) {
+surfel::BlockPtr smoothed(const Brush& brush, const BrushBlock& in, float strength, surface::SelfEvaluator& self,
+                          OwnCells::Evaluator& own) {
     const Shares shares(brush, in, strength);
     if (shares.clusters == 0)
         return {};
     surface::SelfLanes at[surfel::clustersPerBlock];
     self.evaluate(*in.block, shares.clusters, surface::Need::Gradient, at);
+    own.replace(in, shares.clusters, at);
     surfel::MutableBlockPtr changed;
     for (unsigned left = shares.clusters; left != 0; left &= left - 1) {
         const int cluster = std::countr_zero(left);
@@ -115,11 +118,13 @@ static tree::Edit smooth(const surface::Surface& version, const Dab& dab) {
     definition.shrinkFree = true;
     const surface::Surface ground(version.tree(), definition);
     const std::vector<BrushBlock> blocks = blocksUnder(version.tree(), brush.centre, brush.radius);
+    const OwnCells own(ground, blocks);
     std::vector<surfel::BlockPtr> changed(blocks.size());
     base::parallelChunks(blocks.size(), grain, [&](std::size_t begin, std::size_t end, std::size_t) {
         surface::SelfEvaluator self(ground);
+        OwnCells::Evaluator alone(own);
         for (std::size_t i = begin; i < end; ++i)
-            changed[i] = smoothed(brush, blocks[i], strength, self);
+            changed[i] = smoothed(brush, blocks[i], strength, self, alone);
     });
     return editOf(blocks, std::move(changed));
 }
