@@ -19,6 +19,8 @@ constexpr float aboutNearest = 1.2f; ///< spacings: surfels so much farther than
 constexpr float leastSine = 0.14f;   ///< 8 degrees: flatter than that nobody can measure where a patch ends
 constexpr float flatReach = 2.5f;    ///< spacings: so near the patch across still is where there is no edge
 
+constexpr float beyondEdge = 1.25f; ///< spacings: about so far beyond its edge a face has no surfels
+
 struct Near {
     Vec3f position, normal;
     Label label;
@@ -110,17 +112,29 @@ class LabelMeter {
             normal = normalized(normal), way = way / std::max(total, 1e-30f);
             const float sine = length(normal - n * dot(n, normal));
             if (!(sine > leastSine)) {
-                flat |= cell == before.partner && farSq < flatReach * flatReach * s * s;
+                flat |= cell == before.partner && dot(n, normal) > 0 && farSq < flatReach * flatReach * s * s;
                 continue;
             }
             const float distance = std::abs(dot(way, normal)) / sine;
-            if (!(distance < nearest))
+            if (!(distance < nearest) ||
+                (!m_kept && goesOnBeyond(before.cell, p, n, normal, dot(way, normal) / sine, s)))
                 continue;
             nearest = distance;
             out.partner = cell;
             out.meeting = meetingWith(before.cell, p + way, normal, s);
         }
         return (flat || m_kept) && out.meeting == Meeting::None ? before : out;
+    }
+
+    /// Has the cell surfels beyond the plane of another one, `far` off along its own? Then it does not end there: it is
+    /// one wall of what is thin, and that the other one.
+    bool goesOnBeyond(std::uint32_t own, const Vec3f& p, const Vec3f& n, const Vec3f& normal, float far,
+                      float s) const {
+        const Vec3f along = normalized(normal - n * dot(n, normal));
+        const Vec3f beyond = p + along * (far + (far < 0 ? -beyondEdge : beyondEdge) * s);
+        return std::any_of(m_near.begin(), m_near.end(), [&](const Near& each) {
+            return each.label.cell == own && distanceSq(each.position, beyond) < s * s && dot(each.normal, n) > 0.5f;
+        });
     }
 
     /// How a cell meets a patch around a place, as its surfels nearest to that tell: where faces bend towards an edge,

@@ -23,6 +23,7 @@ class MeasuredLabelsTest : public QObject {
     void cellsThatHaveBecomeFlatAreOne_data();
     void cellsThatHaveBecomeFlatAreOne();
     void flatCreasesWithinAFaceStay();
+    void wallsThatComeNearDoNotMeet();
     void nothingChangesElsewhere();
 };
 
@@ -187,6 +188,40 @@ void MeasuredLabelsTest::flatCreasesWithinAFaceStay() {
     const surface::Surface drawn = surfaceOf(s.surfels);
     QVERIFY(cells::measuredLabels(drawn, everywhere()).empty());
     QVERIFY(cells::mergedFlatPairs(drawn, everywhere()).empty());
+}
+
+/// A plate that is a third of a spacing thick in its middle: the planes of both sides meet there, both sides go on.
+void MeasuredLabelsTest::wallsThatComeNearDoNotMeet() {
+    Random random(test::seed());
+    surfel::SurfelList list;
+    auto layout = std::make_shared<surfel::AttributeLayout>();
+    layout->normals = layout->oriented = true;
+    list.layout = layout;
+    std::vector<Label> labels;
+    constexpr double slope = 0.2, thin = 0.15 * spacing;
+    for (const int side : {-1, 1})
+        for (int i = -8; i <= 8; ++i)
+            for (int k = -8; k <= 8; ++k) {
+                const double x = (i + random.uniform(-0.2, 0.2)) * spacing,
+                             y = (k + random.uniform(-0.2, 0.2)) * spacing;
+                const double z = std::sqrt(slope * slope * x * x + thin * thin);
+                surfel::Surfel s;
+                s.position = base::cast<float>(Vec3d{x, y, side * z});
+                s.normal = base::cast<float>(base::normalized(Vec3d{-slope * slope * x / z, 0, 1.0 * side}));
+                s.support = static_cast<float>(3.5 * spacing);
+                list.append(s, {});
+                const std::uint32_t cell = side < 0 ? 1 : 2;
+                const bool beside = std::abs(x) < 2 * spacing;
+                labels.push_back({cell, beside ? 3 - cell : cell, beside ? Meeting::Convex : Meeting::None, 255, cell});
+            }
+    cells::setLabels(list, labels);
+    const surface::Surface before = surfaceOf(list);
+    const tree::SurfelTree after = before.tree().apply(cells::measuredLabels(before, everywhere()));
+    std::size_t beside = 0;
+    forLabels(after, [&](auto, auto, const Vec3d& p, const Label& label) {
+        beside += std::abs(p.x) < 4 * spacing && std::abs(p.y) < 6 * spacing && label.meeting != Meeting::None ? 1 : 0;
+    });
+    QVERIFY2(beside == 0, qPrintable(QString("%1, seed %2").arg(beside).arg(test::seed())));
 }
 
 void MeasuredLabelsTest::nothingChangesElsewhere() {
