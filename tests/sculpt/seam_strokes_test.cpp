@@ -18,6 +18,7 @@ class SeamStrokesTest : public QObject {
     void everyEdgeStaysOneSeam();
     void edgesThatAreDrawnApartStayOneSeam();
     void smoothingLeavesPlanesAlone();
+    void strokesOneAfterAnotherLeaveEveryEdge();
 };
 
 namespace {
@@ -141,6 +142,27 @@ void SeamStrokesTest::smoothingLeavesPlanesAlone() {
     });
     QVERIFY2(off < 1e-4 * spacing && turned < 1e-6,
              qPrintable(QString("off %1 s, turned %2, seed %3").arg(off / spacing).arg(turned).arg(test::seed())));
+}
+
+/// Any tools, over any of the edges.
+void SeamStrokesTest::strokesOneAfterAnotherLeaveEveryEdge() {
+    Random random(test::seed());
+    std::vector<const char*> tools;
+    for (const sculpt::ToolRow& row : sculpt::toolTable())
+        if (row.id != std::string_view("draw-sharp") && row.writes != sculpt::Writes::Count && !row.needs.layer &&
+            !row.needs.source)
+            tools.push_back(row.id);
+    Cube cube(random);
+    for (int k = 0; k < test::effort(8); ++k) {
+        std::swap(cube.axes[random.below(3)], cube.axes[2]);
+        for (Vec3d& axis : cube.axes)
+            axis = random.below(2) == 0 ? axis : -axis;
+        sculpt::StrokeSettings settings = anyStroke(tools[random.below(tools.size())], random);
+        settings.strength *= 0.5f;
+        cube.surface = stroked(cube, settings, random);
+        const QByteArray wrong = notOfCube(cube.surface);
+        QVERIFY2(wrong.isEmpty(), wrong + ", stroke " + QByteArray::number(k) + " " + settings.tool.c_str());
+    }
 }
 
 static const test::Registered<SeamStrokesTest> registered;
