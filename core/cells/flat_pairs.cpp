@@ -26,7 +26,7 @@ struct Votes {
 
 class FlatPairs {
   public:
-    explicit FlatPairs(const surface::Surface& surface, const LabelLayout& labels)
+    FlatPairs(const surface::Surface& surface, const LabelLayout& labels)
         : m_tree(surface.tree()), m_labels(labels), m_spacing(static_cast<float>(surface::spacingOfUnit)),
           m_scale(surface.supportScale()) {}
 
@@ -54,6 +54,8 @@ class FlatPairs {
         });
         if (count[0] < fewest || count[1] < fewest)
             return std::nullopt;
+        if (!(dot(mean[0], mean[1]) > 0))
+            return 1;
         const Vec3d normal = base::normalized(mean[0] / count[0] + mean[1] / count[1]);
         Vec3d across = middle[1] / count[1] - middle[0] / count[0];
         across = base::normalized(across - normal * dot(normal, across));

@@ -216,6 +216,7 @@ void MeasuredLabelsTest::wallsThatComeNearDoNotMeet() {
             }
     cells::setLabels(list, labels);
     const surface::Surface before = surfaceOf(list);
+    QVERIFY(cells::mergedFlatPairs(before, everywhere()).empty());
     const tree::SurfelTree after = before.tree().apply(cells::measuredLabels(before, everywhere()));
     std::size_t beside = 0;
     forLabels(after, [&](auto, auto, const Vec3d& p, const Label& label) {
