@@ -1,5 +1,5 @@
-// What is known of each surfel of some blocks: measured once, slot after slot, in parallel, and found by the block.
-// Most blocks that a dab looks at are those that the dab before looked at.
+// What is known of each surfel of some blocks: measured once, cluster after cluster, in parallel, and found by the
+// block. Most blocks that a dab looks at are those that the dab before looked at.
 //
 // A value; const functions may run on any thread.
 #pragma once
@@ -7,6 +7,9 @@
 #include "core/base/parallel.h"
 #include "core/tree/surfel_tree.h"
 
+#include <algorithm>
+#include <array>
+#include <numeric>
 #include <span>
 #include <unordered_map>
 #include <vector>
@@ -16,8 +19,8 @@ namespace sculpt {
 template <class T>
 class BlockMemo {
   public:
-    /// Measures what is missing of these blocks. newMeasure() gives what is called as measure(block, slot), slot after
-    /// slot, by one thread; it is called from many.
+    /// Measures what is missing of these blocks. newMeasure() gives what is called by one thread as measure(block,
+    /// slots, out), for up to 16 slots of a block at once; it is called from many.
     template <class NewMeasure>
     void measure(std::span<const surfel::BlockPtr> blocks, const NewMeasure& newMeasure) {
         std::vector<Known> fresh;
@@ -26,9 +29,13 @@ class BlockMemo {
                 fresh.push_back({block, std::vector<T>(static_cast<std::size_t>(block->size()))});
         base::parallelFor(fresh.size(), 1, [&](std::size_t i) {
             auto measure = newMeasure();
-            const surfel::SurfelBlock& block = *fresh[i].block;
-            for (int slot = 0; slot < block.size(); ++slot)
-                fresh[i].of[static_cast<std::size_t>(slot)] = measure(block, slot);
+            std::array<int, surfel::clusterSize> slots;
+            const std::size_t size = fresh[i].of.size();
+            for (std::size_t first = 0; first < size; first += slots.size()) {
+                std::iota(slots.begin(), slots.end(), static_cast<int>(first));
+                const std::size_t count = std::min(slots.size(), size - first);
+                measure(*fresh[i].block, std::span(slots).first(count), std::span(fresh[i].of).subspan(first, count));
+            }
         });
         for (Known& each : fresh)
             m_known.emplace(each.block.get(), std::move(each));

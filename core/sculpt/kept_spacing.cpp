@@ -1,10 +1,12 @@
 #include "core/sculpt/kept_spacing.h"
 
+#include "core/base/clones.h"
 #include "core/process/estimation/spacing.h"
 #include "core/process/estimation/spacing_sample.h"
 #include "core/process/resampling/resample.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -42,42 +44,77 @@ KeptSpacing::KeptSpacing(surface::Surface first, float atContact)
 /// s^2 is the area of a surfel: that of the disc out to the farthest, over those that it holds. Of those told, the
 /// surfel in the middle among them, that is half of one less where they lie evenly, with the farthest on its rim, and
 /// two less where they lie by chance. `chance`: between 0 and 1.
-static float spacingFromDisc(const std::vector<float>& distancesSq, float chance) {
+static float spacingFromDisc(std::span<const float> distancesSq, float chance) {
     const float held = static_cast<float>(distancesSq.size()) - std::lerp(0.5f, 2.0f, chance);
     return std::sqrt(std::numbers::pi_v<float> * distancesSq.back() / held);
 }
 
-/// The least distance between two of these.
-static float closest(const std::vector<base::Vec3f>& places) {
-    float sq = std::numeric_limits<float>::infinity();
-    for (std::size_t i = 0; i < places.size(); ++i)
-        for (std::size_t k = i + 1; k < places.size(); ++k)
-            sq = std::min(sq, distanceSq(places[i], places[k]));
-    return std::sqrt(sq);
+namespace {
+
+constexpr std::size_t lanes = 16;
+static_assert(KeptSpacing::Search::asked <= lanes);
+
+/// Some places, in lanes.
+struct Places {
+    alignas(64) float x[lanes] = {}, y[lanes] = {}, z[lanes] = {};
+    std::size_t count = 0;
+
+    void add(const base::Vec3f& p) { x[count] = p.x, y[count] = p.y, z[count++] = p.z; }
+};
+
+/// The least squared distance between two of these.
+POINTCLAY_CLONES
+float closestSq(const Places& of) {
+    float least[lanes];
+    for (float& each : least)
+        each = std::numeric_limits<float>::infinity();
+    for (std::size_t i = 0; i + 1 < of.count; ++i) {
+        const float px = of.x[i], py = of.y[i], pz = of.z[i];
+        for (std::size_t k = 0; k < lanes; ++k) {
+            const float dx = px - of.x[k], dy = py - of.y[k], dz = pz - of.z[k];
+            const float sq = dx * dx + dy * dy + dz * dz;
+            const bool behind = k > i && k < of.count;
+            least[k] = behind && sq < least[k] ? sq : least[k];
+        }
+    }
+    float out = least[0];
+    for (const float each : least)
+        out = each < out ? each : out;
+    return out;
 }
+
+} // namespace
 
 KeptSpacing::Search::Search(const KeptSpacing& kept) : m_kept(kept), m_around(kept.first().tree(), asked) {}
 
-LocalSpacing KeptSpacing::Search::at(const base::Vec3f& x, const base::Vec3f& n) {
-    m_around.at(x, m_near);
-    return among(m_near, n);
+void KeptSpacing::Search::at(const surfel::SurfelBlock& block, std::span<const int> slots,
+                             std::span<LocalSpacing> out) {
+    std::array<base::Vec3f, surfel::clusterSize> places;
+    for (std::size_t i = 0; i < slots.size(); ++i)
+        places[i] = block.position(slots[i]);
+    m_around.at(std::span(places).first(slots.size()));
+    for (std::size_t i = 0; i < slots.size(); ++i)
+        out[i] = among(m_around.of(i), block.normal(slots[i]));
 }
 
-LocalSpacing KeptSpacing::Search::among(std::span<const tree::Neighbour> near, const base::Vec3f& n) {
-    m_alike.clear(), m_all.clear(), m_places.clear();
+LocalSpacing KeptSpacing::Search::among(std::span<const tree::Neighbour> near, const base::Vec3f& n) const {
+    std::array<float, asked> alike, all; // squared distances
+    Places places;                       // of those that are alike
     float least = std::numeric_limits<float>::infinity(), most = 0;
-    for (const tree::Neighbour& each : near) {
-        m_all.push_back(each.distanceSq);
+    for (std::size_t i = 0; i < near.size(); ++i) {
+        const tree::Neighbour& each = near[i];
+        all[i] = each.distanceSq;
         const float support = m_kept.supportOf(*each.block, each.slot);
         least = std::min(least, support), most = std::max(most, support);
         if (dot(each.block->normal(each.slot), n) >= 0)
-            m_alike.push_back(each.distanceSq), m_places.push_back(each.block->position(each.slot));
+            alike[places.count] = each.distanceSq, places.add(each.block->position(each.slot));
     }
     constexpr std::size_t ring = 7; // with itself
-    const std::vector<float>& of = m_alike.size() < ring ? m_all : m_alike;
+    const std::span<const float> of =
+        places.count < ring ? std::span(all).first(near.size()) : std::span(alike).first(places.count);
     const bool same = most < steady * least, fewer = of.size() < ring;
     const float value = same || fewer ? process::spacingFromRing(of) : spacingFromDisc(of, 0);
-    const float apart = closest(m_places) / value;
+    const float apart = std::sqrt(closestSq(places)) / value;
     const bool even = !(apart < byChance);
     if (even || fewer)
         return {true, same, even, value};
@@ -87,21 +124,26 @@ LocalSpacing KeptSpacing::Search::among(std::span<const tree::Neighbour> near, c
 
 void KeptSpacing::measure(std::span<const surfel::BlockPtr> blocks) {
     m_known.measure(blocks, [&] {
-        return [search = Search(*this)](const surfel::SurfelBlock& block, int slot) mutable {
-            return search.at(block.position(slot), block.normal(slot));
-        };
+        return [search = Search(*this)](const surfel::SurfelBlock& block, std::span<const int> slots,
+                                        std::span<LocalSpacing> out) mutable { search.at(block, slots, out); };
     });
 }
 
-LocalSpacing KeptSpacing::measured(const surfel::SurfelBlock& origin, int slot, Search& search) const {
-    const LocalSpacing* const known = m_known.find(origin, slot);
-    return known ? *known : search.at(origin.position(slot), origin.normal(slot));
+void KeptSpacing::measured(const surfel::SurfelBlock& origin, std::span<const int> slots, Search& search,
+                           std::span<LocalSpacing> out) const {
+    if (const LocalSpacing* const known = m_known.find(origin, 0))
+        for (std::size_t i = 0; i < slots.size(); ++i)
+            out[i] = known[slots[i]];
+    else
+        search.at(origin, slots, out);
 }
 
 LocalSpacing KeptSpacing::measured(const surfel::SurfelBlock& origin, int slot) const {
     if (const LocalSpacing* const known = m_known.find(origin, slot))
         return *known;
-    return Search(*this).at(origin.position(slot), origin.normal(slot));
+    LocalSpacing out;
+    Search(*this).at(origin, {&slot, 1}, {&out, 1});
+    return out;
 }
 
 float KeptSpacing::madeFor(float support) const {

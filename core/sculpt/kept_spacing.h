@@ -17,7 +17,7 @@
 #include "core/sculpt/stretches.h"
 #include "core/surface/surface.h"
 #include "core/surfel/shape.h"
-#include "core/tree/nearest_sequence.h"
+#include "core/tree/nearest_together.h"
 
 #include <optional>
 
@@ -34,25 +34,24 @@ class KeptSpacing {
     void measure(std::span<const surfel::BlockPtr> blocks);
     /// Forgets what was found for others than these.
     void keepOnly(std::span<const surfel::BlockPtr> blocks) { m_known.keepOnly(blocks); }
-    /// Measures one surfel after another, best slot after slot; one thread.
+    /// Measures some surfels at once, best of a cluster; one thread.
     class Search {
       public:
         explicit Search(const KeptSpacing& kept);
-        LocalSpacing at(const base::Vec3f& x, const base::Vec3f& n);
+        /// REQUIRES: at most 16 slots, as many answers.
+        void at(const surfel::SurfelBlock& block, std::span<const int> slots, std::span<LocalSpacing> out);
         /// The same of a place whose nearest surfels are known: `asked` of them, or all there are.
-        LocalSpacing among(std::span<const tree::Neighbour> near, const base::Vec3f& n);
+        LocalSpacing among(std::span<const tree::Neighbour> near, const base::Vec3f& n) const;
         /// So many, so that the other side of something thin may be among them.
         static constexpr std::size_t asked = 14;
 
       private:
         const KeptSpacing& m_kept;
-        tree::NearestSequence m_around;
-        std::vector<tree::Neighbour> m_near;
-        std::vector<float> m_alike, m_all; ///< squared distances
-        std::vector<base::Vec3f> m_places; ///< of those that are alike
+        tree::NearestTogether m_around;
     };
-    /// m at a surfel of `origin`, on the first version. Known or measured now.
-    LocalSpacing measured(const surfel::SurfelBlock& origin, int slot, Search& search) const;
+    /// m at surfels of `origin`, on the first version. Known or measured now. REQUIRES: at most 16 slots.
+    void measured(const surfel::SurfelBlock& origin, std::span<const int> slots, Search& search,
+                  std::span<LocalSpacing> out) const;
     LocalSpacing measured(const surfel::SurfelBlock& origin, int slot) const;
     /// The support of a surfel; of an ellipsoid, that of the ball of its area.
     float supportOf(const surfel::SurfelBlock& block, int slot) const { return surfel::ballOf(block, slot, m_shape); }

@@ -173,8 +173,9 @@ float Sampling::targetOf(const surfel::SurfelBlock& block, int slot) const {
 
 void Sampling::measureTracked(const Which& which) {
     m_stretches.measureWhere(which, [&] {
-        return [&, search = KeptSpacing::Search(m_kept)](const surfel::SurfelBlock& origin, int slot) mutable {
-            return m_kept.measured(origin, slot, search);
+        return [&, search = KeptSpacing::Search(m_kept)](const surfel::SurfelBlock& origin, std::span<const int> slots,
+                                                         std::span<LocalSpacing> out) mutable {
+            m_kept.measured(origin, slots, search, out);
         };
     });
 }

@@ -17,8 +17,10 @@
 #include "core/tree/surfel_tree.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <unordered_map>
 
 namespace sculpt {
@@ -76,8 +78,9 @@ class Stretches {
         for (const auto& [block, each] : m_tracked)
             fn(each);
     }
-    /// Sets spacings of slots where they are missing and asks(tracked, slot). newMeasure() gives what is called as
-    /// measure(origin, slot), slot after slot of a block, by one thread; it is called from many, and so is asks.
+    /// Sets spacings of slots where they are missing and asks(tracked, slot). newMeasure() gives what is called by one
+    /// thread as measure(origin, slots, out), for up to 16 slots of a block at once; it is called from many, and so is
+    /// asks.
     template <class Asks, class NewMeasure>
     void measureWhere(const Asks& asks, const NewMeasure& newMeasure);
     /// Null for blocks that the stroke has not changed.
@@ -120,13 +123,20 @@ void Stretches::measureWhere(const Asks& asks, const NewMeasure& newMeasure) {
         all.push_back(&each);
     base::parallelFor(all.size(), 1, [&](std::size_t i) {
         Tracked& each = *all[i];
+        std::vector<int> missing;
+        for (int slot = 0; slot < each.now->size(); ++slot)
+            if ((each.spacing.empty() || !each.spacing[static_cast<std::size_t>(slot)].known) && asks(each, slot))
+                missing.push_back(slot);
+        if (missing.empty())
+            return;
+        each.spacing.resize(static_cast<std::size_t>(each.now->size()));
         auto measure = newMeasure();
-        for (int slot = 0; slot < each.now->size(); ++slot) {
-            if (!asks(each, slot))
-                continue;
-            each.spacing.resize(static_cast<std::size_t>(each.now->size()));
-            if (LocalSpacing& at = each.spacing[static_cast<std::size_t>(slot)]; !at.known)
-                at = measure(*each.origin, slot);
+        std::array<LocalSpacing, surfel::clusterSize> found;
+        for (std::size_t first = 0; first < missing.size(); first += found.size()) {
+            const auto some = std::span(missing).subspan(first, std::min(found.size(), missing.size() - first));
+            measure(*each.origin, some, std::span(found).first(some.size()));
+            for (std::size_t k = 0; k < some.size(); ++k)
+                each.spacing[static_cast<std::size_t>(some[k])] = found[k];
         }
     });
 }

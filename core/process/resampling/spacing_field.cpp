@@ -80,12 +80,16 @@ float SpacingField::at(const base::Vec3f& x) const {
 
 SpacingField::Search::Search(const SpacingField& field) : m_field(field), m_around(field.m_tree, asked) {}
 
-float SpacingField::Search::at(const base::Vec3f& x) {
-    m_around.at(x, m_near);
-    return m_field.meanOf(m_near);
+void SpacingField::Search::at(std::span<const base::Vec3f> x, std::span<float> out) {
+    for (std::size_t first = 0; first < x.size(); first += tree::NearestTogether::most) {
+        const auto some = x.subspan(first, std::min(tree::NearestTogether::most, x.size() - first));
+        m_around.at(some);
+        for (std::size_t i = 0; i < some.size(); ++i)
+            out[first + i] = m_field.meanOf(m_around.of(i));
+    }
 }
 
-float SpacingField::meanOf(const std::vector<tree::Neighbour>& near) const {
+float SpacingField::meanOf(std::span<const tree::Neighbour> near) const {
     double sum = 0, weight = 0;
     for (const tree::Neighbour& n : near) {
         const double target = static_cast<double>(m_scale * n.block->support(n.slot));

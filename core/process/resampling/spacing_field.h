@@ -9,7 +9,7 @@
 
 #include "core/base/progress.h"
 #include "core/surface/surface.h"
-#include "core/tree/nearest_sequence.h"
+#include "core/tree/nearest_together.h"
 
 namespace process {
 
@@ -35,22 +35,22 @@ class SpacingField {
                                     const base::Progress& progress = {});
 
     float at(const base::Vec3f& x) const;
-    /// The same for places of which each is close to the one before, for a fraction of the cost; one thread.
+    /// The same for many places, best those that lie together: for a fraction of the cost; one thread.
     class Search {
       public:
         explicit Search(const SpacingField& field);
-        float at(const base::Vec3f& x);
+        /// REQUIRES: as many answers.
+        void at(std::span<const base::Vec3f> x, std::span<float> out);
 
       private:
         const SpacingField& m_field;
-        tree::NearestSequence m_around;
-        std::vector<tree::Neighbour> m_near;
+        tree::NearestTogether m_around;
     };
     float finest() const { return m_finest; } ///< 0 where nobody counted
     float coarsest() const { return m_coarsest; }
 
   private:
-    float meanOf(const std::vector<tree::Neighbour>& near) const;
+    float meanOf(std::span<const tree::Neighbour> near) const;
 
     tree::SurfelTree m_tree; ///< targets are its supports times the scale
     float m_scale = 1;

@@ -1,8 +1,9 @@
 #include "core/sculpt/tools/area_spacing.h"
 
-#include "core/tree/nearest_sequence.h"
+#include "core/tree/nearest_together.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -22,19 +23,27 @@ class AreaSpacing::Search {
     explicit Search(const AreaSpacing& of)
         : m_kept(of.m_kept), m_around(of.m_kept.first().tree(), asked), m_nearest(of.m_kept) {}
 
-    float at(const surfel::SurfelBlock& block, int slot) {
-        const base::Vec3f x = block.position(slot), n = block.normal(slot);
-        m_around.at(x, m_near);
-        const std::span few = std::span(m_near).first(std::min(m_near.size(), KeptSpacing::Search::asked));
-        return std::max(byArea(x, n), m_kept.target(m_nearest.among(few, n), m_kept.supportOf(block, slot)));
+    /// REQUIRES: at most 16 slots, as many answers.
+    void at(const surfel::SurfelBlock& block, std::span<const int> slots, std::span<float> out) {
+        std::array<base::Vec3f, surfel::clusterSize> places;
+        for (std::size_t i = 0; i < slots.size(); ++i)
+            places[i] = block.position(slots[i]);
+        m_around.at(std::span(places).first(slots.size()));
+        for (std::size_t i = 0; i < slots.size(); ++i) {
+            const std::span<const tree::Neighbour> near = m_around.of(i);
+            const std::span few = near.first(std::min(near.size(), KeptSpacing::Search::asked));
+            const base::Vec3f n = block.normal(slots[i]);
+            out[i] = std::max(byArea(near, places[i], n),
+                              m_kept.target(m_nearest.among(few, n), m_kept.supportOf(block, slots[i])));
+        }
     }
 
   private:
     /// 0 where what faces alike is no disc.
-    float byArea(const base::Vec3f& x, const base::Vec3f& n) const {
+    static float byArea(std::span<const tree::Neighbour> near, const base::Vec3f& x, const base::Vec3f& n) {
         float count = 0, farthestSq = 0;
         base::Vec3f sum;
-        for (const tree::Neighbour& each : m_near) { // from near to far
+        for (const tree::Neighbour& each : near) { // from near to far
             if (each.distanceSq == 0 || dot(each.block->normal(each.slot), n) < 0)
                 continue;
             ++count, farthestSq = each.distanceSq;
@@ -47,22 +56,23 @@ class AreaSpacing::Search {
     }
 
     const KeptSpacing& m_kept;
-    tree::NearestSequence m_around;
+    tree::NearestTogether m_around;
     KeptSpacing::Search m_nearest;
-    std::vector<tree::Neighbour> m_near;
 };
 
 void AreaSpacing::measure(std::span<const surfel::BlockPtr> blocks) {
     m_known.measure(blocks, [&] {
-        return [search = Search(*this)](const surfel::SurfelBlock& block, int slot) mutable {
-            return search.at(block, slot);
-        };
+        return [search = Search(*this)](const surfel::SurfelBlock& block, std::span<const int> slots,
+                                        std::span<float> out) mutable { search.at(block, slots, out); };
     });
 }
 
 float AreaSpacing::at(const surfel::SurfelBlock& block, int slot) const {
-    const float* const known = m_known.find(block, slot);
-    return known ? *known : Search(*this).at(block, slot);
+    if (const float* const known = m_known.find(block, slot))
+        return *known;
+    float out = 0;
+    Search(*this).at(block, {&slot, 1}, {&out, 1});
+    return out;
 }
 
 } // namespace sculpt

@@ -8,9 +8,9 @@
 #include "core/surfel/shape.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 namespace sculpt {
 
@@ -53,8 +53,12 @@ struct Found : ToolMemory {
     explicit Found(const surface::Surface& began) : field(began.tree(), 1.0f) {}
     void measure(std::span<const surfel::BlockPtr> blocks) {
         known.measure(blocks, [&] {
-            return [search = process::SpacingField::Search(field)](const surfel::SurfelBlock& block, int slot) mutable {
-                return search.at(block.position(slot));
+            return [search = process::SpacingField::Search(field)](
+                       const surfel::SurfelBlock& block, std::span<const int> slots, std::span<float> out) mutable {
+                std::array<base::Vec3f, surfel::clusterSize> places;
+                for (std::size_t i = 0; i < slots.size(); ++i)
+                    places[i] = block.position(slots[i]);
+                search.at(std::span(places).first(slots.size()), out);
             };
         });
     }
@@ -99,12 +103,17 @@ class Aims {
     /// And of those that are new, in parallel.
     void grade(std::span<surfel::Surfel> born) const {
         base::parallelChunks(born.size(), 256, [&](std::size_t begin, std::size_t end, std::size_t) {
-            std::optional<process::SpacingField::Search> search;
-            if (m_found)
-                search.emplace(m_found->field);
-            for (surfel::Surfel& s : born.subspan(begin, end - begin)) {
-                const Aim aim = at(search ? search->at(s.position) : 0, s.support);
-                s.support = aim.support(s.position, aim.from);
+            const std::span<surfel::Surfel> some = born.subspan(begin, end - begin);
+            std::vector<float> from(some.size(), 0.0f);
+            if (m_found) {
+                std::vector<base::Vec3f> places(some.size());
+                for (std::size_t i = 0; i < some.size(); ++i)
+                    places[i] = some[i].position;
+                process::SpacingField::Search(m_found->field).at(places, from);
+            }
+            for (std::size_t i = 0; i < some.size(); ++i) {
+                const Aim aim = at(from[i], some[i].support);
+                some[i].support = aim.support(some[i].position, aim.from);
             }
         });
     }

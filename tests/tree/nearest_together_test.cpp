@@ -1,5 +1,5 @@
-// Neighbours of one position after another are those that the tree tells of each alone.
-#include "core/tree/nearest_sequence.h"
+// Neighbours of many positions at once are those that the tree tells of each alone.
+#include "core/tree/nearest_together.h"
 #include "support/registry.h"
 #include "tree/random_edits.h"
 
@@ -7,31 +7,35 @@
 
 using namespace tree;
 
-class NearestSequenceTest : public QObject {
+class NearestTogetherTest : public QObject {
     Q_OBJECT
   private Q_SLOTS:
-    void answersAreThoseOfTheTreeSlotAfterSlot();
+    void answersAreThoseOfTheTreeClusterAfterCluster();
     void answersAreThoseOfTheTreeAfterAnyJump();
     void equalDistancesComeByBlockAndSlot();
     void pilesOutliersAndSuddenDensitiesChangeNoAnswer();
     void smallAndEmptyTreesAnswerWithWhatTheyHave();
 };
 
-static bool same(const std::vector<Neighbour>& a, const std::vector<Neighbour>& b) {
+static bool same(std::span<const Neighbour> a, std::span<const Neighbour> b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Neighbour& x, const Neighbour& y) {
         return x.block == y.block && x.blockNumber == y.blockNumber && x.slot == y.slot && x.distanceSq == y.distanceSq;
     });
 }
 
-/// Asks both for all places in their order.
+/// Asks for 1, 2, 3 ... 16, 1 ... places at once.
 static bool agreeAt(const SurfelTree& tree, std::span<const base::Vec3f> places, std::size_t k) {
-    NearestSequence around(tree, k);
-    std::vector<Neighbour> found{Neighbour{}}, expected; // what stood there before must go
-    for (const base::Vec3f& x : places) {
-        tree.nearest(x, k, expected);
-        around.at(x, found);
-        if (!same(found, expected))
-            return false;
+    NearestTogether around(tree, k);
+    std::vector<Neighbour> expected;
+    for (std::size_t count = 1; !places.empty(); count = count % NearestTogether::most + 1) {
+        const auto some = places.first(std::min(count, places.size()));
+        around.at(some);
+        for (std::size_t i = 0; i < some.size(); ++i) {
+            tree.nearest(some[i], k, expected);
+            if (!same(around.of(i), expected))
+                return false;
+        }
+        places = places.subspan(some.size());
     }
     return true;
 }
@@ -54,7 +58,7 @@ static surfel::SurfelList listOf(std::span<const base::Vec3f> places) {
     return list;
 }
 
-void NearestSequenceTest::answersAreThoseOfTheTreeSlotAfterSlot() {
+void NearestTogetherTest::answersAreThoseOfTheTreeClusterAfterCluster() {
     test::EditedModel model(4000, test::seed());
     for (int round = 0; round < 6; ++round) {
         for (const std::size_t k : {1, 7, 14, 32, 60})
@@ -65,7 +69,7 @@ void NearestSequenceTest::answersAreThoseOfTheTreeSlotAfterSlot() {
     }
 }
 
-void NearestSequenceTest::answersAreThoseOfTheTreeAfterAnyJump() {
+void NearestTogetherTest::answersAreThoseOfTheTreeAfterAnyJump() {
     base::Random random(test::seed());
     const SurfelTree tree = SurfelTree::build(test::bumpySphere(6000, random));
     std::vector<base::Vec3f> places;
@@ -79,7 +83,7 @@ void NearestSequenceTest::answersAreThoseOfTheTreeAfterAnyJump() {
         QVERIFY2(agreeAt(tree, places, k), qPrintable(QString("k %1, seed %2").arg(k).arg(test::seed())));
 }
 
-void NearestSequenceTest::equalDistancesComeByBlockAndSlot() {
+void NearestTogetherTest::equalDistancesComeByBlockAndSlot() {
     std::vector<base::Vec3f> lattice;
     for (int i = 0; i < 3000; ++i)
         lattice.push_back({static_cast<float>(i % 15), static_cast<float>(i / 15 % 20), static_cast<float>(i / 300)});
@@ -88,7 +92,7 @@ void NearestSequenceTest::equalDistancesComeByBlockAndSlot() {
         QVERIFY(agreeAt(tree, positionsOf(tree), k));
 }
 
-void NearestSequenceTest::pilesOutliersAndSuddenDensitiesChangeNoAnswer() {
+void NearestTogetherTest::pilesOutliersAndSuddenDensitiesChangeNoAnswer() {
     base::Random random(test::seed());
     std::vector<base::Vec3f> places;
     const auto inBall = [&](const base::Vec3f& centre, double radius, int count) {
@@ -106,7 +110,7 @@ void NearestSequenceTest::pilesOutliersAndSuddenDensitiesChangeNoAnswer() {
         QVERIFY2(agreeAt(tree, positionsOf(tree), k), qPrintable(QString("k %1, seed %2").arg(k).arg(test::seed())));
 }
 
-void NearestSequenceTest::smallAndEmptyTreesAnswerWithWhatTheyHave() {
+void NearestTogetherTest::smallAndEmptyTreesAnswerWithWhatTheyHave() {
     base::Random random(test::seed());
     const std::vector<base::Vec3f> anywhere{{0, 0, 0}, {0.1f, 0, 0}, {5, 5, 5}, {5, 5, 5}};
     for (const std::size_t count : {0, 1, 3, 14, 40}) {
@@ -116,5 +120,5 @@ void NearestSequenceTest::smallAndEmptyTreesAnswerWithWhatTheyHave() {
     }
 }
 
-static const test::Registered<NearestSequenceTest> registered;
-#include "nearest_sequence_test.moc"
+static const test::Registered<NearestTogetherTest> registered;
+#include "nearest_together_test.moc"
