@@ -182,7 +182,7 @@ void Sampling::measureTracked(const Which& which) {
 
 /// Measures what resampling of the surfels asked for will look at.
 void Sampling::measureAround(const tree::SurfelTree& tree) {
-    measureTracked([](const Stretches::Tracked& each, int slot) { return each.asked[static_cast<std::size_t>(slot)]; });
+    measureTracked([](const Stretches::Tracked& each) { return each.asked; });
     std::set<std::uint32_t> numbers;
     m_stretches.forEach([&](const Stretches::Tracked& each) {
         base::Box3f box;
@@ -203,7 +203,9 @@ void Sampling::measureAround(const tree::SurfelTree& tree) {
         else
             resting.push_back(block);
     }
-    measureTracked([&](const Stretches::Tracked& each, int) { return moving.contains(each.now.get()); });
+    measureTracked([&](const Stretches::Tracked& each) {
+        return moving.contains(each.now.get()) ? Stretches::Slots().set() : Stretches::Slots();
+    });
     m_kept.measure(resting);
 }
 

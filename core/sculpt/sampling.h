@@ -73,10 +73,12 @@ class Sampling {
     bool resampleSome(surface::Surface& surface, std::size_t count, When when);
     surface::Surface resampleClass(const surface::Surface& surface, const tree::Selection& taken, When when);
     void askAtTheEnd(const surface::Surface& surface);
-    using Which = std::function<bool(const Stretches::Tracked&, int slot)>;
+    using Which = std::function<Stretches::Slots(const Stretches::Tracked&)>;
     void measureTracked(const Which& which);
     void askForDrift(const surface::Surface& surface);
-    bool drifted(const Stretches::Tracked& each) const;
+    struct Candidate;
+    std::vector<Candidate> driftCandidates(const surface::Surface& surface) const;
+    bool drifted(const Stretches::Tracked& each, const std::vector<StretchRange>& ranges) const;
     void measureAround(const tree::SurfelTree& tree);
     surface::Surface withoutCrumbs(const surface::Surface& surface);
     surface::Surface withLabels(const surface::Surface& surface, std::size_t firstBall, cells::Partners partners);

@@ -211,6 +211,11 @@ void Stretches::ask(const StretchRange& limits) {
             askAll(each, limits);
 }
 
+void Stretches::ask(const SurfelBlock& now, const Slots& slots) {
+    Tracked& each = m_tracked.at(&now);
+    each.asked |= slots, each.drawn |= slots;
+}
+
 void Stretches::askMost(const tree::SurfelTree& now, const StretchRange& limits, const StretchRange& must,
                         std::size_t count) {
     struct Candidate {

@@ -78,11 +78,11 @@ class Stretches {
         for (const auto& [block, each] : m_tracked)
             fn(each);
     }
-    /// Sets spacings of slots where they are missing and asks(tracked, slot). newMeasure() gives what is called by one
-    /// thread as measure(origin, slots, out), for up to 16 slots of a block at once; it is called from many, and so is
-    /// asks.
-    template <class Asks, class NewMeasure>
-    void measureWhere(const Asks& asks, const NewMeasure& newMeasure);
+    /// Sets spacings where they are missing of the slots that wanted(tracked) has set. newMeasure() gives what is
+    /// called by one thread as measure(origin, slots, out), for up to 16 slots of a block at once; it is called from
+    /// many, and so is wanted.
+    template <class Wanted, class NewMeasure>
+    void measureWhere(const Wanted& wanted, const NewMeasure& newMeasure);
     /// Null for blocks that the stroke has not changed.
     const Tracked* find(const surfel::SurfelBlock& block) const;
 
@@ -94,6 +94,8 @@ class Stretches {
     /// Asks for those for which asks(tracked, slot, range) is true; beyond `drawn` they count as drawn apart.
     template <class Asks>
     void askWhere(const Asks& asks, float drawn);
+    /// Asks for these slots of a block that is tracked, as drawn apart.
+    void ask(const surfel::SurfelBlock& now, const Slots& slots);
     /// Asks for what moved within `reach(tracked, slot)` of a surfel that is asked for: a tear shows in pairs across it
     /// alone.
     template <class Reach>
@@ -116,16 +118,20 @@ class Stretches {
     std::unordered_map<const surfel::SurfelBlock*, Tracked> m_tracked; ///< by `now`
 };
 
-template <class Asks, class NewMeasure>
-void Stretches::measureWhere(const Asks& asks, const NewMeasure& newMeasure) {
+template <class Wanted, class NewMeasure>
+void Stretches::measureWhere(const Wanted& wanted, const NewMeasure& newMeasure) {
     std::vector<Tracked*> all;
     for (auto& [block, each] : m_tracked)
         all.push_back(&each);
     base::parallelFor(all.size(), 1, [&](std::size_t i) {
         Tracked& each = *all[i];
+        const Slots slots = wanted(each);
+        if (slots.none())
+            return;
         std::vector<int> missing;
         for (int slot = 0; slot < each.now->size(); ++slot)
-            if ((each.spacing.empty() || !each.spacing[static_cast<std::size_t>(slot)].known) && asks(each, slot))
+            if (const auto s = static_cast<std::size_t>(slot);
+                slots[s] && (each.spacing.empty() || !each.spacing[s].known))
                 missing.push_back(slot);
         if (missing.empty())
             return;
