@@ -1,8 +1,10 @@
 #include "core/sculpt/crumbs.h"
 
 #include "core/base/parallel.h"
+#include "core/tree/nearest_together.h"
 
 #include <algorithm>
+#include <array>
 
 namespace sculpt {
 
@@ -13,20 +15,21 @@ constexpr std::size_t enough = 6;
 /// Neighbours on a sheet: in spacings at most, and the least cosine between their normals.
 constexpr float reach = 2.2f, facing = -0.2f;
 /// Nearest surfels asked, so that the other side of something thin may be among them.
-constexpr std::size_t asked = 16;
+constexpr std::size_t nearest = 16;
 /// A surface needs some surfels to be one.
 constexpr std::size_t fewest = 16;
+
+static bool alike(const Vec3f& a, const Vec3f& b) {
+    return a == Vec3f{} || b == Vec3f{} || dot(a, b) > facing;
+}
 
 /// Are there enough neighbours in the surfel's own cluster? Of most it says at once that they are no crumbs.
 static bool borneByItsCluster(const surfel::SurfelBlock& block, int slot, float link) {
     const Vec3f p = block.position(slot), n = block.normal(slot);
     const int begin = slot / surfel::clusterSize * surfel::clusterSize;
     std::size_t count = 0;
-    for (int k = begin; k < std::min(begin + surfel::clusterSize, block.size()); ++k) {
-        const Vec3f other = block.normal(k);
-        const bool alike = n == Vec3f{} || other == Vec3f{} || dot(n, other) > facing;
-        count += alike && distanceSq(block.position(k), p) < link * link ? 1 : 0;
-    }
+    for (int k = begin; k < std::min(begin + surfel::clusterSize, block.size()); ++k)
+        count += alike(n, block.normal(k)) && distanceSq(block.position(k), p) < link * link ? 1 : 0;
     return count >= enough;
 }
 
@@ -40,14 +43,13 @@ static std::size_t sheetAround(const tree::SurfelTree& tree, const Vec3f& x, con
     std::vector<Member> members;
     std::vector<tree::Neighbour> near;
     const auto takeAround = [&](const Vec3f& at, const Vec3f& n) {
-        tree.nearest(at, asked, near, link);
+        tree.nearest(at, nearest, near, link);
         for (const tree::Neighbour& each : near) {
             const bool known = std::any_of(members.begin(), members.end(), [&](const Member& m) {
                 return m.block == each.block && m.slot == each.slot;
             });
             const Vec3f other = each.block->normal(each.slot);
-            const bool alike = n == Vec3f{} || other == Vec3f{} || dot(n, other) > facing;
-            if (!known && alike)
+            if (!known && alike(n, other))
                 members.push_back({each.block->position(each.slot), other, each.block, each.slot});
         }
     };
@@ -55,6 +57,31 @@ static std::size_t sheetAround(const tree::SurfelTree& tree, const Vec3f& x, con
     for (std::size_t k = 0; k < members.size() && members.size() < enough; ++k)
         takeAround(Vec3f(members[k].position), Vec3f(members[k].normal));
     return members.size();
+}
+
+/// Of these slots those around which too few of a sheet are linked directly, for whom it has to be followed. `link`: of
+/// each.
+static std::vector<int> littleAround(tree::NearestTogether& around, const surfel::SurfelBlock& block,
+                                     std::span<const int> slots, std::span<const float> link) {
+    std::vector<int> out;
+    std::array<Vec3f, tree::NearestTogether::most> places;
+    for (std::size_t first = 0; first < slots.size(); first += places.size()) {
+        const std::size_t count = std::min(places.size(), slots.size() - first);
+        for (std::size_t i = 0; i < count; ++i)
+            places[i] = block.position(slots[first + i]);
+        around.at(std::span(places).first(count));
+        for (std::size_t i = 0; i < count; ++i) {
+            const int slot = slots[first + i];
+            const float most = link[first + i] * link[first + i];
+            const std::span<const tree::Neighbour> near = around.of(i);
+            const auto linked = std::count_if(near.begin(), near.end(), [&](const tree::Neighbour& each) {
+                return each.distanceSq < most && alike(block.normal(slot), each.block->normal(each.slot));
+            });
+            if (static_cast<std::size_t>(linked) < enough)
+                out.push_back(slot);
+        }
+    }
+    return out;
 }
 
 /// The same around the surfel of a version that is nearest to x.
@@ -69,16 +96,24 @@ tree::Edit dropCrumbs(const tree::SurfelTree& now, const tree::SurfelTree& first
     std::vector<std::bitset<surfel::blockCapacity>> gone(candidates.size());
     base::parallelFor(candidates.size(), 1, [&](std::size_t i) {
         const surfel::BlockPtr block = now.block(candidates[i].block);
+        std::vector<int> asked;
+        std::vector<float> link;
         for (int slot = 0; slot < block->size(); ++slot) {
             if (!candidates[i].slots[static_cast<std::size_t>(slot)] || block->mask(slot) >= 1)
                 continue;
+            const float far = reach * sourceOf(*block, slot).spacing;
+            if (!borneByItsCluster(*block, slot, far))
+                asked.push_back(slot), link.push_back(far);
+        }
+        if (asked.empty())
+            return;
+        tree::NearestTogether around(now, nearest);
+        for (const int slot : littleAround(around, *block, asked, link)) {
             const CrumbSource source = sourceOf(*block, slot);
-            const float link = reach * source.spacing;
-            if (borneByItsCluster(*block, slot, link))
-                continue;
+            const float far = reach * source.spacing;
             gone[i].set(static_cast<std::size_t>(slot),
-                        sheetAround(now, block->position(slot), block->normal(slot), link) < enough &&
-                            sheetBefore(first, source.origin, link) >= enough);
+                        sheetAround(now, block->position(slot), block->normal(slot), far) < enough &&
+                            sheetBefore(first, source.origin, far) >= enough);
         }
     });
     tree::Edit edit;
