@@ -98,8 +98,8 @@ class TwoSolids {
         m_at.agreement += parted.v * (agreementOf(side) - m_at.agreement);
     }
 
-    /// Is the largest eigenvalue clearly below the part of the trace from which on an axis counts? Where it is, limit I -
-    /// S is positive definite, which its minors tell for a tenth of what eigenvectors cost: over noise, mostly.
+    /// Is the largest eigenvalue clearly below the part of the trace from which on an axis counts? Where it is, limit I
+    /// - S is positive definite, which its minors tell for a tenth of what eigenvectors cost: over noise, mostly.
     static bool varyInSeveral(const Jet<T, O>* s) {
         constexpr double clearly = 0.999;
         const T trace = s[sym(0, 0)].v + s[sym(1, 1)].v + s[sym(2, 2)].v;
