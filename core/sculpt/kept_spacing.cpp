@@ -51,12 +51,12 @@ static float spacingFromDisc(std::span<const float> distancesSq, float chance) {
 
 namespace {
 
-constexpr std::size_t lanes = 16;
-static_assert(KeptSpacing::Search::asked <= lanes);
+constexpr std::size_t laneCount = 16;
+static_assert(KeptSpacing::Search::asked <= laneCount);
 
 /// Some places, in lanes.
 struct Places {
-    alignas(64) float x[lanes] = {}, y[lanes] = {}, z[lanes] = {};
+    alignas(64) float x[laneCount] = {}, y[laneCount] = {}, z[laneCount] = {};
     std::size_t count = 0;
 
     void add(const base::Vec3f& p) { x[count] = p.x, y[count] = p.y, z[count++] = p.z; }
@@ -65,12 +65,12 @@ struct Places {
 /// The least squared distance between two of these.
 POINTCLAY_CLONES
 float closestSq(const Places& of) {
-    float least[lanes];
+    float least[laneCount];
     for (float& each : least)
         each = std::numeric_limits<float>::infinity();
     for (std::size_t i = 0; i + 1 < of.count; ++i) {
         const float px = of.x[i], py = of.y[i], pz = of.z[i];
-        for (std::size_t k = 0; k < lanes; ++k) {
+        for (std::size_t k = 0; k < laneCount; ++k) {
             const float dx = px - of.x[k], dy = py - of.y[k], dz = pz - of.z[k];
             const float sq = dx * dx + dy * dy + dz * dz;
             const bool behind = k > i && k < of.count;
