@@ -3,6 +3,8 @@
 
 #include "core/base/error.h"
 #include "core/process/estimation/prepare.h"
+#include "core/process/estimation/spacing.h"
+#include "core/process/estimation/spacing_sample.h"
 #include "core/surface/curves/boundary_curves.h"
 #include "process/even_shapes.h"
 #include "support/registry.h"
@@ -21,6 +23,9 @@ class FillTest : public QObject {
     void aSphereWithoutACapBecomesTheSphereAgain();
     void largeHolesTurnAsTheSurfaceAround_data();
     void largeHolesTurnAsTheSurfaceAround();
+    void theEndOfATubeIsADomeAsDenseAsTheTube_data();
+    void theEndOfATubeIsADomeAsDenseAsTheTube();
+    void patchesThatWouldMeetBecomeFlat();
     void aFlatHoleIsFilledFlat();
     void surfelsAroundKeepEveryBit();
     void theLongestAndTheLongOnesStayWhereAsked();
@@ -46,6 +51,23 @@ surfel::SurfelList without(const surfel::SurfelList& points, const std::vector<V
         if (std::none_of(directions.begin(), directions.end(),
                          [&](const Vec3d& d) { return dot(d, base::cast<double>(s.position)) > std::cos(angle); }))
             out.append(s, {});
+    return out;
+}
+
+/// About the z axis, from z = `from` to `to`; by chance where there is one.
+surfel::SurfelList tube(double radius, double from, double to, base::Random* chance) {
+    constexpr int around = 64;
+    const double s = 2 * std::numbers::pi * radius / around;
+    const int rows = static_cast<int>((to - from) / (s * 0.866)) + 1;
+    surfel::SurfelList out;
+    out.layout = test::orientedLayout();
+    for (int row = 0; row < rows; ++row)
+        for (int k = 0; k < around; ++k) {
+            const double turn = 2 * std::numbers::pi * (chance ? chance->uniform() : (k + 0.5 * (row % 2)) / around);
+            const double z = from + (to - from) * (chance ? chance->uniform() : double(row) / (rows - 1));
+            const Vec3d n{std::cos(turn), std::sin(turn), 0};
+            out.append(test::surfelAt(n * radius + Vec3d{0, 0, z}, n, s), {});
+        }
     return out;
 }
 
@@ -93,17 +115,17 @@ void FillTest::largeHolesTurnAsTheSurfaceAround_data() {
     QTest::addColumn<bool>("byChance");
     QTest::addColumn<double>("degrees");
     for (const bool byChance : {false, true})
-        for (const double degrees : {30.0, 45.0})
+        for (const double degrees : {30.0, 45.0, 60.0, 90.0})
             QTest::addRow("%s, %g degrees", byChance ? "by chance" : "even", degrees) << byChance << degrees;
 }
 
-/// Ten to twenty spacings in radius, anywhere among the points, which say how far off the surface is around: a flat one
-/// would be .13 and .29 off.
+/// Ten to thirty spacings in radius, anywhere among the points, which say how far off the surface is around: a flat one
+/// would be .13 to 1 off.
 void FillTest::largeHolesTurnAsTheSurfaceAround() {
     QFETCH(bool, byChance);
     QFETCH(double, degrees);
     base::Random random(test::seed());
-    for (int round = 0; round < test::effort(test::sanitized ? 1 : 3); ++round) {
+    for (int round = 0; round < test::effort(test::sanitized || degrees > 45 ? 1 : 3); ++round) {
         surfel::SurfelList points = test::spherePoints(6000);
         for (surfel::Surfel& s : points.items)
             if (byChance)
@@ -118,6 +140,53 @@ void FillTest::largeHolesTurnAsTheSurfaceAround() {
         QVERIFY2(!result.loops.empty() && most > 0 && most < (byChance ? 0.05 : 0.01),
                  qPrintable(QString("%1 off, seed %2").arg(most).arg(test::seed())));
     }
+}
+
+void FillTest::theEndOfATubeIsADomeAsDenseAsTheTube_data() {
+    QTest::addColumn<bool>("byChance");
+    QTest::addRow("even") << false;
+    QTest::addRow("by chance") << true;
+}
+
+/// Of a tube's two ends the upper one. A patch that has been pulled out of the disc that it was is half as dense.
+void FillTest::theEndOfATubeIsADomeAsDenseAsTheTube() {
+    QFETCH(bool, byChance);
+    base::Random random(test::seed());
+    const surface::Surface open =
+        process::prepare(tube(1, 0, 3, byChance ? &random : nullptr), {.definition = {}, .keepSupports = false});
+    const solid::Filled result = solid::fillHoles(open, {});
+    QCOMPARE(result.loops.size(), std::size_t(2));
+    std::vector<float> around, inside;
+    double high = 0, wide = 0;
+    for (const surfel::Surfel& each : fresh(open, result.surface))
+        if (const Vec3d p = base::cast<double>(each.position); p.z > 3) {
+            high = std::max(high, p.z - 3), wide = std::max(wide, std::hypot(p.x, p.y));
+            inside.push_back(process::spacingAround(result.surface.tree(), each.position));
+        }
+    for (const surfel::Surfel& each : open.tree().surfels().items)
+        if (std::abs(each.position.z - 1.5F) < 1)
+            around.push_back(process::spacingAround(open.tree(), each.position));
+    const double dense = double(process::summarise(inside).median) / double(process::summarise(around).median);
+    const QByteArray told =
+        QString("%1 high, %2 wide, spacing %3, seed %4").arg(high).arg(wide).arg(dense).arg(test::seed()).toUtf8();
+    QVERIFY2(high > 0.8 && high < 1.35 && wide < 1.06, told);
+    QVERIFY2(dense > 0.8 && dense < 1.1, told);
+}
+
+/// Two tubes end to end: domes over the gap of half a radius would pass through each other.
+void FillTest::patchesThatWouldMeetBecomeFlat() {
+    surfel::SurfelList both = tube(1, 0, 2, nullptr);
+    for (const surfel::Surfel& s : tube(1, 2.5, 4.5, nullptr).items)
+        both.append(s, {});
+    const surface::Surface open = limited(both);
+    const solid::Filled result = solid::fillHoles(open, {});
+    QCOMPARE(result.loops.size(), std::size_t(4));
+    for (const solid::LoopFate& each : result.loops) {
+        QVERIFY(each.surfels > 0);
+        QCOMPARE(each.flattened, each.middle.z > 1 && each.middle.z < 3.5);
+    }
+    for (const surfel::Surfel& each : result.surface.tree().surfels().items)
+        QVERIFY(each.position.z < 2.1F || each.position.z > 2.4F);
 }
 
 void FillTest::aFlatHoleIsFilledFlat() {

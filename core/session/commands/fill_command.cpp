@@ -28,7 +28,7 @@ static std::string told(const solid::LoopFate& fate, const base::Vec3d& origin) 
     if (*fate.why)
         out << " was left: " << fate.why;
     else if (fate.flattened)
-        out << " is filled flat: no smooth surface stayed near it";
+        out << " is filled flat: no smooth surface stays near it and clear of the rest";
     else
         out << " is filled smoothly: there is too little around it to follow in relief";
     return out.str();

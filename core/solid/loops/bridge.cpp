@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/solid/loops/bridge_sheet.h"
+#include "core/solid/loops/obstacles.h"
 #include "core/solid/loops/open_loops.h"
 #include "core/solid/loops/patch_surfels.h"
 #include "core/solid/loops/shape_patch.h"
@@ -67,19 +68,9 @@ void requireUnfolded(const Patch& patch, std::span<const Vec3d> normals) {
 
 /// Throws base::Error where the sheet meets what is there, other than at its loops.
 void requireFree(const surface::Surface& surface, const Loop& loops, const Patch& patch) {
-    constexpr double near = 0.7, beside = 4; // in spacings: of surfels in the way; from the loops
-    std::vector<tree::Neighbour> found;
-    for (std::size_t v = patch.loopSize; v < patch.positions.size(); ++v) {
-        const Vec3d& p = patch.positions[v];
-        surface.tree().nearest(base::cast<float>(p), 1, found, static_cast<float>(near * patch.spacings[v]));
-        if (found.empty())
-            continue;
-        const bool atLoop = std::ranges::any_of(
-            loops.points, [&](const LoopPoint& each) { return distance(each.position, p) < beside * each.spacing; });
-        if (!atLoop)
-            throw base::Error("a sheet between the two loops would run into the model", "bridge",
-                              "choose loops that see each other, or move one of their parts");
-    }
+    if (meetsModel(surface, loops, patch))
+        throw base::Error("a sheet between the two loops would run into the model", "bridge",
+                          "choose loops that see each other, or move one of their parts");
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include "core/base/cancel_scope.h"
 #include "core/base/error.h"
 #include "core/process/estimation/part_progress.h"
+#include "core/solid/loops/obstacles.h"
 #include "core/solid/loops/open_loops.h"
 #include "core/solid/loops/patch_surfels.h"
 #include "core/solid/loops/relief.h"
@@ -13,41 +14,86 @@ using base::Vec3d;
 
 namespace {
 
-class Filler {
-  public:
-    explicit Filler(const surface::Surface& surface) : m_surface(surface), m_out(surface) {}
+/// Rows behind the loop that tell how dense a patch is to be.
+constexpr double behind = 3;
 
-    void fill(const surface::BoundaryCurve& curve, Loop loop, const FillOptions& options, LoopFate& fate,
-              const base::Progress& progress) {
-        const int halvings = halvingsFor(areaOver(loop), loop.meanSpacing());
-        if (halvings > 0)
-            loop = evenLoop(m_surface, curve, std::exp2(halvings));
-        for (LoopPoint& p : loop.points)
-            p.spacing *= std::exp2(halvings);
-        Patch patch = patchOver(loop, process::part(progress, 0, 0.5));
-        const base::Progress rest = process::part(progress, 0.5, 1);
-        const Shape shape = options.shape;
-        if (shape == Shape::Flat || !shapePatch(m_surface, loop, shape, patch, rest)) {
-            fate.flattened = shape != Shape::Flat;
-            shapePatch(m_surface, loop, Shape::Flat, patch, rest);
-        }
-        add(loop, std::move(patch), halvings, options.relief && !fate.flattened, fate);
+/// A loop with the patch over it.
+class Hole {
+  public:
+    Hole(const surface::Surface& surface, const surface::BoundaryCurve& curve, Loop loop, LoopFate& fate)
+        : m_surface(surface), m_loop(std::move(loop)), m_fate(fate),
+          m_halvings(halvingsFor(areaOver(m_loop), m_loop.meanSpacing())) {
+        if (m_halvings > 0)
+            m_loop = evenLoop(surface, curve, std::exp2(m_halvings), behind);
+        for (LoopPoint& p : m_loop.points)
+            p.spacing *= std::exp2(m_halvings);
     }
-    const surfel::SurfelList& surfels() const { return m_out.surfels(); }
+
+    /// Shapes a patch. Nothing comes of it where none of that shape stays near its loop and clear of the model.
+    void shape(Shape shape, const base::Progress& progress) {
+        m_shape = shape;
+        m_patch = patchOver(m_loop, process::part(progress, 0, 0.4));
+        m_filled =
+            shapePatch(m_surface, m_loop, shape, m_patch, process::part(progress, 0.4, 1)) && !crossesItself(m_patch);
+        if (!m_filled)
+            return;
+        m_fine = m_patch;
+        m_normals = patchNormals(m_loop, m_patch);
+        halveEdges(m_fine, m_normals, m_halvings);
+        m_filled = !meetsModel(m_surface, m_loop, m_fine);
+    }
+    /// Flat in place of smooth, and left rather than flat.
+    void giveWay(const base::Progress& progress) {
+        if (isSmooth()) {
+            m_fate.flattened = true;
+            shape(Shape::Flat, progress);
+        } else {
+            m_filled = false;
+        }
+        if (!m_filled)
+            m_fate.why = "what would fill it runs into the model or itself";
+    }
+    void finish(bool relief, PatchSurfels& out) {
+        if (relief && isSmooth())
+            m_fate.plain = followRelief(m_surface, m_loop, m_patch, m_fine, m_normals) == ReliefFate::TooLittle;
+        m_fate.surfels = out.add(m_loop, m_patch, m_halvings, m_fine, m_normals);
+    }
+    bool isFilled() const { return m_filled; }
+    bool isSmooth() const { return m_shape == Shape::Smooth; }
+    const Patch& patch() const { return m_fine; }
 
   private:
-    void add(const Loop& loop, const Patch& patch, int halvings, bool relief, LoopFate& fate) {
-        std::vector<Vec3d> normals = patchNormals(loop, patch);
-        Patch fine = patch;
-        halveEdges(fine, normals, halvings);
-        if (relief)
-            fate.plain = followRelief(m_surface, loop, patch, fine, normals) == ReliefFate::TooLittle;
-        fate.surfels += m_out.add(loop, patch, halvings, fine, normals);
-    }
-
     const surface::Surface& m_surface;
-    PatchSurfels m_out;
+    Loop m_loop;
+    LoopFate& m_fate;
+    int m_halvings;
+    Shape m_shape = Shape::Flat;
+    bool m_filled = false;
+    Patch m_patch, m_fine; ///< the fine one has the model's own spacing
+    std::vector<Vec3d> m_normals;
 };
+
+/// Of patches that meet the smooth ones become flat; of two flat ones the later goes. Whatever the order, two ends of a
+/// tube that look at each other are treated alike.
+void keepApart(std::vector<Hole>& holes, const base::Progress& progress) {
+    bool again = true;
+    while (again) {
+        std::vector<std::uint8_t> yields(holes.size(), 0);
+        for (std::size_t j = 0; j < holes.size(); ++j)
+            for (std::size_t i = 0; i < j; ++i)
+                if (holes[i].isFilled() && holes[j].isFilled() && meet(holes[i].patch(), holes[j].patch())) {
+                    yields[i] |= holes[i].isSmooth();
+                    yields[j] |= holes[j].isSmooth() || !holes[i].isSmooth();
+                }
+        again = false;
+        for (std::size_t i = 0; i < holes.size(); ++i)
+            if (yields[i]) {
+                holes[i].giveWay(progress);
+                again = true;
+            }
+        base::CancelScope::check();
+    }
+}
 
 } // namespace
 
@@ -61,7 +107,7 @@ Filled fillHoles(const surface::Surface& surface, const FillOptions& options, co
     Filled out{surface, {}};
     std::vector<Loop> loops;
     for (std::size_t i = 0; i < curves.size(); ++i) {
-        loops.push_back(evenLoop(surface, curves[i]));
+        loops.push_back(evenLoop(surface, curves[i], 1, behind));
         LoopFate fate{i, loops[i].middle, curves[i].length()};
         fate.asked =
             fate.length <= options.longest && !(options.keepLargest && i == 0) && (!options.only || *options.only == i);
@@ -70,17 +116,26 @@ Filled fillHoles(const surface::Surface& surface, const FillOptions& options, co
         out.loops.push_back(fate);
     }
     const std::vector<std::uint8_t> touches = touching(loops);
-    Filler filler(surface);
+    std::vector<Hole> holes;
     for (std::size_t i = 0; i < curves.size(); ++i) {
         LoopFate& fate = out.loops[i];
         if (curves[i].closed && touches[i])
             fate.why = "it touches itself or another one";
-        if (fate.asked && fate.why[0] == 0)
-            filler.fill(curves[i], std::move(loops[i]), options, fate,
-                        process::part(progress, 0.4 + 0.5 * double(i) / double(curves.size()),
-                                      0.4 + 0.5 * double(i + 1) / double(curves.size())));
+        if (!fate.asked || fate.why[0] != 0)
+            continue;
+        const base::Progress one = process::part(progress, 0.4 + 0.5 * double(i) / double(curves.size()),
+                                                 0.4 + 0.5 * double(i + 1) / double(curves.size()));
+        holes.emplace_back(surface, curves[i], std::move(loops[i]), fate);
+        holes.back().shape(options.shape, one);
+        if (!holes.back().isFilled())
+            holes.back().giveWay(one);
     }
-    out.surface = withSurfels(surface, filler.surfels(), process::part(progress, 0.9, 1));
+    keepApart(holes, process::part(progress, 0.9, 0.9));
+    PatchSurfels surfels(surface);
+    for (Hole& hole : holes)
+        if (hole.isFilled())
+            hole.finish(options.relief, surfels);
+    out.surface = withSurfels(surface, surfels.surfels(), process::part(progress, 0.9, 1));
     return out;
 }
 

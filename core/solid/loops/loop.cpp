@@ -48,6 +48,27 @@ static void measure(const surface::Surface& surface, LoopPoint& at, double behin
         at.spacing = at.support * surface::spacingOfUnit;
 }
 
+/// Spacings as they are within a few along the curve: where points were drawn by chance single ones vary by half of
+/// themselves, and what is made of them would come out too dense, as the smaller ones ask for more.
+static void evenOut(std::vector<LoopPoint>& curve) {
+    constexpr double reach = 4; // spacings
+    const std::size_t n = curve.size();
+    std::vector<double> before(n);
+    for (std::size_t i = 0; i < n; ++i)
+        before[i] = curve[i].spacing;
+    for (std::size_t i = 0; i < n; ++i) {
+        double sum = before[i], weight = 1;
+        for (const std::size_t step : {std::size_t(1), n - 1})
+            for (std::size_t k = 1, at = (i + step) % n; k < n / 2; ++k, at = (at + step) % n) {
+                const double way = distance(curve[at].position, curve[i].position) / (reach * before[i]);
+                if (way >= 1)
+                    break;
+                sum += (1 - way) * before[at], weight += 1 - way;
+            }
+        curve[i].spacing = sum / weight;
+    }
+}
+
 Loop evenLoop(const surface::Surface& surface, const surface::BoundaryCurve& curve, double coarser, double behind) {
     std::vector<LoopPoint> all(curve.points.size());
     double along = 0;
@@ -59,6 +80,7 @@ Loop evenLoop(const surface::Surface& surface, const surface::BoundaryCurve& cur
     if (along > 0) // the surface is to the left of its tangents
         std::reverse(all.begin(), all.end());
     base::parallelFor(all.size(), 16, [&](std::size_t i) { measure(surface, all[i], behind); });
+    evenOut(all);
 
     // in units of the spacing, so that steps follow it
     std::vector<double> at(all.size() + 1, 0);

@@ -2,6 +2,7 @@
 
 #include "core/base/cancel_scope.h"
 #include "core/mesh/connectivity/triangulation.h"
+#include "core/solid/loops/fairing.h"
 #include "core/solid/loops/loop_triangles.h"
 
 #include <map>
@@ -47,8 +48,13 @@ class Evening {
         m_out.loopSize = loop.size();
     }
 
+    /// Of a patch that has been shaped: vertices stay on it.
+    Evening(const Loop& loop, const Patch& shaped)
+        : m_loop(loop), m_mesh(shaped.triangles, shaped.positions.size()), m_sheet(nullptr),
+          m_shaped(true), m_out{shaped.positions, shaped.spacings, {}, shaped.loopSize} {}
+
     Patch result(const base::Progress& progress) {
-        while (!m_sheet && splitBoundary())
+        while (!m_sheet && !m_shaped && splitBoundary())
             flipAll();
         constexpr int rounds = 24, atLeast = 4;
         for (int round = 0; round < rounds; ++round) {
@@ -94,7 +100,7 @@ class Evening {
             if (!m_mesh.alive(f))
                 continue;
             mesh::Side longest;
-            double most = 4.0 / 3;
+            double most = splitAbove;
             for (const int k : mesh::Triangulation::sides)
                 if (const mesh::Side s{f, k}; m_mesh.across(s).exists() && edge(s) > most * wanted(s)) {
                     most = edge(s) / wanted(s);
@@ -120,7 +126,7 @@ class Evening {
         for (std::uint32_t f = 0, end = m_mesh.faceCount(); f < end; ++f)
             for (const int k : mesh::Triangulation::sides) {
                 const mesh::Side s{f, k};
-                if (!m_mesh.alive(f) || !m_mesh.across(s).exists() || edge(s) > 0.6 * wanted(s))
+                if (!m_mesh.alive(f) || !m_mesh.across(s).exists() || edge(s) > joinBelow * wanted(s))
                     continue;
                 const std::uint32_t a = m_mesh.from(s), b = m_mesh.to(s);
                 const bool movesA = m_out.inside(a), movesB = m_out.inside(b);
@@ -189,9 +195,19 @@ class Evening {
             sums[a] += at(b), sums[b] += at(a);
             counts[a] += 1, counts[b] += 1;
         });
+        const std::vector<Vec3d> normals = m_shaped ? normalsNow() : std::vector<Vec3d>(sums.size());
         for (std::size_t v = m_out.loopSize; v < sums.size(); ++v)
-            if (counts[v] > 0)
-                m_out.positions[v] = (m_out.positions[v] + sums[v] / counts[v]) * 0.5;
+            if (counts[v] > 0) {
+                const Vec3d by = (sums[v] / counts[v] - m_out.positions[v]) * 0.5;
+                m_out.positions[v] += by - normals[v] * dot(by, normals[v]);
+            }
+    }
+    std::vector<Vec3d> normalsNow() const {
+        std::vector<mesh::Triangle> triangles;
+        for (std::uint32_t f = 0; f < m_mesh.faceCount(); ++f)
+            if (m_mesh.alive(f))
+                triangles.push_back(m_mesh.corners(f));
+        return vertexNormals(m_out.positions, triangles);
     }
     const Vec3d& at(std::uint32_t vertex) const { return m_out.positions[vertex]; }
     /// Without vertices that are not in use.
@@ -217,11 +233,15 @@ class Evening {
         return out;
     }
 
+    /// Edges of the length wanted times this. With both, patches have as many vertices as their area asks for, within
+    /// some 5 % (2 % to 15 % more if edges are joined below 0.6, 35 % fewer below 0.75).
+    static constexpr double splitAbove = 4.0 / 3, joinBelow = 0.65;
     /// Edges of a layout of equilateral triangles with spacing 1 (process/README 1.1).
     static constexpr double hexagonal = 1 / 0.9306;
     const Loop& m_loop;
     mesh::Triangulation m_mesh;
     const Sheet* m_sheet;             ///< null: vertices lie between their neighbours
+    bool m_shaped = false;            ///< but no nearer to the tangent plane
     std::vector<SheetPlace> m_places; ///< of vertices on it
     Patch m_out;
 };
@@ -271,6 +291,10 @@ double areaOver(const Loop& loop) {
 
 Patch patchOver(const Loop& loop, const base::Progress& progress) {
     return Evening(loop, polygonOf(loop).triangles).result(progress);
+}
+
+Patch evened(const Loop& loop, const Patch& patch) {
+    return Evening(loop, patch).result({});
 }
 
 Patch patchBetween(const Loop& loops, std::span<const SheetPlace> places, const Sheet& sheet,

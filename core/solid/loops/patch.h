@@ -28,6 +28,9 @@ double areaOver(const Loop& loop);
 /// An even triangulation of the loop, about the surface of least area. Throws base::Cancelled.
 Patch patchOver(const Loop& loop, const base::Progress& progress = {});
 
+/// The same surface, with triangles of the spacings wanted once it was moved or stretched. Throws base::Cancelled.
+Patch evened(const Loop& loop, const Patch& patch);
+
 /// A sheet that vertices stay on: a place for each pair of numbers, u from 0 to 1, where it begins anew, v across.
 struct SheetPlace {
     double u = 0, v = 0;

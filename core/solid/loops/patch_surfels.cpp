@@ -13,7 +13,7 @@ using base::Vec3d;
 using base::Vec3f;
 
 int halvingsFor(double area, double spacing) {
-    constexpr double most = 20000;
+    constexpr double most = 8000;
     return std::max(0, static_cast<int>(std::ceil(std::log(area / (spacing * spacing) / most) / std::log(4.0))));
 }
 

@@ -7,7 +7,7 @@
 namespace solid {
 
 /// How often the edges of a patch are halved after it was shaped, and how much coarser its loop is before (2 to that
-/// power): what has an area of so many spacings squared that it would have more than 20,000 vertices.
+/// power): what has an area of so many spacings squared that it would have more than 8,000 vertices.
 int halvingsFor(double area, double spacing);
 
 class PatchSurfels {

@@ -1,11 +1,10 @@
 #include "core/solid/loops/shape_patch.h"
 
-#include "core/base/cancel_scope.h"
 #include "core/base/parallel.h"
 #include "core/process/estimation/part_progress.h"
+#include "core/solid/loops/fairing.h"
 #include "core/surface/projection/project.h"
 
-#include <Eigen/SparseCholesky>
 #include <numbers>
 #include <optional>
 #include <queue>
@@ -14,130 +13,58 @@
 namespace solid {
 
 using base::Vec3d;
-using Matrix = Eigen::SparseMatrix<double>;
-using Columns = Eigen::MatrixXd;
 
 namespace {
 
-/// The patch with rings of the surface around it: ring 0 is the loop, what follows lies ever farther from the hole.
-struct Ringed {
-    std::vector<Vec3d> positions;
-    std::vector<mesh::Triangle> triangles;
-    std::vector<std::uint8_t> free; ///< of each position
-    std::size_t inner = 0;          ///< positions of the patch, which stand first
-};
-
-constexpr int rings = 2;
+/// Rings of the surface around a loop: ring 0 is the loop, what follows lies ever farther from the hole.
+constexpr std::size_t rings = 2;
 
 /// How far one ring lies from the next, in spacings: a part of the hole's radius where that is more, up to this many.
 /// Beside the loop surfels are on one side only, and the surface leans by some hundredths: narrow rings would carry
 /// that, and the noise of a scan, up to the middle.
 constexpr double widestStep = 2, stepOfRadius = 0.3;
 
-Ringed ringed(const surface::Surface& surface, const Loop& loop, const Patch& patch) {
-    Ringed out{patch.positions, patch.triangles, {}, patch.positions.size()};
-    const auto n = static_cast<std::uint32_t>(loop.size()), first = static_cast<std::uint32_t>(patch.positions.size());
-    out.free.assign(patch.positions.size(), 1);
-    std::fill_n(out.free.begin(), n, 0);
+/// Without ring 0.
+std::vector<Vec3d> ringsAround(const surface::Surface& surface, const Loop& loop) {
+    const std::size_t n = loop.size();
     const double radius = loop.length / (2 * std::numbers::pi);
-    out.positions.resize(first + std::size_t(rings) * n);
-    out.free.resize(out.positions.size(), 0);
+    std::vector<Vec3d> out(rings * n);
     base::parallelFor(n, 4, [&](std::size_t i) {
         const LoopPoint& p = loop.points[i];
         const double step = std::clamp(stepOfRadius * radius, p.spacing, widestStep * p.spacing);
-        for (int ring = 1; ring <= rings; ++ring) {
-            Vec3d place = p.position - p.outward * (step * ring);
+        for (std::size_t ring = 1; ring <= rings; ++ring) {
+            const double way = step * static_cast<double>(ring);
+            Vec3d place = p.position - p.outward * way;
             const auto foot =
                 surface::projectReference(surface, place, {.checkBoundary = false}, {base::cast<float>(p.normal)});
-            if (foot.ok() && distance(foot.foot, place) < step * ring)
+            if (foot.ok() && distance(foot.foot, place) < way)
                 place = foot.foot;
-            out.positions[first + static_cast<std::size_t>(ring - 1) * n + i] = place;
+            out[(ring - 1) * n + i] = place;
         }
     });
-    for (int ring = 1; ring <= rings; ++ring)
+    return out;
+}
+
+/// The patch, whose positions stand first, with rings of the surface around it.
+struct Ringed {
+    std::vector<Vec3d> positions;
+    std::vector<mesh::Triangle> triangles;
+    std::vector<std::uint8_t> free; ///< of each position
+};
+
+Ringed ringed(const Patch& patch, std::span<const Vec3d> around) {
+    Ringed out{patch.positions, patch.triangles, {}};
+    const auto n = static_cast<std::uint32_t>(patch.loopSize), first = static_cast<std::uint32_t>(out.positions.size());
+    out.positions.insert(out.positions.end(), around.begin(), around.end());
+    out.free.assign(out.positions.size(), 0);
+    std::fill(out.free.begin() + n, out.free.begin() + first, 1);
+    for (std::uint32_t ring = 1; ring <= rings; ++ring)
         for (std::uint32_t i = 0; i < n; ++i) {
-            const std::uint32_t j = (i + 1) % n, outer = first + static_cast<std::uint32_t>(ring - 1) * n,
-                                inner = ring == 1 ? 0 : outer - n;
+            const std::uint32_t j = (i + 1) % n, outer = first + (ring - 1) * n, inner = ring == 1 ? 0 : outer - n;
             out.triangles.push_back({inner + i, outer + i, inner + j});
             out.triangles.push_back({inner + j, outer + i, outer + j});
         }
     return out;
-}
-
-/// Areas of triangles count as no less than so much of the sum of their sides' squares (0.14 where these are equal).
-constexpr double thinnest = 0.02;
-
-/// Stiffness by cotangents and lumped areas, of lengths in units of `unit`. It is never negative, as a sum of what
-/// triangles contribute, nor does it see planes, while weights of single edges, of obtuse angles, may well be below
-/// zero: kept above, they would look like curvature, which bends large patches more than the surface around does.
-struct Measures {
-    Matrix stiffness;
-    Eigen::VectorXd areas;
-};
-
-Measures measuresOf(const std::vector<Vec3d>& x, const std::vector<mesh::Triangle>& triangles, double unit) {
-    const auto n = static_cast<Eigen::Index>(x.size());
-    Measures out{Matrix(n, n), Eigen::VectorXd::Constant(n, 1e-3)};
-    std::vector<Eigen::Triplet<double>> entries;
-    for (const mesh::Triangle& t : triangles)
-        for (std::size_t k = 0; k < 3; ++k) {
-            const auto a = static_cast<int>(t[k]), b = static_cast<int>(t[(k + 1) % 3]);
-            const Vec3d c = x[t[(k + 2) % 3]], u = (x[t[k]] - c) / unit, v = (x[t[(k + 1) % 3]] - c) / unit;
-            const double twice = length(cross(u, v));
-            const double sides = lengthSq(u) + lengthSq(v) + lengthSq(u - v);
-            const double weight = 0.5 * dot(u, v) / std::max({twice, 2 * thinnest * sides, 1e-12});
-            entries.emplace_back(a, b, weight), entries.emplace_back(b, a, weight);
-            out.areas[a] += twice / 6;
-        }
-    Matrix sums(n, n);
-    sums.setFromTriplets(entries.begin(), entries.end());
-    entries.clear();
-    for (int column = 0; column < sums.outerSize(); ++column)
-        for (Matrix::InnerIterator it(sums, column); it; ++it) {
-            entries.emplace_back(it.row(), column, -it.value()), entries.emplace_back(column, column, it.value());
-        }
-    out.stiffness.setFromTriplets(entries.begin(), entries.end());
-    return out;
-}
-
-/// Values of the free vertices, for given ones of the others, of least |grad u|^2 (order 1) or |grad laplace u|^2 (3).
-bool solve(const Measures& measures, const std::vector<std::uint8_t>& free, int order, Columns& values) {
-    Matrix whole = measures.stiffness;
-    const Eigen::VectorXd perArea = measures.areas.cwiseInverse();
-    for (int k = 1; k < order; ++k)
-        whole = (measures.stiffness * perArea.asDiagonal() * whole).eval();
-    std::vector<int> place(free.size(), -1);
-    int count = 0;
-    for (std::size_t v = 0; v < free.size(); ++v)
-        if (free[v])
-            place[v] = count++;
-    if (count == 0)
-        return true;
-    std::vector<Eigen::Triplet<double>> entries;
-    Columns right = Columns::Zero(count, values.cols());
-    for (int column = 0; column < whole.outerSize(); ++column)
-        for (Matrix::InnerIterator it(whole, column); it; ++it) {
-            const int row = place[static_cast<std::size_t>(it.row())], at = place[static_cast<std::size_t>(column)];
-            if (row < 0)
-                continue;
-            if (at >= 0)
-                entries.emplace_back(row, at, it.value());
-            else
-                right.row(row) -= it.value() * values.row(column);
-        }
-    Matrix system(count, count);
-    system.setFromTriplets(entries.begin(), entries.end());
-    base::CancelScope::check();
-    const Eigen::SimplicialLDLT<Matrix> solver(system);
-    if (solver.info() != Eigen::Success)
-        return false;
-    const Columns found = solver.solve(right);
-    if (solver.info() != Eigen::Success || !found.allFinite())
-        return false;
-    for (std::size_t v = 0; v < free.size(); ++v)
-        if (place[v] >= 0)
-            values.row(static_cast<Eigen::Index>(v)) = found.row(place[v]);
-    return true;
 }
 
 double extentOf(const Loop& loop) {
@@ -154,64 +81,122 @@ bool staysNear(const Loop& loop, std::span<const Vec3d> positions) {
                        [&](const Vec3d& p) { return distance(p, loop.middle) <= most; });
 }
 
-using Positions = std::optional<std::vector<Vec3d>>;
-
-/// Of the patch and its rings, of least energy of that order. Nothing where it swings away from the loop.
-Positions shaped(const Ringed& from, const Loop& loop, int order, const base::Progress& progress) {
-    constexpr int passes = 12;   // areas and angles are those of the last shape
-    constexpr double step = 0.6; // of the way: all of it goes to and fro where noise around the hole decides
-    const double unit = loop.meanSpacing();
-    std::vector<Vec3d> out = from.positions;
-    Columns values(static_cast<Eigen::Index>(out.size()), 3);
-    for (int pass = 0; pass < passes; ++pass) {
-        progress.step(static_cast<double>(pass) / passes, "Shaping");
-        for (std::size_t v = 0; v < out.size(); ++v)
-            for (std::size_t k = 0; k < 3; ++k)
-                values(static_cast<Eigen::Index>(v), static_cast<Eigen::Index>(k)) =
-                    (out[v][k] - loop.middle[k]) / unit;
-        if (!solve(measuresOf(out, from.triangles, unit), from.free, order, values))
-            return {};
-        for (std::size_t v = 0; v < out.size(); ++v) {
+/// What a sphere through the patch would have in its place: the Laplacian along the normals, everywhere as long as the
+/// patch has it in the mean. A Laplacian that is harmonic, as least energy in a plane asks for, is that of no sphere.
+Columns meanBend(const Measures& measures, const Ringed& at, const Columns& values) {
+    const std::vector<Vec3d> normals = vertexNormals(at.positions, at.triangles);
+    const Columns laplacian = measures.laplacian(values);
+    double sum = 0, area = 0;
+    for (std::size_t v = 0; v < normals.size(); ++v)
+        if (at.free[v]) {
             const auto row = static_cast<Eigen::Index>(v);
-            if (from.free[v])
-                out[v] += (loop.middle + Vec3d{values(row, 0), values(row, 1), values(row, 2)} * unit - out[v]) * step;
+            const double a = measures.areas[row];
+            area += a;
+            sum += a * dot(Vec3d{laplacian(row, 0), laplacian(row, 1), laplacian(row, 2)}, normals[v]);
         }
-        if (!staysNear(loop, std::span(out).first(from.inner)))
-            return {};
-    }
+    Columns out(values.rows(), 3);
+    for (std::size_t v = 0; v < normals.size(); ++v)
+        for (std::size_t k = 0; k < 3; ++k)
+            out(static_cast<Eigen::Index>(v), static_cast<Eigen::Index>(k)) = normals[v][k] * sum / area;
     return out;
 }
 
-bool take(const Positions& found, const Loop& loop, Patch& patch) {
-    for (std::size_t v = loop.size(); found && v < patch.positions.size(); ++v)
-        patch.positions[v] = (*found)[v];
-    return found.has_value();
+enum class Flow { Settled, Going, Lost };
+
+/// A patch on its way to the shape of least energy of some order.
+class Shaping {
+  public:
+    Shaping(const surface::Surface& surface, const Loop& loop)
+        : m_loop(loop), m_around(ringsAround(surface, loop)), m_unit(loop.meanSpacing()) {}
+
+    /// So many steps at most, with areas and angles those of the last shape. `fresh`: it has none yet, and how it bends
+    /// does not count at first. Lost where it swings away from the loop.
+    Flow go(Patch& patch, int order, int passes, bool fresh) const {
+        Ringed at = ringed(patch, m_around);
+        Flow out = Flow::Going;
+        for (int pass = 0; pass < passes && out == Flow::Going; ++pass)
+            out = step(at, patch.positions.size(), order, fresh && pass == 0);
+        if (out != Flow::Lost)
+            std::copy_n(at.positions.begin(), patch.positions.size(), patch.positions.begin());
+        return out;
+    }
+
+  private:
+    Flow step(Ringed& at, std::size_t inner, int order, bool first) const {
+        constexpr double share = 0.6;    // of the way: all of it goes to and fro where noise around the hole decides
+        constexpr double settled = 0.02; // spacings
+        Columns values(static_cast<Eigen::Index>(at.positions.size()), 3);
+        for (std::size_t v = 0; v < at.positions.size(); ++v)
+            for (std::size_t k = 0; k < 3; ++k)
+                values(static_cast<Eigen::Index>(v), static_cast<Eigen::Index>(k)) =
+                    (at.positions[v][k] - m_loop.middle[k]) / m_unit;
+        const Measures measures(at.positions, at.triangles, m_unit);
+        const Columns bend = order > 1 && !first ? meanBend(measures, at, values) : Columns();
+        if (!solve(measures, at.free, order, values, bend.size() > 0 ? &bend : nullptr))
+            return Flow::Lost;
+        double most = 0;
+        for (std::size_t v = 0; v < inner; ++v) {
+            const auto row = static_cast<Eigen::Index>(v);
+            const Vec3d place = m_loop.middle + Vec3d{values(row, 0), values(row, 1), values(row, 2)} * m_unit;
+            const Vec3d by = at.free[v] ? (place - at.positions[v]) * share : Vec3d{};
+            most = std::max(most, length(by));
+            at.positions[v] += by;
+        }
+        if (!staysNear(m_loop, std::span(at.positions).first(inner)))
+            return Flow::Lost;
+        return most < settled * m_unit ? Flow::Settled : Flow::Going;
+    }
+
+    const Loop& m_loop;
+    std::vector<Vec3d> m_around;
+    double m_unit;
+};
+
+constexpr int passes = 12;
+
+/// Of least curvature. A patch that swells as it goes is made even again, and goes on from there.
+bool bendPatch(const Shaping& shaping, const Loop& loop, Patch& patch, const base::Progress& progress) {
+    constexpr int rounds = 4, passesAtFirst = 5;
+    constexpr double same = 0.05; // of the vertices
+    for (int round = 0; round < rounds; ++round) {
+        progress.step(static_cast<double>(round) / rounds, "Shaping");
+        const Flow flow = shaping.go(patch, 2, round + 1 < rounds ? passesAtFirst : passes, round == 0);
+        if (flow == Flow::Lost)
+            return false;
+        if (round + 1 == rounds)
+            break;
+        Patch again = evened(loop, patch);
+        const double grew = static_cast<double>(again.positions.size()) / static_cast<double>(patch.positions.size());
+        if (flow == Flow::Settled && std::abs(grew - 1) < same)
+            break;
+        patch = std::move(again);
+    }
+    return true;
 }
 
 } // namespace
 
 bool shapePatch(const surface::Surface& surface, const Loop& loop, Shape shape, Patch& patch,
                 const base::Progress& progress) {
-    constexpr double beyond = 0.15; // of the loop's extent
-    const Ringed from = ringed(surface, loop, patch);
+    constexpr double beyond = 0.05; // of the loop's extent
+    const Shaping shaping(surface, loop);
     if (shape == Shape::Flat)
-        return take(shaped(from, loop, 1, progress), loop, patch);
-    const auto bent = shaped(from, loop, 2, process::part(progress, 0, 0.4));
-    const auto smooth = shaped(from, loop, 3, process::part(progress, 0.4, 1));
-    double apart = 0;
-    for (std::size_t v = 0; bent && smooth && v < patch.positions.size(); ++v)
-        apart = std::max(apart, distance((*bent)[v], (*smooth)[v]));
-    return take(smooth && apart <= beyond * extentOf(loop) ? smooth : bent, loop, patch);
+        return shaping.go(patch, 1, passes, true) != Flow::Lost;
+    Patch bent = patch;
+    if (!bendPatch(shaping, loop, bent, process::part(progress, 0, 0.6)))
+        return false;
+    patch = bent;
+    progress.step(0.6, "Shaping");
+    bool near = shaping.go(bent, 3, passes, false) != Flow::Lost;
+    for (std::size_t v = 0; v < patch.positions.size(); ++v)
+        near = near && distance(bent.positions[v], patch.positions[v]) <= beyond * extentOf(loop);
+    if (near)
+        patch = std::move(bent);
+    return true;
 }
 
 std::vector<Vec3d> patchNormals(const Loop& loop, const Patch& patch) {
-    std::vector<Vec3d> out(patch.positions.size());
-    for (const mesh::Triangle& t : patch.triangles)
-        for (std::size_t k = 0; k < 3; ++k) {
-            const Vec3d u = patch.positions[t[(k + 1) % 3]] - patch.positions[t[k]],
-                        v = patch.positions[t[(k + 2) % 3]] - patch.positions[t[k]], n = cross(u, v);
-            out[t[k]] += normalized(n) * std::atan2(length(n), dot(u, v));
-        }
+    std::vector<Vec3d> out = vertexNormals(patch.positions, patch.triangles);
     for (std::size_t v = 0; v < out.size(); ++v)
         out[v] = v < loop.size() ? loop.points[v].normal : normalized(out[v], loop.points[0].normal);
     return out;
@@ -231,7 +216,7 @@ std::vector<std::vector<double>> spreadOver(const Patch& patch, const std::vecto
     double unit = 0;
     for (const double spacing : patch.spacings)
         unit += spacing / static_cast<double>(patch.spacings.size());
-    const bool found = solve(measuresOf(patch.positions, patch.triangles, unit), free, 1, columns);
+    const bool found = solve(Measures(patch.positions, patch.triangles, unit), free, 1, columns);
     const std::vector<std::uint32_t> nearest = nearestOfLoop(patch);
     for (std::size_t v = 0; v < out.size(); ++v)
         for (std::size_t k = 0; k < width; ++k)
