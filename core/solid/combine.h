@@ -5,6 +5,7 @@
 #include "core/base/progress.h"
 #include "core/solid/seam.h"
 
+#include <optional>
 #include <string_view>
 
 namespace solid {
@@ -39,11 +40,12 @@ struct CombineOptions {
 
 struct Combined {
     surface::Surface surface;
-    std::size_t removed = 0;      ///< surfels of the model that went
-    std::size_t inserted = 0;     ///< of the operand that came
-    std::size_t atSeam = 0;       ///< surfels beside the seam, where it is a crease
-    std::size_t rounded = 0;      ///< surfels of the fillet or chamfer
-    std::vector<SeamCurve> seams; ///< where both surfaces cross; traced where asked for, or for a fillet
+    std::size_t removed = 0;         ///< surfels of the model that went
+    std::size_t inserted = 0;        ///< of the operand that came
+    std::size_t atSeam = 0;          ///< surfels beside the seam, where it is a crease
+    std::size_t rounded = 0;         ///< surfels of the fillet or chamfer
+    std::optional<base::Vec3d> open; ///< caps only: where the model is open as it is cut
+    std::vector<SeamCurve> seams;    ///< where both surfaces cross; traced where asked for, or for a fillet
 };
 
 /// Throws base::Error where a model has no oriented normals or is a curve: it bounds no solid.

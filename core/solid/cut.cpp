@@ -5,6 +5,7 @@
 #include "core/process/estimation/part_limit.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/process/resampling/resample.h"
+#include "core/solid/cap_rims.h"
 #include "core/solid/map_places.h"
 #include "core/solid/primitive.h"
 #include "core/solid/spacing_beside.h"
@@ -92,8 +93,10 @@ Combined cutByPlane(const surface::Surface& model, const base::Plane& plane, con
     if (std::count_if(sides.begin(), sides.end(), [](std::int8_t s) { return s >= 0; }) < 4)
         throw base::Error("nothing would be left", "cut", "move the plane, or keep the other side");
     if (options.cap)
-        return combine(model, {side, CapSampler(model, plane).result(), sides}, Operation::Difference,
-                       {options.creases}, progress);
+        return endingAsBefore(model, side, 1,
+                              combine(model, {side, CapSampler(model, plane).result(), sides}, Operation::Difference,
+                                      {options.creases}, process::part(progress, 0, 0.8)),
+                              process::part(progress, 0.8, 1));
     return leftOpen(model, sides, -1, progress);
 }
 

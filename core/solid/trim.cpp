@@ -1,6 +1,8 @@
 #include "core/solid/trim.h"
 
 #include "core/base/error.h"
+#include "core/process/estimation/part_progress.h"
+#include "core/solid/cap_rims.h"
 #include "core/solid/outline_walls.h"
 
 #include <algorithm>
@@ -25,8 +27,11 @@ Combined trimmed(const surface::Surface& model, const OutlineSide& side, Trim tr
                           "draw a smaller outline");
     if (!options.cap)
         return leftOpen(model, sides, gone, progress);
-    return combine(model, {side, wallsOf(side, model), sides},
-                   trim == Trim::Away ? Operation::Difference : Operation::Intersection, {options.creases}, progress);
+    return endingAsBefore(model, side, -gone,
+                          combine(model, {side, wallsOf(side, model), sides},
+                                  trim == Trim::Away ? Operation::Difference : Operation::Intersection,
+                                  {options.creases}, process::part(progress, 0, 0.8)),
+                          process::part(progress, 0.8, 1));
 }
 
 /// Douglas and Peucker's way from one corner to another.

@@ -2,6 +2,7 @@
 
 #include "core/process/estimation/spacing_sample.h"
 #include "core/session/number_text_list.h"
+#include "core/session/place_text.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -20,6 +21,11 @@ void take(Context& context, solid::Combined result, const char* label, const std
     if (result.rounded > 0)
         context.messages.push_back(std::to_string(result.rounded) +
                                    " of the points that came make the seam round or flat.");
+    if (result.open)
+        context.messages.push_back("The model is open where it was cut, at " +
+                                   placeText(*result.open + context.document.provenance().origin,
+                                             static_cast<double>(result.surface.tree().bounds().diagonal())) +
+                                   ": there inside and outside are a guess, and the cap has an end of its own.");
     double length = 0;
     std::size_t pieces = 0, corners = 0;
     for (const solid::SeamCurve& seam : result.seams) {

@@ -22,8 +22,6 @@ static void cut(Context& context, const nlohmann::json& complete) {
     base::Plane plane = planeOf(complete.at("plane").get<std::string>(), context.document.provenance().origin);
     if (complete.at("keep") == "below")
         plane = plane.flipped();
-    if (complete.at("cap").get<bool>())
-        tellOfGuess(context, context.document.surface());
     take(context,
          solid::cutByPlane(context.document.surface(), plane,
                            {complete.at("cap").get<bool>(), complete.at("creases").get<bool>()}, context.progress),

@@ -26,8 +26,6 @@ static solid::OutlineSide sideOf(const render::Camera& camera, const std::vector
 static void trim(Context& context, const json& complete) {
     requireModel(context);
     const solid::OutlineSide side = sideOf(cameraOf(context, complete), outlineOf(complete));
-    if (complete.at("cap").get<bool>())
-        tellOfGuess(context, context.document.surface());
     take(context,
          solid::trimmed(context.document.surface(), side,
                         complete.at("keep") == "inside" ? solid::Trim::Keep : solid::Trim::Away,
