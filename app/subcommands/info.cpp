@@ -147,7 +147,9 @@ void print(const ordered_json& info, bool json) {
         std::cout << info.dump(2, ' ', false, ordered_json::error_handler_t::replace) << "\n";
     else
         for (const auto& [key, value] : info.items())
-            if (key != "models")
+            if (key == "normals" && value == false && info.at("faces") != 0)
+                std::cout << "normals     no, opening gives those of the faces\n";
+            else if (key != "models")
                 std::cout << key << std::string(12 - key.size(), ' ') << asText(value) << "\n";
             else
                 for (ordered_json model : value) {

@@ -28,19 +28,24 @@ std::optional<Vec3d> passing(std::span<const surface::BoundaryCurve> curves, con
 /// Farther than surface::rimReach: rims that the points tell lie beyond the last row, and it is ragged.
 constexpr float reach = 0.7F;
 
+surfel::SurfelList widened(const tree::SurfelTree& tree) {
+    surfel::SurfelList list = tree.surfels();
+    auto layout = std::make_shared<surfel::AttributeLayout>(*list.layout);
+    if (!layout->find(surface::rimName))
+        layout->add(surface::rimName, surfel::ScalarType::UInt8);
+    surfel::widen(list, layout);
+    return list;
+}
+
 /// With the mark on all surfels beside places of rims.
 tree::SurfelTree marked(const tree::SurfelTree& tree, std::span<const Vec3d> rims) {
     surfel::SurfelList places;
     for (const Vec3d& x : rims)
         places.items.push_back({base::cast<float>(x), {}, 1});
     const tree::SurfelTree near = tree::SurfelTree::build(places);
-    surfel::SurfelList list = tree.surfels();
-    auto layout = std::make_shared<surfel::AttributeLayout>(*list.layout);
-    if (!layout->find(surface::rimName))
-        layout->add(surface::rimName, surfel::ScalarType::UInt8);
-    surfel::widen(list, layout);
-    const surfel::Attribute& rim = *layout->find(surface::rimName);
-    const std::size_t words = layout->words();
+    surfel::SurfelList list = widened(tree);
+    const surfel::Attribute& rim = *list.layout->find(surface::rimName);
+    const std::size_t words = list.layout->words();
     base::parallelFor(list.size(), 256, [&](std::size_t i) {
         std::vector<tree::Neighbour> nearest;
         const surfel::Surfel& s = list.items[i];
@@ -48,6 +53,11 @@ tree::SurfelTree marked(const tree::SurfelTree& tree, std::span<const Vec3d> rim
         surfel::write(rim, std::span(list.extra).subspan(i * words, words), nearest.empty() ? 0 : 1);
     });
     return cells::withSurfels(tree, list);
+}
+
+bool hasOthersRim(const surface::Surface& surface) {
+    const surfel::Attribute* found = surface.tree().layout()->find(surface::rimName);
+    return found && (surfel::isReal(found->type) || !surface.definition().knownRims);
 }
 
 } // namespace
@@ -59,8 +69,7 @@ Combined endingAsBefore(const surface::Surface& model, const Side& side, int kep
         return capped;
     const std::vector<surface::BoundaryCurve> curves = findBoundaryCurves(model, progress);
     capped.open = passing(curves, side);
-    const surfel::Attribute* taken = model.tree().layout()->find(surface::rimName);
-    if (definition.boundary != surface::Boundary::Auto || (taken && surfel::isReal(taken->type)))
+    if (definition.boundary != surface::Boundary::Auto || hasOthersRim(model))
         return capped;
     if (capped.open) {
         if (surface::knowsRims(model)) // the cap has a rim that nobody knows
@@ -88,6 +97,17 @@ Combined endingAsBefore(const surface::Surface& model, const Side& side, int kep
     known.knownRims = true;
     capped.surface = {marked(capped.surface.tree(), stay), known};
     return capped;
+}
+
+bool endIsKnown(const surface::Surface& surface) {
+    return surface::knowsRims(surface) || (std::isinf(surface.definition().boundaryLimit) && !hasOthersRim(surface) &&
+                                           surface.definition().boundary == surface::Boundary::Auto);
+}
+
+surface::Surface withRimAttribute(const surface::Surface& surface) {
+    if (surface.tree().layout()->find(surface::rimName))
+        return surface;
+    return {cells::withSurfels(surface.tree(), widened(surface.tree())), surface.definition()};
 }
 
 } // namespace solid

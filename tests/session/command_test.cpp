@@ -23,6 +23,7 @@ class CommandTest : public QObject {
     void numbersInOneTextMayBeAList();
     void whatIsWrongIsRefused_data();
     void whatIsWrongIsRefused();
+    void nothingToDoIsSaidAndTheSessionGoesOn();
     void everyToolsParametersAreTakenWithinTheirRange();
     void noToolHidesAParameterOfTheStroke();
     void failureLeavesTheDocumentAlone();
@@ -139,8 +140,21 @@ void CommandTest::whatIsWrongIsRefused_data() {
     row(R"({"op":"save","path":"out.unknown"})", "out.unknown");
     row(R"({"op":"expect","surfels":-1})", "a whole number or a list");
     row(R"({"op":"expect","surfels":[1,2,3]})", "a whole number or a list");
-    row(R"({"op":"redo"})", "nothing to redo");
-    row(R"({"op":"undo"})", "nothing to undo");
+}
+
+void CommandTest::nothingToDoIsSaidAndTheSessionGoesOn() {
+    for (const char* op : {"undo", "redo", "fill"}) {
+        Workbench bench;
+        bench.run({{"op", "new"}, {"sample", "sphere"}, {"count", 500}});
+        const std::string before = bench.document.hash().text();
+        bench.context.messages.clear();
+        bench.run({{"op", op}});
+        QCOMPARE(bench.document.hash().text(), before);
+        QVERIFY2(bench.context.messages.size() == 1 &&
+                     bench.context.messages[0].find(std::string("nothing to ") + op) != std::string::npos,
+                 op);
+        QVERIFY2(!bench.document.canUndo(), op);
+    }
 }
 
 void CommandTest::whatIsWrongIsRefused() {

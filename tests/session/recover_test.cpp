@@ -41,7 +41,7 @@ void RecoverTest::recoveryGivesTheLastCommandsModel() {
         QCOMPARE(recovered(journal.path()), bench.hash());
     }
     const int lines = lineCount(journal.path());
-    QVERIFY(!bench.refusal({{"op", "redo"}}).empty());
+    bench.run({{"op", "redo"}}); // nothing: nothing to record
     bench.run({{"op", "expect"}, {"hash", bench.hash()}});
     bench.run({{"op", "save"}, {"path", bench.path("a.ply").string()}});
     QCOMPARE(lineCount(journal.path()), lines);

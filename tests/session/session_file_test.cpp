@@ -65,7 +65,6 @@ void SessionFileTest::errorsNameFileAndLine_data() {
     QTest::newRow("too many digits") << R"({"op":"resample","spacing":)" + QString(400, '9') + "}";
     QTest::newRow("not UTF-8") << QString("{\"op\":\"open\",\"path\":\"\xff\"}");
     QTest::newRow("failing") << R"({"op":"expect","surfels":1})";
-    QTest::newRow("nothing to do") << R"({"op":"redo"})";
 }
 
 void SessionFileTest::errorsNameFileAndLine() {

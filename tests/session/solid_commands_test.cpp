@@ -2,6 +2,8 @@
 #include "core/base/parallel.h"
 #include "core/base/random.h"
 #include "core/mesh/extent/extent.h"
+#include "core/surface/curves/boundary_curves.h"
+#include "core/surface/rims.h"
 #include "support/registry.h"
 #include "workbench.h"
 
@@ -21,6 +23,7 @@ class SolidCommandsTest : public QObject {
     void reducedModelsEndWhereTheyAreCut();
     void partsPushedIntoEachOtherBecomeOne();
     void rimsOfTheOtherModelStayRims();
+    void whatBothKnowOfTheirRimsStaysKnown();
     void insideOfOpenModelsIsSaidToBeAGuess();
     void whatMeetsNothingIsSaidToBeApart();
     void wrongNumbersAreRefused();
@@ -159,6 +162,26 @@ void SolidCommandsTest::rimsOfTheOtherModelStayRims() {
     }
 }
 
+/// A closed model joined with an open one that knows its rims: those are the two's, and no tip is one.
+void SolidCommandsTest::whatBothKnowOfTheirRimsStaysKnown() {
+    Workbench bowl;
+    bowl.run(test::newSphere(2500));
+    bowl.run({{"op", "cut"}, {"plane", "0,0,1,-0.3"}, {"cap", false}});
+    bowl.run({{"op", "cut"}, {"plane", "0,0,-1,-0.7"}}); // with a cap: its rim is known from now on
+    QVERIFY(surface::knowsRims(bowl.document.surface()));
+    bowl.run({{"op", "save"}, {"path", bowl.path("bowl.ply").string()}});
+    for (const std::size_t rims : {1U, 0U}) { // below the model, and within it
+        Workbench bench;
+        bench.run(test::newSphere(2500));
+        bench.run({{"op", "solid"},
+                   {"path", bowl.path("bowl.ply").string()},
+                   {"position", rims ? "0.05,0,-1.5" : "0,0,0"},
+                   {"scale", rims ? 1 : 0.5}});
+        QCOMPARE(surface::knowsRims(bench.document.surface()), rims == 1); // within, it is as it was
+        QCOMPARE(surface::findBoundaryCurves(bench.document.surface()).size(), rims);
+    }
+}
+
 static bool told(const Workbench& bench, const char* words) {
     return std::ranges::any_of(bench.context.messages,
                                [&](const std::string& each) { return each.find(words) != std::string::npos; });
@@ -205,7 +228,7 @@ void SolidCommandsTest::wrongNumbersAreRefused() {
           R"({"op":"primitive","size":"-1"})", R"({"op":"primitive","size":"1e9","spacing":1e-3})",
           R"({"op":"drill","from":"5,5,5","direction":"0,0,1","radius":0.1})",
           R"({"op":"drill","from":"0,0,3","direction":"0,0,0","radius":0.1})", R"({"op":"hollow","thickness":2})",
-          R"({"op":"mirror","plane":"1,0,0,9"})", R"({"op":"fill"})"}) {
+          R"({"op":"mirror","plane":"1,0,0,9"})", R"({"op":"fill","holes":0})"}) {
         QVERIFY2(!bench.refusal(json::parse(line)).empty(), line);
         QCOMPARE(bench.hash(), before);
     }

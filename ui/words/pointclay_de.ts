@@ -5377,8 +5377,8 @@
         <translation>entlang x %1, y %2, z %3</translation>
     </message>
     <message>
-        <source>boundary loop %1 of length %2 about %3 %4 %5 is filled flat: no smooth surface stayed near it</source>
-        <translation>Randschleife %1 der Länge %2 bei %3 %4 %5 ist flach gefüllt: Keine glatte Fläche blieb in ihrer Nähe</translation>
+        <source>boundary loop %1 of length %2 about %3 %4 %5 is filled flat: no smooth surface stays near it and clear of the rest</source>
+        <translation>Randschleife %1 der Länge %2 bei %3 %4 %5 ist flach gefüllt: Keine glatte Fläche bleibt in ihrer Nähe und berührt sonst nichts</translation>
     </message>
     <message>
         <source>boundary loop %1 of length %2 about %3 %4 %5 is filled smoothly: there is too little around it to follow in relief</source>
@@ -5389,8 +5389,12 @@
         <translation>Randschleife %1 der Länge %2 bei %3 %4 %5 blieb offen: Sie schließt sich nicht</translation>
     </message>
     <message>
-        <source>boundary loop %1 of length %2 about %3 %4 %5 was left: it touches itself</source>
-        <translation>Randschleife %1 der Länge %2 bei %3 %4 %5 blieb offen: Sie berührt sich selbst</translation>
+        <source>boundary loop %1 of length %2 about %3 %4 %5 was left: it touches itself or another one</source>
+        <translation>Randschleife %1 der Länge %2 bei %3 %4 %5 blieb offen: Sie berührt sich selbst oder eine andere</translation>
+    </message>
+    <message>
+        <source>boundary loop %1 of length %2 about %3 %4 %5 was left: what would fill it runs into the model or itself</source>
+        <translation>Randschleife %1 der Länge %2 bei %3 %4 %5 blieb offen: Was sie füllen würde, stößt an das Modell oder an sich selbst</translation>
     </message>
     <message>
         <source>boundary loops %1 and %2 are bridged with %3 points</source>
@@ -5429,12 +5433,20 @@
         <translation>Es gibt keine Falze zum Glätten</translation>
     </message>
     <message>
-        <source>there is nothing to redo</source>
-        <translation>Es gibt nichts zu wiederholen</translation>
+        <source>There is nothing to redo: the model is as it was.</source>
+        <translation>Es gibt nichts zu wiederholen: Das Modell ist, wie es war.</translation>
     </message>
     <message>
-        <source>there is nothing to undo</source>
-        <translation>Es gibt nichts zurückzunehmen</translation>
+        <source>There is nothing to undo: the model is as it was.</source>
+        <translation>Es gibt nichts zurückzunehmen: Das Modell ist, wie es war.</translation>
+    </message>
+    <message>
+        <source>The model is open where it was cut, at %1 %2 %3: there inside and outside are a guess, and the cap has an end of its own.</source>
+        <translation>Das Modell ist offen, wo es geschnitten wurde, bei %1 %2 %3: Dort sind innen und außen geraten, und der Deckel hat ein eigenes Ende.</translation>
+    </message>
+    <message>
+        <source>There is nothing to fill: the surface is closed, or its boundary limit is none; give it a limit, %1 for example, if it has holes.</source>
+        <translation>Es gibt nichts zu füllen: Die Fläche ist geschlossen, oder ihre Randgrenze ist keine; geben Sie ihr eine Grenze, etwa %1, wenn sie Löcher hat.</translation>
     </message>
 </context>
 <context>

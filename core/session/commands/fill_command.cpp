@@ -36,6 +36,17 @@ static std::string told(const solid::LoopFate& fate, const base::Vec3d& origin) 
 
 static void fill(Context& context, const nlohmann::json& complete) {
     requireModel(context);
+    const surface::SurfaceDefinition& definition = context.document.surface().definition();
+    if (definition.manifold == surface::Manifold::Surface && std::isinf(definition.boundaryLimit) &&
+        !complete.at("holes").is_number()) {
+        context.messages.push_back(
+            "There is nothing to fill: the surface is closed, or its boundary limit is none; give it a limit, 0.25 for "
+            "example, if it has holes.");
+        context.instead = std::make_shared<nlohmann::json>(nlohmann::json::array());
+        for (const char* figure : {"filled", "left", "surfels"})
+            context.figures[figure] = 0;
+        return;
+    }
     const base::Vec3d origin = context.document.provenance().origin;
     solid::Filled result = solid::fillHoles(context.document.surface(), fillOptions(complete), context.progress);
     std::size_t filled = 0, left = 0, surfels = 0;

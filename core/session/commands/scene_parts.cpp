@@ -8,6 +8,7 @@
 #include "core/session/commands/commands.h"
 #include "core/session/commands/selected/limits.h"
 #include "core/session/scene/joined_models.h"
+#include "core/surface/rims.h"
 
 #include <map>
 #include <nlohmann/json.hpp>
@@ -150,7 +151,8 @@ void joinModels(Context& context, const json& complete) {
         throw base::Error("there is no other model that is shown and not locked", {},
                           "show or unlock what is to be joined");
     const surface::Surface whole = joined(all);
-    left.models[left.active].surface = process::withOwnLimit(whole.tree(), whole.definition(), context.progress);
+    left.models[left.active].surface =
+        surface::knowsRims(whole) ? whole : process::withOwnLimit(whole.tree(), whole.definition(), context.progress);
     context.messages.push_back(std::to_string(all.size()) + " models are one of " +
                                std::to_string(whole.tree().size()) + " surfels.");
     if (!kept.empty())

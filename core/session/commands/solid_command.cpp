@@ -6,6 +6,8 @@
 #include "core/session/commands/other_model.h"
 #include "core/session/model_argument.h"
 #include "core/session/number_text_list.h"
+#include "core/solid/cap_rims.h"
+#include "core/surface/rims.h"
 #include "core/surfel/shape.h"
 
 #include <nlohmann/json.hpp>
@@ -67,6 +69,14 @@ static surfel::SurfelList placed(const Document& other, const solid::Pose& pose,
     return out;
 }
 
+/// What both knew of their rims is true of the two together.
+static surface::Surface withKnownRims(const surface::Surface& both, const base::Progress& progress) {
+    surface::SurfaceDefinition definition = both.definition();
+    definition.knownRims = true;
+    definition.boundaryLimit = process::automaticBoundaryLimit({both.tree(), definition}, progress);
+    return {both.tree(), definition};
+}
+
 static void solidWith(Context& context, const json& complete) {
     requireModel(context);
     const tree::SurfelTree before = context.document.surface().tree();
@@ -76,7 +86,10 @@ static void solidWith(Context& context, const json& complete) {
         pinned["hash"] = other.hash().text();
         context.instead = std::make_shared<json>(json::array({std::move(pinned)}));
     }
-    const surface::Surface& model = context.document.surface();
+    const bool known = solid::endIsKnown(context.document.surface()) && solid::endIsKnown(other.surface()) &&
+                       (surface::knowsRims(context.document.surface()) || surface::knowsRims(other.surface()));
+    const surface::Surface model =
+        known ? solid::withRimAttribute(context.document.surface()) : context.document.surface();
     surfel::SurfelList surfels =
         placed(other, poseOf(complete, context.document.provenance().origin), complete.at("scale").get<double>());
     const solid::SurfaceSide side({tree::SurfelTree::build(surfels), other.surface().definition()});
@@ -88,7 +101,9 @@ static void solidWith(Context& context, const json& complete) {
         solid::combine(model, {side, std::move(surfels)}, solid::operation(complete.at("operation").get<std::string>()),
                        options, context.progress);
     if (open && result.removed + result.inserted > 0) // its rims may be in the result, or the model's may be gone
-        result.surface = process::withOwnLimit(result.surface.tree(), result.surface.definition(), context.progress);
+        result.surface =
+            known ? withKnownRims(result.surface, context.progress)
+                  : process::withOwnLimit(result.surface.tree(), result.surface.definition(), context.progress);
     takeBoth(context, std::move(result), "Combine");
     if (complete.contains("model") && !(context.document.surface().tree() == before)) { // it is in this one now
         Scene scene = context.document.scene();

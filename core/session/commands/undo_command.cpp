@@ -1,20 +1,27 @@
-#include "core/base/error.h"
 #include "core/session/commands/commands.h"
 
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 
 namespace session {
 
+/// A script goes on, as a person would: that there is nothing is no reason to leave all else undone.
+static void tellNothing(Context& context, const char* what) {
+    context.messages.push_back(std::string("There is nothing to ") + what + ": the model is as it was.");
+    context.instead = std::make_shared<nlohmann::json>(nlohmann::json::array()); // nor to record
+}
+
 static void undo(Context& context, const nlohmann::json&) {
-    if (!context.document.canUndo())
-        throw base::Error("there is nothing to undo");
-    context.document.undo();
+    if (context.document.canUndo())
+        context.document.undo();
+    else
+        tellNothing(context, "undo");
 }
 
 static void redo(Context& context, const nlohmann::json&) {
-    if (!context.document.canRedo())
-        throw base::Error("there is nothing to redo");
-    context.document.redo();
+    if (context.document.canRedo())
+        context.document.redo();
+    else
+        tellNothing(context, "redo");
 }
 
 CommandRow undoCommand() {

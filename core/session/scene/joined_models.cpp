@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/cells/creases/labelled_surface.h"
+#include "core/solid/cap_rims.h"
 #include "core/surface/rims.h"
 
 #include <algorithm>
@@ -87,8 +88,14 @@ surface::Surface joined(const std::vector<SceneModel>& models) {
     if (labelled)
         cells::setLabels(out, labelsOf(models, out.size()));
     surface::SurfaceDefinition definition = first.surface.definition();
-    definition.knownRims =
-        std::ranges::all_of(models, [](const SceneModel& model) { return surface::knowsRims(model.surface); });
+    // What does not end has no rims, and that is known as well.
+    const auto knows = [](const SceneModel& model) { return surface::knowsRims(model.surface); };
+    const auto open = std::ranges::find_if(models, knows);
+    definition.knownRims = open != models.end() && std::ranges::all_of(models, [](const SceneModel& model) {
+                               return solid::endIsKnown(model.surface);
+                           });
+    if (definition.knownRims && !knows(first)) // the limit of the closed one is none
+        definition.boundaryLimit = open->surface.definition().boundaryLimit;
     return {tree::SurfelTree::build(out), std::move(definition)};
 }
 
