@@ -61,6 +61,15 @@ class Hole {
     bool isFilled() const { return m_filled; }
     bool isSmooth() const { return m_shape == Shape::Smooth; }
     const Patch& patch() const { return m_fine; }
+    /// What has no part in it does not meet the patch.
+    base::Box3d reach() const {
+        base::Box3d out;
+        for (std::size_t v = 0; v < m_fine.positions.size(); ++v) {
+            const Vec3d by = Vec3d{1, 1, 1} * m_fine.spacings[v];
+            out.extend(m_fine.positions[v] - by), out.extend(m_fine.positions[v] + by);
+        }
+        return out;
+    }
 
   private:
     const surface::Surface& m_surface;
@@ -79,9 +88,13 @@ void keepApart(std::vector<Hole>& holes, const base::Progress& progress) {
     bool again = true;
     while (again) {
         std::vector<std::uint8_t> yields(holes.size(), 0);
+        std::vector<base::Box3d> boxes;
+        for (const Hole& each : holes)
+            boxes.push_back(each.reach());
         for (std::size_t j = 0; j < holes.size(); ++j)
             for (std::size_t i = 0; i < j; ++i)
-                if (holes[i].isFilled() && holes[j].isFilled() && meet(holes[i].patch(), holes[j].patch())) {
+                if (boxes[i].overlaps(boxes[j]) && holes[i].isFilled() && holes[j].isFilled() &&
+                    meet(holes[i].patch(), holes[j].patch())) {
                     yields[i] |= holes[i].isSmooth();
                     yields[j] |= holes[j].isSmooth() || !holes[i].isSmooth();
                 }

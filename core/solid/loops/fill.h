@@ -4,6 +4,7 @@
 //     evenLoop, touching      a loop as places one spacing apart; loops that cannot be filled    loop.h
 //     patchOver               triangles over it                                                  patch.h
 //     shapePatch              where they lie                                                     shape_patch.h
+//     meetsModel, meet        what may not stay there                                            obstacles.h
 //     followRelief            as rough as what surrounds them                                    relief.h
 //     fillHoles               surfels at their corners
 //
@@ -32,7 +33,7 @@ struct LoopFate {
     double length = 0;
     std::size_t surfels = 0; ///< that fill it
     bool asked = false;      ///< should be filled
-    bool flattened = false;  ///< no smooth patch stayed near: it is flat
+    bool flattened = false;  ///< no smooth patch stayed near and clear of the rest: it is flat
     bool plain = false;      ///< too little around it to follow in relief: it is smooth
     const char* why = "";    ///< what was asked for was not done because
 };
