@@ -31,6 +31,7 @@ class FaceCreasesTest : public QObject {
     void creasesThatEndFadeBetweenTwoBands();
     void openBoxesAreHitAtTheirEdges();
     void sharpEdgesAmongBumpsAreNoCreases();
+    void wrinklesThatEndSoonAreNoCreases();
     void edgesOfBoxesStayBesideBumps();
     void finePartsAreSampledForTheirEdges();
 };
@@ -144,7 +145,7 @@ void FaceCreasesTest::sidesOfThinPlatesAreCells() {
 void FaceCreasesTest::narrowSidesHaveRowsOfTheirOwn() {
     constexpr std::size_t count = 6000;
     const double spacing = std::sqrt(2.0 / count);
-    for (const auto& [width, longest] : {std::pair(0.25, 6.0), std::pair(0.5, 3.0), std::pair(0.75, 2.0)}) {
+    for (const auto& [width, longest] : {std::pair(0.25, 6.0), std::pair(0.5, 3.0), std::pair(0.75, 2.5)}) {
         const mesh::OpenedFaces open = openedFaces(box({1, 1, static_cast<float>(width * spacing)}), count);
         std::vector<double> along[4];
         for (const surfel::Surfel& s : open.points.items) {
@@ -270,6 +271,34 @@ void FaceCreasesTest::sharpEdgesAmongBumpsAreNoCreases() {
     const mesh::OpenedFaces open = mesh::openFaces(torus.list(), torus.triangles, {}, options);
     QVERIFY(open.messages.back().find("noise") != std::string::npos);
     QVERIFY(!labelsOf(openedFaces(torus, 3000).points).empty());
+}
+
+/// Statues have them at eyes, lips and ears, between faces that bend a little; a groove of as many edges in a plane
+/// stays.
+void FaceCreasesTest::wrinklesThatEndSoonAreNoCreases() {
+    base::Random random(test::seed());
+    for (const double bend : {0.0, 0.15}) {
+        constexpr std::uint32_t n = 48;
+        const int edges = 9 + static_cast<int>(random.below(12));
+        Faces out;
+        for (std::uint32_t i = 0; i <= n; ++i)
+            for (std::uint32_t k = 0; k <= n; ++k) {
+                const double x = 0.1 * (i - n / 2.0), y = 0.1 * (k - n / 2.0);
+                const double deep = std::clamp((0.05 * edges + 0.3 - std::abs(x)) / 0.6, 0.0, 1.0);
+                const double wave = bend * (std::sin(7 * x) + std::sin(7 * y)) / 4.9;
+                out.positions.push_back(
+                    base::cast<float>(Vec3d{x, y, wave - 0.6 * deep * std::max(0.0, 0.3 - std::abs(y))}));
+            }
+        for (std::uint32_t i = 0; i < n; ++i)
+            for (std::uint32_t k = 0; k < n; ++k) {
+                const std::uint32_t a = i * (n + 1) + k, b = a + n + 1;
+                out.triangles.insert(out.triangles.end(), {{a, b, b + 1}, {a, b + 1, a + 1}});
+            }
+        const mesh::FaceTopology topology = out.topology();
+        QVERIFY(!topology.sharpEdges.empty());
+        QVERIFY2(mesh::clearChains(topology, 0.05).edges.size() == (bend > 0 ? 0 : topology.sharpEdges.size()),
+                 qPrintable(QString("bend %1, seed %2").arg(bend).arg(test::seed())));
+    }
 }
 
 /// What a chain is does not depend on others.

@@ -91,10 +91,10 @@ void StepCreasesTest::stepsThatRunOutKeepBothLevelsApart() {
     double squares = 0;
     for (int round = 0; round < test::effort(5); ++round) {
         const Step step(random);
-        const double spacing = static_cast<double>(step.points.items[0].support) / 3.5;
         const std::vector<Label> labels = labelsOf(step.points);
         for (int k = 0; k < 400; ++k) {
             const std::size_t i = random.below(labels.size());
+            const double spacing = static_cast<double>(step.points.items[i].support) / 3.5;
             const Vec3d target =
                 base::cast<double>(step.points.items[i].position) + random.unitVector() * (spacing * random.uniform());
             const Vec3d d = base::normalized(Vec3d{random.uniform(-1, 1), random.uniform(-1, 1), -1});

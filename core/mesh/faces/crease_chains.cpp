@@ -14,7 +14,9 @@ constexpr double leastRough = std::numbers::pi / 22.5; ///< 8 degrees: mean turn
 constexpr double standsOut = 6;         ///< edges of a chain with free ends turn so much more than those about them
 constexpr double closedStandsOut = 4;   ///< of one without
 constexpr std::size_t fewest = 40;      ///< edges of a chain among bumps, as many more for each free end
-constexpr std::size_t fewestOfStub = 3; ///< the same elsewhere, of a short chain
+constexpr std::size_t fewestOfTip = 12; ///< edges for each free end: those of statues end sooner
+constexpr double plain = std::numbers::pi / 45; ///< 4 degrees: a chain may end soon where smooth edges turn by less
+constexpr std::size_t fewestOfStub = 3;         ///< edges for each free end of such a one, of a short chain
 constexpr std::size_t fewestOfSure =
     20;                         ///< edges of a chain that no scan has by chance, as many more for each free end
 constexpr double shortest = 10; ///< spacings: as wide as the bands beside an edge that ends
@@ -28,7 +30,9 @@ struct Chain {
         const bool bumpy = rough >= leastRough * length && turn < (tips > 0 ? standsOut : closedStandsOut) * rough;
         if (bumpy && edges <= fewest * (1 + tips))
             return false;
-        return fewestOfStub * tips < edges || length >= shortest * spacing;
+        if (fewestOfTip * tips <= edges)
+            return true;
+        return rough < plain * length && (fewestOfStub * tips < edges || length >= shortest * spacing);
     }
     bool sure() const { return edges >= fewestOfSure * (1 + tips) && rough < leastRough * length; }
 };
