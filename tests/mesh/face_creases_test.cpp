@@ -279,7 +279,7 @@ void FaceCreasesTest::wrinklesThatEndSoonAreNoCreases() {
     base::Random random(test::seed());
     for (const double bend : {0.0, 0.15}) {
         constexpr std::uint32_t n = 48;
-        const int edges = 9 + static_cast<int>(random.below(12));
+        const int edges = 14 + static_cast<int>(random.below(6));
         Faces out;
         for (std::uint32_t i = 0; i <= n; ++i)
             for (std::uint32_t k = 0; k <= n; ++k) {
