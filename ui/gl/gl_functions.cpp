@@ -79,6 +79,7 @@ GlFunctions GlFunctions::load(const GetProcAddress& address) {
     find(gl.uniform4f, address, "glUniform4f");
     find(gl.uniform4fv, address, "glUniform4fv");
     find(gl.useProgram, address, "glUseProgram");
+    find(gl.vertexAttrib4f, address, "glVertexAttrib4f");
     find(gl.vertexAttribDivisor, address, "glVertexAttribDivisor");
     find(gl.vertexAttribPointer, address, "glVertexAttribPointer");
     find(gl.viewport, address, "glViewport");

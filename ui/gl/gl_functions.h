@@ -75,6 +75,7 @@ struct GlFunctions {
     PFNGLUNIFORM4FPROC uniform4f = nullptr;
     PFNGLUNIFORM4FVPROC uniform4fv = nullptr;
     PFNGLUSEPROGRAMPROC useProgram = nullptr;
+    PFNGLVERTEXATTRIB4FPROC vertexAttrib4f = nullptr;
     PFNGLVERTEXATTRIBDIVISORPROC vertexAttribDivisor = nullptr;
     PFNGLVERTEXATTRIBPOINTERPROC vertexAttribPointer = nullptr;
     PFNGLVIEWPORTPROC viewport = nullptr;

@@ -87,7 +87,8 @@ void GlSplatter::bindAttributes(std::size_t page, GLint firstSurfel, GLuint divi
             shape, 4, GL_INT_2_10_10_10_REV, GL_TRUE, sizeof(GlShape),
             reinterpret_cast<const void*>(static_cast<std::size_t>(firstSurfel) * sizeof(GlShape)));
     } else {
-        m_gl.disableVertexAttribArray(shape); // then it is 0
+        m_gl.disableVertexAttribArray(shape);
+        m_gl.vertexAttrib4f(shape, 0, 0, 0, 0); // other painters of the context leave theirs
     }
     for (GLuint k = 0; k < (m_slots.shaped() ? 5u : 4u); ++k) {
         m_gl.enableVertexAttribArray(k);
