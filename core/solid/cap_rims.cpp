@@ -3,9 +3,9 @@
 #include "core/base/parallel.h"
 #include "core/cells/creases/labelled_surface.h"
 #include "core/process/estimation/boundary_limit.h"
+#include "core/process/estimation/left_rims.h"
 #include "core/surface/curves/boundary_curves.h"
 #include "core/surface/rims.h"
-#include "core/surfel/widen.h"
 
 namespace solid {
 
@@ -28,22 +28,14 @@ std::optional<Vec3d> passing(std::span<const surface::BoundaryCurve> curves, con
 /// Farther than surface::rimReach: rims that the points tell lie beyond the last row, and it is ragged.
 constexpr float reach = 0.7F;
 
-surfel::SurfelList widened(const tree::SurfelTree& tree) {
-    surfel::SurfelList list = tree.surfels();
-    auto layout = std::make_shared<surfel::AttributeLayout>(*list.layout);
-    if (!layout->find(surface::rimName))
-        layout->add(surface::rimName, surfel::ScalarType::UInt8);
-    surfel::widen(list, layout);
-    return list;
-}
-
 /// With the mark on all surfels beside places of rims.
 tree::SurfelTree marked(const tree::SurfelTree& tree, std::span<const Vec3d> rims) {
     surfel::SurfelList places;
     for (const Vec3d& x : rims)
         places.items.push_back({base::cast<float>(x), {}, 1});
     const tree::SurfelTree near = tree::SurfelTree::build(places);
-    surfel::SurfelList list = widened(tree);
+    surfel::SurfelList list =
+        (tree.layout()->find(surface::rimName) ? tree : process::withRimAttribute(tree)).surfels();
     const surfel::Attribute& rim = *list.layout->find(surface::rimName);
     const std::size_t words = list.layout->words();
     base::parallelFor(list.size(), 256, [&](std::size_t i) {
@@ -107,7 +99,7 @@ bool endIsKnown(const surface::Surface& surface) {
 surface::Surface withRimAttribute(const surface::Surface& surface) {
     if (surface.tree().layout()->find(surface::rimName))
         return surface;
-    return {cells::withSurfels(surface.tree(), widened(surface.tree())), surface.definition()};
+    return {process::withRimAttribute(surface.tree()), surface.definition()};
 }
 
 } // namespace solid

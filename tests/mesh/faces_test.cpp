@@ -2,8 +2,8 @@
 #include "core/mesh/faces/open_faces.h"
 
 #include "core/base/error.h"
-#include "core/mesh/faces/face_sampling.h"
 #include "core/mesh/faces/face_spacing.h"
+#include "core/mesh/faces/piece_spacings.h"
 #include "face_models.h"
 #include "support/registry.h"
 #include "support/threads.h"
@@ -194,18 +194,16 @@ void FacesTest::roughVerticesAreSampled() {
     QVERIFY(!sampleWell(rough.topology(), rough.positions));
 }
 
-static double samplesFor(const Faces& faces) {
+static mesh::PieceSpacings spacingsFor(const Faces& faces) {
     const FaceTopology topology = faces.topology();
-    const mesh::InnerPlaces inside(topology, faces.positions);
-    return static_cast<double>(mesh::sampleFaces(topology, faces.positions, inside, {}, {}, {}).points.size());
+    return mesh::pieceSpacings(topology, faces.positions, mesh::InnerPlaces(topology, faces.positions), 0);
 }
 
 void FacesTest::thinWallsAskForMore() {
-    const Faces plate = box({1, 1, 0.006f});
-    const double spacing = std::sqrt(plate.topology().area / samplesFor(plate));
-    QVERIFY2(std::abs(spacing - 0.006 / 3) < 5e-5, qPrintable(QString::number(spacing)));
-    const double most = samplesFor(box({1, 1, 0.001f})); // walls get no more
-    QVERIFY2(most > 900'000 && most < 1'050'000, qPrintable(QString::number(most)));
+    const auto spacing = [](float thickness) { return spacingsFor(box({1, 1, thickness})).spacings[0]; };
+    QVERIFY2(std::abs(spacing(0.006f) - 0.006 / 3) < 3e-5, qPrintable(QString::number(spacing(0.006f))));
+    const double least = std::sqrt((2 + 4 * 0.001) / 1e6); // walls get no more than 1 million
+    QVERIFY2(std::abs(spacing(0.001f) - least) < 1e-6, qPrintable(QString::number(spacing(0.001f))));
 }
 
 /// Walls end in acute edges however many samples there are; what is thin beside them counts as ever.
@@ -221,9 +219,9 @@ void FacesTest::acuteEdgesAskForNoMore() {
             out.triangles = {{0, 1, 2}, {3, 5, 4}, {0, 3, 4}, {0, 4, 1}, {1, 4, 5}, {1, 5, 2}, {2, 5, 3}, {2, 3, 0}};
             return out;
         };
-        QVERIFY2(samplesFor(wedge(degrees)) < 105'000,
+        QVERIFY2(spacingsFor(wedge(degrees)).finer.empty(),
                  qPrintable(QString("%1 degrees, seed %2").arg(degrees).arg(test::seed())));
-        QVERIFY2(samplesFor(wedge(flat)) > 400'000,
+        QVERIFY2(spacingsFor(wedge(flat)).finer.size() > 2000,
                  qPrintable(QString("%1 degrees, seed %2").arg(flat).arg(test::seed())));
     }
 }

@@ -16,6 +16,7 @@ class LeftRimsTest : public QObject {
   private Q_SLOTS:
     void besideWhatWentAndNowhereElse();
     void partsOfModelsKnowTheirRims();
+    void whatEndedNowhereKnowsItsRimsWhenItIsCut();
 };
 
 namespace {
@@ -51,8 +52,9 @@ void checkRims(const tree::SurfelTree& left, const tree::SurfelTree& whole, cons
         for (int slot = 0; slot < block.size(); ++slot) {
             bool near = false;
             for (const surfel::Surfel& s : whole.surfels().items)
-                near = near || (distance(s.position, place) < radius &&
-                                distance(s.position, block.position(slot)) < surface::rimReach * block.support(slot));
+                near = near ||
+                       (distance(s.position, place) < radius &&
+                        distance(s.position, block.position(slot)) < process::reachOfLeftRims * block.support(slot));
             QCOMPARE(surface::isBesideRim(block, slot, *left.layout()), near);
             rims += near;
         }
@@ -78,6 +80,20 @@ void LeftRimsTest::partsOfModelsKnowTheirRims() {
     const surface::Surface left = process::partOf(whole, whole.tree().apply(taking(whole.tree(), place, 0.3f)));
     checkRims(left.tree(), whole.tree(), place, 0.3f);
     QVERIFY(surface::knowsRims(left) && std::isfinite(left.definition().boundaryLimit));
+}
+
+/// Blades and folds away from the cut are no rims of it.
+void LeftRimsTest::whatEndedNowhereKnowsItsRimsWhenItIsCut() {
+    base::Random random(test::seed());
+    const Vec3f place = base::cast<float>(random.unitVector());
+    for (const auto boundary : {surface::Boundary::None, surface::Boundary::Auto}) {
+        surface::SurfaceDefinition definition;
+        definition.boundary = boundary;
+        const surface::Surface whole{tree::SurfelTree::build(test::spherePoints(3000)), definition};
+        const surface::Surface left = process::partOf(whole, whole.tree().apply(taking(whole.tree(), place, 0.3f)));
+        QVERIFY(surface::knowsRims(left) && std::isfinite(left.definition().boundaryLimit));
+        checkRims(left.tree(), whole.tree(), place, 0.3f);
+    }
 }
 
 static const test::Registered<LeftRimsTest> registered;

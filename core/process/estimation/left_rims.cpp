@@ -2,6 +2,7 @@
 
 #include "core/base/cancel_scope.h"
 #include "core/surface/rims.h"
+#include "core/surfel/widen.h"
 
 #include <map>
 
@@ -26,7 +27,7 @@ surfel::BlockPtr marked(const SurfelBlock& block, int channel, const tree::Surfe
         const int cluster = slot / surfel::clusterSize, lane = slot % surfel::clusterSize;
         if (block.words(cluster, channel)[lane] != 0)
             continue;
-        gone.nearest(block.position(slot), 1, nearest, surface::rimReach * block.support(slot));
+        gone.nearest(block.position(slot), 1, nearest, reachOfLeftRims * block.support(slot));
         if (nearest.empty())
             continue;
         if (!out)
@@ -54,8 +55,28 @@ tree::Edit rimsBeside(const surface::Surface& left, std::span<const base::Vec3f>
             if (surfel::BlockPtr changed = marked(block, channel, holes))
                 edit.blocks.push_back({number, std::move(changed), {}});
         },
-        surface::rimReach);
+        reachOfLeftRims);
     return edit;
+}
+
+tree::SurfelTree withRimAttribute(const tree::SurfelTree& tree) {
+    surfel::SurfelList list = tree.surfels();
+    auto layout = std::make_shared<surfel::AttributeLayout>(*list.layout);
+    layout->add(surface::rimName, surfel::ScalarType::UInt8);
+    surfel::widen(list, layout);
+    tree::Edit edit;
+    edit.layout = edit.inserted.layout = layout;
+    std::size_t next = 0;
+    tree.forEachBlock([&](std::uint32_t number, const SurfelBlock& block) {
+        surfel::MutableBlockPtr wide = SurfelBlock::create(block.size(), layout->words());
+        for (int slot = 0; slot < block.size(); ++slot, ++next) {
+            wide->set(slot, list.items[next]);
+            wide->setExtra(slot, list.extraOf(next));
+        }
+        wide->seal();
+        edit.blocks.push_back({number, std::move(wide), {}});
+    });
+    return tree.apply(edit);
 }
 
 void addRims(const surface::Surface& version, tree::Edit& edit) {

@@ -5,9 +5,15 @@
 
 namespace process {
 
+/// Supports, from what went. Farther than surface::rimReach: rims lie beyond the last row, which is ragged.
+constexpr float reachOfLeftRims = 0.8F;
+
 /// Of `left`, a version before or after surfels went from the places `gone`: the same with the attribute `rim` on all
-/// within half their support of these. Empty where nothing changes. REQUIRES: surface::knowsRims(left).
+/// within so many supports of these. Empty where nothing changes. REQUIRES: surface::knowsRims(left).
 tree::Edit rimsBeside(const surface::Surface& left, std::span<const base::Vec3f> gone);
+
+/// The same blocks with the attribute of rims, 0 everywhere. REQUIRES: the tree has none of this name.
+tree::SurfelTree withRimAttribute(const tree::SurfelTree& tree);
 
 /// Adds them to an edit of `version` that takes surfels away and changes none; models that do not know their rims stay
 /// as they are.

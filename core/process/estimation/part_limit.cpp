@@ -70,6 +70,11 @@ surface::Surface partOf(const surface::Surface& whole, tree::SurfelTree part, co
     const bool parted = surface && parts(whole.tree(), part);
     if (limitless && (!parted || !std::isinf(automaticBoundaryLimit(whole, process::part(progress, 0, 0.4)))))
         return {std::move(part), std::move(definition)}; // open though without a limit: somebody wants that
+    if (parted && std::isinf(whole.definition().boundaryLimit) && !part.layout()->find(surface::rimName)) {
+        definition.knownRims = true; // it ended nowhere: where something went is all that there is of rims
+        part = withRimAttribute(part);
+        part = part.apply(rimsBeside({part, definition}, placesLost(whole.tree(), part)));
+    }
     definition.boundary = Boundary::Auto;
     definition.boundaryLimit = automaticBoundaryLimit({part, definition}, process::part(progress, 0.4, 1));
     if (parted && std::isinf(definition.boundaryLimit))

@@ -32,9 +32,10 @@ static io::FileModel partOf(Context& context, bool selected) {
     if (model.points.items.empty())
         throw base::Error("everything is selected, so that there is no rest", {}, "select less");
     model.shape = {};
-    model.definition =
-        process::partOf(context.document.surface(), tree::SurfelTree::build(model.points), context.progress)
-            .definition();
+    const surface::Surface part =
+        process::partOf(context.document.surface(), tree::SurfelTree::build(model.points), context.progress);
+    model.definition = part.definition();
+    model.points = part.tree().surfels(); // which may know their rims now
     model.faces = model.dropped = 0;
     model.elements.clear(); // they tell of surfels by number
     return model;

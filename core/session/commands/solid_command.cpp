@@ -10,6 +10,8 @@
 #include "core/surface/rims.h"
 #include "core/surfel/shape.h"
 
+#include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 namespace session {
@@ -72,8 +74,13 @@ static surfel::SurfelList placed(const Document& other, const solid::Pose& pose,
 /// What both knew of their rims is true of the two together.
 static surface::Surface withKnownRims(const surface::Surface& both, const base::Progress& progress) {
     surface::SurfaceDefinition definition = both.definition();
-    definition.knownRims = true;
-    definition.boundaryLimit = process::automaticBoundaryLimit({both.tree(), definition}, progress);
+    definition.knownRims = false;
+    const auto limit = [&] { return process::automaticBoundaryLimit({both.tree(), definition}, progress); };
+    definition.boundaryLimit = limit();
+    if (std::isinf(definition.boundaryLimit)) // a rim that lies within the other one: nothing tells of it any more
+        return {both.tree(), definition};
+    definition.knownRims = surface::hasRim(both.tree());
+    definition.boundaryLimit = definition.knownRims ? limit() : std::numeric_limits<float>::infinity();
     return {both.tree(), definition};
 }
 
