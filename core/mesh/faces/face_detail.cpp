@@ -5,9 +5,9 @@
 #include "core/base/mat3.h"
 #include "core/base/parallel.h"
 #include "core/base/parallel_sort.h"
+#include "core/mesh/faces/face_scraps.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -27,13 +27,6 @@ constexpr double finest = 1.0 / 16;   ///< of a piece's spacing
 constexpr double roundTriangle = 1.2; ///< of its width: sides of one that need not be cut
 constexpr double sparse = 0.1;        ///< of a cell's side squared: less area in it tells little
 constexpr double nearlyAsFine = 0.85; ///< of the piece's spacing: not worth a place
-
-/// A part of a triangle, small enough to lie in one cell.
-struct Scrap {
-    Vec3f place;
-    float area = 0;
-    std::uint32_t triangle = 0;
-};
 
 struct Entry {
     std::uint64_t cell;
@@ -102,39 +95,10 @@ class Detail {
     double spacingOf(std::size_t t) const { return m_spacings[m_topology.pieces[t]]; }
 
     void cutAll() {
-        constexpr std::size_t grain = 1024;
-        std::vector<std::vector<Scrap>> found(base::chunkCount(m_widths.size(), grain));
-        base::parallelChunks(m_widths.size(), grain, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
-            for (std::size_t t = begin; t < end; ++t) {
-                const double s = spacingOf(t), most = roundTriangle * std::clamp(m_widths[t], finest * s, s);
-                if (m_topology.areas[t] > 0)
-                    cut({corner(t, 0), corner(t, 1), corner(t, 2)}, static_cast<std::uint32_t>(t), most, found[chunk]);
-            }
-        });
-        for (std::vector<Scrap>& each : found) {
-            m_scraps.insert(m_scraps.end(), each.begin(), each.end());
-            each = {};
-        }
-    }
-
-    /// Halves the longest sides.
-    static void cut(const std::array<Vec3d, 3>& p, std::uint32_t triangle, double most, std::vector<Scrap>& out) {
-        std::size_t k = 0; // the longest side begins there
-        for (std::size_t i = 1; i < 3; ++i)
-            if (distanceSq(p[i], p[(i + 1) % 3]) > distanceSq(p[k], p[(k + 1) % 3]))
-                k = i;
-        const std::size_t l = (k + 1) % 3;
-        if (distanceSq(p[k], p[l]) <= most * most) {
-            out.push_back({base::cast<float>((p[0] + p[1] + p[2]) / 3),
-                           static_cast<float>(length(cross(p[1] - p[0], p[2] - p[0])) / 2), triangle});
-            return;
-        }
-        base::CancelScope::check();
-        for (const auto& [moved, kept] : {std::pair(l, k), std::pair(k, l)}) {
-            std::array<Vec3d, 3> half = p;
-            half[moved] = (p[moved] + p[kept]) / 2;
-            cut(half, triangle, most, out);
-        }
+        std::vector<double> sizes(m_widths.size());
+        for (std::size_t t = 0; t < sizes.size(); ++t)
+            sizes[t] = roundTriangle * std::clamp(m_widths[t], finest * spacingOf(t), spacingOf(t));
+        m_scraps = scrapsOf(m_topology, m_positions, sizes);
     }
 
     /// What a cell asks for, or the cells that it is halved into.
