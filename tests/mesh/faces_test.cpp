@@ -2,6 +2,7 @@
 #include "core/mesh/faces/open_faces.h"
 
 #include "core/base/error.h"
+#include "core/cells/labels.h"
 #include "core/mesh/faces/face_spacing.h"
 #include "core/mesh/faces/piece_spacings.h"
 #include "face_models.h"
@@ -30,6 +31,7 @@ class FacesTest : public QObject {
     void roughVerticesAreSampled();
     void thinWallsAskForMore();
     void acuteEdgesAskForNoMore();
+    void crumbsAtCornersEndNoWork();
     void tooManyAndTooFewSamplesAreRefused();
 };
 
@@ -223,6 +225,25 @@ void FacesTest::acuteEdgesAskForNoMore() {
                  qPrintable(QString("%1 degrees, seed %2").arg(degrees).arg(test::seed())));
         QVERIFY2(spacingsFor(wedge(flat)).finer.size() > 2000,
                  qPrintable(QString("%1 degrees, seed %2").arg(flat).arg(test::seed())));
+    }
+}
+
+/// Beside the spacing of a crumb that touches a cube the edges of the cube are endless.
+void FacesTest::crumbsAtCornersEndNoWork() {
+    for (const float size : {1e-5f, 1e-9f}) {
+        Faces cube = box({1, 1, 1});
+        const Faces crumb = box({size, size, size});
+        cube.positions.insert(cube.positions.end(), crumb.positions.begin(), crumb.positions.end());
+        for (const Triangle& t : crumb.triangles)
+            cube.triangles.push_back({t[0] + 8, t[1] + 8, t[2] + 8});
+        const mesh::OpenedFaces found =
+            mesh::openFaces(cube.list(), cube.triangles, {}, {.use = mesh::FaceUse::Sample, .count = 4000});
+        const auto labels = cells::LabelLayout::of(*found.points.layout);
+        QVERIFY(labels.has_value() && found.points.size() > 3800);
+        std::size_t beside = 0; // an edge of the cube
+        for (std::size_t i = 0; i < found.points.size(); ++i)
+            beside += labels->at(found.points.extraOf(i)).meeting != cells::Meeting::None ? 1 : 0;
+        QVERIFY2(beside > 1000, qPrintable(QString::number(beside)));
     }
 }
 

@@ -1,5 +1,6 @@
 #include "core/mesh/faces/face_creases.h"
 
+#include "core/base/box.h"
 #include "core/base/cancel_scope.h"
 #include "core/base/disjoint_sets.h"
 #include "core/cells/crease_labels.h"
@@ -210,6 +211,39 @@ struct AlikeSamples {
     std::vector<std::uint32_t> samples;
 };
 
+constexpr double longEdge = 1000; ///< spacings
+constexpr double beyond = 64;     ///< spacings from samples, some 20 supports: no edge tells anything there
+
+/// Edges as far as they lie near samples. Edges of a few spacings are whole: only where those of a crumb run past a
+/// house's are these endless.
+std::vector<SharpEdge> edgesNear(std::span<const SharpEdge> edges, std::span<const surfel::Surfel> samples,
+                                 double spacing) {
+    base::Box3d box;
+    for (const surfel::Surfel& each : samples)
+        box.extend(base::cast<double>(each.position));
+    box = box.inflated(beyond * spacing);
+    std::vector<SharpEdge> out;
+    for (SharpEdge edge : edges) {
+        const Vec3d from = edge.from, way = edge.to - from;
+        double begin = 0, end = 1;
+        for (std::size_t k = 0; k < 3 && length(way) > longEdge * spacing; ++k) {
+            const double a = (box.lo[k] - from[k]) / way[k], b = (box.hi[k] - from[k]) / way[k];
+            if (way[k] != 0)
+                begin = std::max(begin, std::min(a, b)), end = std::min(end, std::max(a, b));
+            else if (from[k] < box.lo[k] || from[k] > box.hi[k])
+                end = -1;
+        }
+        if (begin > end)
+            continue;
+        if (begin > 0)
+            edge.from = from + way * begin;
+        if (end < 1)
+            edge.to = from + way * end;
+        out.push_back(edge);
+    }
+    return out;
+}
+
 double medianOf(std::vector<double> all) {
     const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
     std::nth_element(all.begin(), middle, all.end());
@@ -278,8 +312,9 @@ void labelCreases(const FaceTopology& topology, const CreaseChains& chains, std:
             own.push_back(samples.items[i]);
             ownFaces.push_back(faces[i]);
         }
-        const std::vector<cells::Label> found = Labelling(topology, own, ownFaces, group.spacing)
-                                                    .run(edgesOf[group.piece], chains.patches, cellOf, firstBand);
+        const std::vector<cells::Label> found =
+            Labelling(topology, own, ownFaces, group.spacing)
+                .run(edgesNear(edgesOf[group.piece], own, group.spacing), chains.patches, cellOf, firstBand);
         for (std::size_t k = 0; k < found.size(); ++k)
             labels[group.samples[k]] = found[k];
     }
