@@ -1,6 +1,7 @@
-// Scraps of triangles stand for all of them, and those of slivers are no millions.
+// Scraps and parts of triangles stand for all of them, and those of slivers are no millions.
 #include "core/mesh/faces/face_scraps.h"
 
+#include "core/mesh/faces/face_density.h"
 #include "face_models.h"
 #include "support/registry.h"
 
@@ -15,6 +16,8 @@ class FaceScrapsTest : public QObject {
     void scrapsStandForTheirTriangles();
     void sliversHaveAsManyAsTheyAreLong();
     void noModelHasMoreThanTheMost();
+    void partsOfOneSpacingCoverTheirTriangles();
+    void partsOfSliversAreAsManyAsTheyAreLong();
 };
 
 void FaceScrapsTest::scrapsStandForTheirTriangles() {
@@ -69,6 +72,35 @@ void FaceScrapsTest::noModelHasMoreThanTheMost() {
             QVERIFY2(found >= faces.triangles.size() && found <= most + faces.triangles.size(),
                      qPrintable(QString("%1 of %2").arg(found).arg(most)));
         }
+}
+
+/// Parts as small as one place asks for.
+static std::vector<mesh::FacePart> partsOf(const Faces& faces, const Vec3d& place, double spacing) {
+    const FaceTopology topology = faces.topology();
+    return mesh::FaceDensity(topology, faces.positions, std::vector<double>(topology.pieceCount, 1e3),
+                             {{place, spacing, 20}}, 0.1)
+        .parts();
+}
+
+void FaceScrapsTest::partsOfOneSpacingCoverTheirTriangles() {
+    const Faces faces = soup(test::seed(), 300);
+    const FaceTopology topology = faces.topology();
+    std::vector<double> shares(topology.triangles.size());
+    for (const mesh::FacePart& each : partsOf(faces, {0.3, 0.2, 0.1}, 0.02)) {
+        const float u = each.b[1] - each.b[0], v = each.c[2] - each.c[0], x = each.b[2] - each.b[0];
+        const float area = u * v - x * (each.c[1] - each.c[0]);
+        QVERIFY(area > -1e-6f);
+        shares[each.triangle] += static_cast<double>(area);
+    }
+    for (std::size_t t = 0; t < shares.size(); ++t)
+        QVERIFY2(std::abs(shares[t] - (topology.areas[t] > 0 ? 1 : 0)) < 1e-3,
+                 qPrintable(QString("%1, seed %2").arg(shares[t]).arg(test::seed())));
+}
+
+void FaceScrapsTest::partsOfSliversAreAsManyAsTheyAreLong() {
+    const std::size_t coarse = partsOf(strip(50), {5, 0, 0}, 0.2).size(),
+                      fine = partsOf(strip(50), {5, 0, 0}, 0.02).size();
+    QVERIFY2(coarse > 100 && fine < 16 * coarse, qPrintable(QString("%1 and %2").arg(coarse).arg(fine)));
 }
 
 static const test::Registered<FaceScrapsTest> registered;
