@@ -26,10 +26,11 @@ Vec3d forceOn(const ForceLaw& law, const Proxy& proxy, const surface::Surface& s
         return {};
     const Vec3d normal = proxy.normal();
     const Grain grain = grainAt(law.texture, proxy, surface);
-    const double depth = proxy.depth(), spring = law.stiffness * depth;
-    const double along = std::max(0.0, spring * grain.factor - law.damping * dot(velocity, normal));
-    const Vec3d tangential =
-        (proxy.position() - x) * law.stiffness - normal * spring - grain.slope * (0.5 * spring * depth);
+    const double depth = proxy.depth(), spring = law.stiffness * depth, felt = std::min(depth, grain.felt);
+    const double rough = law.stiffness * felt * (grain.factor - 1);
+    const double along = std::max(0.0, spring + rough - law.damping * dot(velocity, normal));
+    const Vec3d tangential = (proxy.position() - x) * law.stiffness - normal * spring -
+                             grain.slope * (law.stiffness * felt * (depth - felt / 2));
     const Vec3d direction = law.shading > 0 ? shadedNormal(surface, proxy, law.shading) : normal;
     return tangential + direction * along;
 }

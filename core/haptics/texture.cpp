@@ -14,6 +14,7 @@ namespace {
 constexpr double step = 0.05;     ///< of h, to each side: differences
 constexpr double middling = 0.02; ///< of h: a height that is felt by 0.7 of what a large one is
 constexpr double steepest = 4;    ///< of h: what changes faster is no texture but a fold, or noise
+constexpr double deepest = 0.4;   ///< of h: texture is felt as if the tool were no deeper
 constexpr double approach = 0.1;  ///< of h: contacts come in from there
 
 /// From -1 in hollows to 1 on ridges. A surface stands over the mean of its surfels by how it bends.
@@ -86,12 +87,14 @@ Grain grainAt(const Texture& texture, const Proxy& proxy, const Surface& surface
         if (part == 0)
             continue;
         sum += part;
+        out.felt += part * deepest * foot.unit;
         excess += part * excessAt(texture, surface, foot);
         slope += slopeAt(texture, surface, foot, radius - proxy.depth()) * part;
     }
     if (sum > 0) {
         out.factor += excess / sum;
         out.slope = slope / sum;
+        out.felt /= sum;
     }
     return out;
 }

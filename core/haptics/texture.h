@@ -19,6 +19,7 @@ struct Texture {
 struct Grain {
     double factor = 1; ///< of the stiffness, 0 to 2
     base::Vec3d slope; ///< how the factor changes with the tool's place, per length
+    double felt = 0;   ///< depth up to which it is one of the stiffness: what is deeper says no more of a surface
 };
 
 Grain grainAt(const Texture& texture, const Proxy& proxy, const surface::Surface& surface);

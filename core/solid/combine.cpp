@@ -240,6 +240,12 @@ class Combining {
             label.meeting = cells::opposite(label.meeting);
         return label;
     }
+    /// What has no colours of its own, a cap or a ball, goes on in those beside it.
+    surfel::Colour colourBeside(const base::Vec3f& place) const {
+        std::vector<tree::Neighbour> nearest;
+        m_tree.nearest(place, 1, nearest);
+        return nearest.empty() ? surfel::white : nearest[0].block->surfel(nearest[0].slot).colour;
+    }
     void insert(tree::Edit& edit, Combined& out) {
         const surfel::SurfelList all = m_other.surfels();
         std::vector<std::uint8_t> stays(all.size());
@@ -276,6 +282,8 @@ class Combining {
                 m_beside.push_back(base::cast<double>(s.position));
             if (m_operation == Operation::Difference)
                 s.normal = -s.normal;
+            if (m_tree.layout()->colours && !all.layout->colours)
+                s.colour = colourBeside(s.position);
             const std::span<std::uint32_t> words = translation(all.extraOf(i));
             if (m_labels)
                 writeLabel(*m_tree.layout(), labels[i], words);

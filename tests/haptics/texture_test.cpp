@@ -16,6 +16,7 @@ class TextureTest : public QObject {
     void closedLoopsGainNothing_data();
     void closedLoopsGainNothing();
     void forcesBeginAtZero();
+    void deepToolsFeelNoMoreOfIt();
     void withoutColoursThereIsNoGrain();
     void forcesAreBoundedAtRimsAndThinWalls();
 };
@@ -119,6 +120,16 @@ void TextureTest::closedLoopsGainNothing() {
         }
         QVERIFY2(std::abs(work) <= 4e-3 * turned,
                  (std::to_string(work / turned) + ", seed " + std::to_string(test::seed())).c_str());
+    }
+}
+
+/// However far a hand pushes past an edge of black and white, it is not thrown aside.
+void TextureTest::deepToolsFeelNoMoreOfIt() {
+    const surface::Surface floor = painted(floorOf(), [](const Vec3d& x) { return x.x > 0 ? 1.0 : 0.0; });
+    for (const double depth : {0.5, 2.0, 8.0}) {
+        const Vec3d f = forceAt(floor, {1, 1}, {0.02, 0.03, 0.3}, {0.02, 0.03, -depth});
+        QVERIFY2(std::abs(f.z / depth - 1) < 0.5 && std::hypot(f.x, f.y) < 1.6 * depth,
+                 qPrintable(QString("%1: %2, %3, %4").arg(depth).arg(f.x).arg(f.y).arg(f.z)));
     }
 }
 

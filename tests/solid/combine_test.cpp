@@ -37,6 +37,7 @@ class CombineTest : public QObject {
     void halfABallHasHalfItsVolume();
     void closedModelsEndWhereTheyAreCut();
     void capsAreAsDenseAsTheModelBeside();
+    void capsGoOnInTheColoursBesideThem();
     void threadsDoNotShow();
     void whatLeavesNothingIsRefused();
 };
@@ -270,6 +271,20 @@ void CombineTest::closedModelsEndWhereTheyAreCut() {
     // nothing was parted: as it was
     const solid::Combined whole = solid::cutByPlane(box, {{1, 0, 0}, -2}, {false});
     QVERIFY(whole.surface.definition() == before);
+}
+
+void CombineTest::capsGoOnInTheColoursBesideThem() {
+    surfel::SurfelList ball = test::spherePoints(3000);
+    auto layout = std::make_shared<surfel::AttributeLayout>(*ball.layout);
+    layout->colours = true;
+    ball.layout = layout;
+    for (surfel::Surfel& each : ball.items)
+        each.colour = each.position.x > 0 ? surfel::rgba(200, 0, 0) : surfel::rgba(0, 200, 0);
+    const solid::Combined cut = solid::cutByPlane(test::surfaceOf(ball), {{0, 0, 1}, 0});
+    QVERIFY(cut.inserted > 100);
+    for (const surfel::Surfel& each : cut.surface.tree().surfels().items)
+        if (std::abs(each.position.x) > 0.2F)
+            QVERIFY(each.colour == (each.position.x > 0 ? surfel::rgba(200, 0, 0) : surfel::rgba(0, 200, 0)));
 }
 
 void CombineTest::capsAreAsDenseAsTheModelBeside() {
