@@ -81,8 +81,8 @@ Combined leftOpen(const surface::Surface& model, std::span<const std::int8_t> si
     std::ranges::transform(sides, goes.begin(), [&](std::int8_t each) { return each * gone > 0; });
     Combined out;
     out.removed = static_cast<std::size_t>(std::ranges::count(goes, 1));
-    out.surface =
-        process::partOf(model, process::changed(model.tree(), {goes, {}, {}, {}, {}}), process::part(progress, 0.5, 1));
+    out.surface = process::partOf(model, process::changed(model.tree(), {goes, {}, {}, {}, {}}),
+                                  process::part(progress, 0.5, 1), true);
     return out;
 }
 

@@ -32,6 +32,7 @@ class FaceCreasesTest : public QObject {
     void openBoxesAreHitAtTheirEdges();
     void sharpEdgesAmongBumpsAreNoCreases();
     void wrinklesThatEndSoonAreNoCreases();
+    void foldedTrianglesFaceNoOtherWay();
     void edgesOfBoxesStayBesideBumps();
     void finePartsAreSampledForTheirEdges();
 };
@@ -299,6 +300,33 @@ void FaceCreasesTest::wrinklesThatEndSoonAreNoCreases() {
         QVERIFY2(mesh::clearChains(topology, 0.05).edges.size() == (bend > 0 ? 0 : topology.sharpEdges.size()),
                  qPrintable(QString("bend %1, seed %2").arg(bend).arg(test::seed())));
     }
+}
+
+/// Decimated scans have some: a vertex beyond those around it.
+void FaceCreasesTest::foldedTrianglesFaceNoOtherWay() {
+    base::Random random(test::seed());
+    Faces torus = band(60, 30, false);
+    const auto outwards = [](const Vec3d& p) { return base::normalized(p - base::normalized(Vec3d{p.x, p.y, 0})); };
+    for (int k = 0; k < 5; ++k) {
+        Vec3f& p = torus.positions[random.below(torus.positions.size())];
+        const Vec3d n = outwards(base::cast<double>(p)), way = base::perpendicular(n);
+        p += base::cast<float>(way * random.uniform(0.12, 0.18));
+    }
+    QVERIFY(!torus.topology().sharpEdges.empty());
+    const auto inwards = [&](std::optional<bool> creases) {
+        const mesh::OpenedFaces open = mesh::openFaces(
+            torus.list(), torus.triangles, {}, {.use = mesh::FaceUse::Sample, .count = 6000, .creases = creases});
+        return std::pair(std::ranges::count_if(open.points.items,
+                                               [&](const surfel::Surfel& s) {
+                                                   return dot(base::cast<double>(s.normal),
+                                                              outwards(base::cast<double>(s.position))) < 0;
+                                               }),
+                         open.blades);
+    };
+    const auto [found, blades] = inwards({});
+    const auto [apart, edges] = inwards(false); // normals apart, as whoever wants that gets
+    QVERIFY2(!blades && edges && found < apart,
+             qPrintable(QString("%1 of %2, seed %3").arg(found).arg(apart).arg(test::seed())));
 }
 
 /// What a chain is does not depend on others.

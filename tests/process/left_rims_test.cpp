@@ -90,7 +90,8 @@ void LeftRimsTest::whatEndedNowhereKnowsItsRimsWhenItIsCut() {
         surface::SurfaceDefinition definition;
         definition.boundary = boundary;
         const surface::Surface whole{tree::SurfelTree::build(test::spherePoints(3000)), definition};
-        const surface::Surface left = process::partOf(whole, whole.tree().apply(taking(whole.tree(), place, 0.3f)));
+        const surface::Surface left =
+            process::partOf(whole, whole.tree().apply(taking(whole.tree(), place, 0.3f)), {}, true);
         QVERIFY(surface::knowsRims(left) && std::isfinite(left.definition().boundaryLimit));
         checkRims(left.tree(), whole.tree(), place, 0.3f);
     }

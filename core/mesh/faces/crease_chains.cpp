@@ -14,7 +14,7 @@ constexpr double leastRough = std::numbers::pi / 22.5; ///< 8 degrees: mean turn
 constexpr double standsOut = 6;         ///< edges of a chain with free ends turn so much more than those about them
 constexpr double closedStandsOut = 4;   ///< of one without
 constexpr std::size_t fewest = 40;      ///< edges of a chain among bumps, as many more for each free end
-constexpr std::size_t fewestOfTip = 12; ///< edges for each free end: those of statues end sooner
+constexpr std::size_t fewestOfTip = 12; ///< edges for each free end, or at all: those of statues end sooner
 constexpr double plain = std::numbers::pi / 45; ///< 4 degrees: a chain may end soon where smooth edges turn by less
 constexpr std::size_t fewestOfStub = 3;         ///< edges for each free end of such a one, of a short chain
 constexpr std::size_t fewestOfSure =
@@ -30,8 +30,10 @@ struct Chain {
         const bool bumpy = rough >= leastRough * length && turn < (tips > 0 ? standsOut : closedStandsOut) * rough;
         if (bumpy && edges <= fewest * (1 + tips))
             return false;
-        if (fewestOfTip * tips <= edges)
+        if (fewestOfTip * std::max(tips, std::size_t{1}) <= edges)
             return true;
+        if (tips == 0 && edges <= 3) // around a triangle that is folded over
+            return false;
         return rough < plain * length && (fewestOfStub * tips < edges || length >= shortest * spacing);
     }
     bool sure() const { return edges >= fewestOfSure * (1 + tips) && rough < leastRough * length; }
@@ -53,7 +55,7 @@ std::vector<std::uint32_t> chainsOf(const std::vector<SharpEdge>& edges) {
 } // namespace
 
 CreaseChains allChains(const FaceTopology& topology) {
-    return {topology.sharpEdges, topology.patches, topology.patchCount, 0, 0};
+    return {topology.sharpEdges, topology.patches, topology.patchCount, 0, {}, 0};
 }
 
 CreaseChains clearChains(const FaceTopology& topology, std::span<const double> spacings) {
@@ -82,11 +84,13 @@ CreaseChains clearChains(const FaceTopology& topology, std::span<const double> s
     for (std::size_t e = 0; e < edges.size(); ++e)
         if (chains[chainOf[e]].clear(spacingAt(edges[chainOf[e]])))
             out.edges.push_back(edges[e]);
-        else
+        else {
+            out.rounded.push_back(edges[e]);
             sets.join(topology.patches[edges[e].left], topology.patches[edges[e].right]);
+        }
     for (const Chain& chain : chains)
         out.sure += chain.sure() ? chain.length : 0;
-    out.leftOut = edges.size() - out.edges.size();
+    out.leftOut = out.rounded.size();
     std::vector<std::uint32_t> numbers(topology.patchCount);
     for (std::uint32_t p = 0; p < numbers.size(); ++p) {
         const std::uint32_t root = sets.find(p); // the smallest of them

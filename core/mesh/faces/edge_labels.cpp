@@ -1,6 +1,5 @@
 #include "core/mesh/faces/edge_labels.h"
 
-#include "core/mesh/faces/crease_chains.h"
 #include "core/mesh/faces/face_creases.h"
 #include "core/mesh/faces/figures.h"
 
@@ -31,6 +30,13 @@ static std::vector<double> spacingsOfPieces(const FaceTopology& topology, const 
         out.push_back(each.empty() ? 0 : *middle);
     }
     return out;
+}
+
+CreaseChains keptEdges(const FaceTopology& topology, const FaceOptions& options, const std::vector<FacePoint>& points,
+                       std::span<const double> spacings) {
+    if (topology.oneSided || options.creases)
+        return allChains(topology);
+    return clearChains(topology, spacingsOfPieces(topology, points, spacings));
 }
 
 std::string labelEdges(const FaceTopology& topology, const FaceOptions& options, const std::vector<FacePoint>& points,

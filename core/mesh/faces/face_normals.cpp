@@ -1,5 +1,7 @@
 #include "core/mesh/faces/face_normals.h"
 
+#include "core/base/disjoint_sets.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -32,6 +34,25 @@ static std::vector<Vec3f> summed(const FaceTopology& topology, std::span<const V
     for (std::size_t i = 0; i < slots; ++i)
         out[i] = base::cast<float>(length(sums[i]) > vanished ? normalized(sums[i]) : some[i]);
     return out;
+}
+
+void joinFans(FaceTopology& topology, std::span<const Vec3f> positions, std::span<const SharpEdge> edges) {
+    base::DisjointSets sets(topology.fanCount);
+    const auto fanAt = [&](std::uint32_t triangle, const Vec3d& place) {
+        std::size_t nearest = 0; // corners at one place may differ by round-off
+        const auto corner = [&](std::size_t k) {
+            return base::cast<double>(positions[topology.triangles[triangle][k]]);
+        };
+        for (std::size_t k = 1; k < 3; ++k)
+            if (distanceSq(corner(k), place) < distanceSq(corner(nearest), place))
+                nearest = k;
+        return topology.fans[3 * std::size_t(triangle) + nearest];
+    };
+    for (const SharpEdge& edge : edges)
+        for (const Vec3d& end : {edge.from, edge.to})
+            sets.join(fanAt(edge.left, end), fanAt(edge.right, end));
+    for (std::uint32_t& fan : topology.fans)
+        fan = sets.find(fan);
 }
 
 std::vector<Vec3f> fanNormals(const FaceTopology& topology, std::span<const Vec3f> positions) {

@@ -9,6 +9,9 @@
 
 namespace mesh {
 
+/// Makes one fan of those on both sides of the edges, at both ends.
+void joinFans(FaceTopology& topology, std::span<const base::Vec3f> positions, std::span<const SharpEdge> edges);
+
 /// Of each fan; that of one of its triangles where the sum vanishes, zero where none has an area.
 std::vector<base::Vec3f> fanNormals(const FaceTopology& topology, std::span<const base::Vec3f> positions);
 

@@ -63,9 +63,9 @@ bool sampleWell(const FaceTopology& topology, std::span<const Vec3f> positions) 
            quantile(turns, 0.95) < 2 * resolvedTurn && quantile(spacings, 0.95) < 2.5f * quantile(spacings, 0.05);
 }
 
-bool hasBlades(const FaceTopology& topology) {
+bool hasBlades(const FaceTopology& topology, std::span<const SharpEdge> edges) {
     constexpr double blade = -0.5;
-    return std::ranges::any_of(topology.sharpEdges, [&](const SharpEdge& edge) {
+    return std::ranges::any_of(edges, [&](const SharpEdge& edge) {
         return edge.convex && dot(topology.normals[edge.left], topology.normals[edge.right]) < blade;
     });
 }

@@ -13,7 +13,8 @@ std::vector<float> vertexSpacings(const FaceTopology& topology, std::span<const 
 /// local spacing differs by less than 2.5 times between the 5th and the 95th percentile (mesh/README 8.2).
 bool sampleWell(const FaceTopology& topology, std::span<const base::Vec3f> positions);
 
-/// Is there a convex edge of less than 60 degrees? Towards it walls get thinner than any samples are apart.
-bool hasBlades(const FaceTopology& topology);
+/// Is there a convex one of less than 60 degrees among the edges? Towards it walls get thinner than any samples are
+/// apart.
+bool hasBlades(const FaceTopology& topology, std::span<const SharpEdge> edges);
 
 } // namespace mesh

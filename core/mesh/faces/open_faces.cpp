@@ -268,7 +268,7 @@ OpenedFaces openFaces(SurfelList vertices, std::span<const Triangle> triangles,
     std::vector<Vec3f> positions(vertices.size());
     for (std::size_t i = 0; i < positions.size(); ++i)
         positions[i] = vertices.items[i].position;
-    const FaceTopology topology = faceTopology(positions, triangles, options.sharpRad);
+    FaceTopology topology = faceTopology(positions, triangles, options.sharpRad);
     OpenedFaces out;
     if (!(topology.area > 0)) {
         if (options.asksForSamples())
@@ -323,6 +323,8 @@ OpenedFaces openFaces(SurfelList vertices, std::span<const Triangle> triangles,
                                " % of the faces' area.");
     const FaceSampling sampling = sampleFaces(topology, positions, inside, definition, options, progress);
     const std::vector<FacePoint>& points = sampling.points;
+    const CreaseChains kept = keptEdges(topology, options, points, sampling.spacings);
+    joinFans(topology, positions, kept.rounded);
     const FaceSampler sampler(vertices, topology, positions, paint, layoutFor(vertices.layout, topology, paint));
     const auto sizeOf = [&](std::size_t i) {
         const double spacing = sampling.spacings[sampling.spacings.size() == 1 ? 0 : i];
@@ -340,7 +342,7 @@ OpenedFaces openFaces(SurfelList vertices, std::span<const Triangle> triangles,
         out.rims = markRims(topology, supports, out.points);
     }
     out.apart = sampling.apart;
-    out.blades = hasBlades(topology);
+    out.blades = hasBlades(topology, kept.edges);
     out.messages.push_back(counted(topology.triangles.size(), "triangle", "triangles") + " sampled to " +
                            counted(points.size(), "surfel", "surfels") + ", spacing " + sampling.toldSpacing() +
                            "; --faces vertices keeps the " + counted(vertices.size(), "vertex", "vertices") + ".");

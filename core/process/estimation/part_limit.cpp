@@ -58,7 +58,8 @@ bool parts(const tree::SurfelTree& whole, const tree::SurfelTree& part) {
 
 } // namespace
 
-surface::Surface partOf(const surface::Surface& whole, tree::SurfelTree part, const base::Progress& progress) {
+surface::Surface partOf(const surface::Surface& whole, tree::SurfelTree part, const base::Progress& progress,
+                        bool learns) {
     constexpr float ofFewSurfels = 0.3f; // h: as for bands all of whose samples see a rim
     surface::SurfaceDefinition definition = whole.definition();
     const bool surface = definition.manifold == surface::Manifold::Surface,
@@ -70,7 +71,7 @@ surface::Surface partOf(const surface::Surface& whole, tree::SurfelTree part, co
     const bool parted = surface && parts(whole.tree(), part);
     if (limitless && (!parted || !std::isinf(automaticBoundaryLimit(whole, process::part(progress, 0, 0.4)))))
         return {std::move(part), std::move(definition)}; // open though without a limit: somebody wants that
-    if (parted && std::isinf(whole.definition().boundaryLimit) && !part.layout()->find(surface::rimName)) {
+    if (learns && parted && std::isinf(whole.definition().boundaryLimit) && !part.layout()->find(surface::rimName)) {
         definition.knownRims = true; // it ended nowhere: where something went is all that there is of rims
         part = withRimAttribute(part);
         part = part.apply(rimsBeside({part, definition}, placesLost(whole.tree(), part)));
