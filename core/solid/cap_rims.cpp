@@ -1,11 +1,11 @@
 #include "core/solid/cap_rims.h"
 
 #include "core/base/parallel.h"
-#include "core/cells/creases/labelled_surface.h"
 #include "core/process/estimation/boundary_limit.h"
 #include "core/process/estimation/left_rims.h"
 #include "core/surface/curves/boundary_curves.h"
 #include "core/surface/rims.h"
+#include "core/tree/with_surfels.h"
 
 namespace solid {
 
@@ -34,8 +34,7 @@ tree::SurfelTree marked(const tree::SurfelTree& tree, std::span<const Vec3d> rim
     for (const Vec3d& x : rims)
         places.items.push_back({base::cast<float>(x), {}, 1});
     const tree::SurfelTree near = tree::SurfelTree::build(places);
-    surfel::SurfelList list =
-        (tree.layout()->find(surface::rimName) ? tree : process::withRimAttribute(tree)).surfels();
+    surfel::SurfelList list = process::withRimAttribute(tree).surfels();
     const surfel::Attribute& rim = *list.layout->find(surface::rimName);
     const std::size_t words = list.layout->words();
     base::parallelFor(list.size(), 256, [&](std::size_t i) {
@@ -44,7 +43,7 @@ tree::SurfelTree marked(const tree::SurfelTree& tree, std::span<const Vec3d> rim
         near.nearest(s.position, 1, nearest, reach * s.support);
         surfel::write(rim, std::span(list.extra).subspan(i * words, words), nearest.empty() ? 0 : 1);
     });
-    return cells::withSurfels(tree, list);
+    return tree::withSurfels(tree, list);
 }
 
 bool hasOthersRim(const surface::Surface& surface) {
@@ -94,12 +93,6 @@ Combined endingAsBefore(const surface::Surface& model, const Side& side, int kep
 bool endIsKnown(const surface::Surface& surface) {
     return surface::knowsRims(surface) || (std::isinf(surface.definition().boundaryLimit) && !hasOthersRim(surface) &&
                                            surface.definition().boundary == surface::Boundary::Auto);
-}
-
-surface::Surface withRimAttribute(const surface::Surface& surface) {
-    if (surface.tree().layout()->find(surface::rimName))
-        return surface;
-    return {process::withRimAttribute(surface.tree()), surface.definition()};
 }
 
 } // namespace solid

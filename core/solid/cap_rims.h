@@ -14,7 +14,5 @@ Combined endingAsBefore(const surface::Surface& model, const Side& side, int kep
 
 /// Is it known where the surface ends: because it knows its rims, or does not end?
 bool endIsKnown(const surface::Surface& surface);
-/// The same surfels with the attribute of rims, 0 where they had none. REQUIRES: endIsKnown(surface).
-surface::Surface withRimAttribute(const surface::Surface& surface);
 
 } // namespace solid

@@ -2,6 +2,7 @@
 
 #include "core/base/disjoint_sets.h"
 #include "core/cells/creases/labelled_surface.h"
+#include "core/tree/with_surfels.h"
 
 #include <algorithm>
 
@@ -19,7 +20,7 @@ tree::SurfelTree labelled(const tree::SurfelTree& tree, const tree::SurfelTree& 
         return tree;
     surfel::SurfelList list = tree.surfels();
     cells::setLabels(list, cells::labelsOf(tree), whole);
-    return cells::withSurfels(tree, list);
+    return tree::withSurfels(tree, list);
 }
 
 std::uint32_t firstFree(const tree::SurfelTree& tree) {
@@ -125,7 +126,7 @@ tree::SurfelTree JoinedFaces::in(const tree::SurfelTree& model) const {
     for (Label& label : labels)
         label.face = of(label.face);
     cells::setLabels(list, labels);
-    return cells::withSurfels(model, list); // sides are known by the order of the tree
+    return tree::withSurfels(model, list); // sides are known by the order of the tree
 }
 
 } // namespace solid

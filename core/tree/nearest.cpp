@@ -1,4 +1,5 @@
 // k nearest neighbours: depth first, nearest child first, with a bounded heap of the best so far.
+#include "core/tree/nearest_order.h"
 #include "core/tree/surfel_tree.h"
 
 namespace tree {
@@ -70,12 +71,7 @@ class Search {
     template <class Fn>
     void nearestFirst(const float (&distance)[fanOut], int count, const Fn& fn) const {
         int order[fanOut];
-        for (int i = 0; i < count; ++i) {
-            int at = i;
-            for (; at > 0 && distance[order[at - 1]] > distance[i]; --at)
-                order[at] = order[at - 1];
-            order[at] = i;
-        }
+        nearestFirstOrder(distance, count, order);
         for (int i = 0; i < count && !tooFar(distance[order[i]]); ++i)
             fn(order[i]);
     }

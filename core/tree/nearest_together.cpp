@@ -4,6 +4,8 @@
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
 #include "core/tree/nearest_together.h"
 
+#include "core/tree/nearest_order.h"
+
 #include <algorithm>
 #include <bit>
 #include <cassert>
@@ -101,12 +103,7 @@ class Walk {
         float distance[fanOut];
         surfel::detail::distancesSq(of, m_box.lo, m_box.hi).store(distance);
         int order[fanOut];
-        for (int i = 0; i < count; ++i) {
-            int at = i;
-            for (; at > 0 && distance[order[at - 1]] > distance[i]; --at)
-                order[at] = order[at - 1];
-            order[at] = i;
-        }
+        nearestFirstOrder(distance, count, order);
         for (int i = 0; i < count && distance[order[i]] <= m_most; ++i)
             if (mayHold(of, order[i]) && !fn(order[i]))
                 return false;

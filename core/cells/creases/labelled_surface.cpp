@@ -2,28 +2,12 @@
 
 #include "core/base/error.h"
 #include "core/surface/definition_text.h"
+#include "core/tree/with_surfels.h"
 
 #include <algorithm>
 #include <array>
 
 namespace cells {
-
-tree::SurfelTree withSurfels(const tree::SurfelTree& tree, const surfel::SurfelList& surfels) {
-    tree::Edit edit;
-    edit.layout = surfels.layout;
-    edit.inserted.layout = surfels.layout;
-    std::size_t next = 0;
-    tree.forEachBlock([&](std::uint32_t number, const surfel::SurfelBlock& block) {
-        surfel::MutableBlockPtr changed = surfel::SurfelBlock::create(block.size(), surfels.layout->words());
-        for (int slot = 0; slot < block.size(); ++slot, ++next) {
-            changed->set(slot, surfels.items[next]);
-            changed->setExtra(slot, surfels.extraOf(next));
-        }
-        changed->seal();
-        edit.blocks.push_back({number, changed, {}});
-    });
-    return tree.apply(edit);
-}
 
 void requireSides(const surface::Surface& surface) {
     if (surface.definition().manifold != surface::Manifold::Surface)
@@ -52,7 +36,7 @@ std::vector<Label> labelsOf(const tree::SurfelTree& tree) {
 surface::Surface labelled(const surface::Surface& surface, surfel::SurfelList surfels, std::span<const Label> labels) {
     requireNames(*surfels.layout);
     setLabels(surfels, labels);
-    return {withSurfels(surface.tree(), surfels), surface.definition()};
+    return {tree::withSurfels(surface.tree(), surfels), surface.definition()};
 }
 
 surface::Surface unlabelled(const surface::Surface& surface) {
@@ -78,7 +62,7 @@ surface::Surface unlabelled(const surface::Surface& surface) {
     for (std::size_t i = 0; i < before.size(); ++i)
         for (const std::size_t word : kept)
             after.extra.push_back(before.extraOf(i)[word]);
-    return {withSurfels(surface.tree(), after), surface.definition()};
+    return {tree::withSurfels(surface.tree(), after), surface.definition()};
 }
 
 } // namespace cells

@@ -16,9 +16,6 @@ std::vector<Label> labelsOf(const tree::SurfelTree& tree);
 /// base::Error where an attribute of a label's name holds something else.
 surface::Surface labelled(const surface::Surface& surface, surfel::SurfelList surfels, std::span<const Label> labels);
 
-/// The same blocks with other surfels: as many, in the tree's order, place for place.
-tree::SurfelTree withSurfels(const tree::SurfelTree& tree, const surfel::SurfelList& surfels);
-
 /// Without labels. Attributes stay that other programs may have called so.
 surface::Surface unlabelled(const surface::Surface& surface);
 

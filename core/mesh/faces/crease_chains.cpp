@@ -55,7 +55,7 @@ std::vector<std::uint32_t> chainsOf(const std::vector<SharpEdge>& edges) {
 } // namespace
 
 CreaseChains allChains(const FaceTopology& topology) {
-    return {topology.sharpEdges, topology.patches, topology.patchCount, 0, {}, 0};
+    return {topology.sharpEdges, topology.patches, topology.patchCount, {}, 0};
 }
 
 CreaseChains clearChains(const FaceTopology& topology, std::span<const double> spacings) {
@@ -90,7 +90,6 @@ CreaseChains clearChains(const FaceTopology& topology, std::span<const double> s
         }
     for (const Chain& chain : chains)
         out.sure += chain.sure() ? chain.length : 0;
-    out.leftOut = out.rounded.size();
     std::vector<std::uint32_t> numbers(topology.patchCount);
     for (std::uint32_t p = 0; p < numbers.size(); ++p) {
         const std::uint32_t root = sets.find(p); // the smallest of them

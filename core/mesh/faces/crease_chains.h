@@ -11,8 +11,7 @@ struct CreaseChains {
     std::vector<SharpEdge> edges;
     std::vector<std::uint32_t> patches; ///< of each triangle; those on both sides of an edge that is left out are one
     std::size_t patchCount = 0;
-    std::size_t leftOut = 0;        ///< edges
-    std::vector<SharpEdge> rounded; ///< those
+    std::vector<SharpEdge> rounded; ///< edges that are left out
     double sure = 0;                ///< length of the chains of many edges, with hardly an end, between smooth patches
 };
 

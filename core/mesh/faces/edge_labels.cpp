@@ -34,13 +34,16 @@ static std::vector<double> spacingsOfPieces(const FaceTopology& topology, const 
 
 CreaseChains keptEdges(const FaceTopology& topology, const FaceOptions& options, const std::vector<FacePoint>& points,
                        std::span<const double> spacings) {
+    if (topology.sharpEdges.empty())
+        return {};
     if (topology.oneSided || options.creases)
         return allChains(topology);
     return clearChains(topology, spacingsOfPieces(topology, points, spacings));
 }
 
-std::string labelEdges(const FaceTopology& topology, const FaceOptions& options, const std::vector<FacePoint>& points,
-                       std::span<const double> spacings, surfel::SurfelList& samples) {
+std::string labelEdges(const FaceTopology& topology, const FaceOptions& options, const CreaseChains& kept,
+                       const std::vector<FacePoint>& points, std::span<const double> spacings,
+                       surfel::SurfelList& samples) {
     if (topology.sharpEdges.empty())
         return {};
     if (topology.oneSided)
@@ -48,12 +51,10 @@ std::string labelEdges(const FaceTopology& topology, const FaceOptions& options,
     if (options.creases == false)
         return "Sharp edges of the faces are rounded a little, over about a support; without --creases off they stay "
                "sharp.";
-    const std::vector<double> ofPieces = spacingsOfPieces(topology, points, spacings);
-    const CreaseChains chains = options.asksForCreases() ? allChains(topology) : clearChains(topology, ofPieces);
-    labelCreases(topology, chains, points, spacings, samples);
-    if (chains.leftOut == 0)
+    labelCreases(topology, kept, points, spacings, samples);
+    if (kept.rounded.empty())
         return {};
-    return "Rounded " + grouped(chains.leftOut) + " of " +
+    return "Rounded " + grouped(kept.rounded.size()) + " of " +
            counted(topology.sharpEdges.size(), "sharp edge", "sharp edges") +
            ", which look like noise; with creases on, all stay sharp.";
 }

@@ -16,8 +16,9 @@ CreaseChains keptEdges(const FaceTopology& topology, const FaceOptions& options,
                        std::span<const double> spacings);
 
 /// Labels the samples beside sharp edges; returns what became of the edges that do not stay sharp, as a sentence, else
-/// nothing. `samples` are those of `points`, `spacings` that of each, or one for all.
-std::string labelEdges(const FaceTopology& topology, const FaceOptions& options, const std::vector<FacePoint>& points,
-                       std::span<const double> spacings, surfel::SurfelList& samples);
+/// nothing. `kept`: as above; `samples` are those of `points`, `spacings` that of each, or one for all.
+std::string labelEdges(const FaceTopology& topology, const FaceOptions& options, const CreaseChains& kept,
+                       const std::vector<FacePoint>& points, std::span<const double> spacings,
+                       surfel::SurfelList& samples);
 
 } // namespace mesh

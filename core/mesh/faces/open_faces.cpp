@@ -332,7 +332,7 @@ OpenedFaces openFaces(SurfelList vertices, std::span<const Triangle> triangles,
     };
     out.points = sampler.run(points, sizeOf);
     out.sampled = true;
-    const std::string edges = labelEdges(topology, options, points, sampling.spacings, out.points);
+    const std::string edges = labelEdges(topology, options, kept, points, sampling.spacings, out.points);
     if (cells::LabelLayout::of(*out.points.layout))
         sampler.straightenTips(points, sizeOf, out.points);
     if (hasRims(topology)) {

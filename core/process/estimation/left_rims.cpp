@@ -3,6 +3,7 @@
 #include "core/base/cancel_scope.h"
 #include "core/surface/rims.h"
 #include "core/surfel/widen.h"
+#include "core/tree/with_surfels.h"
 
 #include <map>
 
@@ -60,23 +61,13 @@ tree::Edit rimsBeside(const surface::Surface& left, std::span<const base::Vec3f>
 }
 
 tree::SurfelTree withRimAttribute(const tree::SurfelTree& tree) {
+    if (tree.layout()->find(surface::rimName))
+        return tree;
     surfel::SurfelList list = tree.surfels();
     auto layout = std::make_shared<surfel::AttributeLayout>(*list.layout);
     layout->add(surface::rimName, surfel::ScalarType::UInt8);
-    surfel::widen(list, layout);
-    tree::Edit edit;
-    edit.layout = edit.inserted.layout = layout;
-    std::size_t next = 0;
-    tree.forEachBlock([&](std::uint32_t number, const SurfelBlock& block) {
-        surfel::MutableBlockPtr wide = SurfelBlock::create(block.size(), layout->words());
-        for (int slot = 0; slot < block.size(); ++slot, ++next) {
-            wide->set(slot, list.items[next]);
-            wide->setExtra(slot, list.extraOf(next));
-        }
-        wide->seal();
-        edit.blocks.push_back({number, std::move(wide), {}});
-    });
-    return tree.apply(edit);
+    surfel::widen(list, std::move(layout));
+    return tree::withSurfels(tree, list);
 }
 
 void addRims(const surface::Surface& version, tree::Edit& edit) {

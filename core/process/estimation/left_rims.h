@@ -12,7 +12,7 @@ constexpr float reachOfLeftRims = 0.8F;
 /// within so many supports of these. Empty where nothing changes. REQUIRES: surface::knowsRims(left).
 tree::Edit rimsBeside(const surface::Surface& left, std::span<const base::Vec3f> gone);
 
-/// The same blocks with the attribute of rims, 0 everywhere. REQUIRES: the tree has none of this name.
+/// The same blocks with an attribute of the name of rims: 0 everywhere, where there was none.
 tree::SurfelTree withRimAttribute(const tree::SurfelTree& tree);
 
 /// Adds them to an edit of `version` that takes surfels away and changes none; models that do not know their rims stay

@@ -1,6 +1,7 @@
 #include "core/base/error.h"
 #include "core/base/unit_normal.h"
 #include "core/process/estimation/boundary_limit.h"
+#include "core/process/estimation/left_rims.h"
 #include "core/session/commands/combined_model.h"
 #include "core/session/commands/commands.h"
 #include "core/session/commands/other_model.h"
@@ -95,8 +96,9 @@ static void solidWith(Context& context, const json& complete) {
     }
     const bool known = solid::endIsKnown(context.document.surface()) && solid::endIsKnown(other.surface()) &&
                        (surface::knowsRims(context.document.surface()) || surface::knowsRims(other.surface()));
-    const surface::Surface model =
-        known ? solid::withRimAttribute(context.document.surface()) : context.document.surface();
+    surface::Surface model = context.document.surface();
+    if (known)
+        model = {process::withRimAttribute(model.tree()), model.definition()};
     surfel::SurfelList surfels =
         placed(other, poseOf(complete, context.document.provenance().origin), complete.at("scale").get<double>());
     const solid::SurfaceSide side({tree::SurfelTree::build(surfels), other.surface().definition()});
