@@ -106,7 +106,8 @@ void FacePaintTest::facesHaveTheirOwnColours() {
     Polygons polygons = squares();
     polygons.colours = {rgba(200, 0, 0), rgba(0, 0, 100)};
     for (const surfel::Surfel& s : open(polygons, {.use = mesh::FaceUse::Sample, .count = 500}).points.items)
-        QCOMPARE(s.colour, s.position.x < 1 ? rgba(200, 0, 0) : rgba(0, 0, 100));
+        if (std::abs(s.position.x - 1) > 1e-6f) // what lies on both is of either
+            QCOMPARE(s.colour, s.position.x < 1 ? rgba(200, 0, 0) : rgba(0, 0, 100));
     for (const surfel::Surfel& s : open(polygons, {.use = mesh::FaceUse::Vertices}).points.items)
         if (s.position.x == 1)
             QVERIFY(channel(s.colour, 0) > 50 && channel(s.colour, 2) > 25);

@@ -5,6 +5,7 @@
 #include "core/mesh/faces/open_faces.h"
 #include "core/mesh/marching/marching_cubes.h"
 #include "core/process/estimation/boundary_limit.h"
+#include "core/surface/curves/boundary_curves.h"
 #include "core/surface/rims.h"
 #include "face_models.h"
 #include "support/registry.h"
@@ -22,6 +23,7 @@ class KnownRimsTest : public QObject {
     void foldedOpenFacesMeshWithTheirOwnLoops_data();
     void foldedOpenFacesMeshWithTheirOwnLoops();
     void deepCupsAreOpen();
+    void facesEndWhereTheirBordersAre();
 };
 
 namespace {
@@ -162,6 +164,45 @@ void KnownRimsTest::deepCupsAreOpen() {
     turn(cup, random);
     const surface::Surface surface = surfaceOf(opened(cup, 4000));
     QVERIFY(std::isfinite(surface.definition().boundaryLimit));
+}
+
+/// Rims were nibbled by up to a spacing where the outermost samples lay by chance (mesh/README 8.3).
+void KnownRimsTest::facesEndWhereTheirBordersAre() {
+    base::Random random(test::seed());
+    // A bent sheet around a star of three to seven points, which has corners outwards and inwards.
+    const auto points = 3 + static_cast<std::uint32_t>(random.uniform(0, 5));
+    Faces sheet{{{0, 0, 0}}, {}};
+    const double deep = random.uniform(0.6, 0.9), bend = random.uniform(0, 0.4);
+    for (std::uint32_t i = 0; i < 2 * points; ++i) {
+        const double a = pi * i / points, r = i % 2 == 0 ? 1 : deep;
+        sheet.positions.push_back(
+            base::cast<float>(Vec3d{r * std::cos(a), r * std::sin(a), bend * r * r * std::cos(2 * a)}));
+        sheet.triangles.push_back({0, i + 1, (i + 1) % (2 * points) + 1});
+    }
+    turn(sheet, random);
+    const mesh::FaceTopology topology = sheet.topology();
+    const std::size_t count = test::sanitized ? 2500 : 10000;
+    const surface::Surface surface = surfaceOf(opened(sheet, count));
+    const std::vector<surface::BoundaryCurve> rims = surface::findBoundaryCurves(surface);
+    QCOMPARE(rims.size(), std::size_t{1});
+    QVERIFY(rims[0].closed);
+    const double spacing = std::sqrt(topology.area / static_cast<double>(count));
+    std::size_t far = 0, all = 0;
+    for (const surface::BoundaryPoint& p : rims[0].points) {
+        double away = 1e300, toCorner = 1e300;
+        for (const mesh::BorderEdge& edge : topology.borderEdges) {
+            const Vec3d along = edge.to - edge.from;
+            const double t = std::clamp(dot(p.position - edge.from, along) / dot(along, along), 0.0, 1.0);
+            away = std::min(away, distance(p.position, edge.from + along * t));
+            toCorner = std::min(toCorner, distance(p.position, edge.from));
+        }
+        if (toCorner < 3 * spacing) // rounded by a third of a support
+            continue;
+        ++all;
+        far += away > 0.25 * spacing ? 1 : 0;
+    }
+    QVERIFY(all > 50);
+    QVERIFY2(20 * far < all, qPrintable(QString("%1 of %2 points of the rim").arg(far).arg(all)));
 }
 
 static const test::Registered<KnownRimsTest> registered;

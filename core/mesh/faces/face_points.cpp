@@ -3,6 +3,7 @@
 #include "core/base/cells.h"
 #include "core/base/parallel.h"
 #include "core/base/random.h"
+#include "core/mesh/faces/border_rows.h"
 
 #include <algorithm>
 #include <array>
@@ -10,6 +11,7 @@
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <tuple>
 
 namespace mesh {
 
@@ -48,15 +50,16 @@ struct Candidate {
 
 class DartThrower {
   public:
-    DartThrower(const FaceTopology& topology, std::span<const Vec3f> positions, std::size_t count,
-                const InnerPlaces* inside, const FaceDensity* density, std::span<const std::uint32_t> patches)
-        : m_topology(topology), m_positions(positions), m_inside(inside), m_density(density), m_patches(patches),
-          m_count(count) {
-        if (density)
-            m_parts = density->parts();
-        m_draws = density ? FaceDraws(m_parts) : FaceDraws(topology);
-        m_share = density ? m_draws->outerShare(topology, positions, inside) : inside ? inside->outerShare() : 1;
-        const double unit = density ? density->least() * density->least() : 1;
+    DartThrower(const FaceTopology& topology, std::span<const Vec3f> positions, std::size_t count, const Spreading& how)
+        : m_topology(topology), m_positions(positions), m_inside(how.inside), m_density(how.density),
+          m_patches(how.patches), m_rows(how.rows), m_count(count) {
+        if (m_density)
+            m_parts = m_density->parts();
+        m_draws = m_density ? FaceDraws(m_parts) : FaceDraws(topology);
+        m_share = m_density  ? m_draws->outerShare(topology, positions, m_inside)
+                  : m_inside ? m_inside->outerShare()
+                             : 1;
+        const double unit = m_density ? m_density->least() * m_density->least() : 1;
         const double area = m_draws->total() * m_share * unit; // were the spacing the least one everywhere
         m_side = static_cast<float>(std::sqrt(firstShare * area / static_cast<double>(count)));
     }
@@ -66,12 +69,12 @@ class DartThrower {
         progress.step(0.3, "Sampling faces");
         findCells();
         progress.step(0.4, "Sampling faces");
-        std::size_t taken = 0;
+        std::size_t taken = throwAll(tooClose * m_side, m_count, &DartThrower::takeFirst);
         double share = 1; // of the first r
         for (bool last = false; !last && taken < m_count; share *= shrinking) {
             last = share <= static_cast<double>(tooClose);
             const double r = std::max(share, static_cast<double>(tooClose)) * static_cast<double>(m_side);
-            taken += throwAll(static_cast<float>(r), m_count - taken);
+            taken += throwAll(static_cast<float>(r), m_count - taken, &DartThrower::throwInto);
             progress.step(0.4 + 0.6 * (1 - share) / (1 - static_cast<double>(tooClose)), "Sampling faces");
         }
         std::vector<FacePoint> out;
@@ -86,6 +89,7 @@ class DartThrower {
     struct Cell {
         std::uint64_t key;
         std::uint32_t first, taken, end; ///< in m_candidates: first the points taken, then what is still open
+        std::uint32_t rows;              ///< those of borders end there, before any is taken
         std::uint32_t level;
 
         bool isBefore(std::uint32_t otherLevel, std::uint64_t other) const {
@@ -97,7 +101,7 @@ class DartThrower {
         std::uint32_t index, level;
         float scale;
         bool operator<(const Key& o) const {
-            return level != o.level ? level < o.level : cell != o.cell ? cell < o.cell : rank < o.rank;
+            return std::tie(level, cell, rank, index) < std::tie(o.level, o.cell, o.rank, o.index);
         }
     };
     struct Place {
@@ -108,13 +112,20 @@ class DartThrower {
     void findCells();
     void addCell(std::uint32_t level, const Place& place, std::vector<std::uint32_t>& out) const;
     std::vector<std::uint32_t> otherLevels(const Cell& cell) const;
-    std::size_t throwAll(float r, std::size_t most);
+    using Take = std::uint32_t (DartThrower::*)(std::size_t cell, float r);
+    std::size_t throwAll(float r, std::size_t most, Take take);
+    std::uint32_t takeFirst(std::size_t cell, float r);
     std::uint32_t throwInto(std::size_t cell, float r);
     float nearestTaken(std::size_t cell, const Candidate& candidate, float enough) const;
     bool otherPatch(std::uint32_t a, std::uint32_t b) const {
         return !m_patches.empty() && m_patches[a] != m_patches[b];
     }
     Place placeOfCell(const Vec3f& p, std::uint32_t level) const;
+    /// Of a spacing over the least one.
+    template <class SpacingOf>
+    double scaleAt(const SpacingOf& spacing) const {
+        return m_density ? std::max(1.0, spacing() / m_density->least()) : 1.0;
+    }
 
     const FaceTopology& m_topology;
     std::span<const Vec3f> m_positions;
@@ -124,6 +135,7 @@ class DartThrower {
     std::optional<FaceDraws> m_draws;
     double m_share = 1;                       ///< of what is drawn, what is not inside
     std::span<const std::uint32_t> m_patches; ///< of the triangles; empty: one
+    bool m_rows;                              ///< along borders
     std::size_t m_count;
     float m_side; ///< of the least cell: the distance of neighbours in a hexagonal layout of so many points
     std::vector<Candidate> m_candidates;
@@ -151,28 +163,32 @@ DartThrower::Place DartThrower::placeOfCell(const Vec3f& p, std::uint32_t level)
 /// Candidates in the order of their cells, within one in that of their ranks.
 void DartThrower::draw() {
     const auto all = static_cast<std::size_t>(static_cast<double>(candidatesPerPoint * m_count) / m_share);
+    std::vector<FacePoint> rows;
+    if (m_rows)
+        rows = borderRows(m_topology, m_positions, [&](const Vec3d& place, std::uint32_t t) {
+            return static_cast<double>(m_side) * scaleAt([&] { return m_density->at(place, t); });
+        });
+    // The draws, and behind them the rows.
     const auto candidate = [&](std::size_t i, std::optional<float> scale = {}) {
-        const FaceDraws::Draw drawn = m_draws->at(i, all);
+        const FaceDraws::Draw drawn = i < all ? m_draws->at(i, all) : FaceDraws::Draw{rows[i - all], 0};
         Candidate out;
         out.point = drawn.point;
         const Vec3d place = placeOf(out.point, m_topology, m_positions);
         out.position = base::cast<float>(place);
-        if (scale)
-            out.scale = *scale;
-        else if (m_density)
-            out.scale =
-                static_cast<float>(std::max(1.0, m_density->at(place, m_parts[drawn.part]) / m_density->least()));
+        out.scale = scale ? *scale : static_cast<float>(scaleAt([&] {
+            return i < all ? m_density->at(place, m_parts[drawn.part]) : m_density->at(place, out.point.triangle);
+        }));
         return out;
     };
     const auto keyFor = [&](const Candidate& each, std::size_t i) -> Key {
         const std::uint32_t level = each.level();
-        return {packed(placeOfCell(each.position, level).c), base::mix(i ^ ~seed), static_cast<std::uint32_t>(i), level,
-                each.scale};
+        const std::uint64_t rank = i < all ? base::mix(i ^ ~seed) : 0;
+        return {packed(placeOfCell(each.position, level).c), rank, static_cast<std::uint32_t>(i), level, each.scale};
     };
     std::vector<Key> keys;
     if (m_share < 1) { // only what stays is kept: it may be a small part
-        std::vector<std::vector<Key>> parts(base::chunkCount(all, 65536));
-        base::parallelChunks(all, 65536, [&](std::size_t begin, std::size_t end, std::size_t part) {
+        std::vector<std::vector<Key>> parts(base::chunkCount(all + rows.size(), 65536));
+        base::parallelChunks(all + rows.size(), 65536, [&](std::size_t begin, std::size_t end, std::size_t part) {
             for (std::size_t i = begin; i < end; ++i)
                 if (const Candidate each = candidate(i);
                     !m_inside->has(placeOf(each.point, m_topology, m_positions), each.point.triangle))
@@ -181,8 +197,8 @@ void DartThrower::draw() {
         for (const auto& part : parts)
             keys.insert(keys.end(), part.begin(), part.end());
     } else {
-        keys.resize(all);
-        base::parallelFor(all, 4096, [&](std::size_t i) { keys[i] = keyFor(candidate(i), i); });
+        keys.resize(all + rows.size());
+        base::parallelFor(keys.size(), 4096, [&](std::size_t i) { keys[i] = keyFor(candidate(i), i); });
     }
     std::sort(keys.begin(), keys.end());
     const std::size_t n = keys.size();
@@ -190,8 +206,10 @@ void DartThrower::draw() {
     base::parallelFor(n, 4096, [&](std::size_t i) { m_candidates[i] = candidate(keys[i].index, keys[i].scale); });
     for (std::uint32_t i = 0; i < n; ++i) {
         if (m_cells.empty() || m_cells.back().isBefore(keys[i].level, keys[i].cell))
-            m_cells.push_back({keys[i].cell, i, i, i, keys[i].level});
+            m_cells.push_back({keys[i].cell, i, i, i, i, keys[i].level});
         m_cells.back().end = i + 1;
+        if (keys[i].index >= all)
+            m_cells.back().rows = i + 1;
     }
 }
 
@@ -279,6 +297,17 @@ float DartThrower::nearestTaken(std::size_t cell, const Candidate& candidate, fl
     return best < enoughSq ? 0 : std::sqrt(best) / candidate.scale;
 }
 
+/// Those of borders, but where another border is too near.
+std::uint32_t DartThrower::takeFirst(std::size_t index, float r) {
+    Cell& cell = m_cells[index];
+    for (std::uint32_t i = cell.first; i < cell.rows; ++i) {
+        m_candidates[i].nearest = nearestTaken(index, m_candidates[i], r);
+        if (m_candidates[i].nearest >= r)
+            std::swap(m_candidates[cell.taken++], m_candidates[i]);
+    }
+    return cell.taken - cell.first;
+}
+
 std::uint32_t DartThrower::throwInto(std::size_t index, float r) {
     Cell& cell = m_cells[index];
     const std::uint32_t before = cell.taken, end = cell.end;
@@ -299,7 +328,7 @@ std::uint32_t DartThrower::throwInto(std::size_t index, float r) {
     return cell.taken - before;
 }
 
-std::size_t DartThrower::throwAll(float r, std::size_t most) {
+std::size_t DartThrower::throwAll(float r, std::size_t most, Take take) {
     std::size_t taken = 0;
     for (const auto& group : m_groups) {
         const auto levelOf = [&](std::size_t i) { return m_cells[group[i]].level; };
@@ -309,7 +338,7 @@ std::size_t DartThrower::throwAll(float r, std::size_t most) {
             std::vector<std::uint32_t> counts(base::chunkCount(to - from, 256));
             base::parallelChunks(to - from, 256, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
                 for (std::size_t i = begin; i < end; ++i)
-                    counts[chunk] += throwInto(group[from + i], r);
+                    counts[chunk] += (this->*take)(group[from + i], r);
             });
             taken = std::accumulate(counts.begin(), counts.end(), taken);
         }
@@ -322,9 +351,8 @@ std::size_t DartThrower::throwAll(float r, std::size_t most) {
 } // namespace
 
 std::vector<FacePoint> spreadPoints(const FaceTopology& topology, std::span<const Vec3f> positions, std::size_t count,
-                                    const base::Progress& progress, const InnerPlaces* inside,
-                                    const FaceDensity* density, std::span<const std::uint32_t> patches) {
-    return DartThrower(topology, positions, count, inside, density, patches).run(progress);
+                                    const base::Progress& progress, const Spreading& how) {
+    return DartThrower(topology, positions, count, how).run(progress);
 }
 
 } // namespace mesh

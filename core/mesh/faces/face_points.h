@@ -10,6 +10,8 @@
 // points may come two and a half times as near as within a patch: a narrow strip has a row of its own beside its
 // neighbours'.
 //
+// Borders may come first, with rows of their own (border_rows.h).
+//
 // Where a density asks for several spacings, distances are taken over the spacing at the candidate. Candidates lie in
 // cells of the power of two above their spacing then, and see those of the powers next to it.
 #pragma once
@@ -19,12 +21,16 @@
 
 namespace mesh {
 
-/// `count` points, or a few percent fewer where the faces are too small for so many; none at places that are inside. In
-/// the order of cells. `density`: how they are spread, up to a factor; evenly without. `patches`: of each triangle the
-/// one between sharp edges; none are sharp without. REQUIRES: an area above 0. Throws base::Cancelled.
+struct Spreading {
+    const InnerPlaces* inside = nullptr;      ///< no points at places that are; null: nothing is
+    const FaceDensity* density = nullptr;     ///< how they are spread, up to a factor; null: evenly
+    std::span<const std::uint32_t> patches{}; ///< of each triangle the one between sharp edges; empty: none are sharp
+    bool rows = false;                        ///< along borders
+};
+
+/// `count` points, or a few percent fewer where the faces are too small for so many. In the order of cells. REQUIRES:
+/// an area above 0. Throws base::Cancelled.
 std::vector<FacePoint> spreadPoints(const FaceTopology& topology, std::span<const base::Vec3f> positions,
-                                    std::size_t count, const base::Progress& progress = {},
-                                    const InnerPlaces* inside = nullptr, const FaceDensity* density = nullptr,
-                                    std::span<const std::uint32_t> patches = {});
+                                    std::size_t count, const base::Progress& progress = {}, const Spreading& how = {});
 
 } // namespace mesh

@@ -67,7 +67,7 @@ FaceSampling evenly(const FaceTopology& topology, std::span<const Vec3f> positio
     const auto count = static_cast<std::size_t>(std::llround(area / (spacing * spacing)));
     FaceSampling out;
     out.points = spreadPoints(topology, positions, std::max<std::size_t>(4, count), process::part(progress, 0.3, 0.9),
-                              &inside, nullptr, clearChains(topology, spacing).patches);
+                              {&inside, nullptr, clearChains(topology, spacing).patches, true});
     out.spacings = {std::sqrt(area / static_cast<double>(out.points.size()))};
     out.apart = resolved(pieces, [&](std::size_t) { return out.spacings[0]; });
     return out;
@@ -110,8 +110,8 @@ class Uneven {
         }
         FaceSampling out;
         out.points = spreadPoints(m_topology, m_positions, std::max<std::size_t>(4, static_cast<std::size_t>(all)),
-                                  process::part(progress, 0.3, 0.9), &m_inside, &*density,
-                                  clearChains(m_topology, m_pieces.spacings).patches);
+                                  process::part(progress, 0.3, 0.9),
+                                  {&m_inside, &*density, clearChains(m_topology, m_pieces.spacings).patches, true});
         const double wider = std::sqrt(wanted / static_cast<double>(out.points.size()));
         out.spacings.resize(out.points.size());
         base::parallelFor(out.points.size(), 1024, [&](std::size_t i) {

@@ -180,7 +180,8 @@ void countEdges(FaceTopology& out, std::span<const Vec3f> positions, const std::
     forEdges(sides, [&](std::span<const FaceSide> edge) {
         const auto a = static_cast<std::uint32_t>(edge[0].key >> 32), b = static_cast<std::uint32_t>(edge[0].key);
         if (edge.size() == 1)
-            out.borderEdges.push_back({base::cast<double>(positions[a]), base::cast<double>(positions[b]), {a, b}});
+            out.borderEdges.push_back(
+                {base::cast<double>(positions[a]), base::cast<double>(positions[b]), {a, b}, edge[0].corner});
         out.borders += edge.size() % 2;
         out.nonManifold += edge.size() > 2 ? 1 : 0;
     });

@@ -38,6 +38,7 @@ struct SharpEdge {
 struct BorderEdge {
     base::Vec3d from, to;
     std::uint32_t ends[2] = {}; ///< as numbers of the places
+    std::uint32_t corner = 0;   ///< 3 t + k: it is the side of triangle t from corner k to the next, or a part of that
 };
 
 constexpr std::uint32_t noBody = ~0u; ///< faces that enclose nothing

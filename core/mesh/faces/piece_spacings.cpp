@@ -90,7 +90,7 @@ PieceSpacings pieceSpacings(const FaceTopology& topology, std::span<const Vec3f>
     const double all = sparse.samples(&inside);
     const std::vector<FacePoint> points =
         spreadPoints(topology, positions, static_cast<std::size_t>(std::max(4.0, std::min(all, mostCount))),
-                     process::part(progress, 0, 0.5), &inside, &sparse);
+                     process::part(progress, 0, 0.5), {&inside, &sparse, {}, false});
     const std::vector<float> walls = wallsBehind(topology, positions, points, probes, process::part(progress, 0.5, 1));
     const double most = levelFor(thick, mostForWalls);
     for (std::size_t i = 0; i < pieces.size(); ++i)

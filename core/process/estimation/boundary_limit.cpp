@@ -5,6 +5,7 @@
 #include "core/surface/rims.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numbers>
 
 namespace process {
@@ -13,7 +14,9 @@ namespace {
 
 constexpr std::size_t mostSamples = 20000;                 ///< a quantile of 1 % needs no more
 constexpr float closedGap = std::numbers::pi_v<float> / 2; ///< a neighbourhood with no larger gap is closed
-constexpr float tightest = 0.15f;
+constexpr float rowGap =
+    5 * std::numbers::pi_v<float> / 6; ///< of those in the last row: half a turn, where it is straight
+constexpr float tightest = 0.15f, tightestKnown = 0.1f;
 constexpr float bandLimit = 0.3f; ///< for bands so narrow that all their samples see a rim
 /// By chance alone P(o > L) = exp(-(L / rms)^2), whose rms a quantile of 1 % tells. L at surfels is what one sample in
 /// 1e5 exceeds: (6) of process/README 3. (1.3 times the quantile is what one in 2400 exceeds: a handful of pinholes in
@@ -23,16 +26,25 @@ constexpr float rareOverQuantile = 1.58f; // sqrt(ln 1e5 / ln 100)
 /// times as many as there are surfels may exceed L there; beyond `widestGap` this would rather close holes.
 constexpr float intoGap = 0.25f, gapsPerFalse = 1e5f, widestGap = 0.32f;
 
-/// Surfels at equal distances in tree order.
-std::vector<RimPlace> samplePlaces(const tree::SurfelTree& tree) {
-    const std::size_t stride = (tree.size() + mostSamples - 1) / mostSamples;
-    std::vector<RimPlace> out;
-    std::size_t at = 0;
+/// Surfels at equal distances in tree order, of those that are wanted.
+template <class Wanted>
+std::vector<RimPlace> samplePlaces(const tree::SurfelTree& tree, const Wanted& wanted) {
+    std::vector<RimPlace> all;
     tree.forEachBlock([&](std::uint32_t number, const surfel::SurfelBlock& block) {
-        for (int slot = 0; slot < block.size(); ++slot, ++at)
-            if (at % stride == 0)
-                out.push_back({rimKey(number, slot), block.position(slot)});
+        for (int slot = 0; slot < block.size(); ++slot)
+            if (wanted(block, slot))
+                all.push_back({rimKey(number, slot), block.position(slot)});
     });
+    const std::size_t stride = (all.size() + mostSamples - 1) / mostSamples;
+    std::vector<RimPlace> out;
+    for (std::size_t i = 0; i < all.size(); i += stride)
+        out.push_back(all[i]);
+    return out;
+}
+
+std::vector<float> offCentres(std::span<const RimSample> samples) {
+    std::vector<float> out(samples.size());
+    std::transform(samples.begin(), samples.end(), out.begin(), [](const RimSample& each) { return each.offCentre; });
     return out;
 }
 
@@ -64,20 +76,39 @@ std::vector<float> offCentreInGaps(const surface::Surface& surface, std::span<co
     return out;
 }
 
+/// The surface is to end at its last row, but not in what is closed beside it.
+float limitOfKnownRims(const surface::Surface& surface, const base::Progress& progress) {
+    const surfel::AttributeLayout& layout = *surface.tree().layout();
+    const std::vector<RimPlace> places = samplePlaces(surface.tree(), [&](const surfel::SurfelBlock& block, int slot) {
+        return surface::isBesideRim(block, slot, layout);
+    });
+    if (places.empty())
+        return std::numeric_limits<float>::infinity();
+    std::vector<RimSample> closed = lookAt(surface, places, progress), row;
+    std::ranges::copy_if(closed, std::back_inserter(row), [](const RimSample& each) { return each.gap > rowGap; });
+    std::erase_if(closed, [](const RimSample& each) { return !(each.gap < closedGap); });
+    if (row.empty())
+        return bandLimit;
+    std::vector<float> ends = offCentres(row);
+    const auto middle = ends.begin() + static_cast<std::ptrdiff_t>(ends.size() * 9 / 10);
+    std::nth_element(ends.begin(), middle, ends.end());
+    return std::clamp(std::max(*middle, rarelyExceeded(offCentres(closed), rareOverQuantile)), tightestKnown,
+                      loosestLimit);
+}
+
 } // namespace
 
 float automaticBoundaryLimit(const surface::Surface& surface, const base::Progress& progress) {
-    std::vector<RimSample> samples = lookAt(surface, samplePlaces(surface.tree()), part(progress, 0, 0.6));
-    const bool open = surface::knowsRims(surface) ? surface::hasRim(surface.tree())
-                                                  : hasOpenRun(surface, samples, part(progress, 0.6, 0.9));
-    if (!open)
+    if (surface::knowsRims(surface))
+        return limitOfKnownRims(surface, progress);
+    std::vector<RimSample> samples =
+        lookAt(surface, samplePlaces(surface.tree(), [](auto&, int) { return true; }), part(progress, 0, 0.6));
+    if (!hasOpenRun(surface, samples, part(progress, 0.6, 0.9)))
         return std::numeric_limits<float>::infinity();
     std::erase_if(samples, [](const RimSample& each) { return !(each.gap < closedGap); });
     if (samples.empty())
         return bandLimit;
-    std::vector<float> here(samples.size());
-    std::transform(samples.begin(), samples.end(), here.begin(), [](const RimSample& each) { return each.offCentre; });
-    const float atSurfels = rarelyExceeded(std::move(here), rareOverQuantile);
+    const float atSurfels = rarelyExceeded(offCentres(samples), rareOverQuantile);
     const double rare = gapsPerFalse * static_cast<double>(surface.tree().size());
     const float inGaps = rarelyExceeded(offCentreInGaps(surface, samples, part(progress, 0.9, 1)),
                                         std::sqrt(std::log(rare) / std::log(100.0)));
