@@ -17,6 +17,7 @@ class CpuSplatterTest : public QObject {
     void tiltedPlaneHasOneNormalAndPlanarDepth();
     void nearSheetHidesTheFarOne();
     void thinSheetShowsItsOwnSide();
+    void backsOfSolidsShowBeforeNoFront();
     void insidesAreBlendedAsOutsides();
     void splatsNeverFallBetweenPixels();
     void unorientedSplatsFaceTheEye();
@@ -104,6 +105,25 @@ void CpuSplatterTest::thinSheetShowsItsOwnSide() {
         QCOMPARE(middle >> (z > 0 ? 16 : 0) & 255u, 0u);
         QVERIFY((middle >> (z > 0 ? 0 : 16) & 255u) > 100);
     }
+}
+
+/// Of a face behind an edge parts of pixels stand out. Where a model may have an inside to see, all is drawn.
+void CpuSplatterTest::backsOfSolidsShowBeforeNoFront() {
+    Camera camera = test::cutTilesCamera();
+    const std::size_t middle = 121 * 321 + 160;
+    const auto depth = [&](const tree::SurfelTree& model, const RenderOptions& options = {}) {
+        CpuSplatter splatter;
+        return test::drawn(splatter, model, camera, options).depth[middle];
+    };
+    const tree::SurfelTree solid = test::backBeforeFront(true);
+    QVERIFY(std::abs(depth(solid) - 3.5f) < 0.01f);
+    QVERIFY(std::abs(depth(test::backBeforeFront(false)) - 3) < 0.01f);
+    QVERIFY(std::abs(depth(test::built(test::disc({0, 0, 0}, {0, 0, -1}, 0.5, 0.02))) - 3) < 0.01f);
+    RenderOptions open;
+    open.definition.boundaryLimit = 0.2f;
+    QVERIFY(std::abs(depth(solid, open) - 3) < 0.01f);
+    camera.clips.add({{0, 1, 0}, -0.9});
+    QVERIFY(std::abs(depth(solid) - 3) < 0.01f);
 }
 
 void CpuSplatterTest::insidesAreBlendedAsOutsides() {

@@ -19,6 +19,7 @@ class GlSplatterTest : public QObject {
     void samePictureAsTheCpu();
     void quadsDrawWhatPointsDraw();
     void ellipsoidsAreEllipses();
+    void backsOfSolidsShowBeforeNoFront();
     void anEditUploadsItsBlocksAlone();
     void drawsIntoAFramebufferOfOthers();
     void anUnknownBackendIsRefusedByName();
@@ -106,6 +107,21 @@ void GlSplatterTest::quadsDrawWhatPointsDraw() {
     gl->limitPointSize(0);
     const Image quads = test::drawn(*gl, model, camera);
     QVERIFY(points.colour == quads.colour && points.depth == quads.depth);
+}
+
+void GlSplatterTest::backsOfSolidsShowBeforeNoFront() {
+    QString reason;
+    const auto gl = offscreen("osmesa", reason);
+    if (!gl)
+        QSKIP(qPrintable(reason));
+    CpuSplatter cpu;
+    for (const bool labelled : {true, false}) {
+        const tree::SurfelTree model = test::backBeforeFront(labelled);
+        const Image a = test::drawn(cpu, model, smallCamera()), b = test::drawn(*gl, model, smallCamera());
+        const test::Difference d = test::difference(a, b);
+        QVERIFY2(d.mean < 0.5 && d.apart <= 20,
+                 qPrintable(QString("mean %1, largest %2, apart %3").arg(d.mean).arg(d.largest).arg(d.apart)));
+    }
 }
 
 /// As the CPU draws them; and as balls again where the next model has none.

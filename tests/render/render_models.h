@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/random.h"
+#include "core/cells/labels.h"
 #include "core/render/renderer.h"
 
 #include <numbers>
@@ -123,6 +124,16 @@ inline double sphereDepth(const base::Rayd& ray, const base::Vec3d& centre, doub
     const base::Vec3d v = ray.origin - centre;
     const double b = dot(v, ray.direction), root = b * b - lengthSq(v) + radius * radius;
     return root < 0 ? std::numeric_limits<double>::infinity() : -b - std::sqrt(root);
+}
+
+/// A face of a solid that looks away, and half a unit behind it one that looks to the eye at z > 0.
+inline tree::SurfelTree backBeforeFront(bool labelled) {
+    surfel::SurfelList list = disc({0, 0, 0}, {0, 0, -1}, 0.5, 0.02);
+    const surfel::SurfelList front = disc({0, 0, -0.5}, {0, 0, 1}, 1, 0.02);
+    list.items.insert(list.items.end(), front.items.begin(), front.items.end());
+    if (labelled)
+        cells::setLabels(list, std::vector<cells::Label>(list.size()));
+    return built(list);
 }
 
 } // namespace test

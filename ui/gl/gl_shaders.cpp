@@ -8,19 +8,13 @@
 namespace render {
 
 static std::string head() {
-    const SharedConstant constants[] = {{"filterPx", filterPx},
-                                        {"layerDepth", layerDepth},
-                                        {"filterDepth", filterDepth},
-                                        {"backBias", backBias},
-                                        {"backClip", backClip},
-                                        {"minCosine", minCosine},
-                                        {"backFrom", backFrom},
-                                        {"backTo", backTo},
-                                        {"acrossRadius", acrossRadius},
-                                        {"cutRadius", cutRadius},
-                                        {"cornerRadius", cornerRadius},
-                                        {"tipRadius", tipRadius},
-                                        {"longestShape", surfel::longestShape}};
+    const SharedConstant constants[] = {{"filterPx", filterPx},         {"layerDepth", layerDepth},
+                                        {"filterDepth", filterDepth},   {"backBias", backBias},
+                                        {"backClip", backClip},         {"minCosine", minCosine},
+                                        {"backFrom", backFrom},         {"backTo", backTo},
+                                        {"acrossRadius", acrossRadius}, {"cutRadius", cutRadius},
+                                        {"solidAway", solidAway},       {"cornerRadius", cornerRadius},
+                                        {"tipRadius", tipRadius},       {"longestShape", surfel::longestShape}};
     return "#version 330 core\n" + glslConstants(constants) +
            "const int mostClips = " + std::to_string(ClipPlanes::most) + ";\n" +
            "const uint cutMask = " + std::to_string((1u << cutBits) - 1) +
@@ -36,6 +30,7 @@ uniform vec4 image; // x0, y0, focalPx, radiusOfSupport
 uniform vec2 size;  // pixels
 uniform vec2 depthRange; // nearest depth, 1 / (farthest - nearest)
 uniform bool oriented, parallel;
+uniform float backsFarther; // 0: nothing of that kind
 uniform vec4 clips[mostClips]; // normal x, y, constant, factor
 uniform int clipCount;
 
@@ -112,7 +107,8 @@ void main() {
     vec3 lacks = b / aspect;
     vec3 extent = radius * sqrt(max(vec3(0.0), 1.0 - n * n - lacks * lacks));
     float rise = extent.z;
-    plane = vec4(n.xy / steep, behind ? (shape.w + filterPx * pixelSize(p.z)) * layerDepth * backBias : 0.0,
+    bool farther = backsFarther > 0.0 && facing > solidAway * distance;
+    plane = vec4(n.xy / steep, farther ? backsFarther : behind ? (shape.w + filterPx * pixelSize(p.z)) * layerDepth * backBias : 0.0,
                  behind ? nearness(centre.z - backClip * rise) : 3e38);
     normal = n;
     attributes = colourAndMask;

@@ -60,6 +60,7 @@ void GlSplatter::setView(const GlProgram& program, const Frame& frame) const {
     m_gl.uniform2f(program.at("size"), static_cast<float>(view.width), static_cast<float>(view.height));
     m_gl.uniform2f(program.at("depthRange"), frame.nearest, frame.inverseRange);
     m_gl.uniform1i(program.at("oriented"), frame.style.oriented ? 1 : 0);
+    m_gl.uniform1f(program.at("backsFarther"), frame.style.backsFarther);
     m_gl.uniform1i(program.at("parallel"), view.parallel ? 1 : 0);
     m_gl.uniform1i(program.at("clipCount"), view.clipCount);
     std::array<float, 4 * ClipPlanes::most> clips{};
@@ -247,7 +248,7 @@ void GlSplatter::look(const tree::SurfelTree& model, const Frame& frame) {
 
 void GlSplatter::drawTo(GLuint framebuffer, const tree::SurfelTree& model, const Camera& camera,
                         const RenderOptions& options) {
-    const SplatStyle style = splatStyle(model, options);
+    const SplatStyle style = splatStyle(model, options, camera);
     Frame frame{ViewFrame(camera),
                 style,
                 shadingStyle(options.shading),
@@ -269,7 +270,8 @@ void GlSplatter::drawTo(GLuint framebuffer, const tree::SurfelTree& model, const
             (filterDepth + 2 * layerDepth) * filterPx * frame.view.pixelSize(std::max(middle + toCorner, 0.0f));
         const float half = toCorner + reach + pixels;
         frame.nearest = std::max(0.0f, middle - half);
-        frame.inverseRange = 1 / std::max(middle + half - frame.nearest, std::numeric_limits<float>::min());
+        frame.inverseRange =
+            1 / std::max(middle + half + style.backsFarther - frame.nearest, std::numeric_limits<float>::min());
     }
     splats(frame);
     shade(frame, camera, framebuffer, frame.depth);

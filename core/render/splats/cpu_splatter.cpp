@@ -221,7 +221,7 @@ void CpuSplatter::render(const tree::SurfelTree& model, const Camera& camera, co
 void CpuSplatter::update(const tree::SurfelTree& model, const Camera& camera, const RenderOptions& options,
                          Image& out) {
     const ViewFrame view(camera);
-    const Setting setting{camera, options, splatStyle(model, options)};
+    const Setting setting{camera, options, splatStyle(model, options, camera)};
     const Sight seen = sight(view, setting);
     const bool sameSize = out.width == camera.width && out.height == camera.height;
     TileMask mask(view);

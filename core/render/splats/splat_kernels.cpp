@@ -114,7 +114,7 @@ HWY_INLINE void transform(const surfel::SurfelBlock& block, int cluster, const V
         hn::Store(hn::Div(nx, steep), d, out.gradX + lane);
         hn::Store(hn::Div(ny, steep), d, out.gradY + lane);
         hn::Store(radius, d, out.radius + lane);
-        hn::Store(hn::IfThenElse(away, one, zero), d, out.back + lane);
+        hn::Store(hn::IfThenElse(away, hn::Div(np, distance), zero), d, out.back + lane);
         hn::Store(ez, d, out.rise + lane);
         hn::Store(nx, d, out.normalX + lane);
         hn::Store(ny, d, out.normalY + lane);
@@ -163,7 +163,9 @@ int gather(const BinEntry& entry, const ViewFrame& view, const SplatStyle& style
                             behind ? view.nearness(z - backClip * s.rise[i]) : std::numeric_limits<float>::infinity(),
                             1 / (radius * radius),
                             (mean + filter) * layerDepth,
-                            behind ? (mean + filter) * layerDepth * backBias : 0,
+                            s.back[i] > solidAway && style.backsFarther > 0 ? style.backsFarther
+                            : behind                                        ? (mean + filter) * layerDepth * backBias
+                                                                            : 0,
                             s.normalX[i],
                             s.normalY[i],
                             s.normalZ[i],

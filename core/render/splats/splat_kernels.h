@@ -35,13 +35,19 @@ constexpr float backBias = 0.9f;
 /// And the part of their disc that rises towards the eye is cut at this part of its radius: at a silhouette it would
 /// stand out beyond the surface, which bends away there.
 constexpr float backClip = 0.35f;
+/// Of a solid with sharp edges, splats that look away by more than this (a cosine) are only seen where nothing else is:
+/// of a face behind an edge a part of a pixel stands out, dark. Up to there they round the outline of what is smooth.
+constexpr float solidAway = 0.2f;
 /// The smallest cosine between a splat and its ray: an edge-on disc is drawn as thin as that, not infinitely.
 constexpr float minCosine = 0.02f;
 
 /// What a model's splats show.
 struct SplatStyle {
     float radiusOfSupport = splatRadiusOfSupport;
-    bool oriented = false;               ///< otherwise splats turn to the eye
+    bool oriented = false; ///< otherwise splats turn to the eye
+    /// Of a solid that is seen from outside: no back shows before any front, so that what looks away is as much
+    /// farther. Model units, 0: others.
+    float backsFarther = 0;
     bool colours = false;                ///< sum colours and masks too
     int shape = 0;                       ///< channel of the shapes of supports; 0: discs are round
     bool coloured = false;               ///< and shade with the colours: else only the masks are seen
