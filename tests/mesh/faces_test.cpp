@@ -27,6 +27,8 @@ class FacesTest : public QObject {
     void tipsTiltNoNormals();
     void coloursAndAttributesFollowTheCorners();
     void evenVerticesStayAndCoarseOnesDoNot();
+    void verticesOfNoFaceGo();
+    void pointsWithAFewFacesStayPoints();
     void brokenFacesLendNoNormals();
     void roughVerticesAreSampled();
     void thinWallsAskForMore();
@@ -175,6 +177,38 @@ void FacesTest::evenVerticesStayAndCoarseOnesDoNot() {
     QCOMPARE(sampled.messages.size(), std::size_t(1)); // how many
     const mesh::OpenedFaces rounded = mesh::openFaces(cube.list(), cube.triangles, {}, {.creases = false});
     QCOMPARE(rounded.messages.size(), std::size_t(2)); // and what becomes of sharp edges
+}
+
+/// Remains of a decimation, say: beside the faces, without a normal. They hid where the faces end, too.
+void FacesTest::verticesOfNoFaceGo() {
+    base::Random random(test::seed());
+    for (const bool open : {false, true}) {
+        Faces faces = band(400, 160, false);
+        if (open)
+            faces.triangles.resize(faces.triangles.size() * 3 / 4);
+        const std::size_t used = faces.positions.size() * (open ? 3 : 4) / 4; // and a ring more
+        for (int k = 0; k < 700; ++k)
+            faces.positions.push_back(base::cast<float>(random.unitVector() * random.uniform(0.5, 1.4)));
+        const mesh::OpenedFaces found = mesh::openFaces(faces.list(), faces.triangles, {}, {});
+        QVERIFY(!found.sampled);
+        QVERIFY(found.points.size() >= used && found.points.size() < used + 300);
+        QCOMPARE(found.rims, open);
+        QVERIFY(!found.messages.empty());
+        QVERIFY(mesh::openFaces(faces.list(), faces.triangles, {}, {.use = mesh::FaceUse::Vertices}).points.size() ==
+                faces.positions.size());
+    }
+}
+
+void FacesTest::pointsWithAFewFacesStayPoints() {
+    base::Random random(test::seed());
+    Faces faces;
+    for (int k = 0; k < 500; ++k)
+        faces.positions.push_back(base::cast<float>(random.unitVector()));
+    faces.triangles = {{0, 1, 2}, {3, 4, 5}};
+    const mesh::OpenedFaces found = mesh::openFaces(faces.list(), faces.triangles, {}, {});
+    QVERIFY(!found.sampled && !found.closed && !found.rims);
+    QCOMPARE(found.points.size(), std::size_t{500});
+    QVERIFY(mesh::openFaces(faces.list(), faces.triangles, {}, {.use = mesh::FaceUse::Sample}).sampled);
 }
 
 void FacesTest::brokenFacesLendNoNormals() {

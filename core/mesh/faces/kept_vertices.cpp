@@ -1,8 +1,8 @@
 #include "core/mesh/faces/kept_vertices.h"
 
 #include "core/mesh/faces/face_normals.h"
-#include "core/process/estimation/keep_points.h"
 #include "core/process/resampling/resample.h"
+#include "core/tree/surfel_tree.h"
 
 #include <algorithm>
 #include <array>
@@ -60,14 +60,15 @@ void paintVertices(SurfelList& vertices, const FacePaint& paint) {
     vertices.layout = std::move(layout);
 }
 
-void leaveOutInner(SurfelList& vertices, const FaceTopology& topology) {
-    std::vector<std::uint8_t> inner(vertices.size());
+void findInner(const FaceTopology& topology, std::vector<std::uint8_t>& gone) {
+    std::vector<std::uint8_t> inner(gone.size());
     for (const std::uint32_t v : topology.insideCorners)
         inner[v] = 1;
     for (const Triangle& t : topology.triangles)
         for (const std::uint32_t v : t)
             inner[v] = 0;
-    process::keepPoints(vertices, [&](std::size_t i) { return !inner[i]; });
+    for (std::size_t v = 0; v < gone.size(); ++v)
+        gone[v] |= inner[v];
 }
 
 std::vector<float> vertexSupports(const SurfelList& kept, const FaceTopology& topology,
@@ -96,6 +97,21 @@ std::vector<float> vertexSupports(const SurfelList& kept, const FaceTopology& to
         if (const auto found = edges.find(at(kept.items[i].position)); found != edges.end())
             out[i] = process::supportOf(
                 definition, static_cast<float>(found->second.length / static_cast<double>(found->second.count)));
+    if (std::ranges::find(out, 0.0f) == out.end())
+        return out;
+    SurfelList known;
+    for (std::size_t i = 0; i < out.size(); ++i)
+        if (out[i] > 0)
+            known.items.push_back({kept.items[i].position, {}, out[i]});
+    if (known.items.empty())
+        return out;
+    const tree::SurfelTree tree = tree::SurfelTree::build(known);
+    std::vector<tree::Neighbour> nearest;
+    for (std::size_t i = 0; i < out.size(); ++i)
+        if (!(out[i] > 0)) {
+            tree.nearest(kept.items[i].position, 1, nearest);
+            out[i] = nearest[0].block->support(nearest[0].slot);
+        }
     return out;
 }
 

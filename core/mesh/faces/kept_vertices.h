@@ -14,10 +14,10 @@ bool completeVertices(surfel::SurfelList& vertices, const FaceTopology& topology
 
 void paintVertices(surfel::SurfelList& vertices, const FacePaint& paint);
 
-/// Leaves out vertices of nothing but faces inside of the solid.
-void leaveOutInner(surfel::SurfelList& vertices, const FaceTopology& topology);
+/// Sets those of nothing but faces inside of the solid.
+void findInner(const FaceTopology& topology, std::vector<std::uint8_t>& gone);
 
-/// Supports by the edges about each; 0 for those without faces.
+/// Supports by the edges about each; of those without faces, that of the nearest with some.
 std::vector<float> vertexSupports(const surfel::SurfelList& kept, const FaceTopology& topology,
                                   std::span<const base::Vec3f> positions, const surface::SurfaceDefinition& definition);
 

@@ -235,10 +235,10 @@ bool mayCross(const FaceTopology& topology, std::span<const Vec3f> positions) {
     return false;
 }
 
-/// Vertices of closed pieces that lie in others, of which all faces do there. Returns how many. Beside the seams those
+/// Tells which vertices lie in other closed pieces, with all of their faces. Returns how many. Beside the seams those
 /// that stay are an edge apart at most: no gap for supports of some edges.
-std::size_t leaveOutCrossing(SurfelList& vertices, const FaceTopology& topology, std::span<const Vec3f> positions,
-                             const InnerPlaces& inside) {
+std::size_t findCrossing(const FaceTopology& topology, std::span<const Vec3f> positions, const InnerPlaces& inside,
+                         std::vector<std::uint8_t>& gone) {
     std::vector<std::uint8_t> in(topology.triangles.size() * 3);
     base::parallelFor(topology.triangles.size(), 256, [&](std::size_t t) {
         base::Vec3d p[3], middle;
@@ -249,15 +249,26 @@ std::size_t leaveOutCrossing(SurfelList& vertices, const FaceTopology& topology,
         for (std::size_t k = 0; k < 3; ++k)
             in[3 * t + k] = inside.has(p[k] + (middle - p[k]) * besideCorner, static_cast<std::uint32_t>(t)) ? 1 : 0;
     });
-    std::vector<std::uint8_t> inner(vertices.size()), outer(vertices.size());
+    std::vector<std::uint8_t> inner(gone.size()), outer(gone.size());
     for (const std::uint32_t v : topology.insideCorners)
         inner[v] = 1;
     for (std::size_t c = 0; c < in.size(); ++c)
         if (topology.areas[c / 3] > 0) // others lie nowhere
             (in[c] != 0 ? inner : outer)[topology.triangles[c / 3][c % 3]] = 1;
-    const std::size_t before = vertices.size();
-    process::keepPoints(vertices, [&](std::size_t i) { return inner[i] == 0 || outer[i] != 0; });
-    return before - vertices.size();
+    std::size_t count = 0;
+    for (std::size_t v = 0; v < gone.size(); ++v)
+        if (inner[v] != 0 && outer[v] == 0)
+            gone[v] = 1, ++count;
+    return count;
+}
+
+/// 1 for each vertex that no triangle has for a corner.
+std::vector<std::uint8_t> looseOf(std::size_t vertices, std::span<const Triangle> triangles) {
+    std::vector<std::uint8_t> out(vertices, 1);
+    for (const Triangle& t : triangles)
+        for (const std::uint32_t v : t)
+            out[v] = 0;
+    return out;
 }
 
 } // namespace
@@ -270,12 +281,24 @@ OpenedFaces openFaces(SurfelList vertices, std::span<const Triangle> triangles,
         positions[i] = vertices.items[i].position;
     FaceTopology topology = faceTopology(positions, triangles, options.sharpRad);
     OpenedFaces out;
-    if (!(topology.area > 0)) {
+    std::vector<std::uint8_t> gone = looseOf(positions.size(), triangles);
+    const auto loose = static_cast<std::size_t>(std::count(gone.begin(), gone.end(), 1));
+    const bool automatic = options.use == FaceUse::Auto && !options.asksForSamples() && !options.asksForCreases(),
+               mostLoose = automatic && 2 * loose > positions.size();
+    if (!(topology.area > 0) || mostLoose) {
         if (options.asksForSamples())
             throw base::Error("the faces have no area to sample", "", "keep the vertices");
+        if (mostLoose)
+            out.messages.push_back("Opened as points: " + grouped(loose) + " vertices of " + grouped(positions.size()) +
+                                   " have no face; --faces sample opens the faces alone.");
         out.points = std::move(vertices);
         return out;
     }
+    const auto tellLoose = [&] {
+        if (loose > 0)
+            out.messages.push_back("Left out " + counted(loose, "vertex", "vertices") +
+                                   " of no face; --faces vertices keeps " + (loose > 1 ? "them." : "it."));
+    };
     out.closed = topology.closed();
     if (const std::string what = mended(topology); !what.empty())
         out.messages.push_back(what);
@@ -301,14 +324,19 @@ OpenedFaces openFaces(SurfelList vertices, std::span<const Triangle> triangles,
                 out.messages.push_back("Large faces, which the vertices leave empty, got " +
                                        counted(more, "surfel", "surfels") +
                                        "; --faces vertices keeps the vertices alone.");
+        if (whole)
+            tellLoose();
+        else
+            gone.assign(gone.size(), 0);
         std::size_t crossing = 0;
         if (inside)
-            crossing = leaveOutCrossing(vertices, topology, positions, *inside);
+            crossing = findCrossing(topology, positions, *inside, gone);
         if (crossing > 0)
             out.messages.push_back("Left out " + counted(crossing, "vertex", "vertices") +
                                    " inside of the solid; --faces vertices keeps them.");
-        else if (options.use == FaceUse::Auto && !topology.insideCorners.empty())
-            leaveOutInner(vertices, topology);
+        else if (options.use == FaceUse::Auto)
+            findInner(topology, gone);
+        process::keepPoints(vertices, [&](std::size_t i) { return i >= gone.size() || gone[i] == 0; });
         if (options.asksForCreases())
             out.messages.push_back("The vertices are kept, without creases; --faces sample makes them.");
         out.points = std::move(vertices);
@@ -316,6 +344,7 @@ OpenedFaces openFaces(SurfelList vertices, std::span<const Triangle> triangles,
             out.rims = markRims(topology, vertexSupports(out.points, topology, positions, definition), out.points);
         return out;
     }
+    tellLoose();
     const InnerPlaces inside(topology, positions);
     const double share = inside.outerShare();
     if (share < 1)
