@@ -17,6 +17,8 @@ constexpr std::size_t fewest = 40;      ///< edges of a chain among bumps, as ma
 constexpr std::size_t fewestOfTip = 12; ///< edges for each free end, or at all: those of statues end sooner
 constexpr double plain = std::numbers::pi / 45; ///< 4 degrees: a chain may end soon where smooth edges turn by less
 constexpr std::size_t fewestOfStub = 3;         ///< edges for each free end of such a one, of a short chain
+constexpr double webbed = 6;                    ///< edges for each end and each corner, where there are many of these
+constexpr double manyCorners = 40;
 constexpr std::size_t fewestOfSure =
     20;                         ///< edges of a chain that no scan has by chance, as many more for each free end
 constexpr double shortest = 10; ///< spacings: as wide as the bands beside an edge that ends
@@ -24,9 +26,17 @@ constexpr double shortest = 10; ///< spacings: as wide as the bands beside an ed
 /// Sharp edges that hang together.
 struct Chain {
     std::size_t edges = 0, tips = 0;        ///< a tip is a place within the surface where one sharp edge ends
+    double corners = 0;                     ///< places where three and more meet
     double length = 0, turn = 0, rough = 0; ///< times length
 
+    /// The furrows of a brain: a web of edges among bumps, with hardly an end.
+    bool isWeb() const {
+        return rough >= plain * length && corners > manyCorners &&
+               static_cast<double>(edges) < webbed * (static_cast<double>(tips) + corners);
+    }
     bool clear(double spacing) const {
+        if (isWeb())
+            return false;
         const bool bumpy = rough >= leastRough * length && turn < (tips > 0 ? standsOut : closedStandsOut) * rough;
         if (bumpy && edges <= fewest * (1 + tips))
             return false;
@@ -36,7 +46,7 @@ struct Chain {
             return false;
         return rough < plain * length && (fewestOfStub * tips < edges || length >= shortest * spacing);
     }
-    bool sure() const { return edges >= fewestOfSure * (1 + tips) && rough < leastRough * length; }
+    bool sure() const { return !isWeb() && edges >= fewestOfSure * (1 + tips) && rough < leastRough * length; }
 };
 
 /// Of each sharp edge the number of its chain.
@@ -73,8 +83,11 @@ CreaseChains clearChains(const FaceTopology& topology, std::span<const double> s
         chain.length += length;
         chain.turn += length * edges[e].turn;
         chain.rough += length * edges[e].rough;
-        for (std::size_t k = 0; k < 2; ++k)
-            chain.tips += meeting[edges[e].ends[k]] == 1 && !edges[e].atBorder[k] ? 1 : 0;
+        for (std::size_t k = 0; k < 2; ++k) {
+            const int there = meeting[edges[e].ends[k]];
+            chain.tips += there == 1 && !edges[e].atBorder[k] ? 1 : 0;
+            chain.corners += there > 2 ? 1.0 / there : 0;
+        }
     }
     CreaseChains out;
     base::DisjointSets sets(topology.patchCount);
