@@ -1,11 +1,9 @@
 #include "core/solid/cap_rims.h"
 
-#include "core/base/parallel.h"
 #include "core/process/estimation/boundary_limit.h"
-#include "core/process/estimation/left_rims.h"
+#include "core/process/estimation/known_rims.h"
 #include "core/surface/curves/boundary_curves.h"
 #include "core/surface/rims.h"
-#include "core/tree/with_surfels.h"
 
 namespace solid {
 
@@ -25,32 +23,6 @@ std::optional<Vec3d> passing(std::span<const surface::BoundaryCurve> curves, con
     return {};
 }
 
-/// Farther than surface::rimReach: rims that the points tell lie beyond the last row, and it is ragged.
-constexpr float reach = 0.7F;
-
-/// With the mark on all surfels beside places of rims.
-tree::SurfelTree marked(const tree::SurfelTree& tree, std::span<const Vec3d> rims) {
-    surfel::SurfelList places;
-    for (const Vec3d& x : rims)
-        places.items.push_back({base::cast<float>(x), {}, 1});
-    const tree::SurfelTree near = tree::SurfelTree::build(places);
-    surfel::SurfelList list = process::withRimAttribute(tree).surfels();
-    const surfel::Attribute& rim = *list.layout->find(surface::rimName);
-    const std::size_t words = list.layout->words();
-    base::parallelFor(list.size(), 256, [&](std::size_t i) {
-        std::vector<tree::Neighbour> nearest;
-        const surfel::Surfel& s = list.items[i];
-        near.nearest(s.position, 1, nearest, reach * s.support);
-        surfel::write(rim, std::span(list.extra).subspan(i * words, words), nearest.empty() ? 0 : 1);
-    });
-    return tree::withSurfels(tree, list);
-}
-
-bool hasOthersRim(const surface::Surface& surface) {
-    const surfel::Attribute* found = surface.tree().layout()->find(surface::rimName);
-    return found && (surfel::isReal(found->type) || !surface.definition().knownRims);
-}
-
 } // namespace
 
 Combined endingAsBefore(const surface::Surface& model, const Side& side, int kept, Combined capped,
@@ -60,7 +32,7 @@ Combined endingAsBefore(const surface::Surface& model, const Side& side, int kep
         return capped;
     const std::vector<surface::BoundaryCurve> curves = findBoundaryCurves(model, progress);
     capped.open = passing(curves, side);
-    if (definition.boundary != surface::Boundary::Auto || hasOthersRim(model))
+    if (definition.boundary != surface::Boundary::Auto || process::hasOthersRim(model))
         return capped;
     if (capped.open) {
         if (surface::knowsRims(model)) // the cap has a rim that nobody knows
@@ -78,21 +50,8 @@ Combined endingAsBefore(const surface::Surface& model, const Side& side, int kep
     }
     if (surface::knowsRims(model) ? !stay.empty() : !closed)
         return capped;
-    surface::SurfaceDefinition known = capped.surface.definition();
-    if (stay.empty()) {
-        known.knownRims = false;
-        known.boundaryLimit = std::numeric_limits<float>::infinity();
-        capped.surface = {capped.surface.tree(), known};
-        return capped;
-    }
-    known.knownRims = true;
-    capped.surface = {marked(capped.surface.tree(), stay), known};
+    capped.surface = process::endingAt(capped.surface, stay);
     return capped;
-}
-
-bool endIsKnown(const surface::Surface& surface) {
-    return surface::knowsRims(surface) || (std::isinf(surface.definition().boundaryLimit) && !hasOthersRim(surface) &&
-                                           surface.definition().boundary == surface::Boundary::Auto);
 }
 
 } // namespace solid

@@ -12,7 +12,4 @@ namespace solid {
 Combined endingAsBefore(const surface::Surface& model, const Side& side, int kept, Combined capped,
                         const base::Progress& progress = {});
 
-/// Is it known where the surface ends: because it knows its rims, or does not end?
-bool endIsKnown(const surface::Surface& surface);
-
 } // namespace solid

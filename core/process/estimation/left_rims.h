@@ -5,7 +5,9 @@
 
 namespace process {
 
-/// Supports, from what went. Farther than surface::rimReach: rims lie beyond the last row, which is ragged.
+/// Supports, from what went or from the curve where the surface ends. Farther than surface::rimReach: the last row is
+/// .14 before the edge of its area and ragged by as much again and more, and limits draw curves up to .33 beyond that
+/// edge.
 constexpr float reachOfLeftRims = 0.8F;
 
 /// Of `left`, a version before or after surfels went from the places `gone`: the same with the attribute `rim` on all

@@ -1,14 +1,13 @@
 #include "core/base/error.h"
 #include "core/base/unit_normal.h"
 #include "core/process/estimation/boundary_limit.h"
+#include "core/process/estimation/known_rims.h"
 #include "core/process/estimation/left_rims.h"
 #include "core/session/commands/combined_model.h"
 #include "core/session/commands/commands.h"
 #include "core/session/commands/other_model.h"
 #include "core/session/model_argument.h"
 #include "core/session/number_text_list.h"
-#include "core/solid/cap_rims.h"
-#include "core/surface/rims.h"
 #include "core/surfel/shape.h"
 
 #include <cmath>
@@ -72,19 +71,6 @@ static surfel::SurfelList placed(const Document& other, const solid::Pose& pose,
     return out;
 }
 
-/// What both knew of their rims is true of the two together.
-static surface::Surface withKnownRims(const surface::Surface& both, const base::Progress& progress) {
-    surface::SurfaceDefinition definition = both.definition();
-    definition.knownRims = false;
-    const auto limit = [&] { return process::automaticBoundaryLimit({both.tree(), definition}, progress); };
-    definition.boundaryLimit = limit();
-    if (std::isinf(definition.boundaryLimit)) // a rim that lies within the other one: nothing tells of it any more
-        return {both.tree(), definition};
-    definition.knownRims = surface::hasRim(both.tree());
-    definition.boundaryLimit = definition.knownRims ? limit() : std::numeric_limits<float>::infinity();
-    return {both.tree(), definition};
-}
-
 static void solidWith(Context& context, const json& complete) {
     requireModel(context);
     const tree::SurfelTree before = context.document.surface().tree();
@@ -94,8 +80,8 @@ static void solidWith(Context& context, const json& complete) {
         pinned["hash"] = other.hash().text();
         context.instead = std::make_shared<json>(json::array({std::move(pinned)}));
     }
-    const bool known = solid::endIsKnown(context.document.surface()) && solid::endIsKnown(other.surface()) &&
-                       (surface::knowsRims(context.document.surface()) || surface::knowsRims(other.surface()));
+    const surface::Surface* both[] = {&context.document.surface(), &other.surface()};
+    const bool known = process::knowRimsTogether(both);
     surface::Surface model = context.document.surface();
     if (known)
         model = {process::withRimAttribute(model.tree()), model.definition()};
@@ -111,7 +97,7 @@ static void solidWith(Context& context, const json& complete) {
                        options, context.progress);
     if (open && result.removed + result.inserted > 0) // its rims may be in the result, or the model's may be gone
         result.surface =
-            known ? withKnownRims(result.surface, context.progress)
+            known ? process::withKnownRims(result.surface.tree(), result.surface.definition(), context.progress)
                   : process::withOwnLimit(result.surface.tree(), result.surface.definition(), context.progress);
     takeBoth(context, std::move(result), "Combine");
     if (complete.contains("model") && !(context.document.surface().tree() == before)) { // it is in this one now

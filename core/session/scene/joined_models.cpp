@@ -2,7 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/cells/creases/labelled_surface.h"
-#include "core/solid/cap_rims.h"
+#include "core/process/estimation/known_rims.h"
 #include "core/surface/rims.h"
 
 #include <algorithm>
@@ -88,14 +88,15 @@ surface::Surface joined(const std::vector<SceneModel>& models) {
     if (labelled)
         cells::setLabels(out, labelsOf(models, out.size()));
     surface::SurfaceDefinition definition = first.surface.definition();
-    // What does not end has no rims, and that is known as well.
-    const auto knows = [](const SceneModel& model) { return surface::knowsRims(model.surface); };
-    const auto open = std::ranges::find_if(models, knows);
-    definition.knownRims = open != models.end() && std::ranges::all_of(models, [](const SceneModel& model) {
-                               return solid::endIsKnown(model.surface);
-                           });
-    if (definition.knownRims && !knows(first)) // the limit of the closed one is none
-        definition.boundaryLimit = open->surface.definition().boundaryLimit;
+    std::vector<const surface::Surface*> parts;
+    for (const SceneModel& model : models)
+        parts.push_back(&model.surface);
+    definition.knownRims = process::knowRimsTogether(parts);
+    if (definition.knownRims && !surface::knowsRims(first.surface)) // the limit of the closed one is none
+        definition.boundaryLimit =
+            (*std::ranges::find_if(parts, [](const auto* each) { return surface::knowsRims(*each); }))
+                ->definition()
+                .boundaryLimit;
     return {tree::SurfelTree::build(out), std::move(definition)};
 }
 
