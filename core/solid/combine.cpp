@@ -71,7 +71,8 @@ class Combining {
           m_labels(options.creases && (!(options.fillet > 0) || options.chamfer > 0 || hasLabels(model.tree()) ||
                                        (!m_other.empty() && hasLabels(m_other)))),
           m_tree(m_labels ? labelled(model.tree(), m_other) : model.tree()),
-          m_modelSide(surface::Surface(m_tree, m_definition)), m_operandSide(operand.side), m_ofModel(operand.sides) {}
+          m_modelSide(surface::Surface(m_tree, m_definition)), m_operandSide(operand.side), m_ofModel(operand.sides),
+          m_trimmed(operand.trimmed) {}
 
     Combined run(const base::Progress& progress) {
         progress.step(0, "Telling inside from outside");
@@ -79,7 +80,10 @@ class Combining {
         if (m_ofModel.empty())
             m_ofModel = sidesOf(m_tree, m_operandSide);
         progress.step(0.3, "Telling inside from outside");
-        m_ofOperand = sidesOf(m_other, m_modelSide);
+        if (m_trimmed)
+            m_ofOperand.assign(m_other.size(), m_operation == Operation::Union ? 1 : -1);
+        else
+            m_ofOperand = sidesOf(m_other, m_modelSide);
         progress.step(0.6, "Joining");
         Combined out;
         if (m_labels)
@@ -369,6 +373,7 @@ class Combining {
     TwoSides m_sides{[this](const Vec3d& x) { return m_modelSide.at(x); },
                      [this](const Vec3d& x) { return m_operandSide.at(x); }};
     std::vector<std::int8_t> m_ofModel, m_ofOperand;
+    bool m_trimmed;
     std::vector<std::vector<Foot>> m_modelFeet, m_operandFeet;
     std::uint32_t m_offset = 0;
     std::optional<Fillet> m_fillet;

@@ -26,6 +26,7 @@ struct Operand {
     const Side& side;
     surfel::SurfelList surfels;
     std::vector<std::int8_t> sides = {}; ///< of the model's surfels, as sidesOf tells them; empty: to be asked
+    bool trimmed = false;                ///< of its surfels only those are there that stay
 };
 
 struct CombineOptions {

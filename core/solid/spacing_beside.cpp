@@ -30,6 +30,13 @@ SpacingBeside::SpacingBeside(const tree::SurfelTree& tree, const Side& side) {
         m_beside = tree::SurfelTree::build(beside);
 }
 
+SpacingBeside::SpacingBeside(const Loop& loop) {
+    surfel::SurfelList beside;
+    for (const LoopPoint& p : loop.points)
+        beside.items.push_back({base::cast<float>(p.position), {}, static_cast<float>(p.spacing)});
+    m_beside = tree::SurfelTree::build(beside);
+}
+
 double SpacingBeside::at(const Vec3d& x) const {
     constexpr std::size_t around = 5;
     std::vector<tree::Neighbour> near;

@@ -2,6 +2,7 @@
 // (solid/README 2.4).
 #pragma once
 
+#include "core/solid/loops/loop.h"
 #include "core/solid/side.h"
 
 namespace solid {
@@ -10,6 +11,9 @@ class SpacingBeside {
   public:
     /// Of surfels whose support reaches the side's surface.
     SpacingBeside(const tree::SurfelTree& tree, const Side& side);
+
+    /// As the places of a loop tell.
+    explicit SpacingBeside(const Loop& loop);
 
     bool empty() const { return m_beside.empty(); }
     /// Of the five surfels nearest to a place the middle one's: a stray has no say. REQUIRES: not empty.

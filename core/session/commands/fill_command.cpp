@@ -1,3 +1,4 @@
+#include "core/session/commands/combined_model.h"
 #include "core/session/commands/commands.h"
 #include "core/session/place_text.h"
 #include "core/solid/loops/fill.h"
@@ -15,6 +16,7 @@ static solid::FillOptions fillOptions(const nlohmann::json& complete) {
         out.only = holes.get<std::size_t>();
     else
         out.keepLargest = holes == "largest-kept";
+    out.creases = complete.at("creases").get<bool>();
     if (const auto longest = complete.find("up_to"); longest != complete.end())
         out.longest = longest->get<double>();
     return out;
@@ -71,10 +73,12 @@ CommandRow fillCommand() {
          "which boundary loops: all, all but the longest, or one by its number (longest first, from 0)", "\"all\"",
          "all largest-kept", 0, largestCount},
         {"method", "choice", "",
-         "flat: as little surface as there can be; smooth: tangent planes and curvature around go on into the hole; "
+         "flat: as little surface as there can be, in a plane with a sharp edge where a plane cut the model off; "
+         "smooth: tangent planes and curvature around go on into the hole; "
          "detail: as smooth, with the relief of what is around",
          "\"smooth\"", "flat smooth detail", 0, 0},
         {"up_to", "number", "model units", "loops longer than this stay open", "null", "", positive, largest},
+        creasesParameter(),
     };
     return {"fill",
             "Fill holes",

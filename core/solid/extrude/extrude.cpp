@@ -135,14 +135,6 @@ void takeSides(const surface::Surface& surface, const std::vector<Loop>& loops,
     });
 }
 
-/// How far past the edge of a half-plane o reaches a limit, in h, by o = .2122 + .6226 x + .332 x^2 (within .002 from
-/// -.15 to .2). What a limit draws nearer or farther at the wall's foot it draws so at its other end, too.
-double pastEdge(float limit) {
-    constexpr double atEdge = 0.2122, slope = 0.6226, bend = 0.332;
-    const double past = std::clamp(static_cast<double>(limit), 0.1, 0.4) - atEdge;
-    return (std::sqrt(slope * slope + 4 * bend * past) - slope) / (2 * bend);
-}
-
 Vec3d directionOf(const surfel::SurfelList& part, const ExtrudeOptions& options) {
     if (options.direction)
         return *options.direction;
@@ -305,7 +297,7 @@ Extruded extrudeLoop(const surface::Surface& surface, std::optional<std::size_t>
         throw base::Error("the wall would lie on the surface that it begins at", "extrude", "choose another direction");
     surfel::SurfelList walls;
     walls.layout = surface.tree().layout();
-    Loop edge = loop; // of what surfels stand for: the curve that the limit draws lies beyond or before it
+    Loop edge = loop; // what a limit draws nearer or farther at the wall's foot it draws so at its other end, too
     const double beyond = pastEdge(surface.definition().boundaryLimit);
     for (std::size_t i = 0; i < edge.size(); ++i)
         edge.points[i].position -= normalized(ways[i]) * (beyond * edge.points[i].support);

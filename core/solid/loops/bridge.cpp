@@ -2,6 +2,7 @@
 
 #include "core/base/cancel_scope.h"
 #include "core/base/error.h"
+#include "core/process/estimation/boundary_limit.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/solid/loops/bridge_sheet.h"
 #include "core/solid/loops/obstacles.h"
@@ -123,7 +124,10 @@ Bridged bridge(const surface::Surface& surface, const std::optional<std::array<s
     requireFree(surface, both, patch);
     PatchSurfels surfels(surface);
     out.surfels = surfels.add(both, patch, halvings, fine, normals);
-    out.surface = withSurfels(surface, surfels.surfels(), process::part(progress, 0.9, 1));
+    if (out.surfels > 0) {
+        const surface::Surface whole = withSurfels(surface, surfels.surfels());
+        out.surface = process::withOwnLimit(whole.tree(), whole.definition(), process::part(progress, 0.9, 1));
+    }
     return out;
 }
 

@@ -2,11 +2,15 @@
 
 #include "core/base/cancel_scope.h"
 #include "core/base/error.h"
+#include "core/process/estimation/boundary_limit.h"
+#include "core/process/estimation/known_rims.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/solid/loops/obstacles.h"
 #include "core/solid/loops/open_loops.h"
 #include "core/solid/loops/patch_surfels.h"
+#include "core/solid/loops/plane_cap.h"
 #include "core/solid/loops/relief.h"
+#include "core/surface/rims.h"
 
 namespace solid {
 
@@ -21,7 +25,7 @@ constexpr double behind = 3;
 class Hole {
   public:
     Hole(const surface::Surface& surface, const surface::BoundaryCurve& curve, Loop loop, LoopFate& fate)
-        : m_surface(surface), m_loop(std::move(loop)), m_fate(fate),
+        : m_surface(surface), m_even(std::move(loop)), m_loop(m_even), m_fate(fate),
           m_halvings(halvingsFor(areaOver(m_loop), m_loop.meanSpacing())) {
         if (m_halvings > 0)
             m_loop = evenLoop(surface, curve, std::exp2(m_halvings), behind);
@@ -32,6 +36,10 @@ class Hole {
     /// Shapes a patch. Nothing comes of it where none of that shape stays near its loop and clear of the model.
     void shape(Shape shape, const base::Progress& progress) {
         m_shape = shape;
+        if (!isSmooth() && capped())
+            return;
+        if (!isSmooth())
+            m_loop = edgeOf(m_surface, m_loop);
         m_patch = patchOver(m_loop, process::part(progress, 0, 0.4));
         m_filled =
             shapePatch(m_surface, m_loop, shape, m_patch, process::part(progress, 0.4, 1)) && !crossesItself(m_patch);
@@ -54,6 +62,10 @@ class Hole {
             m_fate.why = "what would fill it runs into the model or itself";
     }
     void finish(bool relief, PatchSurfels& out) {
+        if (cap()) {
+            m_fate.surfels = m_fine.positions.size();
+            return;
+        }
         if (relief && isSmooth())
             m_fate.plain = followRelief(m_surface, m_loop, m_patch, m_fine, m_normals) == ReliefFate::TooLittle;
         m_fate.surfels = out.add(m_loop, m_patch, m_halvings, m_fine, m_normals);
@@ -61,6 +73,8 @@ class Hole {
     bool isFilled() const { return m_filled; }
     bool isSmooth() const { return m_shape == Shape::Smooth; }
     const Patch& patch() const { return m_fine; }
+    /// Null where the patch is none.
+    const PlaneCap* cap() const { return m_cap ? &*m_cap : nullptr; }
     /// What has no part in it does not meet the patch.
     base::Box3d reach() const {
         base::Box3d out;
@@ -72,14 +86,25 @@ class Hole {
     }
 
   private:
+    bool capped() {
+        const Loop edge = edgeOf(m_surface, m_even);
+        m_cap = PlaneCap::over(m_surface, edge);
+        if (!m_cap)
+            return false;
+        m_fine = m_cap->patch;
+        m_filled = !m_fine.positions.empty() && !meetsModel(m_surface, edge, m_fine);
+        return true;
+    }
+
     const surface::Surface& m_surface;
-    Loop m_loop;
+    Loop m_even, m_loop; ///< a spacing apart; as the patch is shaped over
     LoopFate& m_fate;
     int m_halvings;
     Shape m_shape = Shape::Flat;
     bool m_filled = false;
     Patch m_patch, m_fine; ///< the fine one has the model's own spacing
     std::vector<Vec3d> m_normals;
+    std::optional<PlaneCap> m_cap; ///< in place of a patch of triangles
 };
 
 /// Of patches that meet the smooth ones become flat; of two flat ones the later goes. Whatever the order, two ends of a
@@ -106,6 +131,22 @@ void keepApart(std::vector<Hole>& holes, const base::Progress& progress) {
             }
         base::CancelScope::check();
     }
+}
+
+/// Where every loop is filled nothing ends any more, whatever edges the patches have; a model that knew its rims knows
+/// which of them are left. Of others the points tell.
+surface::Surface endingAsLeft(const surface::Surface& before, const surface::Surface& filled,
+                              std::span<const surface::BoundaryCurve> curves, std::span<const LoopFate> loops,
+                              const base::Progress& progress) {
+    std::vector<Vec3d> rims;
+    for (std::size_t i = 0; i < curves.size(); ++i)
+        if (loops[i].surfels == 0)
+            for (const surface::BoundaryPoint& p : curves[i].points)
+                rims.push_back(p.position);
+    const bool told = rims.empty() || surface::knowsRims(before);
+    if (before.definition().boundary == surface::Boundary::Auto && !process::hasOthersRim(before) && told)
+        return process::endingAt(filled, rims);
+    return process::withOwnLimit(filled.tree(), filled.definition(), progress);
 }
 
 } // namespace
@@ -145,10 +186,18 @@ Filled fillHoles(const surface::Surface& surface, const FillOptions& options, co
     }
     keepApart(holes, process::part(progress, 0.9, 0.9));
     PatchSurfels surfels(surface);
+    std::vector<const PlaneCap*> caps;
     for (Hole& hole : holes)
-        if (hole.isFilled())
+        if (hole.isFilled()) {
             hole.finish(options.relief, surfels);
-    out.surface = withSurfels(surface, surfels.surfels(), process::part(progress, 0.9, 1));
+            if (hole.cap())
+                caps.push_back(hole.cap());
+        }
+    if (caps.empty() && surfels.surfels().size() == 0)
+        return out;
+    const surface::Surface whole =
+        capped(withSurfels(surface, surfels.surfels()), caps, options.creases, process::part(progress, 0.9, 0.95));
+    out.surface = endingAsLeft(surface, whole, curves, out.loops, process::part(progress, 0.95, 1));
     return out;
 }
 

@@ -7,6 +7,7 @@
 //     meetsModel, meet        what may not stay there                                            obstacles.h
 //     followRelief            as rough as what surrounds them                                    relief.h
 //     fillHoles               surfels at their corners
+//     PlaneCap, capped        flat ones of what a plane cut off, with sharp edges                plane_cap.h
 //
 // Surfels that are there keep every bit. The same bits at any thread count.
 #pragma once
@@ -22,6 +23,7 @@ struct FillOptions {
     Shape shape = Shape::Smooth;
     bool relief = false;                                      ///< a smooth patch takes after what surrounds it
     double longest = std::numeric_limits<double>::infinity(); ///< loops longer than this stay
+    bool creases = true;                                      ///< caps of plane loops have sharp edges
     bool keepLargest = false;                                 ///< the longest loop stays: where an open scan ends
     std::optional<std::size_t> only;                          ///< one loop, by number
 };
@@ -43,7 +45,8 @@ struct Filled {
     std::vector<LoopFate> loops;
 };
 
-/// The boundary limit is made anew where the definition leaves it to the model. Throws base::Error for curves, for
+/// Where the definition leaves the boundary limit to the model there is none once all loops are filled; models that
+/// knew their rims know those that are left, of others the limit is made anew. Throws base::Error for curves, for
 /// surfaces that have no boundary limit, and for a number that no loop has; base::Cancelled.
 Filled fillHoles(const surface::Surface& surface, const FillOptions& options, const base::Progress& progress = {});
 

@@ -4,6 +4,7 @@
 #include "core/base/parallel.h"
 #include "core/process/estimation/spacing_sample.h"
 #include "core/process/resampling/point_grid.h"
+#include "core/surface/projection/project.h"
 
 #include <algorithm>
 #include <limits>
@@ -104,6 +105,27 @@ Loop evenLoop(const surface::Surface& surface, const surface::BoundaryCurve& cur
                               a.spacing + (b.spacing - a.spacing) * t, a.support + (b.support - a.support) * t, false});
         out.middle += out.points.back().position / static_cast<double>(count);
     }
+    return out;
+}
+
+double pastEdge(float limit) {
+    // o = .2122 + .6226 x + .332 x^2 h (within .002 from -.15 to .2)
+    constexpr double atEdge = 0.2122, slope = 0.6226, bend = 0.332;
+    const double past = std::clamp(static_cast<double>(limit), 0.1, 0.4) - atEdge;
+    return (std::sqrt(slope * slope + 4 * bend * past) - slope) / (2 * bend);
+}
+
+Loop edgeOf(const surface::Surface& surface, const Loop& loop) {
+    const double beyond = pastEdge(surface.definition().boundaryLimit);
+    Loop out = loop;
+    base::parallelFor(out.size(), 4, [&](std::size_t i) {
+        LoopPoint& p = out.points[i];
+        const double by = beyond * p.support;
+        const Vec3d place = p.position - p.outward * by;
+        const auto foot =
+            surface::projectReference(surface, place, {.checkBoundary = false}, {base::cast<float>(p.normal)});
+        p.position = foot.ok() && distance(foot.foot, place) < std::abs(by) ? foot.foot : place;
+    });
     return out;
 }
 

@@ -1,6 +1,6 @@
 #include "core/solid/loops/patch_surfels.h"
 
-#include "core/process/estimation/boundary_limit.h"
+#include "core/process/resampling/resample.h"
 #include "core/solid/loops/shape_patch.h"
 #include "core/surface/evaluation/attribute_sum.h"
 #include "core/surface/evaluation/weights.h"
@@ -101,13 +101,39 @@ std::size_t PatchSurfels::add(const Loop& loop, const Patch& patch, int halvings
     return m_out.size() - before;
 }
 
-surface::Surface withSurfels(const surface::Surface& surface, const surfel::SurfelList& more,
-                             const base::Progress& progress) {
+void PatchSurfels::addCap(const PlaneCap& cap, bool turned) {
+    const Carried carried = carriedAt(m_surface, cap.loop);
+    const std::size_t words = m_out.layout->words();
+    const Vec3d normal = cap.pose.turn * Vec3d{0, 0, turned ? -1.0 : 1.0};
+    for (std::size_t v = 0; v < cap.patch.positions.size(); ++v) {
+        const Vec3d& x = cap.patch.positions[v];
+        double sums[4] = {}, weights = 0, least = std::numeric_limits<double>::infinity();
+        std::size_t nearest = 0;
+        for (std::size_t i = 0; i < cap.loop.size(); ++i) {
+            const double sq = distanceSq(cap.loop.points[i].position, x), weight = 1 / (sq * sq + 1e-300);
+            if (sq < least)
+                least = sq, nearest = i;
+            weights += weight;
+            for (std::size_t k = 0; k < 4; ++k)
+                sums[k] += weight * carried.numbers[i][k + 1];
+        }
+        surfel::Surfel s;
+        s.position = base::cast<float>(x);
+        s.normal = base::cast<float>(normal);
+        s.support = process::supportOf(m_surface.definition(), static_cast<float>(cap.patch.spacings[v]));
+        s.colour = 0;
+        for (std::size_t k = 0; k < 4; ++k)
+            s.colour |= static_cast<unsigned>(std::clamp(std::lround(sums[k] / weights), 0L, 255L)) << 8 * k;
+        m_out.append(s, {carried.words.data() + nearest * words, words});
+    }
+}
+
+surface::Surface withSurfels(const surface::Surface& surface, const surfel::SurfelList& more) {
     if (more.size() == 0)
         return surface;
     tree::Edit edit;
     edit.inserted = more;
-    return process::withOwnLimit(surface.tree().apply(edit), surface.definition(), progress);
+    return {surface.tree().apply(edit), surface.definition()};
 }
 
 } // namespace solid

@@ -1,7 +1,7 @@
 // What stands at the vertices of patches: surfels of the model's own kind (solid/README 1.4).
 #pragma once
 
-#include "core/solid/loops/patch.h"
+#include "core/solid/loops/plane_cap.h"
 #include "core/surface/surface.h"
 
 namespace solid {
@@ -19,6 +19,8 @@ class PatchSurfels {
     /// been shaped, `fine` the same after halveEdges, with normals at its vertices.
     std::size_t add(const Loop& loop, const Patch& patch, int halvings, const Patch& fine,
                     std::span<const base::Vec3d> normals);
+    /// At the places of a cap, as the loop's nearest are; facing as its plane does, or against it where `turned`.
+    void addCap(const PlaneCap& cap, bool turned);
     const surfel::SurfelList& surfels() const { return m_out; }
 
   private:
@@ -27,8 +29,7 @@ class PatchSurfels {
     bool m_oriented = false;
 };
 
-/// The model with more surfels. The boundary limit is made anew where the definition leaves it to the model.
-surface::Surface withSurfels(const surface::Surface& surface, const surfel::SurfelList& more,
-                             const base::Progress& progress = {});
+/// The model with more surfels, whose boundary limit is not yet looked for.
+surface::Surface withSurfels(const surface::Surface& surface, const surfel::SurfelList& more);
 
 } // namespace solid
