@@ -28,6 +28,7 @@ class ExtrudeTest : public QObject {
   private Q_SLOTS:
     void capsOfBallsComeOutAsCylinders();
     void capsOfPointsByChanceStayClosed();
+    void openModelsByChanceEndWhereTheyEnded();
     void facesOfBoxesComeOut_data();
     void facesOfBoxesComeOut();
     void theDirectionIsTheOneGiven();
@@ -116,6 +117,32 @@ void ExtrudeTest::capsOfPointsByChanceStayClosed() {
         QVERIFY2(extent.closed && std::abs(extent.volume / wanted - 1) < 0.02,
                  qPrintable(QString("%1 of %2, seed %3").arg(extent.volume).arg(wanted).arg(test::seed())));
     }
+}
+
+/// The foot of a wall counted as rims wherever points lay to one side there.
+void ExtrudeTest::openModelsByChanceEndWhereTheyEnded() {
+    base::Random random(test::seed());
+    surfel::SurfelList points;
+    points.layout = test::orientedLayout();
+    constexpr int count = test::sanitized ? 1500 : 3000;
+    for (int i = 0; i < count; ++i)
+        points.append(test::surfelAt({random.uniform(-1, 1), random.uniform(-1, 1), 0}, {0, 0, 1}, 1), {});
+    const surface::Surface sheet = process::prepare(points, {.definition = {}, .keepSupports = false});
+    QCOMPARE(findBoundaryCurves(sheet).size(), std::size_t(1));
+    const auto half = chosen(sheet.tree(), {}, [](const Vec3d& p, const Vec3d&) { return p.x > 0.2; });
+    const surface::Surface stepped = solid::extrudeSelected(sheet, half, {0.3, {}, true}).surface;
+    QVERIFY(surface::knowsRims(stepped));
+    for (const surface::BoundaryCurve& curve : findBoundaryCurves(stepped))
+        for (const surface::BoundaryPoint& p : curve.points) {
+            const Vec3d& x = p.position;
+            QVERIFY2(std::max(std::abs(x.x), std::abs(x.y)) > 0.8,
+                     qPrintable(QString("%1 %2 %3, seed %4").arg(x.x).arg(x.y).arg(x.z).arg(test::seed())));
+        }
+    const surface::Surface walled = solid::extrudeLoop(sheet, {}, {0.3, Vec3d{0, 0, 1}, true}).surface;
+    const auto wall = findBoundaryCurves(walled);
+    QCOMPARE(wall.size(), std::size_t(1));
+    for (const surface::BoundaryPoint& p : wall[0].points)
+        QVERIFY(p.position.z > 0.2);
 }
 
 void ExtrudeTest::facesOfBoxesComeOut_data() {

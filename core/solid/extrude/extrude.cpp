@@ -3,10 +3,12 @@
 #include "core/base/cancel_scope.h"
 #include "core/base/error.h"
 #include "core/cells/creases/labelled_surface.h"
+#include "core/process/estimation/known_rims.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/process/resampling/point_grid.h"
 #include "core/solid/extrude/crossings.h"
 #include "core/solid/extrude/extrude_wall.h"
+#include "core/solid/extrude/extruded_rims.h"
 #include "core/solid/extrude/lying_walls.h"
 #include "core/solid/extrude/seam_border.h"
 #include "core/solid/link_creases.h"
@@ -207,6 +209,11 @@ tree::SurfelTree replaced(const tree::SurfelTree& tree, const Part& part, const 
     return tree.apply(edit);
 }
 
+/// Points drawn by chance took the foot of a wall for a rim.
+surface::Surface endingWhere(const surface::Surface& surface, std::span<const Vec3d> rims) {
+    return rims.empty() ? surface : process::endingAt(surface, rims);
+}
+
 } // namespace
 
 Extruded extrudeSelected(const surface::Surface& surface, const tree::Selection& selected,
@@ -256,7 +263,8 @@ Extruded extrudeSelected(const surface::Surface& surface, const tree::Selection&
                  0,
                  crossings,
                  static_cast<std::size_t>(std::ranges::count(covered, 1))};
-    progress.step(0.8, "Sharpening edges");
+    out.surface = endingWhere(out.surface, rimsWithPart(surface, part, way, process::part(progress, 0.8, 0.85)));
+    progress.step(0.85, "Sharpening edges");
     if (options.creases && surface.tree().layout()->oriented)
         out.surface = withEdges(out.surface, {treeOf(moved), treeOf(walls)}, out.atEdge);
     if (merges) {
@@ -306,6 +314,7 @@ Extruded extrudeLoop(const surface::Surface& surface, std::optional<std::size_t>
     edit.inserted = walls;
     Extruded out{{surface.tree().apply(edit), surface.definition()}, 0, walls.size(), 0, {}, 0};
     out.crossings = crossingsOf(surface, loop, ways);
+    out.surface = endingWhere(out.surface, rimsWithWall(surface, curves, number.value_or(0), loop, ways));
     progress.step(0.8, "Sharpening edges");
     if (options.creases && surface.tree().layout()->oriented)
         out.surface = withEdges(out.surface, {{}, treeOf(walls)}, out.atEdge);

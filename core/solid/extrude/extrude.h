@@ -5,6 +5,7 @@
 //     evenLoop                 loop.h
 //     wallAlong                extrude_wall.h
 //     crossingsOf              crossings.h
+//     rimsWithPart             extruded_rims.h
 //     creasedWhere             link_creases.h
 //
 // Surfels that stay keep every bit, but for labels beside the edges. The same bits at any thread count.
