@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/process/estimation/part_limit.h"
 
 namespace selection {
 
@@ -41,6 +42,11 @@ SurfelTree withoutSelected(const SurfelTree& tree) {
 
 SurfelTree withoutRest(const SurfelTree& tree) {
     return without(tree, false);
+}
+
+surface::Surface asPart(const surface::Surface& whole, SurfelTree part, const base::Progress& progress) {
+    const bool anyHidden = sizeOf(selectedIn(whole.tree(), Field::Hidden)) > 0;
+    return process::partOf(whole, std::move(part), progress, !anyHidden);
 }
 
 surfel::SurfelList partOf(const SurfelTree& tree, bool selected) {

@@ -2,6 +2,7 @@
 // (selection/README 7). Surfels with a value of at least 1/2 are the part; colours go by the value itself.
 #pragma once
 
+#include "core/base/progress.h"
 #include "core/selection/field.h"
 #include "core/surface/surface.h"
 
@@ -21,6 +22,10 @@ tree::SurfelTree withoutRest(const tree::SurfelTree& tree);
 
 /// The selected surfels, or all others, as a list in tree order in which nothing is selected.
 surfel::SurfelList partOf(const tree::SurfelTree& tree, bool selected);
+
+/// `part` of a model's surfels as a surface (process::partOf). What ended nowhere knows its rims from then on, by an
+/// attribute; but not where something is hidden, whose bits would be others then.
+surface::Surface asPart(const surface::Surface& whole, tree::SurfelTree part, const base::Progress& progress = {});
 
 /// Colours moved towards one: by `strength`, 0 to 1, times the selection. Alpha stays.
 tree::SurfelTree coloured(const tree::SurfelTree& tree, surfel::Colour colour, double strength, Limit limit);

@@ -3,7 +3,9 @@
 #include "core/selection/field.h"
 #include "core/session/journal.h"
 #include "core/session/recover.h"
+#include "core/surface/curves/boundary_curves.h"
 #include "far_ball.h"
+#include "process/even_shapes.h"
 #include "support/registry.h"
 
 #include <QTest>
@@ -20,6 +22,7 @@ class SelectionCommandTest : public QObject {
     void selectionIsSavedAndOpened();
     void strokesCarryTheSelection();
     void partsAreSplitOff();
+    void closedModelsThatLoseAPartEndThereOnly();
     void whatHasNothingToDoLeavesNoStep();
     void nonsenseIsRefused_data();
     void nonsenseIsRefused();
@@ -169,6 +172,37 @@ void SelectionCommandTest::partsAreSplitOff() {
     QCOMPARE(bench.size(), 2000 - count);
     QVERIFY(selected(part) == 0 && selected(rest) == 0);
     QCOMPARE(rest.hash(), bench.hash());
+}
+
+/// The rim of a slender lens counts as a boundary by the points alone.
+void SelectionCommandTest::closedModelsThatLoseAPartEndThereOnly() {
+    Workbench lens;
+    std::string text = "x,y,z,nx,ny,nz\n";
+    const auto put = [&](const base::Vec3f& p, const base::Vec3f& n) {
+        for (const float v : {p.x, p.y, p.z, n.x, n.y, n.z})
+            text += std::to_string(v) + ",";
+        text.back() = '\n';
+    };
+    for (const surfel::Surfel& s : test::spherePoints(30000).items) // two caps of 18 degrees, rim to rim
+        if (const float up = std::abs(s.position.z) - 0.95f; up > 0)
+            put({s.position.x, s.position.y, std::copysign(up, s.position.z)}, s.normal);
+    test::write(lens.path("lens.csv"), text);
+    lens.run({{"op", "open"}, {"path", lens.path("lens.csv").string()}});
+    lens.run({{"op", "surface"}, {"boundary", "auto"}});
+    QVERIFY(std::isinf(lens.document.surface().definition().boundaryLimit));
+    lens.run(parsed(R"({"op":"select","by":"ball","at":[0,0,0.05],"radius":0.1})"));
+    lens.run(parsed(R"({"op":"scene","do":"split","to":"cap"})"));
+    for (const session::SceneModel& each : lens.document.scene().models) {
+        const auto curves = findBoundaryCurves(each.surface);
+        QCOMPARE(curves.size(), std::size_t(1));
+        QVERIFY(curves[0].closed && std::abs(curves[0].length() - 0.63) < 0.1);
+    }
+    for (const char* op : {"delete", "keep"}) {
+        lens.run({{"op", "undo"}});
+        lens.run({{"op", op}});
+        const auto curves = findBoundaryCurves(lens.document.surface());
+        QCOMPARE(curves.size(), std::size_t(1));
+    }
 }
 
 void SelectionCommandTest::whatHasNothingToDoLeavesNoStep() {

@@ -1,7 +1,6 @@
 #include "core/base/error.h"
 #include "core/io/formats.h"
 #include "core/io/safe_file.h"
-#include "core/process/estimation/part_limit.h"
 #include "core/selection/parts.h"
 #include "core/session/commands/commands.h"
 #include "core/session/commands/selected/limits.h"
@@ -33,7 +32,7 @@ static io::FileModel partOf(Context& context, bool selected) {
         throw base::Error("everything is selected, so that there is no rest", {}, "select less");
     model.shape = {};
     const surface::Surface part =
-        process::partOf(context.document.surface(), tree::SurfelTree::build(model.points), context.progress);
+        selection::asPart(context.document.surface(), tree::SurfelTree::build(model.points), context.progress);
     model.definition = part.definition();
     model.points = part.tree().surfels(); // which may know their rims now
     model.faces = model.dropped = 0;

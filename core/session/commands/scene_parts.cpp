@@ -3,7 +3,7 @@
 #include "core/base/error.h"
 #include "core/base/listed.h"
 #include "core/process/estimation/boundary_limit.h"
-#include "core/process/estimation/part_limit.h"
+#include "core/process/estimation/known_rims.h"
 #include "core/selection/parts.h"
 #include "core/session/commands/commands.h"
 #include "core/session/commands/selected/limits.h"
@@ -48,7 +48,7 @@ void requireParts(const SceneModel& model) {
 
 /// The same model, of other surfels.
 SceneModel withSurfels(Context& context, SceneModel model, tree::SurfelTree tree) {
-    model.surface = process::partOf(model.surface, std::move(tree), context.progress);
+    model.surface = selection::asPart(model.surface, std::move(tree), context.progress);
     return model;
 }
 
@@ -151,8 +151,9 @@ void joinModels(Context& context, const json& complete) {
         throw base::Error("there is no other model that is shown and not locked", {},
                           "show or unlock what is to be joined");
     const surface::Surface whole = joined(all);
-    left.models[left.active].surface =
-        surface::knowsRims(whole) ? whole : process::withOwnLimit(whole.tree(), whole.definition(), context.progress);
+    left.models[left.active].surface = surface::knowsRims(whole)
+                                           ? process::withKnownRims(whole.tree(), whole.definition(), context.progress)
+                                           : process::withOwnLimit(whole.tree(), whole.definition(), context.progress);
     context.messages.push_back(std::to_string(all.size()) + " models are one of " +
                                std::to_string(whole.tree().size()) + " surfels.");
     if (!kept.empty())

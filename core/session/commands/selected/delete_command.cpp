@@ -1,4 +1,3 @@
-#include "core/process/estimation/part_limit.h"
 #include "core/selection/hidden.h"
 #include "core/selection/parts.h"
 #include "core/session/commands/commands.h"
@@ -17,7 +16,7 @@ static void take(Context& context, tree::SurfelTree next, const std::string& lab
         next = selection::allShown(next);
     context.messages.push_back(std::to_string(now.tree().size() - next.size()) + " surfels were taken out, " +
                                std::to_string(next.size()) + (unseen ? " that were hidden are left." : " are left."));
-    clean::commit(context, next == now.tree() ? now : process::partOf(now, next, context.progress), label);
+    clean::commit(context, next == now.tree() ? now : selection::asPart(now, next, context.progress), label);
 }
 
 static void deleteSelected(Context& context, const nlohmann::json&) {
