@@ -26,6 +26,7 @@ class DrawCreaseTest : public QObject {
     void drawingMovesADomeHardlyAtAll();
     void noSideIsPassedTwice();
     void closedLinesAreClosedSeams();
+    void linesThatRunBesideACreaseAreNoneOfTheirOwn();
     void edgesBecomeSharp();
     void smoothedCreasesAreGone();
     void halfSharpIsHalfWay();
@@ -165,6 +166,20 @@ void DrawCreaseTest::closedLinesAreClosedSeams() {
     QCOMPARE(seams.size(), std::size_t(1));
     QVERIFY2(seams[0].closed && std::abs(seams[0].length() - length) < 0.05 * length,
              qPrintable(QString::number(seams[0].length())));
+}
+
+/// A spacing and a half apart both would share the surfels between them, which have one partner each.
+void DrawCreaseTest::linesThatRunBesideACreaseAreNoneOfTheirOwn() {
+    const cells::DrawnCrease first = cells::drawCrease(surfaceOf(ball()), parallelOf(0.2, -0.6, 0.6, 5), 1);
+    for (const double beside : {-1.4, 1.4}) {
+        const auto line = parallelOf(0.2 + beside * spacing, -0.5, 0.5, 5);
+        QCOMPARE(cells::drawCrease(first.surface, line, 1).creased, std::size_t(0));
+    }
+    QVERIFY(cells::drawCrease(first.surface, parallelOf(0.2 + 6 * spacing, -0.5, 0.5, 5), 1).creased > 40);
+    std::vector<Vec3d> across;
+    for (double latitude = -0.3; latitude < 0.75; latitude += 0.1)
+        across.push_back({std::cos(latitude), 0, std::sin(latitude)});
+    QVERIFY(cells::drawCrease(first.surface, across, 1).creased > 20);
 }
 
 void DrawCreaseTest::edgesBecomeSharp() {

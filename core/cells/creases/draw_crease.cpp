@@ -20,11 +20,15 @@ using base::Vec3f;
 
 namespace {
 
-constexpr double crossingReach = 1.2;  ///< spacings from the middle of a link to the piece that it crosses
-constexpr double followReach = 1;      ///< spacings from the line to the cells whose crease it follows
-constexpr double shortestFollowed = 3; ///< spacings: what is shorter only crosses a crease
-constexpr double besideReach = 2.5;    ///< spacings: surfels beside a crease that is followed
-constexpr double usualNoise = 0.05;    ///< spacings
+constexpr double crossingReach = 1.2; ///< spacings from the middle of a link to the piece that it crosses
+/// A line follows a crease that is within so many spacings for so long; what is shorter only crosses it. Beside one
+/// that it does not run along a crease of its own would share its surfels, which have one partner each (labels.h).
+struct Following {
+    double reach, shortest;
+};
+constexpr Following following[] = {{1, 3}, {2.5, 7}};
+constexpr double besideReach = 2.5; ///< spacings: surfels beside a crease that is followed
+constexpr double usualNoise = 0.05; ///< spacings
 
 class Drawer {
   public:
@@ -58,24 +62,29 @@ class Drawer {
   private:
     /// Which pieces run along a crease that is there, for so long that they do not only cross it.
     void findFollowed() {
+        m_followed.assign(m_line.pieces.size(), false);
+        for (const Following& each : following)
+            findFollowed(each);
+    }
+    void findFollowed(const Following& how) {
         const std::size_t count = m_line.pieces.size();
-        m_followed.assign(count, false);
+        std::vector<bool> beside(count);
         for (std::size_t k = 0; k < count; ++k)
-            m_followed[k] = onCrease(m_line.pieces[k]);
+            beside[k] = onCrease(m_line.pieces[k], how.reach);
         for (std::size_t begin = 0; begin < count;) {
             std::size_t end = begin;
             double along = 0;
-            for (; end < count && m_followed[end] == m_followed[begin]; ++end)
+            for (; end < count && beside[end] == beside[begin]; ++end)
                 along += base::distance(m_line.pieces[end].from, m_line.pieces[end].to);
-            if (m_followed[begin] && along < shortestFollowed * m_links.spacing(m_line.pieces[begin].nearest))
+            if (beside[begin] && along >= how.shortest * m_links.spacing(m_line.pieces[begin].nearest))
                 std::fill(m_followed.begin() + static_cast<std::ptrdiff_t>(begin),
-                          m_followed.begin() + static_cast<std::ptrdiff_t>(end), false);
+                          m_followed.begin() + static_cast<std::ptrdiff_t>(end), true);
             begin = end;
         }
     }
-    bool onCrease(const LinePiece& piece) const {
+    bool onCrease(const LinePiece& piece, double spacings) const {
         const Vec3d middle = (piece.from + piece.to) / 2;
-        const double reach = followReach * m_links.spacing(piece.nearest);
+        const double reach = spacings * m_links.spacing(piece.nearest);
         std::set<std::uint32_t> cells{m_labels[piece.nearest].cell};
         const auto around = m_links.near(piece.nearest);
         for (const std::uint32_t i : around)
