@@ -80,10 +80,8 @@ class Combining {
         if (m_ofModel.empty())
             m_ofModel = sidesOf(m_tree, m_operandSide);
         progress.step(0.3, "Telling inside from outside");
-        if (m_trimmed)
-            m_ofOperand.assign(m_other.size(), m_operation == Operation::Union ? 1 : -1);
-        else
-            m_ofOperand = sidesOf(m_other, m_modelSide);
+        m_ofOperand = m_trimmed ? std::vector<std::int8_t>(m_other.size(), m_operation == Operation::Union ? 1 : -1)
+                                : sidesOf(m_other, m_modelSide);
         progress.step(0.6, "Joining");
         Combined out;
         if (m_labels)

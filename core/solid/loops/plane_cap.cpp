@@ -5,7 +5,6 @@
 #include "core/base/segment.h"
 #include "core/cells/labels.h"
 #include "core/process/estimation/part_progress.h"
-#include "core/process/resampling/resample.h"
 #include "core/solid/combine.h"
 #include "core/solid/loops/patch_surfels.h"
 #include "core/solid/map_places.h"
