@@ -10,15 +10,25 @@ void ClusterList::grow() {
     m_capacity *= 2;
 }
 
-void gather(const tree::SurfelTree& tree, const base::Vec3f& x, ClusterList& out, float scale) {
+/// At a position or in a box.
+template <class Where>
+static void gatherAt(const tree::SurfelTree& tree, const Where& where, ClusterList& out, float scale) {
     tree.forClustersInSupport(
-        x,
+        where,
         [&](const surfel::SurfelBlock& block, int cluster) {
             const float* data = block.channel(cluster, surfel::X);
             prefetchCluster(data);
             out.push_back(data);
         },
         queryReach(scale));
+}
+
+void gather(const tree::SurfelTree& tree, const base::Vec3f& x, ClusterList& out, float scale) {
+    gatherAt(tree, x, out, scale);
+}
+
+void gather(const tree::SurfelTree& tree, const base::Box3f& box, ClusterList& out, float scale) {
+    gatherAt(tree, box, out, scale);
 }
 
 void gather(const tree::SurfelTree& tree, const base::Vec3d& x, ClusterList& out, float scale) {

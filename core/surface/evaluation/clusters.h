@@ -64,6 +64,8 @@ inline void prefetchCluster(const float* cluster) {
 /// widened by its rounding; the weight itself decides.
 void gather(const tree::SurfelTree& tree, const base::Vec3f& x, ClusterList& out, float scale = 1);
 void gather(const tree::SurfelTree& tree, const base::Vec3d& x, ClusterList& out, float scale = 1);
+/// The same somewhere in a box.
+void gather(const tree::SurfelTree& tree, const base::Box3f& box, ClusterList& out, float scale = 1);
 
 /// Such a list, for one position.
 class ScratchClusters {

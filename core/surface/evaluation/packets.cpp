@@ -38,14 +38,14 @@ class PacketCutter {
 
 namespace detail {
 
-void forEachPacket(const Surface& surface, std::span<const base::Vec3f> x, float slack, float distance,
-                   const std::function<void(Source&, std::span<const std::uint32_t>)>& fn) {
+void forEachGroup(const Surface& surface, std::span<const base::Vec3f> x, float slack, float distance,
+                  const PacketFunction& fn) {
     if (x.empty())
         return;
     const std::vector<std::uint32_t> order = packetOrder(surface, x, packetSize);
     base::parallelChunks(x.size(), positionsPerTask, [&](std::size_t begin, std::size_t end, std::size_t) {
         std::vector<Source> sources;
-        std::vector<std::span<const std::uint32_t>> packets;
+        std::vector<Packet> packets;
         PacketCutter cutter;
         while (begin < end) {
             packets.clear();
@@ -58,8 +58,7 @@ void forEachPacket(const Surface& surface, std::span<const base::Vec3f> x, float
             }
             for (std::size_t k = 0; k < packets.size(); ++k)
                 sources[k].fetch();
-            for (std::size_t k = 0; k < packets.size(); ++k)
-                fn(sources[k], packets[k]);
+            fn(std::span(sources).first(packets.size()), packets);
         }
     });
 }

@@ -41,7 +41,7 @@ bool Source::announce(const base::Box3f& box, float slack, std::size_t positions
     const std::size_t most = positions > 1 ? fairBlocks(positions) : Candidates::anyNumber;
     if (!m_candidates.findBlocks(*m_surface, box, most))
         return false;
-    const float around = std::max(distance, slack * m_surface->supportScale() * m_candidates.localSupport());
+    const float around = std::max(distance, slack * localSupport());
     if (around > 0 && !m_candidates.findBlocks(*m_surface, box.inflated(around), 2 * fairBlocks(positions)))
         m_candidates.findBlocks(*m_surface, box);
     return true;
@@ -56,6 +56,14 @@ void Source::gather(const base::Vec3f& x, ClusterList& out) const {
 
 void Source::gather(const base::Vec3d& x, ClusterList& out) const {
     surface::gather(m_surface->tree(), x, out, m_surface->supportScale());
+}
+
+void Source::gather(const base::Vec3f& x, float around, ClusterList& out) const {
+    const base::Box3f box = base::Box3f{x, x}.inflated(around);
+    if (m_candidates.covers(box))
+        m_candidates.select(box, out);
+    else
+        surface::gather(m_surface->tree(), box, out, m_surface->supportScale());
 }
 
 Evaluationf Source::hessian(const base::Vec3f& x, const OrientationHint& hint, ClusterSpan clusters) const {

@@ -38,6 +38,8 @@ class Source {
     }
 
     bool covers(const base::Vec3f& x) const { return m_candidates.covers(x); }
+    /// The least support of what was collected last, in units of the surface; 0 for none.
+    float localSupport() const { return m_surface->supportScale() * m_candidates.localSupport(); }
 
     Evaluationf evaluate(const base::Vec3f& x, Need need, const OrientationHint& hint = {}) {
         Evaluationf out;
@@ -50,6 +52,8 @@ class Source {
 
     void gather(const base::Vec3f& x, ClusterList& out) const;
     void gather(const base::Vec3d& x, ClusterList& out) const;
+    /// All that may have weight as far as `around` from x.
+    void gather(const base::Vec3f& x, float around, ClusterList& out) const;
 
   private:
     /// The general case.

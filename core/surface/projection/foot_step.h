@@ -95,6 +95,9 @@ constexpr double leastExact = 0.05;    ///< with Dv itself and a short step
 constexpr double shortStep = 0.1;      ///< in units of h
 constexpr double smallBend = 0.2;      ///< |s Dv| up to which a series does
 constexpr double longestStep = 0.5;    ///< along the surface, in units of h
+/// Above near sheets, where the farther one comes into play, f is flatter than on the way to the surface: from so many
+/// h on, with a slope along n below that.
+constexpr double fadesFrom = 0.25, fadesBelow = 0.85;
 
 /// r across the plane plus `inverse` of r along it, which is W^-1 r by some estimate of W.
 template <class T, class Inverse>

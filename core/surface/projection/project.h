@@ -34,6 +34,12 @@ struct ProjectOptions {
     Need need = Need::Gradient; ///< what `at` must hold at the foot
 };
 
+/// Of the last step, in units of h.
+template <class T>
+constexpr T toleranceOf(const ProjectOptions& options) {
+    return static_cast<T>(options.tolerance > 0 ? options.tolerance : std::is_same_v<T, double> ? 1e-12 : 1e-6);
+}
+
 Projection<float> project(const Surface& surface, const base::Vec3f& x, const ProjectOptions& options = {},
                           const OrientationHint& hint = {});
 Projection<double> projectReference(const Surface& surface, const base::Vec3d& x, const ProjectOptions& options = {},

@@ -1,6 +1,7 @@
 // The vectorised kernels on the instruction sets of this machine.
 #include "core/surface/definition_text.h"
 #include "core/surface/evaluation/self.h"
+#include "core/surface/projection/project.h"
 #include "support/registry.h"
 #include "surface/definition_rows.h"
 #include "surface/moving_axis.h"
@@ -19,6 +20,7 @@ class InstructionSetsTest : public QObject {
     void avx2AndAvx512GiveTheSameBits();
     void sumsHaveTheSameBits();
     void selfEvaluationHasTheSameBits();
+    void projectionsHaveTheSameBits();
 };
 
 namespace {
@@ -170,6 +172,24 @@ void InstructionSetsTest::selfEvaluationHasTheSameBits() {
         for (std::size_t b = 0; b < wide.size(); ++b)
             for (std::size_t c = 0; c < wide[b].size(); ++c)
                 QVERIFY2(same(wide[b][c], narrow[b][c]), weight.name);
+    }
+}
+
+void InstructionSetsTest::projectionsHaveTheSameBits() {
+    if (!hasBoth())
+        QSKIP("this machine has no AVX-512");
+    for (const auto& weight : weightNames()) {
+        const Surface surface = torus(weight.value);
+        const std::vector<base::Vec3f> x = positions(surface);
+        const auto all = [&] {
+            std::vector<Projection<float>> out(x.size());
+            project(surface, x, {}, out);
+            return out;
+        };
+        const auto wide = all(), narrow = narrowly(all);
+        for (std::size_t i = 0; i < x.size(); ++i)
+            QVERIFY(wide[i].iterations == narrow[i].iterations && same(wide[i].foot, narrow[i].foot) &&
+                    same(wide[i].at, narrow[i].at));
     }
 }
 
