@@ -4,7 +4,8 @@
 // staying as they are at x: sum theta y, sum theta_,k y, sum theta_,kl y. That q_i moves with x too is accounted for by
 // `timesCoordinate` in the second stage (assemble.h).
 //
-// Two implementations: float32, vectorised (moments_float.cpp), and float64, plain loops (moments_double.cpp).
+// Two implementations: float32, vectorised (moments_float.cpp), and float64 with the bits of plain loops
+// (moments_double.cpp).
 #pragma once
 
 #include "core/surface/evaluation/jet.h"

@@ -1,6 +1,8 @@
-#include "core/surface/evaluation/moments.h"
+#include "core/surface/evaluation/kernels/double_kernel.h"
 #include "core/surface/evaluation/smooth_step.h"
 #include "core/surfel/shape.h"
+
+#include <bit>
 
 namespace surface {
 
@@ -54,12 +56,14 @@ Radial weightAt(double r, const SumOptions& options) {
     return options.interpolating ? interpolating(plain, r) : plain;
 }
 
-/// The factor of Facing::Part for a normal, with its derivatives as the axis moves.
+/// Times the factor of Facing::Part for a normal, with its derivatives as the axis moves.
 template <int O>
-Jet<double, O> partOf(const Vec3d& n, const Axis& axis) {
+void takePart(const Vec3d& n, const Axis& axis, Jet<double, O>& theta) {
     constexpr double slope = 0.5 / static_cast<double>(partingLimit);
     Jet<double, O> t;
     t.v = 0.5 + slope * dot(n, axis.at);
+    if (t.v >= 1) // counts wholly
+        return;
     if constexpr (O >= 1)
         for (int k = 0; k < 3; ++k)
             t.d[k] = slope * dot(n, axis.slope[k]);
@@ -68,7 +72,7 @@ Jet<double, O> partOf(const Vec3d& n, const Axis& axis) {
             t.dd[k] = slope * dot(n, axis.bend[k]);
     static_assert(O <= 2);
     const SmoothStep<double> step(t.v);
-    return chain(t, step.v, step.d, step.dd, step.ddd);
+    theta = theta * chain(t, step.v, step.d, step.dd, step.ddd);
 }
 
 /// theta with its derivatives by x (surface/README 2.1), M = (I + b b^T) / h^2 and G = M (x - p).
@@ -113,6 +117,70 @@ void add(const Jet<double, O>& theta, const Vec3d& q, const Vec3d& n, Outer oute
             out.outer[sym(k, l)] += theta * (y[k] * y[l]);
 }
 
+/// The same for orders 1 and 2, some surfels at a time in lanes, with the same bits.
+template <int O>
+class Products {
+  public:
+    Products(Outer outer, Moments<double, O>& out) : m_outer(outer), m_out(out) {}
+
+    void add(const Jet<double, O>& theta, const Vec3d& q, const Vec3d& n) {
+        double* jet = m_factors.jet[m_count];
+        jet[0] = theta.v;
+        std::copy(theta.d.begin(), theta.d.end(), jet + 1);
+        std::copy(theta.dd.begin(), theta.dd.end(), jet + 4);
+        std::fill(jet + used, jet + width, 0.0);
+        double* term = m_factors.term[m_count];
+        const double values[] = {1, q.x, q.y, q.z, n.x, n.y, n.z, dot(n, q), lengthSq(q)};
+        std::copy(std::begin(values), std::end(values), term);
+        const Vec3d& y = m_outer == Outer::Normals ? n : q;
+        if (m_outer != Outer::None)
+            for (int k = 0; k < 3; ++k)
+                for (int l = k; l < 3; ++l)
+                    term[plainTerms + sym(k, l)] = y[k] * y[l];
+        if (++m_count == DoubleFactors::atOnce)
+            flush();
+    }
+    /// After the last.
+    void finish() {
+        flush();
+        m_out.one = jetOf(0);
+        for (int k = 0; k < 3; ++k)
+            m_out.q[k] = jetOf(1 + k), m_out.n[k] = jetOf(4 + k);
+        m_out.height = jetOf(7);
+        m_out.square = jetOf(8);
+        for (int k = 0; k < 6 && m_outer != Outer::None; ++k)
+            m_out.outer[k] = jetOf(plainTerms + k);
+    }
+
+  private:
+    static constexpr int plainTerms = 9;
+    static constexpr std::size_t used = O == 1 ? 4 : 10, width = O == 1 ? 4 : DoubleFactors::width;
+    void flush() {
+        productKernel(m_factors, m_count, m_outer == Outer::None ? plainTerms : DoubleFactors::terms, width, m_sums);
+        m_count = 0;
+    }
+    Jet<double, O> jetOf(int term) const {
+        const double* from = m_sums[term];
+        Jet<double, O> out;
+        out.v = from[0];
+        std::copy_n(from + 1, out.d.size(), out.d.begin());
+        std::copy_n(from + 4, out.dd.size(), out.dd.begin());
+        return out;
+    }
+
+    Outer m_outer;
+    Moments<double, O>& m_out;
+    std::size_t m_count = 0;
+    DoubleFactors m_factors;
+    alignas(64) double m_sums[DoubleFactors::terms][DoubleFactors::width] = {};
+};
+
+/// Of the other orders.
+template <int O>
+struct None {
+    None(Outer, Moments<double, O>&) {}
+};
+
 } // namespace
 
 template <int O>
@@ -120,8 +188,12 @@ void sum(ClusterSpan clusters, const Vec3d& x, const SumOptions& options, Moment
     constexpr int lanes = surfel::clusterSize;
     const double scale = options.scale, sigma = options.sigma;
     out = {};
+    constexpr bool together = O == 1 || O == 2;
+    [[maybe_unused]] std::conditional_t<together, Products<O>, None<O>> products(options.outer, out);
     for (const float* c : clusters)
-        for (int i = 0; i < lanes; ++i) {
+        for (unsigned left = options.shape > 0 ? (1u << lanes) - 1 : holdingKernel(c, x, scale); left != 0;
+             left &= left - 1) {
+            const int i = std::countr_zero(left);
             const double h = scale * static_cast<double>(c[surfel::Support * lanes + i]);
             const Vec3d q = Vec3d{c[i], c[lanes + i], c[2 * lanes + i]} - x;
             Vec3d b;
@@ -148,14 +220,19 @@ void sum(ClusterSpan clusters, const Vec3d& x, const SumOptions& options, Moment
             Jet<double, O> theta = jetOf<O>(w, q, b, h);
             if constexpr (O <= 2)
                 if (options.facing == Facing::Part)
-                    theta = theta * partOf<O>(n, *options.axis);
+                    takePart(n, *options.axis, theta);
             const double mean = options.shape > 0 ? h / std::sqrt(std::sqrt(1 + lengthSq(b))) : h;
             const double unit = options.weight == Weight::Gaussian ? mean / static_cast<double>(gaussianReach) : mean;
             out.unit += theta.v * unit;
             if constexpr (O >= 1)
                 out.unitSlope += Vec3d{theta.d[0], theta.d[1], theta.d[2]} * unit;
-            add(theta, q, n, options.outer, out);
+            if constexpr (together)
+                products.add(theta, q, n);
+            else
+                add(theta, q, n, options.outer, out);
         }
+    if constexpr (together)
+        products.finish();
 }
 
 template void sum(ClusterSpan, const Vec3d&, const SumOptions&, Moments<double, 0>&);

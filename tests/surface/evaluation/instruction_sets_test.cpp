@@ -21,6 +21,7 @@ class InstructionSetsTest : public QObject {
     void sumsHaveTheSameBits();
     void selfEvaluationHasTheSameBits();
     void projectionsHaveTheSameBits();
+    void referencesHaveTheSameBits();
 };
 
 namespace {
@@ -190,6 +191,28 @@ void InstructionSetsTest::projectionsHaveTheSameBits() {
         for (std::size_t i = 0; i < x.size(); ++i)
             QVERIFY(wide[i].iterations == narrow[i].iterations && same(wide[i].foot, narrow[i].foot) &&
                     same(wide[i].at, narrow[i].at));
+    }
+}
+
+/// Sums in double are put into lanes in another way than those in float: on any machine, with bits of one by one.
+void InstructionSetsTest::referencesHaveTheSameBits() {
+    const Surface surface = torus(Weight::Wendland);
+    const surfel::SurfelList plates = shapes::plates(8, 0.07, 0.24, 0.08);
+    const Surface near = shapes::surfaceOf(plates);
+    for (const Surface& each : {surface, near}) {
+        const std::vector<base::Vec3f> x = positions(each);
+        const auto all = [&] {
+            std::vector<Evaluationd> out;
+            for (const base::Vec3f& p : x)
+                for (const Need need : {Need::Value, Need::Gradient, Need::Hessian})
+                    out.push_back(each.evaluateReference(base::cast<double>(p), need));
+            return out;
+        };
+        const auto wide = all(), narrow = narrowly(all);
+        for (std::size_t i = 0; i < wide.size(); ++i)
+            QVERIFY(same(wide[i].value, narrow[i].value) && same(wide[i].gradient, narrow[i].gradient) &&
+                    same(wide[i].hessian, narrow[i].hessian) && same(wide[i].centroid, narrow[i].centroid) &&
+                    wide[i].samples == narrow[i].samples);
     }
 }
 
