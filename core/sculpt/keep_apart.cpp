@@ -4,6 +4,7 @@
 #include "core/process/resampling/resample.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 
@@ -24,36 +25,67 @@ constexpr float wholly = 0.1f;
 
 namespace {
 
+constexpr float roundedAngle = 1e-3f; ///< radians, of arcs whose cosines are about 1
+
 /// Where the normals of a block point: all within an angle of the mean.
 struct Cone {
     Vec3f axis;
     float angle = 4; ///< radians
 };
 
-Cone coneOf(const SurfelBlock& block) {
+Cone coneOf(const SurfelBlock& block, int begin, int end) {
     Vec3f sum;
-    for (int slot = 0; slot < block.size(); ++slot)
+    for (int slot = begin; slot < end; ++slot)
         sum += block.normal(slot);
     const Cone none;
     const Vec3f axis = normalized(sum);
     if (axis == Vec3f{})
         return none;
     float least = 1;
-    for (int slot = 0; slot < block.size(); ++slot)
+    for (int slot = begin; slot < end; ++slot)
         least = std::min(least, dot(axis, block.normal(slot)));
     return {axis, std::acos(std::clamp(least, -1.0f, 1.0f))};
 }
 
 bool mayFaceApart(const Cone& a, const Cone& b) {
     const float between = std::acos(std::clamp(dot(a.axis, b.axis), -1.0f, 1.0f));
-    return between + a.angle + b.angle > std::acos(apart);
+    return between + a.angle + b.angle > std::acos(apart) - roundedAngle;
+}
+
+/// What a pair of sides asks of the places of a block's or a cluster's surfels before the dab.
+struct Patch {
+    Vec3f centre;
+    float radius = 0, spacing = 0; ///< of a ball around them; the largest
+    Cone cone;
+
+    /// The cosine to the cone's axis above which a normal faces apart from none of these.
+    float limit() const { return std::cos(std::max(0.0f, std::acos(apart) - cone.angle - roundedAngle)); }
+};
+
+/// Can a surfel of `a` have one of `b` behind it, as two sides stand? The way from one to the other then goes along the
+/// difference of their normals, by no more than `beside` off: a narrow beam, however far that a dab may bring them.
+bool mayStandApart(const Patch& a, const Patch& b) {
+    const Vec3f across = a.cone.axis - b.cone.axis, way = a.centre - b.centre;
+    const float size = length(across), turn = a.cone.angle + b.cone.angle; // of n - m, at most
+    if (!(turn < 0.5f * size))
+        return true;
+    constexpr float arc = 1.05f, rounding = 1.001f; // asin(t) <= 1.05 t up to 1/2
+    const float far = length(way), along = dot(way, across) / size;
+    const float off = std::sqrt(std::max(0.0f, far * far - along * along));
+    const float room = rounding * (a.radius + b.radius + far * arc * turn / size) + 1e-3f * far;
+    return along + room > 0 && off - room <= beside * 0.5f * (a.spacing + b.spacing);
+}
+
+bool mayMeet(const Patch& a, const Patch& b) {
+    return mayFaceApart(a.cone, b.cone) && mayStandApart(a, b);
 }
 
 /// A block before and after the dab.
 struct Sides {
     std::uint32_t number;
     surfel::BlockPtr before, after; ///< the same where it does not change
-    Cone cone;
+    Patch all;
+    std::array<Patch, surfel::clustersPerBlock> clusters;
 };
 
 struct Given {
@@ -85,10 +117,11 @@ class Keeper {
     bool idle() const {
         Vec3f sum;
         for (const Sides& each : m_sides)
-            sum += each.cone.axis;
+            sum += each.all.cone.axis;
         const Vec3f axis = normalized(sum);
         return std::all_of(m_sides.begin(), m_sides.end(), [&](const Sides& each) {
-            return std::acos(std::clamp(dot(axis, each.cone.axis), -1.0f, 1.0f)) + each.cone.angle < std::acos(narrow);
+            return std::acos(std::clamp(dot(axis, each.all.cone.axis), -1.0f, 1.0f)) + each.all.cone.angle <
+                   std::acos(narrow);
         });
     }
 
@@ -100,12 +133,12 @@ class Keeper {
         const float radius = reach(std::max(m_oneSpacing, m_perSupport * own->before->maxSupport()));
         const base::Box3f box = own->before->box();
         std::vector<const Sides*> near;
-        m_tree.forBlocksInBall(box.centre(), 0.5f * box.diagonal() + radius,
-                               [&](std::uint32_t number, const SurfelBlock&) {
-                                   const Sides* const other = find(number);
-                                   if (other && mayFaceApart(own->cone, other->cone))
-                                       near.push_back(other);
-                               });
+        m_tree.forBlocksInBall(
+            box.centre(), 0.5f * box.diagonal() + radius, [&](std::uint32_t number, const SurfelBlock&) {
+                const Sides* const other = find(number);
+                if (other && mayFaceApart(own->all.cone, other->all.cone) && mayStandApart(own->all, other->all))
+                    near.push_back(other);
+            });
         if (near.empty())
             return nullptr;
         surfel::MutableBlockPtr out;
@@ -135,13 +168,25 @@ class Keeper {
 
     void gather(const Vec3f& centre, float radius) {
         m_tree.forBlocksInBall(centre, radius, [&](std::uint32_t number, const SurfelBlock&) {
-            m_sides.push_back({number, m_tree.block(number), m_tree.block(number), {}});
+            m_sides.push_back({number, m_tree.block(number), m_tree.block(number), {}, {}});
         });
         std::sort(m_sides.begin(), m_sides.end(), [](const Sides& a, const Sides& b) { return a.number < b.number; });
         for (const tree::BlockEdit& each : m_edit.blocks)
             if (const std::size_t i = indexOf(each.block); each.changed && i < m_sides.size())
                 m_sides[i].after = each.changed;
-        base::parallelFor(m_sides.size(), 16, [&](std::size_t i) { m_sides[i].cone = coneOf(*m_sides[i].before); });
+        base::parallelFor(m_sides.size(), 16, [&](std::size_t i) { describe(m_sides[i]); });
+    }
+    void describe(Sides& sides) const {
+        const SurfelBlock& block = *sides.before;
+        const auto patch = [&](const base::Box3f& box, float support, int begin, int end) {
+            const float spacing = m_perSupport > 0 ? m_perSupport * support : m_oneSpacing;
+            return Patch{box.centre(), 0.5f * box.diagonal(), spacing, coneOf(block, begin, end)};
+        };
+        sides.all = patch(block.box(), block.maxSupport(), 0, block.size());
+        for (int c = 0; c < block.clusterCount(); ++c)
+            sides.clusters[static_cast<std::size_t>(c)] =
+                patch(block.bounds(c).box, block.bounds(c).maxSupport, c * clusterSize,
+                      std::min((c + 1) * clusterSize, block.size()));
     }
     std::size_t indexOf(std::uint32_t number) const {
         const auto at = std::lower_bound(m_sides.begin(), m_sides.end(), number,
@@ -157,24 +202,40 @@ class Keeper {
     void keep(const Sides& own, int cluster, const std::vector<const Sides*>& near, float radius,
               surfel::MutableBlockPtr& out) const {
         const int begin = cluster * clusterSize, end = std::min(begin + clusterSize, own.before->size());
-        for (int slot = begin; slot < end; ++slot) {
+        const Patch& patch = own.clusters[static_cast<std::size_t>(cluster)];
+        struct Opposite {
+            const Sides* sides;
+            int cluster;
+            float limit;
+        };
+        std::vector<Opposite> opposite;
+        for (const Sides* other : near) {
+            const int clusters = mayMeet(patch, other->all) ? other->before->clusterCount() : 0;
+            for (int c = 0; c < clusters; ++c)
+                if (const Patch& there = other->clusters[static_cast<std::size_t>(c)]; mayMeet(patch, there))
+                    opposite.push_back({other, c, there.limit()});
+        }
+        for (int slot = begin; slot < end && !opposite.empty(); ++slot) {
             const Vec3f x = own.before->position(slot);
             if (x == own.after->position(slot))
                 continue;
+            const Vec3f n = own.before->normal(slot);
+            const Patch alone{x, 0, spacingAt(*own.before, slot), {n, 0}};
             Given given;
-            for (const Sides* other : near)
-                for (unsigned left =
-                         other->before->boundsLanes().within(x, radius * radius) & other->before->clusterMask();
-                     left != 0; left &= left - 1)
-                    measure(own, slot, *other, std::countr_zero(left), given);
+            for (const Opposite& each : opposite) {
+                const Patch& there = each.sides->clusters[static_cast<std::size_t>(each.cluster)];
+                if (dot(n, there.cone.axis) <= each.limit && mayStandApart(alone, there) &&
+                    each.sides->before->bounds(each.cluster).box.distanceSq(x) <= radius * radius)
+                    measure(own, slot, *each.sides, each.cluster, given);
+            }
             if (given.back == 0)
                 continue;
             if (!out)
                 out = own.after->clone();
             const float part = std::min(1.0f, given.back / (wholly * spacingAt(*own.before, slot)));
-            const Vec3f n = own.after->normal(slot);
+            const Vec3f now = own.after->normal(slot);
             out->setPosition(slot, own.after->position(slot) + given.along * given.back);
-            out->setNormal(slot, normalized(n * (1 - part) + given.normal * part, n));
+            out->setNormal(slot, normalized(now * (1 - part) + given.normal * part, now));
         }
     }
 

@@ -2,10 +2,10 @@
 // them, and prints how long it took from each event to the picture that shows it.
 //
 //     xvfb-run -s '-screen 0 1280x800x24' pointclay_window_input [--seconds 60] [--surfels 1000000] [--hz 125]
-//         [--picture OUT.png] [--record OUT.jsonl]
+//         [--tools usual|all|NAME,NAME...] [--picture OUT.png] [--record OUT.jsonl]
 //
-// Strokes of nine tools with three radii follow each other, each some 500 pixels in a second and a half, with
-// turns of the view between.
+// Strokes of nine usual tools with three radii follow each other, each some 500 pixels in a second and a half, with
+// turns of the view between; or one of each tool that is asked for.
 // Times count from when an event was due, not from when the window got round to it. Events that make no dab, for being
 // closer than the spacing, have no picture to wait for and do not count.
 #include "ui/panels/tool_bar.h"
@@ -32,14 +32,36 @@ using Gesture = ui::PointerRouter::Gesture;
 
 /// A stroke or a turn of the view, `moveSeconds` long.
 struct Move {
-    const char* tool; ///< null: turns the view
+    QString tool; ///< empty: turns the view
     double radiusPx;
 };
-constexpr Move moves[] = {
-    {"draw", 50},        {"clay", 80},    {"smooth", 60},     {nullptr, 0},   {"grab", 100},
-    {"clay-strips", 40}, {"inflate", 60}, {nullptr, 0},       {"crease", 30}, {"draw", 120},
-    {"smooth", 120},     {"flatten", 80}, {"snake-hook", 50}, {nullptr, 0},
+const std::vector<Move> usual = {
+    {"draw", 50},       {"clay", 80}, {"smooth", 60}, {"", 0},       {"grab", 100},   {"clay-strips", 40},
+    {"inflate", 60},    {"", 0},      {"crease", 30}, {"draw", 120}, {"smooth", 120}, {"flatten", 80},
+    {"snake-hook", 50}, {"", 0},
 };
+constexpr double usualRadius = 60; ///< of tools by name
+constexpr std::size_t strokesPerTurn = 4;
+
+/// What `--tools` says.
+std::vector<Move> movesOf(const QString& tools, const ui::MainWindow& window) {
+    if (tools == "usual")
+        return usual;
+    QStringList names = tools.split(',');
+    if (tools == "all") {
+        names.clear();
+        for (const QAction* tool : window.toolBar().toolActions())
+            names.push_back(tool->data().toString());
+    }
+    std::vector<Move> out;
+    for (const QString& name : names) {
+        out.push_back({name, usualRadius});
+        if (out.size() % (strokesPerTurn + 1) == strokesPerTurn)
+            out.push_back({"", 0});
+    }
+    return out;
+}
+
 constexpr double moveSeconds = 1.5, pauseSeconds = 0.2;
 
 struct Sample {
@@ -50,7 +72,8 @@ struct Sample {
 
 class Driver : public QObject {
   public:
-    Driver(ui::MainWindow& window, double seconds, double hz) : m_window(window), m_seconds(seconds), m_hz(hz) {
+    Driver(ui::MainWindow& window, std::vector<Move> moves, double seconds, double hz)
+        : m_window(window), m_moves(std::move(moves)), m_seconds(seconds), m_hz(hz) {
         window.viewport().shown = [this](std::uint64_t input) { answered(input); };
         window.viewport().framePainted = [this](double taken) { frames.push_back(taken); };
         m_timer.setTimerType(Qt::PreciseTimer);
@@ -72,7 +95,7 @@ class Driver : public QObject {
         const ui::Editor& editor = m_window.editor();
         const std::uint64_t taken = editor.takenInput(), changing = editor.changingInput();
         std::erase_if(m_open, [&](const Sample& each) {
-            return each.move->tool && each.input > changing && each.input <= taken;
+            return !each.move->tool.isEmpty() && each.input > changing && each.input <= taken;
         });
     }
 
@@ -90,7 +113,7 @@ class Driver : public QObject {
     void event(double due) {
         const double slot = moveSeconds + pauseSeconds;
         const auto index = static_cast<int>(due / slot);
-        const Move& move = moves[static_cast<std::size_t>(index) % std::size(moves)];
+        const Move& move = m_moves[static_cast<std::size_t>(index) % m_moves.size()];
         const double u = (due - index * slot) / moveSeconds;
         if (u > 1 && !m_down)
             return;
@@ -99,7 +122,7 @@ class Driver : public QObject {
         m_at = place(index, u, move);
         if (m_down)
             return send(QEvent::MouseMove, m_at, due, move);
-        if (move.tool)
+        if (!move.tool.isEmpty())
             choose(move);
         send(QEvent::MouseMove, m_at, due, move);
         send(QEvent::MouseButtonPress, m_at, due, move);
@@ -118,12 +141,12 @@ class Driver : public QObject {
         const double size = 0.16 * std::min(view.width(), view.height()), turn = 2.4 * index;
         const double angle = 2 * std::numbers::pi * u * (index % 3 == 0 ? 1 : 0.5) + turn;
         const QPointF loop(std::cos(angle) * size, std::sin(2 * angle) * size * 0.6);
-        return view.center() + (move.tool ? loop : QPointF(220 * (u - 0.5), 40 * std::sin(6 * u)));
+        return view.center() + (!move.tool.isEmpty() ? loop : QPointF(220 * (u - 0.5), 40 * std::sin(6 * u)));
     }
 
     void send(QEvent::Type type, QPointF at, double due, const Move& move) {
         QWidget& view = *m_window.viewport().widget();
-        const Qt::MouseButton button = move.tool ? Qt::LeftButton : Qt::RightButton;
+        const Qt::MouseButton button = !move.tool.isEmpty() ? Qt::LeftButton : Qt::RightButton;
         const bool press = type == QEvent::MouseButtonPress, release = type == QEvent::MouseButtonRelease;
         QMouseEvent event(type, at, view.mapToGlobal(at), press || release ? button : Qt::NoButton,
                           release || (!press && !m_down) ? Qt::NoButton : button, Qt::NoModifier);
@@ -139,6 +162,7 @@ class Driver : public QObject {
     }
 
     ui::MainWindow& m_window;
+    const std::vector<Move> m_moves;
     double m_seconds, m_hz;
     QTimer m_timer;
     QElapsedTimer m_clock;
@@ -163,9 +187,10 @@ void report(const Driver& driver) {
     std::vector<double> strokes, turns;
     std::map<std::string, std::vector<double>> tools;
     for (const auto& [seconds, move] : driver.times) {
-        (move->tool ? strokes : turns).push_back(seconds);
-        if (move->tool)
-            tools[move->tool].push_back(seconds);
+        const bool stroke = !move->tool.isEmpty();
+        (stroke ? strokes : turns).push_back(seconds);
+        if (stroke)
+            tools[move->tool.toStdString()].push_back(seconds);
     }
     print("frames", driver.frames);
     print("strokes", strokes);
@@ -192,7 +217,11 @@ int main(int argc, char** argv) {
     ui::MainWindow window(options);
     window.resize(1280, 800);
     window.show();
-    Driver driver(window, option(arguments, "--seconds", 60), option(arguments, "--hz", 125));
+    const auto tools = arguments.indexOf("--tools");
+    std::vector<Move> moves = movesOf(tools >= 0 ? arguments.value(tools + 1) : "usual", window);
+    const double once = (moveSeconds + pauseSeconds) * static_cast<double>(moves.size());
+    Driver driver(window, std::move(moves), option(arguments, "--seconds", tools >= 0 ? once : 60),
+                  option(arguments, "--hz", 125));
     driver.finished = [&] {
         report(driver);
         const auto picture = arguments.indexOf("--picture");
