@@ -3,6 +3,7 @@
 #include "app/bench/scan_file.h"
 #include "app/bench/workload.h"
 #include "core/io/formats.h"
+#include "core/process/estimation/normals.h"
 #include "core/process/estimation/prepare.h"
 
 namespace bench {
@@ -63,6 +64,34 @@ Run naiveOpeningPoints(Scene& scene) {
     };
 }
 
+/// Points in no particular order that know nothing but their places.
+surfel::SurfelList barePoints(Scene& scene) {
+    surfel::SurfelList out = scene.unsorted();
+    auto layout = std::make_shared<surfel::AttributeLayout>(*out.layout);
+    layout->normals = layout->oriented = false;
+    out.layout = layout;
+    return out;
+}
+
+Run estimatingNormals(Scene& scene) {
+    return [points = barePoints(scene)] {
+        surfel::SurfelList out = points;
+        process::estimateNormals(out);
+        keep(out.items);
+        return out.size();
+    };
+}
+
+Run orientingNormals(Scene& scene) {
+    surfel::SurfelList points = barePoints(scene);
+    process::estimateNormals(points);
+    return [points = std::move(points)] {
+        surfel::SurfelList out = points;
+        keep(process::orientNormals(out));
+        return out.size();
+    };
+}
+
 } // namespace
 
 std::vector<Workload> fileWorkloads() {
@@ -77,6 +106,13 @@ std::vector<Workload> fileWorkloads() {
         {"open-points", "point", "the same for a file without normals, which are estimated and oriented",
          "the same, nanoflann for 18 nearest, principal components, a minimum spanning tree for the signs",
          openingPoints, naiveOpeningPoints, true},
+        {"normals",
+         "point",
+         "normals from the 18 nearest, of points in no particular order",
+         "",
+         estimatingNormals,
+         {}},
+        {"orient", "point", "their sides, as neighbours and the whole say", "", orientingNormals, {}},
     };
 }
 

@@ -129,13 +129,15 @@ Workload evaluatingSelf(const char* name, const char* tip, Need need) {
     return out;
 }
 
-Workload projecting(const char* name, Projector projector) {
+Workload projecting(const char* name, Projector projector, Order order = Order::Coherent) {
+    const bool coherent = order == Order::Coherent;
     return {name,
             "position",
-            "foot point to 1e-5 h, positions along a space-filling curve",
+            coherent ? "foot point to 1e-5 h, positions along a space-filling curve" : "the same in random order",
             naiveWay,
             [=](Scene& scene) -> Run {
-                auto batches = std::make_shared<Batches<Vec3f>>(scene.coherent(), batchSize);
+                auto batches =
+                    std::make_shared<Batches<Vec3f>>(coherent ? scene.coherent() : scene.scattered(), batchSize);
                 surface::ProjectOptions options;
                 options.projector = projector;
                 options.tolerance = tolerance;
@@ -148,7 +150,7 @@ Workload projecting(const char* name, Projector projector) {
                 };
             },
             [=](Scene& scene) {
-                return naively(scene, Order::Coherent, [projector](const NaiveSurface& naive, const base::Vec3d& x) {
+                return naively(scene, order, [projector](const NaiveSurface& naive, const base::Vec3d& x) {
                     base::Vec3d foot;
                     keep(naive.project(x, projector, tolerance, foot));
                 });
@@ -191,6 +193,7 @@ std::vector<Workload> surfaceWorkloads() {
         projecting("project-basic", Projector::Basic),
         projecting("project-almost", Projector::Almost),
         projecting("project-orthogonal", Projector::Orthogonal),
+        projecting("project-scattered", Projector::Orthogonal, Order::Scattered),
         {"curvature", "position", "principal curvatures and directions on supports of 6 spacings", naiveWay, curvatures,
          naiveCurvatures},
     };

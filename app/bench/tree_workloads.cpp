@@ -2,17 +2,28 @@
 #include "app/bench/naive_tree.h"
 #include "app/bench/workload.h"
 
+#include <algorithm>
+#include <cstdio>
+
 namespace bench {
 
 namespace {
 
 constexpr std::size_t brushes = 32;
 
+/// Tells what the tree takes, surfels and all.
 Run building(Scene& scene) {
-    return [&list = scene.unsorted()] {
+    const auto remark = [&tree = scene.surface().tree()] {
+        char text[64];
+        std::snprintf(text, sizeof text, "%.1f B a surfel",
+                      static_cast<double>(tree.bytes()) / static_cast<double>(std::max<std::size_t>(1, tree.size())));
+        return std::string(text);
+    };
+    const auto build = [&list = scene.unsorted()] {
         keep(tree::SurfelTree::build(list));
         return list.size();
     };
+    return {build, remark};
 }
 
 Run naiveBuilding(Scene& scene) {

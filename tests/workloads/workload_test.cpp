@@ -36,6 +36,7 @@ void WorkloadTest::theContractsNamesAreThere() {
                              "project-basic",
                              "project-almost",
                              "project-orthogonal",
+                             "project-scattered",
                              "rays-camera",
                              "rays-random",
                              "curvature",
@@ -52,6 +53,8 @@ void WorkloadTest::theContractsNamesAreThere() {
                              "load-ply",
                              "open-ply",
                              "open-points",
+                             "normals",
+                             "orient",
                              "start"})
         QVERIFY2(names.contains(name), name);
     QVERIFY(names.contains("mesh-marching-cubes"));
