@@ -59,7 +59,10 @@ struct Patch {
     Cone cone;
 
     /// The cosine to the cone's axis above which a normal faces apart from none of these.
-    float limit() const { return std::cos(std::max(0.0f, std::acos(apart) - cone.angle - roundedAngle)); }
+    float limit() const {
+        const float rest = std::acos(apart) - cone.angle - roundedAngle;
+        return rest > 0 ? std::cos(rest) : 2;
+    }
 };
 
 /// Can a surfel of `a` have one of `b` behind it, as two sides stand? The way from one to the other then goes along the
@@ -206,7 +209,7 @@ class Keeper {
         struct Opposite {
             const Sides* sides;
             int cluster;
-            float limit;
+            float limit; ///< of that cluster
         };
         std::vector<Opposite> opposite;
         for (const Sides* other : near) {

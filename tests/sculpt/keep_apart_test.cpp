@@ -4,6 +4,8 @@
 #include "sculpt/stroke_samples.h"
 #include "support/registry.h"
 
+#include <algorithm>
+#include <array>
 #include <QTest>
 
 using namespace sculpt;
@@ -17,6 +19,7 @@ class KeepApartTest : public QObject {
     void strongStrokesLeaveThinPlatesTheirTwoSides();
     void whatComesTooNearStops();
     void whatIsThickIsAsTheToolHasIt();
+    void howSurfelsLieInBlocksChangesNothing();
 
   private:
     struct Plate {
@@ -131,6 +134,67 @@ void KeepApartTest::whatIsThickIsAsTheToolHasIt() {
         for (std::size_t i = 0; i < plain.blocks.size(); ++i)
             QVERIFY(kept.blocks[i].changed == plain.blocks[i].changed);
     }
+}
+
+/// Those that face against the push are pushed, most in the middle.
+static tree::Edit pushed(const tree::SurfelTree& tree, const Vec3f& centre, float radius, const Vec3f& push) {
+    tree::Edit out;
+    for (std::uint32_t number = 0; number < tree.blockCount(); ++number) {
+        const surfel::BlockPtr block = tree.block(number);
+        const surfel::MutableBlockPtr changed = block->clone();
+        bool any = false;
+        for (int slot = 0; slot < block->size(); ++slot) {
+            const float off = distance(block->position(slot), centre) / radius;
+            if (off >= 1 || dot(block->normal(slot), push) >= 0)
+                continue;
+            changed->setPosition(slot, block->position(slot) + push * (1 - off * off));
+            any = true;
+        }
+        if (!any)
+            continue;
+        changed->seal();
+        tree::BlockEdit edit;
+        edit.block = number;
+        edit.changed = changed;
+        out.blocks.push_back(edit);
+    }
+    return out;
+}
+
+/// Blocks and clusters are left out as wholes: one surfel far away has all of them cut elsewhere.
+void KeepApartTest::howSurfelsLieInBlocksChangesNothing() {
+    base::Random random(test::seed() + 1);
+    int held = 0;
+    for (int round = 0; round < test::effort(10); ++round) {
+        const Plate& plate = m_plates[random.below(m_plates.size())];
+        const surfel::SurfelList list = plate.surface.tree().surfels();
+        surfel::SurfelList cutElsewhere = list;
+        cutElsewhere.items.push_back(list.items[0]);
+        cutElsewhere.items.back().position = {10, 7, 3};
+        const surfel::Surfel& at = list.items[random.below(list.size())];
+        const Vec3f push = (base::cast<float>(random.unitVector()) * 0.5f - at.normal) *
+                           static_cast<float>(random.uniform(0.5, 12) * s);
+        using Way = std::array<float, 6>; // before, after
+        const auto waysIn = [&](const surfel::SurfelList& surfels) {
+            const surface::Surface version(tree::SurfelTree::build(surfels), plate.surface.definition());
+            const tree::Edit whole = pushed(version.tree(), at.position, 0.2f, push);
+            const tree::Edit kept = keptApart(version, whole, static_cast<float>(s));
+            std::vector<Way> out;
+            for (std::size_t i = 0; i < kept.blocks.size(); ++i)
+                for (int slot = 0; slot < kept.blocks[i].changed->size(); ++slot) {
+                    const Vec3f from = version.tree().block(kept.blocks[i].block)->position(slot);
+                    const Vec3f to = kept.blocks[i].changed->position(slot);
+                    held += to != whole.blocks[i].changed->position(slot) ? 1 : 0;
+                    if (to != from)
+                        out.push_back({from.x, from.y, from.z, to.x, to.y, to.z});
+                }
+            std::sort(out.begin(), out.end());
+            return out;
+        };
+        QVERIFY2(waysIn(list) == waysIn(cutElsewhere),
+                 qPrintable(QString("round %1, seed %2").arg(round).arg(test::seed())));
+    }
+    QVERIFY(held > 0);
 }
 
 static const test::Registered<KeepApartTest> registered;

@@ -11,8 +11,8 @@ using End = LaneFoot::End;
 
 /// Positions that come this close to a limit of the assembler's are left to it.
 constexpr float clearly = 1.001f;
-/// Steps in lanes. From then on second derivatives pay (surface/README 3.2).
-constexpr int mostSteps = 3;
+/// Steps in lanes. From then on second derivatives are worth what they cost (surface/README 3.2).
+constexpr int mostSteps = 5;
 constexpr float laterSlack = 0.1f; ///< the same as packetSlack once the surface is near
 
 static Vec3f column(const float (&v)[3][FootLanes::lanes], std::size_t lane) {

@@ -1,4 +1,5 @@
 // One step of orthogonal projections at 16 positions in lanes (surface/README 3.2, 8.1). Internal to the room.
+//
 // Lanes never meet, so that a position has the same bits in any company.
 #pragma once
 
