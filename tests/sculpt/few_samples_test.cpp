@@ -15,6 +15,8 @@ class FewSamplesTest : public QObject {
     void largeSupportsGiveWay_data();
     void largeSupportsGiveWay();
     void theRestKeepsEveryBit();
+    void theSurfaceStaysWhereItWas_data();
+    void theSurfaceStaysWhereItWas();
     void denseModelsAndWideBrushesKeepAll();
     void maskedSamplesStay();
     void onceIsEnough();
@@ -62,6 +64,19 @@ std::pair<double, int> away(const surface::Surface& surface, const std::vector<V
             ++lost;
     }
     return {std::sqrt(sum / static_cast<double>(places.size())), lost};
+}
+
+/// An ellipsoid by chance, of few samples that lie by chance, so that its surface is wavy between them.
+surface::Surface wavyBody(base::Random& random) {
+    const Vec3d axes{random.uniform(0.7, 1.4), random.uniform(0.7, 1.4), random.uniform(0.7, 1.4)};
+    surfel::SurfelList list = shapes::sphere(few, 1, spacing * std::sqrt(8 / shapes::pi));
+    for (surfel::Surfel& each : list.items) {
+        const Vec3d d = base::normalized(base::cast<double>(each.position) + random.unitVector() * (0.2 * spacing));
+        each.position = base::cast<float>(Vec3d{d.x * axes.x, d.y * axes.y, d.z * axes.z});
+        each.normal = base::cast<float>(base::normalized(Vec3d{d.x / axes.x, d.y / axes.y, d.z / axes.z}));
+        each.support *= static_cast<float>(std::max({axes.x, axes.y, axes.z}));
+    }
+    return {tree::SurfelTree::build(list), fewNeighbours()};
 }
 
 std::vector<surfel::Surfel> surfelsOf(const surface::Surface& surface) {
@@ -129,6 +144,40 @@ void FewSamplesTest::theRestKeepsEveryBit() {
             QVERIFY(std::find(now.begin(), now.end(), each) != now.end());
         }
     QVERIFY(far > 100);
+}
+
+void FewSamplesTest::theSurfaceStaysWhereItWas_data() {
+    QTest::addColumn<double>("radius"); // in spacings
+    for (const double radius : {0.6, 1.0})
+        QTest::addRow("%g spacings", radius) << radius;
+}
+
+/// Beside the brush, too, where fine samples border on those that stay: it would be lifted there before a dab began.
+void FewSamplesTest::theSurfaceStaysWhereItWas() {
+    QFETCH(double, radius);
+    base::Random random(test::seed());
+    double most = 0, sum = 0;
+    int count = 0;
+    for (int k = 0; k < test::effort(6); ++k) {
+        const surface::Surface before = wavyBody(random);
+        const Vec3f at = before.tree().block(0)->position(static_cast<int>(random.below(64)));
+        const auto r = static_cast<float>(radius * spacing);
+        const auto after = process::refinedUnder(before, at, r);
+        QVERIFY(after);
+        for (int j = 0; j < test::effort(200); ++j) {
+            const Vec3d x = base::cast<double>(at) + random.unitVector() * (random.uniform(0, 6) * double(r));
+            const auto was = surface::projectReference(before, x);
+            if (!was.ok() || distance(was.foot, x) > 3 * spacing)
+                continue;
+            const auto is = surface::projectReference(*after, was.foot);
+            QVERIFY(is.ok());
+            const double moved = distance(is.foot, was.foot) / spacing;
+            most = std::max(most, moved), sum += moved * moved, ++count;
+        }
+    }
+    const double rms = std::sqrt(sum / std::max(1, count));
+    QVERIFY2(count > 50 && rms < 0.0007 && most < 0.015,
+             (std::to_string(rms) + " " + std::to_string(most) + " seed " + std::to_string(test::seed())).c_str());
 }
 
 void FewSamplesTest::denseModelsAndWideBrushesKeepAll() {

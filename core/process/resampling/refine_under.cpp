@@ -1,6 +1,7 @@
 #include "core/process/resampling/refine_under.h"
 
 #include "core/process/resampling/resample_cells.h"
+#include "core/process/resampling/resample_fit.h"
 #include "core/surfel/shape.h"
 
 #include <algorithm>
@@ -17,8 +18,8 @@ namespace {
 
 /// With more neighbours over a place than that a surface is no reduced one.
 constexpr int fewNeighbours = 16;
-/// Over a place, of the new samples: they are fitted to less, and more of them even out where they lie.
-constexpr float neighbours = 14;
+/// Over a place, of the new samples.
+constexpr float neighbours = 10;
 constexpr float perRadius = 4.5f; ///< new spacings in the brush's radius
 constexpr float growth = 0.5f;    ///< of the spacing, per length outside of the brush
 /// In radii: how far spacings stay fine when there is something to do, so that the next dabs find nothing, and how far
@@ -28,6 +29,7 @@ constexpr float coarser = 1.25f; ///< than wanted, and worth while
 constexpr float beside = 0.6f;   ///< of a semi-axis, about a spacing: at rims there is nothing on one side
 constexpr float inside = 0.8f;   ///< of the boundary limit: that is no border yet
 constexpr int mostRounds = 8;
+constexpr int fitRounds = 6;
 
 class Refining {
   public:
@@ -46,11 +48,10 @@ class Refining {
     bool asked() {
         std::vector<tree::Neighbour> near;
         m_surface.tree().nearest(m_centre, 16, near);
-        float most = 0;
         for (const tree::Neighbour& each : near)
-            most = std::max(most, surfel::ballOf(*each.block, each.slot, m_shape));
+            m_coarsest = std::max(m_coarsest, surfel::ballOf(*each.block, each.slot, m_shape));
         // where spacings have grown to the coarsest of them
-        m_reach = fineWithin * m_radius + most / (growth * m_perSpacing);
+        m_reach = fineWithin * m_radius + m_coarsest / (growth * m_perSpacing);
         bool out = false;
         forAll(m_surface.tree(), [&](std::uint32_t, const surfel::SurfelBlock& block, int slot) {
             out = out || coarse(block, slot, coarser * m_perSpacing * spacingAt(block.position(slot), askedWithin));
@@ -86,9 +87,12 @@ class Refining {
         }
         options.relaxAll = true;
         options.order = Order::RelaxOnly;
-        options.fitRounds = 4;
         apply(resample({tree, m_surface.definition()}, chosen(tree), options, m_surface));
         apply(balls(tree));
+        m_kept.clear(); // where others border on new ones, each has a say in the surface there
+        m_reach += m_coarsest;
+        apply(fit(tree, chosen(tree), m_surface,
+                  {[this](const Vec3f& x) { return spacingAt(x, fineWithin); }, options.border, fitRounds}));
         return {tree, m_surface.definition()};
     }
 
@@ -165,7 +169,7 @@ class Refining {
     float m_radius;
     int m_shape;
     float m_perSpacing; ///< support of a new sample over its spacing
-    float m_reach = 0;
+    float m_reach = 0, m_coarsest = 0;
     std::set<Key> m_kept; ///< places of those within reach that are left alone
 };
 

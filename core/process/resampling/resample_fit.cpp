@@ -2,6 +2,7 @@
 
 #include "core/base/cancel_scope.h"
 #include "core/base/parallel.h"
+#include "core/process/resampling/resample.h"
 #include "core/process/resampling/resample_set.h"
 #include "core/surface/evaluation/together.h"
 
@@ -104,68 +105,81 @@ namespace {
 
 /// Which surfels of a version are fitted, by block.
 struct Fitting {
-    std::vector<std::uint32_t> block;
-    std::vector<std::size_t> first; ///< of each block, and the end
+    tree::Selection which;
+    std::vector<std::size_t> first; ///< of each block
     std::vector<SampleFit::Sample> samples;
 
-    Fitting(const tree::SurfelTree& tree, const std::function<float(const Vec3f&)>& spacingAt) {
-        tree.forEachBlock([&](std::uint32_t number, const surfel::SurfelBlock& each) {
-            block.push_back(number);
+    Fitting(const tree::SurfelTree& tree, tree::Selection chosen, const std::function<float(const Vec3f&)>& spacingAt)
+        : which(std::move(chosen)) {
+        for (const tree::SelectedBlock& each : which) {
+            const surfel::BlockPtr block = tree.block(each.block);
             first.push_back(samples.size());
-            for (int slot = 0; slot < each.size(); ++slot)
-                samples.push_back({each.position(slot), each.normal(slot), 0});
-        });
-        first.push_back(samples.size());
+            for (int slot = 0; slot < block->size(); ++slot)
+                if (each.slots[static_cast<std::size_t>(slot)])
+                    samples.push_back({block->position(slot), block->normal(slot), 0});
+        }
         base::parallelFor(samples.size(), 256,
                           [&](std::size_t i) { samples[i].spacing = spacingAt(samples[i].position); });
     }
-};
 
-/// The version with the samples as they are now.
-tree::SurfelTree applied(const tree::SurfelTree& tree, const Fitting& fitting, const SampleFit& fit) {
-    std::vector<surfel::BlockPtr> changed(fitting.block.size());
-    base::parallelFor(changed.size(), 16, [&](std::size_t k) {
-        const surfel::BlockPtr before = tree.block(fitting.block[k]);
+    /// The block with its samples as they are now; null where they are as they were.
+    surfel::MutableBlockPtr changed(std::size_t k, const tree::SurfelTree& tree, const SampleFit& fit) const {
+        const surfel::BlockPtr before = tree.block(which[k].block);
         surfel::MutableBlockPtr after;
+        std::size_t i = first[k];
         for (int slot = 0; slot < before->size(); ++slot) {
-            const std::size_t i = fitting.first[k] + static_cast<std::size_t>(slot);
-            if (before->mask(slot) >= 1 ||
-                (fit.position(i) == before->position(slot) && fit.normal(i) == before->normal(slot)))
+            if (!which[k].slots[static_cast<std::size_t>(slot)])
+                continue;
+            const Vec3f position = fit.position(i), normal = fit.normal(i);
+            ++i;
+            if (before->mask(slot) >= 1 || (position == before->position(slot) && normal == before->normal(slot)))
                 continue;
             if (!after)
                 after = before->clone();
-            after->setPosition(slot, fit.position(i));
-            after->setNormal(slot, fit.normal(i));
+            after->setPosition(slot, position);
+            after->setNormal(slot, normal);
         }
-        if (after) {
+        if (after)
             after->seal();
-            changed[k] = after;
-        }
-    });
+        return after;
+    }
+};
+
+/// From the version to the one with the samples as they are now.
+tree::Edit editOf(const tree::SurfelTree& tree, const Fitting& fitting, const SampleFit& fit) {
+    std::vector<surfel::BlockPtr> changed(fitting.which.size());
+    base::parallelFor(changed.size(), 16, [&](std::size_t k) { changed[k] = fitting.changed(k, tree, fit); });
     tree::Edit edit;
     edit.inserted.layout = tree.layout();
     for (std::size_t k = 0; k < changed.size(); ++k)
         if (changed[k])
-            edit.blocks.push_back({fitting.block[k], changed[k], {}});
-    return edit.empty() ? tree : tree.apply(edit);
+            edit.blocks.push_back({fitting.which[k].block, changed[k], {}});
+    return edit;
 }
 
 } // namespace
 
+tree::Edit fit(const tree::SurfelTree& tree, tree::Selection which, const surface::Surface& frozen,
+               const FitOptions& options) {
+    const Fitting fitting(tree, std::move(which), options.spacingAt);
+    SampleFit fit(frozen, fitting.samples, options.pinned);
+    tree::Edit edit;
+    for (int round = 0; round < options.rounds; ++round) {
+        base::CancelScope::check();
+        if (!fit.improve({edit.empty() ? tree : tree.apply(edit), frozen.definition()}))
+            break;
+        edit = editOf(tree, fitting, fit);
+    }
+    return edit;
+}
+
 tree::SurfelTree fitted(const tree::SurfelTree& tree, const surface::Surface& frozen,
-                        const std::function<float(const Vec3f&)>& spacingAt) {
+                        const std::function<float(const base::Vec3f&)>& spacingAt) {
     surface::SurfaceDefinition definition = frozen.definition();
     definition.shrinkFree = true; // as it is resampled (process/README 4.3)
-    const Fitting fitting(tree, spacingAt);
-    SampleFit fit({frozen.tree(), definition}, fitting.samples, pinnedAt(definition.weight));
-    tree::SurfelTree out = tree;
-    for (int round = 0; round < rounds; ++round) {
-        base::CancelScope::check();
-        if (!fit.improve({out, definition}))
-            break;
-        out = applied(tree, fitting, fit);
-    }
-    return out;
+    const tree::Edit edit =
+        fit(tree, selectAll(tree), {frozen.tree(), definition}, {spacingAt, pinnedAt(definition.weight), rounds});
+    return edit.empty() ? tree : tree.apply(edit);
 }
 
 } // namespace process

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "core/surface/surface.h"
+#include "core/tree/selection.h"
 
 #include <functional>
 
@@ -40,6 +41,17 @@ class SampleFit {
     std::vector<Sample> m_samples;
     std::vector<std::uint8_t> m_changed;
 };
+
+struct FitOptions {
+    std::function<float(const base::Vec3f&)> spacingAt; ///< by place; from many threads
+    float pinned;                                       ///< as above
+    int rounds;
+};
+
+/// How these surfels of a version change, but for fully masked ones, so that it makes the frozen surface; those that
+/// have it keep every bit. Throws base::Cancelled.
+tree::Edit fit(const tree::SurfelTree& tree, tree::Selection which, const surface::Surface& frozen,
+               const FitOptions& options);
 
 /// All surfels of a version, in three rounds, but for fully masked ones, fitted to a frozen surface; those that have it
 /// keep every bit. `spacingAt`: by place; from many threads. Throws base::Cancelled.
