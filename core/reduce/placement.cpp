@@ -4,6 +4,7 @@
 #include "core/base/parallel.h"
 #include "core/base/random.h"
 #include "core/reduce/density.h"
+#include "core/reduce/watch.h"
 
 #include <algorithm>
 #include <array>
@@ -271,6 +272,7 @@ Sites place(const surface::Surface& surface, const Places& places, NumberedTree 
     for (int k = 0; k < rounds; ++k) {
         progress.step(double(k) / rounds, "Placing samples");
         relaxation.round();
+        WatchScope::tell(relaxation.sites());
     }
     land(surface, places.oriented, relaxation.sites());
     return std::move(relaxation.sites());

@@ -5,6 +5,7 @@
 #include "core/base/parallel.h"
 #include "core/process/samples/samples.h"
 #include "core/reduce/coverage.h"
+#include "core/reduce/watch.h"
 #include "reduce/reduced_models.h"
 #include "support/registry.h"
 #include "support/sanitized.h"
@@ -33,6 +34,7 @@ class ReduceTest : public QObject {
     void attributesComeAlong();
     void sidelessSurfacesAreReduced();
     void sameBitsAtAnyThreadCount();
+    void whoLooksOnSeesTheSamplesSpread();
     void cancellingStops();
     void whatCannotBeReducedIsRefused();
 };
@@ -282,6 +284,39 @@ void ReduceTest::sameBitsAtAnyThreadCount() {
     base::setThreadCount(threads);
     QCOMPARE(hashes[0], hashes[1]);
     QCOMPARE(hashes[0], hashes[2]);
+}
+
+/// All of them after every round, each on the surface and with less and less of a way to go; the result is the same.
+void ReduceTest::whoLooksOnSeesTheSamplesSpread() {
+    const Shape shape = test::sphere(2000);
+    const std::string unseen = hashOf(reduceToCount(shape.surface, 200, Shapes::Spheres).surface);
+    std::vector<std::vector<Vec3f>> seen;
+    std::string watched;
+    {
+        const WatchScope scope([&](const Sites& floaters) {
+            seen.push_back(floaters.position);
+            QCOMPARE(floaters.normal.size(), floaters.size());
+            QCOMPARE(floaters.spacing.size(), floaters.size());
+        });
+        watched = hashOf(reduceToCount(shape.surface, 200, Shapes::Spheres).surface);
+    }
+    QCOMPARE(watched, unseen);
+    QVERIFY(seen.size() >= 10);
+    for (const auto& floaters : seen) {
+        QCOMPARE(floaters.size(), std::size_t(200));
+        for (const Vec3f& p : floaters)
+            QVERIFY(std::abs(length(p) - 1) < 0.02f);
+    }
+    const auto way = [](const std::vector<Vec3f>& from, const std::vector<Vec3f>& to) {
+        double sum = 0;
+        for (std::size_t i = 0; i < from.size(); ++i)
+            sum += double(distance(from[i], to[i]));
+        return sum;
+    };
+    QVERIFY(way(seen[8], seen[9]) < 0.5 * way(seen[0], seen[1]));
+    const std::size_t told = seen.size();
+    reduceToCount(shape.surface, 200, Shapes::Spheres); // nobody looks on any more
+    QCOMPARE(seen.size(), told);
 }
 
 void ReduceTest::cancellingStops() {

@@ -8,6 +8,7 @@
 #include "ui/window/parameter_values.h"
 #include "ui/window_fixture.h"
 
+#include <QCheckBox>
 #include <QLineEdit>
 #include <QSignalSpy>
 
@@ -20,6 +21,9 @@ class CommandDeskTest : public QObject {
     void closingShowsTheModelAgain();
     void nothingIsShownWhereNobodyWantsIt();
     void strokesGoOnBesideADialog();
+    void samplesAreSeenToSpreadBeforeTheyAreAModel();
+    void closingEndsTheSpread();
+    void errorsAreSeenInColours();
     void onlyWhatIsTakenOutCountsAsGone();
     void aClickGivesADrillPlaceAndDirection();
     void aTubeGoesThroughAllClicks();
@@ -103,6 +107,75 @@ void CommandDeskTest::strokesGoOnBesideADialog() {
     QVERIFY(f.settle());
     QVERIFY(f.editor().snapshot().surface.tree().contentHash() == shown);
     QCOMPARE(f.editor().snapshot().past.size(), std::size_t(2));
+}
+
+/// The dialog of `reduce`, for a tenth; each round is seen so long.
+static void reduceToATenth(WindowFixture& f, int roundMs) {
+    deskOf(f).preview().setRoundMs(roundMs);
+    deskOf(f).open(session::command("reduce"));
+    deskOf(f).dialog()->enter("ratio", "0.1");
+}
+
+static bool reducedIsShown(WindowFixture& f) {
+    return QTest::qWaitFor([&] { return shownBy(f).surfels < f.surfels(); }, test::patience);
+}
+
+void CommandDeskTest::samplesAreSeenToSpreadBeforeTheyAreAModel() {
+    WindowFixture f;
+    QVERIFY(f.make("sphere", 1500));
+    const base::Hash128 before = f.hash();
+    int rounds = 0, right = 0;
+    const auto spread = connect(&deskOf(f).preview(), &ui::CommandPreview::spread, this, [&](const ui::Snapshot& s) {
+        ++rounds; // on the model, which picks meet
+        right += s.whole.size() == f.surfels() + f.surfels() / 10 && s.surface.tree().size() == f.surfels() &&
+                 shownBy(f).whole == s.whole;
+    });
+    reduceToATenth(f, 1);
+    QVERIFY(reducedIsShown(f));
+    disconnect(spread);
+    QVERIFY(rounds >= 10 && right == rounds);
+    const base::Hash128 shown = shownBy(f).surface.tree().contentHash();
+    QVERIFY(f.hash() == before && !f.editor().snapshot().canUndo);
+    deskOf(f).dialog()->accept();
+    QVERIFY(f.settle());
+    QVERIFY(f.editor().snapshot().surface.tree().contentHash() == shown);
+    QCOMPARE(f.editor().snapshot().past.size(), std::size_t(1));
+    f.window->undo();
+    QVERIFY(f.hash() == before);
+}
+
+void CommandDeskTest::closingEndsTheSpread() {
+    WindowFixture f;
+    QVERIFY(f.make("sphere", 1500));
+    constexpr int roundMs = 50;
+    reduceToATenth(f, roundMs);
+    QVERIFY(previewed(f) && shownBy(f).whole.size() > f.surfels());
+    deskOf(f).dialog()->reject();
+    QVERIFY(!f.window->sculptView().look().showsInstead());
+    QTest::qWait(3 * roundMs);
+    QVERIFY(!f.window->sculptView().look().showsInstead() && !f.editor().snapshot().canUndo);
+}
+
+void CommandDeskTest::errorsAreSeenInColours() {
+    WindowFixture f;
+    QVERIFY(f.make("torus", 1500));
+    const ui::PictureLook& look = f.window->sculptView().look();
+    const render::Shading own = look.shading();
+    reduceToATenth(f, 0);
+    QVERIFY(reducedIsShown(f));
+    const tree::SurfelTree after = shownBy(f).surface.tree();
+    auto& error = *deskOf(f).dialog()->findChild<QCheckBox*>("errorColours");
+    error.setChecked(true);
+    QVERIFY(look.shading() == render::Shading::Deviation && shownBy(f).reference.tree() == after);
+    QVERIFY(shownBy(f).surface.tree() == f.editor().snapshot().surface.tree());
+    QTRY_VERIFY_WITH_TIMEOUT(look.scale(), test::patience);
+    error.setChecked(false);
+    QVERIFY(look.shading() == own && shownBy(f).surface.tree() == after);
+    error.setChecked(true);
+    deskOf(f).dialog()->reject();
+    QVERIFY(look.shading() == own && !look.showsInstead());
+    deskOf(f).open(session::command("inflate")); // which is to move the surface
+    QVERIFY(!deskOf(f).dialog()->findChild<QCheckBox*>("errorColours"));
 }
 
 void CommandDeskTest::onlyWhatIsTakenOutCountsAsGone() {

@@ -27,6 +27,7 @@ void PictureLook::placeGrid() {
 
 render::RenderOptions PictureLook::options() const {
     render::RenderOptions out = lookOf(m_settings);
+    out.shading = shading();
     out.pixelScale = static_cast<float>(m_canvas.devicePixelRatioF());
     if (m_settings.grid)
         out.grid = m_grid;
@@ -51,16 +52,15 @@ std::optional<TrueSurface> PictureLook::truth() const {
     if (!m_settings.truth.on || now.whole.empty())
         return {};
     TrueSurface out{allOf(now), m_settings.truth.quality, m_settings.truth.lighting, nullptr};
-    const std::optional<render::MeasureRow>& row = render::shadingRow(m_settings.shading).measure;
+    const std::optional<render::MeasureRow>& row = render::shadingRow(shading()).measure;
     if (row && m_scale)
         out.measured = std::make_shared<render::Measured>(
             render::Measured{row->question(now.surface, now.reference, m_settings.attribute), *m_scale});
     else if (!row && m_colours) // something is selected
-        out.measured = std::make_shared<render::Measured>(
-            render::Measured{render::selectionQuestion(now.surface),
-                             {},
-                             render::shadingRow(m_settings.shading).surfelColours ? render::Measured::Over::Own
-                                                                                  : render::Measured::Over::White});
+        out.measured = std::make_shared<render::Measured>(render::Measured{
+            render::selectionQuestion(now.surface),
+            {},
+            render::shadingRow(shading()).surfelColours ? render::Measured::Over::Own : render::Measured::Over::White});
     return out;
 }
 

@@ -27,8 +27,13 @@ class PictureLook {
     /// What pictures show: the model as it is now, or what would become of it.
     const Snapshot& shown() const { return m_instead ? *m_instead : m_editor.snapshot(); }
     bool showsInstead() const { return m_instead.has_value(); }
-    /// From now on this in place of the model; nothing: the model again.
-    void showInstead(std::optional<Snapshot> instead) { m_instead = std::move(instead); }
+    /// From now on this in place of the model, in its own shading where it has one; nothing: the model again.
+    void showInstead(std::optional<Snapshot> instead, std::optional<render::Shading> shading = {}) {
+        m_instead = std::move(instead);
+        m_insteadShading = shading;
+    }
+    /// That pictures have: the settings', or that of what is shown instead.
+    render::Shading shading() const { return m_insteadShading.value_or(m_settings.shading); }
 
     /// All that the settings and the model say of the picture's look; without colours.
     render::RenderOptions options() const;
@@ -45,6 +50,7 @@ class PictureLook {
     std::optional<render::ColourScale> m_scale;
     render::GroundGrid m_grid;
     std::optional<Snapshot> m_instead;
+    std::optional<render::Shading> m_insteadShading;
 };
 
 } // namespace ui

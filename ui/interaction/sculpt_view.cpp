@@ -126,6 +126,18 @@ void SculptView::showInstead(std::optional<Snapshot> after, std::vector<base::Ve
     refresh();
 }
 
+void SculptView::showErrorOf(const Snapshot& after) {
+    Snapshot measured = m_editor.snapshot();
+    if (after.stand != measured.stand) // seen from elsewhere
+        return showInstead({});
+    measured.reference = after.surface;
+    m_insteadOf = measured.whole;
+    m_look.showInstead(std::move(measured), render::Shading::Deviation);
+    m_overlay.gone.clear();
+    Q_EMIT shownChanged();
+    refresh();
+}
+
 void SculptView::faceFreePlane() {
     m_cuts.turnFreePlane(m_motion.view().turn({0, 0, 1}));
 }

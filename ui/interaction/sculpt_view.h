@@ -41,6 +41,8 @@ class SculptView : public QObject {
     /// What would become of the model, in its place and without being it, with dots where surfels would go. The model
     /// shows again after `showInstead({})`, and when it is another one.
     void showInstead(std::optional<Snapshot> after, std::vector<base::Vec3d> gone = {});
+    /// The model as it is, coloured by how far it is from that surface: likewise.
+    void showErrorOf(const Snapshot& after);
     /// Says what is working, over the picture; an empty text: nothing is.
     void setNotice(const Notice& notice);
 

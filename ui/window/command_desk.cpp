@@ -16,6 +16,10 @@ CommandDesk::CommandDesk(MainWindow& window) : QObject(&window), m_window(window
     m_pause.setInterval(pauseMs);
     connect(&m_pause, &QTimer::timeout, this, &CommandDesk::askPreview);
     connect(&m_preview, &CommandPreview::shown, this, &CommandDesk::show);
+    connect(&m_preview, &CommandPreview::spread, this, [this](const Snapshot& floaters) {
+        if (m_dialog && m_dialog->previews())
+            m_window.sculptView().showInstead(floaters);
+    });
     connect(&m_preview, &CommandPreview::failed, this, [this](const QString& why) {
         m_trying = false;
         m_window.sculptView().showInstead({});
@@ -66,6 +70,7 @@ void CommandDesk::connectDialog() {
         m_window.settings().previews = on;
         edited();
     });
+    connect(m_dialog, &CommandDialog::errorSwitched, this, &CommandDesk::showFound);
 }
 
 /// In a corner of the picture; where that would hide it, over the panel beside it. Never off the screen.
@@ -92,6 +97,7 @@ void CommandDesk::edited() {
         return;
     m_preview.cancel();
     m_trying = false;
+    m_found.reset();
     m_dialog->sayPreviewed({});
     if (m_dialog->previews())
         m_pause.start(m_window.sculptView().placement().dragging() ? 0 : pauseMs);
@@ -117,11 +123,21 @@ void CommandDesk::askPreview() {
 void CommandDesk::show(const Previewed& found) {
     if (!m_dialog || !m_dialog->previews())
         return;
-    m_window.sculptView().showInstead(found.after, found.gone);
+    m_found = found;
+    showFound();
     m_dialog->sayPreviewed(found.said);
     m_trying = false;
     if (std::exchange(m_again, false))
         askPreview();
+}
+
+void CommandDesk::showFound() {
+    if (!m_found)
+        return;
+    if (m_dialog && m_dialog->showsError())
+        m_window.sculptView().showErrorOf(m_found->after);
+    else
+        m_window.sculptView().showInstead(m_found->after, m_found->gone);
 }
 
 // --- handles ---
@@ -224,6 +240,7 @@ void CommandDesk::finish(bool accepted) {
     if (handles)
         m_window.showHint(); // of the tool again
     m_trying = m_again = false;
+    m_found.reset();
     if (m_picking)
         m_window.sculptView().picker().end();
     m_pause.stop();

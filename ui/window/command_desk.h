@@ -22,6 +22,7 @@ class CommandDesk : public QObject {
     /// Another dialog that is open is closed.
     void open(const session::CommandRow& row);
     CommandDialog* dialog() const { return m_dialog; }
+    CommandPreview& preview() { return m_preview; }
 
   private:
     void connectDialog();
@@ -29,6 +30,7 @@ class CommandDesk : public QObject {
     void edited();
     void askPreview();
     void show(const Previewed& found);
+    void showFound();
     void pick(const QString& field);
     void endPick();
     void finish(bool accepted);
@@ -44,6 +46,7 @@ class CommandDesk : public QObject {
     bool m_picking = false;
     bool m_trying = false, m_again = false; ///< a preview is being made; something has changed since
     bool m_entering = false;                ///< what handles say into the fields
+    std::optional<Previewed> m_found;       ///< the last preview that was made of it as it is
     tree::SurfelTree m_model;               ///< that the dialog is about
 };
 

@@ -40,6 +40,12 @@ bool hasDialog(const session::CommandRow& row) {
            std::find(elsewhere.begin(), elsewhere.end(), row.op) == elsewhere.end();
 }
 
+/// Commands that are to change the points alone: what they err is worth a picture.
+static bool keepsSurface(const session::CommandRow& row) {
+    constexpr std::array<std::string_view, 3> ops{"reduce", "refine", "resample"};
+    return std::find(ops.begin(), ops.end(), row.op) != ops.end();
+}
+
 static QString enteredIn(const QWidget* field) {
     if (const auto* line = qobject_cast<const QLineEdit*>(field))
         return line->text().trimmed();
@@ -119,6 +125,15 @@ void CommandDialog::addAnswers(QVBoxLayout& layout) {
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     auto* line = new QHBoxLayout;
     line->addWidget(m_preview);
+    if (keepsSurface(m_row)) {
+        m_error = new QCheckBox(tr("Error in colours"));
+        m_error->setObjectName("errorColours");
+        m_error->setToolTip(tr("Colours the model by how far each of its points is from the surface that would come"));
+        connect(m_error, &QCheckBox::toggled, this, &CommandDialog::errorSwitched);
+        connect(m_preview, &QCheckBox::toggled, m_error, &QWidget::setEnabled);
+        m_error->setEnabled(m_preview->isChecked());
+        line->addWidget(m_error);
+    }
     line->addWidget(buttons, 1);
     layout.addLayout(line);
 }
@@ -362,6 +377,10 @@ bool CommandDialog::previews() const {
 
 void CommandDialog::setPreviews(bool on) {
     m_preview->setChecked(on);
+}
+
+bool CommandDialog::showsError() const {
+    return m_error && m_error->isChecked();
 }
 
 /// The first ones and the last one, which sums up: a list of all would push the buttons off the screen.

@@ -53,12 +53,15 @@ class CommandDialog : public QDialog {
 
     bool previews() const;
     void setPreviews(bool on);
+    /// Whether previews show how far the model is from what would come of it; of commands that keep the surface.
+    bool showsError() const;
     void sayPreviewed(const QString& text);
 
   Q_SIGNALS:
     void changed();                  ///< the command may be another
     void placeWanted(QString field); ///< empty: no longer
     void previewsSwitched(bool on);
+    void errorSwitched();
 
   protected:
     bool eventFilter(QObject* object, QEvent* event) override;
@@ -91,7 +94,7 @@ class CommandDialog : public QDialog {
     std::vector<Field> m_fields;
     std::map<QString, QToolButton*> m_picks; ///< by field
     QLabel *m_help = nullptr, *m_outcome = nullptr, *m_said = nullptr, *m_trouble = nullptr;
-    QCheckBox* m_preview = nullptr;
+    QCheckBox *m_preview = nullptr, *m_error = nullptr;
 };
 
 } // namespace ui

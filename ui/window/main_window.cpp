@@ -277,7 +277,7 @@ void MainWindow::suitTool(const QString& tool) {
 
 void MainWindow::measure() {
     const Snapshot& now = m_view->look().shown();
-    m_measurer->want(m_settings.shading, m_settings.attribute, now.surface, now.reference, now.models);
+    m_measurer->want(m_view->look().shading(), m_settings.attribute, now.surface, now.reference, now.models);
     m_view->showColours(m_measurer->colours(), m_measurer->scale());
 }
 

@@ -3169,6 +3169,14 @@
         <translation>Blendet alles Ausgeblendete des Modells ein.</translation>
     </message>
     <message>
+        <source>Error in colours</source>
+        <translation>Fehler in Farben</translation>
+    </message>
+    <message>
+        <source>Colours the model by how far each of its points is from the surface that would come</source>
+        <translation>Färbt das Modell danach, wie weit jeder seiner Punkte von der Fläche liegt, die daraus würde</translation>
+    </message>
+    <message>
         <source>Shows in the picture what the command would make of the model, without doing it</source>
         <translation>Zeigt im Bild, was der Befehl aus dem Modell machen würde, ohne es zu tun</translation>
     </message>

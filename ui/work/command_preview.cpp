@@ -1,11 +1,15 @@
 #include "ui/work/command_preview.h"
 
 #include "core/base/cancel_scope.h"
+#include "core/reduce/watch.h"
 #include "ui/words/words.h"
+#include "ui/work/floaters.h"
 #include "ui/work/post.h"
 
 #include <bit>
+#include <chrono>
 #include <QPointer>
+#include <thread>
 #include <unordered_set>
 
 namespace ui {
@@ -66,7 +70,7 @@ void CommandPreview::want(const nlohmann::json& command) {
     const auto copy = std::make_shared<session::Document>(); // set by the model thread before it is told to be done
     m_editor.copyDocument(copy, [this, alive = QPointer<CommandPreview>(this), copy, command, wish = m_wish](bool) {
         if (alive && wish == m_wish)
-            m_worker->request({*copy, command, wish}, true);
+            m_worker->request({*copy, command, wish, m_roundMs}, true);
     });
 }
 
@@ -91,9 +95,15 @@ void CommandPreview::make(const Wanted& wanted, const base::Progress& progress) 
     };
     session::Document document = wanted.document;
     session::Context context{document, {}, {told, progress.cancel}, {}, 0, {}};
+    session::ShownScene beside;
+    const Snapshot before = snapshotOf(document, beside);
+    const reduce::WatchScope watched([&](const reduce::Sites& floaters) {
+        const auto until = std::chrono::steady_clock::now() + std::chrono::milliseconds(wanted.roundMs);
+        answer(wanted.wish, [this, shown = withFloaters(before, floaters)] { Q_EMIT spread(shown); });
+        std::this_thread::sleep_until(until);
+    });
     try {
         session::run(context, wanted.command);
-        session::ShownScene beside;
         Previewed found{snapshotOf(document, beside), {}, {}};
         found.gone = goneFrom(wanted.document.surface().tree(), document.surface().tree(), mostShown);
         QStringList said;

@@ -1,5 +1,7 @@
 // What a command would make of the model, tried on a copy of the document by a thread of its own; nothing of it is
 // kept. A wish replaces the one before, and stops it. Interface's thread only.
+// While a command spreads samples over the model, these are shown, a round after the other and no faster than an eye
+// follows (floaters.h).
 #pragma once
 
 #include "ui/work/editor.h"
@@ -27,11 +29,14 @@ class CommandPreview : public QObject {
     /// Stops what is running.
     ~CommandPreview() override;
     void want(const nlohmann::json& command);
+    /// How long a round of samples is seen, at least, of what is wanted from now on.
+    void setRoundMs(int ms) { m_roundMs = ms; }
     /// Nothing that was wanted will be shown.
     void cancel();
 
   Q_SIGNALS:
     void shown(const Previewed& found);
+    void spread(const Snapshot& floaters); ///< what it has so far, of commands that spread samples over the model
     void failed(QString why);
     void progressed(double share, QString doing);
 
@@ -40,6 +45,7 @@ class CommandPreview : public QObject {
         session::Document document;
         nlohmann::json command;
         std::uint64_t wish = 0;
+        int roundMs = 0;
     };
     void make(const Wanted& wanted, const base::Progress& progress);
     /// On the interface's thread, unless something else is wanted by now.
@@ -47,6 +53,7 @@ class CommandPreview : public QObject {
     void answer(std::uint64_t wish, Call call);
 
     Editor& m_editor;
+    int m_roundMs = 60;
     std::uint64_t m_wish = 0;                       ///< the last, by number
     std::unique_ptr<LatestWorker<Wanted>> m_worker; ///< last: its thread ends first
 };
