@@ -179,6 +179,7 @@ void PlyReader::judgeSplats() {
     const std::size_t all = m_model.points.size(), dropped = dropTransparent(m_model);
     if (dropped == all)
         m_file.fail("holds only splats that are nearly transparent", "choose a file with opaque ones");
+    shapeSplats(m_model);
     m_model.messages.push_back("The file holds Gaussian splats: " + std::to_string(dropped) + " of " +
                                std::to_string(all) +
                                " were left out because they are less than a tenth opaque, and so were colours that "

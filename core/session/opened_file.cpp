@@ -26,8 +26,9 @@ static auto inNameOf(const std::string& name, const Work& work) {
 
 OpenedFile opened(const std::string& name, io::FileModel model, const json& parameters,
                   const base::Progress& progress) {
-    OpenedFile out{name, std::move(model), {}, {}, false};
+    OpenedFile out{name, std::move(model), {}, {}, false, false};
     out.ownNormals = out.model.points.layout->normals;
+    out.ownSides = out.ownNormals && out.model.points.layout->oriented;
     out.surface = changed(out.model.definition.value_or(surface::SurfaceDefinition()), parameters);
     surface::SurfaceDefinition& definition = out.surface.definition;
     const mesh::FaceOptions options = faceOptions(parameters);
@@ -46,7 +47,7 @@ static base::UpAxis upOf(const OpenedFile& file, const surface::Surface& surface
     if (model.up || curve)
         return model.up.value_or(model.usualUp);
     // Scanners see the side that they scan; faces wind as programs like.
-    const bool seen = file.ownNormals && model.faces == 0 && surface.tree().layout()->oriented;
+    const bool seen = file.ownSides && model.faces == 0 && surface.tree().layout()->oriented;
     const auto sides = seen ? process::KnownSides::Yes : process::KnownSides::No;
     return process::guessedUp(process::upEvidence(surface.tree(), sides), model.usualUp);
 }
@@ -76,6 +77,7 @@ MadeModel made(OpenedFile& file, const base::Progress& progress) {
     process::PrepareOptions options;
     options.definition = definition;
     options.keepSupports = kept;
+    options.keepShapes = !kept && !file.surface.newSupports;
     options.keepLimit = model.limitDecided && definition == model.definition;
     options.keepSides = !model.shape.empty(); // saved from a surface, whose last strip may have two sides now
     options.merged = file.faces.sampled || model.hasSupports ? nullptr : &merged;

@@ -15,6 +15,7 @@ struct OpenedFile {
     SurfaceChange surface; ///< as the file or the parameters want it defined
     FacesOpened faces;
     bool ownNormals = false; ///< the file's
+    bool ownSides = false;   ///< and they tell which way is outwards
 };
 
 /// `parameters`: of faces and surface, checked. Throws base::Error for those that exclude each other or do not fit the

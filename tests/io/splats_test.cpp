@@ -2,6 +2,12 @@
 #include "io/io_support.h"
 #include "support/registry.h"
 
+#include "core/base/random.h"
+#include "core/surfel/shape.h"
+
+#include <array>
+#include <sstream>
+
 class SplatsTest : public QObject {
     Q_OBJECT
   private Q_SLOTS:
@@ -10,6 +16,7 @@ class SplatsTest : public QObject {
     void facesFollowTheirSplats();
     void savedSplatsAreNotColouredAgain();
     void otherPointsWithOpacityStay();
+    void normalsAndShapesAreTheCovariances();
 };
 
 namespace {
@@ -17,6 +24,7 @@ namespace {
 struct Splat {
     double opacity; ///< share
     double colour[3];
+    std::string covariance = "-3 -4 -5 1.5 0 0.5 0"; ///< scales, then the quaternion
 };
 
 std::string splatFile(const std::vector<Splat>& splats, const std::string& faces = "") {
@@ -32,7 +40,7 @@ std::string splatFile(const std::vector<Splat>& splats, const std::string& faces
         out += std::to_string(i) + " 0 1 0 0 0";
         for (const double c : s.colour)
             out += " " + std::to_string((c - 0.5) / 0.28209479177387814);
-        out += " 7 " + std::to_string(std::log(s.opacity / (1 - s.opacity))) + " -3 -4 -5 1.5 0 0.5 0\n";
+        out += " 7 " + std::to_string(std::log(s.opacity / (1 - s.opacity))) + " " + s.covariance + "\n";
     }
     return out + faces;
 }
@@ -48,7 +56,7 @@ void SplatsTest::coloursComeFromTheZerothHarmonic() {
     QCOMPARE(model.points.items[1].colour, surfel::rgba(0, 51, 255, 252));
     QCOMPARE(model.points.items[2].colour, surfel::rgba(26, 26, 26, 51));
     const surfel::AttributeLayout& layout = *model.points.layout;
-    QVERIFY(layout.colours && !layout.normals); // which are zeros in such files
+    QVERIFY(layout.colours && !layout.oriented); // normals are zeros in such files
     QVERIFY(!layout.find("f_dc_0") && !layout.find("f_rest_0"));
     QCOMPARE(surfel::read(*layout.find("scale_1"), model.points.extraOf(0)), -4.0);
     QCOMPARE(surfel::read(*layout.find("rot_0"), model.points.extraOf(0)), 1.5);
@@ -89,6 +97,49 @@ void SplatsTest::otherPointsWithOpacityStay() {
                                        "end_header\n1 2 3 -9\n4 5 6 0\n"));
     QCOMPARE(model.points.size(), std::size_t(2));
     QVERIFY(!model.points.layout->colours && model.points.layout->find("opacity"));
+}
+
+/// Of random ones, whatever the order of their axes and the length of their quaternions.
+void SplatsTest::normalsAndShapesAreTheCovariances() {
+    base::Random random(test::seed());
+    std::vector<Splat> splats;
+    std::vector<base::Vec3d> along, across, normal; // of each, the axes of its deviations
+    std::vector<double> aspect, thinness;
+    for (int k = 0; k < 40; ++k) {
+        const base::Vec3d axis = random.unitVector();
+        const double angle = random.uniform(-3, 3), length = random.uniform(0.6, 1.3), thin = random.uniform(1.1, 6);
+        const double middle = std::exp(random.uniform(-6, 0)), wide = random.uniform(1, 6);
+        std::array<double, 3> scale{middle * wide, middle, middle / thin};
+        std::array<base::Vec3d, 3> unit{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+        for (base::Vec3d& u : unit) // Rodrigues' turn
+            u = u * std::cos(angle) + cross(axis, u) * std::sin(angle) + axis * (dot(axis, u) * (1 - std::cos(angle)));
+        const std::size_t first = random.below(3);
+        std::array<double, 3> inFile;
+        for (std::size_t a = 0; a < 3; ++a)
+            inFile[(first + a) % 3] = std::log(scale[a]);
+        const double half = std::sin(angle / 2) * length;
+        std::ostringstream said;
+        for (const double each : {inFile[0], inFile[1], inFile[2], std::cos(angle / 2) * length, axis.x * half,
+                                  axis.y * half, axis.z * half})
+            said << each << ' ';
+        splats.push_back({0.5, {}, said.str()});
+        along.push_back(unit[first]), across.push_back(unit[(first + 1) % 3]), normal.push_back(unit[(first + 2) % 3]);
+        aspect.push_back(wide), thinness.push_back(thin);
+    }
+    const test::Folder folder;
+    const io::FileModel model = io::read(folder.write("a.ply", splatFile(splats)));
+    const surfel::AttributeLayout& layout = *model.points.layout;
+    QVERIFY(layout.normals && !layout.oriented && !model.hasSupports && surfel::shapeChannel(layout) > 0);
+    for (std::size_t i = 0; i < splats.size(); ++i) {
+        const QByteArray told = ("splat " + std::to_string(i) + ", seed " + std::to_string(test::seed())).c_str();
+        const auto n = base::cast<double>(model.points.items[i].normal);
+        if (std::abs(thinness[i] - 2) > 0.001)
+            QVERIFY2(thinness[i] > 2 ? length(cross(n, normal[i])) < 1e-4 && length(n) > 0.999 : length(n) == 0, told);
+        const auto b = base::cast<double>(surfel::shapeIn(model.points.extraOf(i), surfel::shapeWord(layout)));
+        const double asked = std::min(aspect[i], double(surfel::mostAspect));
+        QVERIFY2(std::abs(surfel::aspectOf(base::cast<float>(b)) - float(asked)) < 1e-3f, told);
+        QVERIFY2(std::abs(dot(b, normal[i])) < 1e-4 && std::abs(dot(b, along[i])) < 1e-4, told);
+    }
 }
 
 static const test::Registered<SplatsTest> registered;

@@ -255,8 +255,10 @@ void MainWindow::suitShading() {
     const tree::SurfelTree& model = m_editor->snapshot().surface.tree();
     const bool colours = render::hasOwnColours(model);
     const bool lost = m_settings.shading == render::Shading::Attribute && !model.layout()->find(m_settings.attribute);
-    if (lost || colours != render::shadingRow(m_settings.shading).surfelColours)
-        chooseShading(*menu("shading"), colours ? render::Shading::Colour : render::Shading::Matcap);
+    const render::Shading usual = render::usualShading(model);
+    const bool taken = usual == render::Shading::Unlit && m_settings.shading == render::Shading::Colour;
+    if (lost || taken || colours != render::shadingRow(m_settings.shading).surfelColours)
+        chooseShading(*menu("shading"), usual);
 }
 
 /// What a stroke writes is to be seen: colours are not under a material, nor masks among measured numbers.

@@ -15,6 +15,10 @@ bool areSplats(const std::vector<Field>& fields);
 /// table outlives what is made of it.
 void colourSplats(RecordTable& table);
 
+/// Normals of splats that are clearly thinner than wide, of no side, and the shape of each as a support's. Others have
+/// no normal, and none has a support: sizes of splats are no measure of how densely they stand.
+void shapeSplats(FileModel& model);
+
 /// Takes out splats that are nearly transparent; returns how many.
 std::size_t dropTransparent(FileModel& model);
 

@@ -212,16 +212,28 @@ void prepareNormals(surfel::SurfelList& points, Surroundings& around, const Prep
 
 /// Shapes as they may be, and balls where supports are made anew: what `keeps` leaves out. Strokes turn normals and
 /// leave shapes, so that these are not turned here: a model opens as it was saved.
+/// With `across`, those that are left out lie in the tangent planes instead.
 template <class Keeps>
-void prepareShapes(surfel::SurfelList& points, const Keeps& keeps) {
+void prepareShapes(surfel::SurfelList& points, bool across, const Keeps& keeps) {
     if (surfel::shapeChannel(*points.layout) == 0)
         return;
     const std::size_t first = surfel::shapeWord(*points.layout), words = points.layout->words();
     base::parallelFor(points.size(), grain, [&](std::size_t i) {
         const auto own = std::span(points.extra).subspan(i * words, words);
         const surfel::Surfel& s = points.items[i];
-        surfel::putShape(own, first, keeps(s) ? surfel::soundShape(surfel::shapeIn(own, first), {}) : base::Vec3f{});
+        const bool kept = keeps(s);
+        surfel::putShape(own, first,
+                         kept || across
+                             ? surfel::soundShape(surfel::shapeIn(own, first), kept ? base::Vec3f{} : s.normal)
+                             : base::Vec3f{});
     });
+}
+
+/// As it is by now; zero where there are none.
+base::Vec3f shapeOf(const surfel::SurfelList& points, std::size_t i) {
+    return surfel::shapeChannel(*points.layout) == 0
+               ? base::Vec3f{}
+               : surfel::shapeIn(points.extraOf(i), surfel::shapeWord(*points.layout));
 }
 
 void prepareSupports(surfel::SurfelList& points, Surroundings& around, const PrepareOptions& options,
@@ -229,7 +241,7 @@ void prepareSupports(surfel::SurfelList& points, Surroundings& around, const Pre
     const auto keeps = [&](const surfel::Surfel& s) {
         return options.keepSupports && s.support > 0 && std::isfinite(s.support);
     };
-    prepareShapes(points, keeps);
+    prepareShapes(points, options.keepShapes, keeps);
     if (allOf(points, keeps))
         return;
     const bool one = options.definition.support > 0;
@@ -238,7 +250,7 @@ void prepareSupports(surfel::SurfelList& points, Surroundings& around, const Pre
     const auto places = around.cloud().places();
     base::parallelFor(points.size(), grain, [&](std::size_t i) {
         if (!keeps(points.items[i]))
-            points.items[i].support = h[places[i]];
+            points.items[i].support = h[places[i]] * std::sqrt(surfel::aspectOf(shapeOf(points, i)));
     });
 }
 

@@ -26,6 +26,8 @@ struct PrepareOptions {
     /// Where not null, of a tree that these very points may come from: then it is that tree again.
     const tree::TreeShape* shape = nullptr;
     bool keepSides = false; ///< whether there are two sides was judged for this very model: unoriented normals stay so
+    /// Shapes that came without supports stay: their ellipses have the area of the balls that are made.
+    bool keepShapes = false;
 };
 
 /// Throws base::Error where fewer than 4 distinct points are left to make a surface of, base::Cancelled.

@@ -15,8 +15,15 @@ bool hasOwnColours(const tree::SurfelTree& tree) {
     return false;
 }
 
+/// By what a file of them leaves (io/README 2.17).
+static bool areSplats(const surfel::AttributeLayout& layout) {
+    return layout.find("opacity") && layout.find("scale_0") && layout.find("rot_0");
+}
+
 Shading usualShading(const tree::SurfelTree& tree) {
-    return hasOwnColours(tree) ? Shading::Colour : Shading::Matcap;
+    if (!hasOwnColours(tree))
+        return Shading::Matcap;
+    return areSplats(*tree.layout()) ? Shading::Unlit : Shading::Colour;
 }
 
 } // namespace render

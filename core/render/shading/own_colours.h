@@ -10,7 +10,8 @@ namespace render {
 /// the first surfel that differs.
 bool hasOwnColours(const tree::SurfelTree& tree);
 
-/// What a model is shown in where nobody chose: its own colours, else the matcap.
+/// What a model is shown in where nobody chose: its own colours, of Gaussian splats as they were taken, since light is
+/// in them already; else the matcap.
 Shading usualShading(const tree::SurfelTree& tree);
 
 } // namespace render
