@@ -1,6 +1,8 @@
 #include "core/render/splats/splat_scale.h"
 
 #include "core/process/estimation/spacing_sample.h"
+#include "core/render/splats/disc_gaps.h"
+#include "core/render/splats/splat_kernels.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,11 +22,33 @@ constexpr float nearOne = 1.3f;
 /// Steps of an octave: an edit that hardly changes the sampling changes no splat.
 constexpr float steps = 32;
 
-/// 1 near 1, its argument far from it, and no jump between.
+/// Discs that reach beyond the farthest gap by this leave no hole, and blend.
+constexpr float beyondGap = 1.2f;
+/// Octaves of the ratio from which samples count as few, and within which they come to: with the least part that is
+/// left, slowly enough for the scale to grow with the ratio all the same.
+constexpr float fewFrom = 0.4f, fewWithin = 0.7f, narrowest = 0.65f;
+
+float coveredBy(std::vector<float>& ratios) {
+    const auto most = ratios.begin() + static_cast<std::ptrdiff_t>(covered * static_cast<float>(ratios.size() - 1));
+    std::nth_element(ratios.begin(), most, ratios.end());
+    return *most;
+}
+
+/// Where few samples carry the shape, a disc is as large as a feature, and stands out over outlines: it becomes no
+/// larger than gaps ask for, which are small where samples are relaxed. In octaves, up to 0.
+float narrowed(const tree::SurfelTree& model, float ratio) {
+    const float few = std::clamp((std::log2(ratio) - fewFrom) / fewWithin, 0.0f, 1.0f);
+    std::vector<float> gaps = few > 0 ? sampleGaps(model) : std::vector<float>();
+    if (gaps.empty())
+        return 0;
+    const float wanted = beyondGap * coveredBy(gaps) / (splatRadiusOfSupport * ratio);
+    return few * std::log2(std::clamp(wanted, narrowest, 1.0f));
+}
+
+/// 1 near 1, its argument far from it, and no jump between; in octaves.
 float settled(float ratio) {
     const float octaves = std::log2(ratio), near = std::log2(nearOne);
-    const float kept = std::copysign(std::clamp(2 * (std::abs(octaves) - near), 0.0f, std::abs(octaves)), octaves);
-    return std::exp2(std::round(steps * kept) / steps);
+    return std::copysign(std::clamp(2 * (std::abs(octaves) - near), 0.0f, std::abs(octaves)), octaves);
 }
 
 } // namespace
@@ -35,9 +59,8 @@ float splatScaleOf(const tree::SurfelTree& model) {
         ratios.push_back(usualSupport * each.spacing / each.support);
     if (ratios.empty())
         return 1;
-    const auto most = ratios.begin() + static_cast<std::ptrdiff_t>(covered * static_cast<float>(ratios.size() - 1));
-    std::nth_element(ratios.begin(), most, ratios.end());
-    return settled(std::clamp(*most, 1e-3f, 4.0f));
+    const float most = std::clamp(coveredBy(ratios), 1e-3f, 4.0f);
+    return std::exp2(std::round(steps * (settled(most) + narrowed(model, most))) / steps);
 }
 
 } // namespace render
