@@ -19,6 +19,7 @@ class FewSamplesTest : public QObject {
     void theSurfaceStaysWhereItWas();
     void denseModelsAndWideBrushesKeepAll();
     void maskedSamplesStay();
+    void cellsAreRefinedAwayFromCreases();
     void onceIsEnough();
     void dabsAreThoseOfDenseModels_data();
     void dabsAreThoseOfDenseModels();
@@ -198,6 +199,29 @@ void FewSamplesTest::maskedSamplesStay() {
     const std::vector<surfel::Surfel> now = surfelsOf(*after);
     for (const surfel::Surfel& each : list.items)
         QVERIFY(each.mask == 0 || std::find(now.begin(), now.end(), each) != now.end());
+}
+
+/// And what is new belongs to the cell that it is in.
+void FewSamplesTest::cellsAreRefinedAwayFromCreases() {
+    surfel::SurfelList list = ball(few).tree().surfels();
+    auto layout = std::make_shared<surfel::AttributeLayout>(*list.layout);
+    for (const char* name : {"cell", "partner", "sign"})
+        layout->add(name, surfel::ScalarType::UInt8);
+    list.layout = layout;
+    list.extra.clear();
+    for (const surfel::Surfel& each : list.items) {
+        const std::uint32_t cell = each.position.z > -0.5f ? 3 : 5;
+        list.extra.insert(list.extra.end(), {cell, cell, 0});
+    }
+    const surface::Surface before{tree::SurfelTree::build(list), fewNeighbours()};
+    const auto radius = static_cast<float>(spacing);
+    QVERIFY(!process::refinedUnder(before, {std::sqrt(0.75f), 0, -0.5f}, radius));
+    const auto after = process::refinedUnder(before, place, radius);
+    QVERIFY(after && after->tree().size() > before.tree().size() + 100);
+    const std::size_t word = after->tree().layout()->find("cell")->firstWord;
+    const surfel::SurfelList now = after->tree().surfels();
+    for (std::size_t i = 0; i < now.size(); ++i)
+        QCOMPARE(now.extraOf(i)[word], now.items[i].position.z > -0.5f ? 3u : 5u);
 }
 
 void FewSamplesTest::onceIsEnough() {

@@ -59,6 +59,9 @@ class Refining {
         return out;
     }
 
+    /// Creases are met by the samples that are there: finer ones would need others across.
+    bool inOneCell() const { return oneCellAround(m_surface, m_centre, m_reach + m_coarsest); }
+
     surface::Surface refined(const Along& along) {
         forAll(m_surface.tree(), [&](std::uint32_t, const surfel::SurfelBlock& block, int slot) {
             if (!coarse(block, slot, supportAt(block.position(slot))))
@@ -173,7 +176,8 @@ class Refining {
     std::set<Key> m_kept; ///< places of those within reach that are left alone
 };
 
-bool fit(const surface::Surface& surface) {
+/// Is it of few oriented samples?
+bool isReduced(const surface::Surface& surface) {
     const surface::SurfaceDefinition& d = surface.definition();
     return d.manifold == surface::Manifold::Surface && d.support <= 0 && d.neighbours <= fewNeighbours &&
            surface.tree().layout()->oriented && !surface.tree().empty();
@@ -183,10 +187,10 @@ bool fit(const surface::Surface& surface) {
 
 std::optional<surface::Surface> refinedUnder(const surface::Surface& surface, const Vec3f& centre, float radius,
                                              const Along& along) {
-    if (!fit(surface) || !(radius > 0))
+    if (!isReduced(surface) || !(radius > 0))
         return std::nullopt;
     Refining refining(surface, centre, radius);
-    if (!refining.asked() || hasCells(surface))
+    if (!refining.asked() || !refining.inOneCell())
         return std::nullopt;
     return refining.refined(along);
 }

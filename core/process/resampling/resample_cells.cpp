@@ -7,6 +7,7 @@
 #include "core/surface/rays/intersect.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <map>
 #include <set>
@@ -369,6 +370,20 @@ bool hasCells(const surface::Surface& surface) {
             out = out || wordOf(block, slot, words->cell) != wordOf(*first, 0, words->cell);
     });
     return out;
+}
+
+bool oneCellAround(const surface::Surface& surface, const Vec3f& centre, float radius) {
+    const auto words = LabelWords::of(*surface.tree().layout());
+    if (!words)
+        return true;
+    std::set<std::array<std::uint32_t, 3>> met;
+    surface.tree().forBlocksInBall(centre, radius, [&](std::uint32_t, const surfel::SurfelBlock& block) {
+        for (int slot = 0; slot < block.size(); ++slot)
+            if (distanceSq(block.position(slot), centre) < radius * radius)
+                met.insert({wordOf(block, slot, words->cell), wordOf(block, slot, words->partner),
+                            wordOf(block, slot, words->sign)});
+    });
+    return met.size() <= 1;
 }
 
 } // namespace process

@@ -21,5 +21,7 @@ resampleEachCell(const surface::Surface& surface, float reach, const base::Progr
                  const std::function<ResampleResult(const surface::Surface&, const base::Progress&)>& one);
 /// Has the model several cells?
 bool hasCells(const surface::Surface& surface);
+/// Are all surfels in a ball of one cell, with the same one or none across the nearest crease?
+bool oneCellAround(const surface::Surface& surface, const base::Vec3f& centre, float radius);
 
 } // namespace process
