@@ -16,6 +16,10 @@ namespace ui {
 
 namespace {
 
+using Clock = std::chrono::steady_clock;
+/// So many rounds of floaters are waited for, or a search for an error would take minutes.
+constexpr int unhurried = 30;
+
 struct PlaceHash {
     std::size_t operator()(const base::Vec3f& p) const {
         std::uint64_t h = 0;
@@ -97,11 +101,15 @@ void CommandPreview::make(const Wanted& wanted, const base::Progress& progress) 
     session::Context context{document, {}, {told, progress.cancel}, {}, 0, {}};
     session::ShownScene beside;
     const Snapshot before = snapshotOf(document, beside);
-    const reduce::WatchScope watched([&](const reduce::Sites& floaters) {
-        const auto until = std::chrono::steady_clock::now() + std::chrono::milliseconds(wanted.roundMs);
-        answer(wanted.wish, [this, shown = withFloaters(before, floaters)] { Q_EMIT spread(shown); });
-        std::this_thread::sleep_until(until);
-    });
+    const reduce::WatchScope watched(
+        [&, next = Clock::time_point(), rounds = 0](const reduce::Sites& floaters) mutable {
+            if (rounds >= unhurried && Clock::now() < next)
+                return;
+            next = Clock::now() + std::chrono::milliseconds(wanted.roundMs);
+            answer(wanted.wish, [this, shown = withFloaters(before, floaters)] { Q_EMIT spread(shown); });
+            if (++rounds <= unhurried)
+                std::this_thread::sleep_until(next);
+        });
     try {
         session::run(context, wanted.command);
         Previewed found{snapshotOf(document, beside), {}, {}};

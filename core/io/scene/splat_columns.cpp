@@ -106,8 +106,9 @@ void addShapes(surfel::SurfelList& points) {
 void shapeSplats(FileModel& model) {
     constexpr double thin = 2; // middle axis over the least: below it the least one is no normal
     surfel::SurfelList& points = model.points;
-    if (surfel::shapeChannel(*points.layout) == 0)
-        addShapes(points);
+    if (model.hasSupports || surfel::shapeChannel(*points.layout) > 0)
+        return; // it has its own
+    addShapes(points);
     const Covariance covariance(*points.layout);
     const std::size_t first = surfel::shapeWord(*points.layout), words = points.layout->words();
     for (std::size_t i = 0; i < points.size(); ++i) {

@@ -16,7 +16,8 @@ bool areSplats(const std::vector<Field>& fields);
 void colourSplats(RecordTable& table);
 
 /// Normals of splats that are clearly thinner than wide, of no side, and the shape of each as a support's. Others have
-/// no normal, and none has a support: sizes of splats are no measure of how densely they stand.
+/// no normal, and none has a support: sizes of splats are no measure of how densely they stand. Files that bring
+/// supports or shapes keep them. REQUIRES: the attributes of splats.
 void shapeSplats(FileModel& model);
 
 /// Takes out splats that are nearly transparent; returns how many.
