@@ -23,6 +23,7 @@ class FewSamplesTest : public QObject {
     void onceIsEnough();
     void dabsAreThoseOfDenseModels_data();
     void dabsAreThoseOfDenseModels();
+    void atRimsToo();
     void theStrokeKeepsTheFineSpacing();
     void theSameBitsAtAnyThreadCount();
 };
@@ -261,6 +262,41 @@ void FewSamplesTest::dabsAreThoseOfDenseModels() {
     const auto [off, lost] = away(coarse, places);
     QCOMPARE(lost, 0);
     QVERIFY2(off <= 0.005 * height, std::to_string(off / height).c_str());
+}
+
+/// The upper part of a ball, which ends where its samples do.
+static surface::Surface bowl(std::size_t count, float lowest) {
+    surface::SurfaceDefinition definition = fewNeighbours();
+    definition.boundary = surface::Boundary::Limit;
+    definition.boundaryLimit = 0.24f;
+    surfel::SurfelList all = ball(count).tree().surfels();
+    std::erase_if(all.items, [&](const surfel::Surfel& each) { return each.position.z < lowest; });
+    return {tree::SurfelTree::build(all), definition};
+}
+
+void FewSamplesTest::atRimsToo() {
+    const auto r = static_cast<float>(spacing);
+    const Vec3f at = base::normalized(Vec3f{0.6f, 0.8f, 0.1f});
+    const surface::Surface coarse = bowl(few, 0);
+    const auto refined = process::refinedUnder(coarse, at, r);
+    QVERIFY(refined);
+    for (const surfel::Surfel& each : surfelsOf(*refined))
+        QVERIFY(distance(each.position, at) > r || each.support <= 0.5f * r);
+    const surface::Surface raisedCoarse = raised(coarse, at * 2.0f, -at, r);
+    std::vector<Vec3d> places;
+    double height = 0;
+    for (const surfel::Surfel& each : surfelsOf(raised(bowl(many, -0.2f), at * 2.0f, -at, r))) {
+        const auto p = base::cast<double>(each.position);
+        const Vec3d below = base::normalized(base::normalized(p) - Vec3d{0, 0, 0.3 * spacing});
+        if (distance(each.position, at) > 1.2f * r || away(coarse, {below}).second > 0)
+            continue; // it is at the rim itself, which moves by a twentieth of a spacing
+        height = std::max(height, length(p) - 1);
+        if (static_cast<int>(places.size()) < test::effort(400))
+            places.push_back(p);
+    }
+    const auto [off, lost] = away(raisedCoarse, places);
+    QCOMPARE(lost, 0);
+    QVERIFY2(off <= 0.01 * height, std::to_string(off / height).c_str());
 }
 
 /// A path: what was refined under it stays fine at its end.

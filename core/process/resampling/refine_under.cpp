@@ -27,7 +27,8 @@ constexpr float growth = 0.5f;    ///< of the spacing, per length outside of the
 constexpr float fineWithin = 1.5f, askedWithin = 1.1f;
 constexpr float coarser = 1.25f; ///< than wanted, and worth while
 constexpr float beside = 0.6f;   ///< of a semi-axis, about a spacing: at rims there is nothing on one side
-constexpr float inside = 0.8f;   ///< of the boundary limit: that is no border yet
+constexpr float inside = 0.7f;   ///< of the boundary limit: that is no border yet, and finer samples end where it was
+constexpr float finerAtRims = 2; ///< at least so much: others, as wide as those before, would end elsewhere
 constexpr int mostRounds = 8;
 constexpr int fitRounds = 6;
 
@@ -107,9 +108,10 @@ class Refining {
     }
     bool coarse(const surfel::SurfelBlock& block, int slot, float limit) const {
         const float axis = surfel::ballOf(block, slot, m_shape);
-        return axis > 0.5f * m_radius && axis > limit && block.mask(slot) < 1 && !atRim(block, slot, axis);
+        return axis > 0.5f * m_radius && axis > limit && block.mask(slot) < 1 &&
+               (axis > finerAtRims * limit || !atRim(block, slot, axis));
     }
-    /// Finer samples would end the surface elsewhere.
+    /// Does the surface end beside it?
     bool atRim(const surfel::SurfelBlock& block, int slot, float axis) const {
         if (!std::isfinite(m_surface.definition().boundaryLimit))
             return false;
