@@ -20,6 +20,8 @@ class UpGuessTest : public QObject {
     void whatIsCutOffStandsOnTheCut();
     void terrainsLie();
     void scannedGroundIsSeenFromAbove();
+    void housesAreSeenFromAbove();
+    void oneRangeScanTellsNothing();
     void roomsHaveTheirFloorBelow();
     void ballsTellNothing();
     void feetBearATable();
@@ -229,6 +231,77 @@ void UpGuessTest::scannedGroundIsSeenFromAbove() {
             const auto statue = modelOf(Statue(random), 6000, row.axis, {}, random);
             QVERIFY(guessedUp(process::upEvidence(statue, process::KnownSides::Yes), UpAxis::Y) == guess(statue));
         }
+}
+
+namespace {
+
+/// A roof of two pitches on walls, of which a drone saw each as much as it liked, and nothing from below.
+class House {
+  public:
+    explicit House(Random& random)
+        : m_size{random.uniform(1, 3), random.uniform(0.6, 1.2), random.uniform(0.8, 1)},
+          m_pitch(random.uniform(0.15, 0.55)) {
+        for (double& wall : m_seen)
+            wall = random.uniform(0.2, 1);
+        m_roof = random.uniform(0.8, 1.2);
+    }
+    Place operator()(Random& random) const {
+        const double ends = 2 * m_size.z * m_size.y, sides = 2 * m_size.x * m_size.y, roof = 2 * m_size.x * m_size.z;
+        for (;;) {
+            const double pick = random.uniform() * (ends + sides + roof * m_roof), a = random.uniform(-1, 1);
+            const double h = random.uniform();
+            const bool far = random.uniform() < 0.5;
+            const double side = far ? 1 : -1;
+            if (pick > ends + sides)
+                return {{a * m_size.x, m_size.y + m_pitch * (1 - h) * m_size.z, side * h * m_size.z},
+                        base::normalized(Vec3d{0, 1, side * m_pitch})};
+            const bool end = pick < ends;
+            if (random.uniform() > m_seen[2 * std::size_t(end) + std::size_t(far)])
+                continue;
+            return end ? Place{{side * m_size.x, h * m_size.y, a * m_size.z}, {side, 0, 0}}
+                       : Place{{a * m_size.x, h * m_size.y, side * m_size.z}, {0, 0, side}};
+        }
+    }
+
+  private:
+    Vec3d m_size;
+    double m_pitch, m_seen[4], m_roof;
+};
+
+} // namespace
+
+/// Whichever wall is the largest plane: what looks up is there, what looks down is not.
+void UpGuessTest::housesAreSeenFromAbove() {
+    for (int k = 0; k < test::effort(8); ++k)
+        for (const base::UpRow& row : base::upTable()) {
+            Random random(test::seed() + static_cast<unsigned>(k));
+            const House house(random);
+            const auto scanned = [&](Random& r) { // no scan is exact
+                Place out = house(r);
+                out.normal = base::normalized(out.normal + r.unitVector() * 0.05);
+                return out;
+            };
+            const auto tree = modelOf(scanned, 4000, row.axis, {k % 2 * 0.005, 0.001, 0, true}, random);
+            QVERIFY2(guessedUp(process::upEvidence(tree, process::KnownSides::Yes), UpAxis::Y) == row.axis,
+                     qPrintable(QString("seed %1 up %2").arg(test::seed() + static_cast<unsigned>(k)).arg(row.id)));
+        }
+}
+
+/// All that one scanner sees faces it, whichever way that is.
+void UpGuessTest::oneRangeScanTellsNothing() {
+    for (const base::UpRow& row : base::upTable()) {
+        Random random(test::seed());
+        const auto half = [](Random& r) {
+            for (;;) {
+                const Place out = ball(r);
+                if (r.uniform() < out.normal.y) // as many as the scanner has rays for
+                    return out;
+            }
+        };
+        const auto seen = process::upEvidence(modelOf(half, 6000, row.axis, {}, random), process::KnownSides::Yes);
+        const auto told = process::upEvidence(modelOf(half, 6000, row.axis, {}, random));
+        QVERIFY2(guessedUp(seen, UpAxis::Y) == guessedUp(told, UpAxis::Y), row.id);
+    }
 }
 
 void UpGuessTest::roomsHaveTheirFloorBelow() {

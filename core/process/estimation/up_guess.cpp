@@ -21,8 +21,11 @@ constexpr double restsLess = 0.6, tallEnough = 0.7; ///< of what stands without 
 constexpr double thinnest = 0.3, facingOfSheets = 0.45;
 constexpr double larger = 1.25, muchLarger = 2.5; ///< planes that outdo the usual axis and side
 constexpr double standsOn = 0.35;                 ///< rest of what stands
-constexpr float exactly = 0.999999f;              ///< |cosine| between the normals of a built plane and an axis
-constexpr double leastExact = 0.02;               ///< of the area, along each of two axes
+/// Of the area of what was seen from above: what looks up, what looks down for each of these, and what stands.
+constexpr double leastSunny = 0.12, mostShady = 0.05, leastWalls = 0.3;
+constexpr float upright = 0.2f;      ///< largest |cosine| between a wall's normal and the axis
+constexpr float exactly = 0.999999f; ///< |cosine| between the normals of a built plane and an axis
+constexpr double leastExact = 0.02;  ///< of the area, along each of two axes
 /// Of the diagonal and of the height: how thick a layer is that counts as one plane.
 constexpr double thick = 0.01, thickOfHeight = 0.04;
 
@@ -195,11 +198,16 @@ UpEvidence upEvidence(const tree::SurfelTree& tree, KnownSides sides) {
             out.facing[k] += s.weight * std::abs(static_cast<double>(s.normal[k])) / total;
             out.looks[k] += sides == KnownSides::Yes ? s.weight * static_cast<double>(s.normal[k]) / total : 0;
             out.exact[k] += std::abs(s.normal[k]) >= exactly ? s.weight / total : 0;
+            out.walls[k] += std::abs(s.normal[k]) <= upright ? s.weight / total : 0;
         }
     }
     for (const base::UpRow& row : base::upTable()) {
         const std::size_t axis = row.up.x != 0 ? 0 : row.up.y != 0 ? 1 : 2;
         const double layer = std::min(thick * static_cast<double>(box.diagonal()), thickOfHeight * out.extent[axis]);
+        if (sides == KnownSides::Yes)
+            for (const Sample& s : samples)
+                out.sunny[static_cast<std::size_t>(row.axis)] +=
+                    s.normal[axis] * static_cast<float>(row.up[axis]) >= level ? s.weight / total : 0;
         out.ends[static_cast<std::size_t>(row.axis)] = Standing(samples, axis, row.up[axis], layer).lowerEnd();
     }
     return out;
@@ -239,6 +247,23 @@ static std::optional<std::size_t> thinSide(const UpEvidence& evidence) {
     return thin <= thinnest && evidence.facing[k] >= facingOfSheets + thin ? std::optional(k) : std::nullopt;
 }
 
+/// Buildings and parts on a table that a drone or a scanner saw from above and around: much looks up and hardly
+/// anything down, between walls. A single range scan faces its viewpoint as much, but it sees no walls.
+static std::optional<UpAxis> seenFromAbove(const UpEvidence& evidence) {
+    std::optional<UpAxis> out;
+    for (std::size_t k = 0; k < 3; ++k)
+        for (const bool positive : {false, true}) {
+            const auto looking = [&](bool side) { return evidence.sunny[static_cast<std::size_t>(along(k, side))]; };
+            if (looking(positive) < leastSunny || looking(!positive) > mostShady * looking(positive) ||
+                evidence.walls[k] < leastWalls || planeAt(evidence, along(k, !positive)) > 0)
+                continue;
+            if (out)
+                return {}; // a corner seen from within tells of two
+            out = along(k, positive);
+        }
+    return out;
+}
+
 /// Which of the two ends of an axis is below. What stands on feet stands,
 /// however flat its other end.
 static UpAxis sideOf(const UpEvidence& evidence, std::size_t axis, UpAxis usual) {
@@ -271,6 +296,8 @@ static UpAxis shapedUp(const UpEvidence& evidence, UpAxis usual) {
         return along(*thin, evidence.looks[*thin] > 0);
     else if (thin)
         return *thin == axisOf(usual) ? usual : along(*thin, true);
+    if (const auto seen = seenFromAbove(evidence))
+        return *seen;
     std::array<double, 3> plane{};
     for (std::size_t k = 0; k < 3; ++k)
         plane[k] = std::max(planeAt(evidence, along(k, true)), planeAt(evidence, along(k, false)));

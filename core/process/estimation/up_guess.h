@@ -20,6 +20,8 @@ struct UpEvidence {
     std::array<double, 3> extent{}; ///< along x, y, z, but for outliers
     std::array<double, 3> facing{}; ///< mean |component| of the normals
     std::array<double, 3> looks{};  ///< mean component of the normals, where their sides are known; else 0
+    std::array<double, 6> sunny{};  ///< share of the area that looks that way, where sides are known; else 0
+    std::array<double, 3> walls{};  ///< share of the area that stands along x, y, z
     std::array<double, 3> exact{};  ///< share of the area whose normals run along x, y, z as exactly as only built
                                     ///< models have them
 };
@@ -30,8 +32,8 @@ enum class KnownSides { No, Yes };
 /// From up to 32,768 surfels, whatever the model's size. REQUIRES: normals, or zeros, which tell nothing.
 UpEvidence upEvidence(const tree::SurfelTree& tree, KnownSides sides = KnownSides::No);
 
-/// A sheet lies, a large level plane is below; `usual` where nothing is told, and for built models that would stand
-/// head down: nobody builds that way.
+/// A sheet lies, what was seen from above looks there, a large level plane is below; `usual` where nothing is told, and
+/// for built models that would stand head down: nobody builds that way.
 base::UpAxis guessedUp(const UpEvidence& evidence, base::UpAxis usual);
 
 } // namespace process
