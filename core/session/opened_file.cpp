@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/complexes/complex.h"
+#include "core/process/estimation/drawn_lines.h"
 #include "core/process/estimation/orientation/contradictions.h"
 #include "core/process/estimation/prepare.h"
 #include "core/process/estimation/up_guess.h"
@@ -68,6 +69,25 @@ static std::string contradictionMessage(const tree::SurfelTree& tree) {
            "agree.";
 }
 
+/// Where the file has colours, and they are black over much of it: those of labels, where nothing is labelled.
+static std::string blackMessage(const tree::SurfelTree& tree) {
+    constexpr double many = 0.3;
+    std::size_t black = 0;
+    if (tree.layout()->colours)
+        tree.forEachBlock([&](std::uint32_t, const surfel::SurfelBlock& block) {
+            for (int slot = 0; slot < block.size(); ++slot) {
+                constexpr surfel::Colour rgb = 0xffffff;
+                black += (block.surfel(slot).colour & rgb) == 0;
+            }
+        });
+    const double share = static_cast<double>(black) / static_cast<double>(std::max<std::size_t>(tree.size(), 1));
+    if (share < many || black == tree.size()) // all black: nobody takes that for colours
+        return {};
+    return std::to_string(static_cast<int>(std::lround(100 * share))) +
+           " % of the points are black in the file: as clay (View > Shading, or `--shading matcap`) they show their "
+           "shape.";
+}
+
 MadeModel made(OpenedFile& file, const base::Progress& progress) {
     io::FileModel& model = file.model;
     const surface::SurfaceDefinition& definition = file.surface.definition;
@@ -90,9 +110,18 @@ MadeModel made(OpenedFile& file, const base::Progress& progress) {
         model.messages.push_back(mergedMessage(merged));
     if (turned)
         model.messages.push_back("The normals looked inwards, and were turned: the surface is closed.");
-    if (options.turned && definition.manifold == surface::Manifold::Surface)
-        if (std::string told = contradictionMessage(surface.tree()); !told.empty())
+    const auto tell = [&](std::string told) {
+        if (!told.empty())
             model.messages.push_back(std::move(told));
+    };
+    const bool cloud = definition.manifold == surface::Manifold::Surface && model.faces == 0 && !model.hasSupports;
+    if (cloud && process::drawsLines(surface.tree()))
+        tell("The points draw lines in a plane, and are torn as a surface: opened with `--manifold curve`, or with "
+             "Curve "
+             "under Model > Surface, they are curves.");
+    else if (options.turned && definition.manifold == surface::Manifold::Surface)
+        tell(contradictionMessage(surface.tree()));
+    tell(blackMessage(surface.tree()));
     const base::UpAxis up = upOf(file, surface);
     return {std::move(surface), up, merged};
 }
