@@ -14,7 +14,11 @@ using base::Vec3f;
 
 constexpr std::size_t mostLookedAt = 65536;
 /// Of the surfels: one piece that may be left out, and all of them.
-constexpr double smallPiece = 0.001, leftOut = 0.005;
+struct Shares {
+    double piece, all;
+};
+constexpr Shares few{0.001, 0.005}, more{0.01, 0.03};
+constexpr float aDot = 0.2f;    ///< of the diagonal: what is smaller is shown in spite of more
 constexpr float around = 0.05f; ///< of the diagonal: what reaches no farther beyond the rest belongs to it
 constexpr int side = 24;        ///< cells along the diagonal: pieces with an empty cell between them are apart
 constexpr int mostRounds = 32;  ///< outliers far beyond each other: each round takes away the farthest
@@ -106,11 +110,11 @@ std::vector<std::uint8_t> keptOf(std::span<const Piece> pieces, double small) {
 }
 
 /// The positions without small pieces far from the others.
-std::vector<Vec3f> withoutOutliers(std::vector<Vec3f> positions) {
+std::vector<Vec3f> withoutOutliers(std::vector<Vec3f> positions, const Shares& shares) {
     const auto all = static_cast<double>(positions.size());
-    const double small = std::max(1.0, smallPiece * all);
-    double left = std::max(2.0, leftOut * all);
-    for (int round = 0; round < mostRounds && smallPiece * all >= 0.5; ++round) {
+    const double small = std::max(1.0, shares.piece * all);
+    double left = std::max(2.0, shares.all * all);
+    for (int round = 0; round < mostRounds && shares.piece * all >= 0.5; ++round) {
         const Box3f box = boxOf(positions);
         if (!(box.diagonal() > 0))
             break;
@@ -136,7 +140,10 @@ base::Box3f framedBox(const tree::SurfelTree& tree) {
     const Box3f all = tree.bounds();
     if (tree.empty())
         return all;
-    const Box3f most = boxOf(withoutOutliers(chosen(tree)));
+    const std::vector<Vec3f> looked = chosen(tree);
+    Box3f most = boxOf(withoutOutliers(looked, few));
+    if (const Box3f rest = boxOf(withoutOutliers(looked, more)); rest.diagonal() < aDot * most.diagonal())
+        most = rest;
     const Box3f near = most.inflated(around * most.diagonal());
     if (!(most.diagonal() > 0) || holds(near, all))
         return all;

@@ -13,6 +13,7 @@ class FramedBoxTest : public QObject {
     void farOutliersAreLeftOut();
     void whatStandsNearBelongsToTheModel();
     void patchesFarAwayAreLeftOut();
+    void aDotIsNoPicture();
     void thinPartsAreFramedWhole();
     void nothingIsFramedOfNothing();
 };
@@ -72,6 +73,29 @@ void FramedBoxTest::patchesFarAwayAreLeftOut() {
         }
         QVERIFY2(render::framedBox(tree::SurfelTree::build(list)) == model,
                  qPrintable(QString("%1, seed %2").arg(count).arg(test::seed())));
+    }
+}
+
+/// Patches of false matches so far away that the rest would be a dot count up to three percent of the surfels; nearer
+/// ones are part of what there is to see.
+void FramedBoxTest::aDotIsNoPicture() {
+    constexpr std::size_t count = 6000, patches = 5;
+    for (const double away : {4.0, 15.0, 100.0}) {
+        base::Random random(test::seed() + 2);
+        surfel::SurfelList list = ballAnd(count, {}).surfels();
+        const base::Box3f model = ballAnd(count, {}).bounds();
+        for (std::size_t patch = 0; patch < patches; ++patch) {
+            const base::Vec3d centre = random.unitVector() * random.uniform(0.8 * away, 1.5 * away);
+            for (std::size_t i = 0; i < count / 200; ++i) { // of half a percent
+                surfel::Surfel s;
+                s.support = 0.1f;
+                s.position = base::cast<float>(centre + random.unitVector() * 0.02 * away);
+                list.append(s, {});
+            }
+        }
+        const auto tree = tree::SurfelTree::build(list);
+        QVERIFY2(render::framedBox(tree) == (away > 10 ? model : tree.bounds()),
+                 qPrintable(QString("%1 away, seed %2").arg(away).arg(test::seed())));
     }
 }
 
