@@ -95,6 +95,15 @@ void savePicture(session::Document document, const std::string& path, const base
     render::savePng(render::ScenePictureMaker(scene.models, look).draw(camera, stats, progress), path);
 }
 
+/// What was done, in one line: strokes that went well say nothing of their own.
+std::string doneText(int commands, int strokes, std::size_t before, std::size_t after) {
+    const auto counted = [](int n, const char* noun) { return std::to_string(n) + ' ' + noun + (n == 1 ? "" : "s"); };
+    std::string out = counted(commands, "command");
+    if (strokes > 0)
+        out += ", " + counted(strokes, "stroke") + " among them";
+    return out + ": " + std::to_string(before) + " surfels before, " + std::to_string(after) + " after.";
+}
+
 /// The journal is a file of its own, and so is each output.
 void checkNames(const Options& options) {
     const std::pair<const std::string&, const char*> others[] = {{options.session, "the session itself"},
@@ -119,12 +128,15 @@ void run(const Options& options, Console& console) {
         openModel(context, options.model, parametersOf(options.faces), console, SceneUse::AsItIs);
     ordered_json timings = ordered_json::array();
     session::ReplayOptions replay;
+    const std::size_t before = document.surface().tree().size();
+    int strokes = 0;
     replay.done = [&](const session::LineReport& report) {
+        strokes += report.op == "stroke";
         timings.push_back(timingOf(report));
         console.tell(context.messages);
         context.messages.clear();
     };
-    session::replay(options.session, context, replay);
+    const int commands = session::replay(options.session, context, replay);
     context.folder.clear();
     if (!options.out.empty())
         session::run(context, {{"op", "save"}, {"path", options.out}});
@@ -134,6 +146,7 @@ void run(const Options& options, Console& console) {
         io::writeFile(options.timings, timings.dump(1) + "\n");
     journal.end(context);
     console.tell(context.messages);
+    console.tell(doneText(commands, strokes, before, document.surface().tree().size()));
 }
 
 } // namespace
