@@ -2,6 +2,7 @@
 #include "support/patience.h"
 #include "support/registry.h"
 #include "ui/panels/elided_label.h"
+#include "ui/panels/header_bar.h"
 #include "ui/panels/properties_panel.h"
 #include "ui/panels/tool_bar.h"
 #include "ui/panels/tool_grid.h"
@@ -17,6 +18,7 @@
 #include <QComboBox>
 #include <QDockWidget>
 #include <QLabel>
+#include <QMenuBar>
 #include <QScreen>
 #include <QToolButton>
 
@@ -34,6 +36,7 @@ class FittingTest : public QObject {
         qApp->setPalette(m_palette);
     }
     void everyToolIsThereInALowWindow();
+    void everyMenuIsThereInANarrowWindow();
     void theWindowOpensOnItsScreen();
     void narrowStatusLinesKeepTheirMessage();
     void pullDownsAreLegible();
@@ -67,6 +70,28 @@ void FittingTest::everyToolIsThereInALowWindow() {
         }
         QCOMPARE(seen, sculpt::toolTable().size());
         QVERIFY(all.contains(f.window->statusLine().geometry()) && f.window->statusLine().height() > 10);
+    }
+}
+
+/// 1280 x 720 at scale 2 had neither View nor Help, nor two of the pop-overs above the picture.
+void FittingTest::everyMenuIsThereInANarrowWindow() {
+    WindowFixture f;
+    for (const int width : {640, 800, 1280, 640}) {
+        f.window->resize(width, 345);
+        QCoreApplication::processEvents();
+        const QMenuBar& menus = *f.window->menuBar();
+        const QWidget& corner = *menus.cornerWidget();
+        int right = 0;
+        for (QAction* action : menus.actions()) {
+            right = std::max(right, menus.actionGeometry(action).right());
+            QVERIFY2(menus.rect().contains(menus.actionGeometry(action)), qPrintable(action->text()));
+        }
+        QVERIFY(corner.isHidden() ? width < 800 : right < corner.x());
+        const auto& header = *f.window->findChild<ui::HeaderBar*>();
+        for (const char* name : {"header-symmetry", "header-method", "header-pop-over"})
+            for (const QToolButton* button : header.findChildren<QToolButton*>(name))
+                QVERIFY2(button->isVisible() && header.rect().contains(button->geometry()),
+                         qPrintable(QString("%1 at %2").arg(button->text()).arg(width)));
     }
 }
 

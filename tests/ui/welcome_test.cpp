@@ -15,6 +15,7 @@ class WelcomeTest : public QObject {
     Q_OBJECT
   private Q_SLOTS:
     void theCardOpensWhatWasOpenedLately();
+    void wordsAreWholeInASmallPicture();
     void aPressBesideTheCardSculpts();
     void escClosesTheCardAfterAllElse();
     void theTourGoesOnWhenAStepWasDone();
@@ -47,6 +48,28 @@ void WelcomeTest::theCardOpensWhatWasOpenedLately() {
     QVERIFY(f.settle());
     QTRY_COMPARE_WITH_TIMEOUT(f.surfels(), std::size_t(1500), test::patience);
     QTRY_VERIFY_WITH_TIMEOUT(!cardOf(f), test::patience);
+}
+
+/// 1280 x 720 at scale 1.5 showed "ock of cla" and "osahedr".
+void WelcomeTest::wordsAreWholeInASmallPicture() {
+    WindowFixture f;
+    for (const QSize size : {QSize(1280, 760), QSize(853, 450), QSize(720, 400), QSize(1000, 700)}) {
+        f.window->resize(size);
+        ui::showStart(*f.window);
+        QCoreApplication::processEvents();
+        ui::StartCard& card = *cardOf(f);
+        int seen = 0;
+        for (const QToolButton* each : card.findChildren<QToolButton*>()) {
+            if (each->isHidden())
+                continue;
+            ++seen;
+            QVERIFY2(card.rect().contains(each->geometry()) && each->width() >= each->sizeHint().width(),
+                     qPrintable(QString("%1 at %2").arg(each->text()).arg(size.width())));
+        }
+        QVERIFY(seen >= 3);
+        card.close();
+        QTRY_VERIFY_WITH_TIMEOUT(!cardOf(f), test::patience);
+    }
 }
 
 void WelcomeTest::aPressBesideTheCardSculpts() {

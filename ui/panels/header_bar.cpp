@@ -3,6 +3,7 @@
 #include "ui/panels/radius_range.h"
 #include "ui/words/words.h"
 
+#include <algorithm>
 #include <QMenu>
 #include <QToolButton>
 
@@ -10,6 +11,9 @@ namespace ui {
 
 constexpr std::pair<const char*, bool sculpt::MirrorPlanes::*> planeRows[] = {
     {"X", &sculpt::MirrorPlanes::x}, {"Y", &sculpt::MirrorPlanes::y}, {"Z", &sculpt::MirrorPlanes::z}};
+
+/// All of the bar has room at 800 pixels, and at 640.
+constexpr int wideSlider = 122, narrowSlider = 56;
 
 HeaderBar::HeaderBar(Settings& settings, QWidget* parent) : QToolBar(tr("Header"), parent), m_settings(settings) {
     setObjectName("header");
@@ -32,10 +36,9 @@ QToolButton* HeaderBar::button(const QString& label, const char* name, const QSt
 }
 
 void HeaderBar::addSliders() {
-    constexpr int width = 122; // all of the bar has room at 800 pixels
     m_radius = new NumberSlider(tr("Radius"), tr("Radius of the brush  (F)"), {});
     m_radius->setObjectName("header-radius");
-    m_radius->setFixedWidth(width);
+    m_radius->setFixedWidth(wideSlider);
     addWidget(m_radius);
     connect(m_radius, &NumberSlider::edited, this, [this](double value) {
         (m_settings.radiusUnit == RadiusUnit::Pixels ? m_settings.radiusPx : m_settings.radiusModel) = value;
@@ -43,7 +46,7 @@ void HeaderBar::addSliders() {
     });
     m_strength = new NumberSlider(tr("Strength"), tr("How much each dab does  (Shift+F)"), {0, 1, false, 2, {}});
     m_strength->setObjectName("header-strength");
-    m_strength->setFixedWidth(width);
+    m_strength->setFixedWidth(wideSlider);
     addWidget(m_strength);
     connect(m_strength, &NumberSlider::edited, this, [this](double value) {
         m_settings.edit(m_settings.toolRow()).strength = static_cast<float>(value);
@@ -96,6 +99,14 @@ void HeaderBar::addPopOver(QMenu& menu, const QString& label) {
     QToolButton* out = button(label, "header-pop-over", menu.title().remove('&'));
     out->setMenu(&menu);
     out->setPopupMode(QToolButton::InstantPopup);
+}
+
+void HeaderBar::resizeEvent(QResizeEvent* event) {
+    const int wanted = sizeHint().width() + 2 * (wideSlider - m_radius->width());
+    const int each = std::clamp(wideSlider - (wanted - width() + 1) / 2, narrowSlider, wideSlider);
+    for (NumberSlider* slider : {m_radius, m_strength})
+        slider->setFixedWidth(each);
+    QToolBar::resizeEvent(event);
 }
 
 void HeaderBar::setModelSize(double diagonal) {

@@ -28,6 +28,10 @@ class HeaderBar : public QToolBar {
   Q_SIGNALS:
     void edited(); ///< the settings have changed here
 
+  protected:
+    /// In a narrow window sliders give their room, so that every button is there.
+    void resizeEvent(QResizeEvent* event) override;
+
   private:
     void addSliders();
     void addSymmetry();

@@ -10,6 +10,9 @@
 #include <vector>
 
 class QAbstractButton;
+class QBoxLayout;
+class QGridLayout;
+class QLabel;
 
 namespace ui {
 
@@ -30,14 +33,22 @@ class StartCard : public FloatingCard {
 
   protected:
     void pressedBeside() override { close(); }
+    bool eventFilter(QObject* object, QEvent* event) override;
 
   private:
-    void addHeading(const QString& text);
+    /// In a small picture fewer samples, in fewer columns, so that words are whole.
+    void layOutFor(const QSize& canvas);
+    QLabel* addHeading(const QString& text);
     void addSamples();
     void addRecent(const std::vector<std::string>& recent, const PictureOf& pictureOf);
     void addFoot();
     /// A flat button that closes the card and then does something.
     QAbstractButton* button(const QString& text, const QString& name, const std::function<void()>& then);
+
+    QGridLayout* m_grid = nullptr;
+    QBoxLayout* m_foot = nullptr;
+    QLabel *m_what = nullptr, *m_samplesHeading = nullptr;
+    std::vector<QAbstractButton*> m_samples;
 };
 
 } // namespace ui
