@@ -1,6 +1,7 @@
 #include "core/surface/curves/boundary_curves.h"
 
 #include "core/base/parallel.h"
+#include "core/surface/curves/curve_tracing.h"
 #include "core/surface/curves/traced_lines.h"
 
 namespace surface {
@@ -51,6 +52,24 @@ std::vector<BoundaryPoint> findSeeds(const Surface& surface, const base::Progres
     return out;
 }
 
+/// Makes one curve of those that follow each other over kinks, and a loop where the last leads to the first.
+void joinAtKinks(std::vector<BoundaryCurve>& curves) {
+    for (std::size_t i = 0; i < curves.size(); ++i)
+        for (std::size_t k = 0; k < curves.size() && !curves[i].closed;) {
+            if (k == i || curves[k].closed || !meetAtAKink(curves[i].points.back(), curves[k].points.front())) {
+                ++k;
+                continue;
+            }
+            BoundaryCurve next = std::move(curves[k]);
+            curves.erase(curves.begin() + static_cast<std::ptrdiff_t>(k));
+            i -= k < i;
+            curves[i].points.insert(curves[i].points.end(), next.points.begin(), next.points.end());
+            curves[i].surfels += next.surfels;
+            curves[i].closed = closesAtAKink(curves[i].points);
+            k = 0; // what follows that one
+        }
+}
+
 } // namespace
 
 std::vector<BoundaryCurve> findBoundaryCurves(const Surface& surface, const base::Progress& progress,
@@ -77,6 +96,7 @@ std::vector<BoundaryCurve> findBoundaryCurves(const Surface& surface, const base
         ++out[static_cast<std::size_t>(place)].surfels;
     }
     std::erase_if(out, [](const BoundaryCurve& curve) { return curve.points.size() < 2; }); // nowhere to go from there
+    joinAtKinks(out);
     std::stable_sort(out.begin(), out.end(),
                      [](const BoundaryCurve& a, const BoundaryCurve& b) { return a.length() > b.length(); });
     return out;

@@ -139,6 +139,22 @@ struct TracedCurve {
     bool closed = false;
 };
 
+/// Whether a curve that ends at one point goes on at the other: both ways came to one place where it turns at once, and
+/// no step leads on.
+template <class Point>
+bool meetAtAKink(const Point& end, const Point& begin) {
+    constexpr double near = 0.02; // of h; steps end at a thousandth
+    return distance(end.position, begin.position) < near * end.unit;
+}
+
+/// Whether an open curve is a loop all the same, and more than a dot.
+template <class Point>
+bool closesAtAKink(const std::vector<Point>& points) {
+    constexpr std::size_t fewest = 16;
+    return points.size() >= fewest && meetAtAKink(points.back(), points.front()) &&
+           distance(points.front().position, points[points.size() / 2].position) > 0.5 * points.front().unit;
+}
+
 /// From one of its points, both ways where it does not close.
 template <class Problem>
 TracedCurve<typename Problem::Point> traceCurve(const Problem& problem, const typename Problem::Point& seed,
@@ -155,6 +171,7 @@ TracedCurve<typename Problem::Point> traceCurve(const Problem& problem, const ty
         return {std::move(before), true};
     before.insert(before.end(), out.points.begin() + 1, out.points.end());
     out.points = std::move(before);
+    out.closed = closesAtAKink(out.points);
     return out;
 }
 
