@@ -17,6 +17,7 @@ using test::WindowFixture;
 class MeasureToolsTest : public QObject {
     Q_OBJECT
   private Q_SLOTS:
+    void whoOpensTheBarMeasures();
     void everyRowTellsTheBall_data();
     void everyRowTellsTheBall();
     void besideTheModelNothingIsPicked();
@@ -32,7 +33,10 @@ struct Bar {
     ui::MeasureBar& bar = *f.window->findChild<ui::MeasureBar*>();
 
     Bar() { bar.toggleViewAction()->trigger(); }
-    void click(const char* name) { bar.findChild<QToolButton*>(QString("measure-") + name)->click(); }
+    void click(const char* name) {
+        if (QToolButton* button = bar.findChild<QToolButton*>(QString("measure-") + name); !button->isChecked())
+            button->click();
+    }
     QPointF at(double x, double y) { return {x * f.view().width(), y * f.view().height()}; }
     void tap(const QPointF& place) {
         f.press(place);
@@ -61,6 +65,20 @@ struct Bar {
 };
 
 } // namespace
+
+/// Two clicks right after the key tell a distance; they went into the model as dabs.
+void MeasureToolsTest::whoOpensTheBarMeasures() {
+    Bar b;
+    QVERIFY(b.ready);
+    const base::Hash128 before = b.f.hash();
+    const QPointF from = b.at(0.45, 0.5), to = b.at(0.55, 0.45);
+    const double wanted = distance(b.contact(from), b.contact(to));
+    b.tap(from);
+    b.tap(to);
+    const double told = b.told();
+    QVERIFY2(std::abs(told - wanted) < 0.01 * wanted, QByteArray::number(told));
+    QVERIFY(b.f.hash() == before);
+}
 
 void MeasureToolsTest::everyRowTellsTheBall_data() {
     QTest::addColumn<int>("row");

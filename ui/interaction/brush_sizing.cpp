@@ -113,7 +113,8 @@ QString BrushSizing::label() const {
     if (!m_drag->typed.isEmpty())
         return (m_drag->value == Value::Radius ? tr("Radius %1_") : tr("Strength %1_")).arg(m_drag->typed);
     if (m_drag->value == Value::Radius)
-        return tr("Radius %1").arg(radius(), 0, 'g', 3);
+        return tr("Radius %1")
+            .arg(QString::number(radius(), 'g', 3) + (m_settings.radiusUnit == RadiusUnit::Pixels ? " px" : ""));
     return tr("Strength %1").arg(double(strength()), 0, 'f', 2);
 }
 

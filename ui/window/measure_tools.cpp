@@ -16,6 +16,8 @@ MeasureTools::MeasureTools(MainWindow& window, MeasureBar& bar) : QObject(&bar),
     connect(bar.toggleViewAction(), &QAction::toggled, this, [this](bool shown) {
         if (!shown && m_row)
             m_window.sculptView().picker().end();
+        else if (shown && !m_row)
+            choose(0); // who opens the bar wants to measure: the next click must not sculpt
         m_window.viewport().widget()->update();
     });
     connect(&m_ruler, &Ruler::measured, this, &MeasureTools::receive);
