@@ -116,9 +116,8 @@ MadeModel made(OpenedFile& file, const base::Progress& progress) {
     };
     const bool cloud = definition.manifold == surface::Manifold::Surface && model.faces == 0 && !model.hasSupports;
     if (cloud && process::drawsLines(surface.tree()))
-        tell("The points draw lines in a plane, and are torn as a surface: opened with `--manifold curve`, or with "
-             "Curve "
-             "under Model > Surface, they are curves.");
+        tell("The points draw lines in a plane and are torn as a surface: open them with `--manifold curve`, or choose "
+             "Curve under Model > Further > Surface.");
     else if (options.turned && definition.manifold == surface::Manifold::Surface)
         tell(contradictionMessage(surface.tree()));
     tell(blackMessage(surface.tree()));
