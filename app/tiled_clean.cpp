@@ -89,6 +89,9 @@ class TiledClean {
         });
     }
 
+    /// Points that were judged among a choice of the file, with each question again.
+    std::uint64_t chosen() const { return m_chosen; }
+
   private:
     /// Tiles are told of by their reading.
     base::Progress quiet() const { return {{}, m_progress.cancel}; }
@@ -98,21 +101,26 @@ class TiledClean {
     template <class Find>
     std::uint64_t sweep(double from, double to, const Find& find) {
         std::vector<std::uint64_t> dropped;
-        m_tiles.sweep(
-            [&](const io::LasTile& tile) {
+        m_chosen += m_tiles.sweep(
+            [&](const io::LasTile& tile, io::LasSight sight) {
+                io::LasDecision out;
                 if (tile.points.size() == 0)
-                    return 0.0;
+                    return out;
                 const process::Cloud cloud(tile.points.items, quiet());
-                std::vector<std::uint8_t> own(cloud.size()), gone(tile.points.size());
-                for (std::size_t i = 0; i < tile.own.size(); ++i)
-                    own[cloud.places()[i]] |= tile.own[i];
-                if (const double missing = process::missingSight(cloud, own, tile.low, tile.high, quiet()); missing > 0)
-                    return missing;
+                std::vector<std::uint8_t> gone(tile.points.size());
+                const std::vector<float> missing = process::missingSight(cloud, tile.low, tile.high, quiet());
+                for (std::size_t i = 0; i < gone.size(); ++i)
+                    if (tile.own[i])
+                        out.missing = std::max(out.missing, static_cast<double>(missing[cloud.places()[i]]));
+                if (out.missing > 0 && sight == io::LasSight::OfAll)
+                    return out;
                 find(cloud, gone);
                 for (std::size_t i = 0; i < gone.size(); ++i)
-                    if (gone[i] && tile.own[i])
+                    if (tile.own[i] && missing[cloud.places()[i]] > 0)
+                        out.blind.push_back(tile.records[i]);
+                    else if (tile.own[i] && gone[i])
                         dropped.push_back(tile.records[i]);
-                return 0.0;
+                return out;
             },
             process::part(m_progress, from, to));
         for (const std::uint64_t record : dropped)
@@ -122,6 +130,7 @@ class TiledClean {
 
     io::LasTiles& m_tiles;
     base::Progress m_progress;
+    std::uint64_t m_chosen = 0;
 };
 
 } // namespace
@@ -167,6 +176,10 @@ ordered_json cleanInTiles(const std::string& in, const std::string& out, const j
     messages.insert(messages.begin(), std::to_string(read) + " points were read in " + std::to_string(tiles.count()) +
                                           (tiles.count() == 1 ? " tile, " : " tiles, ") + std::to_string(merged) +
                                           " stood in the place of others and were merged with them.");
+    if (clean.chosen() > 0)
+        messages.push_back(std::to_string(clean.chosen()) +
+                           " times a point stood so far from all others that it was compared with an even choice of "
+                           "the file.");
     if (!wishes.empty())
         messages.emplace_back("Swarms of strays were looked for in each tile by itself.");
     if (!dryRun)

@@ -55,10 +55,10 @@ void LasTilesTest::eachRecordIsOneTilesOwn() {
     QVERIFY(tiles.count() >= 10);
     std::vector<int> owners(5000);
     tiles.sweep(
-        [&](const io::LasTile& tile) {
+        [&](const io::LasTile& tile, io::LasSight) {
             for (std::size_t i = 0; i < tile.records.size(); ++i)
                 owners[tile.records[i]] += tile.own[i];
-            return 0.0;
+            return io::LasDecision();
         },
         {});
     QVERIFY(owners == std::vector<int>(5000, 1));
@@ -71,11 +71,11 @@ void LasTilesTest::marginsThatLackNextToNothingGrow() {
     QVERIFY(tiles.count() > 2);
     int passes = 0;
     tiles.sweep(
-        [&](const io::LasTile& tile) {
+        [&](const io::LasTile& tile, io::LasSight) {
             ++passes;
             const bool whole = std::isinf(tile.low[0]) && std::isinf(tile.high[0]) && std::isinf(tile.low[1]) &&
                                std::isinf(tile.high[1]);
-            return whole || passes > 1000 ? 0 : 1e-9;
+            return io::LasDecision{whole || passes > 1000 ? 0 : 1e-9, {}};
         },
         {});
     QVERIFY2(passes < 100 * int(tiles.count()), QByteArray::number(passes));

@@ -3,6 +3,7 @@
 #include "core/io/las/las_points.h"
 #include "core/io/safe_file.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -63,10 +64,16 @@ class Board {
 
 } // namespace
 
+template <class Box>
+static bool within(const Box& box, const std::array<std::int32_t, 3>& at) {
+    return at[0] >= box.low[0] && at[0] < box.high[0] && at[1] >= box.low[1] && at[1] < box.high[1];
+}
+
 LasTiles::LasTiles(LasBlocks records, std::uint64_t most, const base::Progress& progress)
     : m_records(std::move(records)), m_most(most), m_left(m_records.size()), m_stays(m_records.size(), true) {
     findBounds(progress);
-    divide(progress);
+    if (m_records.size() > 0)
+        divide(m_bounds, progress, 0.5, 1);
 }
 
 void LasTiles::findBounds(const base::Progress& progress) {
@@ -90,26 +97,33 @@ void LasTiles::findBounds(const base::Progress& progress) {
     m_origin = lasOrigin(m_records.scale(), sample, m_records.size());
 }
 
-void LasTiles::divide(const base::Progress& progress) {
+/// A board over far strays has the scan itself in few of its fields: these get a board of their own.
+void LasTiles::divide(const Box& bounds, const base::Progress& progress, double from, double to) {
     const std::uint64_t own = std::max<std::uint64_t>(m_most / 3, 1); // the rest is for margins
     Board board;
     std::int64_t field[2];
     for (std::size_t k = 0; k < 2; ++k)
-        field[k] = (m_bounds.high[k] - m_bounds.low[k]) / Board::side + 1;
-    m_records.forEach(progress, 0.5, 1, [&](std::uint64_t, const char* record) {
+        field[k] = (bounds.high[k] - bounds.low[k] - 1) / Board::side + 1;
+    m_records.forEach(progress, from, to, [&](std::uint64_t, const char* record) {
         const auto at = numbersOf(record);
-        const auto x = static_cast<std::size_t>((at[0] - m_bounds.low[0]) / field[0]);
-        const auto y = static_cast<std::size_t>((at[1] - m_bounds.low[1]) / field[1]);
+        if (!within(bounds, at))
+            return;
+        const auto x = static_cast<std::size_t>((at[0] - bounds.low[0]) / field[0]);
+        const auto y = static_cast<std::size_t>((at[1] - bounds.low[1]) / field[1]);
         ++board.counts[y * Board::side + x];
     });
+    std::vector<Box> crowded;
     board.divide({0, Board::side, 0, Board::side}, own, [&](const std::array<int, 4>& range) {
         Box box{};
         for (std::size_t k = 0; k < 2; ++k) {
-            box.low[k] = m_bounds.low[k] + range[2 * k] * field[k];
-            box.high[k] = m_bounds.low[k] + range[2 * k + 1] * field[k];
+            box.low[k] = bounds.low[k] + range[2 * k] * field[k];
+            box.high[k] = std::min(bounds.low[k] + range[2 * k + 1] * field[k], bounds.high[k]);
         }
-        m_tiles.push_back(box);
+        const bool smaller = std::max(field[0], field[1]) > 1; // than what it is a part of
+        (board.in(range) > own && smaller ? crowded : m_tiles).push_back(box);
     });
+    for (const Box& box : crowded)
+        divide(box, progress, to, to);
 }
 
 void LasTiles::drop(std::uint64_t record) {
@@ -117,7 +131,24 @@ void LasTiles::drop(std::uint64_t record) {
     m_stays[record] = false;
 }
 
-LasTile LasTiles::load(const Box& own, double margin, const base::Progress& progress, double from, double to) const {
+/// False where there is no more room.
+bool LasTiles::add(LasTile& tile, std::uint64_t number, const char* record, bool own) const {
+    if (tile.points.size() >= m_most)
+        return false;
+    const auto at = numbersOf(record);
+    surfel::Surfel s;
+    for (std::size_t k = 0; k < 3; ++k)
+        s.position[k] = static_cast<float>(at[k] * m_records.scale()[k] + m_records.offset()[k] - m_origin[k]);
+    if (!base::isFinite(s.position))
+        return true;
+    tile.points.items.push_back(s);
+    tile.records.push_back(number);
+    tile.own.push_back(own);
+    return true;
+}
+
+std::optional<LasTile> LasTiles::load(const Box& own, double margin, const base::Progress& progress, double from,
+                                      double to) const {
     LasTile out;
     Box box = own;
     const Vec3d &scale = m_records.scale(), &offset = m_records.offset();
@@ -131,41 +162,77 @@ LasTile LasTiles::load(const Box& own, double margin, const base::Progress& prog
         out.low[k] = all[scale[k] < 0] ? -endless : static_cast<float>(std::min(a, b));
         out.high[k] = all[scale[k] > 0] ? endless : static_cast<float>(std::max(a, b));
     }
-    const auto within = [](const Box& b, const std::array<std::int32_t, 3>& at) {
-        return at[0] >= b.low[0] && at[0] < b.high[0] && at[1] >= b.low[1] && at[1] < b.high[1];
-    };
+    bool fits = true;
     m_records.forEach(progress, from, to, [&](std::uint64_t number, const char* record) {
         const auto at = numbersOf(record);
-        if (!within(box, at) || !m_stays[number])
-            return;
-        if (out.points.size() >= m_most)
-            throw base::Error("a tile and what has to be seen around it are more than the memory holds",
-                              m_records.path().string(), "give more --memory");
-        surfel::Surfel s;
-        for (std::size_t k = 0; k < 3; ++k)
-            s.position[k] = static_cast<float>(at[k] * scale[k] + offset[k] - m_origin[k]);
-        if (!base::isFinite(s.position))
-            return;
-        out.points.items.push_back(s);
-        out.records.push_back(number);
-        out.own.push_back(within(own, at));
+        if (fits && m_stays[number] && within(box, at))
+            fits = add(out, number, record, within(own, at));
+    });
+    return fits ? std::optional(std::move(out)) : std::nullopt;
+}
+
+/// All of the tile, and of what is around it an even choice that memory holds.
+LasTile LasTiles::among(const Box& own, const std::vector<std::uint64_t>& blind, const base::Progress& progress,
+                        double from, double to) const {
+    constexpr float endless = std::numeric_limits<float>::infinity();
+    LasTile out;
+    for (std::size_t k = 0; k < 2; ++k)
+        out.low[k] = -endless, out.high[k] = endless;
+    const std::uint64_t step = m_left / std::max<std::uint64_t>(m_most / 3, 1) + 1;
+    m_records.forEach(progress, from, to, [&](std::uint64_t number, const char* record) {
+        const bool inside = within(own, numbersOf(record));
+        if (m_stays[number] && (inside || number % step == 0))
+            add(out, number, record, inside && std::binary_search(blind.begin(), blind.end(), number));
     });
     return out;
 }
 
-void LasTiles::sweep(const std::function<double(const LasTile&)>& decide, const base::Progress& progress) const {
+std::uint64_t LasTiles::sweep(const Decide& decide, const base::Progress& progress) const {
     constexpr double leastGrowth = 0.1; // each time is a pass over the file
+    constexpr double close = 1.5;       // a margin that fits and one that does not
+    // Strays are few, and blind among many; else it is the memory that shows too little.
+    constexpr std::uint64_t manyBlind = 100, leastSeen = 4096;
+    const auto refuse = [this] {
+        throw base::Error("a tile and what has to be seen around it are more than the memory holds",
+                          m_records.path().string(), "give more --memory");
+    };
     const auto all = static_cast<double>(m_tiles.size());
+    std::uint64_t chosen = 0;
     for (std::size_t t = 0; t < m_tiles.size(); ++t) {
         const Box& box = m_tiles[t];
         const double from = static_cast<double>(t) / all, to = static_cast<double>(t + 1) / all;
         // A few points' distance on a surface of the tile's size to begin with.
         const double wide = static_cast<double>(box.high[0] - box.low[0]) * std::abs(m_records.scale().x);
         const double high = static_cast<double>(box.high[1] - box.low[1]) * std::abs(m_records.scale().y);
-        double margin = 0.02 * std::max(wide, high);
-        for (double missing = 1; missing > 0; margin += std::max(1.1 * missing, leastGrowth * margin))
-            missing = decide(load(box, margin, progress, from, to));
+        double margin = 0.02 * std::max(wide, high), fitted = 0, tooWide = std::numeric_limits<double>::infinity();
+        for (;;) {
+            std::optional<LasTile> tile = load(box, margin, progress, from, to);
+            if (!tile) {
+                tooWide = margin;
+                if (fitted == 0 && (margin *= 0.25) < std::abs(m_records.scale().x))
+                    refuse();
+            } else {
+                fitted = margin;
+                const double missing = decide(*tile, LasSight::OfAll).missing;
+                if (missing <= 0)
+                    break;
+                margin += std::max(1.1 * missing, leastGrowth * margin);
+            }
+            tile.reset();                   // memory for one
+            if (tooWide < close * fitted) { // who sees nothing in there is far from everything
+                std::vector<std::uint64_t> blind =
+                    decide(*load(box, fitted, progress, from, to), LasSight::OfEach).blind;
+                std::sort(blind.begin(), blind.end());
+                if ((chosen += blind.size()) > m_records.size() / manyBlind + manyBlind || m_most < leastSeen)
+                    refuse();
+                decide(among(box, blind, progress, from, to), LasSight::OfEach);
+                break;
+            }
+            if (fitted > 0 && margin >= tooWide)
+                margin = std::sqrt(fitted * tooWide);
+        }
     }
+    return chosen;
 }
 
 std::string LasTiles::writtenHead(const base::Progress& progress) const {

@@ -6,20 +6,20 @@
 
 namespace process {
 
-double missingSight(const Cloud& part, std::span<const std::uint8_t> own, const float (&low)[2], const float (&high)[2],
-                    const base::Progress& progress) {
+std::vector<float> missingSight(const Cloud& part, const float (&low)[2], const float (&high)[2],
+                                const base::Progress& progress) {
     // The way that looks farthest asks for 30 neighbours; each is compared with neighbours and what these see.
     constexpr std::size_t farthest = 30, handed = 16, hands = 2;
-    const bool whole = std::isinf(low[0]) && std::isinf(low[1]) && std::isinf(high[0]) && std::isinf(high[1]);
-    if (whole)
-        return 0;
+    std::vector<float> lacking(part.size());
+    if (std::isinf(low[0]) && std::isinf(low[1]) && std::isinf(high[0]) && std::isinf(high[1])) // the whole
+        return lacking;
     if (part.size() <= farthest) { // about as much again
         float out = std::numeric_limits<float>::min();
         for (const float side : {low[0], low[1], high[0], high[1]})
             out = std::isfinite(side) ? std::max(out, std::abs(side)) : out;
-        return static_cast<double>(out);
+        std::fill(lacking.begin(), lacking.end(), out);
+        return lacking;
     }
-    std::vector<float> lacking(part.size());
     std::vector<std::uint32_t> near(part.size() * handed);
     part.forEach(farthest, progress, "Looking at neighbours", [&](std::size_t i, const Neighbours& row) {
         const base::Vec3f& p = part.positions()[i];
@@ -27,18 +27,14 @@ double missingSight(const Cloud& part, std::span<const std::uint8_t> own, const 
         lacking[i] = std::max(0.0f, std::sqrt(row.distanceSq.back()) - room);
         std::copy_n(row.index.begin(), handed, near.begin() + static_cast<std::ptrdiff_t>(i * handed));
     });
-    std::vector<std::uint8_t> seen(own.begin(), own.end());
     for (std::size_t hand = 0; hand < hands; ++hand) {
-        std::vector<std::uint8_t> next = seen;
-        for (std::size_t i = 0; i < seen.size(); ++i)
-            for (std::size_t k = 0; seen[i] && k < handed; ++k)
-                next[near[i * handed + k]] = 1;
-        seen = std::move(next);
+        std::vector<float> next = lacking;
+        for (std::size_t i = 0; i < next.size(); ++i)
+            for (std::size_t k = 0; k < handed; ++k)
+                next[i] = std::max(next[i], lacking[near[i * handed + k]]);
+        lacking = std::move(next);
     }
-    float out = 0;
-    for (std::size_t i = 0; i < seen.size(); ++i)
-        out = seen[i] ? std::max(out, lacking[i]) : out;
-    return static_cast<double>(out);
+    return lacking;
 }
 
 } // namespace process
