@@ -21,7 +21,8 @@ void addTruthBar(MainWindow& window, QMenu& view) {
     on->setObjectName("true-surface-on");
     on->setCheckable(true);
     on->setChecked(window.settings().truth.on);
-    on->setToolTip(QObject::tr("Rays find the surface itself wherever the view rests; it grows out of the splats"));
+    on->setToolTip(QObject::tr("Rays find the surface itself wherever the view rests; it grows out of the splats; "
+                               "glass, metal and shadows are in its bar"));
     QObject::connect(on, &QAction::toggled, bar, &TruthBar::setOn);
     QObject::connect(bar, &TruthBar::edited, &window, [&window](const TruthSettings& settings) {
         window.settings().truth = settings;

@@ -44,7 +44,8 @@ int fitOf(const PaletteEntry& entry, const QString& typed) {
             out += 4;
         else if (entry.label.contains(word, Qt::CaseInsensitive))
             out += 2;
-        else if (!entry.way.contains(word, Qt::CaseInsensitive))
+        else if (!entry.way.contains(word, Qt::CaseInsensitive) &&
+                 !(entry.action && entry.action->toolTip().contains(word, Qt::CaseInsensitive)))
             return 0;
     }
     return out;
@@ -99,13 +100,17 @@ void CommandPalette::filter(const QString& typed) {
         m_list->addTopLevelItem(item);
     }
     if (m_list->topLevelItemCount() > 0)
-        m_list->setCurrentItem(m_list->topLevelItem(0));
+        return m_list->setCurrentItem(m_list->topLevelItem(0));
+    auto* none = new QTreeWidgetItem({tr("Nothing is named so; try another word.")});
+    none->setFlags(Qt::NoItemFlags);
+    m_list->addTopLevelItem(none);
 }
 
 QStringList CommandPalette::shown() const {
     QStringList out;
     for (int row = 0; row < m_list->topLevelItemCount(); ++row)
-        out << m_entries[m_list->topLevelItem(row)->data(0, Qt::UserRole).toULongLong()].label;
+        if (m_list->topLevelItem(row)->flags() != Qt::NoItemFlags)
+            out << m_entries[m_list->topLevelItem(row)->data(0, Qt::UserRole).toULongLong()].label;
     return out;
 }
 

@@ -2402,6 +2402,10 @@
         <translation>Nicht lesbar: %1</translation>
     </message>
     <message>
+        <source>Nothing is named so; try another word.</source>
+        <translation>Nichts heißt so; ein anderes Wort versuchen.</translation>
+    </message>
+    <message>
         <source>Number asked for</source>
         <translation>Gefragte Zahl</translation>
     </message>
@@ -2770,8 +2774,8 @@
         <translation>Rohe Punkte einer Figur: mehrere Ansichten, Rauschen, Löcher, keine Normalen</translation>
     </message>
     <message>
-        <source>Rays find the surface itself wherever the view rests; it grows out of the splats</source>
-        <translation>Strahlen finden die Fläche selbst, wo die Ansicht ruht; sie wächst aus den Splats</translation>
+        <source>Rays find the surface itself wherever the view rests; it grows out of the splats; glass, metal and shadows are in its bar</source>
+        <translation>Strahlen finden die Fläche selbst, wo die Ansicht ruht; sie wächst aus den Splats; Glas, Metall und Schatten stehen in ihrer Leiste</translation>
     </message>
     <message>
         <source>Re&amp;cover Lost Work…</source>
