@@ -8,6 +8,7 @@
 #include "ui/window_fixture.h"
 
 #include <QSlider>
+#include <QToolBar>
 #include <QToolButton>
 
 using test::WindowFixture;
@@ -17,6 +18,7 @@ class FloatingBarsTest : public QObject {
   private Q_SLOTS:
     void barsLeaveThePictureItsSize();
     void barsStandAboveEachOtherInsideTheViewport();
+    void everySliderIsThereInASmallPicture();
     void clicksBesideTheirButtonsStayThere();
     void movingASliderCutsAtOnce();
 };
@@ -54,6 +56,39 @@ void FloatingBarsTest::barsStandAboveEachOtherInsideTheViewport() {
         }
         showBars(f); // hidden again
     }
+}
+
+/// 1280 x 720 at scale 1.5 had sliders for two planes, and half of the words of other bars.
+void FloatingBarsTest::everySliderIsThereInASmallPicture() {
+    WindowFixture f;
+    QVERIFY(f.make("sphere", 3000));
+    f.action("view", "Clipping")->trigger();
+    f.action("view", "Layers")->trigger();
+    f.action("select", "Show the Bar")->trigger();
+    f.action("measure", "Show the Bar")->trigger();
+    for (const QSize size : {QSize(1280, 700), QSize(853, 700), QSize(1280, 700)}) {
+        f.window->resize(size);
+        QCoreApplication::processEvents();
+        for (const char* name : {"clipping", "layers", "select", "measure"}) {
+            const QWidget& bar = *f.window->findChild<QToolBar*>(name);
+            QVERIFY2(f.view().rect().contains(bar.geometry()), name);
+            for (const QWidget* each : bar.findChildren<QWidget*>()) {
+                if (each->isHidden() || each->objectName().startsWith("qt_") ||
+                    !(qobject_cast<const QToolButton*>(each) || qobject_cast<const QSlider*>(each)))
+                    continue;
+                const QRect place(each->mapTo(&bar, QPoint(0, 0)), each->size());
+                QVERIFY2(each->isVisible() && bar.rect().contains(place) &&
+                             (qobject_cast<const QSlider*>(each) || each->width() >= each->sizeHint().width()),
+                         qPrintable(QString("%1 of %2 at %3: %4 of %5")
+                                        .arg(each->objectName(), QString(name))
+                                        .arg(size.width())
+                                        .arg(each->width())
+                                        .arg(each->sizeHint().width())));
+            }
+        }
+    }
+    for (const QToolButton* more : f.view().findChildren<QToolButton*>("qt_toolbar_ext_button"))
+        QVERIFY(!more->icon().isNull() && !more->toolTip().isEmpty());
 }
 
 void FloatingBarsTest::clicksBesideTheirButtonsStayThere() {

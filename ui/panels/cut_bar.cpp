@@ -16,6 +16,9 @@ static QToolButton* checkable(const QString& label, const QString& tip, const QS
     return out;
 }
 
+/// Pixels of a slider; the narrow one is for small pictures.
+constexpr int wideSlider = 60, narrowSlider = 24;
+
 CutBar::CutBar(QWidget* parent) : QToolBar(tr("Clipping"), parent) {
     setObjectName("clipping");
     setMovable(false);
@@ -38,12 +41,12 @@ void CutBar::build(std::size_t number, const QString& label, const QString& tip)
     row.place->setObjectName(name + "-place");
     row.place->setRange(0, sliderSteps);
     row.place->setFocusPolicy(Qt::NoFocus);
-    row.place->setMinimumWidth(60);
+    row.place->setMinimumWidth(wideSlider);
     row.place->setToolTip(tr("Position of the plane; moving it cuts"));
     row.flip = checkable(tr("⇄"), tr("Show the other side"), name + "-flip");
-    for (QWidget* widget :
-         {static_cast<QWidget*>(row.on), static_cast<QWidget*>(row.place), static_cast<QWidget*>(row.flip)})
-        addWidget(widget);
+    addWidget(row.on);
+    addWidget(row.place);
+    row.flipShown = addWidget(row.flip);
     connect(row.on, &QToolButton::toggled, this, [this, number](bool on) {
         change([this, number, on] { m_cuts.each[number].on = on; });
         if (on && number == Cuts::free && !m_quiet)
@@ -64,6 +67,18 @@ void CutBar::build(std::size_t number, const QString& label, const QString& tip)
             cut.offset = range.low + (range.high - range.low) * value / sliderSteps;
         });
     });
+}
+
+void CutBar::fitInto(int width) {
+    const bool narrow = width < 520;
+    if (narrow == m_narrow)
+        return;
+    m_narrow = narrow;
+    for (Row& row : m_rows) {
+        row.place->setMinimumWidth(narrow ? narrowSlider : wideSlider);
+        row.place->setMaximumWidth(narrow ? narrowSlider : QWIDGETSIZE_MAX);
+    }
+    refresh();
 }
 
 void CutBar::change(const std::function<void()>& edit) {
@@ -89,6 +104,7 @@ void CutBar::refresh() {
         m_rows[k].on->setChecked(cut.on);
         m_rows[k].flip->setChecked(cut.flipped);
         m_rows[k].flip->setEnabled(cut.on);
+        m_rows[k].flipShown->setVisible(!m_narrow || cut.on);
         m_rows[k].place->setValue(static_cast<int>(std::lround(part * sliderSteps)));
     }
     m_section->setChecked(m_cuts.section);

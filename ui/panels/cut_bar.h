@@ -22,6 +22,9 @@ class CutBar : public QToolBar {
     void display(const Cuts& cuts, const base::Box3f& bounds);
     const Cuts& cuts() const { return m_cuts; }
 
+    /// Of the picture that it floats over: in a narrow one sliders are short, and sides are offered of cuts alone.
+    void fitInto(int width);
+
   Q_SIGNALS:
     void edited(const Cuts& cuts);
     void freeWanted(); ///< the free plane was switched on: it wants to face the view
@@ -31,6 +34,7 @@ class CutBar : public QToolBar {
     struct Row {
         QToolButton *on, *flip;
         QSlider* place;
+        QAction* flipShown;
     };
     void build(std::size_t number, const QString& label, const QString& tip);
     void change(const std::function<void()>& edit);
@@ -40,6 +44,7 @@ class CutBar : public QToolBar {
     base::Box3f m_bounds;
     std::array<Row, 4> m_rows;
     QToolButton* m_section;
+    bool m_narrow = false;
     bool m_quiet = false; ///< while the widgets are set
 };
 

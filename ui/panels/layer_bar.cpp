@@ -1,9 +1,12 @@
 #include "ui/panels/layer_bar.h"
 
+#include "ui/panels/action_rows.h"
+#include "ui/panels/folding_rows.h"
 #include "ui/panels/number_slider.h"
 
 #include <nlohmann/json.hpp>
 #include <QComboBox>
+#include <QHBoxLayout>
 #include <QSignalBlocker>
 #include <QTimer>
 #include <QToolButton>
@@ -18,20 +21,35 @@ LayerBar::LayerBar(QWidget* parent) : QToolBar(tr("Layers"), parent), m_rest(new
     setMovable(false);
     addList();
     addStrength();
+    QHBoxLayout line;
+    line.addWidget(m_list);
+    line.addWidget(m_strength);
     m_shown = addButton("show", tr("Shown"), tr("Show what the layer holds"));
     m_shown->setCheckable(true);
-    addSeparator();
-    addButton("add", tr("Add"), tr("A new layer on top of all others; strokes then act on it"));
+    line.addWidget(m_shown);
+    addGap(line);
+    line.addWidget(addButton("add", tr("Add"), tr("A new layer on top of all others; strokes then act on it")));
     m_ofLayer = {m_shown,
                  addButton("up", tr("Up"), tr("Above the layer that is above it now")),
                  addButton("down", tr("Down"), tr("Below the layer that is below it now")),
                  addButton("merge", tr("Merge"), tr("Into the layer below it, or the surface below all layers")),
                  addButton("rename", tr("Rename"), tr("Give the layer another name")),
                  addButton("remove", tr("Remove"), tr("The layer goes with what was sculpted on it"))};
+    for (QToolButton* each : m_ofLayer)
+        if (each != m_shown)
+            line.addWidget(each);
+    m_lines = new FoldingRows;
+    m_lines->addLine(line);
+    addWidget(m_lines);
     m_rest->setSingleShot(true);
     m_rest->setInterval(restMs);
     connect(m_rest, &QTimer::timeout, this, &LayerBar::askStrength);
     display({});
+}
+
+void LayerBar::fitInto(int width) {
+    constexpr int around = 48; // margins of the bar and beside it
+    m_lines->fold(width - around);
 }
 
 void LayerBar::addList() {
@@ -40,7 +58,6 @@ void LayerBar::addList() {
     m_list->setToolTip(tr("The layer that strokes act on; the uppermost stands first"));
     m_list->setFocusPolicy(Qt::NoFocus);
     m_list->setMinimumContentsLength(10);
-    addWidget(m_list);
     connect(m_list, &QComboBox::activated, this, [this] {
         const QString name = m_list->currentData().toString();
         if (name.isEmpty())
@@ -59,7 +76,6 @@ void LayerBar::addStrength() {
                                   range);
     m_strength->setObjectName("layer-strength");
     m_strength->setFixedWidth(180);
-    addWidget(m_strength);
     connect(m_strength, &NumberSlider::edited, this, [this](double value) {
         m_moved = m_stack.active, m_wish = value;
         m_rest->start();
@@ -72,7 +88,6 @@ QToolButton* LayerBar::addButton(const char* action, const QString& label, const
     out->setToolTip(tip);
     out->setObjectName(QString("layer-%1").arg(action));
     out->setFocusPolicy(Qt::NoFocus);
-    addWidget(out);
     connect(out, &QToolButton::clicked, this, [this, action] { ask(action); });
     return out;
 }

@@ -13,12 +13,15 @@ class QToolButton;
 
 namespace ui {
 
+class FoldingRows;
 class NumberSlider;
 
 class LayerBar : public QToolBar {
     Q_OBJECT
   public:
     explicit LayerBar(QWidget* parent = nullptr);
+    /// Of the picture that it floats over.
+    void fitInto(int width);
     /// The layers as they are now. Does not emit.
     void display(const layers::Stack& stack);
 
@@ -35,6 +38,7 @@ class LayerBar : public QToolBar {
     void fillList(const layers::Stack& stack);
 
     layers::Stack m_stack;
+    FoldingRows* m_lines;
     QComboBox* m_list;
     NumberSlider* m_strength;
     QToolButton* m_shown;

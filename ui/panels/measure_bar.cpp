@@ -1,9 +1,10 @@
 #include "ui/panels/measure_bar.h"
 
 #include "ui/panels/action_rows.h"
+#include "ui/panels/folding_rows.h"
 #include "ui/work/ruler_table.h"
 
-#include <QGridLayout>
+#include <algorithm>
 #include <QHBoxLayout>
 #include <QLabel>
 
@@ -12,11 +13,8 @@ namespace ui {
 MeasureBar::MeasureBar(QWidget* parent) : QToolBar(tr("Measure"), parent) {
     setObjectName("measure");
     setMovable(false);
-    auto* panel = new QWidget;
-    auto* grid = new QGridLayout(panel);
-    grid->setContentsMargins(4, 2, 4, 2);
-    grid->setSpacing(6);
-    addWidget(panel);
+    m_lines = new FoldingRows;
+    addWidget(m_lines);
     for (const RulerRow& row : rulerTable()) {
         QAction* each = barAction(*this, tr(row.label), tr(row.tip), row.id);
         each->setCheckable(true);
@@ -30,16 +28,22 @@ MeasureBar::MeasureBar(QWidget* parent) : QToolBar(tr("Measure"), parent) {
               << barAction(*this, tr("Clear"), tr("Takes the results off the picture"), "clear");
     connect(m_results[0], &QAction::triggered, this, &MeasureBar::copyWanted);
     connect(m_results[1], &QAction::triggered, this, &MeasureBar::clearWanted);
-    auto* buttons = new QHBoxLayout;
-    addButtons(*buttons, m_rows);
-    addGap(*buttons);
-    addButtons(*buttons, m_results);
-    buttons->addStretch();
-    grid->addLayout(buttons, 0, 0);
+    QHBoxLayout buttons;
+    addButtons(buttons, m_rows);
+    addGap(buttons);
+    addButtons(buttons, m_results);
+    m_lines->addLine(buttons);
     m_said = new QLabel(tr("Choose what to measure, then click on the model."));
     m_said->setObjectName("measure-said");
     m_said->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    grid->addWidget(m_said, 1, 0);
+    m_lines->addBelow(*m_said);
+}
+
+void MeasureBar::fitInto(int width) {
+    constexpr int around = 48; // margins of the bar and beside it
+    m_lines->fold(width - around);
+    m_said->setWordWrap(true);
+    m_said->setFixedWidth(std::min(width - around, 640));
 }
 
 int MeasureBar::row() const {

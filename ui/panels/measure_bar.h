@@ -8,11 +8,15 @@ class QLabel;
 
 namespace ui {
 
+class FoldingRows;
+
 class MeasureBar : public QToolBar {
     Q_OBJECT
   public:
     /// A button for each row of rulerTable().
     explicit MeasureBar(QWidget* parent = nullptr);
+    /// Of the picture that it floats over.
+    void fitInto(int width);
 
     /// Of the row whose button is down; -1: none. Setting it does not emit.
     int row() const;
@@ -31,6 +35,7 @@ class MeasureBar : public QToolBar {
 
   private:
     QList<QAction*> m_rows, m_results;
+    FoldingRows* m_lines;
     QLabel* m_said;
 };
 

@@ -1,32 +1,33 @@
 #include "ui/panels/select_bar.h"
 
 #include "ui/panels/action_rows.h"
+#include "ui/panels/folding_rows.h"
 
 #include <nlohmann/json.hpp>
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QToolButton>
-#include <QVBoxLayout>
 
 namespace ui {
 
 SelectBar::SelectBar(std::span<const SelectChoice> ways, QWidget* parent) : QToolBar(tr("Select"), parent) {
     setObjectName("select");
     setMovable(false);
-    auto* panel = new QWidget; // rows: as wide as the other bars
-    auto* rows = new QVBoxLayout(panel);
-    rows->setContentsMargins(4, 2, 4, 2);
-    rows->setSpacing(6);
-    addWidget(panel);
-    QHBoxLayout* row[] = {new QHBoxLayout, new QHBoxLayout, new QHBoxLayout};
-    addWays(ways, *row[0]);
-    addGap(*row[0]);
-    addModes(*row[0]);
-    addChanges(*row[1], *row[2]);
-    for (QHBoxLayout* each : row) {
-        each->addStretch();
-        rows->addLayout(each);
-    }
+    m_lines = new FoldingRows; // as wide as the other bars
+    addWidget(m_lines);
+    QHBoxLayout row[3];
+    addWays(ways, row[0]);
+    addGap(row[0]);
+    addModes(row[0]);
+    addChanges(row[1], row[2]);
+    for (QHBoxLayout& each : row)
+        if (each.count() > 0)
+            m_lines->addLine(each);
+}
+
+void SelectBar::fitInto(int width) {
+    constexpr int around = 48; // margins of the bar and beside it
+    m_lines->fold(width - around);
 }
 
 /// In the second row as far as a window of 1280 pixels has room; a language with longer words needs a third.

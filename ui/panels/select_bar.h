@@ -11,6 +11,8 @@ class QHBoxLayout;
 
 namespace ui {
 
+class FoldingRows;
+
 /// A way to select with the pointer, as the bar shows it.
 struct SelectChoice {
     const char* id; ///< "rectangle"
@@ -22,6 +24,8 @@ class SelectBar : public QToolBar {
     Q_OBJECT
   public:
     explicit SelectBar(std::span<const SelectChoice> ways, QWidget* parent = nullptr);
+    /// Of the picture that it floats over.
+    void fitInto(int width);
 
     /// Of the way whose button is down; -1: none. Setting it does not emit.
     int way() const;
@@ -45,6 +49,7 @@ class SelectBar : public QToolBar {
     void addChanges(QHBoxLayout& second, QHBoxLayout& third);
     void addGroups(const std::vector<QList<QAction*>>& groups, QHBoxLayout& second, QHBoxLayout& third);
 
+    FoldingRows* m_lines;
     QList<QAction*> m_ways, m_changes;
     QComboBox* m_mode = nullptr;
     QAction* m_visible = nullptr;

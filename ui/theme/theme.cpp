@@ -84,6 +84,7 @@ static const char* const sheet = R"(
     QToolButton:pressed { background: @field; }
     QToolButton:disabled { color: @disabled; }
     QToolButton[popupMode="2"] { padding-right: 15px; }
+    QToolButton#qt_toolbar_ext_button { padding: 0; }
     QToolButton::menu-indicator { subcontrol-origin: padding; subcontrol-position: center right; right: 3px; }
     QFrame#gap { color: @strong; }
     QWidget#corner { background: @ground; }

@@ -33,7 +33,7 @@ void addTruthBar(MainWindow& window, QMenu& view) {
 void addCutBar(MainWindow& window, QMenu& view) {
     auto* bar = new CutBar(&window);
     bar->hide();
-    window.bars().add(*bar);
+    window.bars().add(*bar, [bar](int width) { bar->fitInto(width); });
     QAction* shown = bar->toggleViewAction();
     shown->setText(QObject::tr("&Clipping"));
     shown->setShortcut(QKeySequence("Shift+B"));
@@ -52,7 +52,7 @@ void addCutBar(MainWindow& window, QMenu& view) {
 void addLayerBar(MainWindow& window, QMenu& view) {
     auto* bar = new LayerBar(&window);
     bar->hide();
-    window.bars().add(*bar);
+    window.bars().add(*bar, [bar](int width) { bar->fitInto(width); });
     QAction* shown = bar->toggleViewAction();
     shown->setText(QObject::tr("&Layers"));
     shown->setShortcut(QKeySequence("Shift+L"));

@@ -1,7 +1,10 @@
 #include "ui/window/floating_bars.h"
 
+#include "ui/theme/icon.h"
+
 #include <algorithm>
 #include <QEvent>
+#include <QToolButton>
 #include <QWidget>
 
 namespace ui {
@@ -10,15 +13,20 @@ FloatingBars::FloatingBars(QWidget& canvas, QObject* parent) : QObject(parent), 
     canvas.installEventFilter(this);
 }
 
-void FloatingBars::add(QWidget& bar) {
+void FloatingBars::add(QWidget& bar, std::function<void(int width)> fit) {
     const bool shown = bar.isVisibleTo(bar.parentWidget());
     bar.setParent(&m_canvas);
     bar.setProperty("floating", true);
     bar.setAttribute(Qt::WA_StyledBackground);
     bar.setCursor(Qt::ArrowCursor);
     bar.installEventFilter(this);
-    m_bars.push_back(&bar);
-    connect(&bar, &QObject::destroyed, this, [this, gone = &bar] { std::erase(m_bars, gone); });
+    if (auto* more = bar.findChild<QToolButton*>("qt_toolbar_ext_button")) { // the style's own is black on dark
+        more->setIcon(icon("more"));
+        more->setToolTip(tr("What has no room here"));
+    }
+    m_bars.push_back({&bar, std::move(fit)});
+    connect(&bar, &QObject::destroyed, this,
+            [this, gone = &bar] { std::erase_if(m_bars, [&](const Bar& each) { return each.widget == gone; }); });
     bar.setVisible(shown);
     place();
 }
@@ -29,9 +37,11 @@ void FloatingBars::place() {
     m_placing = true; // a bar's own resizing asks for nothing more
     constexpr int margin = 10, gap = 6;
     int bottom = m_canvas.height() - margin;
-    for (QWidget* bar : m_bars) {
+    for (const auto& [bar, fit] : m_bars) {
         if (bar->isHidden())
             continue;
+        if (fit)
+            fit(m_canvas.width());
         const QSize wanted = bar->sizeHint();
         const int width = std::min(wanted.width(), m_canvas.width() - 2 * margin);
         bar->setGeometry((m_canvas.width() - width) / 2, bottom - wanted.height(), width, wanted.height());

@@ -3,6 +3,7 @@
 // beside a button reaches the brush below it. Interface's thread only.
 #pragma once
 
+#include <functional>
 #include <QObject>
 #include <vector>
 
@@ -15,8 +16,9 @@ class FloatingBars : public QObject {
   public:
     /// The canvas outlives it.
     explicit FloatingBars(QWidget& canvas, QObject* parent = nullptr);
-    /// From now on `bar` is a child of the canvas; the first stands lowest. Shown where it is visible.
-    void add(QWidget& bar);
+    /// From now on `bar` is a child of the canvas; the first stands lowest. Shown where it is visible. `fit` is told
+    /// the canvas's width before the bar is asked for its own.
+    void add(QWidget& bar, std::function<void(int width)> fit = {});
 
   protected:
     bool eventFilter(QObject* object, QEvent* event) override;
@@ -24,8 +26,12 @@ class FloatingBars : public QObject {
   private:
     void place();
 
+    struct Bar {
+        QWidget* widget;
+        std::function<void(int)> fit;
+    };
     QWidget& m_canvas;
-    std::vector<QWidget*> m_bars;
+    std::vector<Bar> m_bars;
     bool m_placing = false;
 };
 

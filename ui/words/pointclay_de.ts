@@ -3881,6 +3881,10 @@
         <translation>Ausgewähltes</translation>
     </message>
     <message>
+        <source>What has no room here</source>
+        <translation>Was hier keinen Platz hat</translation>
+    </message>
+    <message>
         <source>What do you want to do?</source>
         <translation>Was soll getan werden?</translation>
     </message>

@@ -15,9 +15,10 @@
 namespace ui {
 
 /// The bar over the picture, hidden, and what shows it as the menu's first entry.
-static void addBar(MainWindow& window, QMenu& menu, QToolBar& bar, const char* key, const QString& tip) {
+template <class Bar>
+static void addBar(MainWindow& window, QMenu& menu, Bar& bar, const char* key, const QString& tip) {
     bar.hide();
-    window.bars().add(bar);
+    window.bars().add(bar, [&bar](int width) { bar.fitInto(width); });
     QAction* shown = bar.toggleViewAction();
     shown->setText(QObject::tr("Show the &Bar"));
     shown->setShortcut(QKeySequence(key));
