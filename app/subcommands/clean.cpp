@@ -156,7 +156,8 @@ Action addClean(OptionSet command) {
             "--memory", options->memory,
             "memory to take: LAS files that need more are cleaned in tiles by --duplicates and --outliers statistical, "
             "radius and surface; other steps refuse. Strays in swarms are judged in each tile by itself, so that a few "
-            "points in a million may be told otherwise; normals are not made, and far strays may ask for more")
+            "points in a million may be told otherwise, and far ones among an even choice of the file; normals are not "
+            "made")
         .typeName("BYTES[K|M|G]")
         .check({memoryFault});
     addBatchOptions(command, options->batch);

@@ -272,7 +272,7 @@ class House {
 
 /// Whichever wall is the largest plane: what looks up is there, what looks down is not.
 void UpGuessTest::housesAreSeenFromAbove() {
-    for (int k = 0; k < test::effort(8); ++k)
+    for (int k = 0; k < test::effort(3); ++k)
         for (const base::UpRow& row : base::upTable()) {
             Random random(test::seed() + static_cast<unsigned>(k));
             const House house(random);
@@ -281,7 +281,7 @@ void UpGuessTest::housesAreSeenFromAbove() {
                 out.normal = base::normalized(out.normal + r.unitVector() * 0.05);
                 return out;
             };
-            const auto tree = modelOf(scanned, 4000, row.axis, {k % 2 * 0.005, 0.001, 0, true}, random);
+            const auto tree = modelOf(scanned, 3000, row.axis, {k % 2 * 0.005, 0.001, 0, true}, random);
             QVERIFY2(guessedUp(process::upEvidence(tree, process::KnownSides::Yes), UpAxis::Y) == row.axis,
                      qPrintable(QString("seed %1 up %2").arg(test::seed() + static_cast<unsigned>(k)).arg(row.id)));
         }
