@@ -4293,8 +4293,8 @@
         <translation>Falze in den Punkten suchen, statt der vorhandenen; dies oder die Linie angeben</translation>
     </message>
     <message>
-        <source>flat: as little surface as there can be; smooth: tangent planes and curvature around go on into the hole; detail: as smooth, with the relief of what is around</source>
-        <translation>Flach: so wenig Fläche wie möglich; Glatt: Tangentialebenen und Krümmung ringsum gehen in das Loch weiter; Einzelheiten: ebenso glatt, mit dem Relief ringsum</translation>
+        <source>flat: as little surface as there can be, in a plane with a sharp edge where a plane cut the model off; smooth: tangent planes and curvature around go on into the hole; detail: as smooth, with the relief of what is around</source>
+        <translation>Flach: so wenig Fläche wie möglich, in einer Ebene mit scharfer Kante, wo eine Ebene das Modell abgeschnitten hat; Glatt: Tangentialebenen und Krümmung ringsum gehen in das Loch weiter; Einzelheiten: ebenso glatt, mit dem Relief ringsum</translation>
     </message>
     <message>
         <source>glTF</source>
