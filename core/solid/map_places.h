@@ -58,14 +58,20 @@ void forHalvedPlaces(const Map& map, const Fn& place) {
     }
 }
 
-/// place(u, v, spacing) for each; spacings are between `least` and `most`. Throws base::Error where places would be
-/// more than 20 million.
-template <class Map, class Fn>
-void forPlaces(const Map& map, double least, double most, const Fn& place) {
+/// Might places, `least` apart, be more than 20 million?
+template <class Map>
+bool areTooMany(const Map& map, double least) {
     constexpr double mostPlaces = 2e7;
     const double area =
         (map.hi.x - map.lo.x) * std::max(map.unit(map.lo.y), map.unit(map.hi.y)) * (map.hi.y - map.lo.y);
-    if (!(area < mostPlaces * least * least))
+    return !(area < mostPlaces * least * least);
+}
+
+/// place(u, v, spacing) for each; spacings are between `least` and `most`. Throws base::Error where places are too
+/// many.
+template <class Map, class Fn>
+void forPlaces(const Map& map, double least, double most, const Fn& place) {
+    if (areTooMany(map, least))
         throw base::Error("what closes the cut would have too many points, as dense as the model is there", "",
                           "resample the model with a larger spacing");
     if (most < 1.25 * least)

@@ -5,6 +5,7 @@
 #include "core/process/estimation/known_rims.h"
 #include "core/process/estimation/prepare.h"
 #include "core/solid/loops/fill.h"
+#include "core/solid/loops/plane_cap.h"
 #include "core/surface/curves/boundary_curves.h"
 #include "core/surface/rims.h"
 #include "process/even_shapes.h"
@@ -23,6 +24,7 @@ class PlaneCapTest : public QObject {
     void floorsOfPitsMeetTheirWallsInGrooves();
     void withoutCreasesThereAreNoCells();
     void rimsThatAreKnownAreKnownOfWhatIsLeft();
+    void whatTellsOfNoPlaneHasNoCap();
 };
 
 namespace {
@@ -180,6 +182,29 @@ void PlaneCapTest::rimsThatAreKnownAreKnownOfWhatIsLeft() {
     QVERIFY(surface::knowsRims(result.surface));
     const auto left = findBoundaryCurves(result.surface);
     QVERIFY(left.size() == 1 && left[0].closed && std::abs(left[0].points[0].position.z - 2) < 0.3);
+}
+
+/// Left to patches, instead of an error or of places that are no numbers.
+void PlaneCapTest::whatTellsOfNoPlaneHasNoCap() {
+    const surface::Surface open = opened(tube(1));
+    const surface::BoundaryCurve curve = findBoundaryCurves(open)[lowest(open)];
+    float row = std::numeric_limits<float>::infinity();
+    for (const surfel::Surfel& each : open.tree().surfels().items)
+        row = std::min(row, each.position.z);
+    const auto loopAt = [&](double z) {
+        solid::Loop out = solid::edgeOf(open, solid::evenLoop(open, curve));
+        for (solid::LoopPoint& p : out.points)
+            p.position.z = z;
+        return out;
+    };
+    solid::Loop loop = loopAt(static_cast<double>(row));
+    QVERIFY(solid::PlaneCap::over(open, loop).has_value());
+    loop.points[0].spacing *= 0.002; // places as dense as that, all over, are too many
+    QVERIFY(!solid::PlaneCap::over(open, loop).has_value());
+    loop = loopAt(-0.05);
+    for (solid::LoopPoint& p : loop.points)
+        p.spacing *= 0.1; // no surfel is near
+    QVERIFY(!solid::PlaneCap::over(open, loop).has_value());
 }
 
 static const test::Registered<PlaneCapTest> registered;

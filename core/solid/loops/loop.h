@@ -47,6 +47,7 @@ std::vector<T> meansAlong(const std::vector<T>& of, std::size_t reach) {
             out[i] += of[(i + n * reach + k - reach) % n] * (static_cast<double>(1 + std::min(k, 2 * reach - k)) / sum);
     return out;
 }
+
 /// How far beyond the edge of a half-plane full of surfels a limit draws the boundary, in h; below 0: before it.
 double pastEdge(float limit);
 

@@ -1,5 +1,6 @@
 #include "core/solid/loops/patch_surfels.h"
 
+#include "core/base/parallel.h"
 #include "core/process/resampling/resample.h"
 #include "core/solid/loops/shape_patch.h"
 #include "core/surface/evaluation/attribute_sum.h"
@@ -43,6 +44,26 @@ Carried carriedAt(const surface::Surface& surface, const Loop& loop) {
     }
     return out;
 }
+
+/// At the places of a cap the loop's colours by 1 / d^4, and which of its points is nearest.
+struct Blended {
+    surfel::Colour colour = 0;
+    std::size_t nearest = 0;
+
+    Blended(const Loop& loop, const Carried& carried, const Vec3d& x) {
+        double sums[4] = {}, weights = 0, least = std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < loop.size(); ++i) {
+            const double sq = distanceSq(loop.points[i].position, x), weight = 1 / (sq * sq + 1e-300);
+            if (sq < least)
+                least = sq, nearest = i;
+            weights += weight;
+            for (std::size_t k = 0; k < 4; ++k)
+                sums[k] += weight * carried.numbers[i][k + 1];
+        }
+        for (std::size_t k = 0; k < 4; ++k)
+            colour |= static_cast<unsigned>(std::clamp(std::lround(sums[k] / weights), 0L, 255L)) << 8 * k;
+    }
+};
 
 /// Stands there already a surfel that faces the same way?
 bool taken(const tree::SurfelTree& tree, const Vec3d& p, const Vec3d& normal, double within, bool oriented) {
@@ -103,29 +124,21 @@ std::size_t PatchSurfels::add(const Loop& loop, const Patch& patch, int halvings
 
 void PatchSurfels::addCap(const PlaneCap& cap, bool turned) {
     const Carried carried = carriedAt(m_surface, cap.loop);
-    const std::size_t words = m_out.layout->words();
+    const std::size_t words = m_out.layout->words(), count = cap.patch.positions.size();
     const Vec3d normal = cap.pose.turn * Vec3d{0, 0, turned ? -1.0 : 1.0};
-    for (std::size_t v = 0; v < cap.patch.positions.size(); ++v) {
-        const Vec3d& x = cap.patch.positions[v];
-        double sums[4] = {}, weights = 0, least = std::numeric_limits<double>::infinity();
-        std::size_t nearest = 0;
-        for (std::size_t i = 0; i < cap.loop.size(); ++i) {
-            const double sq = distanceSq(cap.loop.points[i].position, x), weight = 1 / (sq * sq + 1e-300);
-            if (sq < least)
-                least = sq, nearest = i;
-            weights += weight;
-            for (std::size_t k = 0; k < 4; ++k)
-                sums[k] += weight * carried.numbers[i][k + 1];
-        }
-        surfel::Surfel s;
-        s.position = base::cast<float>(x);
-        s.normal = base::cast<float>(normal);
-        s.support = process::supportOf(m_surface.definition(), static_cast<float>(cap.patch.spacings[v]));
-        s.colour = 0;
-        for (std::size_t k = 0; k < 4; ++k)
-            s.colour |= static_cast<unsigned>(std::clamp(std::lround(sums[k] / weights), 0L, 255L)) << 8 * k;
-        m_out.append(s, {carried.words.data() + nearest * words, words});
-    }
+    std::vector<surfel::Surfel> made(count);
+    std::vector<std::size_t> nearest(count);
+    // each of them looks at all of the loop: that is most of the work where it is long
+    base::parallelFor(count, 64, [&](std::size_t v) {
+        const Blended blended(cap.loop, carried, cap.patch.positions[v]);
+        made[v].position = base::cast<float>(cap.patch.positions[v]);
+        made[v].normal = base::cast<float>(normal);
+        made[v].support = process::supportOf(m_surface.definition(), static_cast<float>(cap.patch.spacings[v]));
+        made[v].colour = blended.colour;
+        nearest[v] = blended.nearest;
+    });
+    for (std::size_t v = 0; v < count; ++v)
+        m_out.append(made[v], {carried.words.data() + nearest[v] * words, words});
 }
 
 surface::Surface withSurfels(const surface::Surface& surface, const surfel::SurfelList& more) {

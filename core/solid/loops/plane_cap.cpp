@@ -92,7 +92,8 @@ std::optional<Pose> planeAtSurfels(const surface::Surface& surface, const Loop& 
     forBeside(surface, loop, [&](std::size_t, const Vec3d& x) { out = std::max(out, side * plane.local(x).z); });
     plane.middle += plane.turn * Vec3d{0, 0, side * out};
     for (const LoopPoint& p : loop.points)
-        if (std::abs(plane.local(p.position).z - first.local(p.position).z) > most * p.spacing)
+        if (!(std::abs(plane.local(p.position).z - first.local(p.position).z) <=
+              most * p.spacing)) // or no surfel is near
             return {};
     return plane;
 }
@@ -175,7 +176,8 @@ class CapsSide : public Side {
     base::Box3d m_box;
 };
 
-/// Places of a cap: as dense as its loop's nearest points tell, and within the model where that is near.
+/// Places of a cap: as dense as its loop's nearest points tell, and within the model where that is near. None where
+/// they would be too many.
 class CapPlaces {
   public:
     CapPlaces(const surface::Surface& surface, PlaneCap& cap)
@@ -189,6 +191,8 @@ class CapPlaces {
         const Map map{*this,
                       {m_box.lo.x - doubtful * most, m_box.lo.y - doubtful * most},
                       {m_box.hi.x + doubtful * most, m_box.hi.y + doubtful * most}};
+        if (areTooMany(map, least))
+            return;
         std::vector<Vec3d> places; // u, v, spacing
         forPlaces(map, least, most, [&](double u, double v, double spacing) { places.push_back({u, v, spacing}); });
         std::vector<std::uint8_t> holds(places.size());
@@ -271,6 +275,8 @@ std::optional<PlaneCap> PlaneCap::over(const surface::Surface& surface, const Lo
         out.rim.push_back({q.x, q.y});
     }
     CapPlaces(surface, out);
+    if (out.patch.positions.empty())
+        return {};
     return out;
 }
 

@@ -25,7 +25,8 @@ struct PlaneCap {
 
     /// Nothing where the model's normals have no sides, where the loop leaves every plane by more than 3 spacings (or
     /// .6 in the mean), surfels stand out of it by more than 1.5, or the cap would go on from what is around, or
-    /// beyond it, as much as turn away from it. `loop`: as edgeOf has it.
+    /// beyond it, as much as turn away from it; nor where it would have no places, or too many. `loop`: as edgeOf has
+    /// it. Throws base::Cancelled.
     static std::optional<PlaneCap> over(const surface::Surface& surface, const Loop& loop);
 };
 
