@@ -29,16 +29,21 @@ constexpr float intoGap = 0.25f, gapsPerFalse = 1e5f, widestGap = 0.32f;
 /// Surfels at equal distances in tree order, of those that are wanted.
 template <class Wanted>
 std::vector<RimPlace> samplePlaces(const tree::SurfelTree& tree, const Wanted& wanted) {
-    std::vector<RimPlace> all;
-    tree.forEachBlock([&](std::uint32_t number, const surfel::SurfelBlock& block) {
-        for (int slot = 0; slot < block.size(); ++slot)
-            if (wanted(block, slot))
-                all.push_back({rimKey(number, slot), block.position(slot)});
-    });
-    const std::size_t stride = (all.size() + mostSamples - 1) / mostSamples;
+    const auto forWanted = [&](const auto& fn) {
+        tree.forEachBlock([&](std::uint32_t number, const surfel::SurfelBlock& block) {
+            for (int slot = 0; slot < block.size(); ++slot)
+                if (wanted(block, slot))
+                    fn(number, block, slot);
+        });
+    };
+    std::size_t all = 0, at = 0;
+    forWanted([&](auto, auto&, int) { ++all; });
+    const std::size_t stride = (all + mostSamples - 1) / mostSamples;
     std::vector<RimPlace> out;
-    for (std::size_t i = 0; i < all.size(); i += stride)
-        out.push_back(all[i]);
+    forWanted([&](std::uint32_t number, const surfel::SurfelBlock& block, int slot) {
+        if (at++ % stride == 0)
+            out.push_back({rimKey(number, slot), block.position(slot)});
+    });
     return out;
 }
 
@@ -90,9 +95,9 @@ float limitOfKnownRims(const surface::Surface& surface, const base::Progress& pr
     if (row.empty())
         return bandLimit;
     std::vector<float> ends = offCentres(row);
-    const auto middle = ends.begin() + static_cast<std::ptrdiff_t>(ends.size() * 9 / 10);
-    std::nth_element(ends.begin(), middle, ends.end());
-    return std::clamp(std::max(*middle, rarelyExceeded(offCentres(closed), rareOverQuantile)), tightestKnown,
+    const auto most = ends.begin() + static_cast<std::ptrdiff_t>(ends.size() * 9 / 10);
+    std::nth_element(ends.begin(), most, ends.end());
+    return std::clamp(std::max(*most, rarelyExceeded(offCentres(closed), rareOverQuantile)), tightestKnown,
                       loosestLimit);
 }
 
