@@ -17,6 +17,7 @@ class SplatsTest : public QObject {
     void savedSplatsAreNotColouredAgain();
     void otherPointsWithOpacityStay();
     void normalsAndShapesAreTheCovariances();
+    void sizesBeyondAllNumbersTellNothing();
 };
 
 namespace {
@@ -139,6 +140,17 @@ void SplatsTest::normalsAndShapesAreTheCovariances() {
         const double asked = std::min(aspect[i], double(surfel::mostAspect));
         QVERIFY2(std::abs(surfel::aspectOf(base::cast<float>(b)) - float(asked)) < 1e-3f, told);
         QVERIFY2(std::abs(dot(b, normal[i])) < 1e-4 && std::abs(dot(b, along[i])) < 1e-4, told);
+    }
+}
+
+void SplatsTest::sizesBeyondAllNumbersTellNothing() {
+    const test::Folder folder;
+    const io::FileModel model = io::read(folder.write("a.ply", splatFile({{0.5, {}, "400 400 390 1 0 0 0"},
+                                                                          {0.5, {}, "-400 -400 -400 1 0 0 0"},
+                                                                          {0.5, {}, "0 0 0 0 0 0 0"}})));
+    for (std::size_t i = 0; i < 3; ++i) {
+        QVERIFY(model.points.items[i].normal == base::Vec3f{});
+        QVERIFY(surfel::shapeIn(model.points.extraOf(i), surfel::shapeWord(*model.points.layout)) == base::Vec3f{});
     }
 }
 

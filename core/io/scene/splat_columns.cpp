@@ -69,7 +69,7 @@ class Covariance {
         std::array<base::Vec3d, 3> out = turned(q, 2 / length);
         for (std::size_t k = 0; k < 3; ++k) {
             out[k] = out[k] * std::exp(surfel::read(*m_scale[k], words));
-            if (!base::isFinite(out[k]) || !(lengthSq(out[k]) > 0))
+            if (const double square = lengthSq(out[k]); !std::isfinite(square) || !(square > 0))
                 return {};
         }
         std::stable_sort(out.begin(), out.end(),
