@@ -8,6 +8,7 @@
 
 #include <bit>
 #include <chrono>
+#include <optional>
 #include <QPointer>
 #include <thread>
 #include <unordered_set>
@@ -100,13 +101,15 @@ void CommandPreview::make(const Wanted& wanted, const base::Progress& progress) 
     session::Document document = wanted.document;
     session::Context context{document, {}, {told, progress.cancel}, {}, 0, {}};
     session::ShownScene beside;
-    const Snapshot before = snapshotOf(document, beside);
+    std::optional<Snapshot> before; // few commands ask
     const reduce::WatchScope watched(
         [&, next = Clock::time_point(), rounds = 0](const reduce::Sites& floaters) mutable {
             if (rounds >= unhurried && Clock::now() < next)
                 return;
             next = Clock::now() + std::chrono::milliseconds(wanted.roundMs);
-            answer(wanted.wish, [this, shown = withFloaters(before, floaters)] { Q_EMIT spread(shown); });
+            if (!before)
+                before = snapshotOf(wanted.document, beside);
+            answer(wanted.wish, [this, shown = withFloaters(*before, floaters)] { Q_EMIT spread(shown); });
             if (++rounds <= unhurried)
                 std::this_thread::sleep_until(next);
         });
