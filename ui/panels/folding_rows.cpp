@@ -31,7 +31,8 @@ void FoldingRows::addBelow(QWidget& widget) {
     m_column->addWidget(&widget);
 }
 
-void FoldingRows::fold(int width) {
+void FoldingRows::foldOver(int picture) {
+    const int width = roomOver(picture);
     std::vector<std::vector<QWidget*>> folded;
     for (const std::vector<QWidget*>& line : m_lines) {
         int used = 0;

@@ -17,8 +17,10 @@ class FoldingRows : public QWidget {
     void addLine(QLayout& row);
     /// Below all lines.
     void addBelow(QWidget& widget);
-    /// Into rows of at most that many pixels.
-    void fold(int width);
+    /// Into rows that a bar has room for over a picture of that many pixels.
+    void foldOver(int picture);
+    /// So many, but for the margins of the bar and beside it.
+    static int roomOver(int picture) { return picture - 48; }
 
   private:
     void layOut();

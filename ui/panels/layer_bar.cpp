@@ -48,8 +48,7 @@ LayerBar::LayerBar(QWidget* parent) : QToolBar(tr("Layers"), parent), m_rest(new
 }
 
 void LayerBar::fitInto(int width) {
-    constexpr int around = 48; // margins of the bar and beside it
-    m_lines->fold(width - around);
+    m_lines->foldOver(width);
 }
 
 void LayerBar::addList() {

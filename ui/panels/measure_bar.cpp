@@ -40,10 +40,9 @@ MeasureBar::MeasureBar(QWidget* parent) : QToolBar(tr("Measure"), parent) {
 }
 
 void MeasureBar::fitInto(int width) {
-    constexpr int around = 48; // margins of the bar and beside it
-    m_lines->fold(width - around);
+    m_lines->foldOver(width);
     m_said->setWordWrap(true);
-    m_said->setFixedWidth(std::min(width - around, 640));
+    m_said->setFixedWidth(std::min(FoldingRows::roomOver(width), 640));
 }
 
 int MeasureBar::row() const {

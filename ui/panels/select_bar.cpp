@@ -26,8 +26,7 @@ SelectBar::SelectBar(std::span<const SelectChoice> ways, QWidget* parent) : QToo
 }
 
 void SelectBar::fitInto(int width) {
-    constexpr int around = 48; // margins of the bar and beside it
-    m_lines->fold(width - around);
+    m_lines->foldOver(width);
 }
 
 /// In the second row as far as a window of 1280 pixels has room; a language with longer words needs a third.
