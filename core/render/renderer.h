@@ -32,6 +32,8 @@ struct RenderOptions {
     float detailPx = 1;
     /// Splats end where the surface that this defines does, at its boundary limit; without one they are whole discs.
     surface::SurfaceDefinition definition;
+    /// All that is drawn is one surface, and all of it: none stands beside it, and no part is hidden.
+    bool entire = true;
     bool closed = false; ///< oriented and without an opening: parts that face away need not be drawn
     Effects effects = 0;
     std::optional<GroundGrid> grid;

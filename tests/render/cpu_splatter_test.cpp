@@ -122,6 +122,9 @@ void CpuSplatterTest::backsOfSolidsShowBeforeNoFront() {
     RenderOptions open;
     open.definition.boundaryLimit = 0.2f;
     QVERIFY(std::abs(depth(solid, open) - 3) < 0.01f);
+    RenderOptions several; // the others may be open
+    several.entire = false;
+    QVERIFY(std::abs(depth(solid, several) - 3) < 0.01f);
     camera.clips.add({{0, 1, 0}, -0.9});
     QVERIFY(std::abs(depth(solid) - 3) < 0.01f);
 }

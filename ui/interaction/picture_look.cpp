@@ -73,6 +73,7 @@ Frame PictureLook::frame(const render::Camera& camera, bool moving, std::uint64_
     out.options = options();
     out.options.colours = m_colours;
     out.options.definition = now.surface.definition();
+    out.options.entire = isEntire(now);
     out.options.splatScale = now.splatScale;
     out.truth = truth();
     out.smooth = true;

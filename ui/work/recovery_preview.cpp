@@ -38,6 +38,7 @@ static QImage pictureOf(const Snapshot& model, QSize size) {
     render::RenderOptions options;
     options.shading = render::usualShading(model.whole);
     options.definition = model.surface.definition();
+    options.entire = isEntire(model);
     options.splatScale = model.splatScale;
     render::CpuSplatter renderer;
     render::Image image;

@@ -47,4 +47,8 @@ Snapshot snapshotOf(const session::Document& document, session::ShownScene& show
     return out;
 }
 
+bool isEntire(const Snapshot& snapshot) {
+    return snapshot.beside.empty() && snapshot.surfels == snapshot.surface.tree().size();
+}
+
 } // namespace ui

@@ -45,4 +45,7 @@ struct Snapshot {
 /// active one what has changed since `shown` was asked last.
 Snapshot snapshotOf(const session::Document& document, session::ShownScene& shown);
 
+/// Is what is seen all of one model (RenderOptions::entire)?
+bool isEntire(const Snapshot& snapshot);
+
 } // namespace ui

@@ -14,7 +14,7 @@ namespace render {
 /// sure which side is outside: their faces told, or solids that were put together.
 inline bool showsNoBack(const tree::SurfelTree& model, const RenderOptions& options, const Camera& camera) {
     const base::Box3f box = model.bounds();
-    return options.definition.manifold == surface::Manifold::Surface &&
+    return options.entire && options.definition.manifold == surface::Manifold::Surface &&
            !std::isfinite(options.definition.boundaryLimit) && cells::LabelLayout::of(*model.layout()) &&
            camera.clips.empty() && (camera.parallel() || !box.contains(base::cast<float>(camera.eye)));
 }
