@@ -133,7 +133,8 @@ void run(const Options& options, Console& console) {
     replay.done = [&](const session::LineReport& report) {
         strokes += report.op == "stroke";
         timings.push_back(timingOf(report));
-        console.tell(context.messages);
+        for (const std::string& message : context.messages)
+            console.tell("line " + std::to_string(report.line) + ": " + message);
         context.messages.clear();
     };
     const int commands = session::replay(options.session, context, replay);
