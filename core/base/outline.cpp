@@ -5,15 +5,32 @@
 namespace base {
 
 Outline::Outline(std::span<const Point2> corners) {
+    add(corners);
+    sort();
+}
+
+Outline::Outline(std::span<const std::vector<Point2>> rings) {
+    for (const std::vector<Point2>& ring : rings)
+        add(ring);
+    sort();
+}
+
+void Outline::add(std::span<const Point2> corners) {
     if (corners.size() < 3)
         return;
-    m_lo = m_hi = corners[0];
+    if (m_edges.empty())
+        m_lo = m_hi = corners[0];
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const Point2 &a = corners[i], &b = corners[(i + 1) % corners.size()];
         m_edges.push_back({a, b});
         m_lo = {std::min(m_lo.x, a.x), std::min(m_lo.y, a.y)};
         m_hi = {std::max(m_hi.x, a.x), std::max(m_hi.y, a.y)};
     }
+}
+
+void Outline::sort() {
+    if (m_edges.empty())
+        return;
     const std::size_t rows = std::clamp<std::size_t>(2 * m_edges.size(), 1, 4096);
     m_rowsPerUnit = m_hi.y > m_lo.y ? static_cast<double>(rows) / (m_hi.y - m_lo.y) : 0;
     m_first.assign(rows + 1, 0);

@@ -22,6 +22,8 @@ class Outline {
     Outline() = default;
     /// The last corner is joined to the first. REQUIRES: finite corners; fewer than three hold nothing.
     explicit Outline(std::span<const Point2> corners);
+    /// Several of them at once: what lies in an even number is outside.
+    explicit Outline(std::span<const std::vector<Point2>> rings);
 
     bool holds(const Point2& p) const;
     /// Does an edge come into the rectangle, or touch it?
@@ -31,6 +33,8 @@ class Outline {
     struct Edge {
         Point2 a, b;
     };
+    void add(std::span<const Point2> corners);
+    void sort();
     std::size_t rowOf(double y) const;
 
     Point2 m_lo, m_hi;

@@ -22,6 +22,7 @@ class PlaneCapTest : public QObject {
     void whatAPlaneCutOpenIsCappedInThePlane_data();
     void whatAPlaneCutOpenIsCappedInThePlane();
     void floorsOfPitsMeetTheirWallsInGrooves();
+    void endsOfPipesAreRings();
     void withoutCreasesThereAreNoCells();
     void rimsThatAreKnownAreKnownOfWhatIsLeft();
     void whatTellsOfNoPlaneHasNoCap();
@@ -74,10 +75,10 @@ std::vector<surfel::Surfel> fresh(const surface::Surface& before, const surface:
     return out;
 }
 
-/// A tube about the z axis from z = 0 to 2, of radius 1, whose normals look outwards, or inwards.
-surfel::SurfelList tube(double outwards) {
-    constexpr int around = 72;
-    const double s = 2 * std::numbers::pi / around;
+/// A tube about the z axis from z = 0 to 2, whose normals look outwards, or inwards.
+surfel::SurfelList tube(double outwards, double radius = 1) {
+    const int around = static_cast<int>(72 * radius);
+    const double s = 2 * std::numbers::pi / 72;
     const int rows = static_cast<int>(2 / (s * 0.866));
     surfel::SurfelList out;
     out.layout = test::orientedLayout();
@@ -85,7 +86,7 @@ surfel::SurfelList tube(double outwards) {
         for (int k = 0; k < around; ++k) {
             const double turn = 2 * std::numbers::pi * (k + 0.5 * (row % 2)) / around;
             const Vec3d n{std::cos(turn), std::sin(turn), 0};
-            out.append(test::surfelAt(n + Vec3d{0, 0, 2.0 * (row + 0.5) / rows}, n * outwards, s * 0.93), {});
+            out.append(test::surfelAt(n * radius + Vec3d{0, 0, 2.0 * (row + 0.5) / rows}, n * outwards, s * 0.93), {});
         }
     return out;
 }
@@ -162,6 +163,32 @@ void PlaneCapTest::floorsOfPitsMeetTheirWallsInGrooves() {
     }
 }
 
+/// The bore stays open, and a rod within it is capped by itself.
+void PlaneCapTest::endsOfPipesAreRings() {
+    surfel::SurfelList points = tube(1);
+    for (const auto& [outwards, radius] : {std::pair(-1.0, 0.75), std::pair(1.0, 0.25)})
+        for (const surfel::Surfel& each : tube(outwards, radius).items)
+            points.append(each, {});
+    const surface::Surface open = opened(points);
+    const solid::Filled result = solid::fillHoles(open, {.shape = solid::Shape::Flat, .only = {}});
+    QCOMPARE(result.loops.size(), std::size_t(6));
+    for (const solid::LoopFate& fate : result.loops)
+        QVERIFY2(fate.filled && fate.why[0] == 0, fate.why);
+    QVERIFY(std::isinf(result.surface.definition().boundaryLimit));
+    for (const surfel::Surfel& each : fresh(open, result.surface)) {
+        const double r = std::hypot(each.position.x, each.position.y);
+        QVERIFY2(r < 0.3 || r > 0.7, qPrintable(QString::number(r)));
+        QVERIFY(std::abs(each.normal.z) > 0.99F && each.normal.z * (each.position.z - 1) > 0);
+    }
+    double length = 0;
+    for (const cells::SeamLine& line : cells::seamLines(result.surface)) {
+        QVERIFY(line.closed);
+        length += line.length();
+    }
+    QVERIFY2(std::abs(length / (2 * 2 * std::numbers::pi * (1 + 0.75 + 0.25)) - 1) < 0.01,
+             qPrintable(QString::number(length)));
+}
+
 void PlaneCapTest::withoutCreasesThereAreNoCells() {
     const surface::Surface open = opened(tube(1));
     const solid::Filled result = solid::fillHoles(open, {.shape = solid::Shape::Flat, .creases = false, .only = {}});
@@ -198,13 +225,13 @@ void PlaneCapTest::whatTellsOfNoPlaneHasNoCap() {
         return out;
     };
     solid::Loop loop = loopAt(static_cast<double>(row));
-    QVERIFY(solid::PlaneCap::over(open, loop).has_value());
+    QVERIFY(solid::PlaneCap::over(open, {&loop, 1}).has_value());
     loop.points[0].spacing *= 0.002; // places as dense as that, all over, are too many
-    QVERIFY(!solid::PlaneCap::over(open, loop).has_value());
+    QVERIFY(!solid::PlaneCap::over(open, {&loop, 1}).has_value());
     loop = loopAt(-0.05);
     for (solid::LoopPoint& p : loop.points)
         p.spacing *= 0.1; // no surfel is near
-    QVERIFY(!solid::PlaneCap::over(open, loop).has_value());
+    QVERIFY(!solid::PlaneCap::over(open, {&loop, 1}).has_value());
 }
 
 static const test::Registered<PlaneCapTest> registered;

@@ -24,8 +24,10 @@ constexpr double behind = 3;
 /// A loop with the patch over it.
 class Hole {
   public:
-    Hole(const surface::Surface& surface, const surface::BoundaryCurve& curve, Loop loop, LoopFate& fate)
-        : m_surface(surface), m_even(std::move(loop)), m_loop(m_even), m_fate(fate),
+    /// `inner`: loops that lie in it, as edgeOf has them.
+    Hole(const surface::Surface& surface, const surface::BoundaryCurve& curve, Loop loop, std::vector<Loop> inner,
+         LoopFate& fate)
+        : m_surface(surface), m_even(std::move(loop)), m_loop(m_even), m_inner(std::move(inner)), m_fate(fate),
           m_halvings(halvingsFor(areaOver(m_loop), m_loop.meanSpacing())) {
         if (m_halvings > 0)
             m_loop = evenLoop(surface, curve, std::exp2(m_halvings), behind);
@@ -62,6 +64,7 @@ class Hole {
             m_fate.why = "what would fill it runs into the model or itself";
     }
     void finish(bool relief, PatchSurfels& out) {
+        m_fate.filled = true;
         if (cap()) {
             m_fate.surfels = m_fine.positions.size();
             return;
@@ -87,17 +90,19 @@ class Hole {
 
   private:
     bool capped() {
-        const Loop edge = edgeOf(m_surface, m_even);
-        m_cap = PlaneCap::over(m_surface, edge);
+        std::vector<Loop> edges{edgeOf(m_surface, m_even)};
+        edges.insert(edges.end(), m_inner.begin(), m_inner.end());
+        m_cap = PlaneCap::over(m_surface, edges);
         if (!m_cap)
             return false;
         m_fine = m_cap->patch;
-        m_filled = !m_fine.positions.empty() && !meetsModel(m_surface, edge, m_fine);
+        m_filled = !m_fine.positions.empty() && !meetsModel(m_surface, m_cap->loop, m_fine);
         return true;
     }
 
     const surface::Surface& m_surface;
     Loop m_even, m_loop; ///< a spacing apart; as the patch is shaped over
+    std::vector<Loop> m_inner;
     LoopFate& m_fate;
     int m_halvings;
     Shape m_shape = Shape::Flat;
@@ -140,7 +145,7 @@ surface::Surface endingAsLeft(const surface::Surface& before, const surface::Sur
                               const base::Progress& progress) {
     std::vector<Vec3d> rims;
     for (std::size_t i = 0; i < curves.size(); ++i)
-        if (loops[i].surfels == 0)
+        if (!loops[i].filled)
             for (const surface::BoundaryPoint& p : curves[i].points)
                 rims.push_back(p.position);
     const bool told = rims.empty() || surface::knowsRims(before);
@@ -170,16 +175,31 @@ Filled fillHoles(const surface::Surface& surface, const FillOptions& options, co
         out.loops.push_back(fate);
     }
     const std::vector<std::uint8_t> touches = touching(loops);
+    const auto isToFill = [&](std::size_t i) { return out.loops[i].asked && curves[i].closed && !touches[i]; };
+    std::vector<Loop> edges(curves.size());
+    std::vector<std::optional<std::size_t>> within(curves.size());
+    if (options.shape == Shape::Flat) {
+        for (std::size_t i = 0; i < curves.size(); ++i)
+            if (isToFill(i))
+                edges[i] = edgeOf(surface, loops[i]);
+        within = nestedLoops(edges);
+    }
     std::vector<Hole> holes;
+    std::vector<std::size_t> holeOf(curves.size());
     for (std::size_t i = 0; i < curves.size(); ++i) {
         LoopFate& fate = out.loops[i];
         if (curves[i].closed && touches[i])
             fate.why = "it touches itself or another one";
-        if (!fate.asked || fate.why[0] != 0)
+        if (!isToFill(i) || within[i])
             continue;
         const base::Progress one = process::part(progress, 0.4 + 0.5 * double(i) / double(curves.size()),
                                                  0.4 + 0.5 * double(i + 1) / double(curves.size()));
-        holes.emplace_back(surface, curves[i], std::move(loops[i]), fate);
+        std::vector<Loop> inner;
+        for (std::size_t k = 0; k < curves.size(); ++k)
+            if (within[k] == i)
+                inner.push_back(edges[k]);
+        holeOf[i] = holes.size();
+        holes.emplace_back(surface, curves[i], std::move(loops[i]), std::move(inner), fate);
         holes.back().shape(options.shape, one);
         if (!holes.back().isFilled())
             holes.back().giveWay(one);
@@ -193,6 +213,11 @@ Filled fillHoles(const surface::Surface& surface, const FillOptions& options, co
             if (hole.cap())
                 caps.push_back(hole.cap());
         }
+    for (std::size_t i = 0; i < curves.size(); ++i)
+        if (within[i] && holes[holeOf[*within[i]]].isFilled() && holes[holeOf[*within[i]]].cap())
+            out.loops[i].filled = true;
+        else if (within[i])
+            out.loops[i].why = "what lies around it in its plane could not be filled";
     if (caps.empty() && surfels.surfels().size() == 0)
         return out;
     const surface::Surface whole =

@@ -35,6 +35,7 @@ struct LoopFate {
     double length = 0;
     std::size_t surfels = 0; ///< that fill it
     bool asked = false;      ///< should be filled
+    bool filled = false;     ///< is; without surfels of its own where it lies in another one
     bool flattened = false;  ///< no smooth patch stayed near and clear of the rest: it is flat
     bool plain = false;      ///< too little around it to follow in relief: it is smooth
     const char* why = "";    ///< what was asked for was not done because

@@ -1,5 +1,6 @@
 #include "core/solid/loops/plane_cap.h"
 
+#include "core/base/cancel_scope.h"
 #include "core/base/mat3.h"
 #include "core/base/parallel.h"
 #include "core/base/segment.h"
@@ -43,6 +44,13 @@ Pose planeThrough(std::span<const Vec3d> places, const Vec3d& up) {
                 spread[i][k] += (x - middle)[static_cast<std::size_t>(i)] * (x - middle)[static_cast<std::size_t>(k)];
     const Vec3d normal = base::symmetricEigen(spread).vector[0];
     return poseAlong(middle, dot(normal, up) < 0 ? -normal : normal);
+}
+
+Pose meanPlane(const Loop& loop) {
+    std::vector<Vec3d> places;
+    for (const LoopPoint& p : loop.points)
+        places.push_back(p.position);
+    return planeThrough(places, areaOf(loop));
 }
 
 bool liesIn(const Pose& plane, const Loop& loop) {
@@ -121,6 +129,29 @@ Sense senseOf(const Pose& plane, const Loop& loop) {
                                            : Sense::Neither;
 }
 
+/// The same by the side to which the surface would go on, where all of it leaves the plane.
+Sense clearSenseOf(const Vec3d& up, const Loop& loop) {
+    constexpr double nearly = 0.02;
+    std::size_t convex = 0, concave = 0;
+    for (const LoopPoint& p : loop.points) {
+        const double along = dot(p.outward, up);
+        convex += along > leastTurn ? 1 : 0, concave += along < -leastTurn ? 1 : 0;
+    }
+    const auto most = static_cast<std::size_t>(nearly * static_cast<double>(loop.size()));
+    return convex + most >= loop.size()    ? Sense::Convex
+           : concave + most >= loop.size() ? Sense::Concave
+                                           : Sense::Neither;
+}
+
+std::vector<Point2> rimOf(const Pose& plane, const Loop& loop) {
+    std::vector<Point2> out;
+    for (const LoopPoint& p : loop.points) {
+        const Vec3d q = plane.local(p.position);
+        out.push_back({q.x, q.y});
+    }
+    return out;
+}
+
 /// The planes of some caps beside their loops.
 class CapsSide : public Side {
   public:
@@ -157,9 +188,12 @@ class CapsSide : public Side {
     static std::vector<Piece> piecesOf(std::span<const PlaneCap* const> caps) {
         std::vector<Piece> out;
         for (const PlaneCap* cap : caps)
-            for (std::size_t i = 0; i < cap->loop.size(); ++i) {
+            for (std::size_t i = 0, loop = 0, first = 0; i < cap->loop.size(); ++i) {
+                const bool last = i + 1 == cap->ends[loop];
                 const LoopPoint& p = cap->loop.points[i];
-                out.push_back({p.position, cap->loop.points[(i + 1) % cap->loop.size()].position, p.spacing, cap});
+                out.push_back({p.position, cap->loop.points[last ? first : i + 1].position, p.spacing, cap});
+                if (last)
+                    first = cap->ends[loop++];
             }
         return out;
     }
@@ -181,7 +215,7 @@ class CapsSide : public Side {
 class CapPlaces {
   public:
     CapPlaces(const surface::Surface& surface, PlaneCap& cap)
-        : m_cap(cap), m_model(endless(surface)), m_outline(cap.rim), m_spacing(cap.loop) {
+        : m_cap(cap), m_model(endless(surface)), m_outline(cap.rims), m_spacing(cap.loop) {
         double most = 0, least = std::numeric_limits<double>::infinity();
         for (const LoopPoint& p : cap.loop.points) {
             const Vec3d q = cap.pose.local(p.position);
@@ -255,28 +289,59 @@ surface::Surface put(const surface::Surface& surface, std::span<const PlaneCap* 
 
 } // namespace
 
-std::optional<PlaneCap> PlaneCap::over(const surface::Surface& surface, const Loop& loop) {
+std::optional<PlaneCap> PlaneCap::over(const surface::Surface& surface, std::span<const Loop> loops) {
     const surfel::AttributeLayout& layout = *surface.tree().layout();
     if (!layout.normals || !layout.oriented)
         return {};
-    std::vector<Vec3d> places;
-    for (const LoopPoint& p : loop.points)
-        places.push_back(p.position);
-    const Pose mean = planeThrough(places, areaOf(loop));
-    const Sense sense = senseOf(mean, loop);
-    if (sense == Sense::Neither || !liesIn(mean, loop))
+    const Loop& outer = loops.front();
+    const Pose mean = meanPlane(outer);
+    const Sense sense = senseOf(mean, outer);
+    if (sense == Sense::Neither || !liesIn(mean, outer))
         return {};
-    const std::optional<Pose> plane = planeAtSurfels(surface, loop, mean, sense == Sense::Convex ? 1 : -1);
+    const std::optional<Pose> plane = planeAtSurfels(surface, outer, mean, sense == Sense::Convex ? 1 : -1);
     if (!plane)
         return {};
-    PlaneCap out{*plane, {}, sense == Sense::Convex, loop, {}};
-    for (const LoopPoint& p : loop.points) {
-        const Vec3d q = out.pose.local(p.position);
-        out.rim.push_back({q.x, q.y});
+    PlaneCap out{*plane, {}, sense == Sense::Convex, {{}, 0, outer.middle}, {}, {}};
+    for (const Loop& loop : loops) {
+        out.rims.push_back(rimOf(out.pose, loop));
+        out.loop.points.insert(out.loop.points.end(), loop.points.begin(), loop.points.end());
+        out.loop.length += loop.length;
+        out.ends.push_back(out.loop.size());
     }
     CapPlaces(surface, out);
     if (out.patch.positions.empty())
         return {};
+    return out;
+}
+
+std::vector<std::optional<std::size_t>> nestedLoops(std::span<const Loop> loops) {
+    std::vector<std::optional<std::size_t>> out(loops.size());
+    std::vector<std::pair<double, std::size_t>> largestFirst;
+    for (std::size_t k = 0; k < loops.size(); ++k)
+        if (loops[k].size() > 0)
+            largestFirst.emplace_back(-length(areaOf(loops[k])), k);
+    std::ranges::sort(largestFirst);
+    for (const auto& [size, k] : largestFirst) {
+        base::CancelScope::check();
+        const Loop& outer = loops[k];
+        if (out[k]) // between it and those in it there is nothing
+            continue;
+        const Pose plane = meanPlane(outer);
+        const Vec3d up = plane.turn * Vec3d{0, 0, 1};
+        const Sense sense = clearSenseOf(up, outer);
+        if (sense == Sense::Neither || !liesIn(plane, outer))
+            continue;
+        const std::vector<Point2> rim = rimOf(plane, outer);
+        const base::Outline outline{std::span<const Point2>(rim)};
+        for (std::size_t i = 0; i < loops.size(); ++i) {
+            const Loop& inner = loops[i];
+            if (i == k || inner.size() == 0 || !(dot(areaOf(inner), up) < 0) || !liesIn(plane, inner) ||
+                clearSenseOf(up, inner) != sense)
+                continue;
+            if (std::ranges::all_of(rimOf(plane, inner), [&](const Point2& p) { return outline.holds(p); }))
+                out[i] = k; // of several the smallest
+        }
+    }
     return out;
 }
 
