@@ -209,6 +209,9 @@ void PlaneCapTest::rimsThatAreKnownAreKnownOfWhatIsLeft() {
     QVERIFY(surface::knowsRims(result.surface));
     const auto left = findBoundaryCurves(result.surface);
     QVERIFY(left.size() == 1 && left[0].closed && std::abs(left[0].points[0].position.z - 2) < 0.3);
+    const surface::Surface whole = solid::fillHoles(known, {.shape = solid::Shape::Flat, .only = {}}).surface;
+    QVERIFY(std::isinf(whole.definition().boundaryLimit));
+    QVERIFY(surface::knowsRims(whole) && !surface::hasRim(whole.tree())); // and learns where it is cut next
 }
 
 /// Left to patches, instead of an error or of places that are no numbers.

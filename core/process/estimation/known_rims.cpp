@@ -24,11 +24,12 @@ bool endIsKnown(const surface::Surface& surface) {
 
 surface::Surface endingAt(const surface::Surface& surface, std::span<const base::Vec3d> rims) {
     surface::SurfaceDefinition definition = surface.definition();
-    definition.knownRims = !rims.empty();
-    if (rims.empty()) {
+    const bool told = surface.tree().layout()->find(surface::rimName) != nullptr; // by surfels, of what was
+    definition.knownRims = !rims.empty() || told;
+    if (rims.empty())
         definition.boundaryLimit = nowhere;
+    if (!definition.knownRims)
         return {surface.tree(), definition};
-    }
     surfel::SurfelList places;
     for (const base::Vec3d& x : rims)
         places.items.push_back({base::cast<float>(x), {}, 1});
@@ -39,7 +40,8 @@ surface::Surface endingAt(const surface::Surface& surface, std::span<const base:
     base::parallelFor(list.size(), 256, [&](std::size_t i) {
         std::vector<tree::Neighbour> nearest;
         const surfel::Surfel& s = list.items[i];
-        near.nearest(s.position, 1, nearest, reachOfLeftRims * s.support);
+        if (!rims.empty())
+            near.nearest(s.position, 1, nearest, reachOfLeftRims * s.support);
         surfel::write(rim, std::span(list.extra).subspan(i * words, words), nearest.empty() ? 0 : 1);
     });
     return {tree::withSurfels(surface.tree(), list), definition};

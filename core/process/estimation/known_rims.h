@@ -11,8 +11,9 @@ bool endIsKnown(const surface::Surface& surface);
 /// Has it an attribute of the name of rims that tells of none?
 bool hasOthersRim(const surface::Surface& surface);
 
-/// It ends at these places, reachOfLeftRims about each, and nowhere else, and knows it; with none it ends nowhere. The
-/// limit stays. REQUIRES: the definition leaves where it ends to the model, and no attribute means something else.
+/// It ends at these places, reachOfLeftRims about each, and nowhere else, and knows it; with none it ends nowhere,
+/// and its limit is none. REQUIRES: the definition leaves where it ends to the model, and no attribute means something
+/// else.
 surface::Surface endingAt(const surface::Surface& surface, std::span<const base::Vec3d> rims);
 
 /// Is it known of what is put together of these, whose surfels say it?
