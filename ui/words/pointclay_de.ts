@@ -5297,6 +5297,18 @@
         <translation>%1 Dreiecke zu %2 Surfels abgetastet, Abstand %3; --faces vertices behält die %4 Ecken.</translation>
     </message>
     <message>
+        <source>Left out %1 vertices of no face; --faces vertices keeps them.</source>
+        <translation>%1 Ecken ohne Fläche weggelassen; --faces vertices behält sie.</translation>
+    </message>
+    <message>
+        <source>Left out %1 vertex of no face; --faces vertices keeps it.</source>
+        <translation>%1 Ecke ohne Fläche weggelassen; --faces vertices behält sie.</translation>
+    </message>
+    <message>
+        <source>Opened as points: %1 vertices of %2 have no face; --faces sample opens the faces alone.</source>
+        <translation>Als Punkte geöffnet: %1 Ecken von %2 haben keine Fläche; --faces sample öffnet nur die Flächen.</translation>
+    </message>
+    <message>
         <source>Denoise: noise of %1 as told, points moved by %2 (rms), %3 at most.</source>
         <translation>Entrauschen: Rauschen von %1 vorgegeben, Punkte um %2 (rms) verschoben, höchstens um %3.</translation>
     </message>
@@ -5411,6 +5423,10 @@
     <message>
         <source>boundary loop %1 of length %2 about %3 %4 %5 was left: what would fill it runs into the model or itself</source>
         <translation>Randschleife %1 der Länge %2 bei %3 %4 %5 blieb offen: Was sie füllen würde, stößt an das Modell oder an sich selbst</translation>
+    </message>
+    <message>
+        <source>boundary loop %1 of length %2 about %3 %4 %5 was left: what lies around it in its plane could not be filled</source>
+        <translation>Randschleife %1 der Länge %2 bei %3 %4 %5 blieb offen: Was in ihrer Ebene um sie liegt, konnte nicht gefüllt werden</translation>
     </message>
     <message>
         <source>boundary loops %1 and %2 are bridged with %3 points</source>
