@@ -55,7 +55,7 @@ static void fill(Context& context, const nlohmann::json& complete) {
     for (const solid::LoopFate& fate : result.loops) {
         if (fate.asked && (*fate.why || fate.flattened || fate.plain))
             context.messages.push_back(told(fate, origin));
-        (fate.asked && !*fate.why ? filled : left) += 1;
+        (fate.filled ? filled : left) += 1;
         surfels += fate.surfels;
     }
     context.messages.push_back(std::to_string(filled) + " of " + std::to_string(filled + left) +

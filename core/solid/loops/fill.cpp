@@ -24,10 +24,10 @@ constexpr double behind = 3;
 /// A loop with the patch over it.
 class Hole {
   public:
-    /// `inner`: loops that lie in it, as edgeOf has them.
-    Hole(const surface::Surface& surface, const surface::BoundaryCurve& curve, Loop loop, std::vector<Loop> inner,
+    /// `edges`: the loop and those that lie in it, as edgeOf has them; empty: not looked for yet.
+    Hole(const surface::Surface& surface, const surface::BoundaryCurve& curve, Loop loop, std::vector<Loop> edges,
          LoopFate& fate)
-        : m_surface(surface), m_even(std::move(loop)), m_loop(m_even), m_inner(std::move(inner)), m_fate(fate),
+        : m_surface(surface), m_even(std::move(loop)), m_loop(m_even), m_edges(std::move(edges)), m_fate(fate),
           m_halvings(halvingsFor(areaOver(m_loop), m_loop.meanSpacing())) {
         if (m_halvings > 0)
             m_loop = evenLoop(surface, curve, std::exp2(m_halvings), behind);
@@ -90,19 +90,19 @@ class Hole {
 
   private:
     bool capped() {
-        std::vector<Loop> edges{edgeOf(m_surface, m_even)};
-        edges.insert(edges.end(), m_inner.begin(), m_inner.end());
-        m_cap = PlaneCap::over(m_surface, edges);
+        if (m_edges.empty())
+            m_edges.push_back(edgeOf(m_surface, m_even));
+        m_cap = PlaneCap::over(m_surface, m_edges);
         if (!m_cap)
             return false;
         m_fine = m_cap->patch;
-        m_filled = !m_fine.positions.empty() && !meetsModel(m_surface, m_cap->loop, m_fine);
+        m_filled = !meetsModel(m_surface, m_cap->loop, m_fine);
         return true;
     }
 
     const surface::Surface& m_surface;
     Loop m_even, m_loop; ///< a spacing apart; as the patch is shaped over
-    std::vector<Loop> m_inner;
+    std::vector<Loop> m_edges;
     LoopFate& m_fate;
     int m_halvings;
     Shape m_shape = Shape::Flat;
@@ -194,12 +194,14 @@ Filled fillHoles(const surface::Surface& surface, const FillOptions& options, co
             continue;
         const base::Progress one = process::part(progress, 0.4 + 0.5 * double(i) / double(curves.size()),
                                                  0.4 + 0.5 * double(i + 1) / double(curves.size()));
-        std::vector<Loop> inner;
+        std::vector<Loop> own;
+        if (edges[i].size() > 0)
+            own.push_back(std::move(edges[i]));
         for (std::size_t k = 0; k < curves.size(); ++k)
             if (within[k] == i)
-                inner.push_back(edges[k]);
+                own.push_back(std::move(edges[k]));
         holeOf[i] = holes.size();
-        holes.emplace_back(surface, curves[i], std::move(loops[i]), std::move(inner), fate);
+        holes.emplace_back(surface, curves[i], std::move(loops[i]), std::move(own), fate);
         holes.back().shape(options.shape, one);
         if (!holes.back().isFilled())
             holes.back().giveWay(one);
@@ -213,11 +215,14 @@ Filled fillHoles(const surface::Surface& surface, const FillOptions& options, co
             if (hole.cap())
                 caps.push_back(hole.cap());
         }
-    for (std::size_t i = 0; i < curves.size(); ++i)
-        if (within[i] && holes[holeOf[*within[i]]].isFilled() && holes[holeOf[*within[i]]].cap())
-            out.loops[i].filled = true;
-        else if (within[i])
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+        if (!within[i])
+            continue;
+        const Hole& around = holes[holeOf[*within[i]]];
+        out.loops[i].filled = around.isFilled() && around.cap();
+        if (!out.loops[i].filled)
             out.loops[i].why = "what lies around it in its plane could not be filled";
+    }
     if (caps.empty() && surfels.surfels().size() == 0)
         return out;
     const surface::Surface whole =

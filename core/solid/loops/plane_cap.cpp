@@ -32,6 +32,10 @@ Vec3d areaOf(const Loop& loop) {
     return out;
 }
 
+Vec3d upOf(const Pose& plane) {
+    return plane.turn * Vec3d{0, 0, 1};
+}
+
 /// The plane that places leave least, with its z axis on the side of `up`.
 Pose planeThrough(std::span<const Vec3d> places, const Vec3d& up) {
     Vec3d middle;
@@ -94,7 +98,7 @@ std::optional<Pose> planeAtSurfels(const surface::Surface& surface, const Loop& 
             if (const double z = side * plane.local(x).z; z > heights[i / stretch])
                 heights[i / stretch] = z, outermost[i / stretch] = x;
         });
-        plane = planeThrough(outermost, plane.turn * Vec3d{0, 0, 1});
+        plane = planeThrough(outermost, upOf(plane));
     }
     double out = -std::numeric_limits<double>::infinity();
     forBeside(surface, loop, [&](std::size_t, const Vec3d& x) { out = std::max(out, side * plane.local(x).z); });
@@ -115,32 +119,34 @@ surface::Surface endless(const surface::Surface& surface) {
 
 enum class Sense { Convex, Concave, Neither };
 
-/// How nearly all of the loop meets the plane.
-Sense senseOf(const Pose& plane, const Loop& loop) {
+/// What nearly all places of the loop say: convex above 0, concave below.
+template <class Says>
+Sense saidBy(const Loop& loop, const Says& says) {
     constexpr double nearly = 0.02; // of the places may say nothing
-    const Vec3d up = plane.turn * Vec3d{0, 0, 1};
     std::size_t convex = 0, concave = 0;
-    for (const LoopPoint& p : loop.points)
-        if (length(p.normal - up) > leastTurn)
-            (dot(p.outward, up) > 0 ? convex : concave) += 1;
+    for (const LoopPoint& p : loop.points) {
+        const int said = says(p);
+        convex += said > 0 ? 1 : 0, concave += said < 0 ? 1 : 0;
+    }
     const auto most = static_cast<std::size_t>(nearly * static_cast<double>(loop.size()));
     return convex + most >= loop.size()    ? Sense::Convex
            : concave + most >= loop.size() ? Sense::Concave
                                            : Sense::Neither;
 }
 
+/// How it meets the plane.
+Sense senseOf(const Vec3d& up, const Loop& loop) {
+    return saidBy(loop, [&](const LoopPoint& p) {
+        return length(p.normal - up) > leastTurn ? (dot(p.outward, up) > 0 ? 1 : -1) : 0;
+    });
+}
+
 /// The same by the side to which the surface would go on, where all of it leaves the plane.
 Sense clearSenseOf(const Vec3d& up, const Loop& loop) {
-    constexpr double nearly = 0.02;
-    std::size_t convex = 0, concave = 0;
-    for (const LoopPoint& p : loop.points) {
+    return saidBy(loop, [&](const LoopPoint& p) {
         const double along = dot(p.outward, up);
-        convex += along > leastTurn ? 1 : 0, concave += along < -leastTurn ? 1 : 0;
-    }
-    const auto most = static_cast<std::size_t>(nearly * static_cast<double>(loop.size()));
-    return convex + most >= loop.size()    ? Sense::Convex
-           : concave + most >= loop.size() ? Sense::Concave
-                                           : Sense::Neither;
+        return along > leastTurn ? 1 : along < -leastTurn ? -1 : 0;
+    });
 }
 
 std::vector<Point2> rimOf(const Pose& plane, const Loop& loop) {
@@ -295,7 +301,7 @@ std::optional<PlaneCap> PlaneCap::over(const surface::Surface& surface, std::spa
         return {};
     const Loop& outer = loops.front();
     const Pose mean = meanPlane(outer);
-    const Sense sense = senseOf(mean, outer);
+    const Sense sense = senseOf(upOf(mean), outer);
     if (sense == Sense::Neither || !liesIn(mean, outer))
         return {};
     const std::optional<Pose> plane = planeAtSurfels(surface, outer, mean, sense == Sense::Convex ? 1 : -1);
@@ -327,7 +333,7 @@ std::vector<std::optional<std::size_t>> nestedLoops(std::span<const Loop> loops)
         if (out[k]) // between it and those in it there is nothing
             continue;
         const Pose plane = meanPlane(outer);
-        const Vec3d up = plane.turn * Vec3d{0, 0, 1};
+        const Vec3d up = upOf(plane);
         const Sense sense = clearSenseOf(up, outer);
         if (sense == Sense::Neither || !liesIn(plane, outer))
             continue;
