@@ -1,7 +1,7 @@
 #include "core/mesh/faces/border_rows.h"
 
 #include "core/base/cancel_scope.h"
-#include "core/base/disjoint_sets.h"
+#include "core/mesh/faces/edge_chains.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,24 +30,22 @@ class BorderRows {
   public:
     BorderRows(const FaceTopology& topology, std::span<const Vec3f> positions, const SpacingOnFaces& spacing)
         : m_topology(topology), m_positions(positions), m_spacing(spacing), m_used(topology.borderEdges.size()) {
-        base::DisjointSets loops(edges().size());
         for (std::uint32_t e = 0; e < edges().size(); ++e)
             for (const std::uint32_t end : edges()[e].ends) {
                 Meeting& meeting = m_meetings[end];
-                if (meeting.count > 0)
-                    loops.join(meeting.edges[0], e);
                 if (meeting.count < 2)
                     meeting.edges[meeting.count] = e;
                 ++meeting.count;
             }
+        const std::vector<std::uint32_t> loops = chainsOf(edges());
         m_lengths.reserve(edges().size());
         std::vector<double> whole(edges().size());
         for (std::uint32_t e = 0; e < edges().size(); ++e) {
             m_lengths.push_back(measured(edges()[e]));
-            whole[loops.find(e)] += m_lengths.back().back();
+            whole[loops[e]] += m_lengths.back().back();
         }
         for (std::uint32_t e = 0; e < edges().size(); ++e)
-            m_used[e] = whole[loops.find(e)] < shortestLoop ? 1 : 0;
+            m_used[e] = whole[loops[e]] < shortestLoop ? 1 : 0;
     }
 
     std::vector<FacePoint> run() {

@@ -1,6 +1,7 @@
 #include "core/mesh/faces/crease_chains.h"
 
 #include "core/base/disjoint_sets.h"
+#include "core/mesh/faces/edge_chains.h"
 
 #include <algorithm>
 #include <map>
@@ -48,19 +49,6 @@ struct Chain {
     }
     bool sure() const { return !isWeb() && edges >= fewestOfSure * (1 + tips) && rough < leastRough * length; }
 };
-
-/// Of each sharp edge the number of its chain.
-std::vector<std::uint32_t> chainsOf(const std::vector<SharpEdge>& edges) {
-    base::DisjointSets sets(edges.size());
-    std::map<std::uint32_t, std::uint32_t> first; // edge at a place
-    for (std::uint32_t e = 0; e < edges.size(); ++e)
-        for (const std::uint32_t end : edges[e].ends)
-            sets.join(first.emplace(end, e).first->second, e);
-    std::vector<std::uint32_t> out(edges.size());
-    for (std::uint32_t e = 0; e < out.size(); ++e)
-        out[e] = sets.find(e);
-    return out;
-}
 
 } // namespace
 

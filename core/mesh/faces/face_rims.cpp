@@ -2,14 +2,13 @@
 
 #include "core/base/box.h"
 #include "core/base/cancel_scope.h"
-#include "core/base/disjoint_sets.h"
 #include "core/base/parallel.h"
+#include "core/mesh/faces/edge_chains.h"
 #include "core/surface/rims.h"
 #include "core/surfel/widen.h"
 #include "core/tree/surfel_tree.h"
 
 #include <algorithm>
-#include <unordered_map>
 
 namespace mesh {
 
@@ -22,21 +21,16 @@ constexpr float markLength = 0.2f; ///< of a support: of boundary for one mark
 
 /// How wide the loops of the boundary are, by their border edges.
 std::vector<float> widths(const std::vector<BorderEdge>& edges) {
-    std::unordered_map<std::uint32_t, std::uint32_t> first; // border edge at a place
-    base::DisjointSets loops(edges.size());
-    for (std::uint32_t e = 0; e < edges.size(); ++e)
-        for (const std::uint32_t end : edges[e].ends)
-            if (const auto [found, fresh] = first.emplace(end, e); !fresh)
-                loops.join(found->second, e);
+    const std::vector<std::uint32_t> loops = chainsOf(edges);
     std::vector<base::Box3d> boxes(edges.size());
     for (std::uint32_t e = 0; e < edges.size(); ++e) {
-        base::Box3d& box = boxes[loops.find(e)];
+        base::Box3d& box = boxes[loops[e]];
         box.extend(edges[e].from);
         box.extend(edges[e].to);
     }
     std::vector<float> out(edges.size());
     for (std::uint32_t e = 0; e < edges.size(); ++e)
-        out[e] = static_cast<float>(boxes[loops.find(e)].diagonal());
+        out[e] = static_cast<float>(boxes[loops[e]].diagonal());
     return out;
 }
 
