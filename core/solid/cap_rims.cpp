@@ -32,7 +32,7 @@ Combined endingAsBefore(const surface::Surface& model, const Side& side, int kep
         return capped;
     const std::vector<surface::BoundaryCurve> curves = findBoundaryCurves(model, progress);
     capped.open = passing(curves, side);
-    if (definition.boundary != surface::Boundary::Auto || process::hasOthersRim(model))
+    if (!process::mayKnowRims(model))
         return capped;
     if (capped.open) {
         if (surface::knowsRims(model)) // the cap has a rim that nobody knows

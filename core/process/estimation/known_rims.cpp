@@ -12,14 +12,14 @@ namespace process {
 
 constexpr float nowhere = std::numeric_limits<float>::infinity();
 
-bool hasOthersRim(const surface::Surface& surface) {
+bool mayKnowRims(const surface::Surface& surface) {
     const surfel::Attribute* found = surface.tree().layout()->find(surface::rimName);
-    return found && (surfel::isReal(found->type) || !surface.definition().knownRims);
+    return surface.definition().boundary == surface::Boundary::Auto &&
+           (!found || (surface.definition().knownRims && !surfel::isReal(found->type)));
 }
 
 bool endIsKnown(const surface::Surface& surface) {
-    return surface::knowsRims(surface) || (std::isinf(surface.definition().boundaryLimit) && !hasOthersRim(surface) &&
-                                           surface.definition().boundary == surface::Boundary::Auto);
+    return surface::knowsRims(surface) || (std::isinf(surface.definition().boundaryLimit) && mayKnowRims(surface));
 }
 
 surface::Surface endingAt(const surface::Surface& surface, std::span<const base::Vec3d> rims) {

@@ -8,12 +8,11 @@ namespace process {
 /// Is it known where the surface ends: because it knows its rims, or does not end?
 bool endIsKnown(const surface::Surface& surface);
 
-/// Has it an attribute of the name of rims that tells of none?
-bool hasOthersRim(const surface::Surface& surface);
+/// Is it left to the model where it ends, and does no attribute of that name tell of something else?
+bool mayKnowRims(const surface::Surface& surface);
 
 /// It ends at these places, reachOfLeftRims about each, and nowhere else, and knows it; with none it ends nowhere,
-/// and its limit is none. REQUIRES: the definition leaves where it ends to the model, and no attribute means something
-/// else.
+/// and its limit is none. REQUIRES: mayKnowRims.
 surface::Surface endingAt(const surface::Surface& surface, std::span<const base::Vec3d> rims);
 
 /// Is it known of what is put together of these, whose surfels say it?

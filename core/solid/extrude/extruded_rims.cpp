@@ -15,7 +15,7 @@ constexpr double step = 0.25; // h: rims are told to that
 
 /// Does the model leave it to others to find where it ends, and do they know?
 bool areTold(const surface::Surface& surface, std::span<const surface::BoundaryCurve> curves) {
-    return surface.definition().boundary == surface::Boundary::Auto && !process::hasOthersRim(surface) &&
+    return process::mayKnowRims(surface) &&
            (surface::knowsRims(surface) ||
             std::ranges::all_of(curves, [](const surface::BoundaryCurve& each) { return each.closed; }));
 }

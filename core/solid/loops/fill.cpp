@@ -149,7 +149,7 @@ surface::Surface endingAsLeft(const surface::Surface& before, const surface::Sur
             for (const surface::BoundaryPoint& p : curves[i].points)
                 rims.push_back(p.position);
     const bool told = rims.empty() || surface::knowsRims(before);
-    if (before.definition().boundary == surface::Boundary::Auto && !process::hasOthersRim(before) && told)
+    if (told && process::mayKnowRims(before))
         return process::endingAt(filled, rims);
     return process::withOwnLimit(filled.tree(), filled.definition(), progress);
 }
