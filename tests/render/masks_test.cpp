@@ -16,6 +16,8 @@ class MasksTest : public QObject {
   private Q_SLOTS:
     void splatsCoverWhatRaysHit_data();
     void splatsCoverWhatRaysHit();
+    void fewSamplesShowTheirOutline_data();
+    void fewSamplesShowTheirOutline();
     void discsEndAtSharpEdges_data();
     void discsEndAtSharpEdges();
     void discsEndAtCornersOfCells_data();
@@ -135,6 +137,33 @@ void MasksTest::splatsCoverWhatRaysHit() {
                               .arg(test::seed());
     QVERIFY2(all.holesPercent() < 0.1, qPrintable(found));
     QVERIFY2(all.straysPercent() < mostStrays, qPrintable(found));
+}
+
+void MasksTest::fewSamplesShowTheirOutline_data() {
+    QTest::addColumn<double>("ratio");
+    QTest::addColumn<double>("mostStrays");
+    QTest::newRow("even") << 1.0 << 0.1;
+    // A disc at its sparse end is a fifth of the ball's radius: finer ones of .6 of that still stand out.
+    QTest::newRow("spacing 1 to 3") << 3.0 << 1.0;
+}
+
+/// At rest finer discs are drawn (finer_blocks.h). In a view that moves the same discs stand out as they are.
+void MasksTest::fewSamplesShowTheirOutline() {
+    QFETCH(double, ratio);
+    QFETCH(double, mostStrays);
+    const surface::Surface surface = process::prepare(scanOf(1200, ratio, test::seed()), {});
+    render::RenderOptions options = test::atRest(surface);
+    const auto views = std::size_t(test::effort(10));
+    const MaskGap resting = gapOf(surface, options, views);
+    options.detailPx = 1.01f;
+    const MaskGap moving = gapOf(surface, options, views);
+    const QString found = QString("%1 % holes, %2 % strays, moving %3 %, seed %4")
+                              .arg(resting.holesPercent())
+                              .arg(resting.straysPercent())
+                              .arg(moving.straysPercent())
+                              .arg(test::seed());
+    QVERIFY2(resting.holesPercent() < 0.1 && resting.straysPercent() < mostStrays, qPrintable(found));
+    QVERIFY2(moving.straysPercent() > 3 * resting.straysPercent() && moving.straysPercent() > 0.1, qPrintable(found));
 }
 
 void MasksTest::discsEndAtSharpEdges_data() {

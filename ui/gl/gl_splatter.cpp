@@ -224,21 +224,32 @@ void GlSplatter::look(const tree::SurfelTree& model, const Frame& frame) {
     m_details.use(frame.style.radiusOfSupport, frame.style.oriented);
     m_details.colourBy(model, colours);
     const bool details = frame.options.detailPx > 0 || frame.options.closed;
-    const Sight sight{frame.view, frame.style.radiusOfSupport, details ? &m_details : nullptr, frame.options.detailPx,
-                      frame.options.closed && frame.style.oriented};
+    const bool finer = FinerBlocks::any(model, frame.options);
+    const Sight sight{frame.view,
+                      frame.style.radiusOfSupport,
+                      details ? &m_details : nullptr,
+                      frame.options.detailPx,
+                      frame.options.closed && frame.style.oriented,
+                      finer ? finerReach : 1};
     visibleBlocks(model, sight, m_visible);
     m_slots.show(model, colours);
-    std::vector<const surfel::SurfelBlock*> proxies;
-    for (const VisibleBlock& visible : m_visible)
-        if (!m_slots.holds(visible.block))
-            proxies.push_back(visible.block);
-    m_slots.hold(proxies);
     const bool bounded = DiscCuts::any(frame.options.definition);
     if (bounded) {
         m_discCuts.use(frame.options.definition, frame.style.radiusOfSupport);
         m_discCuts.follow(model);
         findCuts(sight, m_discCuts, m_visible);
     }
+    if (finer)
+        m_finer.use(frame.options.definition, frame.style.radiusOfSupport);
+    m_finer.follow(model);
+    m_slots.drop(m_finer.takeDropped());
+    if (finer)
+        findFiner(sight, m_finer, m_visible);
+    std::vector<const surfel::SurfelBlock*> proxies;
+    for (const VisibleBlock& visible : m_visible)
+        if (!m_slots.holds(visible.block))
+            proxies.push_back(visible.block);
+    m_slots.hold(proxies);
     std::vector<std::pair<const surfel::SurfelBlock*, const CutCodes*>> cuts;
     for (const VisibleBlock& visible : m_visible)
         if (visible.large || (!bounded && m_slots.cutBlocks() > 0 && !visible.proxy))

@@ -68,6 +68,7 @@ class GlSplatter {
     float m_maxPointSize = 1;
     DetailCache m_details;
     DiscCuts m_discCuts;
+    FinerBlocks m_finer;
     tree::SurfelTree m_shown; ///< that m_details belong to
     std::vector<VisibleBlock> m_visible;
     struct Points {

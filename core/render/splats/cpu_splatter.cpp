@@ -153,11 +153,15 @@ void CpuSplatter::drawTiles(const Setting& setting, std::span<const std::uint32_
     });
 }
 
-Sight CpuSplatter::sight(const ViewFrame& view, const Setting& setting) {
+Sight CpuSplatter::sight(const tree::SurfelTree& model, const ViewFrame& view, const Setting& setting) {
     m_details.use(setting.style.radiusOfSupport, setting.style.oriented);
     const bool details = setting.options.detailPx > 0 || setting.options.closed;
-    return {view, setting.style.radiusOfSupport, details ? &m_details : nullptr, setting.options.detailPx,
-            setting.options.closed && setting.style.oriented};
+    return {view,
+            setting.style.radiusOfSupport,
+            details ? &m_details : nullptr,
+            setting.options.detailPx,
+            setting.options.closed && setting.style.oriented,
+            FinerBlocks::any(model, setting.options) ? finerReach : 1};
 }
 
 bool CpuSplatter::Setting::sameButColours(const Setting& o) const {
@@ -222,7 +226,7 @@ void CpuSplatter::update(const tree::SurfelTree& model, const Camera& camera, co
                          Image& out) {
     const ViewFrame view(camera);
     const Setting setting{camera, options, splatStyle(model, options, camera)};
-    const Sight seen = sight(view, setting);
+    const Sight seen = sight(model, view, setting);
     const bool sameSize = out.width == camera.width && out.height == camera.height;
     TileMask mask(view);
     const bool same = m_setting && m_setting->sameButColours(setting) && sameSize;
@@ -231,12 +235,17 @@ void CpuSplatter::update(const tree::SurfelTree& model, const Camera& camera, co
     if (bounded)
         m_discCuts.use(options.definition, setting.style.radiusOfSupport);
     const auto recut = bounded ? m_discCuts.follow(model) : std::vector<const surfel::SurfelBlock*>{};
+    const bool finer = FinerBlocks::any(model, options);
+    if (finer)
+        m_finer.use(options.definition, setting.style.radiusOfSupport);
+    const auto remade = m_finer.follow(model);
     const bool fits = m_layer && m_layer->width == camera.width && m_layer->height == camera.height;
     const std::shared_ptr<const ShadedLayer> layer = fits ? m_layer : nullptr;
     m_setting.reset(); // for as long as the picture is neither the one nor the other
     if (same) {
         addChangedTiles(m_model, model, seen, mask);
         addTiles(recut, seen, mask);
+        addTiles(remade, seen, mask);
         if (setting.options.colours != before)
             addRecolouredTiles(before, setting.options.colours, model, seen, mask);
         if (layer != m_drawnLayer)
@@ -253,6 +262,8 @@ void CpuSplatter::update(const tree::SurfelTree& model, const Camera& camera, co
     m_drawnLayer = layer;
     if (bounded)
         findCuts(seen, m_discCuts, m_visible);
+    if (finer)
+        findFiner(seen, m_finer, m_visible);
     if (!same)
         m_finish.begin(options, camera);
     drawTiles(setting, mask.tiles(), out);
@@ -260,6 +271,7 @@ void CpuSplatter::update(const tree::SurfelTree& model, const Camera& camera, co
         m_finish.tiles(mask, out);
     m_details.forget(m_model, model);
     m_details.takeDropped();
+    m_finer.takeDropped();
     m_model = model;
     m_setting = setting;
 }

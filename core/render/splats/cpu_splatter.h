@@ -40,7 +40,7 @@ class CpuSplatter : public Renderer {
         /// Both with a table of colours, or both without.
         bool sameButColours(const Setting& o) const;
     };
-    Sight sight(const ViewFrame& view, const Setting& setting);
+    Sight sight(const tree::SurfelTree& model, const ViewFrame& view, const Setting& setting);
     void addRecolouredTiles(const std::shared_ptr<const BlockColours>& from,
                             const std::shared_ptr<const BlockColours>& to, const tree::SurfelTree& model,
                             const Sight& seen, TileMask& mask);
@@ -51,6 +51,7 @@ class CpuSplatter : public Renderer {
     tree::SurfelTree m_model; ///< of the last picture
     DetailCache m_details;
     DiscCuts m_discCuts;
+    FinerBlocks m_finer;
     std::vector<VisibleBlock> m_visible; ///< that the tiles to be drawn are binned from
     TileBins m_bins;
     Finish m_finish;                                          ///< of the picture; its options are the setting's

@@ -17,6 +17,8 @@ constexpr float widestDisc = 3;
 constexpr float leastGrowth = 0.5f;
 /// Splats that turn away by less than this (sine) still show at outlines.
 constexpr float awayBy = 0.2f;
+/// Discs of smaller radius in the image are drawn as they are, as are those that stand out by less, both in pixels.
+constexpr float finerPx = 6, standOutPx = 0.75f;
 
 /// A child as its parent knows it, or the root.
 struct NodeExtent {
@@ -37,10 +39,10 @@ class Looker {
     explicit Looker(const Sight& sight) : m_sight(sight) {}
 
     ScreenBounds bounds(const NodeExtent& extent) const {
-        return screenBounds(m_sight.view, extent.box, m_sight.reachOfSupport * extent.support);
+        return screenBounds(m_sight.view, extent.box, m_sight.standOut * m_sight.reachOfSupport * extent.support);
     }
     ScreenBounds bounds(const surfel::SurfelBlock& block) const {
-        return screenBounds(m_sight.view, block.box(), m_sight.reachOfSupport * block.maxSupport());
+        return screenBounds(m_sight.view, block.box(), m_sight.standOut * m_sight.reachOfSupport * block.maxSupport());
     }
     /// Whether it pays to know the node's detail.
     bool wants(const Node& node, const NodeExtent& extent, const ScreenBounds& bounds) const {
@@ -232,6 +234,37 @@ void findCuts(const Sight& sight, DiscCuts& cuts, std::span<VisibleBlock> blocks
     for (VisibleBlock& each : blocks)
         if (each.large)
             each.cuts = cuts.of(each.block);
+}
+
+void findFiner(const Sight& sight, FinerBlocks& finer, std::vector<VisibleBlock>& blocks) {
+    const Looker look(sight);
+    std::vector<std::size_t> at;
+    std::vector<const surfel::SurfelBlock*> large, wanted;
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+        const VisibleBlock& each = blocks[i];
+        if (each.proxy || look.pixels(sight.reachOfSupport * each.block->maxSupport(), each.bounds) < finerPx)
+            continue;
+        at.push_back(i);
+        large.push_back(each.block);
+    }
+    const std::vector<float> standOut = finer.standOut(large);
+    std::vector<bool> replaced(blocks.size());
+    for (std::size_t k = 0; k < at.size(); ++k)
+        if (look.pixels(standOut[k], blocks[at[k]].bounds) >= standOutPx) {
+            replaced[at[k]] = true;
+            wanted.push_back(large[k]);
+        }
+    finer.prepare(wanted);
+    std::vector<VisibleBlock> out;
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+        if (!replaced[i]) {
+            out.push_back(blocks[i]);
+            continue;
+        }
+        for (const FinerBlocks::Part& part : finer.of(blocks[i].block))
+            out.push_back({part.block.get(), look.bounds(*part.block), true, true, part.cuts.get()});
+    }
+    blocks = std::move(out);
 }
 
 void addTiles(std::span<const surfel::SurfelBlock* const> blocks, const Sight& sight, TileMask& out) {

@@ -6,6 +6,7 @@
 
 #include "core/render/splats/detail_cache.h"
 #include "core/render/splats/disc_cuts.h"
+#include "core/render/splats/finer_blocks.h"
 #include "core/render/tile_mask.h"
 
 namespace render {
@@ -25,6 +26,7 @@ struct Sight {
     DetailCache* details = nullptr; ///< null: blocks alone
     float detailPx = 0;  ///< representatives show where their discs' usual radius is at most this many pixels
     bool closed = false; ///< leave out nodes that look away from the eye with all their normals
+    float standOut = 1;  ///< what is drawn for a block reaches this many radii beyond it (finer_blocks.h)
 };
 
 /// Blocks and proxies with splats in the image, in tree order; with `only`, those that touch its tiles. The tree and
@@ -34,6 +36,10 @@ void visibleBlocks(const tree::SurfelTree& model, const Sight& sight, std::vecto
 
 /// Finds where the discs of those that are large enough in the image are cut. REQUIRES: `cuts` follows the version.
 void findCuts(const Sight& sight, DiscCuts& cuts, std::span<VisibleBlock> blocks);
+
+/// Puts finer blocks in the place of those whose discs are large in the image and stand out over the surface by what
+/// can be seen. Call it after findCuts. REQUIRES: `finer` follows the version.
+void findFiner(const Sight& sight, FinerBlocks& finer, std::vector<VisibleBlock>& blocks);
 
 /// Adds the tiles that can look different in two versions: those touched by blocks and proxies that they do not share
 /// at the same place of the tree. Cost: what differs.

@@ -1,0 +1,55 @@
+// What is drawn instead of blocks whose discs are large in the image and stand out over the surface, as those of few
+// samples do where it bends: for each surfel seven discs of half the radius, on the surface itself (render/README 4.3).
+// The other way from node_detail.h, where one disc stands for many.
+//
+// Neighbours decide where the surface is, so that an edit changes the finer discs of blocks that it leaves alone:
+// `follow` drops them. Memory: seven times the blocks that a picture asked for. One thread at a time.
+#pragma once
+
+#include "core/render/renderer.h"
+#include "core/render/splats/disc_cuts.h"
+
+namespace render {
+
+/// How far finer discs reach from the surfels that they stand for, in radii of those.
+constexpr float finerReach = 1.4f;
+
+class FinerBlocks {
+  public:
+    /// Seven discs for up to 128, in blocks; null: their discs are whole.
+    struct Part {
+        surfel::BlockPtr block;
+        std::unique_ptr<CutCodes> cuts;
+    };
+
+    /// Whether splats may be drawn finer than they are: of a smooth surface, in a view that rests.
+    static bool any(const tree::SurfelTree& model, const RenderOptions& options);
+    /// What finer discs depend on beside the version; forgets all if it changes.
+    void use(const surface::SurfaceDefinition& definition, float radiusOfSupport);
+    /// How far the discs of these blocks stand out over the surface, in model units, in their order.
+    std::vector<float> standOut(std::span<const surfel::SurfelBlock* const> blocks);
+    /// Makes the finer discs of those blocks of the version followed to that have none, on all cores.
+    void prepare(std::span<const surfel::SurfelBlock* const> blocks);
+    /// Of a block that was prepared.
+    std::span<const Part> of(const surfel::SurfelBlock* block) const { return m_kept.at(block).parts; }
+    /// Goes on to the next version. Returns the blocks that it shares with the last whose finer discs it dropped.
+    std::vector<const surfel::SurfelBlock*> follow(const tree::SurfelTree& to);
+    /// Finer blocks dropped since the last call: whoever holds copies of them may drop those too.
+    std::vector<surfel::BlockPtr> takeDropped() { return std::exchange(m_dropped, {}); }
+
+  private:
+    struct Kept {
+        surfel::BlockPtr block; ///< keeps its address its own
+        float standOut = 0;
+        std::vector<Part> parts;
+    };
+    void drop(Kept& kept);
+
+    surface::SurfaceDefinition m_definition;
+    float m_radiusOfSupport = 0;
+    tree::SurfelTree m_model;
+    std::unordered_map<const surfel::SurfelBlock*, Kept> m_kept;
+    std::vector<surfel::BlockPtr> m_dropped;
+};
+
+} // namespace render
