@@ -1,9 +1,9 @@
 #include "app/open_model.h"
 
-#include "core/io/formats.h"
 #include "core/process/samples/samples.h"
 #include "core/session/face_options.h"
 #include "core/session/model_argument.h"
+#include "core/session/read_options.h"
 #include "core/session/scene/scene_file.h"
 #include "core/session/scene/scene_ply.h"
 
@@ -16,16 +16,19 @@ static nlohmann::json commandOf(const std::string& model) {
     return session::modelCommand(model == "-" ? "/dev/stdin" : model);
 }
 
-io::FileModel readModel(const std::string& model, const base::Progress& progress) {
+io::FileModel readModel(const std::string& model, const nlohmann::json& parameters, const base::Progress& progress) {
     const nlohmann::json command = session::complete(commandOf(model));
-    if (command.at("op") == "open" && session::opensAsScene(model)) {
+    const bool file = command.at("op") == "open";
+    if (!file || session::opensAsScene(model))
+        session::refuseReadParameters(parameters, model);
+    if (file && session::opensAsScene(model)) {
         session::Document document;
         session::Context context{document, {}, progress, {}, 0, {}, nullptr};
         session::run(context, command);
         return session::togetherAsParts(document.scene());
     }
-    if (command.at("op") == "open")
-        return io::read(command.at("path").get<std::string>(), progress);
+    if (file)
+        return session::readFile(command.at("path").get<std::string>(), {}, parameters, progress);
     const process::SampleRow& sample = process::sample(command.at("sample").get<std::string>());
     io::FileModel out;
     const std::size_t count = command.value("count", sample.count);
@@ -57,6 +60,7 @@ void openModel(session::Context& context, const std::string& model, const nlohma
     command.update(surface);
     if (command.at("op") != "open") { // a sample has no faces
         session::refuseSamples(session::faceOptions(command), model);
+        session::refuseReadParameters(command, model);
         for (const session::CommandParameter& p : session::faceParameters())
             command.erase(p.id);
     }

@@ -13,7 +13,8 @@ constexpr const char* modelHelp =
     "model file, - for standard input, or sample:NAME[:COUNT[:SEED]] for one made by code";
 
 /// The points of the file or sample as they are, before anything is estimated; those of a scene where they stand in it.
-io::FileModel readModel(const std::string& model, const base::Progress& progress);
+/// `parameters`: of reading, may be empty; others are passed over.
+io::FileModel readModel(const std::string& model, const nlohmann::json& parameters, const base::Progress& progress);
 
 /// What a command does with the models of a scene.
 enum class SceneUse {

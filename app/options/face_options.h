@@ -1,4 +1,5 @@
-// The option group "Faces": what becomes of a file's faces, the same for every subcommand that reads a model.
+// The option groups "Reading" and "Faces": what a file does not tell itself, and what becomes of its faces, the same
+// for every subcommand that reads a model.
 #pragma once
 
 #include "app/options/command_options.h"
@@ -7,7 +8,8 @@
 
 namespace app {
 
-/// REQUIRES: `given` outlives the command. `model`: the option that they belong to, where it is not required.
+/// REQUIRES: `given` outlives the command. `model`: the option that they belong to, where it is not required. Both
+/// groups.
 void addFaceOptions(OptionSet command, GivenParameters& given, std::optional<Option> model = {});
 
 } // namespace app

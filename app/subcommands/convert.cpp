@@ -13,12 +13,10 @@
 #include "core/io/formats.h"
 #include "core/io/las/las_thinning.h"
 #include "core/io/mesh_formats.h"
-#include "core/process/cleaning/thin.h"
-#include "core/process/estimation/keep_points.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/session/face_options.h"
+#include "core/session/read_options.h"
 
-#include <limits>
 #include <nlohmann/json.hpp>
 
 namespace app {
@@ -61,22 +59,10 @@ struct Options {
     BatchOptions batch;
 };
 
-void thinPoints(io::FileModel& model, double spacing, const base::Progress& progress) {
-    const std::vector<std::uint8_t> removed = process::thinned(
-        model.points, std::max(static_cast<float>(spacing), std::numeric_limits<float>::min()), progress);
-    const std::size_t before = model.points.size();
-    process::keepPoints(model.points, [&](std::size_t i) { return removed[i] == 0; });
-    model.polygons = {};
-    model.shape = {};
-    model.hasSupports = model.limitDecided = false; // they were made for what stood closer
-    model.messages.push_back(std::to_string(before) + " points were thinned to " + std::to_string(model.points.size()) +
-                             ".");
-}
-
 /// LAS without all of it in memory, where it is to be thinned.
 io::FileModel readInput(const Options& options, const std::string& in, bool& thinnedYet,
                         const base::Progress& progress) {
-    if (options.thin > 0)
+    if (options.thin > 0 && !session::hasReadParameters(parametersOf(options.faces)))
         if (auto thinned = io::thinnedLas(in, options.thin, bytesOf(options.memory), process::part(progress, 0, 0.8))) {
             thinnedYet = true;
             const io::FileBytes file(in, std::move(thinned->content));
@@ -87,7 +73,7 @@ io::FileModel readInput(const Options& options, const std::string& in, bool& thi
                 (thinned->passes > 1 ? ", in " + std::to_string(thinned->passes) + " passes." : "."));
             return model;
         }
-    return readModel(in, progress);
+    return readModel(in, parametersOf(options.faces), progress);
 }
 
 void convert(const Options& options, const BatchJob& job, Console& console) {
@@ -98,7 +84,7 @@ void convert(const Options& options, const BatchJob& job, Console& console) {
     io::FileModel model = readInput(options, job.in, thinned, process::part(progress, 0, 0.3));
     sampleFaces(model, job.in, parametersOf(options.faces), process::part(progress, 0.3, 0.5));
     if (options.thin > 0 && !thinned)
-        thinPoints(model, options.thin, process::part(progress, 0.4, 0.5));
+        session::thinPoints(model, options.thin, process::part(progress, 0.4, 0.5));
     console.tell(model.messages);
     std::error_code unequal;
     const bool replaces = std::filesystem::equivalent(job.in, job.out, unequal);

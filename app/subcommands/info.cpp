@@ -199,7 +199,8 @@ Action addInfo(OptionSet command) {
         const base::Progress progress = console.progress();
         if (session::opensAsScene(options->model))
             return describeSceneFile(*options, progress, console);
-        io::FileModel model = readModel(options->model, process::part(progress, 0, 0.2));
+        io::FileModel model =
+            readModel(options->model, options->surface->parameters(), process::part(progress, 0, 0.2));
         if (session::tellsOfParts(model))
             describeParts(*options, std::move(model), process::part(progress, 0.2, 1), console);
         else

@@ -120,6 +120,10 @@ FileModel read(const path& path, const base::Progress& progress, const std::file
     return read(FileBytes(path), progress, folder.empty() ? path.parent_path() : folder);
 }
 
+bool isText(const FileBytes& file) {
+    return readerOf(file).read == readText;
+}
+
 /// Throws where there is none.
 static const FormatRow& writerOf(const path& path) {
     const FormatRow* row = rowOfExtension(table, extensionOf(path));

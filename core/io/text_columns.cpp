@@ -1,6 +1,7 @@
 #include "core/io/text_columns.h"
 
 #include "core/base/parallel.h"
+#include "core/io/file_name.h"
 
 #include <algorithm>
 #include <cmath>
@@ -104,6 +105,40 @@ class Guess {
 
 std::vector<std::string> guessNames(const double* values, std::size_t n, std::span<const ColumnFacts> facts) {
     return Guess(values, n, facts).names();
+}
+
+/// "X [m]" and "x(m)" are "x".
+static std::string plainName(const std::string& name) {
+    const std::string whole = lowerCase(name);
+    const std::size_t first = whole.find_first_not_of(" \t");
+    if (first == std::string::npos)
+        return {};
+    const std::string bare = whole.substr(first, whole.find_first_of("([", first) - first);
+    return bare.substr(0, bare.find_last_not_of(" \t_") + 1);
+}
+
+std::optional<std::array<std::size_t, 3>> coordinatesAmong(std::span<const std::string> names) {
+    // The most usual first, which counts where a file has several.
+    static constexpr std::string_view known[3][15] = {
+        {"x", "x_m", "xcoord", "x_coord", "pos_x", "position_x", "point_x", "easting", "east", "e", "rechtswert",
+         "points:0"},
+        {"y", "y_m", "ycoord", "y_coord", "pos_y", "position_y", "point_y", "northing", "north", "n", "hochwert",
+         "points:1"},
+        {"z", "z_m", "zcoord", "z_coord", "pos_z", "position_z", "point_z", "elevation", "height", "h", "altitude",
+         "up", "points:2", "h\xc3\xb6he", "h\xf6he"},
+    };
+    std::array<std::size_t, 3> out{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto has = [&](std::string_view wanted) {
+            const auto at = std::find_if(names.begin(), names.end(),
+                                         [&](const std::string& name) { return plainName(name) == wanted; });
+            out[axis] = static_cast<std::size_t>(at - names.begin());
+            return at != names.end();
+        };
+        if (std::none_of(std::begin(known[axis]), std::end(known[axis]), has))
+            return std::nullopt;
+    }
+    return out;
 }
 
 } // namespace io

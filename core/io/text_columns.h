@@ -1,6 +1,8 @@
-// What the unnamed columns of a text file are: there is no header, so the numbers must tell (io/README 2.4).
+// What the columns of a text file are where no name says x, y and z: numbers and other names tell (io/README 2.4).
 #pragma once
 
+#include <array>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -23,5 +25,9 @@ std::vector<ColumnFacts> columnFacts(const double* values, std::size_t n, std::s
 /// or 7 columns) or "column_N", counted from 1. Of four columns after x y z the last three are tried first, because
 /// Leica writes intensity before the colours. REQUIRES: facts.size() >= 3.
 std::vector<std::string> guessNames(const double* values, std::size_t n, std::span<const ColumnFacts> facts);
+
+/// Which of the columns are x, y and z by names that surveyors and other programs use: East, North, Height; X [m];
+/// Points:0. In any case of letters, units in brackets aside. Nothing unless all three are there.
+std::optional<std::array<std::size_t, 3>> coordinatesAmong(std::span<const std::string> names);
 
 } // namespace io

@@ -1,5 +1,6 @@
 // Points as text: XYZ, TXT, ASC, CSV, PTS, PWN. One row per point, fields separated by blanks, tabs, commas or
 // semicolons; a line of names before, a line with the number of points before, comments of '#', '%' and '//' anywhere.
+#include "core/base/listed.h"
 #include "core/io/decimal_commas.h"
 #include "core/io/file_name.h"
 #include "core/io/number_text.h"
@@ -32,26 +33,32 @@ std::vector<std::string> namesIn(std::string_view line, const std::vector<std::s
 
 class TextReader {
   public:
-    TextReader(const FileBytes& file, const base::Progress& progress) : m_file(file), m_progress(progress) {}
-    FileModel read();
+    TextReader(const FileBytes& file, const base::Progress& progress, const TextReading& how)
+        : m_file(file), m_progress(progress), m_how(how) {}
+    TextRead read();
 
   private:
     std::size_t refuseOthers() const;
     void readHead(const TextRows& rows);
     void readCommentNames(std::size_t begin);
     bool hasDecimalCommas(const TextRows& rows);
+    void takeGivenNames(const TextRows& rows);
     void chooseColumns(const TextRows& rows);
     void checkClaim(const TextRows& rows);
     void parse(const TextRows& rows);
     void tellWrongCounts(std::size_t begin);
     void joinNormalsBelow();
     void nameColumns();
+    void nameCoordinates();
+    std::vector<std::string> takenColumns() const;
     void typeColumns(const std::vector<ColumnFacts>& facts);
     double* values() { return reinterpret_cast<double*>(m_table.owned.get()); }
 
     const FileBytes& m_file;
     const base::Progress& m_progress;
+    const TextReading& m_how;
     FileModel m_model;
+    bool m_sure = true;
     RecordTable m_table;
     std::vector<std::string> m_names;       ///< of all columns; empty where the file has none
     std::vector<int> m_targets;             ///< per column, its place in the table or -1
@@ -139,7 +146,20 @@ bool TextReader::hasDecimalCommas(const TextRows& rows) {
     return found == Commas::Decimal;
 }
 
-/// Columns that hold words in the first row ("status" of our own query tables) are passed over.
+/// In place of those that the file tells.
+void TextReader::takeGivenNames(const TextRows& rows) {
+    if (m_how.columns.empty())
+        return;
+    const std::size_t given = m_how.columns.size(), there = rows.fields(rows.row(m_firstRow)).size();
+    if (given != there && given != m_names.size())
+        m_file.failAt(rows.offset(m_firstRow),
+                      "holds " + std::to_string(there) + " columns, and " + std::to_string(given) + " are named",
+                      "name each of them, with - for those to be left out");
+    m_names = m_how.columns;
+}
+
+/// Columns that hold words in the first row ("status" of our own query tables) are passed over, and those that are
+/// named "-".
 void TextReader::chooseColumns(const TextRows& rows) {
     const auto fields = rows.fields(rows.row(m_firstRow));
     if (m_names.size() < fields.size())
@@ -154,7 +174,10 @@ void TextReader::chooseColumns(const TextRows& rows) {
     int next = 0;
     for (std::size_t c = 0; c < columns; ++c) {
         const bool word = c < fields.size() && !fields[c].empty() && !rows.isNumber(fields[c]);
-        m_targets.push_back(word ? -1 : next++);
+        const bool passed = !m_how.columns.empty() && m_names[c] == "-";
+        m_targets.push_back(word || passed ? -1 : next++);
+        if (passed)
+            continue;
         if (word)
             m_model.messages.push_back("The column " +
                                        (m_names.empty() ? std::to_string(c + 1) : inQuotes(m_names[c])) +
@@ -177,7 +200,7 @@ void TextReader::parse(const TextRows& rows) {
 
 void TextReader::checkClaim(const TextRows& rows) {
     const std::size_t n = rows.count() - m_firstRow;
-    if (m_claimed && *m_claimed > n)
+    if (m_claimed && *m_claimed > n && !m_how.head)
         m_file.fail("the first line promises " + std::to_string(*m_claimed) + " points, but " + std::to_string(n) +
                         " follow",
                     "the file is damaged or was cut off; fetch it again");
@@ -248,15 +271,42 @@ void TextReader::nameColumns() {
     if (m_tableNames.empty())
         m_tableNames = guessNames(values(), m_table.count, facts);
     typeColumns(facts);
-    RecordRoles roles = rolesOf(m_table.fields, false);
-    if (std::find(roles.position.begin(), roles.position.end(), RecordRoles::none) == roles.position.end())
-        return;
-    for (std::size_t k = 0; k < 3; ++k) // names that say nothing to us: x y z come first
-        m_table.fields[k].name = std::string(1, "xyz"[k]);
-    m_model.messages.push_back("The column names do not tell which are x, y and z; the first three were taken.");
+    nameCoordinates();
 }
 
-FileModel TextReader::read() {
+/// Where none are called x, y and z: other names for them, else the first ones.
+void TextReader::nameCoordinates() {
+    const RecordRoles roles = rolesOf(m_table.fields, false);
+    if (std::find(roles.position.begin(), roles.position.end(), RecordRoles::none) == roles.position.end())
+        return;
+    if (!m_how.columns.empty()) // one of those named holds words
+        m_file.fail("x, y and z must be columns of numbers", "name others");
+    const auto known = coordinatesAmong(m_tableNames);
+    m_sure = known.has_value();
+    const std::array<std::size_t, 3> taken = known.value_or(std::array<std::size_t, 3>{0, 1, 2});
+    std::vector<std::string> named;
+    for (std::size_t k = 0; k < 3; ++k) {
+        named.push_back(inQuotes(m_tableNames[taken[k]]));
+        m_table.fields[taken[k]].name = std::string(1, "xyz"[k]);
+    }
+    const std::string third = lowerCase(m_tableNames[taken[2]]);
+    if (known && third.find('z') == std::string::npos && !third.starts_with("points:")) // a height
+        m_model.up = base::UpAxis::Z;
+    m_model.messages.push_back(known ? base::listed(named) + " were taken for x, y and z."
+                                     : "The column names do not tell which are x, y and z; the first three were "
+                                       "taken. Others can be named: --columns, or File > Open With.");
+}
+
+std::vector<std::string> TextReader::takenColumns() const {
+    std::vector<std::string> out;
+    for (const int target : m_targets)
+        out.push_back(target >= 0 && static_cast<std::size_t>(target) < m_table.fields.size()
+                          ? m_table.fields[static_cast<std::size_t>(target)].name
+                          : "-");
+    return out;
+}
+
+TextRead TextReader::read() {
     m_progress.step(0, "Reading");
     m_model.format = extensionOf(m_file.path());
     if (m_model.format.empty())
@@ -277,20 +327,32 @@ FileModel TextReader::read() {
         if (m_firstRow >= rows->count()) // nothing but counts
             m_file.fail("holds no points, only lines of one number", "choose a text file with rows of coordinates");
     }
+    takeGivenNames(*rows);
     chooseColumns(*rows);
     parse(*rows);
     joinNormalsBelow();
-    if (m_claimed && *m_claimed != m_table.count)
+    if (m_claimed && *m_claimed != m_table.count && !m_how.head)
         tellWrongCounts(begin);
     nameColumns();
     makePoints(m_model, m_file, m_table, rolesOf(m_table.fields, false), {}, {m_progress, 0.7, 1});
-    return std::move(m_model);
+    TextRead out{std::move(m_model), takenColumns(), m_sure, {}};
+    if (m_how.head)
+        rows->forRows(m_firstRow, [&](std::string_view line) {
+            const auto fields = rows->fields(line);
+            out.rows.emplace_back(fields.begin(), fields.end());
+            return out.rows.size() < 8;
+        });
+    return out;
 }
 
 } // namespace
 
 FileModel readText(const FileBytes& file, const base::Progress& progress, const path&) {
-    return TextReader(file, progress).read();
+    return TextReader(file, progress, {}).read().model;
+}
+
+TextRead readTextAs(const FileBytes& file, const base::Progress& progress, const TextReading& how) {
+    return TextReader(file, progress, how).read();
 }
 
 } // namespace io

@@ -121,7 +121,7 @@ void TextReaderTest::namesOfColumnsAreBelieved() {
     QCOMPARE(model.points.layout->names(), std::vector<std::string>({"position", "colour", "id", "GPS_Time"}));
     QCOMPARE(model.points.items[0].position, base::Vec3f({1, 2, 3}));
     QCOMPARE(model.points.items[0].colour, surfel::rgba(10, 20, 30));
-    const FileModel unknown = readText("a.csv", "east,north,up\n1,2,3\n");
+    const FileModel unknown = readText("a.csv", "left,right,other\n1,2,3\n");
     QCOMPARE(unknown.points.items[0].position, base::Vec3f({1, 2, 3}));
     QVERIFY(test::anyContains(unknown.messages, "first three"));
 }

@@ -2,6 +2,7 @@
 
 #include "core/surface/definition_options.h"
 #include "ui/theme/theme.h"
+#include "ui/window/fields_area.h"
 #include "ui/window/file_dialogs.h"
 #include "ui/window/grown_dialog.h"
 #include "ui/window/parameter_values.h"
@@ -24,8 +25,6 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QScreen>
-#include <QScrollArea>
-#include <QScrollBar>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -69,18 +68,6 @@ static QLabel* wrapped(const char* name) {
     return out;
 }
 
-/// As high as it wants to be, as far as a screen has room for it.
-static QScrollArea* scrolled(QWidget& fields, int screen) {
-    constexpr int others = 240, least = 100; // pixels: what stands above and below
-    auto* out = new QScrollArea;
-    out->setWidget(&fields);
-    out->setWidgetResizable(true);
-    out->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    out->setMinimumHeight(std::clamp(fields.sizeHint().height(), least, std::max(least, screen - others)));
-    out->setMinimumWidth(fields.sizeHint().width() + out->verticalScrollBar()->sizeHint().width());
-    return out;
-}
-
 CommandDialog::CommandDialog(const session::CommandRow& row, const Snapshot& model, QWidget* parent,
                              const std::optional<base::Plane>& plane)
     : QDialog(parent), m_row(row), m_model(model), m_plane(plane) {
@@ -96,7 +83,8 @@ CommandDialog::CommandDialog(const session::CommandRow& row, const Snapshot& mod
     for (const auto& parameter : row.parameters)
         if (!parameter.recorded)
             add(*form, parameter, taken);
-    layout->addWidget(scrolled(*fields, screen()->availableSize().height()), 1);
+    addColumnTable(*form);
+    layout->addWidget(new FieldsArea(*fields, screen()->availableSize().height()), 1);
     constexpr int lines = 2; // of help, so that the dialog keeps its size
     m_help = wrapped("faint");
     m_help->setMinimumHeight(lines * fontMetrics().lineSpacing());
@@ -108,7 +96,6 @@ CommandDialog::CommandDialog(const session::CommandRow& row, const Snapshot& mod
     for (QLabel* each : {m_help, m_outcome, m_said, m_trouble})
         layout->addWidget(each);
     addAnswers(*layout);
-    setMinimumWidth(420);
     if (!m_fields.empty())
         m_fields.front().widget->setFocus();
     follow();
@@ -153,14 +140,14 @@ QString CommandDialog::present(const CommandParameter& p) const {
 }
 
 /// Words to choose from, of which each stands for its id; editable where numbers fit too.
-static QComboBox* listOf(const CommandParameter& p, const QString& present) {
+static QComboBox* listOf(const CommandParameter& p, const QString& present, const QString& none) {
     auto* out = new QComboBox;
-    out->setEditable(QString(p.type).startsWith("number"));
+    out->setEditable(QString(p.type).startsWith("number") || std::string_view(p.type) == "choices"); // one, or several
     out->setInsertPolicy(QComboBox::NoInsert);
     out->setCompleter(nullptr); // its first Return would be a completion's, not the dialog's
     const QString fallback = present.isEmpty() ? fallbackOf(p) : present;
     if (fallback.isEmpty())
-        out->addItem(isOptional(p) ? QObject::tr("(none)") : QString(), QString());
+        out->addItem(isOptional(p) ? none : QString(), QString());
     for (const QString& id : QString(p.choices).split(' ', Qt::SkipEmptyParts))
         out->addItem(choiceWords(id.toStdString()), id);
     const int known = out->findData(fallback);
@@ -181,7 +168,8 @@ QWidget* CommandDialog::make(const CommandParameter& p) {
         return box;
     }
     if (*p.choices) {
-        QComboBox* list = listOf(p, now);
+        const bool opens = m_row.op == std::string_view("open"); // what is left out, the file tells
+        QComboBox* list = listOf(p, now, opens ? tr("(automatic)") : tr("(none)"));
         connect(list, &QComboBox::currentTextChanged, this, &CommandDialog::follow);
         return list;
     }
@@ -257,13 +245,21 @@ bool CommandDialog::edited(const Field& field) const {
     return enteredIn(field.widget) != field.shown;
 }
 
+/// What stands there at first is wanted, unless something else is: one of several ways to say the same.
+static bool isProposal(const session::CommandRow& row, const CommandParameter& p) {
+    return std::string_view(p.id) == (row.op == std::string_view("reduce") ? "ratio" : "spacing");
+}
+
 void CommandDialog::giveWay(const QWidget* by) {
-    const Field* spacing = find("spacing");
-    auto* line = spacing ? qobject_cast<QLineEdit*>(spacing->widget) : nullptr;
-    if (!line || line == by || !isOptional(*spacing->parameter) || line->text() != spacing->shown)
-        return;
-    line->setPlaceholderText(tr("now %1").arg(spacing->shown));
-    line->clear();
+    for (const Field& field : m_fields) {
+        auto* line = qobject_cast<QLineEdit*>(field.widget);
+        const bool gives = isProposal(m_row, *field.parameter) && isOptional(*field.parameter);
+        if (!line || line == by || !gives || line->text() != field.shown || field.shown.isEmpty())
+            continue;
+        line->setPlaceholderText(m_row.op == std::string_view("reduce") ? tr("optional")
+                                                                        : tr("now %1").arg(field.shown));
+        line->clear();
+    }
 }
 
 json CommandDialog::command() const {
@@ -271,7 +267,7 @@ json CommandDialog::command() const {
     for (const Field& field : m_fields) {
         const QString text = enteredIn(field.widget);
         // The definition says what it is already; a proposed spacing stands until something else is given.
-        const bool proposed = std::string_view(field.parameter->id) == "spacing";
+        const bool proposed = isProposal(m_row, *field.parameter);
         const bool asNow =
             isOptional(*field.parameter) && !edited(field) && !present(*field.parameter).isEmpty() && !proposed;
         if (!text.isEmpty() && !asNow)
@@ -305,6 +301,7 @@ QString CommandDialog::outcome() const {
 void CommandDialog::follow() {
     if (!m_trouble) // being made
         return;
+    followColumns();
     tell(*m_outcome, outcome());
     tell(*m_trouble, {});
     growToWords(*this);

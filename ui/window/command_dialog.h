@@ -21,6 +21,8 @@ class QVBoxLayout;
 
 namespace ui {
 
+class ColumnTable;
+
 /// True for the commands that a menu offers through this dialog: those that change the model and have no place of
 /// their own in the window (undo, redo, strokes; new and open replace the model).
 bool hasDialog(const session::CommandRow& row);
@@ -83,8 +85,11 @@ class CommandDialog : public QDialog {
     QString present(const session::CommandParameter& parameter) const;
     const Field* find(std::string_view id) const;
     bool edited(const Field& field) const;
-    /// A number is given beside the spacing that stands there: that one was a proposal.
+    /// Something else is given than the spacing, or the ratio of `reduce`, that stands there: that was a proposal.
     void giveWay(const QWidget* edited);
+    /// Where a file's columns can be told: the beginning of the file, under lists to choose from.
+    void addColumnTable(QFormLayout& form);
+    void followColumns();
     void follow();
     void checkAndAccept();
 
@@ -93,6 +98,7 @@ class CommandDialog : public QDialog {
     std::optional<base::Plane> m_plane;
     std::vector<Field> m_fields;
     std::map<QString, QToolButton*> m_picks; ///< by field
+    ColumnTable* m_columns = nullptr;
     QLabel *m_help = nullptr, *m_outcome = nullptr, *m_said = nullptr, *m_trouble = nullptr;
     QCheckBox *m_preview = nullptr, *m_error = nullptr;
 };

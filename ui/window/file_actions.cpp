@@ -1,5 +1,7 @@
 #include "ui/window/file_actions.h"
 
+#include "core/base/error.h"
+#include "core/io/text_preview.h"
 #include "core/session/journal.h"
 #include "core/session/model_argument.h"
 #include "core/session/scene/scene_file.h"
@@ -84,8 +86,21 @@ void FileActions::openIn(const fs::path& folder) {
         open(pathOf(file));
 }
 
+/// Points as text under names that mean nothing to us. What else is wrong with a file, opening says.
+static bool isDoubtful(const fs::path& path) {
+    try {
+        const auto preview = io::previewText(path);
+        return preview && !preview->sure;
+    } catch (const base::Error&) {
+        return false;
+    }
+}
+
 void FileActions::open(const fs::path& path) {
-    unlessUnsaved([this, path] { load(path); });
+    if (isDoubtful(path))
+        openWith(path);
+    else
+        unlessUnsaved([this, path] { load(path); });
 }
 
 void FileActions::openArgument(const std::string& model) {
@@ -106,9 +121,11 @@ void FileActions::openArgument(const std::string& model) {
     }
 }
 
-void FileActions::openWith() {
+void FileActions::openWith(const fs::path& path) {
     auto* dialog = new CommandDialog(session::command("open"), m_editor.snapshot(), &m_window);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
+    if (!path.empty())
+        dialog->enter("path", textOf(fs::absolute(path)));
     connect(dialog, &QDialog::accepted, this, [this, dialog] {
         const nlohmann::json command = dialog->command();
         unlessUnsaved([this, command] { load(command.at("path").get<std::string>(), command); });

@@ -19,9 +19,10 @@ class FileActions : public QObject {
 
     void make(const std::string& sample);
     void open();
+    /// Asks as `openWith` where the file does not tell which of its columns are x, y and z.
     void open(const std::filesystem::path& path);
-    /// Asks for a file and all that the command `open` takes.
-    void openWith();
+    /// Asks for a file, unless one is given, and all that the command `open` takes.
+    void openWith(const std::filesystem::path& path = {});
     /// Asks for a file, beginning in a folder.
     void openIn(const std::filesystem::path& folder);
     /// A MODEL as the command line names it: a file, or sample:NAME[:COUNT[:SEED]].

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <QRegularExpression>
 #include <QStringList>
 
 namespace ui {
@@ -19,7 +20,9 @@ bool isOptional(const CommandParameter& p) {
 }
 
 QString fallbackOf(const CommandParameter& p) {
-    const QString text = QString(p.fallback).remove('"');
+    QString text = QString(p.fallback).remove('"');
+    if (std::string_view(p.type) == "choices") // "plane, sphere"
+        text.remove(QRegularExpression("[\\[\\]]")).replace(",", ", ");
     return text == "null" ? QString() : text;
 }
 
@@ -86,6 +89,12 @@ json valueOf(const CommandParameter& p, const QString& text) {
     }
     if (type == "text" || type == "path" || type == "paths") // "2" is a name, too
         return json(text.toStdString());
+    if (type == "choices" && text.contains(',')) {
+        json out = json::array();
+        for (const QString& each : text.split(',', Qt::SkipEmptyParts))
+            out.push_back(each.trimmed().toStdString());
+        return out;
+    }
     bool isWhole = false, isNumber = false;
     const long long whole = text.toLongLong(&isWhole);
     const double number = text.toDouble(&isNumber);
@@ -113,6 +122,8 @@ static base::Plane middlePlane(const session::CommandRow& row, const Snapshot& m
 QString proposalFor(const session::CommandRow& row, const CommandParameter& p, const Snapshot& model,
                     const std::optional<base::Plane>& plane) {
     const std::string_view id = p.id, type = p.type;
+    if (row.op == std::string_view("reduce") && id == "ratio") // one of three, and the one that suits any model
+        return "0.1";
     const auto size = static_cast<double>(model.surface.tree().bounds().diagonal());
     if (isOptional(p) || *p.fallback || model.surface.tree().empty() || !(size > 0))
         return {};

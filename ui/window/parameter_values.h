@@ -27,8 +27,8 @@ bool isFile(const session::CommandParameter& p);
 QString textOf(const base::Vec3d& place, double size = 1);
 /// Throws base::Error for what is no number where there must be one.
 nlohmann::json valueOf(const session::CommandParameter& p, const QString& text);
-/// For what must be given: a round number that suits the model's size, a plane (in the file's coordinates; without one,
-/// through the model's middle). "": nothing is proposed.
+/// For what must be given, alone or instead of others: a round number that suits the model's size, a plane (in the
+/// file's coordinates; without one, through the model's middle). "": nothing is proposed.
 QString proposalFor(const session::CommandRow& row, const session::CommandParameter& p, const Snapshot& model,
                     const std::optional<base::Plane>& plane);
 

@@ -6,9 +6,11 @@
 #include "ui/words/counted.h"
 
 #include <QLabel>
+#include <QMenu>
 #include <QProgressBar>
 #include <QRegularExpression>
 #include <QToolButton>
+#include <QWidgetAction>
 
 namespace ui {
 
@@ -20,6 +22,13 @@ QString bytesText(std::size_t bytes) {
         value /= 1000;
     const int decimals = unit == 0 || value >= 99.95 ? 0 : value >= 9.995 ? 1 : 2;
     return QString("%1 %2").arg(value, 0, 'f', decimals).arg(units[unit]);
+}
+
+/// Three digits, and no exponents where plain digits do.
+static QString lengthText(double length) {
+    constexpr double large = 999.5, endless = 1e9;
+    return length >= large && length < endless ? counted(static_cast<qulonglong>(std::llround(length)))
+                                               : QString::number(length, 'g', 3);
 }
 
 QString sentenceOf(const QString& message) {
@@ -49,6 +58,12 @@ StatusLine::StatusLine(QWidget* parent) : QStatusBar(parent), m_message(new Elid
     m_message->setIndent(8);
     m_message->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     addWidget(m_message, 1);
+    m_more = new QToolButton;
+    m_more->setObjectName("plain");
+    m_more->setToolTip(tr("All that was told at last"));
+    connect(m_more, &QToolButton::clicked, this, &StatusLine::showAll);
+    m_more->hide();
+    addWidget(m_more);
     m_progress = new QProgressBar;
     m_progress->setFixedWidth(260);
     m_progress->setRange(0, 1000);
@@ -112,7 +127,7 @@ void StatusLine::showModel(const Snapshot& snapshot) {
     const bool model = !snapshot.surface.tree().empty();
     want(m_surfels, model, tr("%1 surfels").arg(counted(snapshot.surfels)));
     want(m_memory, model, tr("%1 + %2").arg(bytesText(snapshot.modelBytes), bytesText(snapshot.historyBytes)));
-    want(m_spacing, model, tr("Spacing %1").arg(static_cast<double>(snapshot.spacing), 0, 'g', 3));
+    want(m_spacing, model, tr("Spacing %1").arg(lengthText(static_cast<double>(snapshot.spacing))));
     want(m_dab, snapshot.dabSeconds > 0, tr("Dab %1").arg(milliseconds(snapshot.dabSeconds)));
 }
 
@@ -150,11 +165,38 @@ void StatusLine::hideProgress() {
 
 void StatusLine::tell(const QString& message, bool error) {
     constexpr int toReadMs = 10000, toActMs = 60000;
-    const QString said = sentenceOf(message);
-    m_message->setText(said);
-    m_message->setToolTip(said);
+    m_told = message.split('\n', Qt::SkipEmptyParts);
+    for (QString& each : m_told)
+        each = sentenceOf(each);
+    constexpr qsizetype few = 4; // of more, the last one sums up
+    const auto count = static_cast<int>(m_told.size());
+    m_message->setText(m_told.size() <= few ? m_told.join(' ') : m_told.back());
+    m_message->setToolTip(m_told.join('\n'));
     m_message->setStyleSheet(error ? troubleStyle(palette()) : QString());
-    m_stale.start(error ? toActMs : toReadMs);
+    m_more->setVisible(count > 1);
+    m_more->setText(tr("%1 messages").arg(count));
+    m_stale.start(std::max(1, count) * (error ? toActMs : toReadMs));
+}
+
+QString StatusLine::allTold() const {
+    return m_told.join('\n');
+}
+
+/// Above the button, until somebody clicks elsewhere.
+void StatusLine::showAll() {
+    constexpr int letters = 90; // a line
+    QMenu menu(this);
+    auto* text = new QLabel(allTold());
+    text->setObjectName("allTold");
+    text->setTextFormat(Qt::PlainText);
+    text->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    text->setWordWrap(true);
+    text->setMargin(10);
+    text->setFixedWidth(std::min(letters * fontMetrics().averageCharWidth(), window()->width() - 40));
+    auto* action = new QWidgetAction(&menu);
+    action->setDefaultWidget(text);
+    menu.addAction(action);
+    menu.exec(m_more->mapToGlobal(QPoint(0, -menu.sizeHint().height())));
 }
 
 void StatusLine::setHint(const QString& hint) {

@@ -66,6 +66,10 @@
         <translation>%1 verspätete Takte</translation>
     </message>
     <message>
+        <source>%1 messages</source>
+        <translation>%1 Meldungen</translation>
+    </message>
+    <message>
         <source>%1 of %2</source>
         <translation>%1 von %2</translation>
     </message>
@@ -340,6 +344,14 @@
     <message>
         <source>&amp;Width</source>
         <translation>&amp;Breite</translation>
+    </message>
+    <message>
+        <source>(automatic)</source>
+        <translation>(automatisch)</translation>
+    </message>
+    <message>
+        <source>(left out)</source>
+        <translation>(ausgelassen)</translation>
     </message>
     <message>
         <source>(none)</source>
@@ -628,6 +640,10 @@
     <message>
         <source>All steps by name: click one to go there</source>
         <translation>Alle Schritte mit Namen: ein Klick geht dorthin</translation>
+    </message>
+    <message>
+        <source>All that was told at last</source>
+        <translation>Alles, was zuletzt gemeldet wurde</translation>
     </message>
     <message>
         <source>Along the Surface</source>
@@ -988,6 +1004,18 @@
     <message>
         <source>Colours the surface; inverted, with the second colour.</source>
         <translation>Färbt die Fläche; umgekehrt mit der zweiten Farbe.</translation>
+    </message>
+    <message>
+        <source>Column %1</source>
+        <translation>Spalte %1</translation>
+    </message>
+    <message>
+        <source>Columns of a text</source>
+        <translation>Spalten eines Textes</translation>
+    </message>
+    <message>
+        <source>Columns of the file</source>
+        <translation>Spalten der Datei</translation>
     </message>
     <message>
         <source>Combine solids</source>
@@ -2989,6 +3017,10 @@
         <translation>Maßstab</translation>
     </message>
     <message>
+        <source>Scale of its unit</source>
+        <translation>Maßstab der Einheit</translation>
+    </message>
+    <message>
         <source>Scales the whole model about its middle so that a known distance is right.</source>
         <translation>Skaliert das ganze Modell um seine Mitte, sodass ein bekannter Abstand stimmt.</translation>
     </message>
@@ -3505,6 +3537,10 @@
         <translation>Das Gerät bewegt eine Kugel über das Modell und erhält ihre Kraft; Esc beendet es</translation>
     </message>
     <message>
+        <source>The first points span %1 by %2 by %3 units.</source>
+        <translation>Die ersten Punkte reichen über %1 mal %2 mal %3 Einheiten.</translation>
+    </message>
+    <message>
         <source>The force on the hand over the last seconds; darker where the tool worked</source>
         <translation>Die Kraft auf die Hand in den letzten Sekunden; dunkler, wo das Werkzeug wirkte</translation>
     </message>
@@ -3953,8 +3989,8 @@
         <translation>Weiß und glänzend: Glanzlichter zeigen die kleinsten Dellen</translation>
     </message>
     <message>
-        <source>With a say in what is made of it: sampling of faces, sharp edges, the surface</source>
-        <translation>Mit Einfluss darauf, was daraus wird: Abtastung von Flächen, scharfe Kanten, die Fläche</translation>
+        <source>With a say in what is made of it: columns of a text, unit, upwards, thinning, sampling of faces, sharp edges, the surface</source>
+        <translation>Mit Mitsprache, was daraus wird: Spalten eines Textes, Einheit, Oben, Ausdünnen, Abtasten von Flächen, scharfe Kanten, die Fläche</translation>
     </message>
     <message>
         <source>With every tool.</source>
@@ -4241,10 +4277,6 @@
         <translation>die Punkte nach einem davon färben</translation>
     </message>
     <message>
-        <source>content hash that the opened model must have</source>
-        <translation>Prüfsumme des Inhalts, die das geöffnete Modell haben muss</translation>
-    </message>
-    <message>
         <source>curvature from which they are masked fully</source>
         <translation>Krümmung, ab der sie ganz maskiert sind</translation>
     </message>
@@ -4283,10 +4315,6 @@
     <message>
         <source>file to open, in any readable format</source>
         <translation>Datei, die geöffnet wird, in jedem lesbaren Format</translation>
-    </message>
-    <message>
-        <source>file to read in place of path, kept by a journal</source>
-        <translation>Datei, die statt path gelesen wird, von einem Journal geführt</translation>
     </message>
     <message>
         <source>find creases in the points, in place of those that are there; give this or along</source>
@@ -4391,6 +4419,10 @@
     <message>
         <source>model units</source>
         <translation>Modelleinheiten</translation>
+    </message>
+    <message>
+        <source>model units that one unit of the file is long: .001 opens millimetres as metres; 1 by default</source>
+        <translation>Modelleinheiten, die eine Einheit der Datei lang ist: .001 öffnet Millimeter als Meter; sonst 1</translation>
     </message>
     <message>
         <source>models that are moved onto this one and added to it</source>
@@ -4625,6 +4657,10 @@
         <translation>die Achse, die nach oben zeigt</translation>
     </message>
     <message>
+        <source>the axis that is upwards; by default the file tells, or the shape</source>
+        <translation>die Achse, die nach oben zeigt; sonst sagt es die Datei oder die Form</translation>
+    </message>
+    <message>
         <source>the model that this one is moved onto; give this or moving</source>
         <translation>das Modell, auf das dieses bewegt wird; dies oder die bewegten angeben</translation>
     </message>
@@ -4651,6 +4687,10 @@
     <message>
         <source>the points where nx*x + ny*y + nz*z = d, as nx,ny,nz,d</source>
         <translation>die Punkte, wo nx*x + ny*y + nz*z = d, als nx,ny,nz,d</translation>
+    </message>
+    <message>
+        <source>thin points to those that are no closer than this to each other; LAS while it is read, however large it is</source>
+        <translation>auf Punkte ausdünnen, die einander nicht näher sind als so; LAS beim Lesen, so groß es auch ist</translation>
     </message>
     <message>
         <source>thin to points that are no closer than this to each other</source>
@@ -4703,6 +4743,10 @@
     <message>
         <source>what is still no outlier; statistical and surface: standard deviations (4), radius: others around (6), islands: points of a piece (the square root of the largest piece's)</source>
         <translation>was noch kein Ausreißer ist; Statistisch und Fläche: Standardabweichungen (4), Radius: andere ringsum (6), Inseln: Punkte eines Stücks (Wurzel der Punktzahl des größten)</translation>
+    </message>
+    <message>
+        <source>what the columns of a text file are, each by a name, such as x,y,z,-,red,green,blue; - leaves one out; by default the file tells</source>
+        <translation>was die Spalten einer Textdatei sind, jede mit einem Namen, etwa x,y,z,-,red,green,blue; - lässt eine aus; sonst sagt es die Datei</translation>
     </message>
     <message>
         <source>what the frame apss fits: 1 spheres, 0 planes</source>
@@ -5281,6 +5325,10 @@
         <translation>%1 Punkte wurden verschoben und Wände aus %2 Punkten hinzugefügt; die Kanten sind scharf.</translation>
     </message>
     <message>
+        <source>%1 points were thinned to %2 while they were read.</source>
+        <translation>%1 Punkte wurden beim Lesen auf %2 ausgedünnt.</translation>
+    </message>
+    <message>
         <source>%1 smooth patches meet in creases, %2 pairs of them</source>
         <translation>%1 glatte Flächenstücke treffen sich in Falzen, in %2 Paaren</translation>
     </message>
@@ -5295,6 +5343,10 @@
     <message>
         <source>%1 triangles sampled to %2 surfels, spacing %3; --faces vertices keeps the %4 vertices.</source>
         <translation>%1 Dreiecke zu %2 Surfels abgetastet, Abstand %3; --faces vertices behält die %4 Ecken.</translation>
+    </message>
+    <message>
+        <source>%1, %2 and %3 were taken for x, y and z.</source>
+        <translation>%1, %2 und %3 wurden als x, y und z genommen.</translation>
     </message>
     <message>
         <source>Left out %1 vertices of no face; --faces vertices keeps them.</source>

@@ -88,7 +88,7 @@ class Editor : public QObject {
   Q_SIGNALS:
     void changed();                               ///< snapshot() is new
     void progressed(double share, QString doing); ///< of a running command, 0 to 1
-    void told(QString message);                   ///< one sentence for the person
+    void told(QString message);                   ///< for the person: a sentence, or a line for each of several
     void failed(QString message);                 ///< what is wrong, where, what to do
     void recorded(QString line);                  ///< a command that changed the model; long ones are shortened
     void idled();                                 ///< nothing runs or waits any more

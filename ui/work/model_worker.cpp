@@ -72,8 +72,11 @@ session::Context ModelWorker::context() {
 }
 
 void ModelWorker::tell(const std::vector<std::string>& messages) {
+    QStringList spoken;
     for (const auto& message : messages)
-        m_reports.told(spokenMessage(message));
+        spoken << spokenMessage(message);
+    if (!spoken.isEmpty())
+        m_reports.told(spoken.join('\n'));
 }
 
 // --- publishing ---

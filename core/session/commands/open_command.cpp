@@ -1,6 +1,7 @@
 #include "core/base/error.h"
 #include "core/session/commands/commands.h"
 #include "core/session/face_options.h"
+#include "core/session/read_options.h"
 #include "core/session/scene/models_read.h"
 #include "core/session/scene/scene_file.h"
 #include "core/session/surface_options.h"
@@ -53,8 +54,10 @@ static void openScene(Context& context, const std::filesystem::path& path) {
 
 static void open(Context& context, const json& complete) {
     const std::filesystem::path path = complete.at("path").get<std::string>();
-    if (opensAsScene(path))
+    if (opensAsScene(path)) {
+        refuseReadParameters(complete, path.string());
         return openScene(context, path);
+    }
     Scene scene =
         readModels(path, complete.value("source", path.string()), complete, context.messages, context.progress);
     checkHash(context, complete, contentHash(scene));
@@ -64,11 +67,12 @@ static void open(Context& context, const json& complete) {
 CommandRow openCommand() {
     static const CommandParameter own[] = {
         {"path", "path", "", "file to open, in any readable format", "", "", 0, 0},
-        {"hash", "text", "", "content hash that the opened model must have", "null", "", 0, 0},
-        {"source", "path", "", "file to read in place of path, kept by a journal", "null", "", 0, 0},
+        {"hash", "text", "", "content hash that the opened model must have", "null", "", 0, 0, true},
+        {"source", "path", "", "file to read in place of path, kept by a journal", "null", "", 0, 0, true},
     };
     static const auto parameters = [] {
         std::vector<CommandParameter> out(std::begin(own), std::end(own));
+        out.insert(out.end(), readParameters().begin(), readParameters().end());
         out.insert(out.end(), faceParameters().begin(), faceParameters().end());
         return withSurfaceParameters(out);
     }();

@@ -9,6 +9,7 @@
 #include "core/session/files_read.h"
 #include "core/session/model_argument.h"
 #include "core/session/number_lists.h"
+#include "core/session/read_options.h"
 #include "core/session/scene/models_read.h"
 #include "core/session/scene/scene_file.h"
 #include "core/session/surface_options.h"
@@ -65,6 +66,7 @@ void requireOne(const Context& context) {
 
 /// Made as `new` does it.
 Scene sampled(Context& context, const json& complete) {
+    refuseReadParameters(complete, complete.at("sample").get<std::string>());
     Document out;
     Context inner{out, context.folder, context.progress, {}, 0, {}, nullptr};
     run(inner, modelCommand("sample:" + complete.at("sample").get<std::string>()));
@@ -258,6 +260,7 @@ CommandRow sceneCommand() {
     };
     static const auto parameters = [] {
         std::vector<CommandParameter> out(std::begin(own), std::end(own));
+        out.insert(out.end(), readParameters().begin(), readParameters().end());
         out.insert(out.end(), faceParameters().begin(), faceParameters().end());
         return withSurfaceParameters(out);
     }();

@@ -1,8 +1,8 @@
 #include "core/session/scene/models_read.h"
 
-#include "core/io/formats.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/session/opened_file.h"
+#include "core/session/read_options.h"
 #include "core/session/scene/scene_ply.h"
 
 #include <nlohmann/json.hpp>
@@ -65,7 +65,7 @@ Scene modelsOf(io::FileModel whole, const std::filesystem::path& path, const jso
 
 Scene readModels(const std::filesystem::path& path, const std::filesystem::path& source, const json& parameters,
                  std::vector<std::string>& messages, const base::Progress& progress) {
-    io::FileModel file = io::read(source, process::part(progress, 0, 0.4), path.parent_path());
+    io::FileModel file = readFile(source, path.parent_path(), parameters, process::part(progress, 0, 0.4));
     return modelsOf(std::move(file), path, parameters, messages, process::part(progress, 0.4, 1));
 }
 

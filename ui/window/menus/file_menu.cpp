@@ -58,9 +58,9 @@ void addFileMenu(MainWindow& window) {
     QMenu* menu = addMenu(window, "file", QObject::tr("&File"));
     addNewMenu(window, *menu);
     addEntry(*menu, "open", QObject::tr("&Open…"), QKeySequence::Open, [&files] { files.open(); });
-    addEntry(*menu, "", QObject::tr("Open &With…"), QKeySequence("Ctrl+Alt+O"), [&files] {
-        files.openWith();
-    })->setToolTip(QObject::tr("With a say in what is made of it: sampling of faces, sharp edges, the surface"));
+    addEntry(*menu, "", QObject::tr("Open &With…"), QKeySequence("Ctrl+Alt+O"), [&files] { files.openWith(); })
+        ->setToolTip(QObject::tr("With a say in what is made of it: columns of a text, unit, upwards, thinning, "
+                                 "sampling of faces, sharp edges, the surface"));
     addRecentMenu(window, *menu);
     addEntry(*menu, "", QObject::tr("&Add Model…"), QKeySequence("Ctrl+Shift+O"), [&files] {
         files.add();
