@@ -30,6 +30,7 @@ Action addClean(OptionSet command);
 Action addMeasure(OptionSet command);
 Action addRegister(OptionSet command);
 Action addResample(OptionSet command);
+Action addShapes(OptionSet command);
 Action addQuery(OptionSet command);
 Action addIntersect(OptionSet command);
 Action addBoundary(OptionSet command);

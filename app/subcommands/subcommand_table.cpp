@@ -14,6 +14,8 @@ std::span<const SubcommandRow> subcommandTable() {
          "pointclay register side.ply back.ply --to front.ply -o all.ply --global", addRegister},
         {"measure", "Measure area, volume, distances, ways along the surface, thickness, and shapes that fit",
          "pointclay measure scan.ply area volume --to part.ply --fit cylinder", addMeasure},
+        {"shapes", "Find planes, spheres, cylinders and the like among a model's points, and number them",
+         "pointclay shapes room.e57 -o room.ply --kinds plane,cylinder --colours on", addShapes},
         {"query", "Evaluate, differentiate and project at positions, into a CSV file",
          "pointclay query bunny.ply --at points.xyz --what value,normal,project-orthogonal -o out.csv", addQuery},
         {"intersect", "Intersect rays with the surface, into a CSV file",

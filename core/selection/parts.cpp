@@ -95,10 +95,12 @@ static tree::Edit changedUnder(const SurfelTree& tree, Limit limit, double least
     return edit;
 }
 
-SurfelTree coloured(const SurfelTree& tree, surfel::Colour colour, double strength, Limit limit) {
+SurfelTree recoloured(const SurfelTree& tree, const std::function<surfel::Colour(surfel::Colour)>& colourFor,
+                      double strength, Limit limit) {
     tree::Edit edit = changedUnder(tree, limit, 0, [&](SurfelBlock& block, int slot, double weight) {
         std::uint32_t& word = block.words(slot / surfel::clusterSize, surfel::ColourWord)[slot % surfel::clusterSize];
         surfel::Colour next = word & 0xff000000u;
+        const surfel::Colour colour = colourFor(word);
         for (unsigned c = 0; c < 3; ++c) {
             const double a = static_cast<double>(word >> 8 * c & 255u), b = static_cast<double>(colour >> 8 * c & 255u);
             next |= static_cast<surfel::Colour>(std::lround(a + (b - a) * weight * strength)) << 8 * c;
@@ -111,6 +113,11 @@ SurfelTree coloured(const SurfelTree& tree, surfel::Colour colour, double streng
         edit.layout = layout;
     }
     return tree.apply(edit);
+}
+
+SurfelTree coloured(const SurfelTree& tree, surfel::Colour colour, double strength, Limit limit) {
+    return recoloured(
+        tree, [colour](surfel::Colour) { return colour; }, strength, limit);
 }
 
 SurfelTree flipped(const SurfelTree& tree, Limit limit) {

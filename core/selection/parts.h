@@ -30,6 +30,11 @@ surface::Surface asPart(const surface::Surface& whole, tree::SurfelTree part, co
 /// Colours moved towards one: by `strength`, 0 to 1, times the selection. Alpha stays.
 tree::SurfelTree coloured(const tree::SurfelTree& tree, surfel::Colour colour, double strength, Limit limit);
 
+/// Each takes the colour that `colourFor` makes of its own, `strength` of the way; alpha stays.
+tree::SurfelTree recoloured(const tree::SurfelTree& tree,
+                            const std::function<surfel::Colour(surfel::Colour)>& colourFor, double strength,
+                            Limit limit);
+
 /// Normals turned over, of surfels selected or of all.
 tree::SurfelTree flipped(const tree::SurfelTree& tree, Limit limit);
 

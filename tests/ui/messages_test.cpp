@@ -17,6 +17,7 @@ class MessagesTest : public QObject {
     void openingTellsAllThatItFound();
     void manyAreSummedUp();
     void reduceProposesAPart();
+    void severalChoicesAreAList();
 };
 
 static ui::StatusLine& statusOf(WindowFixture& f) {
@@ -58,6 +59,13 @@ void MessagesTest::reduceProposesAPart() {
     QTest::keyClicks(dialog.findChild<QLineEdit*>("count"), "500");
     const nlohmann::json command = dialog.command();
     QVERIFY(command["count"] == 500 && !command.contains("ratio"));
+}
+
+void MessagesTest::severalChoicesAreAList() {
+    WindowFixture f;
+    QVERIFY(f.make("sphere", 1000));
+    const ui::CommandDialog dialog(session::command("shapes"), f.editor().snapshot());
+    QVERIFY(dialog.command()["kinds"].dump() == R"(["plane","sphere","cylinder"])");
 }
 
 static const test::Registered<MessagesTest> registered;

@@ -32,8 +32,8 @@ static bool hasThreeNumbers(const CommandParameter& p) {
 }
 
 bool isPlace(const CommandParameter& p) {
-    constexpr std::array<std::string_view, 9> ids{"at",        "about",     "from",  "to",  "position",
-                                                  "viewpoint", "direction", "least", "most"};
+    constexpr std::array<std::string_view, 10> ids{"at",   "about",     "from",      "to",    "position",
+                                                   "grey", "viewpoint", "direction", "least", "most"};
     return hasThreeNumbers(p) && std::ranges::find(ids, p.id) != ids.end();
 }
 

@@ -31,8 +31,12 @@ static const char* find(std::span<const Words> words, std::string_view id) {
 
 /// What means something else in one command than in others.
 static constexpr Words ofCommands[] = {
+    {"blend.by", QT_TR_NOOP("Scans told apart by")},
+    {"blend.fade", QT_TR_NOOP("Points to fade out over")},
     {"crease.along", QT_TR_NOOP("Line through places")},
     {"drill.from", QT_TR_NOOP("Begins at")},
+    {"levels.balance", QT_TR_NOOP("White balance")},
+    {"levels.grey", QT_TR_NOOP("Place that is grey")},
     {"measure.to", QT_TR_NOOP("File of the other model")},
     {"mixed.limit", QT_TR_NOOP("Least step in depth")},
     {"open.path", QT_TR_NOOP("File")},
@@ -40,6 +44,9 @@ static constexpr Words ofCommands[] = {
     {"scene.by", QT_TR_NOOP("Split by")},
     {"select.of", QT_TR_NOOP("Number asked for")},
     {"select.keep", QT_TR_NOOP("Part to keep")},
+    {"shapes.fewest", QT_TR_NOOP("Points of a shape, at least")},
+    {"shapes.kinds", QT_TR_NOOP("Shapes to look for")},
+    {"shapes.tolerance", QT_TR_NOOP("Distance from a shape")},
     {"tube.along", QT_TR_NOOP("Way through places")},
     {"unit.from", QT_TR_NOOP("One place")},
     {"unit.length", QT_TR_NOOP("Known distance")},

@@ -770,6 +770,10 @@
         <translation>Zwischen Flächen</translation>
     </message>
     <message>
+        <source>Blend colours</source>
+        <translation>Farben angleichen</translation>
+    </message>
+    <message>
         <source>Block of clay</source>
         <translation>Block aus Ton</translation>
     </message>
@@ -784,6 +788,10 @@
     <message>
         <source>Bridge loops</source>
         <translation>Schleifen überbrücken</translation>
+    </message>
+    <message>
+        <source>Brightness, contrast and white balance of colours.</source>
+        <translation>Helligkeit, Kontrast und Weißabgleich der Farben.</translation>
     </message>
     <message>
         <source>Brings the surface back to what it was when the active layer began; inverted, away from it.</source>
@@ -1270,6 +1278,10 @@
         <translation>Abstand benachbarter Surfels</translation>
     </message>
     <message>
+        <source>Distance from a shape</source>
+        <translation>Abstand von einer Form</translation>
+    </message>
+    <message>
         <source>Distance from the model as it was opened or last saved: red where it was raised, blue where it was lowered</source>
         <translation>Abstand vom Modell, wie es geöffnet oder zuletzt gespeichert wurde: rot, wo es erhöht, blau, wo es vertieft wurde</translation>
     </message>
@@ -1582,8 +1594,16 @@
         <translation>Im Handbuch suchen</translation>
     </message>
     <message>
+        <source>Find shapes</source>
+        <translation>Formen finden</translation>
+    </message>
+    <message>
         <source>Find them in the points</source>
         <translation>In den Punkten suchen</translation>
+    </message>
+    <message>
+        <source>Finds planes, spheres, cylinders and the like, largest first, and numbers their points in the attribute &quot;shape&quot;.</source>
+        <translation>Findet Ebenen, Kugeln, Zylinder und dergleichen, die größten zuerst, und nummeriert ihre Punkte im Attribut „shape“.</translation>
     </message>
     <message>
         <source>First Ctrl+click on the model to choose where to copy from.</source>
@@ -2066,6 +2086,10 @@
         <translation>Lässt die Abtastung der Verformung folgen: Lücken füllen sich, Gedränge vereinigt sich.</translation>
     </message>
     <message>
+        <source>Levels</source>
+        <translation>Tonwerte</translation>
+    </message>
+    <message>
         <source>Light</source>
         <translation>Hell</translation>
     </message>
@@ -2176,6 +2200,10 @@
     <message>
         <source>Makes one solid of parts that were pushed into each other: what lies inside of another part goes.</source>
         <translation>Macht aus ineinander geschobenen Teilen einen Körper: Was in einem anderen Teil liegt, verschwindet.</translation>
+    </message>
+    <message>
+        <source>Makes scans that were taken in different light alike in colour.</source>
+        <translation>Gleicht die Farben von Scans an, die in verschiedenem Licht aufgenommen wurden.</translation>
     </message>
     <message>
         <source>Makes the model symmetric: one side and its mirror image, welded at a plane.</source>
@@ -2594,6 +2622,10 @@
         <translation>Stelle</translation>
     </message>
     <message>
+        <source>Place that is grey</source>
+        <translation>Stelle, die grau ist</translation>
+    </message>
+    <message>
         <source>Place that stays</source>
         <translation>Stelle, die bleibt</translation>
     </message>
@@ -2632,6 +2664,14 @@
     <message>
         <source>Points come and go without a trace in this shading; View &gt; Shading &gt; %1 shows how dense they are.</source>
         <translation>Punkte kommen und gehen in dieser Schattierung spurlos; Ansicht &gt; Schattierung &gt; %1 zeigt, wie dicht sie liegen.</translation>
+    </message>
+    <message>
+        <source>Points of a shape, at least</source>
+        <translation>Punkte einer Form, mindestens</translation>
+    </message>
+    <message>
+        <source>Points to fade out over</source>
+        <translation>Punkte, über die es ausläuft</translation>
     </message>
     <message>
         <source>Poisson ratio of the material: at 0.5 it keeps its volume.</source>
@@ -3033,6 +3073,10 @@
         <translation>Scans und Netze; oder eine Datei irgendwo auf das Fenster ziehen</translation>
     </message>
     <message>
+        <source>Scans told apart by</source>
+        <translation>Scans unterschieden nach</translation>
+    </message>
+    <message>
         <source>Scene, a file for each model (%1)</source>
         <translation>Szene, je Modell eine Datei (%1)</translation>
     </message>
@@ -3131,6 +3175,10 @@
     <message>
         <source>Shadows where little of the sky can be seen</source>
         <translation>Schatten, wo wenig vom Himmel zu sehen ist</translation>
+    </message>
+    <message>
+        <source>Shapes to look for</source>
+        <translation>Gesuchte Formen</translation>
     </message>
     <message>
         <source>Sharp Edges</source>
@@ -3989,6 +4037,10 @@
         <translation>Weiß und glänzend: Glanzlichter zeigen die kleinsten Dellen</translation>
     </message>
     <message>
+        <source>White balance</source>
+        <translation>Weißabgleich</translation>
+    </message>
+    <message>
         <source>With a say in what is made of it: columns of a text, unit, upwards, thinning, sampling of faces, sharp edges, the surface</source>
         <translation>Mit Mitsprache, was daraus wird: Spalten eines Textes, Einheit, Oben, Ausdünnen, Abtasten von Flächen, scharfe Kanten, die Fläche</translation>
     </message>
@@ -4133,6 +4185,10 @@
         <translation>[x,y,z]: Mittelpunkt der Kugel; wo ein Stück beginnt, sonst aus der Auswahl; die nächste Schleife dazu</translation>
     </message>
     <message>
+        <source>[x,y,z]: what stands there becomes grey, in place of the mean</source>
+        <translation>[x,y,z]: was dort steht, wird grau, statt des Mittels</translation>
+    </message>
+    <message>
         <source>[x0,y0,x1,y1], two opposite corners, from the upper left corner of the picture</source>
         <translation>[x0,y0,x1,y1], zwei gegenüberliegende Ecken, von der linken oberen Bildecke</translation>
     </message>
@@ -4175,6 +4231,10 @@
     <message>
         <source>above 0 the distance follows the curvature: the square root of tolerance over curvature, within the two limits; neighbouring distances differ by at most a tenth</source>
         <translation>über 0 folgt der Abstand der Krümmung: Wurzel aus Toleranz durch Krümmung, innerhalb der beiden Grenzen; benachbarte Abstände unterscheiden sich höchstens um ein Zehntel</translation>
+    </message>
+    <message>
+        <source>above 1 makes middle tones brighter, below 1 darker</source>
+        <translation>über 1 werden mittlere Töne heller, unter 1 dunkler</translation>
     </message>
     <message>
         <source>add the points of the model that this one was moved onto</source>
@@ -4229,6 +4289,10 @@
         <translation>am Dienst Haply Inverse</translation>
     </message>
     <message>
+        <source>attribute that tells which scan a point is of: scan of E57 and PTX, part of joined models</source>
+        <translation>Attribut, das sagt, zu welchem Scan ein Punkt gehört: scan bei E57 und PTX, part bei vereinten Modellen</translation>
+    </message>
+    <message>
         <source>axes: turn its principal axes onto x, y and z, by as little as that takes; ground: its lowest point to height 0; centre: its middle above the origin</source>
         <translation>Achsen: seine Hauptachsen auf x, y und z drehen, so wenig wie möglich; Boden: sein tiefster Punkt auf Höhe 0; Mitte: seine Mitte über den Ursprung</translation>
     </message>
@@ -4265,6 +4329,10 @@
         <translation>um das seine Achse, z, gedreht wird, um x, dann y, dann z, als x,y,z</translation>
     </message>
     <message>
+        <source>by which normals may differ from a shape's</source>
+        <translation>um den Normalen von denen einer Form abweichen dürfen</translation>
+    </message>
+    <message>
         <source>cavity: mask hollows; curvature: mask what is curved; copy: mask what is selected</source>
         <translation>Vertiefungen: Hohles maskieren; Krümmung: Gekrümmtes maskieren; Kopieren: Ausgewähltes maskieren</translation>
     </message>
@@ -4275,6 +4343,10 @@
     <message>
         <source>colour the points by one of them</source>
         <translation>die Punkte nach einem davon färben</translation>
+    </message>
+    <message>
+        <source>colours the points by shape; grey are those of none</source>
+        <translation>färbt die Punkte nach ihrer Form; grau sind die ohne eine</translation>
     </message>
     <message>
         <source>curvature from which they are masked fully</source>
@@ -4349,6 +4421,10 @@
         <translation>wie weit von einem Rand; ohne Angabe die letzten Reihen von Surfels</translation>
     </message>
     <message>
+        <source>how far from a shape a point of it may be; of each point its own unless told, from noise and spacing there</source>
+        <translation>wie weit ein Punkt von seiner Form entfernt sein darf; sonst für jeden Punkt aus Rauschen und Abstand an seiner Stelle</translation>
+    </message>
+    <message>
         <source>how far normals may differ on one side of an edge, for the frame rimls</source>
         <translation>wie sehr Normalen auf einer Seite einer Kante abweichen dürfen, für die Methode rimls</translation>
     </message>
@@ -4391,6 +4467,14 @@
     <message>
         <source>least value of it</source>
         <translation>kleinster Wert davon</translation>
+    </message>
+    <message>
+        <source>level that becomes black; auto: half a percent are darker</source>
+        <translation>Wert, der schwarz wird; auto: ein halbes Prozent ist dunkler</translation>
+    </message>
+    <message>
+        <source>level that becomes white; auto: half a percent are brighter</source>
+        <translation>Wert, der weiß wird; auto: ein halbes Prozent ist heller</translation>
     </message>
     <message>
         <source>longest distance, where it follows the curvature</source>
@@ -4553,6 +4637,14 @@
         <translation>Ebene: der nächsten Punkte; Gekrümmt: einer gekrümmten Anpassung an sie; Gitter: aus Zeilen und Spalten eines Scans; Standpunkt: Ebene, zum Scanner blickend</translation>
     </message>
     <message>
+        <source>points of a shape; a hundredth of all unless told</source>
+        <translation>Punkte einer Form; sonst ein Hundertstel von allen</translation>
+    </message>
+    <message>
+        <source>points over which what still differs fades out; 0: brightness of whole scans alone</source>
+        <translation>Punkte, über die ausläuft, was noch verschieden ist; 0: nur die Helligkeit ganzer Scans</translation>
+    </message>
+    <message>
         <source>px</source>
         <translation>px</translation>
     </message>
@@ -4647,6 +4739,10 @@
     <message>
         <source>take out mixed pixels: half on the near, half on the far side of an edge in depth</source>
         <translation>Mischpixel entfernen: halb auf der nahen, halb auf der fernen Seite eines Tiefensprungs</translation>
+    </message>
+    <message>
+        <source>takes out a cast: what is changed becomes grey in the mean</source>
+        <translation>nimmt einen Farbstich heraus: was geändert wird, wird im Mittel grau</translation>
     </message>
     <message>
         <source>takes what is hidden, too</source>
@@ -4811,6 +4907,10 @@
     <message>
         <source>which model, the active one unless told; add: what the new one is called</source>
         <translation>welches Modell, ohne Angabe das aktive; Hinzufügen: wie das neue heißt</translation>
+    </message>
+    <message>
+        <source>which shapes to look for</source>
+        <translation>nach welchen Formen gesucht wird</translation>
     </message>
     <message>
         <source>which side is kept and mirrored; above is where the plane's normal points to</source>
@@ -5599,6 +5699,10 @@
         <translation>Ausschlag</translation>
     </message>
     <message>
+        <source>Black</source>
+        <translation>Schwarz</translation>
+    </message>
+    <message>
         <source>Chamfer</source>
         <translation>Fase</translation>
     </message>
@@ -5645,6 +5749,10 @@
     <message>
         <source>From</source>
         <translation>Von</translation>
+    </message>
+    <message>
+        <source>Gamma</source>
+        <translation>Gamma</translation>
     </message>
     <message>
         <source>Hash</source>
@@ -5788,6 +5896,10 @@
     <message>
         <source>Averaging</source>
         <translation>Mittelt</translation>
+    </message>
+    <message>
+        <source>Blending colours</source>
+        <translation>Gleicht Farben an</translation>
     </message>
     <message>
         <source>Checking</source>
@@ -5964,6 +6076,10 @@
     <message>
         <source>Looking for room</source>
         <translation>Sucht Platz</translation>
+    </message>
+    <message>
+        <source>Looking for shapes</source>
+        <translation>Sucht Formen</translation>
     </message>
     <message>
         <source>Looking for swarms</source>

@@ -9,18 +9,18 @@ namespace session {
 
 std::span<const CommandRow> commandTable() {
     static const std::array rows{
-        openCommand(),       newCommand(),       saveCommand(),     surfaceCommand(), strokeCommand(),
-        touchCommand(),      resampleCommand(),  reduceCommand(),   refineCommand(),  fillCommand(),
-        bridgeCommand(),     extrudeCommand(),   cutCommand(),      trimCommand(),    solidCommand(),
-        primitiveCommand(),  drillCommand(),     tubeCommand(),     mergeCommand(),   mirrorCommand(),
-        hollowCommand(),     creaseCommand(),    registerCommand(), measureCommand(), cleanCommand(),
-        duplicatesCommand(), mixedCommand(),     outliersCommand(), denoiseCommand(), thinCommand(),
-        normalsCommand(),    orientCommand(),    upCommand(),       selectCommand(),  selectionCommand(),
-        maskCommand(),       deleteCommand(),    keepCommand(),     hideCommand(),    showCommand(),
-        duplicateCommand(),  transformCommand(), colourCommand(),   flipCommand(),    smoothCommand(),
-        sharpenCommand(),    inflateCommand(),   noiseCommand(),    alignCommand(),   unitCommand(),
-        shellCommand(),      layerCommand(),     sceneCommand(),    undoCommand(),    redoCommand(),
-        expectCommand()};
+        openCommand(),      newCommand(),       saveCommand(),       surfaceCommand(),   strokeCommand(),
+        touchCommand(),     resampleCommand(),  reduceCommand(),     refineCommand(),    fillCommand(),
+        bridgeCommand(),    extrudeCommand(),   cutCommand(),        trimCommand(),      solidCommand(),
+        primitiveCommand(), drillCommand(),     tubeCommand(),       mergeCommand(),     mirrorCommand(),
+        hollowCommand(),    creaseCommand(),    registerCommand(),   blendCommand(),     measureCommand(),
+        shapesCommand(),    cleanCommand(),     duplicatesCommand(), mixedCommand(),     outliersCommand(),
+        denoiseCommand(),   thinCommand(),      normalsCommand(),    orientCommand(),    upCommand(),
+        selectCommand(),    selectionCommand(), maskCommand(),       deleteCommand(),    keepCommand(),
+        hideCommand(),      showCommand(),      duplicateCommand(),  transformCommand(), colourCommand(),
+        levelsCommand(),    flipCommand(),      smoothCommand(),     sharpenCommand(),   inflateCommand(),
+        noiseCommand(),     alignCommand(),     unitCommand(),       shellCommand(),     layerCommand(),
+        sceneCommand(),     undoCommand(),      redoCommand(),       expectCommand()};
     return rows;
 }
 

@@ -13,8 +13,9 @@ std::span<const ModelGroup> modelGroups() {
         {"holes-and-cuts", QT_TR_NOOP("Holes and &Cuts"), "fill bridge cut trim mirror"},
         {"solids", QT_TR_NOOP("S&olids"), "solid primitive drill tube merge hollow shell extrude"},
         {"shape", QT_TR_NOOP("S&hape"), "transform align unit smooth sharpen inflate noise crease"},
-        {"selected", QT_TR_NOOP("What Is S&elected"), "delete keep hide show duplicate colour select selection mask"},
-        {"compare", QT_TR_NOOP("Co&mpare"), "measure register"},
+        {"selected", QT_TR_NOOP("What Is S&elected"),
+         "delete keep hide show duplicate colour levels select selection mask"},
+        {"compare", QT_TR_NOOP("Co&mpare"), "measure shapes register blend"},
         {"further", QT_TR_NOOP("&Further"), ""},
     };
     return rows;
