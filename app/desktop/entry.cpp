@@ -24,23 +24,47 @@ static std::vector<std::string> ownExtensions(const io::FormatRow& row) {
     return out;
 }
 
-static std::string mimeOf(const io::FormatRow& row) {
-    const std::string id = row.id;
-    const bool registered = id == "obj" || id == "stl";
-    return (registered ? "model/" : "model/x-") + id;
+namespace {
+
+struct Type {
+    std::string mime, label;
+    std::vector<std::string> extensions;
+};
+
+/// Types that the desktop knows already keep their names: a second one beside them would open nothing.
+std::string mimeOf(const io::FormatRow& row, const std::string& extension) {
+    static constexpr std::pair<const char*, const char*> registered[] = {{"obj", "model/obj"},
+                                                                         {"stl", "model/stl"},
+                                                                         {"3mf", "model/3mf"},
+                                                                         {"glb", "model/gltf-binary"},
+                                                                         {"gltf", "model/gltf+json"}};
+    for (const auto& [known, mime] : registered)
+        if (extension == known)
+            return mime;
+    return std::string("model/x-") + row.id;
 }
 
-template <class Fn>
-static void forReadable(const Fn& fn) {
+/// Of all that can be read, in the order of the table of formats.
+std::vector<Type> types() {
+    std::vector<Type> out;
     for (const io::FormatRow& row : io::formatTable())
-        if (row.read && !ownExtensions(row).empty())
-            fn(row);
+        for (const std::string& extension : row.read ? ownExtensions(row) : std::vector<std::string>()) {
+            const std::string mime = mimeOf(row, extension);
+            auto at = std::find_if(out.begin(), out.end(), [&](const Type& each) { return each.mime == mime; });
+            if (at == out.end())
+                at = out.insert(out.end(), {mime, row.label, {}});
+            at->extensions.push_back(extension);
+        }
+    return out;
 }
+
+} // namespace
 
 static std::string typesList() {
-    std::string types;
-    forReadable([&](const io::FormatRow& row) { types += mimeOf(row) + ";"; });
-    return types;
+    std::string out;
+    for (const Type& type : types())
+        out += type.mime + ";";
+    return out;
 }
 
 std::string desktopEntry() {
@@ -53,12 +77,12 @@ std::string desktopEntry() {
 std::string mimeTypes() {
     std::string out = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
                       "<mime-info xmlns=\"http://www.freedesktop.org/standards/shared-mime-info\">\n";
-    forReadable([&](const io::FormatRow& row) {
-        out += "  <mime-type type=\"" + mimeOf(row) + "\">\n    <comment>" + escapedMarkup(row.label) + "</comment>\n";
-        for (const std::string& extension : ownExtensions(row))
+    for (const Type& type : types()) {
+        out += "  <mime-type type=\"" + type.mime + "\">\n    <comment>" + escapedMarkup(type.label) + "</comment>\n";
+        for (const std::string& extension : type.extensions)
             out += "    <glob pattern=\"*." + extension + "\"/>\n";
         out += "  </mime-type>\n";
-    });
+    }
     return out + "</mime-info>\n";
 }
 
@@ -69,8 +93,9 @@ std::string thumbnailer() {
 }
 
 std::string softwarePage() {
-    std::string types;
-    forReadable([&](const io::FormatRow& row) { types += "    <mediatype>" + mimeOf(row) + "</mediatype>\n"; });
+    std::string mediatypes;
+    for (const Type& type : types())
+        mediatypes += "    <mediatype>" + type.mime + "</mediatype>\n";
     return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<component type=\"desktop-application\">\n"
            "  <id>pointclay.desktop</id>\n  <metadata_license>CC0-1.0</metadata_license>\n"
            "  <project_license>GPL-3.0-or-later</project_license>\n  <name>Pointclay</name>\n"
@@ -79,7 +104,7 @@ std::string softwarePage() {
            "repair, measure and sculpt them, with undo and without a mesh in between.</p>\n  </description>\n"
            "  <launchable type=\"desktop-id\">pointclay.desktop</launchable>\n"
            "  <content_rating type=\"oars-1.1\"/>\n  <provides>\n    <binary>pointclay</binary>\n" +
-           types + "  </provides>\n</component>\n";
+           mediatypes + "  </provides>\n</component>\n";
 }
 
 } // namespace app

@@ -17,6 +17,7 @@ class DesktopFilesTest : public QObject {
     Q_OBJECT
   private Q_SLOTS:
     void theEntryOpensWhatMimeTypesDescribe();
+    void typesThatTheDesktopKnowsKeepTheirNames();
     void theManualHasEverySubcommandAndFormat();
     void noLineOfTheManualIsARequestByAccident();
     void completionsAreTheSubcommands();
@@ -45,6 +46,19 @@ void DesktopFilesTest::theEntryOpensWhatMimeTypesDescribe() {
     QCOMPARE(described, opened);
     QVERIFY(patterns.contains("*.ply") && patterns.contains("*.xyz") && !patterns.contains("*.txt"));
     QCOMPARE(QSet<QString>(patterns.begin(), patterns.end()).size(), patterns.size());
+}
+
+/// Of shared-mime-info: beside a second name for it a file of that kind would still be the first.
+void DesktopFilesTest::typesThatTheDesktopKnowsKeepTheirNames() {
+    const QString types = QString::fromStdString(app::mimeTypes());
+    for (const auto& [type, pattern] : {std::pair{"model/gltf-binary", "*.glb"},
+                                        {"model/gltf+json", "*.gltf"},
+                                        {"model/3mf", "*.3mf"},
+                                        {"model/obj", "*.obj"},
+                                        {"model/stl", "*.stl"}}) {
+        const QString own = types.section(QString("\"%1\"").arg(type), 1).section("</mime-type>", 0, 0);
+        QVERIFY2(own.contains(QString("\"%1\"").arg(pattern)), type);
+    }
 }
 
 void DesktopFilesTest::theManualHasEverySubcommandAndFormat() {
