@@ -1,6 +1,6 @@
 #include "core/selection/levels.h"
 
-#include "core/base/srgb.h"
+#include "core/surfel/colour_light.h"
 
 #include <algorithm>
 #include <array>
@@ -9,15 +9,8 @@
 namespace selection {
 
 using base::Vec3d;
-using surfel::Colour, surfel::SurfelBlock;
+using surfel::Colour, surfel::lightOf, surfel::SurfelBlock;
 using tree::SurfelTree;
-
-static Vec3d lightOf(Colour colour) {
-    const auto channel = [&](unsigned c) {
-        return static_cast<double>(base::linearOf(static_cast<float>(colour >> 8 * c & 255u) / 255.0f));
-    };
-    return {channel(0), channel(1), channel(2)};
-}
 
 /// Of each channel, 0 to 255, not rounded.
 static Vec3d gained(Colour colour, const Vec3d& gain) {

@@ -1,7 +1,7 @@
 // Scans in different light, blended.
 #include "core/base/random.h"
-#include "core/base/srgb.h"
 #include "core/process/registering/colour_blend.h"
+#include "core/surfel/colour_light.h"
 #include "support/registry.h"
 #include "support/threads.h"
 
@@ -34,13 +34,6 @@ surfel::Colour colourOf(const Vec3d& light) {
         return static_cast<std::uint8_t>(std::lround(255 * base::srgbOf(std::clamp(v, 0.0, 1.0))));
     };
     return surfel::rgba(level(light.x), level(light.y), level(light.z));
-}
-
-Vec3d lightOf(surfel::Colour colour) {
-    const auto channel = [&](unsigned c) {
-        return static_cast<double>(base::linearOf(static_cast<float>(colour >> 8 * c & 255u) / 255.0f));
-    };
-    return {channel(0), channel(1), channel(2)};
 }
 
 /// Three strips of a picture, each with a third of the next, the middle one in the light `gain`; `tilt`: it is brighter
@@ -106,7 +99,7 @@ void ColourBlendTest::whatIsLeftFadesOut() {
     // Far from where they overlap a scan is as it was.
     for (std::size_t i = 0; i < scans.scanOf.size(); ++i)
         if (scans.points.items[i].position.x < 0.4f)
-            QVERIFY(length(lightOf(soft.colours[i]) - lightOf(plain.colours[i])) < 0.01);
+            QVERIFY(length(surfel::lightOf(soft.colours[i]) - surfel::lightOf(plain.colours[i])) < 0.01);
 }
 
 void ColourBlendTest::scansApartKeepTheirColours() {

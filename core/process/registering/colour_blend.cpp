@@ -1,10 +1,10 @@
 #include "core/process/registering/colour_blend.h"
 
 #include "core/base/parallel.h"
-#include "core/base/srgb.h"
 #include "core/process/cleaning/spread.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/process/neighbours/knn.h"
+#include "core/surfel/colour_light.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@
 namespace process {
 
 using base::Vec3d;
-using surfel::Colour;
+using surfel::Colour, surfel::lightOf;
 
 namespace {
 
@@ -24,13 +24,6 @@ constexpr double dark = 2.0 / 255; // linear light below which factors say littl
 struct Pair {
     std::uint32_t a, b;
 };
-
-Vec3d lightOf(Colour colour) {
-    const auto channel = [&](unsigned c) {
-        return static_cast<double>(base::linearOf(static_cast<float>(colour >> 8 * c & 255u) / 255.0f));
-    };
-    return {channel(0), channel(1), channel(2)};
-}
 
 Vec3d levelsOf(const Vec3d& light) {
     const auto out = [](double v) { return 255 * base::srgbOf(std::clamp(v, 0.0, 1.0)); };
