@@ -3,9 +3,11 @@
 #include "core/base/parallel.h"
 #include "core/sculpt/tools/deform.h"
 #include "core/sculpt/tools/gather.h"
-#include "core/surface/projection/project.h"
+#include "core/sculpt/tools/layer_feet.h"
+#include "core/tree/nearest_together.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <unordered_map>
 
@@ -26,8 +28,7 @@ struct Left {
 /// What the stroke has found out about a surfel. Moved along its normal, it keeps its foot.
 struct Footing {
     enum class State : std::uint8_t { Unknown, Found, None } state = State::Unknown;
-    base::Vec3f foot, normal; ///< on the version that the stroke began on; its unit gradient
-    base::Mat3f bend;         ///< the gradient of the model's normal there, turned as `normal` is
+    LayerFoot on; ///< the version that the stroke began on
     Left left;
     std::size_t dabs = 0; ///< of the past that `left` knows
 };
@@ -40,6 +41,7 @@ struct Memory : ToolMemory {
     };
     std::unordered_map<const surfel::SurfelBlock*, Known> blocks;
     std::vector<PastDab> past; ///< with centres on the first version
+    tree::SurfelTree last;     ///< that the last dab left, all of whose surfels under the brush are known
 
     std::vector<Footing>& around(const surfel::BlockPtr& block) {
         Known& known = blocks[block.get()];
@@ -49,18 +51,8 @@ struct Memory : ToolMemory {
     }
 };
 
-std::vector<surface::Projection<float>> feetOf(const surface::Surface& first, std::span<const base::Vec3f> places) {
-    surface::ProjectOptions options;
-    options.tolerance = 1e-5;
-    options.checkBoundary = false;
-    std::vector<surface::Projection<float>> out(places.size());
-    surface::project(first, places, options, out);
-    return out;
-}
-
 PastDab onFirst(const surface::Surface& first, PastDab dab) {
-    const auto foot = feetOf(first, {&dab.centre, 1});
-    dab.centre = foot[0].ok() ? foot[0].foot : dab.centre;
+    dab.centre = layerFoot(first, dab.centre).value_or(dab.centre);
     dab.strength = std::min(1.0f, std::abs(dab.strength));
     return dab;
 }
@@ -79,18 +71,61 @@ void multiply(const Brush& brush, const PastDab& dab, const base::Vec3f& q, Left
     out.value *= factor;
 }
 
-Footing footingOf(const surface::Projection<float>& foot) {
-    Footing out;
-    out.normal = normalized(foot.at.gradient);
-    out.state = foot.ok() && out.normal != base::Vec3f{} ? Footing::State::Found : Footing::State::None;
-    if (out.state == Footing::State::None)
-        return out;
-    out.foot = foot.foot;
-    const base::Mat3f flat = base::Mat3f::identity() - outer(out.normal, out.normal);
-    out.bend =
-        flat * (dot(foot.at.normal, out.normal) < 0 ? foot.at.normalGradient * -1.0f : foot.at.normalGradient) * flat;
-    return out;
-}
+/// How many of the nearest are asked whether they are known.
+constexpr std::size_t asked = 8;
+/// Normals of one sheet.
+constexpr float alike = 0.17f;
+
+/// What a stroke knows of surfels that stand in other blocks by now, or that its resampling has moved or made: the same
+/// place has the same foot, another the foot of its nearest neighbour, as far beside it as the two are apart. What lies
+/// where it lay at the beginning is looked for there.
+class Remembering {
+  public:
+    Remembering(const Memory& memory, const tree::SurfelTree& began)
+        : m_memory(memory), m_layout(*began.layout()), m_around(memory.last, asked), m_began(began, 1) {}
+
+    struct Wanted {
+        base::Vec3f place, normal;
+        Footing* footing;
+        base::Vec3f start; ///< where its foot is looked for
+    };
+    /// At most 16.
+    void recall(std::span<Wanted> some) {
+        std::array<base::Vec3f, surfel::clusterSize> places;
+        for (std::size_t i = 0; i < some.size(); ++i)
+            places[i] = some[i].place;
+        m_around.at(std::span(places).first(some.size()));
+        m_began.at(std::span(places).first(some.size()));
+        for (std::size_t i = 0; i < some.size(); ++i)
+            if (const auto before = m_began.of(i); before.empty() || before[0].distanceSq > 0)
+                recallOne(some[i], m_around.of(i));
+    }
+
+  private:
+    void recallOne(Wanted& each, std::span<const tree::Neighbour> near) const {
+        for (const tree::Neighbour& other : near) {
+            const auto known = m_memory.blocks.find(other.block);
+            if (known == m_memory.blocks.end())
+                continue;
+            const Footing& its = known->second.of[static_cast<std::size_t>(other.slot)];
+            if (its.state != Footing::State::Found || !sameSheet(each.normal, other.block->normal(other.slot)))
+                continue;
+            if (other.distanceSq == 0)
+                *each.footing = its;
+            else
+                each.start = each.place - (other.block->position(other.slot) - its.on.foot);
+            return;
+        }
+    }
+    bool sameSheet(const base::Vec3f& a, const base::Vec3f& b) const {
+        const float c = dot(a, b);
+        return !m_layout.normals || (m_layout.oriented ? c : std::abs(c)) > alike;
+    }
+
+    const Memory& m_memory;
+    const surfel::AttributeLayout& m_layout;
+    tree::NearestTogether m_around, m_began;
+};
 
 /// The dab, with what is known of each surfel in the list brought up to date.
 class Layering {
@@ -109,7 +144,7 @@ class Layering {
             for (std::size_t i = list.first[b]; i < list.first[b + 1]; ++i)
                 m_footings[i] = &of[static_cast<std::size_t>(list.slots[i])];
         }
-        find(first, list);
+        find(first, blocks, list);
         base::parallelFor(m_footings.size(), 64, [&](std::size_t i) { bringUpToDate(*m_footings[i]); });
     }
 
@@ -119,14 +154,14 @@ class Layering {
         const Footing& of = *m_footings[i];
         if (of.state != Footing::State::Found)
             return false;
-        const float side = dot(of.normal, outwards) < 0 ? -1.0f : 1.0f;
-        const base::Vec3f n = of.normal * side;
-        const base::Mat3f bend = of.bend * side;
+        const float side = dot(of.on.normal, outwards) < 0 ? -1.0f : 1.0f;
+        const base::Vec3f n = of.on.normal * side;
+        const base::Mat3f bend = of.on.bend * side;
         const base::Mat3f flat = base::Mat3f::identity() - outer(n, n);
-        const base::Mat3f toFoot = inverse(base::Mat3f::identity() + bend * dot(n, p - of.foot)) * flat;
+        const base::Mat3f toFoot = inverse(base::Mat3f::identity() + bend * dot(n, p - of.on.foot)) * flat;
         // P_k - P_{k-1} at the foot, and its gradient.
         Left now;
-        multiply(m_brush, m_now, of.foot, now);
+        multiply(m_brush, m_now, of.on.foot, now);
         const float step = of.left.value * (1 - now.value);
         const base::Vec3f slope = of.left.slope * (1 - now.value) - now.slope * of.left.value;
         shift = n * (height * step);
@@ -135,20 +170,50 @@ class Layering {
     }
 
   private:
-    void find(const surface::Surface& first, const Gathered& list) {
-        std::vector<std::size_t> fresh;
-        std::vector<base::Vec3f> places;
-        for (std::size_t i = 0; i < m_footings.size(); ++i)
-            if (m_footings[i]->state == Footing::State::Unknown)
-                fresh.push_back(i), places.push_back(list.places[i]);
-        const auto feet = feetOf(first, places);
-        for (std::size_t k = 0; k < fresh.size(); ++k)
-            *m_footings[fresh[k]] = footingOf(feet[k]);
+    using Wanted = Remembering::Wanted;
+
+    void find(const surface::Surface& first, const std::vector<BrushBlock>& blocks, const Gathered& list) {
+        const tree::SurfelTree& began = first.tree();
+        std::vector<Wanted> moved, there;
+        for (std::size_t b = 0; b < blocks.size(); ++b) {
+            const surfel::SurfelBlock& block = *blocks[b].block;
+            const std::uint32_t number = blocks[b].number;
+            const bool asItWas = number < began.blockCount() && began.block(number).get() == &block;
+            for (std::size_t i = list.first[b]; i < list.first[b + 1]; ++i)
+                if (m_footings[i]->state == Footing::State::Unknown)
+                    (asItWas ? there : moved)
+                        .push_back({list.places[i], block.normal(list.slots[i]), m_footings[i], list.places[i]});
+        }
+        remember(began, moved);
+        for (const Wanted& each : moved)
+            if (each.footing->state == Footing::State::Unknown)
+                there.push_back(each);
+        measure(first, there);
+    }
+    void remember(const tree::SurfelTree& began, std::vector<Wanted>& moved) const {
+        if (m_memory.last.empty())
+            return;
+        base::parallelChunks(
+            moved.size(), 16 * surfel::clusterSize, [&](std::size_t begin, std::size_t end, std::size_t) {
+                Remembering memory(m_memory, began);
+                for (std::size_t i = begin; i < end; i += surfel::clusterSize)
+                    memory.recall(std::span(moved).subspan(i, std::min<std::size_t>(surfel::clusterSize, end - i)));
+            });
+    }
+    static void measure(const surface::Surface& first, const std::vector<Wanted>& wanted) {
+        std::vector<base::Vec3f> starts, places;
+        for (const Wanted& each : wanted)
+            starts.push_back(each.start), places.push_back(each.place);
+        const auto feet = layerFeet(first, starts, places);
+        for (std::size_t k = 0; k < feet.size(); ++k) {
+            wanted[k].footing->state = feet[k] ? Footing::State::Found : Footing::State::None;
+            wanted[k].footing->on = feet[k].value_or(LayerFoot{});
+        }
     }
     void bringUpToDate(Footing& of) const {
         for (; of.dabs < m_memory.past.size(); ++of.dabs)
             if (of.state == Footing::State::Found)
-                multiply(m_brush, m_memory.past[of.dabs], of.foot, of.left);
+                multiply(m_brush, m_memory.past[of.dabs], of.on.foot, of.left);
     }
 
     const Brush m_brush;
@@ -167,6 +232,7 @@ void follow(Memory& memory, const tree::SurfelTree& tree, const tree::Edit& edit
         memory.blocks.erase(known);
         memory.blocks.insert_or_assign(each.changed.get(), std::move(moved));
     }
+    memory.last = tree.apply(edit);
 }
 
 } // namespace
