@@ -5,6 +5,7 @@
 #include "core/process/resampling/resample.h"
 #include "core/sculpt/block_memo.h"
 #include "core/sculpt/tools/inside.h"
+#include "core/sculpt/tools/settled.h"
 #include "core/surfel/shape.h"
 
 #include <algorithm>
@@ -23,6 +24,8 @@ constexpr float margin = 1.5f;
 /// Where the stroke found a sampling that differs by more than this from the centre's, a dab does less and less, up to
 /// where it does nothing: searches reach as far as the coarsest asks, and there the stroke has not come yet.
 constexpr float alike = 1.6f, unlike = 2.5f;
+/// So near to what a stroke is to leave, in parts of it, a surfel has its support.
+constexpr float near = 0.04f;
 /// Supports under a brush that differ by less are one.
 constexpr float even = 1.2f;
 
@@ -46,7 +49,7 @@ struct Aim {
 };
 
 /// Supports where the stroke began, and what it has found of them around the surfels that the last dab looked at.
-struct Found : ToolMemory {
+struct Found {
     process::SpacingField field;
     BlockMemo<float> known;
 
@@ -66,6 +69,12 @@ struct Found : ToolMemory {
         const float* const has = known.find(block, slot);
         return has ? *has : field.at(block.position(slot));
     }
+};
+
+struct DensityMemory : ToolMemory {
+    Found found;
+    Settled settled;
+    DensityMemory(const surface::Surface& began, const Dab& dab) : found(began), settled(dab.centre, dab.radius) {}
 };
 
 /// The aims of a dab, place by place: where the stroke found an even sampling, one for all.
@@ -99,6 +108,10 @@ class Aims {
     }
     float support(const surfel::SurfelBlock& block, int slot) const {
         return support(block, slot, block.position(slot));
+    }
+    bool reached(const surfel::SurfelBlock& block, int slot) const {
+        const float present = block.support(slot);
+        return std::abs(support(block, slot) - present) < near * present;
     }
     /// And of those that are new, in parallel.
     void grade(std::span<surfel::Surfel> born) const {
@@ -204,14 +217,18 @@ tree::Selection concerned(const tree::SurfelTree& tree, const Brush& brush, cons
 }
 
 /// Each place to its own aim.
-tree::Edit byPlaces(const surface::Surface& version, const Brush& brush, const Aims& aims, Found& found,
-                    process::ResampleOptions options) {
+tree::Edit byPlaces(const surface::Surface& version, const Brush& brush, const Aims& aims, const Aims& goals,
+                    DensityMemory& memory, process::ResampleOptions options) {
+    Found& found = memory.found;
     const tree::SurfelTree& tree = version.tree();
     const float perSpacing = process::supportOf(version.definition(), 1.0f);
     std::vector<surfel::BlockPtr> around = blocksAround(tree, brush.centre, brush.radius);
     found.measure(around);
     options.spacing = options.support = 0; // supports follow in `graded`
-    const tree::Selection which = concerned(tree, brush, aims, perSpacing, options.spacing);
+    const tree::Selection which =
+        memory.settled.drop(tree, concerned(tree, brush, aims, perSpacing, options.spacing),
+                            {brush.centre, brush.radius - margin * options.spacing},
+                            [&](const surfel::SurfelBlock& block, int slot) { return goals.reached(block, slot); });
     around = blocksAround(tree, brush.centre, brush.radius + inTheWay * options.spacing);
     found.known.keepOnly(around);
     found.measure(around);
@@ -245,16 +262,24 @@ static tree::Edit density(const surface::Surface& version, const Dab& dab) {
     if (dab.strength > 0)
         options.order = process::Order::RelaxFirst;
     const Aim aim{dab.centre, dab.radius, process::supportOf(definition, first), options.support};
+    const Aim end{dab.centre, dab.radius, aim.from, process::supportOf(definition, goal)};
+    std::unique_ptr<ToolMemory> once;
+    auto& memory = memoryOf<DensityMemory>(dab, once, began, dab);
     if (!oneSupport && uneven(began.tree(), brush)) {
         const float reach = process::reachByChance(began, dab.centre);
-        std::unique_ptr<ToolMemory> once;
-        Found& found = memoryOf<Found>(dab, once, began);
-        return byPlaces(version, brush, Aims(aim, found, factor / reach, change), found, options);
+        const Found& found = memory.found;
+        return byPlaces(version, brush, Aims(aim, found, factor / reach, change),
+                        Aims(end, found, factor / reach, std::numeric_limits<float>::infinity()), memory, options);
     }
     // Coarse sampling begins only where the supports are wide enough for it.
     const float ramp = oneSupport ? 0.0f : std::max(0.0f, aim.to - aim.from) / grading;
     const float within = dab.radius - std::max(ramp, margin * std::max(present, options.spacing));
-    tree::Edit edit = process::resample(version, inside(version.tree(), brush, within), options);
+    tree::Selection which = inside(version.tree(), brush, within);
+    if (!oneSupport)
+        which = memory.settled.drop(
+            version.tree(), std::move(which), {dab.centre, within},
+            [&, goals = Aims(end)](const surfel::SurfelBlock& block, int slot) { return goals.reached(block, slot); });
+    tree::Edit edit = process::resample(version, which, options);
     return oneSupport ? edit : graded(version.tree(), brush, Aims(aim), std::move(edit));
 }
 
