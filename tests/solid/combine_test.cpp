@@ -35,6 +35,7 @@ class CombineTest : public QObject {
     void bothSidesOfASeamAreItsCells();
     void facesThatCoincideStayOnce();
     void halfABallHasHalfItsVolume();
+    void slicesOfBallsHaveTheirArea();
     void closedModelsEndWhereTheyAreCut();
     void capsAreAsDenseAsTheModelBeside();
     void capsGoOnInTheColoursBesideThem();
@@ -256,6 +257,34 @@ void CombineTest::halfABallHasHalfItsVolume() {
     const solid::Combined cup = solid::cutByPlane(ball, {{0, 0, 1}, 0.1}, open);
     QCOMPARE(cup.inserted, std::size_t(0));
     QVERIFY(std::isfinite(cup.surface.definition().boundaryLimit));
+}
+
+/// The smooth surface has gaps at acute edges, which meshes bridge; what bridges them comes to the edge as well. What is
+/// told of the error is of the size of the true one, not that of strips beside the edge.
+void CombineTest::slicesOfBallsHaveTheirArea() {
+    base::Random random(test::seed());
+    for (const double offset : {0.2, 0.5, 0.8}) { // edges of 78, 60, 37 degrees
+        const double s = test::sanitized ? 0.09 : 0.05;
+        const Vec3d normal = random.unitVector();
+        const mesh::Extent extent =
+            mesh::extentOf(solid::cutByPlane(shapeAt("ball", {1, 0, 0}, s), {normal, offset}).surface);
+        const double height = 1 - offset, wanted = 2 * pi * height + pi * (1 - offset * offset),
+                     volume = pi * height * height * (3 - height) / 3;
+        const QByteArray told = QString("offset %1: area %2 +- %3 for %4, volume %5 +- %6 for %7, seed %8")
+                                    .arg(offset)
+                                    .arg(extent.area)
+                                    .arg(extent.areaError)
+                                    .arg(wanted)
+                                    .arg(extent.volume)
+                                    .arg(extent.volumeError)
+                                    .arg(volume)
+                                    .arg(test::seed())
+                                    .toUtf8();
+        const double share = test::sanitized ? 0.015 : 0.005;
+        QVERIFY2(extent.closed && std::abs(extent.area - wanted) < share * wanted, told);
+        QVERIFY2(extent.areaError < share * wanted, told);
+        QVERIFY2(std::abs(extent.volume - volume) < 0.5 * share * volume, told);
+    }
 }
 
 void CombineTest::closedModelsEndWhereTheyAreCut() {

@@ -2,6 +2,8 @@
 
 #include "core/base/cells.h"
 #include "core/base/parallel.h"
+#include "core/cells/cell_source.h"
+#include "core/cells/feet.h"
 #include "core/cells/labels.h"
 #include "core/mesh/surface_traits.h"
 
@@ -27,7 +29,19 @@ struct EdgeFoot {
     Vec3d place;
     double tangent = 0; ///< of half the angle in it
     double length = 0;  ///< that it stands for
+    std::uint32_t own = 0, across = 0;
 };
+
+/// Planes of faces that bend meet beside their edge, and acutely far beside it: on to where both are zero.
+void ontoSeam(cells::CellSource& source, EdgeFoot& foot) {
+    source.moveTo(foot.place);
+    if (source.find(foot.own) == cells::CellSource::none || source.find(foot.across) == cells::CellSource::none)
+        return;
+    cells::Feet feet(source, foot.place, {});
+    const auto seam = feet.seam(foot.own, foot.across, foot.place);
+    if (seam && distance(*seam, foot.place) < stripWidth * foot.length)
+        foot.place = *seam;
+}
 
 double distanceSqTo(const Vec3d& p, const Vec3d& a, const Vec3d& b) {
     const Vec3d way = b - a;
@@ -110,7 +124,7 @@ class Edges {
             if (!(distance(foot, p) < farthestFoot * spacing))
                 return {};
             return EdgeFoot{foot, std::min(steepest, std::sqrt(std::max(0.0, (1 + cosine) / (1 - cosine)))),
-                            spacing / stripWidth};
+                            spacing / stripWidth, own.cell, own.partner};
         }
         return {};
     }
@@ -125,7 +139,8 @@ class Edges {
 Shortfall shortfallAtEdges(const surface::Surface& surface, const Mesh& mesh, double cell,
                            const base::Progress& progress) {
     const std::optional<cells::LabelLayout> labels = cells::LabelLayout::of(*surface.tree().layout());
-    if (!labels || !(cell > 0))
+    const std::optional<cells::CellSurface> cells = cells::CellSurface::of(surface);
+    if (!labels || !cells || !(cell > 0))
         return {};
     const Edges edges(surface, *labels);
     const double spacingsPerUnit = SurfaceTraits(surface).spacingsPerUnit;
@@ -138,10 +153,13 @@ Shortfall shortfallAtEdges(const surface::Surface& surface, const Mesh& mesh, do
     base::parallelFor(feet.size(), 1, [&](std::size_t number) {
         look();
         const surfel::BlockPtr block = tree.block(static_cast<std::uint32_t>(number));
+        cells::CellSource source(*cells);
         for (int slot = 0; slot < block->size(); ++slot) {
             const float unit = surface::unitOf(surface.definition().weight, block->support(slot));
-            if (const auto foot = edges.footOf(*block, slot, spacingsPerUnit * static_cast<double>(unit)))
+            if (auto foot = edges.footOf(*block, slot, spacingsPerUnit * static_cast<double>(unit))) {
+                ontoSeam(source, *foot);
                 feet[number].push_back(*foot);
+            }
         }
     });
     NearTriangles triangles(mesh, reachOfMesh * cell);

@@ -65,9 +65,10 @@ struct CreaseVertex {
     bool atCorner() const { return cells.count() >= 3; }
 };
 
-/// May creases move a vertex? Not those where the mesh ends.
+/// May creases move a vertex? Not those where the mesh ends. Bridges are inside: at acute edges the smooth surface has
+/// gaps, and its cells have none.
 inline bool movable(const Mesh& mesh, std::size_t v) {
-    return mesh.kinds.empty() || mesh.kinds[v] == VertexKind::Inner;
+    return mesh.kinds.empty() || mesh.kinds[v] == VertexKind::Inner || mesh.kinds[v] == VertexKind::Bridge;
 }
 
 /// Vertices near creases come to rest on the face of their cell; others stay as they are, to the bit. In parallel, the
