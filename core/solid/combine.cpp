@@ -3,10 +3,10 @@
 #include "core/base/cancel_scope.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
-#include "core/base/row_of_id.h"
 #include "core/process/resampling/resample.h"
 #include "core/solid/seam_labels.h"
-#include "core/surface/definition_text.h"
+#include "core/solid/slivers.h"
+#include "core/solid/stays.h"
 #include "core/surfel/shape.h"
 
 #include <optional>
@@ -17,36 +17,7 @@ using base::Vec3d;
 using cells::Label;
 using cells::Meeting;
 
-std::span<const OperationRow> operationTable() {
-    static constexpr OperationRow rows[] = {{"union", "Union", Operation::Union},
-                                            {"difference", "Difference", Operation::Difference},
-                                            {"intersection", "Intersection", Operation::Intersection}};
-    return rows;
-}
-
-Operation operation(std::string_view id) {
-    return base::rowOf(operationTable(), id, {"unknown operation \"%\"", "", "known are %"}, &OperationRow::id)
-        .operation;
-}
-
 namespace {
-
-/// Does a surfel of the model stay? `side`: of the operand, as sidesOf tells it. What coincides stays once where both
-/// bound the result from the same side, and else not at all.
-bool staysOfModel(Operation operation, std::int8_t side) {
-    switch (operation) {
-    case Operation::Union:
-        return side == 1 || side == 2;
-    case Operation::Difference:
-        return side == 1 || side == -2;
-    default:
-        return side == -1 || side == 2;
-    }
-}
-
-bool staysOfOperand(Operation operation, std::int8_t side) {
-    return side == (operation == Operation::Union ? 1 : -1);
-}
 
 /// The operand's or model's surfels within two spacings of the seam: cells::partnerReach.
 constexpr double reach = 2;
@@ -98,6 +69,7 @@ class Combining {
         edit.inserted.layout = m_tree.layout();
         insert(edit, out);
         insertFillet(edit, out);
+        insertSlivers(edit, out);
         if (m_tree.size() - out.removed + out.inserted < 4)
             throw base::Error("nothing would be left", "", "move the other one, or choose another operation");
         progress.step(0.9, "Joining");
@@ -116,18 +88,15 @@ class Combining {
         return chamfers() && m_labels && m_fillet->besideEdge(ofOperand, x, normal);
     }
 
-    /// A foot on the seam of surfel `index`, in tree order.
-    struct Foot {
-        std::size_t index;
-        Vec3d place;
-        double spacing;
-    };
+    using Foot = SeamFoot;
+
     /// Of the surfels of one version that stay, block by block.
     template <class Stays>
     std::vector<std::vector<Foot>> feetOf(const tree::SurfelTree& tree, const Side& other, const Stays& stays) const {
         std::vector<std::vector<Foot>> out(tree.blockCount());
         const std::vector<std::size_t> first = tree.firstSurfels();
         const int shape = surfel::shapeChannel(*tree.layout());
+        const auto labels = cells::LabelLayout::of(*tree.layout());
         base::parallelFor(out.size(), 1, [&](std::size_t b) {
             const surfel::BlockPtr block = tree.block(static_cast<std::uint32_t>(b));
             const base::Box3f box = block->box().inflated(2 * block->maxSupport());
@@ -139,9 +108,9 @@ class Combining {
                     continue;
                 const float support = block->support(slot);
                 if (const auto foot = seamFoot(m_sides, base::cast<double>(block->position(slot)), support))
-                    out[b].push_back(
-                        {index, *foot,
-                         static_cast<double>(surfel::ballOf(*block, slot, shape)) * surface::spacingOfUnit});
+                    out[b].push_back({index, *foot,
+                                      static_cast<double>(surfel::ballOf(*block, slot, shape)) * surface::spacingOfUnit,
+                                      labels ? labels->cellAt(*block, slot) : 0});
             }
         });
         return out;
@@ -294,6 +263,38 @@ class Combining {
         }
     }
 
+    /// A surfel of a version's own, in the words of the result.
+    void append(const Sliver& sliver, bool ofOperand, Translation& translation, surfel::SurfelList& to) const {
+        const tree::Neighbour& like = sliver.like;
+        surfel::Surfel s = like.block->surfel(like.slot);
+        s.position = base::cast<float>(sliver.position);
+        s.normal =
+            base::cast<float>(ofOperand && m_operation == Operation::Difference ? -sliver.normal : sliver.normal);
+        std::vector<std::uint32_t> own(like.block->extraWords());
+        like.block->extra(like.slot, own);
+        const Label label = cells::LabelLayout::of(ofOperand ? *m_other.layout() : *m_tree.layout())->at(own);
+        const std::span<std::uint32_t> words = ofOperand ? translation(own) : std::span<std::uint32_t>(own);
+        writeLabel(*m_tree.layout(),
+                   beside(ofOperand ? moved(label) : label, ofOperand ? sliver.across : sliver.across + m_offset),
+                   words);
+        to.append(s, words);
+    }
+    /// Without any surfel of its own a face would not be, and those beside it went on to where they meet.
+    void insertSlivers(tree::Edit& edit, Combined& out) const {
+        if (!sharpSeam() || m_other.empty())
+            return;
+        Translation translation(*m_other.layout(), *m_tree.layout());
+        const bool joins = m_operation == Operation::Union;
+        for (const bool ofOperand : {false, true})
+            for (const Sliver& each :
+                 ofOperand ? sliversOf(m_other, m_operandSide, m_modelSide, !joins, m_operandFeet, m_modelFeet)
+                           : sliversOf(m_tree, m_modelSide, m_operandSide, m_operation == Operation::Intersection,
+                                       m_modelFeet, m_operandFeet)) {
+                append(each, ofOperand, translation, edit.inserted);
+                ++out.inserted;
+            }
+    }
+
     /// What the ball leaves, where none of those that stay stands already.
     void insertFillet(tree::Edit& edit, Combined& out) const {
         if (!m_fillet)
@@ -381,15 +382,6 @@ class Combining {
 };
 
 } // namespace
-
-void requireSolid(const surface::Surface& model) {
-    if (model.definition().manifold != surface::Manifold::Surface)
-        throw base::Error(surface::nounOf(model.definition().manifold) + " bounds no solid", "",
-                          "open the model as a surface");
-    if (!model.tree().layout()->normals || !model.tree().layout()->oriented)
-        throw base::Error("the points have no normals that tell inside from outside", "",
-                          "give them some first, with \"normals\" and \"orient\"");
-}
 
 Combined combine(const surface::Surface& model, const Operand& operand, Operation operation,
                  const CombineOptions& options, const base::Progress& progress) {

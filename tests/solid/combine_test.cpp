@@ -34,6 +34,7 @@ class CombineTest : public QObject {
     void blocksAwayFromTheSeamAreShared();
     void bothSidesOfASeamAreItsCells();
     void facesThatCoincideStayOnce();
+    void stripsWithoutSurfelsGetSome();
     void halfABallHasHalfItsVolume();
     void slicesOfBallsHaveTheirArea();
     void closedModelsEndWhereTheyAreCut();
@@ -241,6 +242,24 @@ void CombineTest::facesThatCoincideStayOnce() {
     QCOMPARE(atFace(with(model, "box", cube, s, same, Operation::Intersection).surface), once);
 }
 
+/// A slope leaves so little of the top of a box that no surfel stays there: the slope must not go on to the wall
+/// behind.
+void CombineTest::stripsWithoutSurfelsGetSome() {
+    constexpr double s = 0.05;
+    const surface::Surface box = shapeAt("box", {1, 1, 1}, s);
+    for (const double strip : {0.2, 0.4}) {
+        const Vec3d edge{-0.5 + strip * s, 0, 0.5}, slope = normalized(Vec3d{1, 0, 1});
+        const solid::Combined cut =
+            with(box, "box", {4, 4, 4}, s, solid::poseAlong(edge - slope * 2, slope), Operation::Intersection);
+        mesh::MarchingReport report;
+        double highest = 0;
+        for (const Vec3d& p : mesh::marchingCubes(cut.surface, {}, report).positions)
+            highest = std::max(highest, p.z - 0.5);
+        const QByteArray told = QString("strip of %1 s: %2 s above").arg(strip).arg(highest / s).toUtf8();
+        QVERIFY2(highest < 0.25 * strip * s, told);
+    }
+}
+
 void CombineTest::halfABallHasHalfItsVolume() {
     const surface::Surface ball = shapeAt("ball", {1, 0, 0}, 0.04);
     for (const double offset : {0.4, 0.0}) {
@@ -259,8 +278,8 @@ void CombineTest::halfABallHasHalfItsVolume() {
     QVERIFY(std::isfinite(cup.surface.definition().boundaryLimit));
 }
 
-/// The smooth surface has gaps at acute edges, which meshes bridge; what bridges them comes to the edge as well. What is
-/// told of the error is of the size of the true one, not that of strips beside the edge.
+/// The smooth surface has gaps at acute edges, which meshes bridge; what bridges them comes to the edge as well. What
+/// is told of the error is of the size of the true one, not that of strips beside the edge.
 void CombineTest::slicesOfBallsHaveTheirArea() {
     base::Random random(test::seed());
     for (const double offset : {0.2, 0.5, 0.8}) { // edges of 78, 60, 37 degrees
