@@ -31,9 +31,10 @@ struct DeviceState {
 
 /// What a device can do; infinite where nothing limits it.
 struct DeviceLimits {
-    double force;     ///< newtons
-    double stiffness; ///< newtons per metre
-    double mass;      ///< kilograms that a force accelerates at least
+    double force;          ///< newtons
+    double stiffness;      ///< newtons per metre
+    double mass;           ///< kilograms that a force accelerates at least
+    std::size_t delay = 0; ///< ticks from a force that is sent until it acts
 };
 
 class Device {

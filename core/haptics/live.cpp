@@ -33,6 +33,7 @@ ServoOptions Live::within(ServoOptions options) const {
     options.safety.mostForce = std::min(options.safety.mostForce, limits.force);
     options.law.stiffness = std::min(options.law.stiffness, limits.stiffness);
     options.port.mass = std::min(options.port.mass, limits.mass);
+    options.port.delay = std::clamp(options.port.delay, limits.delay, Passivity::mostDelay);
     options.port.tick = Live::tick;
     return options;
 }

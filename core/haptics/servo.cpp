@@ -1,5 +1,6 @@
 #include "core/haptics/servo.h"
 
+#include <algorithm>
 #include <chrono>
 
 namespace haptics {
@@ -42,8 +43,16 @@ Tick Servo::step(const PatchPtr& patch, const DeviceState& state, Circumstances 
     }
     at.patch = patch ? patch->time : -SafetyLimits::none;
     out.sent = m_safety.pass(m_options.workspace.force(out.force), at);
-    if (m_options.passive)
-        out.sent = m_passivity.limit(state.position, out.sent);
+    if (m_options.passive && patch) { // before that the device may not have told a place
+        const double stiffness = m_options.law.stiffness, scale = m_options.workspace.scale;
+        const double strain = std::max(distance(out.proxy, out.tool) / scale, length(out.sent) / stiffness);
+        // a line tells its states when they come: two of them are as far apart as their times say
+        const double seconds = m_heard ? state.time - m_told : 0;
+        out.sent = m_heard && seconds == 0 ? m_passivity.hold(out.sent)
+                                           : m_passivity.limit(state.position, out.sent, {stiffness, strain}, seconds);
+        m_told = state.time;
+        m_heard = true;
+    }
     out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return out;
 }

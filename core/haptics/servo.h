@@ -57,7 +57,9 @@ class Servo {
     Touch m_touch;
     Passivity m_passivity;
     Safety m_safety;
-    PatchPtr m_patch; ///< of the last tick
+    PatchPtr m_patch;  ///< of the last tick
+    double m_told = 0; ///< the time of the device's last state
+    bool m_heard = false;
 };
 
 } // namespace haptics

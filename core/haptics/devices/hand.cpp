@@ -29,7 +29,9 @@ class Hand final : public Device {
         m_forces.pop_front();
     }
     bool ended() const override { return m_state.time >= m_trajectory.back().time + m_model.settling; }
-    DeviceLimits limits() const override { return {std::numeric_limits<double>::infinity(), 3000, m_model.mass}; }
+    DeviceLimits limits() const override {
+        return {std::numeric_limits<double>::infinity(), 3000, m_model.mass, m_model.delay};
+    }
 
   private:
     /// One tick under a constant force; semi-implicit Euler, which does not gain energy.

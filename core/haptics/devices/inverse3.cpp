@@ -132,7 +132,8 @@ std::unique_ptr<LineProtocol> makeInverse3(const std::string& name) {
 
 std::unique_ptr<Device> openInverse3(const DeviceSetup& setup) {
     // what its maker gives: 8 N, and a stiffness that it renders well at a thousand answers a second
-    return openLineDevice(setup.address.empty() ? "localhost:10001" : setup.address, {makeInverse3, {8, 1500, 0.1}});
+    return openLineDevice(setup.address.empty() ? "localhost:10001" : setup.address,
+                          {makeInverse3, {8, 1500, 0.1, lineDelay}});
 }
 
 } // namespace haptics

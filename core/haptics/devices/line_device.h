@@ -26,6 +26,9 @@ class LineProtocol {
     virtual void end(std::string& out) = 0;
 };
 
+/// Ticks: a state waits for the servo's tick, and its force for the line's.
+constexpr std::size_t lineDelay = 2;
+
 struct LineRow {
     std::unique_ptr<LineProtocol> (*make)(const std::string& name);
     DeviceLimits limits;

@@ -208,7 +208,7 @@ std::unique_ptr<LineProtocol> makeVrpn(const std::string& name) {
 std::unique_ptr<Device> openVrpn(const DeviceSetup& setup) {
     // of a PHANToM, whose end weighs some 75 g
     return openLineDevice(setup.address.empty() ? "Phantom0@localhost:3883" : setup.address,
-                          {makeVrpn, {3.3, 1000, 0.075}});
+                          {makeVrpn, {3.3, 1000, 0.075, lineDelay}});
 }
 
 } // namespace haptics
