@@ -33,20 +33,20 @@ class ProxyTest : public QObject {
     void shadingTurnsTheForceAlone();
 };
 
-static void addSolids() {
-    QTest::addColumn<int>("solid");
-    QTest::addColumn<double>("radius"); // in units of h
-    for (int i = 0; i < 4; ++i)
-        for (const double radius : {0.0, 0.01, 0.5, 2.0})
-            QTest::addRow("%s, radius %g h", solids()[static_cast<std::size_t>(i)].name.c_str(), radius) << i << radius;
+static const Solid& chosen(int i) {
+    return i < 4 ? solids()[static_cast<std::size_t>(i)] : coarseSolids()[static_cast<std::size_t>(i - 4)];
 }
 
-static const Solid& chosen(int i) {
-    return solids()[static_cast<std::size_t>(i)];
+static void addSolids(int count = 4) {
+    QTest::addColumn<int>("solid");
+    QTest::addColumn<double>("radius"); // in units of h
+    for (int i = 0; i < count; ++i)
+        for (const double radius : {0.0, 0.01, 0.5, 2.0})
+            QTest::addRow("%s%s, radius %g h", i < 4 ? "" : "coarse ", chosen(i).name.c_str(), radius) << i << radius;
 }
 
 void ProxyTest::forceIsThatOfTheClosedForm_data() {
-    addSolids();
+    addSolids(8);
 }
 
 void ProxyTest::forceIsThatOfTheClosedForm() {

@@ -85,6 +85,12 @@ inline const std::vector<Solid>& solids() {
     return all;
 }
 
+/// The same with a few thousand points, of spacings up to a fifth of the radius. Made once.
+inline const std::vector<Solid>& coarseSolids() {
+    static const std::vector<Solid> all{plane(0.3), sphere(500), torus(0.05), cylinder(0.08)};
+    return all;
+}
+
 /// Nearest place of the solid's surface; exact for these shapes near it.
 inline Vec3d onto(const Solid& solid, const Vec3d& x) {
     return x - solid.outward(x) * solid.distance(x);
