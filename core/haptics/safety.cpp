@@ -21,10 +21,10 @@ Vec3d Safety::pass(const Vec3d& force, const Circumstances& at) {
         return m_sent = {};
     const double ramp = m_limits.rampSeconds > 0 ? std::clamp((at.now - m_since) / m_limits.rampSeconds, 0.0, 1.0) : 1;
     const Vec3d wanted = shortened(force * ramp, m_limits.mostForce);
+    double most = m_limits.mostJump + at.explained;
     if (m_limits.mostSlew < SafetyLimits::none)
-        m_sent += shortened(wanted - m_sent, m_limits.mostSlew * std::max(0.0, at.now - m_last));
-    else
-        m_sent = wanted;
+        most = std::min(most, m_limits.mostSlew * std::max(0.0, at.now - m_last));
+    m_sent = most < SafetyLimits::none ? m_sent + shortened(wanted - m_sent, most) : wanted;
     m_last = at.now;
     return m_sent;
 }

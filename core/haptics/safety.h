@@ -15,6 +15,7 @@ struct SafetyLimits {
     double mostSlew = none;       ///< change of force per second
     double stalePatch = 0.020;    ///< seconds; the model's side is silent
     double stalledDevice = 0.020; ///< seconds; the device's side is
+    double mostJump = none;       ///< change of force in a tick beyond what the tool's way explains
 
     /// What a computed trajectory needs: it has no hand.
     static constexpr SafetyLimits off() { return {0, none, none, none, none}; }
@@ -26,6 +27,8 @@ struct Circumstances {
     double patch = 0;  ///< when the model's side last spoke
     double device = 0; ///< when the device last did
     bool focus = true; ///< the window has the keyboard, and Esc was not pressed
+    /// What a force may change by as the tool has moved since the last tick: a few times stiffness times way.
+    double explained = 0;
 };
 
 class Safety {

@@ -42,6 +42,10 @@ Tick Servo::step(const PatchPtr& patch, const DeviceState& state, Circumstances 
         m_patch = patch;
     }
     at.patch = patch ? patch->time : -SafetyLimits::none;
+    // a surface that jumps, or changes under the tool, is to be felt as no blow
+    constexpr double bend = 2; // a force turns about what is curved faster than the tool moves
+    at.explained = bend * m_options.law.stiffness * (m_heard ? distance(state.position, m_place) : 0);
+    m_place = state.position;
     out.sent = m_safety.pass(m_options.workspace.force(out.force), at);
     if (m_options.passive && patch) { // before that the device may not have told a place
         const double stiffness = m_options.law.stiffness, scale = m_options.workspace.scale;
@@ -51,8 +55,8 @@ Tick Servo::step(const PatchPtr& patch, const DeviceState& state, Circumstances 
         out.sent = m_heard && seconds == 0 ? m_passivity.hold(out.sent)
                                            : m_passivity.limit(state.position, out.sent, {stiffness, strain}, seconds);
         m_told = state.time;
-        m_heard = true;
     }
+    m_heard = m_heard || patch;
     out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return out;
 }

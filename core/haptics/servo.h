@@ -59,6 +59,7 @@ class Servo {
     Safety m_safety;
     PatchPtr m_patch;  ///< of the last tick
     double m_told = 0; ///< the time of the device's last state
+    base::Vec3d m_place;
     bool m_heard = false;
 };
 

@@ -1,7 +1,8 @@
 // Whatever the model says, a device is not hurt: ramp, limits, and nothing where something is missing.
 #include "core/base/random.h"
-#include "core/haptics/safety.h"
+#include "core/haptics/servo.h"
 #include "support/registry.h"
+#include "surface/shapes.h"
 
 #include <QTest>
 
@@ -13,6 +14,8 @@ class SafetyTest : public QObject {
   private Q_SLOTS:
     void forcesRampIn();
     void forcesAreLimitedInSizeAndChange();
+    void whatTheWayDoesNotExplainIsSpreadOverTicks();
+    void jumpsOfTheModelAreNoBlow();
     void nothingIsSentOnWhatIsMissing_data();
     void nothingIsSentOnWhatIsMissing();
     void offChangesNothing();
@@ -38,6 +41,58 @@ void SafetyTest::forcesAreLimitedInSizeAndChange() {
         QVERIFY(distance(sent, before) <= 0.05 + 1e-12);
         before = sent;
     }
+}
+
+void SafetyTest::whatTheWayDoesNotExplainIsSpreadOverTicks() {
+    SafetyLimits limits = SafetyLimits::off();
+    limits.mostJump = 0.08;
+    Safety safety(limits);
+    const auto at = [](int i, double explained) {
+        const double t = 0.001 * i;
+        return Circumstances{t, t, t, true, explained};
+    };
+    QCOMPARE(safety.pass({1, 0, 0}, at(0, 1)).x, 1.0); // all of it was the tool's own way
+    for (int i = 1; i <= 25; ++i)
+        QVERIFY(std::abs(safety.pass({3, 0, 0}, at(i, 0)).x - std::min(3.0, 1 + 0.08 * i)) < 1e-12);
+    QCOMPARE(safety.pass({3, 0, 0}, {0.1, 0.1, 0.1, false}).x, 0.0); // but not where forces must end
+}
+
+/// A floor that jumps up and down under a tool that rests or slides: no tick changes the force by more than two per
+/// cent of the limit.
+void SafetyTest::jumpsOfTheModelAreNoBlow() {
+    base::Random random(test::seed());
+    constexpr double spacing = 0.01, unit = 0.035, most = 8;
+    std::vector<PatchPtr> floors;
+    for (int i = 0; i < 5; ++i) {
+        surfel::SurfelList list = shapes::plane(12, spacing, unit);
+        for (surfel::Surfel& each : list.items)
+            each.position.z = static_cast<float>(0.001 * i);
+        const surface::Surface floor = shapes::surfaceOf(list);
+        floors.push_back(std::make_shared<const Patch>(Patch{floor, 0, floor.tree().bounds()}));
+    }
+    ServoOptions options;
+    options.law.stiffness = 800;
+    options.safety.mostForce = most;
+    options.safety.mostJump = 0.01 * most;
+    options.safety.stalePatch = SafetyLimits::none;
+    options.passive = false;
+    Servo servo(options);
+    Vec3d x{0, 0, 0.01}, before;
+    double largest = 0;
+    PatchPtr floor = floors[0];
+    for (int i = 0; i < 4000; ++i) {
+        if (random.below(50) == 0)
+            floor = floors[random.below(5)];
+        const double goal = i < 500 ? 0.01 : -0.002;
+        x += base::normalized(Vec3d{0.02 * std::sin(0.003 * i), 0, goal} - x) * 5e-5; // 5 cm/s
+        const double t = 0.001 * i;
+        const Tick tick = servo.step(floor, {x, {}, 0, t}, {t, 0, t, true});
+        QVERIFY2(distance(tick.sent, before) <= 0.02 * most + 1e-9,
+                 qPrintable(QString("%1 N, seed %2").arg(distance(tick.sent, before)).arg(test::seed())));
+        before = tick.sent;
+        largest = std::max(largest, length(before));
+    }
+    QVERIFY(largest > 2);
 }
 
 void SafetyTest::nothingIsSentOnWhatIsMissing_data() {

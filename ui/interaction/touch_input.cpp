@@ -123,6 +123,7 @@ void TouchInput::open() {
         m_options = {};
         m_options.safety.mostForce = 8;
         m_options.safety.mostSlew = mostSlew;
+        m_options.safety.mostJump = 0.01 * m_options.safety.mostForce;
         m_options.workspace.scale = m_parts.motion.view().heightAtTarget() / (0.01 * m_set.reach);
         m_options.workspace.centre = m_pointer ? Vec3d{} : frame().middle;
         m_options = servoOptions();
