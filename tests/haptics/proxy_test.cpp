@@ -21,8 +21,6 @@ class ProxyTest : public QObject {
     void forceFollowsTheToolWithoutJumps_data();
     void forceFollowsTheToolWithoutJumps();
     void forceFollowsTheToolOnNoise();
-    void wideToolsRestOnBothWalls();
-    void slitsTooNarrowForTheToolPushNoHarderThanItsSpring();
     void openSheetsAreFeltFromBothSides();
     void toolsSlideOffRims();
     void insideOfSolidsOnePushesOut();
@@ -208,69 +206,6 @@ void ProxyTest::forceFollowsTheToolOnNoise() {
                 before = force;
             }
             QVERIFY(proxy.touches());
-        }
-    }
-}
-
-/// A tool wider than a groove of 90 degrees rests on both of its walls.
-void ProxyTest::wideToolsRestOnBothWalls() {
-    constexpr double spacing = 0.04, unit = 3.5 * spacing;
-    surfel::SurfelList list;
-    list.layout = shapes::layout(true, true);
-    const Vec3d a = base::normalized(Vec3d{1, 0, 1}), b = base::normalized(Vec3d{-1, 0, 1});
-    for (int i = 1; i < 40; ++i)
-        for (int j = -25; j <= 25; ++j) { // walls z = |x|; their normals face each other
-            const double d = (i - 0.5) * spacing / std::sqrt(2.0);
-            list.items.push_back(shapes::surfelAt({-d, j * spacing, d}, a, unit));
-            list.items.push_back(shapes::surfelAt({d, j * spacing, d}, b, unit));
-        }
-    const surface::Surface surface = shapes::surfaceOf(list);
-    constexpr double radius = 0.4;
-    const double rest = radius * std::sqrt(2.0);
-    Proxy proxy({radius, 0});
-    proxy.place(surface, {0.02, 0, 1.2});
-    for (double z = 1.2; z > rest - 0.1; z -= 0.01)
-        proxy.move(surface, {0.02, 0, z});
-    for (int i = 0; i < 20; ++i)
-        proxy.move(surface, {0.02, 0, rest - 0.1});
-    QVERIFY2(distance(proxy.position(), Vec3d{0, 0, rest}) < 0.01 * unit,
-             std::to_string(distance(proxy.position(), Vec3d{0, 0, rest}) / unit).c_str());
-    QVERIFY(proxy.touches());
-    // along the groove it moves freely
-    proxy.move(surface, {0.02, 0.1, rest - 0.1});
-    QVERIFY(std::abs(proxy.position().y - 0.1) < 0.01 * unit);
-}
-
-/// Walls that nearly face each other have a place in common, too, far away: nobody is to be thrown there.
-void ProxyTest::slitsTooNarrowForTheToolPushNoHarderThanItsSpring() {
-    constexpr double spacing = 0.1, unit = 0.35, radius = 0.3;
-    base::Random random(test::seed());
-    for (const double lean : {0.0, 0.002, 0.02, 0.1}) { // as slopes
-        surfel::SurfelList list;
-        list.layout = shapes::layout(true, true);
-        for (int i = -14; i <= 14; ++i)
-            for (int j = -14; j <= 14; ++j)
-                for (const double side : {1.0, -1.0}) { // floor and ceiling, 1.3 radii apart
-                    const double x = i * spacing, half = 0.65 * radius + lean * x;
-                    const Vec3d n = base::normalized(Vec3d{lean, 0, -1});
-                    list.items.push_back(shapes::surfelAt({x, j * spacing, side * half}, {n.x, 0, side * n.z}, unit));
-                }
-        const surface::Surface slit = shapes::surfaceOf(list, shapes::bounded(0.25f));
-        for (int walk = 0; walk < test::effort(20); ++walk) {
-            Proxy proxy({radius, 0.3 * static_cast<double>(walk % 2)});
-            Vec3d x{random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5), random.uniform(-0.1, 0.1)};
-            proxy.place(slit, x);
-            for (int i = 0; i < 40; ++i) {
-                x += random.unitVector() * (0.1 * unit);
-                proxy.move(slit, x);
-                const double apart = distance(proxy.position(), x);
-                QVERIFY2(proxy.depth() <= apart * (1 + 1e-9) && apart < 2.5, // the slit is 2.8 long
-                         qPrintable(QString("depth %1, apart %2, lean %3, seed %4")
-                                        .arg(proxy.depth())
-                                        .arg(apart)
-                                        .arg(lean)
-                                        .arg(test::seed())));
-            }
         }
     }
 }
