@@ -17,6 +17,8 @@ class PassivityTest : public QObject {
     void theLawItselfKeepsEnergy();
     void whatTheHandPutInComesBack();
     void statesThatComeUnevenlyFeelTheSame();
+    void handsThatDrawEightsKeepTheirForce_data();
+    void handsThatDrawEightsKeepTheirForce();
     void handsComeToRest_data();
     void handsComeToRest();
 };
@@ -139,6 +141,55 @@ void PassivityTest::statesThatComeUnevenlyFeelTheSame() {
         }
         QVERIFY(std::abs(servo.step(patch, {{0, 0, -0.003}, {}, 0, 9}, {9, 0, 9, true}).sent.z - 3) < 0.01);
     }
+}
+
+void PassivityTest::handsThatDrawEightsKeepTheirForce_data() {
+    QTest::addColumn<double>("friction");
+    QTest::addColumn<double>("jump");
+    for (const double friction : {0.0, 0.2})
+        for (const double jump : {SafetyLimits::none, 0.08})
+            QTest::addRow("friction %g, jump %g N", friction, jump) << friction << jump;
+}
+
+/// The window's demonstration: eights on a rough ball of 10 cm. The controller is for walls that shake, not for this.
+void PassivityTest::handsThatDrawEightsKeepTheirForce() {
+    QFETCH(double, friction);
+    QFETCH(double, jump);
+    const Solid& s = solids()[1];
+    Trajectory way;
+    for (int i = 0; i <= 800; ++i) {
+        const double t = 0.01 * i, u = 2 * shapes::pi * t / 4, in = std::min(1.0, t);
+        way.push_back({t, {0.03 * std::sin(u) * in, 0.02 * std::sin(2 * u) * in, -0.042 * in}});
+    }
+    const auto hand = makeHand(way, {});
+    ServoOptions options;
+    options.tool = {0.02, friction};
+    options.law.stiffness = 800;
+    options.safety = SafetyLimits::off();
+    options.safety.mostForce = 8;
+    options.safety.mostJump = jump;
+    options.port.mass = HandModel{}.mass;
+    options.workspace.scale = 10; // a radius of ten centimetres
+    options.workspace.centre = {0, 0, 1.3};
+    Servo servo(options);
+    const PatchPtr patch = patchOf(s);
+    DeviceState state;
+    double law = 0, sent = 0, most = 0;
+    int contacts = 0, ticks = 0;
+    while (hand->read(state)) {
+        const Tick tick = servo.step(patch, state, {state.time, state.time, state.time, true});
+        hand->send(tick.sent);
+        if (state.time < 1.2)
+            continue;
+        law += length(tick.force) / options.workspace.scale;
+        sent += length(tick.sent);
+        most = std::max(most, length(tick.force) / options.workspace.scale);
+        contacts += tick.contact;
+        ++ticks;
+    }
+    const QString told =
+        QString("sent %1, most %2 N, contact %3").arg(sent / law).arg(most).arg(double(contacts) / ticks);
+    QVERIFY2(sent > 0.98 * law && most < 6 && contacts > 0.9 * ticks, qPrintable(told));
 }
 
 void PassivityTest::handsComeToRest_data() {
