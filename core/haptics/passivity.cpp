@@ -8,7 +8,7 @@ using base::Vec3d;
 
 namespace {
 
-constexpr double again = 2;    ///< a hand may do so much more than what it did
+constexpr double again = 3;    ///< a hand may do so much more than what it did
 constexpr double memory = 0.5; ///< seconds until a third of that is left
 
 constexpr double silence = 20; ///< ticks: after that long places have nothing to do with the last

@@ -131,7 +131,7 @@ void PassivityTest::statesThatComeUnevenlyFeelTheSame() {
         const PatchPtr patch = patchOf(s);
         int state = 0;
         for (int i = 0; i < 4000; ++i) {
-            const double z = std::max(-0.003, 0.3 - 0.0001 * state);
+            const double way = 0.3 - 0.0001 * state, z = way > 0 ? way : -0.003 * (1 - std::exp(way / 0.003));
             const Tick tick = servo.step(patch, {{0, 0, z}, {}, 0, 0.001 * state}, {0.001 * i, 0, 0.001 * i, true});
             if (z < -0.0015)
                 QVERIFY2(
