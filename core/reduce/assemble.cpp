@@ -1,8 +1,10 @@
 #include "core/reduce/assemble.h"
 
 #include "core/base/parallel.h"
+#include "core/process/estimation/known_rims.h"
 #include "core/surface/evaluation/attribute_sum.h"
 #include "core/surface/evaluation/weights.h"
+#include "core/surface/rims.h"
 #include "core/surfel/shape.h"
 
 #include <algorithm>
@@ -19,6 +21,8 @@ constexpr float leastFacing = 0.17f;
 /// Limits are at most this, in units of h: o hardly grows beyond it where there is any surface.
 constexpr float loosest = 0.5f;
 constexpr float slack = 1.02f;
+/// Where rims are fitted: from .21 to here a straight one moves by .43 spacings of the samples (surface/README 5.1).
+constexpr float farthestOff = 0.4f;
 
 /// What a site carries: of the model's surfels around it, of the nearest one where there are none.
 void carry(const surface::Surface& model, const Sites& sites, std::size_t i, surfel::Surfel& out,
@@ -91,24 +95,46 @@ surface::Surface assemble(const surface::Surface& model, const Sites& sites, int
     return {tree::SurfelTree::build(list), reducedDefinition(model.definition(), neighbours)};
 }
 
-surface::Surface bounded(const surface::Surface& model, const surface::Surface& surface, const Places& places,
-                         float beyond, const base::Progress& progress) {
-    if (!std::isfinite(model.definition().boundaryLimit))
-        return surface;
+/// The largest o / h at the places, of those with one of these states.
+static float mostOff(const surface::Surface& surface, const Places& places, bool lost, const base::Progress& progress) {
     constexpr std::size_t slab = 1 << 14;
     std::vector<surface::Evaluationf> at(std::min(slab, places.size()));
-    float limit = 0;
+    float most = 0;
     for (std::size_t begin = 0; begin < places.size(); begin += slab) {
         progress.step(double(begin) / double(places.size()), "Finding the boundary");
         const std::size_t n = std::min(slab, places.size() - begin);
         surface.evaluate(std::span(places.position).subspan(begin, n), surface::Need::Value, std::span(at).first(n));
         for (std::size_t k = 0; k < n; ++k)
-            if (at[k].ok())
-                limit = std::max(limit, at[k].offCentre / at[k].unit);
+            if (lost ? at[k].status == surface::Status::BeyondBoundary : at[k].ok())
+                most = std::max(most, at[k].offCentre / at[k].unit);
     }
+    return most;
+}
+
+static surface::Surface withLimit(const surface::Surface& surface, float limit) {
     surface::SurfaceDefinition definition = surface.definition();
-    definition.boundaryLimit = std::min(slack * limit + beyond, loosest);
+    definition.boundaryLimit = limit;
     return {surface.tree(), definition};
+}
+
+surface::Surface bounded(const surface::Surface& model, const surface::Surface& surface, const Places& places,
+                         float beyond, const base::Progress& progress) {
+    if (!std::isfinite(model.definition().boundaryLimit))
+        return surface;
+    return withLimit(surface, std::min(slack * mostOff(surface, places, false, progress) + beyond, loosest));
+}
+
+surface::Surface endingAtRims(const surface::Surface& model, const surface::Surface& surface, const Places& places,
+                              const Rims& rims, float limit, const base::Progress& progress) {
+    surface::Surface out = withLimit(surface, limit);
+    if (process::mayKnowRims(model)) {
+        std::vector<base::Vec3d> ends;
+        for (const base::Vec3f& x : rims.position)
+            ends.push_back(base::cast<double>(x));
+        out = process::endingAt(out, ends, surface::rimReach);
+    }
+    return withLimit(out,
+                     std::clamp(slack * mostOff(out, places, true, progress), limit, std::max(limit, farthestOff)));
 }
 
 } // namespace reduce

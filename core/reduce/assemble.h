@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/progress.h"
-#include "core/reduce/sites.h"
+#include "core/reduce/rim_fit.h"
 
 namespace reduce {
 
@@ -18,5 +18,10 @@ surface::SurfaceDefinition reducedDefinition(const surface::SurfaceDefinition& m
 /// (in supports) where these do not go to the rim.
 surface::Surface bounded(const surface::Surface& model, const surface::Surface& surface, const Places& places,
                          float beyond, const base::Progress& progress = {});
+
+/// The same where samples are fitted to the model's rims, for that limit, or more where places would be lost. It knows
+/// its rims, where it is left to the model where it ends (surface/rims.h).
+surface::Surface endingAtRims(const surface::Surface& model, const surface::Surface& surface, const Places& places,
+                              const Rims& rims, float limit, const base::Progress& progress = {});
 
 } // namespace reduce

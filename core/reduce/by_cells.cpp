@@ -4,12 +4,10 @@
 #include "core/base/error.h"
 #include "core/cells/labels.h"
 #include "core/process/estimation/part_progress.h"
-#include "core/reduce/assemble.h"
+#include "core/reduce/cell_assembly.h"
 #include "core/reduce/cell_parts.h"
 #include "core/reduce/counts.h"
-#include "core/reduce/coverage.h"
 #include "core/reduce/ground.h"
-#include "core/reduce/report_sum.h"
 
 #include <algorithm>
 #include <cmath>
@@ -87,15 +85,25 @@ std::vector<std::size_t> countsFor(const std::vector<Part>& parts, const std::ve
     return apportion(weights, least, most, count);
 }
 
+/// What may lie beside a cell's samples.
+Rims rimsBeside(const Rims& rims, const base::Box3f& cell) {
+    Rims out;
+    for (std::size_t i = 0; i < rims.position.size(); ++i)
+        if (cell.distanceSq(rims.position[i]) < lengthSq(cell.hi - cell.lo))
+            out.position.push_back(rims.position[i]), out.normal.push_back(rims.normal[i]);
+    return out;
+}
+
 /// Looks at each cell once, for as many samples.
-void findGrounds(const surface::Surface& model, const std::vector<std::size_t>& counts, std::vector<Part>& parts,
-                 const base::Progress& progress) {
+void findGrounds(const surface::Surface& model, const Rims& rims, const std::vector<std::size_t>& counts,
+                 std::vector<Part>& parts, const base::Progress& progress) {
     for (std::size_t i = 0; i < parts.size(); ++i) {
         progress.step(double(i) / double(parts.size()), "Measuring the surface");
         if (counts[i] >= parts[i].size() || parts[i].size() <= fewest + 1)
             continue;
         try {
-            parts[i].ground = groundFor(surfaceOf(model, parts[i].cell), counts[i], {{}, progress.cancel});
+            const surface::Surface own = surfaceOf(model, parts[i].cell);
+            parts[i].ground = groundFor(own, counts[i], rimsBeside(rims, own.tree().bounds()), {{}, progress.cancel});
         } catch (const base::Error&) { // its surfels are few, on one line, or rough
         }
     }
@@ -127,14 +135,14 @@ void forParts(const std::vector<Part>& parts, const base::Progress& progress, co
 
 /// By what balls of an even spacing err: where another sample takes as much from the sum of squared errors, it is
 /// least. Cells that nothing can be fitted to keep what they had of the even ones.
-std::vector<std::size_t> countsByResult(const surface::Surface& model, std::vector<Part>& parts, std::size_t count,
-                                        const base::Progress& progress) {
+std::vector<std::size_t> countsByResult(const surface::Surface& model, const Rims& rims, std::vector<Part>& parts,
+                                        std::size_t count, const base::Progress& progress) {
     const double size = double(model.tree().size());
     std::vector<double> weights;
     for (const Part& part : parts)
         weights.push_back(double(part.size()));
     const std::vector<std::size_t> even = countsFor(parts, weights, size, count);
-    findGrounds(model, even, parts, process::part(progress, 0, 0.2));
+    findGrounds(model, rims, even, parts, process::part(progress, 0, 0.2));
     forParts(parts, process::part(progress, 0.2, 1), [&](std::size_t i, const base::Progress& own) {
         const std::optional<Reduced> tried = fitted(parts[i], even[i], Shapes::Spheres, false, own);
         if (!tried && even[i] < parts[i].size())
@@ -175,58 +183,19 @@ double errorLeft(const std::vector<Part>& parts, double error, double size) {
     return left;
 }
 
-/// Puts cells together again as they come.
-class Assembly {
-  public:
-    explicit Assembly(const surface::Surface& model) : m_model(model) {}
-
-    void fit(const Part& part, const Reduced& reduced) {
-        m_sum.add(reduced.report, part.size());
-        add(part, reduced.surface.tree().surfels());
-        label(part.cell, m_lists.back());
-    }
-    void keep(const Part& part) {
-        m_sum.keep(part.size(), part.size(), part.ground ? part.ground->dense.rms : 0);
-        add(part, part.cell.surfels);
-    }
-    void pick(const Part& part, std::size_t count) {
-        m_sum.keep(count, part.size(), 0);
-        m_sum.pick(count);
-        add(part, thinned(part.cell, count));
-    }
-    Reduced result(const base::Progress& progress) {
-        Reduced out{{tree::SurfelTree::build(joined(std::move(m_lists))),
-                     reducedDefinition(m_model.definition(), static_cast<int>(supportsOver))},
-                    m_sum.report()};
-        out.surface = bounded(m_model, out.surface, m_places, 0, progress);
-        return out;
-    }
-
-  private:
-    void add(const Part& part, surfel::SurfelList list) {
-        for (const surfel::Surfel& s : part.cell.surfels.items)
-            m_places.position.push_back(s.position);
-        m_lists.push_back(std::move(list));
-    }
-
-    const surface::Surface& m_model;
-    ReportSum m_sum;
-    std::vector<surfel::SurfelList> m_lists;
-    Places m_places;
-};
-
 Reduced toCount(const surface::Surface& model, std::vector<Part>& parts, const Wish& wish,
                 const base::Progress& progress) {
-    const std::vector<std::size_t> counts = countsByResult(model, parts, wish.count, process::part(progress, 0, 0.4));
-    Assembly out(model);
+    CellAssembly out(model, process::part(progress, 0, 0.05));
+    const std::vector<std::size_t> counts =
+        countsByResult(model, out.rims(), parts, wish.count, process::part(progress, 0.05, 0.4));
     forParts(parts, process::part(progress, 0.4, 0.95), [&](std::size_t i, const base::Progress& own) {
         Part& part = parts[i];
         if (const std::optional<Reduced> reduced = fitted(part, counts[i], wish.shapes, true, own))
-            out.fit(part, *reduced);
+            out.fit(part.cell, part.ground->dense.places, *reduced);
         else if (counts[i] >= part.size())
-            out.keep(part);
+            out.keep(part.cell, part.ground ? part.ground->dense.rms : 0);
         else
-            out.pick(part, counts[i]);
+            out.pick(part.cell, counts[i]);
         part.ground.reset();
     });
     return out.result(process::part(progress, 0.95, 1));
@@ -234,14 +203,14 @@ Reduced toCount(const surface::Surface& model, std::vector<Part>& parts, const W
 
 Reduced toError(const surface::Surface& model, std::vector<Part>& parts, const Wish& wish,
                 const base::Progress& progress) {
+    CellAssembly out(model, process::part(progress, 0, 0.05));
     std::vector<std::size_t> counts;
     for (const Part& part : parts)
         counts.push_back(part.size() / 10);
-    findGrounds(model, counts, parts, process::part(progress, 0, 0.1));
+    findGrounds(model, out.rims(), counts, parts, process::part(progress, 0.05, 0.15));
     const double error = errorLeft(parts, wish.error, double(model.tree().size()));
-    Assembly out(model);
     bool any = false;
-    forParts(parts, process::part(progress, 0.1, 0.95), [&](std::size_t i, const base::Progress& own) {
+    forParts(parts, process::part(progress, 0.15, 0.95), [&](std::size_t i, const base::Progress& own) {
         Part& part = parts[i];
         std::optional<Reduced> reduced;
         try {
@@ -250,9 +219,9 @@ Reduced toError(const surface::Surface& model, std::vector<Part>& parts, const W
         } catch (const base::Error&) { // fewer surfels do not keep it
         }
         if (reduced)
-            out.fit(part, *reduced), any = true;
+            out.fit(part.cell, part.ground->dense.places, *reduced), any = true;
         else
-            out.keep(part);
+            out.keep(part.cell, part.ground ? part.ground->dense.rms : 0);
         part.ground.reset();
     });
     if (!any)

@@ -9,4 +9,8 @@ namespace reduce {
 /// Moves and tilts the sites; supports stay. In parallel; the same bits at any thread count. Throws base::Cancelled.
 void fit(const Places& places, Sites& sites, const base::Progress& progress = {});
 
+/// After others moved the marked sites along the surface: offsets and tilts of these anew. REQUIRES: a mark for each.
+void fitAgain(const Places& places, std::span<const std::uint8_t> marked, Sites& sites,
+              const base::Progress& progress = {});
+
 } // namespace reduce

@@ -15,19 +15,13 @@ constexpr double mu = 0.5;
 constexpr double leastAgreement = 0.2, flattest = 0.05;
 /// Where another sheet weighs as much, and normals agree less than this, both are put together as solids, each summed
 /// on its own (surface/README 2.7); in between the plain sum is as good.
-constexpr double twoSheets = 0.87, partSupport = 0.75, partEdge = 0.3, leastAgainst = 0.02;
+constexpr double twoSheets = 0.87, partEdge = 0.3, leastAgainst = 0.02;
 /// In supports: from here on a residual counts as its root, and from there on not at all: other sheets, crumbs.
 constexpr double largeResidual = 0.1, strayResidual = 0.5;
 
-struct Sums {
-    double weight = 0;
-    double against = 0;    ///< of what faces the other way
-    Vec3d offset, normals; ///< sum theta y, sum theta n
-    double agreement() const { return weight > 0 ? length(normals) / weight : 0; }
-};
-
-Sums sum(std::span<FitTerm> terms, const Vec3d& normal, bool parted) {
-    Sums out;
+FitSums sum(std::span<FitTerm> terms, const Vec3d& normal, bool parted) {
+    FitSums out;
+    out.parted = parted;
     for (FitTerm& t : terms) {
         const double h = t.reach * (parted ? partSupport : 1);
         const double r = std::sqrt(lengthSq(t.y) + t.along * t.along) / h;
@@ -81,7 +75,7 @@ void FitSite::setShape(const Vec3d& b, double reach) {
     support = reach / std::sqrt(aspect);
 }
 
-FitRow fitRow(const Vec3d& place, const Vec3d& normal, bool oriented, std::span<FitTerm> terms) {
+FitSums sumTerms(const Vec3d& place, const Vec3d& normal, bool oriented, std::span<FitTerm> terms) {
     double support = 0;
     for (FitTerm& t : terms) {
         t.d->fill(0);
@@ -95,9 +89,15 @@ FitRow fitRow(const Vec3d& place, const Vec3d& normal, bool oriented, std::span<
         t.along = dot(t.b, t.y);
         support = std::max(support, t.site->support);
     }
-    Sums all = sum(terms, normal, false);
+    FitSums all = sum(terms, normal, false);
     if (oriented && all.agreement() < twoSheets && all.against > leastAgainst * all.weight)
         all = sum(terms, normal, true);
+    all.support = support;
+    return all;
+}
+
+FitRow fitRow(const Vec3d& place, const Vec3d& normal, bool oriented, std::span<FitTerm> terms) {
+    const FitSums all = sumTerms(place, normal, oriented, terms);
     if (!(all.weight > 1e-6) || all.agreement() < leastAgreement)
         return {};
     const double w = all.weight, m = length(all.normals);
@@ -114,7 +114,7 @@ FitRow fitRow(const Vec3d& place, const Vec3d& normal, bool oriented, std::span<
     Vec3d g;
     for (const FitTerm& t : terms)
         g += (n * (1 - mu) + t.normal * mu) * (t.theta / w) + t.way() * (byWeight(t) * t.slope);
-    const double steep = length(g), residual = f / steep, size = std::abs(residual) / support;
+    const double steep = length(g), residual = f / steep, size = std::abs(residual) / all.support;
     if (!(steep > flattest) || !(size < strayResidual) || dot(g, normal) < 0)
         return {};
     const double weight = (size > largeResidual ? std::sqrt(largeResidual / size) : 1) / steep;

@@ -53,6 +53,22 @@ struct FitRow {
     double residual = 0; ///< f / |g|, with the row's weight
 };
 
+/// What the sites around a place sum to: as one sheet, or where another one is near as the own side of two solids.
+struct FitSums {
+    double weight = 0;
+    double against = 0;          ///< of what faces the other way
+    base::Vec3d offset, normals; ///< sum theta y, sum theta n
+    double support = 0;          ///< the largest
+    bool parted = false;
+    double agreement() const { return weight > 0 ? length(normals) / weight : 0; }
+};
+
+/// In two solids each is summed on supports of this part (surface/README 2.7).
+constexpr double partSupport = 0.75;
+
+/// Fills all of the terms but the derivatives, which become zero.
+FitSums sumTerms(const base::Vec3d& place, const base::Vec3d& normal, bool oriented, std::span<FitTerm> terms);
+
 /// Fills the derivatives, divided by |g| too. `normal`: of the dense surface. All zero where the surface is not told
 /// at the place, or it is another sheet's.
 FitRow fitRow(const base::Vec3d& place, const base::Vec3d& normal, bool oriented, std::span<FitTerm> terms);

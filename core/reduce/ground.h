@@ -3,6 +3,7 @@
 
 #include "core/reduce/places.h"
 #include "core/reduce/reduce.h"
+#include "core/reduce/rim_fit.h"
 
 namespace reduce {
 
@@ -11,11 +12,12 @@ struct Ground {
     Dense dense;
     NumberedTree tree;
     std::size_t stride = 0;
+    Rims rims; ///< of the model that it is of, or a cell of
 };
 
-/// With as many feet as that count asks for. Throws base::Error where the points define hardly any surface;
-/// base::Cancelled.
-Ground groundFor(const surface::Surface& model, std::size_t count, const base::Progress& progress = {});
+/// With as many feet as that count asks for. `rims`: of the model, or of that which it is a cell of. Throws base::Error
+/// where the points define hardly any surface; base::Cancelled.
+Ground groundFor(const surface::Surface& model, std::size_t count, Rims rims, const base::Progress& progress = {});
 
 /// To `count` samples; the ground is looked at anew where that count asks for other feet. Without `keepTree` it is of
 /// no use afterwards. REQUIRES: fewest <= count. Throws base::Error where fewer points lie on a surface.

@@ -76,7 +76,7 @@ std::size_t strideFor(std::size_t size, std::size_t count) {
 }
 
 Ground groundOf(const surface::Surface& model, std::size_t stride, const base::Progress& progress) {
-    Ground out{denseOf(model, stride, progress), {}, stride};
+    Ground out{denseOf(model, stride, progress), {}, stride, {}};
     if (out.dense.feet <= fewest)
         throw base::Error("the model's points define hardly any surface", "reduce",
                           "look at its normals and supports first");
@@ -96,6 +96,7 @@ std::optional<Sites> sitesOf(Ground& ground, std::size_t count, Shapes shapes, b
         const double left = shapeByError(places, ground.tree, shares, count);
         if (shapes == Shapes::Auto && left > worthTrying)
             return std::nullopt;
+        roundBesideRims(ground.rims, shares, places);
     }
     const auto fitted = [&](NumberedTree tree, double from) {
         Sites sites = place(ground.dense.surface, places, std::move(tree), shares, count,
@@ -109,17 +110,29 @@ std::optional<Sites> sitesOf(Ground& ground, std::size_t count, Shapes shapes, b
     return fitted(keepTree ? ground.tree : std::move(ground.tree), 0.55);
 }
 
-surface::Surface surfaceOf(const Ground& ground, const Sites& sites) {
+/// Cells end at creases, too: their rims are fitted where all cells are together.
+bool fitsRims(const Ground& ground) {
+    return std::isfinite(ground.dense.surface.definition().boundaryLimit) && !ground.rims.empty();
+}
+
+surface::Surface surfaceOf(const Ground& ground, const Sites& sites, float limit) {
     const surface::Surface& model = ground.dense.surface;
-    return bounded(model, assemble(model, sites, static_cast<int>(supportsOver)), ground.dense.places, 0);
+    const surface::Surface out = assemble(model, sites, static_cast<int>(supportsOver));
+    return fitsRims(ground) ? endingAtRims(model, out, ground.dense.places, ground.rims, limit)
+                            : bounded(model, out, ground.dense.places, 0);
 }
 
 Reduced finished(const Ground& ground, Sites sites, const base::Progress& progress) {
     Reduced best;
+    const Places& places = ground.dense.places;
+    const FittedPart all{0, sites.size(), &places};
+    float limit = 0;
+    if (fitsRims(ground))
+        limit = fitRims(ground.rims, std::span(&all, 1), places.oriented, sites, {{}, progress.cancel});
     for (int k = 0;; ++k) {
         Missed missed;
         Reduced out;
-        out.surface = surfaceOf(ground, sites);
+        out.surface = surfaceOf(ground, sites, limit);
         out.report = verify(ground.dense, out.surface, missed, progress);
         if (k == 0 || out.report.holes < best.report.holes)
             best = std::move(out);
@@ -135,13 +148,18 @@ bool better(const Report& ellipsoids, const Report& balls) {
 
 } // namespace
 
-Ground groundFor(const surface::Surface& model, std::size_t count, const base::Progress& progress) {
-    return groundOf(model, strideFor(model.tree().size(), count), progress);
+Ground groundFor(const surface::Surface& model, std::size_t count, Rims rims, const base::Progress& progress) {
+    Ground out = groundOf(model, strideFor(model.tree().size(), count), progress);
+    out.rims = std::move(rims);
+    return out;
 }
 
 Reduced reduced(Ground& ground, std::size_t count, Shapes shapes, bool keepTree, const base::Progress& progress) {
-    if (const std::size_t stride = strideFor(ground.dense.surface.tree().size(), count); stride != ground.stride)
+    if (const std::size_t stride = strideFor(ground.dense.surface.tree().size(), count); stride != ground.stride) {
+        Rims rims = std::move(ground.rims);
         ground = groundOf(ground.dense.surface, stride, {{}, progress.cancel});
+        ground.rims = std::move(rims);
+    }
     const std::size_t most = ground.dense.places.size();
     if (count > most)
         throw base::Error("only " + std::to_string(most) + " of the model's points lie on a surface, fewer than the " +
@@ -208,7 +226,8 @@ Reduced reduceToCount(const surface::Surface& model, std::size_t count, Shapes s
     checkCount(model.tree().size(), count);
     shapes = possible(model, shapes);
     const base::CancelScope scope(progress.cancel);
-    Ground ground = groundFor(model, count, process::part(progress, 0, 0.15));
+    Ground ground =
+        groundFor(model, count, rimsOf(model, process::part(progress, 0, 0.05)), process::part(progress, 0.05, 0.15));
     return reduced(ground, count, shapes, false, process::part(progress, 0.15, 1));
 }
 
@@ -247,7 +266,8 @@ Reduced reduceToError(const surface::Surface& model, double error, Shapes shapes
         throw base::Error("an error is a length above 0", "reduce");
     shapes = possible(model, shapes);
     const base::CancelScope scope(progress.cancel);
-    Ground ground = groundFor(model, firstTry(model.tree().size()), process::part(progress, 0, 0.05));
+    Ground ground = groundFor(model, firstTry(model.tree().size()), rimsOf(model, {{}, progress.cancel}),
+                              process::part(progress, 0, 0.05));
     return reducedToError(ground, error, shapes, process::part(progress, 0.05, 1));
 }
 

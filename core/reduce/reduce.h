@@ -8,6 +8,7 @@
 //     coverage    some eight supports over every place                                                coverage.h
 //     fit         offsets and tilts of normals, least squares                                         fit.h
 //     again       placed, covered and fitted, by what the first samples err             density_by_result.h
+//     rims        of open models, where samples beside them are fitted to end the surface             rim_fit.h
 //     assembly    colours, masks and attributes; definition and boundary                              assemble.h
 //     verification with the projection that everybody uses; where it misses surface, supports grow    verify.h
 //

@@ -58,7 +58,13 @@ void ReducedEllipsoidsTest::onACylinderTheyHalveTheError() {
     qInfo("%s", all.constData());
     QVERIFY(!balls.report.ellipsoids && ellipsoids.report.ellipsoids);
     QCOMPARE(ellipsoids.report.count, balls.report.count);
-    QVERIFY2(ellipsoids.report.surfaceRms < 0.5 * balls.report.surfaceRms, all);
+    // Beside the rims all are balls.
+    std::vector<base::Vec3f> middle = test::positionsOf(shape.surface);
+    std::erase_if(middle, [](const base::Vec3f& x) { return std::abs(x.z) > 0.5F; });
+    const double balled = test::errorsOf(balls.surface, shape, middle).rms;
+    const double drawn = test::errorsOf(ellipsoids.surface, shape, middle).rms;
+    QVERIFY2(drawn < 0.5 * balled, all + QByteArray::number(drawn / balled));
+    QVERIFY2(ellipsoids.report.surfaceRms < 0.8 * balls.report.surfaceRms, all);
     QVERIFY2(ellipsoids.report.holes == 0 && ellipsoids.report.leastSupports >= 3, all);
 }
 
@@ -116,7 +122,7 @@ void ReducedEllipsoidsTest::aShapedModelIsReducedToBalls() {
     const Reduced first = reduceToCount(test::cylinder(6000).surface, 2000, Shapes::Ellipsoids);
     const Reduced second = reduceToCount(first.surface, 500, Shapes::Spheres);
     QVERIFY(shaped(first.surface) && !shaped(second.surface));
-    QCOMPARE(second.surface.tree().layout()->words(), std::size_t(0));
+    QCOMPARE(second.surface.tree().layout()->words(), std::size_t(1)); // that of rims
     QVERIFY2(second.report.holes == 0, told(second));
     const Reduced third = reduceToCount(first.surface, 500, Shapes::Ellipsoids);
     QVERIFY2(shaped(third.surface) && third.report.holes == 0, told(third));

@@ -2,7 +2,6 @@
 
 #include "core/base/parallel.h"
 #include "core/process/estimation/boundary_limit.h"
-#include "core/process/estimation/left_rims.h"
 #include "core/surface/rims.h"
 #include "core/tree/with_surfels.h"
 
@@ -22,7 +21,7 @@ bool endIsKnown(const surface::Surface& surface) {
     return surface::knowsRims(surface) || (std::isinf(surface.definition().boundaryLimit) && mayKnowRims(surface));
 }
 
-surface::Surface endingAt(const surface::Surface& surface, std::span<const base::Vec3d> rims) {
+surface::Surface endingAt(const surface::Surface& surface, std::span<const base::Vec3d> rims, float reach) {
     surface::SurfaceDefinition definition = surface.definition();
     const bool told = surface.tree().layout()->find(surface::rimName) != nullptr; // by surfels, of what was
     definition.knownRims = !rims.empty() || told;
@@ -41,7 +40,7 @@ surface::Surface endingAt(const surface::Surface& surface, std::span<const base:
         std::vector<tree::Neighbour> nearest;
         const surfel::Surfel& s = list.items[i];
         if (!rims.empty())
-            near.nearest(s.position, 1, nearest, reachOfLeftRims * s.support);
+            near.nearest(s.position, 1, nearest, reach * s.support);
         surfel::write(rim, std::span(list.extra).subspan(i * words, words), nearest.empty() ? 0 : 1);
     });
     return {tree::withSurfels(surface.tree(), list), definition};

@@ -1,7 +1,7 @@
 // Models that know where they end (surface/rims.h), and what is known of what is made of them.
 #pragma once
 
-#include "core/surface/surface.h"
+#include "core/process/estimation/left_rims.h"
 
 namespace process {
 
@@ -11,9 +11,10 @@ bool endIsKnown(const surface::Surface& surface);
 /// Is it left to the model where it ends, and does no attribute of that name tell of something else?
 bool mayKnowRims(const surface::Surface& surface);
 
-/// It ends at these places, reachOfLeftRims about each, and nowhere else, and knows it; with none it ends nowhere,
+/// It ends at these places, so many supports about each, and nowhere else, and knows it; with none it ends nowhere,
 /// and its limit is none. REQUIRES: mayKnowRims.
-surface::Surface endingAt(const surface::Surface& surface, std::span<const base::Vec3d> rims);
+surface::Surface endingAt(const surface::Surface& surface, std::span<const base::Vec3d> rims,
+                          float reach = reachOfLeftRims);
 
 /// Is it known of what is put together of these, whose surfels say it?
 bool knowRimsTogether(std::span<const surface::Surface* const> surfaces);
