@@ -21,8 +21,8 @@ constexpr float leastFacing = 0.17f;
 /// Limits are at most this, in units of h: o hardly grows beyond it where there is any surface.
 constexpr float loosest = 0.5f;
 constexpr float slack = 1.02f;
-/// Where rims are fitted: from .21 to here a straight one moves by .43 spacings of the samples (surface/README 5.1).
-constexpr float farthestOff = 0.4f;
+/// Where rims are fitted: from .22 to here a straight one moves by .07 h (surface/README 5.1).
+constexpr float farthestOff = 0.26f;
 
 /// What a site carries: of the model's surfels around it, of the nearest one where there are none.
 void carry(const surface::Surface& model, const Sites& sites, std::size_t i, surfel::Surfel& out,
