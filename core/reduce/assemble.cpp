@@ -133,8 +133,9 @@ surface::Surface endingAtRims(const surface::Surface& model, const surface::Surf
             ends.push_back(base::cast<double>(x));
         out = process::endingAt(out, ends, surface::rimReach);
     }
-    return withLimit(out,
-                     std::clamp(slack * mostOff(out, places, true, progress), limit, std::max(limit, farthestOff)));
+    // Rims that are ragged everywhere, as of raw scans, cannot be followed: there nothing is to be lost.
+    return withLimit(out, std::clamp(slack * mostOff(out, places, true, progress), limit,
+                                     limit > farthestOff ? loosest : farthestOff));
 }
 
 } // namespace reduce

@@ -21,6 +21,8 @@ constexpr double ridge = 0.03, meanShare = 0.05;
 constexpr float apart = 0.125F;
 /// What the middle one of the values at the rims is taken for.
 constexpr double leastLimit = 0.22, mostLimit = 0.32;
+/// Rims of raw scans, ragged everywhere, cannot be followed: their samples stay.
+constexpr double raggedFrom = 0.26;
 
 /// In supports of the samples wanted there: so near to a rim they are balls, and so far off what they would be.
 constexpr float roundWithin = 1, freeFrom = 2;
@@ -213,6 +215,8 @@ float fitRims(const Rims& rims, std::span<const FittedPart> parts, bool oriented
     for (const std::uint32_t k : beside.of)
         held.push_back(!moved[k]);
     const double limit = middleOff(few, oriented, beside.sites);
+    if (limit > raggedFrom)
+        return static_cast<float>(limit);
     fitEnds(few, oriented, limit, held, beside.sites);
     beside.putBack(sites);
     for (const FittedPart& part : parts)
