@@ -92,7 +92,7 @@ MadeModel made(OpenedFile& file, const base::Progress& progress) {
     io::FileModel& model = file.model;
     const surface::SurfaceDefinition& definition = file.surface.definition;
     const bool kept = file.faces.sampled || (model.hasSupports && !file.surface.newSupports);
-    std::size_t merged = 0;
+    std::size_t merged = 0, disagreed = 0;
     bool turned = false;
     process::PrepareOptions options;
     options.definition = definition;
@@ -102,12 +102,16 @@ MadeModel made(OpenedFile& file, const base::Progress& progress) {
     options.keepSides = !model.shape.empty(); // saved from a surface, whose last strip may have two sides now
     options.merged = file.faces.sampled || model.hasSupports ? nullptr : &merged;
     options.turned = file.ownNormals && model.faces == 0 && !model.hasSupports ? &turned : nullptr;
+    options.disagreed = options.turned ? &disagreed : nullptr;
     options.shape = &model.shape;
     surface::Surface surface =
         inNameOf(file.name, [&] { return process::prepare(std::move(model.points), options, progress); });
     inNameOf(file.name, [&] { return complexes::Complex::of(surface); }); // one that is none is refused
     if (merged > 0)
         model.messages.push_back(mergedMessage(merged));
+    if (disagreed > 0)
+        model.messages.push_back("The file's normals look out here and in beside it: " + std::to_string(disagreed) +
+                                 " of them were turned, so that all agree.");
     if (turned)
         model.messages.push_back("The normals looked inwards, and were turned: the surface is closed.");
     const auto tell = [&](std::string told) {

@@ -8,6 +8,7 @@
 #include "core/process/estimation/duplicates.h"
 #include "core/process/estimation/keep_points.h"
 #include "core/process/estimation/normals.h"
+#include "core/process/estimation/orientation/agreement.h"
 #include "core/process/estimation/orientation/global_orientation.h"
 #include "core/process/estimation/orientation/outside.h"
 #include "core/process/estimation/part_progress.h"
@@ -183,6 +184,22 @@ bool completeNormals(surfel::SurfelList& points, Surroundings& around, const bas
     return sided;
 }
 
+/// Turns normals that do not agree on a side. Returns how many.
+std::size_t turnDisagreeing(surfel::SurfelList& points, Surroundings& around, const base::Progress& progress) {
+    const Cloud& cloud = around.cloud(); // it puts the points in another order
+    const auto places = cloud.places();
+    std::vector<base::Vec3f> normals(cloud.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+        normals[places[i]] = points.items[i].normal;
+    if (!makeAgree(cloud, around.neighbours().table, normals, progress))
+        return 0;
+    std::size_t turned = 0;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        if (base::Vec3f& n = points.items[i].normal; base::dot(n, normals[places[i]]) < 0)
+            n = -n, ++turned;
+    return turned;
+}
+
 /// Distinct positions, counted up to 4.
 std::size_t fewDistinct(const surfel::SurfelList& points) {
     std::vector<base::Vec3f> seen;
@@ -202,6 +219,8 @@ void prepareNormals(surfel::SurfelList& points, Surroundings& around, const Prep
     if (definition.manifold == surface::Manifold::Curve)
         return; // what there is are tangents, and curves do without
     bool oriented = points.layout->oriented || !declared;
+    if (options.disagreed && declared && oriented && allOf(points, hasNormal))
+        *options.disagreed = turnDisagreeing(points, around, part(progress, 0, 0.7));
     if (!allOf(points, hasNormal))
         oriented &= completeNormals(points, around, part(progress, 0, 0.7));
     if (oriented || !declared)

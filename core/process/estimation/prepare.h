@@ -3,6 +3,7 @@
 //     duplicates, where asked   merged                                                    duplicates.h
 //     normals absent            estimated from 18 neighbours, then oriented consistently   normals.h
 //                               (surfaces without two sides stay unoriented)
+//     normals that disagree     turned, where asked                                       orientation/agreement.h
 //     supports absent or asked  from neighbours or one radius, by the definition           supports.h
 //     Boundary::Auto            limit from the model's own off-centre values, once         boundary_limit.h
 //     normals given, inwards    turned, where asked and the surface is closed               outside.h
@@ -23,6 +24,9 @@ struct PrepareOptions {
     /// Where not null: oriented normals that came with the points are turned where these turn out to be a closed
     /// surface that is inside out, and whether they were comes here.
     bool* turned = nullptr;
+    /// Where not null: oriented normals that came with the points and do not agree on a side are turned so that they do
+    /// (orientation/agreement.h), and how many were comes here.
+    std::size_t* disagreed = nullptr;
     /// Where not null, of a tree that these very points may come from: then it is that tree again.
     const tree::TreeShape* shape = nullptr;
     bool keepSides = false; ///< whether there are two sides was judged for this very model: unoriented normals stay so
