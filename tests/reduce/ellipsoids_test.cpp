@@ -49,8 +49,9 @@ void forSupports(const surface::Surface& surface, const Fn& fn) {
 
 } // namespace
 
+/// Of so many in every build: beside rims supports are balls, and of fewer those are most.
 void ReducedEllipsoidsTest::onACylinderTheyHalveTheError() {
-    const std::size_t count = std::size_t(test::effort(10000));
+    const std::size_t count = 10000;
     const Shape shape = test::cylinder(count);
     const Reduced balls = reduceToCount(shape.surface, count / 10, Shapes::Spheres);
     const Reduced ellipsoids = reduceToCount(shape.surface, count / 10, Shapes::Ellipsoids);
@@ -69,7 +70,7 @@ void ReducedEllipsoidsTest::onACylinderTheyHalveTheError() {
 }
 
 void ReducedEllipsoidsTest::onACylinderTheyLieAlongIt() {
-    const std::size_t count = std::size_t(test::effort(10000));
+    const std::size_t count = 10000;
     const Reduced result = reduceToCount(test::cylinder(count).surface, count / 10, Shapes::Ellipsoids);
     int all = 0, along = 0;
     forSupports(result.surface, [&](const Vec3f& p, const Vec3f& n, float, const Vec3f& b) {
@@ -83,7 +84,7 @@ void ReducedEllipsoidsTest::onACylinderTheyLieAlongIt() {
 }
 
 void ReducedEllipsoidsTest::autoTakesWhatWins() {
-    const std::size_t count = std::size_t(test::effort(8000));
+    const std::size_t count = 8000;
     QVERIFY(shaped(reduceToCount(test::cylinder(count).surface, count / 10, Shapes::Auto).surface));
     QVERIFY(!shaped(reduceToCount(test::sphere(count).surface, count / 10, Shapes::Auto).surface));
 }
