@@ -219,10 +219,10 @@ void prepareNormals(surfel::SurfelList& points, Surroundings& around, const Prep
     if (definition.manifold == surface::Manifold::Curve)
         return; // what there is are tangents, and curves do without
     bool oriented = points.layout->oriented || !declared;
-    if (options.disagreed && declared && oriented && allOf(points, hasNormal))
-        *options.disagreed = turnDisagreeing(points, around, part(progress, 0, 0.7));
     if (!allOf(points, hasNormal))
         oriented &= completeNormals(points, around, part(progress, 0, 0.7));
+    else if (options.disagreed && declared && oriented)
+        *options.disagreed = turnDisagreeing(points, around, part(progress, 0, 0.7));
     if (oriented || !declared)
         setOriented(points, oriented);
     else if (definition.frame == surface::Frame::Normals && !options.keepSides)

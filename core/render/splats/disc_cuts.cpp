@@ -46,6 +46,10 @@ constexpr float twoParts = 20;
 
 } // namespace
 
+Vec3f discAxis(const Vec3f& n) {
+    return zeroAngle(n, countsFromY(n));
+}
+
 CutCode cutCode(const Vec3f& n, const Vec3f& direction, float part, Beside beside) {
     long steps = std::max(1l, std::lround(part * 32));
     if (beside == Beside::Edge && steps > 31)
@@ -163,17 +167,11 @@ std::vector<const SurfelBlock*> DiscCuts::follow(const tree::SurfelTree& to) {
         m_codes.erase(block.get());
     if (m_codes.empty())
         return changed;
-    // Whoever is in the support of what came or went, from its place or from its disc's end.
     std::unordered_set<const SurfelBlock*> near;
-    for (const auto* side : {&diff.removed, &diff.added})
-        for (const surfel::BlockPtr& block : *side)
-            to.forBlocksInSupport(
-                block->box().inflated(block->maxSupport()),
-                [&](std::uint32_t, const SurfelBlock& each) {
-                    if (m_codes.contains(&each))
-                        near.insert(&each);
-                },
-                m_radiusOfSupport);
+    forBlocksBeside(diff, to, m_radiusOfSupport, [&](const SurfelBlock& each) {
+        if (m_codes.contains(&each))
+            near.insert(&each);
+    });
     std::vector<const SurfelBlock*> all(near.begin(), near.end());
     Found found = look(all);
     for (std::size_t i = 0; i < all.size(); ++i) {

@@ -43,6 +43,20 @@ constexpr float tipRadius = 0.25f;
 /// Discs smaller than this many pixels stay whole: less than a pixel would go.
 constexpr float cutPx = 1.5f;
 
+/// The tangential direction that angles of codes count from; zero where there is no normal.
+base::Vec3f discAxis(const base::Vec3f& normal);
+
+/// Calls fn(block) for the blocks of the later version in whose support, from their place or their disc's end,
+/// something came or went; for some more than once.
+template <class Fn>
+void forBlocksBeside(const tree::Diff& change, const tree::SurfelTree& to, float radiusOfSupport, const Fn& fn) {
+    for (const auto* side : {&change.removed, &change.added})
+        for (const surfel::BlockPtr& block : *side)
+            to.forBlocksInSupport(
+                block->box().inflated(block->maxSupport()),
+                [&](std::uint32_t, const surfel::SurfelBlock& each) { fn(each); }, radiusOfSupport);
+}
+
 /// What is left of a disc's radius that is cut: cutRadius, cornerRadius, tipRadius.
 enum class Beside { Edge, Corner, Tip };
 /// The code of a disc cut at `part` of its radius in a tangential direction; beside an edge part >= 1 is whole.

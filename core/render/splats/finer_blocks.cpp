@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <numbers>
 #include <optional>
-#include <unordered_set>
 
 namespace render {
 
@@ -69,8 +68,7 @@ struct Disc {
 std::array<Disc, discsFor> spread(const Disc& of, float radius, float ring) {
     std::array<Disc, discsFor> out;
     const Vec3f n = of.surfel.normal;
-    const Vec3f u = normalized(std::abs(n.x) > 0.8f ? Vec3f{n.z, 0, -n.x} : Vec3f{0, -n.z, n.y}, Vec3f{}),
-                v = cross(n, u);
+    const Vec3f u = discAxis(n), v = cross(n, u);
     const Vec3f along = normalized(of.shape - n * dot(of.shape, n), Vec3f{});
     const float narrower = 1 - 1 / surfel::aspectOf(of.shape);
     for (int k = 0; k < discsFor; ++k) {
@@ -223,18 +221,13 @@ std::vector<const SurfelBlock*> FinerBlocks::follow(const tree::SurfelTree& to) 
             drop(found->second);
             m_kept.erase(found);
         }
-    for (const auto* side : {&diff.removed, &diff.added})
-        for (const surfel::BlockPtr& block : *side)
-            to.forBlocksInSupport(
-                block->box().inflated(block->maxSupport()),
-                [&](std::uint32_t, const SurfelBlock& each) {
-                    const auto found = m_kept.find(&each);
-                    if (found == m_kept.end() || found->second.parts.empty())
-                        return;
-                    drop(found->second);
-                    changed.push_back(&each);
-                },
-                m_radiusOfSupport);
+    forBlocksBeside(diff, to, m_radiusOfSupport, [&](const SurfelBlock& each) {
+        const auto found = m_kept.find(&each);
+        if (found == m_kept.end() || found->second.parts.empty())
+            return;
+        drop(found->second);
+        changed.push_back(&each);
+    });
     return changed;
 }
 

@@ -1,6 +1,7 @@
 #include "core/process/estimation/orientation/agreement.h"
 
 #include "core/base/parallel.h"
+#include "core/process/estimation/orientation/contradictions.h"
 #include "core/process/estimation/orientation/global_orientation.h"
 
 #include <algorithm>
@@ -11,10 +12,6 @@ namespace process {
 
 namespace {
 
-/// Sine of the angle between the way to a neighbour and the tangent plane, up to which both lie in one sheet: the two
-/// sides of a wall do not, unless it is thinner than a third of a spacing.
-constexpr float within = 0.3f;
-constexpr float opposite = -0.5f;
 /// A normal gone wrong here and there is no other side.
 constexpr double clearShare = 0.02;
 /// What is left where the disagreement was in the signs alone.
@@ -32,8 +29,7 @@ double opposedShare(const Cloud& cloud, const NeighbourTable& links, std::span<c
             const std::size_t i = k * stride;
             const NeighbourTable::Row row = links.row(i);
             const auto isOpposed = [&](std::uint32_t j) {
-                const base::Vec3f way = x[j] - x[i];
-                return dot(normals[i], normals[j]) < opposite && std::abs(dot(way, normals[i])) < within * length(way);
+                return lookOpposite(normals[i], normals[j]) && inSheet(x[j] - x[i], normals[i]);
             };
             opposed[chunk] +=
                 std::any_of(row.begin(), row.begin() + static_cast<std::ptrdiff_t>(links.count()), isOpposed) ? 1 : 0;

@@ -6,8 +6,8 @@
 
 namespace process {
 
-/// The share of positions beside which, in their own sheet, a neighbour's normal is opposite: one that lies less than
-/// 17 degrees off the tangent plane, and turns by more than 120 degrees. Of up to some 100,000 positions.
+/// The share of positions beside which, in their own sheet, a neighbour's normal is opposite (contradictions.h). Of up
+/// to some 100,000 positions.
 double opposedShare(const Cloud& cloud, const NeighbourTable& links, std::span<const base::Vec3f> normals);
 
 /// Turns unit normals where a clear share does not agree and most of that can be mended. True if it did.

@@ -1,13 +1,9 @@
 #include "core/process/estimation/orientation/contradictions.h"
 
-#include <cmath>
-
 namespace process {
 
 double contradictions(const tree::SurfelTree& tree) {
     constexpr std::size_t mostSamples = 4096, looked = 9; // itself among them
-    constexpr float inOneSheet = 0.3f;                    // sine: of the way to the neighbour
-    constexpr float opposed = -0.5f;                      // cosine
     const std::size_t stride = (tree.size() + mostSamples - 1) / mostSamples;
     std::size_t at = 0, pairs = 0, opposite = 0;
     std::vector<tree::Neighbour> near;
@@ -19,11 +15,10 @@ double contradictions(const tree::SurfelTree& tree) {
             tree.nearest(x, looked, near);
             for (const tree::Neighbour& each : near) {
                 const base::Vec3f m = each.block->normal(each.slot), way = each.block->position(each.slot) - x;
-                const float least = inOneSheet * length(way);
-                if (!(least > 0) || std::abs(dot(way, n)) > least || std::abs(dot(way, m)) > least)
+                if (!inSheet(way, n) || !inSheet(way, m))
                     continue;
                 ++pairs;
-                opposite += dot(n, m) < opposed;
+                opposite += lookOpposite(n, m);
             }
         }
     });
